@@ -1,0 +1,94 @@
+//! Force laws that are nowhere stiffer than the wall: two-sided, one-sided, saturated (TH-LAW).
+//!
+//! A law f that is 1-Lipschitz (in units of K) generates no more energy than the spring it
+//! softens: V(ξ + d) − V(ξ) − f(ξ + e)·d ≤ ½d² + ½|d| for |e| ≤ ½, where V = ∫f. That is one
+//! theorem for the bilateral wall, the unilateral wall (TH-UNI), saturation and dead band.
+
+use crate::quantizer::Quantized;
+use crate::scalar::Scalar;
+
+/// A clamped linear spring, f(ξ) = min(max(ξ, lower), upper), in KΔ.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{Fixed, Law, Scalar};
+///
+/// let wall = Law::unilateral();
+/// assert_eq!(wall.force(&Fixed::integer(-3)), Fixed::integer(0));
+/// assert_eq!(wall.potential(&Fixed::integer(3)), Fixed::new(9, 2));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Law<S> {
+    /// The least force, or none.
+    pub lower: Option<S>,
+    /// The largest force, or none.
+    pub upper: Option<S>,
+}
+
+impl<S: Scalar> Law<S> {
+    /// The wall on both sides, f(ξ) = ξ, as in (2).
+    #[must_use]
+    pub const fn bilateral() -> Self {
+        Self {
+            lower: None,
+            upper: None,
+        }
+    }
+
+    /// The wall ξ ≥ 0 only, f(ξ) = max(ξ, 0) (TH-UNI).
+    #[must_use]
+    pub fn unilateral() -> Self {
+        Self {
+            lower: Some(S::zero()),
+            upper: None,
+        }
+    }
+
+    /// The same law with its force limited to `limit` ≥ 0 in magnitude, in KΔ.
+    #[must_use]
+    pub fn saturated(self, limit: S) -> Self {
+        let lower = match self.lower {
+            Some(lower) => lower.max(-limit.clone()),
+            None => -limit.clone(),
+        };
+        let upper = match self.upper {
+            Some(upper) => upper.min(limit),
+            None => limit,
+        };
+        Self {
+            lower: Some(lower),
+            upper: Some(upper),
+        }
+    }
+
+    /// The magnitude f(ξ) of the restoring force at ξ ticks, in KΔ; the wall pushes with −f.
+    #[must_use]
+    pub fn force(&self, xi: &S) -> S {
+        let mut force = xi.clone();
+        if let Some(lower) = &self.lower {
+            force = force.max(lower.clone());
+        }
+        if let Some(upper) = &self.upper {
+            force = force.min(upper.clone());
+        }
+        force
+    }
+
+    /// The potential V(ξ) = ∫f from 0, in KΔ², for a law with `lower` ≤ 0 ≤ `upper`.
+    ///
+    /// With y = f(ξ) it is ξy − ½y²: on the linear part ½ξ², beyond it the tangent.
+    #[must_use]
+    pub fn potential(&self, xi: &S) -> S {
+        let force = self.force(xi);
+        xi.clone() * force.clone() - force.square().half()
+    }
+
+    /// The force held from a sample at ξ, −f(⌊ξ⌋ + ½), in KΔ.
+    ///
+    /// For the unilateral wall it is zero exactly when the sample is outside.
+    #[must_use]
+    pub fn held_force(&self, xi: &S) -> S {
+        -self.force(&Quantized::of(xi).measured())
+    }
+}

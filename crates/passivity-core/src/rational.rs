@@ -1,0 +1,103 @@
+//! The public number, [`BigRational`], and its roads to and from the fractions of the kernel.
+
+use core::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+use crate::fraction::{Fixed, Wide};
+use crate::scalar::{Ordered, Scalar};
+
+/// Big rationals in lowest terms: exact on any size, and the slowest instance.
+///
+/// Division by zero gives zero here, because the type has no undefined value; every caller in this
+/// crate divides by a quantity that its documentation says is not zero. Use [`Wide`] where that is
+/// not known beforehand.
+impl Scalar for BigRational {
+    fn integer(n: i32) -> Self {
+        Self::from_integer(BigInt::from(n))
+    }
+
+    fn half(self) -> Self {
+        self * Self::new_raw(BigInt::from(1), BigInt::from(2))
+    }
+
+    fn floor(&self) -> Self {
+        Self::floor(self)
+    }
+
+    fn abs(&self) -> Self {
+        Signed::abs(self)
+    }
+
+    fn max(self, other: Self) -> Self {
+        Ord::max(self, other)
+    }
+
+    fn min(self, other: Self) -> Self {
+        Ord::min(self, other)
+    }
+
+    fn over(self, divisor: Self) -> Self {
+        if divisor.is_zero() {
+            divisor
+        } else {
+            self / divisor
+        }
+    }
+}
+
+impl Ordered for BigRational {
+    fn sign(&self) -> Option<Ordering> {
+        Some(self.numer().cmp(&BigInt::ZERO))
+    }
+
+    fn compare(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// The value as a fraction of 128-bit integers, or `None` when it does not fit.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{BigRational, Fixed, Scalar, rational};
+///
+/// let x = BigRational::integer(3).half();
+/// assert_eq!(rational::to_fixed(&x), Some(Fixed::new(3, 2)));
+/// ```
+#[must_use]
+pub fn to_fixed(x: &BigRational) -> Option<Fixed> {
+    Some(Fixed::new(x.numer().to_i128()?, x.denom().to_i128()?))
+}
+
+/// The value as a fraction of big integers.
+#[must_use]
+pub fn to_wide(x: &BigRational) -> Wide {
+    Wide::new(x.numer().clone(), x.denom().clone())
+}
+
+/// The value in lowest terms, or `None` when it is undefined.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{BigRational, Fixed, Scalar, rational};
+///
+/// assert_eq!(rational::from_fixed(&Fixed::new(6, 4)), Some(BigRational::integer(3).half()));
+/// assert_eq!(rational::from_fixed(&Fixed::new(1, 0)), None);
+/// ```
+#[must_use]
+pub fn from_fixed(x: &Fixed) -> Option<BigRational> {
+    let (n, d) = x.parts()?;
+    Some(BigRational::new(BigInt::from(*n), BigInt::from(*d)))
+}
+
+/// The value in lowest terms, or `None` when it is undefined.
+#[must_use]
+pub fn from_wide(x: &Wide) -> Option<BigRational> {
+    let (n, d) = x.reduced()?;
+    Some(BigRational::new_raw(n, d))
+}

@@ -1,0 +1,48 @@
+//! How fast an unforced motion can ever get (TH-START), in squares: no roots are taken.
+
+use core::cmp::Ordering;
+
+use crate::criterion::Criterion;
+use crate::scalar::{Ordered, Scalar};
+
+/// V² = ξ̇(0)² + ξ(0)²/μ, the square of a speed that an unforced passive motion never passes.
+///
+/// With ξ(0) = 0 it is the initial speed of (10). `mu` > 0; ticks and ticks per sample, or with
+/// units when `mu` is m/K.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{Fixed, Scalar, start::speed_squared};
+///
+/// let v2 = speed_squared(&Fixed::integer(4), &Fixed::integer(8), &Fixed::integer(3));
+/// assert_eq!(v2, Fixed::integer(25));
+/// ```
+#[must_use]
+pub fn speed_squared<S: Scalar>(mu: &S, xi: &S, velocity: &S) -> S {
+    velocity.square() + xi.square().over(mu.clone())
+}
+
+/// `coulomb`² − `viscous`²·V²: where `viscous` < 0 < `coulomb`, the criterion holds at speed V
+/// exactly when this is not negative.
+#[must_use]
+pub fn margin_of_squares<S: Scalar>(criterion: &Criterion<S>, speed_squared: &S) -> S {
+    criterion.coulomb.square() - criterion.viscous.square() * speed_squared.clone()
+}
+
+/// Whether the criterion holds at every speed v with 0 < v ≤ V, given V²; `None` when a number is
+/// undefined.
+///
+/// At V = 0 nothing moves and nothing is asked, but a device that is pushed would move: the
+/// answer is that of arbitrarily small speeds.
+#[must_use]
+pub fn holds_up_to<S: Ordered>(criterion: &Criterion<S>, speed_squared: &S) -> Option<bool> {
+    match (criterion.viscous.sign()?, criterion.coulomb.sign()?) {
+        (_, Ordering::Less) => Some(false),
+        (Ordering::Less, Ordering::Equal) => Some(false),
+        (Ordering::Less, Ordering::Greater) => {
+            margin_of_squares(criterion, speed_squared).is_nonnegative()
+        }
+        (_, _) => Some(true),
+    }
+}
