@@ -1,0 +1,153 @@
+(** * Definitions: every formula that a theorem or the bridge speaks of, once.
+
+    Dimensionless throughout, as in (3)-(7): position in encoder ticks, time in
+    sampling periods, force in K*Delta, energy in K*Delta^2.  [x0], [x1] are the
+    positions at the start and the end of a step, [d] its displacement, [dtau]
+    the time it takes.  Numbers in round brackets are the paper's equations. *)
+
+From Coq Require Import Reals Lra.
+Open Scope R_scope.
+
+(** ** The quantizer (15) and the held force (5) *)
+
+(** The largest integer not above [x]: what the encoder counts. *)
+Definition floor (x : R) : R := IZR (Int_part x).
+
+(** The quantization error rho of (15). *)
+Definition residue (x : R) : R := x - floor x.
+
+(** The position a force law is given: the middle of the tick. *)
+Definition measured (x : R) : R := floor x + 1 / 2.
+
+(** The force held after a sample at [x] (5). *)
+Definition held_force (x : R) : R := - measured x.
+
+(** ** Stored energy (16), (17) *)
+
+Definition linear_potential (x : R) : R := x ^ 2 / 2.
+
+Definition quantization_potential (x : R) : R := (residue x - residue x ^ 2) / 2.
+
+(** H_e of (16). *)
+Definition quantized_potential (x : R) : R :=
+  linear_potential x + quantization_potential x.
+
+Definition kinetic (mu v : R) : R := mu * v ^ 2 / 2.
+
+(** S, the storage that makes the criterion true. *)
+Definition storage (mu x v : R) : R := kinetic mu v + linear_potential x.
+
+(** H_T of (17). *)
+Definition quantized_storage (mu x v : R) : R := kinetic mu v + quantized_potential x.
+
+(** ** Generated energy (18)-(22) *)
+
+(** D, the ticks crossed. *)
+Definition ticks (x0 x1 : R) : R := floor x1 - floor x0.
+
+(** (18) after integration: the work of a constant held force, plus what the
+    counterpart with potential [p] gains. *)
+Definition generated (held x0 x1 p0 p1 : R) : R := held * (x1 - x0) + p1 - p0.
+
+(** Against the linear spring. *)
+Definition generated_linear (x0 x1 : R) : R :=
+  (x1 - x0) ^ 2 / 2 + (residue x0 - 1 / 2) * (x1 - x0).
+
+(** E_gq of (20). *)
+Definition quantization_effect (x0 x1 : R) : R :=
+  (residue x0 - 1 / 2) * ticks x0 x1 - (residue x1 - residue x0) ^ 2 / 2.
+
+(** Against the quantized spring, as in (19). *)
+Definition generated_quantized (x0 x1 : R) : R :=
+  (x1 - x0) ^ 2 / 2 + quantization_effect x0 x1.
+
+(** The first bound of (21). *)
+Definition bound_21 (D : R) : R := Rabs D / 2.
+
+(** The right-hand side of (22). *)
+Definition bound_22 (d : R) : R := d ^ 2 / 2 + Rabs d / 2.
+
+(** The bound of TH-QUANT, with f = frac |d|. *)
+Definition bound_quantized (d : R) : R :=
+  bound_22 d + residue (Rabs d) * (1 - residue (Rabs d)) / 2.
+
+(** ** Dissipated energy (23)-(26) *)
+
+(** The integrand of (23). *)
+Definition friction_power (beta sigma v : R) : R := beta * v ^ 2 + sigma * Rabs v.
+
+(** The right-hand side of (26). *)
+Definition dissipated_lower (beta sigma d dtau : R) : R :=
+  beta * d ^ 2 / dtau + sigma * Rabs d.
+
+(** Mean speed of a step. *)
+Definition mean_speed (d dtau : R) : R := Rabs d / dtau.
+
+(** ** The criterion (8), (27), with the effects of section 4
+
+    [viscous] and [coulomb] are what friction has to spare.  [k] is the delay in
+    whole samples, [B] the virtual damping in KT, [delta] the D/A step in
+    K*Delta; without effects all three are 0. *)
+
+Definition viscous_surplus (beta k B : R) : R := beta - 1 / 2 - k - B.
+
+Definition coulomb_surplus (sigma delta B : R) : R := sigma - (1 + delta) / 2 - B.
+
+(** (8) multiplied by the speed: passive when not negative. *)
+Definition margin (viscous coulomb v : R) : R := viscous * v + coulomb.
+
+(** The left-hand side of (27). *)
+Definition surplus (viscous coulomb d dtau : R) : R :=
+  viscous * d ^ 2 / dtau + coulomb * Rabs d.
+
+(** TH-JITTER: what an interval of any length has to spare.  [viscous_need] is
+    1/2 + k + B, which is paid on d^2 whatever the length. *)
+Definition jitter_surplus (beta viscous_need coulomb d dtau : R) : R :=
+  (beta / dtau - viscous_need) * d ^ 2 + coulomb * Rabs d.
+
+(** The critical line (9). *)
+Definition critical_sigma (beta v : R) : R := 1 / 2 - v * (beta - 1 / 2).
+
+(** ** TH-ACTIVE: the witness cycle between n - a and n + m *)
+
+(** What the held force gives in a cycle. *)
+Definition cycle_work (m a : R) : R := (m + 1) * (m + a).
+
+(** What friction takes, one interval each way at constant speed. *)
+Definition cycle_friction (m a beta sigma : R) : R :=
+  2 * (beta * (m + a) ^ 2 + sigma * (m + a)).
+
+Definition cycle_gain (m a beta sigma : R) : R :=
+  cycle_work m a - cycle_friction m a beta sigma.
+
+(** ** Extra storage at a sample (TH-DELAY, TH-DAMP)
+
+    [d j] is the displacement over the interval that ended j - 1 samples ago. *)
+
+Fixpoint sum_to (n : nat) (f : nat -> R) : R :=
+  match n with
+  | O => 0
+  | S p => sum_to p f + f (S p)
+  end.
+
+(** Each step pays k * d^2 once: 1/2 k d^2 while it is current, the rest, with
+    these weights, during the k steps after. *)
+Definition delay_storage (k : nat) (d : nat -> R) : R :=
+  sum_to k (fun j => (INR k - INR j + 1) * d j ^ 2 / 2).
+
+Definition damping_storage (k : nat) (B : R) (d : nat -> R) : R :=
+  B * sum_to (S k) (fun j => d j ^ 2) / 2.
+
+(** ** Limits *)
+
+(** V^2 of TH-START: the square of the speed that an unforced motion never passes. *)
+Definition start_speed_squared (mu x v : R) : R := v ^ 2 + x ^ 2 / mu.
+
+(** TH-REGION: the speed at which the criterion changes sign. *)
+Definition critical_speed (beta sigma : R) : R := (1 / 2 - sigma) / (beta - 1 / 2).
+
+(** TH-STIFF, from (11): the stiffest wall at speed [v], in SI units. *)
+Definition stiffness_limit (b c T Delta v : R) : R := 2 * (b * v + c) / (T * v + Delta).
+
+(** TH-STIFF: the stiffest wall at every speed. *)
+Definition stiffness_limit_all (b c T Delta : R) : R := Rmin (2 * b / T) (2 * c / Delta).
