@@ -6,8 +6,12 @@
 //!
 //! An effect is in a [`Scene`] exactly when its key is in the file.
 
+pub mod check;
+pub mod display;
 pub mod effect;
 pub mod exact;
+pub mod json;
+pub mod number;
 pub mod pi;
 pub mod point;
 pub mod scene;

@@ -231,4 +231,31 @@ impl Scene {
             .chain(start)
             .collect()
     }
+
+    /// The same parameters, to change them.
+    pub(crate) fn parameters_mut(&mut self) -> Vec<&mut Given> {
+        let arm = self.arm.iter_mut();
+        let arm = arm.flat_map(|arm| [&mut arm.mass, &mut arm.damping, &mut arm.stiffness]);
+        let start = self.start.iter_mut();
+        let start = start.flat_map(|start| [&mut start.position, &mut start.velocity]);
+        let force = self.force.iter_mut().filter_map(|force| match force {
+            Force::Constant(given) => Some(&mut **given),
+            Force::Samples { .. } => None,
+        });
+        [
+            &mut self.inertia,
+            &mut self.viscous,
+            &mut self.coulomb,
+            &mut self.resolution,
+        ]
+        .into_iter()
+        .chain([&mut self.damping, &mut self.max_force, &mut self.force_step])
+        .chain([&mut self.amplifier, &mut self.max_speed])
+        .flatten()
+        .chain([&mut self.period, &mut self.stiffness])
+        .chain(force)
+        .chain(arm)
+        .chain(start)
+        .collect()
+    }
 }

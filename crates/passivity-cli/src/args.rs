@@ -1,0 +1,35 @@
+//! What is typed: the one table that help, man page and completions are made from.
+
+use clap::{Parser, Subcommand};
+
+use crate::verbs;
+
+/// Says, exactly and with proof, whether a haptic device can render a virtual wall without feeding
+/// energy to the hand that holds it.
+///
+/// Exit codes: 0 the claim holds; 1 it does not, or it depends; 2 bad input or usage; 3 the scene
+/// has an effect that no theorem covers.
+#[derive(Debug, Parser)]
+#[command(
+    name = "passivity",
+    version,
+    max_term_width = 100,
+    arg_required_else_help = true
+)]
+#[command(after_help = "Examples:
+  passivity check scenes/re35.toml
+  passivity check --format json scenes/*.toml
+  passivity explain scenes/re35.toml
+  passivity plane scenes/re35*.toml --plot plane.svg")]
+pub(crate) struct Args {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// The verbs.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Completions(verbs::completions::Args),
+    Man(verbs::man::Args),
+}

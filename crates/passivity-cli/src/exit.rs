@@ -1,0 +1,77 @@
+//! How the command ends: exit codes and failures.
+
+use std::fmt::Display;
+use std::io;
+use std::process::ExitCode;
+
+/// What the exit code says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Exit {
+    /// The claim holds.
+    Holds = 0,
+    /// It does not hold, or it depends.
+    Fails = 1,
+    /// Bad input or usage.
+    BadInput = 2,
+    /// The scene has an effect that no theorem covers.
+    NotCovered = 3,
+}
+
+impl Exit {
+    /// The exit of several answers: bad input first, then a claim that fails, then one not covered.
+    pub(crate) fn and(self, other: Self) -> Self {
+        let weight = |exit: Self| match exit {
+            Self::Holds => 0,
+            Self::NotCovered => 1,
+            Self::Fails => 2,
+            Self::BadInput => 3,
+        };
+        if weight(other) > weight(self) {
+            other
+        } else {
+            self
+        }
+    }
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        Self::from(exit as u8)
+    }
+}
+
+/// Why a command could not do its work.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// Bad input or usage, with a message for people.
+    Input(String),
+    /// Whoever read the output has gone: there is nobody to tell.
+    Closed,
+}
+
+impl Failure {
+    /// Bad input: where, and what is wrong with it.
+    pub(crate) fn input(what: impl Display) -> Self {
+        Self::Input(what.to_string())
+    }
+
+    /// A file or stream that cannot be read or written.
+    pub(crate) fn io(what: impl Display, error: &io::Error) -> Self {
+        if error.kind() == io::ErrorKind::BrokenPipe {
+            return Self::Closed;
+        }
+        Self::Input(format!("{what}: {error}"))
+    }
+
+    /// Says what went wrong on standard error and gives the exit code.
+    pub(crate) fn report(&self) -> ExitCode {
+        match self {
+            Self::Input(message) => {
+                // `message` of a scene's diagnostics has its own frame and ends in a line break.
+                eprintln!("error: {}", message.trim_end());
+                Exit::BadInput.into()
+            }
+            Self::Closed => Exit::Holds.into(),
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! The command `passivity`: glue between what is typed and the libraries that do the work.
+
+mod args;
+mod exit;
+mod output;
+mod verbs;
+
+use clap::Parser as _;
+
+fn main() -> std::process::ExitCode {
+    let args = args::Args::parse();
+    match verbs::run(&args.command) {
+        Ok(exit) => exit.into(),
+        Err(failure) => failure.report(),
+    }
+}

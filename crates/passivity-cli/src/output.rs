@@ -1,0 +1,29 @@
+//! Writing results: text or JSON on standard output, pictures as SVG or PNG files.
+
+use std::io::Write as _;
+
+use crate::exit::Failure;
+
+/// For whom the result is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Format {
+    /// For people.
+    #[default]
+    Text,
+    /// For programs: one JSON document.
+    Json,
+}
+
+/// Writes `text` and a line break to standard output.
+pub(crate) fn emit(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    out.write_all(text.as_bytes())
+        .and_then(|()| out.write_all(if text.ends_with('\n') { b"" } else { b"\n" }))
+        .and_then(|()| out.flush())
+        .map_err(|error| Failure::io("standard output", &error))
+}
+
+/// Writes a JSON document to standard output.
+pub(crate) fn emit_json(document: &serde_json::Value) -> Result<(), Failure> {
+    emit(&format!("{document:#}"))
+}
