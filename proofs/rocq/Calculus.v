@@ -5,10 +5,34 @@ From Coquelicot Require Import Coquelicot.
 From Passivity Require Import Definitions Quantizer.
 Open Scope R_scope.
 
+(** Coquelicot states equalities in a normed module; over the reals they are plain ones. *)
+Ltac over_R := intros; match goal with |- @eq _ ?x ?y => change (@eq R x y) end.
+
 (** ** Continuous integrands *)
 
 Lemma ex_RInt_cont : forall (f : R -> R) a b, (forall t, continuous f t) -> ex_RInt f a b.
 Proof. intros f a b H. apply (@ex_RInt_continuous R_CompleteNormedModule). intros; apply H. Qed.
+
+Lemma RInt_is : forall (f : R -> R) a b, ex_RInt f a b -> is_RInt f a b (RInt f a b).
+Proof. intros f a b H. apply (@RInt_correct R_CompleteNormedModule). exact H. Qed.
+
+Lemma RInt_split : forall (f : R -> R) a b c,
+  ex_RInt f a b -> ex_RInt f b c -> RInt f a c = RInt f a b + RInt f b c.
+Proof.
+  intros f a b c H1 H2. symmetry. apply (@RInt_Chasles R_CompleteNormedModule); assumption.
+Qed.
+
+Lemma is_RInt_join : forall (f : R -> R) a b c x y,
+  is_RInt f a b x -> is_RInt f b c y -> is_RInt f a c (x + y).
+Proof. intros f a b c x y. apply (@is_RInt_Chasles R_NormedModule). Qed.
+
+Lemma ex_RInt_part : forall (f : R -> R) a b s t,
+  ex_RInt f a b -> a <= s <= t -> t <= b -> ex_RInt f s t.
+Proof.
+  intros f a b s t H H1 H2.
+  apply (@ex_RInt_Chasles_1 R_CompleteNormedModule) with b; [lra |].
+  apply (@ex_RInt_Chasles_2 R_CompleteNormedModule) with a; [lra | exact H].
+Qed.
 
 (** The fundamental theorem, on the real line. *)
 Lemma is_RInt_primitive : forall (f df : R -> R) a b,
@@ -33,7 +57,10 @@ Proof. intros. apply (continuous_plus f g); assumption. Qed.
 
 Lemma continuous_Rabs : forall (f : R -> R) x,
   continuous f x -> continuous (fun t => Rabs (f t)) x.
-Proof. intros. apply (continuous_comp f Rabs); [assumption | apply continuous_abs]. Qed.
+Proof.
+  intros. apply (continuous_comp f Rabs); [assumption |].
+  apply continuity_pt_filterlim, Rcontinuity_abs.
+Qed.
 
 Lemma continuous_friction_power : forall beta sigma (v : R -> R) x,
   continuous v x -> continuous (fun t => friction_power beta sigma (v t)) x.
@@ -62,11 +89,7 @@ Lemma M_nonneg : 0 <= M.
 Proof. apply Rle_trans with (Rabs (g a)); [apply Rabs_pos | apply g_bound; lra]. Qed.
 
 Lemma g_sub : forall s t, a <= s <= t -> t <= b -> ex_RInt g s t.
-Proof.
-  intros s t H1 H2.
-  apply (@ex_RInt_Chasles_1 R_CompleteNormedModule) with b; [lra |].
-  apply (@ex_RInt_Chasles_2 R_CompleteNormedModule) with a; [lra | exact g_int].
-Qed.
+Proof. intros s t. apply ex_RInt_part with (1 := g_int). Qed.
 
 Lemma G_lipschitz : forall s t, a <= s <= t -> t <= b -> Rabs (G t - G s) <= (t - s) * M.
 Proof.
@@ -105,7 +128,7 @@ Proof.
   intros n i x [L U]. unfold piece_of. pose proof (piece_pos n) as P.
   set (e := (b - a) / INR (S n)) in *.
   assert (E : floor ((x - a) / e) = IZR (Z.of_nat i)).
-  { apply floor_unique. rewrite <- INR_IZR_INZ. unfold cut in L, U. rewrite S_INR in U.
+  { apply floor_unique. rewrite <- INR_IZR_INZ. unfold cut in L, U. rewrite (S_INR i) in U.
     fold e in L, U. split.
     - apply Rmult_le_reg_r with e; [exact P |]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra.
     - apply Rmult_lt_reg_r with e; [exact P |]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra. }
@@ -116,7 +139,8 @@ Lemma piece_of_spec : forall n x, a < x < b ->
   (piece_of n x <= n)%nat /\ cut n (piece_of n x) <= x <= cut n (S (piece_of n x)).
 Proof.
   intros n x Hx. pose proof (piece_pos n) as P. pose proof (cut_last n) as CL.
-  unfold piece_of. unfold cut in *. rewrite S_INR. set (e := (b - a) / INR (S n)) in *.
+  unfold piece_of. unfold cut in *.
+  rewrite (S_INR (Z.to_nat _)). set (e := (b - a) / INR (S n)) in *.
   set (q := (x - a) / e).
   assert (Q : q * e = x - a) by (unfold q; field; lra).
   assert (Q0 : 0 < q) by (unfold q; apply Rdiv_lt_0_compat; lra).
@@ -126,7 +150,7 @@ Proof.
   { apply le_IZR. rewrite <- (floor_IZR 0). apply (floor_monotone 0 q). lra. }
   assert (I : INR (Z.to_nat (Int_part q)) = IZR (Int_part q)).
   { rewrite INR_IZR_INZ, Z2Nat.id by exact Z0. reflexivity. }
-  rewrite I. split; [| nra].
+  fold q. rewrite I. split; [| nra].
   assert (Int_part q < Z.of_nat (S n))%Z; [| lia].
   apply lt_IZR. rewrite <- INR_IZR_INZ. lra.
 Qed.
@@ -146,12 +170,12 @@ Proof.
   apply is_RInt_ext with (fun x => mean_at n i * g x).
   - intros x Hx. rewrite Rmin_left, Rmax_right in Hx by lra.
     rewrite inside_in.
-    + rewrite (piece_of_inside n i x Hx). ring.
+    + rewrite (piece_of_inside n i x Hx). apply Rmult_comm.
     + assert (i <= S n)%nat as L1 by lia. assert (S i <= S n)%nat as L2 by lia.
       specialize (R1 L1). specialize (R2 L2). lra.
   - replace ((G (cut n (S i)) ^ 2 - G (cut n i) ^ 2) / 2)
       with (mean_at n i * RInt g (cut n i) (cut n (S i))).
-    + apply (is_RInt_scal g), RInt_correct, g_sub;
+    + apply (is_RInt_scal g), RInt_is, g_sub;
         [specialize (R1 ltac:(lia)) | specialize (R2 ltac:(lia))]; lra.
     + rewrite <- G_grows; [unfold mean_at; field | |];
         [specialize (R1 ltac:(lia)) | specialize (R2 ltac:(lia))]; lra.
@@ -163,11 +187,12 @@ Lemma steps_integral : forall n i, (i <= S n)%nat ->
 Proof.
   intros n i. induction i as [| i IH]; intro Hi.
   - replace (cut n 0) with a by (unfold cut; simpl; ring).
-    replace ((G a ^ 2 - G a ^ 2) / 2) with 0 by field. apply (is_RInt_point _ a).
+    replace ((G a ^ 2 - G a ^ 2) / 2) with 0 by field.
+    apply (@is_RInt_point R_NormedModule).
   - replace ((G (cut n (S i)) ^ 2 - G a ^ 2) / 2)
       with ((G (cut n i) ^ 2 - G a ^ 2) / 2
             + (G (cut n (S i)) ^ 2 - G (cut n i) ^ 2) / 2) by field.
-    apply (is_RInt_Chasles _ a (cut n i)); [apply IH; lia | apply step_integral; lia].
+    apply is_RInt_join with (cut n i); [apply IH; lia | apply step_integral; lia].
 Qed.
 
 Lemma steps_uniform : forall n x,
@@ -197,7 +222,7 @@ Proof.
   destruct (@filterlim_RInt nat R_CompleteNormedModule
     (fun n x => inside x (g x * mean_at n (piece_of n x))) a b eventually _
     (fun x => inside x (g x * G x)) (fun _ => (G b ^ 2 - G a ^ 2) / 2)) as (I & L & H).
-  - intro n. rewrite <- (cut_last n) at 1. apply steps_integral. lia.
+  - intro n. pose proof (steps_integral n (S n) (le_n _)) as H. rewrite cut_last in H. exact H.
   - apply filterlim_locally. intro eps.
     assert (K : 0 <= M * M * (b - a)) by (pose proof M_nonneg; nra).
     destruct (nfloor_ex (M * M * (b - a) / eps)) as (N & _ & HN).
