@@ -25,7 +25,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             let found = command.find_subcommand(verb).ok_or_else(|| {
                 Failure::input(format!("no verb `{verb}`: `passivity help` lists them"))
             })?;
-            found.clone().name(format!("passivity-{verb}"))
+            found.clone()
         }
     };
     let mut text = Vec::new();

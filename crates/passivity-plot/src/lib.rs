@@ -1,0 +1,10 @@
+//! Pictures: drawn once as SVG, written as SVG or PNG.
+//!
+//! Charts are drawn with `plotters` into SVG text; [`save`] writes it, rasterised by `resvg` with
+//! a font that is part of the program when the file's name ends in `.png`. So a picture looks the
+//! same on every machine.
+
+mod file;
+pub mod plane;
+
+pub use file::{PlotError, save, to_png};
