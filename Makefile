@@ -1,0 +1,46 @@
+# What one types. Each target prints what it runs; what needs more than the Rust toolchain installs
+# it itself, or says what is missing and stops.
+
+CARGO ?= cargo
+PYTHON ?= python3
+SCENE ?= scenes/re35.toml
+FLAGS ?= --locked
+BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
+
+.PHONY: help run test check fmt clippy doc bench figures
+
+help: ## list the targets
+	@awk -F':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+run: ## check and explain the default scene: the main job
+	@echo "== passivity check $(SCENE)"
+	@$(BIN) check $(SCENE)
+	@echo "== passivity explain $(SCENE)"
+	@$(BIN) explain $(SCENE)
+
+test: ## run all tests
+	@echo "== cargo test --workspace"
+	$(CARGO) test $(FLAGS) --workspace
+
+check: fmt clippy doc test ## format, lints, documentation and all tests
+
+fmt:
+	@echo "== cargo fmt --check"
+	$(CARGO) fmt --all --check
+
+clippy:
+	@echo "== cargo clippy, warnings denied"
+	$(CARGO) clippy $(FLAGS) --workspace --all-targets -- -D warnings
+
+doc:
+	@echo "== cargo doc, warnings denied"
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc $(FLAGS) --workspace --no-deps
+
+bench: ## measure: verdicts, ledger, motion, sweep
+	@echo "== cargo bench"
+	$(CARGO) bench $(FLAGS) --workspace
+
+figures: ## draw every figure of the documentation into target/figures
+	@mkdir -p target/figures
+	@echo "== passivity plane"
+	@$(BIN) plane scenes/re35*.toml --plot target/figures/plane.svg
