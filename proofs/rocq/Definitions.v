@@ -96,6 +96,9 @@ Definition coulomb_surplus (sigma delta B : R) : R := sigma - (1 + delta) / 2 - 
 (** (8) multiplied by the speed: passive when not negative. *)
 Definition margin (viscous coulomb v : R) : R := viscous * v + coulomb.
 
+(** (8) as printed, with 1/|v|: for moving devices. *)
+Definition margin_8 (viscous coulomb v : R) : R := viscous + coulomb / Rabs v.
+
 (** The left-hand side of (27). *)
 Definition surplus (viscous coulomb d dtau : R) : R :=
   viscous * d ^ 2 / dtau + coulomb * Rabs d.

@@ -61,6 +61,10 @@ Definition dissipated (beta sigma : R) (vel : R -> R) (s t : R) : R :=
 Definition operator_energy (vel hand : R -> R) (s t : R) : R :=
   RInt (fun u => hand u * vel u) s t.
 
+(** [r] is the end of interval [h] in a run that stops at [t] in interval [N]. *)
+Definition reached (ts : nat -> R) (N : nat) (t : R) (h : nat) (r : R) : Prop :=
+  (h < N)%nat /\ r = ts (S h) \/ h = N /\ r = t.
+
 Section Kinematics.
 
 Variables pos vel : R -> R.
@@ -237,6 +241,55 @@ Proof.
     + apply (@is_RInt_plus R_NormedModule (fun u => - held h * vel u)).
       * apply (@is_RInt_scal R_NormedModule), (vel_integral _ _ K).
       * apply RInt_is, (power_integrable _ _ K).
+Qed.
+
+(** EQ-13 (one interval): with any potential [V] as the counterpart, the operator's energy
+    is the growth of the storage, plus what friction takes, less what is generated. *)
+Theorem EQ_13_interval : forall (V : R -> R) h t, ts h <= t <= ts (S h) ->
+  is_RInt (fun u => hand u * vel u) (ts h) t
+    (kinetic mu (vel t) + V (pos t) - (kinetic mu (vel (ts h)) + V (pos (ts h)))
+     + (dissipated beta sigma vel (ts h) t
+        - generated (held h) (pos (ts h)) (pos t) (V (pos (ts h))) (V (pos t)))).
+Proof.
+  intros V h t Ht. pose proof (EQ_6_energy h t Ht) as E.
+  replace (_ - (_ + V (pos (ts h))) + _) with
+    (kinetic mu (vel t) - kinetic mu (vel (ts h)) - held h * (pos t - pos (ts h))
+     + dissipated beta sigma vel (ts h) t) by (unfold generated; ring).
+  exact E.
+Qed.
+
+(** EQ-12/13/14 (a run): if every interval reached pays, friction taking at least what is
+    generated and what an extra storage [W] grows by, then the operator has put in at
+    least the growth of the storage.  [X h t] is [W] on the way from sample h to h + 1. *)
+Theorem EQ_14_run : forall (V : R -> R) (W : nat -> R) (X : nat -> R -> R),
+  increasing ts ->
+  (forall h, X h (ts (S h)) = W (S h)) ->
+  forall N t, ts N <= t <= ts (S N) ->
+  (forall h r, reached ts N t h r ->
+     generated (held h) (pos (ts h)) (pos r) (V (pos (ts h))) (V (pos r)) + X h r - W h
+     <= dissipated beta sigma vel (ts h) r) ->
+  ex_RInt (fun u => hand u * vel u) (ts 0%nat) t /\
+  kinetic mu (vel t) + V (pos t) + X N t
+  <= kinetic mu (vel (ts 0%nat)) + V (pos (ts 0%nat)) + W 0%nat
+     + operator_energy vel hand (ts 0%nat) t.
+Proof.
+  intros V W X Hinc HX N t Ht Hpay.
+  assert (A : forall n, (n <= N)%nat -> exists E,
+    is_RInt (fun u => hand u * vel u) (ts 0%nat) (ts n) E /\
+    kinetic mu (vel (ts n)) + V (pos (ts n)) + W n
+    <= kinetic mu (vel (ts 0%nat)) + V (pos (ts 0%nat)) + W 0%nat + E).
+  { induction n as [| n IH]; intro Hn.
+    - exists 0. split; [apply (@is_RInt_point R_NormedModule) | lra].
+    - destruct IH as (E & I & L); [lia |].
+      pose proof (Hinc n) as Hi.
+      eexists. split.
+      + apply is_RInt_join with (1 := I). apply (EQ_13_interval V n (ts (S n))). lra.
+      + specialize (Hpay n (ts (S n)) (or_introl (conj Hn eq_refl))). rewrite HX in Hpay. lra. }
+  destruct (A N (le_n N)) as (E & I & L).
+  specialize (Hpay N t (or_intror (conj eq_refl eq_refl))).
+  pose proof (is_RInt_join _ _ _ _ _ _ I (EQ_13_interval V N t Ht)) as J.
+  split; [eexists; exact J |].
+  unfold operator_energy. rewrite (is_RInt_unique _ _ _ _ J). lra.
 Qed.
 
 End Energy.
