@@ -189,3 +189,33 @@ Proof.
 Qed.
 
 End Criterion.
+
+(** TH-COMBINED: the operator puts in at least the growth of the storage, if the sampling
+    is on time and (8), with the terms that the effects add, holds at every instant. *)
+Theorem TH_COMBINED :
+  forall mu beta sigma f sat V B delta e k ts held past pos vel friction hand,
+  physical mu beta sigma -> increasing ts -> on_time ts ->
+  wall f sat V B delta e ->
+  obeys mu beta sigma ts held pos vel friction hand ->
+  rendered f sat B delta e k ts pos past held ->
+  forall N t, ts N <= t <= ts (S N) ->
+  (forall u, ts 0%nat <= u <= t -> vel u <> 0 ->
+     0 <= margin_8 (beta - viscous_need (INR k) B) (sigma - coulomb_need e delta B) (vel u)) ->
+  ex_RInt (fun u => hand u * vel u) (ts 0%nat) t /\
+  kinetic mu (vel t) + V (pos t) + extra_towards ts pos past k B N t
+  <= kinetic mu (vel (ts 0%nat)) + V (pos (ts 0%nat)) + extra_at ts pos past k B 0
+     + operator_energy vel hand (ts 0%nat) t.
+Proof.
+  intros mu beta sigma f sat V B delta e k ts held past pos vel friction hand
+    P T J L O D N t Ht H8.
+  apply (TH_COMBINED_jitter mu beta sigma f sat V B delta e k ts held past pos vel friction hand
+    P T L O D N t Ht).
+  intros h r Hr Hlt. pose proof (damping_nonneg _ _ _ _ _ _ L) as HB.
+  pose proof (pos_INR k) as Hk.
+  destruct (reached_range ts T N t Ht h r Hr) as (R0 & R1 & R2).
+  eapply Rle_trans; [| apply TH_JITTER_on_time].
+  - apply (EQ_8_to_27 _ _ _ pos vel (is_kinematic _ _ _ _ _ _ _ _ _ O)); [exact Hlt |].
+    intros u Hu. apply H8. lra.
+  - unfold viscous_need. lra.
+  - specialize (J h). lra.
+Qed.

@@ -65,6 +65,19 @@ Definition operator_energy (vel hand : R -> R) (s t : R) : R :=
 Definition reached (ts : nat -> R) (N : nat) (t : R) (h : nat) (r : R) : Prop :=
   (h < N)%nat /\ r = ts (S h) \/ h = N /\ r = t.
 
+Lemma sample_order : forall ts, increasing ts -> forall i j, (i <= j)%nat -> ts i <= ts j.
+Proof.
+  intros ts T i j H. induction H as [| j _ IH]; [lra |]. specialize (T j). lra.
+Qed.
+
+Lemma reached_range : forall ts, increasing ts -> forall N t, ts N <= t <= ts (S N) ->
+  forall h r, reached ts N t h r -> ts 0%nat <= ts h /\ r <= t /\ r <= ts (S h).
+Proof.
+  intros ts T N t Ht h r [[Hh ->] | [-> ->]].
+  - pose proof (sample_order ts T 0 h ltac:(lia)). pose proof (sample_order ts T (S h) N Hh). lra.
+  - pose proof (sample_order ts T 0 N ltac:(lia)). lra.
+Qed.
+
 Section Kinematics.
 
 Variables pos vel : R -> R.
