@@ -1,0 +1,356 @@
+//! The derivation of a verdict with a scene's numbers filled in.
+
+use std::fmt::Write as _;
+
+use passivity_core::BigRational;
+use serde_json::{Value, json};
+
+use crate::check::{BoundSource, Report, Verdict, check};
+use crate::display::{approx, range};
+use crate::effect::Effect;
+use crate::scene::{Given, Motion, Scene};
+
+/// One line of the derivation: an equation of the paper or a claim, in general and in numbers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// The paper's equation in brackets, or the id of a claim.
+    pub id: &'static str,
+    /// The equation with the scene's effects, in letters.
+    pub formula: String,
+    /// The same with the scene's numbers; empty where there is nothing to fill in.
+    pub numbers: String,
+}
+
+/// What `passivity explain` shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Explanation {
+    /// The effects in the scene.
+    pub present: Vec<Effect>,
+    /// The effects that are not: nothing is computed for them.
+    pub absent: Vec<Effect>,
+    /// The parameters as they were given, with their keys.
+    pub given: Vec<(&'static str, String)>,
+    /// The derivation, from the units to the verdict.
+    pub lines: Vec<Line>,
+    /// The theorems used, each with what it says.
+    pub theorems: Vec<(&'static str, &'static str)>,
+    /// The check that the derivation ends in.
+    pub report: Report,
+}
+
+/// Explains a scene.
+///
+/// # Example
+///
+/// ```
+/// use passivity_scene::{Scene, explain::explain};
+///
+/// let text = "[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n";
+/// let explanation = explain(&Scene::from_toml("point", text).unwrap());
+/// assert!(explanation.to_text().contains("(3/5 − 1/2)·v + (3/5 − 1/2) ≥ 0"));
+/// ```
+#[must_use]
+pub fn explain(scene: &Scene) -> Explanation {
+    let report = check(scene);
+    let present = scene.effects();
+    let absent = Effect::ALL.into_iter().filter(|effect| !present.contains(effect)).collect();
+    let given = scene.parameters().into_iter().filter(|g| !g.text.is_empty());
+    Explanation {
+        absent,
+        given: given.map(|g| (g.key, g.text.clone())).collect(),
+        lines: lines(scene, &report),
+        theorems: report.because.iter().map(|id| (*id, sentence(id))).collect(),
+        present,
+        report,
+    }
+}
+
+fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
+    let mut lines = Vec::new();
+    let mut push = |id, formula: String, numbers: String| {
+        lines.push(Line { id, formula, numbers });
+    };
+    let point = scene.point();
+    let number = |x: &Option<BigRational>| x.as_ref().map_or_else(|| "0".to_owned(), readable);
+    if scene.motion != Motion::Dimensionless {
+        push("(7)", "β = b/(KT)".to_owned(), units_text(scene, report, 'β'));
+        if scene.resolution.is_some() {
+            push("(7)", "σ = c/(KΔ)".to_owned(), units_text(scene, report, 'σ'));
+        }
+        if let Some(mu) = &report.mu {
+            push("(7)", "μ = m/(KT²)".to_owned(), format!("μ = {}", range(mu)));
+        }
+    }
+    let (law, law_id) = held_force(scene);
+    push(law_id, law, String::new());
+    push("(6)", motion(scene), String::new());
+    let cost = Cost::of(scene);
+    let bound = format!("E_g ≤ {}·d² + {}·|d|{}", cost.viscous, cost.coulomb, cost.storage);
+    push(cost.id, bound, String::new());
+    let friction = match (scene.has(Effect::Viscous), scene.has(Effect::Coulomb)) {
+        (true, true) => "E_d ≥ β·d²/Δτ + σ·|d|",
+        (true, false) => "E_d ≥ β·d²/Δτ",
+        (false, true) => "E_d ≥ σ·|d|",
+        (false, false) => "E_d ≥ 0: the device has no friction",
+    };
+    push("(26)", friction.to_owned(), String::new());
+    let (beta, sigma) = (number(&point.beta), number(&point.sigma));
+    push(
+        "(8)",
+        format!("(β − {})·v + (σ − {}) ≥ 0 at every speed v that occurs", cost.viscous, cost.coulomb),
+        format!(
+            "({beta} − {})·v + ({sigma} − {}) ≥ 0",
+            cost.viscous_number, cost.coulomb_number
+        ),
+    );
+    if let Some(v) = &report.critical_speed {
+        let formula = "equality at the critical speed v_c".to_owned();
+        push("TH-REGION", formula, format!("v_c = {} ticks/sample", range(v)));
+    }
+    if let Some(v) = &report.speed_bound {
+        let (id, formula) = match report.bound_source {
+            Some(BoundSource::Start) => ("TH-START", "V² = ξ̇(0)² + ξ(0)²/μ"),
+            _ => ("TH-RUN", "speeds up to the operator's bound V"),
+        };
+        let mut numbers = format!("V = {} ticks/sample", range(v));
+        if let Some(margin) = &report.margin_at_speed_bound {
+            let _ = write!(numbers, ", margin there {}", range(margin));
+        }
+        push(id, formula.to_owned(), numbers);
+    }
+    if let Some(witness) = &report.witness {
+        push(
+            "TH-ACTIVE",
+            "a cycle ξ → ξ + d → ξ with positive gain".to_owned(),
+            format!(
+                "{} → {} → {}: gains {} KΔ² a round",
+                witness.from, witness.to, witness.from, witness.gain_per_cycle
+            ),
+        );
+    }
+    lines
+}
+
+/// β or σ with the scene's own figures.
+fn units_text(scene: &Scene, report: &Report, which: char) -> String {
+    let nominal = |given: &Option<Given>| {
+        given.as_ref().map_or_else(|| "0".to_owned(), |g| approx(&g.nominal.middle()))
+    };
+    let of = |given: &Given| approx(&given.nominal.middle());
+    let stiffness = of(&scene.stiffness);
+    match (which, &report.sigma) {
+        ('σ', Some(sigma)) => format!(
+            "σ = {}/({stiffness} · {}) = {}",
+            nominal(&scene.coulomb),
+            nominal(&scene.resolution),
+            range(sigma)
+        ),
+        _ => format!(
+            "β = {}/({stiffness} · {}) = {}",
+            nominal(&scene.viscous),
+            of(&scene.period),
+            range(&report.beta)
+        ),
+    }
+}
+
+/// The force that is held, with exactly the scene's effects.
+fn held_force(scene: &Scene) -> (String, &'static str) {
+    let late = scene.delay.unwrap_or(0);
+    let sample = if late == 0 { "h".to_owned() } else { format!("h−{late}") };
+    let before = format!("h−{}", u32::from(late) + 1);
+    let mut id = "(5)";
+    let mut force = if scene.resolution.is_some() {
+        format!("⌊ξ_{sample}⌋ + ½")
+    } else {
+        id = "TH-SMOOTH";
+        format!("ξ_{sample}")
+    };
+    if late > 0 {
+        id = "TH-DELAY";
+    }
+    if scene.damping.is_some() {
+        id = "TH-DAMP";
+        let velocity = if scene.resolution.is_some() {
+            format!("(⌊ξ_{sample}⌋ − ⌊ξ_{before}⌋)")
+        } else {
+            format!("(ξ_{sample} − ξ_{before})")
+        };
+        force = format!("{force} + B·{velocity}");
+    }
+    if scene.max_force.is_some() {
+        id = "TH-LAW";
+        force = format!("sat({force})");
+    }
+    if scene.force_step.is_some() {
+        id = "TH-DAC";
+        force = format!("δ·⌊({force})/δ + ½⌋");
+    }
+    let side = if scene.unilateral { ", and 0 when that sample is below 0" } else { "" };
+    (format!("φ_V = −({force}) over [h, h+1){side}"), id)
+}
+
+/// The equation of motion, with exactly the scene's effects.
+fn motion(scene: &Scene) -> String {
+    let mut left = vec!["μ·ξ̈"];
+    if scene.viscous.is_some() {
+        left.push("β·ξ̇");
+    }
+    if scene.coulomb.is_some() {
+        left.push("σ·sgn(ξ̇)");
+    }
+    let wall = if scene.amplifier.is_some() { "the lagged φ_V" } else { "φ_V" };
+    format!("{} = φ_H + {wall}", left.join(" + "))
+}
+
+/// What a step may generate, in letters and numbers.
+struct Cost {
+    viscous: String,
+    viscous_number: String,
+    coulomb: String,
+    coulomb_number: String,
+    storage: &'static str,
+    id: &'static str,
+}
+
+impl Cost {
+    fn of(scene: &Scene) -> Self {
+        let point = scene.point();
+        let delay = scene.delay.unwrap_or(0);
+        let cost = passivity_core::effects::Effects {
+            encoder: point.encoder,
+            delay,
+            damping: point.damping.clone(),
+            force_step: point.force_step.clone(),
+        }
+        .cost();
+        let mut viscous = vec!["½".to_owned()];
+        let mut coulomb = Vec::new();
+        let mut id = if point.encoder { "TH-LIN" } else { "TH-SMOOTH" };
+        if delay > 0 {
+            viscous.push(delay.to_string());
+            id = "TH-DELAY";
+        }
+        match (point.encoder, point.force_step.is_some()) {
+            (true, true) => coulomb.push("½(1 + δ)".to_owned()),
+            (true, false) => coulomb.push("½".to_owned()),
+            (false, true) => coulomb.push("½δ".to_owned()),
+            (false, false) => {}
+        }
+        if point.force_step.is_some() {
+            id = "TH-DAC";
+        }
+        if point.damping.is_some() {
+            viscous.push("B".to_owned());
+            if point.encoder {
+                coulomb.push("B".to_owned());
+            }
+            id = "TH-DAMP";
+        }
+        let sum = |terms: &[String]| match terms {
+            [] => "0".to_owned(),
+            [one] => one.clone(),
+            many => format!("({})", many.join(" + ")),
+        };
+        let stored = delay > 0 || point.damping.is_some();
+        Self {
+            viscous: sum(&viscous),
+            viscous_number: readable(&cost.viscous),
+            coulomb: sum(&coulomb),
+            coulomb_number: readable(&cost.coulomb),
+            storage: if stored { " + what the extra storage loses" } else { "" },
+            id,
+        }
+    }
+}
+
+/// A rational as it is when short, else rounded.
+fn readable(x: &BigRational) -> String {
+    let exact = x.to_string();
+    if exact.len() <= 12 { exact } else { approx(x) }
+}
+
+/// What a theorem says, in a sentence.
+fn sentence(id: &str) -> &'static str {
+    match id {
+        "TH-REGION" => "a region is the set of speeds at which the criterion holds",
+        "TH-INTERVAL" => {
+            "within a sampling interval no more energy is generated than friction dissipates, \
+             measured against the linear spring, if the criterion holds at the mean speed"
+        }
+        "TH-RUN" => {
+            "over any number of intervals the operator draws no more than was stored at the start, \
+             whatever the operator does"
+        }
+        "TH-START" => "an unforced motion never gets faster than V, so the criterion at V is enough",
+        "TH-ACTIVE" => "below ½ in β or σ an exact cycle draws energy every time round",
+        "TH-SMOOTH" => "without an encoder the terms of quantization go",
+        "TH-UNI" => "a wall on one side generates no more than one on both",
+        "TH-LAW" => "no force law that is nowhere stiffer than K generates more than the spring",
+        "TH-DAC" => "a force step δ costs ½δ of Coulomb friction",
+        "TH-DELAY" => "each whole sample of delay costs 1 of effective viscous friction",
+        "TH-DAMP" => "virtual damping B costs B of both effective frictions: it is paid, not won",
+        _ => "see the table of claims",
+    }
+}
+
+impl Explanation {
+    /// The explanation for people.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        // Writing to a string cannot fail.
+        let mut out = format!("{}\n\nIn this scene\n", self.report.scene);
+        for effect in &self.present {
+            let _ = writeln!(out, "  {}", effect.words());
+        }
+        if !self.given.is_empty() {
+            out.push_str("\nGiven\n");
+            for (key, text) in &self.given {
+                let _ = writeln!(out, "  {key:<32}{text}");
+            }
+        }
+        out.push_str("\nDerivation\n");
+        for line in &self.lines {
+            let _ = writeln!(out, "  {:<12}{}", line.id, line.formula);
+            if !line.numbers.is_empty() {
+                let _ = writeln!(out, "  {:<12}{}", "", line.numbers);
+            }
+        }
+        if !self.theorems.is_empty() {
+            out.push_str("\nTheorems used\n");
+            for (id, sentence) in &self.theorems {
+                let _ = writeln!(out, "  {id:<12}{sentence}");
+            }
+        }
+        let absent: Vec<&str> = self.absent.iter().map(|effect| effect.words()).collect();
+        if !absent.is_empty() {
+            let _ = write!(out, "\nNot in this scene, and not computed\n  {}\n", absent.join("; "));
+        }
+        if self.report.verdict == Verdict::NotCovered {
+            out.push_str("\nThe derivation above leaves out what no theorem covers.\n");
+        }
+        let _ = write!(out, "\nVerdict\n  {}\n", self.report.headline());
+        out
+    }
+
+    /// The explanation for programs.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
+        let names = |effects: &[Effect]| -> Value { effects.iter().map(|e| e.name()).collect() };
+        let given: serde_json::Map<String, Value> =
+            self.given.iter().map(|(key, text)| ((*key).to_owned(), json!(text))).collect();
+        let line = |line: &Line| {
+            json!({ "id": line.id, "formula": line.formula, "numbers": line.numbers })
+        };
+        let theorem = |(id, says): &(&str, &str)| json!({ "id": id, "says": says });
+        json!({
+            "scene": self.report.scene,
+            "effects": names(&self.present),
+            "absent": names(&self.absent),
+            "given": given,
+            "derivation": self.lines.iter().map(line).collect::<Value>(),
+            "theorems": self.theorems.iter().map(theorem).collect::<Value>(),
+            "check": self.report.to_json(),
+        })
+    }
+}

@@ -1,0 +1,10 @@
+//! The command `passivity`, run as its users run it.
+//!
+//! A member of no crate of its own: `crates/passivity-cli` lists it as a test target, so that the
+//! binary under test is the one just built.
+
+mod check;
+mod explain;
+mod harness;
+mod plane;
+mod usage;
