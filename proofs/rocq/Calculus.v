@@ -62,6 +62,14 @@ Proof.
   apply continuity_pt_filterlim, Rcontinuity_abs.
 Qed.
 
+Lemma continuous_near : forall (f : R -> R) x eps, continuous f x -> 0 < eps ->
+  exists r, 0 < r /\ forall u, Rabs (u - x) < r -> Rabs (f u - f x) < eps.
+Proof.
+  intros f x eps C He. destruct (C (fun y => Rabs (y - f x) < eps)) as (r & Hr).
+  - exists (mkposreal eps He). intros y Hy. exact Hy.
+  - exists r. split; [apply cond_pos |]. intros u Hu. apply Hr, Hu.
+Qed.
+
 Lemma continuous_friction_power : forall beta sigma (v : R -> R) x,
   continuous v x -> continuous (fun t => friction_power beta sigma (v t)) x.
 Proof.
