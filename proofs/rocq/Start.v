@@ -211,3 +211,68 @@ Proof.
 Qed.
 
 End Bootstrap.
+
+Section Paper.
+
+Variables mu beta sigma : R.
+Variables pos vel friction hand : R -> R.
+Hypothesis P : physical mu beta sigma.
+Hypothesis O : paper_motion mu beta sigma pos vel friction hand.
+Hypothesis unforced : forall t, hand t = 0.
+
+(** TH-START: unforced, with beta < 1/2 < sigma, if the criterion holds at the V with
+    V^2 = v(0)^2 + xi(0)^2/mu then the speed never passes V. *)
+Theorem TH_START : beta < 1 / 2 < sigma -> forall W, 0 <= W ->
+  W ^ 2 = start_speed_squared mu (pos 0) (vel 0) ->
+  0 <= margin (viscous_surplus beta 0 0) (coulomb_surplus sigma 0 0) W ->
+  forall t, 0 <= t -> Rabs (vel t) <= W.
+Proof.
+  intros Hbs W HW E M t Ht. destruct (INR_covers t Ht) as (N & HN).
+  rewrite viscous_surplus_plain, coulomb_surplus_plain in M.
+  apply (TH_START_combined mu beta sigma (fun x => x) (fun x => x) linear_potential 0 0 (1 / 2) 0
+    INR _ (fun _ => 0) pos vel friction hand P INR_increasing INR_on_time paper_wall O
+    (paper_rendered pos _) unforced W HW) with (N := N); try exact M; try exact HN.
+  - unfold extra_at. rewrite no_extra. simpl (INR 0). unfold kinetic, linear_potential.
+    rewrite E. unfold start_speed_squared. pose proof (mu_positive _ _ _ P).
+    right. field. lra.
+  - unfold coulomb_need. lra.
+  - left. unfold coulomb_need. lra.
+Qed.
+
+(** TH-START (consequence): then TH-RUN applies, and the storage never passes its start. *)
+Theorem TH_START_storage : beta < 1 / 2 < sigma -> forall W, 0 <= W ->
+  W ^ 2 = start_speed_squared mu (pos 0) (vel 0) ->
+  0 <= margin (viscous_surplus beta 0 0) (coulomb_surplus sigma 0 0) W ->
+  forall t, 0 <= t -> storage mu (pos t) (vel t) <= storage mu (pos 0) (vel 0).
+Proof.
+  intros Hbs W HW E M t Ht.
+  destruct (TH_RUN mu beta sigma pos vel friction hand P O t Ht) as [_ R].
+  - intros u Hu Hv. pose proof (TH_START Hbs W HW E M u ltac:(lra)) as S.
+    rewrite viscous_plain, coulomb_plain in *. unfold margin in M. unfold margin_8.
+    pose proof (Rabs_pos_lt _ Hv) as Sp. set (w := Rabs (vel u)) in *.
+    apply Rmult_le_reg_l with w; [exact Sp |]. rewrite Rmult_0_r.
+    replace (w * (beta - 1 / 2 + (sigma - 1 / 2) / w))
+      with ((beta - 1 / 2) * w + (sigma - 1 / 2)) by (field; lra). nra.
+  - assert (Z : operator_energy vel hand 0 t = 0).
+    { unfold operator_energy. rewrite (RInt_ext _ (fun _ => 0)).
+      - rewrite RInt_const. apply Rmult_0_r.
+      - intros x _. rewrite unforced. apply Rmult_0_l. }
+    lra.
+Qed.
+
+(** EQ-10: started at xi(0) = 0, the criterion at the initial speed is enough. *)
+Theorem EQ_10 : beta < 1 / 2 < sigma -> pos 0 = 0 -> criterion_8 beta sigma (vel 0) ->
+  forall t, 0 <= t -> Rabs (vel t) <= Rabs (vel 0).
+Proof.
+  intros Hbs H0 C t Ht. apply (TH_START Hbs); [apply Rabs_pos | | | exact Ht].
+  - unfold start_speed_squared. rewrite pow2_abs, H0. unfold Rdiv. ring.
+  - unfold criterion_8 in C. rewrite viscous_plain, coulomb_plain in *. unfold margin.
+    destruct (Req_dec (vel 0) 0) as [Z | Z].
+    + rewrite Z, Rabs_R0. lra.
+    + specialize (C Z). unfold margin_8 in C. pose proof (Rabs_pos_lt _ Z).
+      replace ((beta - 1 / 2) * Rabs (vel 0) + (sigma - 1 / 2))
+        with (Rabs (vel 0) * (beta - 1 / 2 + (sigma - 1 / 2) / Rabs (vel 0))) by (field; lra).
+      apply Rmult_le_pos; lra.
+Qed.
+
+End Paper.
