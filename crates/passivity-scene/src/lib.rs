@@ -7,15 +7,19 @@
 //! An effect is in a [`Scene`] exactly when its key is in the file.
 
 pub mod check;
+pub mod diagnostic;
 pub mod display;
 pub mod effect;
 pub mod exact;
 pub mod json;
 pub mod number;
+pub mod parse;
 pub mod pi;
 pub mod point;
 pub mod scene;
+pub mod units;
 
+pub use diagnostic::{Diagnostic, SceneError};
 pub use effect::Effect;
 pub use exact::Exact;
 pub use point::Point;

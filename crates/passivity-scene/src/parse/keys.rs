@@ -1,0 +1,166 @@
+//! The sections and keys of a scene file, and what a wrong one may have meant.
+
+use crate::diagnostic::{Diagnostic, Kind};
+
+/// Every section with its keys; the first holds what stands before any section.
+pub(super) const SECTIONS: [(&str, &[&str]); 11] = [
+    ("", &["name"]),
+    ("device", &["inertia", "mass", "viscous", "coulomb"]),
+    ("sampling", &["period", "rate", "delay"]),
+    ("encoder", &["counts_per_revolution", "resolution"]),
+    (
+        "wall",
+        &[
+            "stiffness",
+            "unilateral",
+            "damping",
+            "max_force",
+            "force_step",
+        ],
+    ),
+    ("amplifier", &["time_constant"]),
+    ("operator", &["max_speed", "force", "arm"]),
+    ("operator.arm", &["mass", "damping", "stiffness"]),
+    ("start", &["position", "velocity"]),
+    ("run", &["intervals"]),
+    ("dimensionless", &["mu", "beta", "sigma"]),
+];
+
+/// Words that people use for a key, with its section.
+const SYNONYMS: [(&str, &str); 27] = [
+    ("m", "device.inertia"),
+    ("b", "device.viscous"),
+    ("c", "device.coulomb"),
+    ("viscous_friction", "device.viscous"),
+    ("coulomb_friction", "device.coulomb"),
+    ("friction", "device.coulomb"),
+    ("t", "sampling.period"),
+    ("dt", "sampling.period"),
+    ("timestep", "sampling.period"),
+    ("time_step", "sampling.period"),
+    ("frequency", "sampling.rate"),
+    ("sample_rate", "sampling.rate"),
+    ("sampling_rate", "sampling.rate"),
+    ("latency", "sampling.delay"),
+    ("counts", "encoder.counts_per_revolution"),
+    ("cpr", "encoder.counts_per_revolution"),
+    ("ppr", "encoder.counts_per_revolution"),
+    ("k", "wall.stiffness"),
+    ("one_sided", "wall.unilateral"),
+    ("saturation", "wall.max_force"),
+    ("x0", "start.position"),
+    ("v0", "start.velocity"),
+    ("speed", "operator.max_speed"),
+    ("steps", "run.intervals"),
+    ("samples", "run.intervals"),
+    ("β", "dimensionless.beta"),
+    ("σ", "dimensionless.sigma"),
+];
+
+/// How alike two words must be for one to be taken as a slip of the other.
+const ALIKE: f64 = 0.8;
+
+/// The longest key that is compared with known ones.
+const MAX_KEY: usize = 64;
+
+fn known(section: &str) -> &'static [&'static str] {
+    let found = SECTIONS.iter().find(|(name, _)| *name == section);
+    found.map_or(&[], |(_, keys)| keys)
+}
+
+/// The names of sections: those of the file's top level.
+pub(super) fn sections() -> impl Iterator<Item = &'static str> {
+    let named = SECTIONS.iter().map(|(name, _)| *name);
+    named.filter(|name| !name.is_empty() && !name.contains('.'))
+}
+
+fn closest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    if word.len() > MAX_KEY {
+        return None;
+    }
+    let word = word.to_lowercase().replace('-', "_");
+    let scored = candidates.map(|c| (strsim::jaro_winkler(&word, c), c));
+    scored
+        .filter(|(score, _)| *score >= ALIKE)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, c)| c)
+}
+
+/// The sections that have this key, as `[wall]`.
+fn homes(key: &str) -> Vec<String> {
+    let having = SECTIONS.iter().filter(|(_, keys)| keys.contains(&key));
+    having.map(|(section, _)| heading(section)).collect()
+}
+
+fn heading(section: &str) -> String {
+    if section.is_empty() {
+        "the top of the file, before any section".to_owned()
+    } else {
+        format!("[{section}]")
+    }
+}
+
+fn list(words: impl Iterator<Item = &'static str>) -> String {
+    words
+        .map(|w| format!("`{w}`"))
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+/// What to say of a key that its section does not have.
+pub(super) fn wrong_key(section: &str, key: &str) -> Diagnostic {
+    let shown = shorten(key);
+    let message = if section.is_empty() {
+        format!("`{shown}` is not a key that stands before the sections")
+    } else {
+        format!("`{shown}` is not a key of [{section}]")
+    };
+    let expected = match known(section) {
+        [only] => format!("`{only}`"),
+        keys => format!("one of {}", list(keys.iter().copied())),
+    };
+    let homes = homes(key);
+    if !homes.is_empty() {
+        return Diagnostic::new(Kind::WrongSection, message)
+            .expected(expected)
+            .found(format!("`{shown}`"))
+            .help(Some(format!("`{shown}` belongs in {}", homes.join(" or "))));
+    }
+    let synonym = SYNONYMS
+        .iter()
+        .find(|(word, _)| *word == key.to_lowercase());
+    let help = match (closest(key, known(section).iter().copied()), synonym) {
+        (_, Some((_, meant))) => Some(format!("did you mean `{meant}`?")),
+        (Some(meant), None) => Some(format!("did you mean `{meant}`?")),
+        (None, None) => None,
+    };
+    Diagnostic::new(Kind::UnknownKey, message)
+        .expected(expected)
+        .found(format!("`{shown}`"))
+        .help(help)
+}
+
+/// What to say of a section that no scene has.
+pub(super) fn wrong_section(name: &str) -> Diagnostic {
+    let shown = shorten(name);
+    let help = closest(name, sections()).map(|meant| format!("did you mean `[{meant}]`?"));
+    let message = format!("a scene has no section `[{shown}]`");
+    Diagnostic::new(Kind::UnknownSection, message)
+        .expected(format!("one of {}", list(sections())))
+        .found(format!("`[{shown}]`"))
+        .help(help)
+}
+
+/// The text, cut where it is too long for a message.
+pub(super) fn shorten(text: &str) -> String {
+    const KEPT: usize = 40;
+    let mut shown: String = text
+        .chars()
+        .take(KEPT)
+        .flat_map(char::escape_debug)
+        .collect();
+    if text.chars().nth(KEPT).is_some() {
+        shown.push('…');
+    }
+    shown
+}
