@@ -89,7 +89,8 @@ Proof.
   apply (is_RInt_primitive (fun u => c * pos u + linear_potential (pos u))).
   - intro u. unfold linear_potential. pose proof (velocity_is_derivative _ _ K u) as D.
     auto_derive; [repeat split; exists (vel u); exact D |].
-    rewrite (is_derive_unique _ _ _ D). field.
+    change (Derive (fun x => pos x) u) with (Derive pos u). rewrite (is_derive_unique _ _ _ D).
+    field.
   - intro u. apply continuous_Rmult; [| apply (velocity_continuous _ _ K)].
     apply continuous_Rplus; [apply continuous_const | apply (pos_continuous _ _ K)].
 Qed.
@@ -113,10 +114,10 @@ Proof.
   - intros _ _. unfold margin_8, viscous_surplus, coulomb_surplus. rewrite A. lra.
   - unfold dissipated. rewrite RInt_const. unfold friction_power. rewrite A.
     unfold scal; simpl; unfold mult; simpl. field.
-  - rewrite <- step_1_half. pose proof (EQ_19_20 _ _ K 0 1 ltac:(lra)) as E. cbv beta in E.
+  - pose proof (EQ_19_20 _ _ K 0 1 ltac:(lra)) as E. cbv beta in E.
     replace (1 + - (1 / 2) * 0) with 1 in E by field.
     replace (1 + - (1 / 2) * 1) with (1 / 2) in E by field.
-    replace (1 + - (1 / 2) * 0) with 1 by field. exact E.
+    rewrite step_1_half in E. replace (1 + - (1 / 2) * 0) with 1 by field. exact E.
   - unfold bound_22. replace (1 + - (1 / 2) * 1 - (1 + - (1 / 2) * 0)) with (- (1 / 2)) by field.
     rewrite A. field.
 Qed.
