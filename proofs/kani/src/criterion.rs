@@ -1,0 +1,123 @@
+//! The criterion: (27) and (8) are one inequality, (9) is where it is an equality, (11) has units.
+
+use passivity_core::{Criterion, Friction, Ordered, Rig, Scalar, effects::Effects};
+
+use crate::Dyadic;
+use crate::domain::{below, coarse_position, friction_coefficient, speed, up_to};
+
+/// EQ-27: the left-hand side of (27) is E_d's lower bound less ½d²/Δτ + ½|d|.
+#[kani::proof]
+fn eq_27_is_dissipated_less_generated() {
+    let friction = Friction::new(friction_coefficient(), friction_coefficient());
+    let criterion = Criterion::of_friction(&friction);
+    let d = coarse_position();
+    let speed = speed();
+    let surplus = criterion.surplus(&d, &speed);
+    kani::cover!(surplus < Dyadic::zero(), "less is dissipated");
+    kani::cover!(surplus > Dyadic::zero(), "more is dissipated");
+    // d²/Δτ is |d|·v̄.
+    let allowed = (d.abs() * speed).half() + d.abs().half();
+    kani::assert(
+        surplus == friction.dissipated_lower(&d, &speed) - allowed,
+        "EQ-27: (27) compares (26) with the bound of (22)",
+    );
+}
+
+/// EQ-27: for a step that moves, (27) holds exactly where (8) does.
+#[kani::proof]
+fn eq_27_holds_where_8_does() {
+    let friction = Friction::new(friction_coefficient(), friction_coefficient());
+    let criterion = Criterion::of_friction(&friction);
+    let d = coarse_position();
+    let speed = speed();
+    if d != Dyadic::zero() {
+        let margin = criterion.margin(&speed);
+        kani::cover!(margin == Dyadic::zero(), "on the critical line");
+        kani::assert(
+            criterion.surplus(&d, &speed).is_at_least_zero() == margin.is_at_least_zero(),
+            "EQ-27: (27) and (8) are equivalent",
+        );
+    }
+}
+
+/// EQ-27: on the critical line (9) the margin is zero.
+#[kani::proof]
+fn eq_27_is_an_equality_on_the_critical_line_9() {
+    let beta = friction_coefficient();
+    let speed = speed();
+    let sigma = Criterion::critical_sigma(&beta, &speed);
+    kani::cover!(sigma < Dyadic::zero(), "no Coulomb friction is needed");
+    let margin = Criterion::of_friction(&Friction::new(beta, sigma)).margin(&speed);
+    kani::assert(
+        margin == Dyadic::zero(),
+        "EQ-27: the margin is zero on the line (9)",
+    );
+}
+
+/// Whole units of the parameters of a rig: 2 bits each, since up to five are multiplied.
+const UNITS: u8 = 3;
+
+/// EQ-27: the criterion with units (11), with every effect, is (8) times KΔ.
+#[kani::proof]
+fn eq_27_with_units_is_11() {
+    let rig = Rig {
+        viscous: below(8),
+        coulomb: below(8),
+        stiffness: up_to(UNITS),
+        period: up_to(UNITS),
+        length: up_to(UNITS),
+        effects: Effects {
+            delay: 1,
+            damping: Some(below(UNITS)),
+            force_step: Some(below(UNITS)),
+            ..Effects::encoder()
+        },
+    };
+    let speed = up_to(UNITS);
+    let with_units = rig.criterion().margin(&speed);
+    let margin = rig
+        .dimensionless_criterion()
+        .margin(&rig.dimensionless_speed(&speed));
+    kani::cover!(
+        with_units.is_nonnegative() == Some(false),
+        "it does not hold"
+    );
+    kani::assert(
+        with_units == margin * rig.force_unit(),
+        "EQ-27: (11) is (8) in the units of the rig",
+    );
+}
+
+/// EQ-27: without further effects (8) has β − ½ and σ − ½, and μ = m/(KT²).
+#[kani::proof]
+fn eq_27_dimensionless_numbers_are_those_of_7() {
+    let rig = Rig {
+        viscous: below(8),
+        coulomb: below(8),
+        stiffness: up_to(UNITS),
+        period: up_to(UNITS),
+        length: up_to(UNITS),
+        effects: Effects::encoder(),
+    };
+    let criterion = rig.dimensionless_criterion();
+    let expected = Criterion::of_friction(&rig.friction());
+    kani::cover!(
+        criterion.viscous.is_nonnegative() == Some(false),
+        "β is below ½"
+    );
+    kani::assert(
+        criterion.viscous == expected.viscous && criterion.coulomb == expected.coulomb,
+        "EQ-27: a rig's criterion is that of its β and σ",
+    );
+    let friction = rig.friction();
+    kani::assert(
+        friction.beta * (rig.stiffness * rig.period) == rig.viscous
+            && friction.sigma * (rig.stiffness * rig.length) == rig.coulomb,
+        "EQ-27: β = b/(KT) and σ = c/(KΔ)",
+    );
+    let inertia = below(8);
+    kani::assert(
+        rig.mu(&inertia) * (rig.stiffness * rig.period.square()) == inertia,
+        "EQ-27: μ = m/(KT²)",
+    );
+}

@@ -1,0 +1,110 @@
+//! What friction dissipates: the lower bound (26) in its discrete form.
+//!
+//! A motion is approximated as closely as one likes by pieces of constant velocity. Merging two
+//! neighbouring pieces into one of the same length and displacement never gains dissipation; that
+//! is the step of an induction which ends with one piece, and with (26).
+
+use passivity_core::{Friction, Ordered, Scalar, dissipation::mean_speed};
+
+use crate::Dyadic;
+use crate::domain::{Ratio, below, coarse_position, friction_coefficient, up_to};
+
+/// Half ticks per sample: velocities in ±4, 4 bits, since four of them are multiplied.
+const VELOCITY_LIMIT: i8 = 8;
+
+/// Quarters of a sampling period: a piece lasts up to two periods, 3 bits.
+const DURATION_LIMIT: u8 = 8;
+
+fn velocity() -> Dyadic {
+    let n = kani::any_where(|n: &i8| *n >= -VELOCITY_LIMIT && *n < VELOCITY_LIMIT);
+    Dyadic::new(i32::from(n), 1)
+}
+
+fn duration() -> Dyadic {
+    let n = kani::any_where(|n: &u8| *n >= 1 && *n <= DURATION_LIMIT);
+    Dyadic::new(i32::from(n), 2)
+}
+
+/// EQ-23..26: two pieces of constant velocity dissipate at least what (26) says of their sum.
+///
+/// Viscous and Coulomb friction one by one (Cauchy–Schwarz, triangle inequality): all is linear in
+/// β and σ, see the next harness. The viscous bound is multiplied by the time, βd²/Δτ·Δτ = β|d|·|d|.
+#[kani::proof]
+fn eq_23_26_merging_two_pieces_gains_nothing() {
+    let (v0, t0) = (velocity(), duration());
+    let (v1, t1) = (velocity(), duration());
+    let d = v0 * t0 + v1 * t1;
+    kani::cover!(
+        v0 > Dyadic::zero() && v1 < Dyadic::zero(),
+        "the motion turns between them"
+    );
+    let sum = |friction: Friction<Dyadic>| {
+        friction.dissipated_at_constant_velocity(&v0, &t0)
+            + friction.dissipated_at_constant_velocity(&v1, &t1)
+    };
+    let viscous = Friction::new(Dyadic::one(), Dyadic::zero());
+    kani::assert(
+        sum(viscous) * (t0 + t1) >= viscous.dissipated_lower(&d, &d.abs()),
+        "EQ-23..26: viscous dissipation is at least βd²/Δτ",
+    );
+    let coulomb = Friction::new(Dyadic::zero(), Dyadic::one());
+    kani::assert(
+        sum(coulomb) >= coulomb.dissipated_lower(&d, &Dyadic::zero()),
+        "EQ-23..26: Coulomb dissipation is at least σ|d|",
+    );
+}
+
+/// EQ-23..26: power and its lower bound are linear in β and σ.
+#[kani::proof]
+fn eq_23_26_is_linear_in_friction() {
+    let friction = Friction::new(friction_coefficient(), friction_coefficient());
+    let viscous = Friction::new(Dyadic::one(), Dyadic::zero());
+    let coulomb = Friction::new(Dyadic::zero(), Dyadic::one());
+    let d = coarse_position();
+    let v = coarse_position();
+    kani::cover!(
+        d < Dyadic::zero() && v > Dyadic::zero(),
+        "against the velocity"
+    );
+    let speed = v.abs();
+    kani::assert(
+        friction.power(&v)
+            == friction.beta * viscous.power(&v) + friction.sigma * coulomb.power(&v),
+        "EQ-23..26: power is linear in β and σ",
+    );
+    kani::assert(
+        friction.dissipated_lower(&d, &speed)
+            == friction.beta * viscous.dissipated_lower(&d, &speed)
+                + friction.sigma * coulomb.dissipated_lower(&d, &speed),
+        "EQ-23..26: the lower bound is linear in β and σ",
+    );
+    kani::assert(
+        viscous.power(&v) == v.square() && coulomb.power(&v) == speed,
+        "EQ-23..26: power is βξ̇² + σ|ξ̇|",
+    );
+}
+
+/// EQ-23..26: the lower bound is what a motion at constant speed dissipates.
+#[kani::proof]
+fn eq_23_26_is_reached_at_constant_speed() {
+    let friction = Friction::new(friction_coefficient(), friction_coefficient());
+    let (v, t) = (velocity(), duration());
+    let d = v * t;
+    kani::cover!(v < Dyadic::zero(), "downwards");
+    kani::assert(
+        friction.dissipated_at_constant_velocity(&v, &t) == friction.dissipated_lower(&d, &v.abs()),
+        "EQ-23..26: the bound is reached at constant speed",
+    );
+}
+
+/// EQ-23..26: mean speed times time is the distance; on the kernel's fractions.
+#[kani::proof]
+fn eq_23_26_mean_speed_is_distance_over_time() {
+    let d = below(16) - below(16);
+    let t = up_to(8).half();
+    kani::cover!(d.is_nonnegative() == Some(false), "downwards");
+    kani::assert(
+        mean_speed(&d, &t) * t == d.abs(),
+        "EQ-23..26: the mean speed is |d|/Δτ",
+    );
+}

@@ -1,0 +1,366 @@
+//! Effects of a real loop: TH-DAC, TH-DELAY, TH-DAMP, their sum as the code has it, TH-SMOOTH.
+//!
+//! In each, E_g plus what the effect puts into its extra storage is at most the cost that
+//! `Effects::cost` tells the criterion to subtract.
+
+use passivity_core::{
+    Friction, Rig, Scalar, Step,
+    effects::{
+        Effects, damping_storage, delay_storage, generated_by_damping, generated_by_delay,
+        rounded_force,
+    },
+    generation,
+    quantizer::held_force,
+    spring,
+};
+
+use crate::Dyadic;
+use crate::domain::{
+    COARSE_EXPONENT, Ratio, SHARE_LIMIT, below, coarse_position, friction_coefficient, share,
+    speed, up_to,
+};
+
+/// Half ticks: displacements of the delay's sums in ±4, 4 bits, up to four of them.
+const MOVE_LIMIT: i8 = 8;
+
+fn displacement() -> Dyadic {
+    let n = kani::any_where(|n: &i8| *n >= -MOVE_LIMIT && *n < MOVE_LIMIT);
+    Dyadic::new(i32::from(n), 1)
+}
+
+/// Half ticks: positions of the combined effects in ±2, 3 bits, four of them.
+const LOOP_LIMIT: i8 = 4;
+
+fn loop_position() -> Dyadic {
+    let n = kani::any_where(|n: &i8| *n >= -LOOP_LIMIT && *n < LOOP_LIMIT);
+    Dyadic::new(i32::from(n), 1)
+}
+
+/// Halves: virtual damping and D/A step of the combined effects, in [0, 2), 2 bits.
+const LOOP_SHARE_LIMIT: u8 = 4;
+
+fn loop_share() -> Dyadic {
+    let n = kani::any_where(|n: &u8| *n < LOOP_SHARE_LIMIT);
+    Dyadic::new(i32::from(n), 1)
+}
+
+/// E_gᴸ of a step under a given held force.
+fn generated_linear(held: Dyadic, step: &Step<Dyadic>) -> Dyadic {
+    generation::generated(
+        &held,
+        step,
+        &spring::linear_potential(&step.start),
+        &spring::linear_potential(&step.end),
+    )
+}
+
+/// TH-DAC: rounding to whole steps is off by at most half a step.
+#[kani::proof]
+fn th_dac_rounding_is_off_by_at_most_half_a_step() {
+    let force = (below(64) - Ratio::integer(32)).half().half();
+    let step = up_to(8).half();
+    let rounded = rounded_force(&force, &step);
+    let error = rounded - force;
+    kani::cover!(error.double() == step, "off by half a step");
+    kani::assert(
+        error.abs().double() <= step,
+        "TH-DAC: the force is off by at most ½δ",
+    );
+    let steps = rounded.over(step);
+    kani::assert(
+        steps == steps.floor(),
+        "TH-DAC: the force is a whole number of steps",
+    );
+}
+
+/// TH-DAC: a force that is off by up to ½δ generates at most ½d² + ½(1 + δ)|d|.
+#[kani::proof]
+fn th_dac_bound() {
+    let quarters = kani::any_where(|n: &u8| *n < SHARE_LIMIT);
+    let force_step = Dyadic::new(i32::from(quarters), COARSE_EXPONENT);
+    // Eighths: half of a step in quarters.
+    let eighths = kani::any_where(|n: &i8| *n >= -(quarters as i8) && *n <= quarters as i8);
+    let error = Dyadic::new(i32::from(eighths), COARSE_EXPONENT + 1);
+    let step = Step::new(coarse_position(), coarse_position());
+    let d = step.displacement();
+    let effects = Effects {
+        force_step: Some(force_step),
+        ..Effects::encoder()
+    };
+    kani::cover!(
+        error.double() == force_step && d > Dyadic::zero() && quarters > 0,
+        "off by half a step"
+    );
+    kani::assert(
+        generated_linear(held_force(&step.start) + error, &step) <= effects.cost().bound(&d),
+        "TH-DAC: E_g ≤ ½d² + ½(1 + δ)|d|",
+    );
+}
+
+/// TH-DELAY: a force held from an older sample adds d times what was travelled since.
+#[kani::proof]
+fn th_delay_adds_what_was_travelled_since() {
+    let step = Step::new(coarse_position(), coarse_position());
+    let d = step.displacement();
+    let travelled = coarse_position();
+    kani::cover!(
+        travelled > Dyadic::zero() && d > Dyadic::zero(),
+        "moving on"
+    );
+    let late = generated_linear(held_force(&(step.start - travelled)), &step);
+    kani::assert(
+        late <= generation::bound_22(&d) + generated_by_delay(&[travelled], &d),
+        "TH-DELAY: a late force generates ½d² + ½|d| + d·Σd at most",
+    );
+}
+
+/// TH-DELAY: one sample late, the extra term is at most d² and a drop of storage.
+#[kani::proof]
+#[kani::unwind(3)]
+fn th_delay_of_one_sample() {
+    let (d, d1) = (displacement(), displacement());
+    let change = delay_storage(&[d]) - delay_storage(&[d1]);
+    kani::cover!(
+        d == d1 && d > Dyadic::zero(),
+        "at constant speed the bound is reached"
+    );
+    kani::assert(
+        generated_by_delay(&[d1], &d) + change <= d.square(),
+        "TH-DELAY: k = 1 costs d²",
+    );
+}
+
+/// TH-DELAY: two samples late, at most 2d² and a drop of storage.
+#[kani::proof]
+#[kani::unwind(4)]
+fn th_delay_of_two_samples() {
+    let (d, d1, d2) = (displacement(), displacement(), displacement());
+    let change = delay_storage(&[d, d1]) - delay_storage(&[d1, d2]);
+    kani::cover!(d1 < Dyadic::zero() && d2 > Dyadic::zero(), "turning");
+    kani::assert(
+        generated_by_delay(&[d1, d2], &d) + change <= d.square().double(),
+        "TH-DELAY: k = 2 costs 2d²",
+    );
+}
+
+/// TH-DELAY: three samples late, at most 3d² and a drop of storage.
+#[kani::proof]
+#[kani::unwind(5)]
+fn th_delay_of_three_samples() {
+    let (d, d1) = (displacement(), displacement());
+    let (d2, d3) = (displacement(), displacement());
+    let change = delay_storage(&[d, d1, d2]) - delay_storage(&[d1, d2, d3]);
+    kani::cover!(
+        d > Dyadic::zero() && d1 == d && d2 == d && d3 == d,
+        "at constant speed the bound is reached"
+    );
+    kani::assert(
+        generated_by_delay(&[d1, d2, d3], &d) + change <= d.square().double() + d.square(),
+        "TH-DELAY: k = 3 costs 3d²",
+    );
+}
+
+/// TH-DELAY: the storage kept for the delay is never negative.
+#[kani::proof]
+#[kani::unwind(4)]
+fn th_delay_storage_is_never_negative() {
+    let (d1, d2) = (displacement(), displacement());
+    let stored = delay_storage(&[d1, d2]);
+    kani::cover!(stored > Dyadic::zero(), "something is stored");
+    kani::assert(
+        stored == d1.square() + d2.square().half() && stored.is_at_least_zero(),
+        "TH-DELAY: the storage is ½·2·d² of the last step and ½·d² of the one before",
+    );
+}
+
+/// TH-DAMP: virtual damping costs Bd² + B|d| and a drop of storage, on top of the wall.
+#[kani::proof]
+#[kani::unwind(3)]
+fn th_damp_bound() {
+    let previous = coarse_position();
+    let step = Step::new(coarse_position(), coarse_position());
+    let damping = loop_share();
+    let d = step.displacement();
+    let before = Step::new(previous, step.start);
+    let change =
+        damping_storage(&damping, &[d]) - damping_storage(&damping, &[before.displacement()]);
+    let ticks = before.ticks();
+    kani::cover!(
+        ticks < Dyadic::zero() && d > Dyadic::zero() && damping > Dyadic::zero(),
+        "turning: the damping pushes on"
+    );
+    // The force −(n + ½) − B·(q_h − q_{h−1}) that the loop holds.
+    let held = held_force(&step.start) - damping * ticks;
+    let generated = generated_linear(held, &step);
+    let effects = Effects {
+        damping: Some(damping),
+        ..Effects::encoder()
+    };
+    kani::assert(
+        generated + change <= effects.cost().bound(&d),
+        "TH-DAMP: E_g ≤ (½ + B)d² + (½ + B)|d| and a drop of storage",
+    );
+    kani::assert(
+        generated
+            == generation::generated_linear(&step) + generated_by_damping(&damping, &ticks, &d),
+        "TH-DAMP: damping adds −B·(q_h − q_{h−1})·d",
+    );
+    kani::assert(
+        change.double() == damping * (d.square() - before.displacement().square()),
+        "TH-DAMP: the storage is ½B·d² of the last step",
+    );
+}
+
+/// TH-DELAY with TH-DAMP and TH-DAC: the costs add, as the code adds them.
+///
+/// One sample late, with virtual damping and a D/A converter: four positions in a row, from the
+/// sample before the one that the controller acts on to the end of the interval.
+#[kani::proof]
+#[kani::unwind(4)]
+fn th_delay_with_damping_and_dac() {
+    let older = loop_position();
+    let old = loop_position();
+    let step = Step::new(loop_position(), loop_position());
+    let damping = loop_share();
+    let force_step = loop_share();
+    let rounds_up: bool = kani::any();
+    let d = step.displacement();
+    let last = step.start - old;
+    let before = Step::new(older, old);
+    let effects = Effects {
+        encoder: true,
+        delay: 1,
+        damping: Some(damping),
+        force_step: Some(force_step),
+    };
+    // What it generates is linear in the rounding error, so the two ends of ±½δ are enough.
+    let error = if rounds_up {
+        force_step.half()
+    } else {
+        -force_step.half()
+    };
+    let held = held_force(&old) - damping * before.ticks() + error;
+    let change = delay_storage(&[d]) - delay_storage(&[last])
+        + damping_storage(&damping, &[d, last])
+        - damping_storage(&damping, &[last, before.displacement()]);
+    kani::cover!(
+        before.ticks() < Dyadic::zero() && d > Dyadic::zero() && damping > Dyadic::zero(),
+        "turning, with damping"
+    );
+    kani::assert(
+        generated_linear(held, &step) + change <= effects.cost().bound(&d),
+        "TH-DELAY: with TH-DAMP and TH-DAC the costs add",
+    );
+}
+
+/// Delays whose cost is looked at: up to three samples.
+const DELAY_LIMIT: u16 = 3;
+
+/// TH-DELAY, TH-DAMP, TH-DAC, TH-SMOOTH: the terms that the criterion subtracts, one by one.
+#[kani::proof]
+fn th_delay_damping_and_dac_terms_of_the_criterion() {
+    let delay = kani::any_where(|k: &u16| *k <= DELAY_LIMIT);
+    let damping = share();
+    let force_step = share();
+    let late = Dyadic::new(1, 1) + Dyadic::integer(i32::from(delay));
+    let with_encoder = Effects {
+        encoder: true,
+        delay,
+        damping: Some(damping),
+        force_step: Some(force_step),
+    };
+    let cost = with_encoder.cost();
+    kani::cover!(delay == 2 && damping > Dyadic::zero(), "late and damped");
+    kani::assert(
+        cost.viscous == late + damping
+            && cost.coulomb == (Dyadic::one() + force_step).half() + damping,
+        "TH-DELAY: the cost is ½ + k + B per d² and ½(1 + δ) + B per |d|",
+    );
+    let cost = Effects {
+        encoder: false,
+        ..with_encoder
+    }
+    .cost();
+    kani::assert(
+        cost.viscous == late + damping && cost.coulomb == force_step.half(),
+        "TH-SMOOTH: without an encoder it is ½δ per |d|",
+    );
+    let friction = Friction::new(share(), share());
+    let criterion = Rig::dimensionless(friction, with_encoder).criterion();
+    let cost = with_encoder.cost();
+    kani::assert(
+        criterion.viscous == friction.beta - cost.viscous
+            && criterion.coulomb == friction.sigma - cost.coulomb,
+        "TH-DELAY: the criterion is friction less the cost",
+    );
+}
+
+/// TH-SMOOTH: with the position known exactly E_g is ½d², neither more nor less.
+#[kani::proof]
+fn th_smooth_generates_half_d_squared() {
+    let step = Step::new(coarse_position(), coarse_position());
+    let d = step.displacement();
+    kani::cover!(d < Dyadic::zero(), "downwards");
+    kani::assert(
+        generated_linear(-step.start, &step) == Effects::smooth().cost().bound(&d),
+        "TH-SMOOTH: E_g = ½d²",
+    );
+}
+
+/// TH-SMOOTH: (β − ½)v̄ + σ ≥ 0 makes friction cover ½d², for Δτ ≤ 1; with σ = 0 it is Colgate's
+/// β ≥ ½.
+#[kani::proof]
+fn th_smooth_criterion() {
+    let friction = Friction::new(friction_coefficient(), friction_coefficient());
+    let d = coarse_position();
+    let speed = speed();
+    let criterion = Rig::dimensionless(friction, Effects::smooth()).criterion();
+    if speed >= d.abs() && criterion.margin(&speed).is_at_least_zero() {
+        kani::cover!(
+            friction.sigma < Dyadic::new(1, 1)
+                && friction.beta < Dyadic::new(1, 1)
+                && d != Dyadic::zero(),
+            "with less friction than an encoder needs"
+        );
+        kani::assert(
+            Effects::smooth().cost().bound(&d) <= friction.dissipated_lower(&d, &speed),
+            "TH-SMOOTH: the criterion makes friction cover ½d²",
+        );
+    }
+    kani::assert(
+        criterion.viscous == friction.beta - Dyadic::new(1, 1)
+            && criterion.coulomb == friction.sigma,
+        "TH-SMOOTH: the criterion is (β − ½)v + σ ≥ 0",
+    );
+}
+
+/// TH-SMOOTH: delay, damping and D/A steps without an encoder cost no B per |d|.
+#[kani::proof]
+#[kani::unwind(4)]
+fn th_smooth_with_delay_damping_and_dac() {
+    let (older, old) = (loop_position(), loop_position());
+    let step = Step::new(loop_position(), loop_position());
+    let damping = loop_share();
+    let force_step = loop_share();
+    let d = step.displacement();
+    let last = step.start - old;
+    let before = old - older;
+    let effects = Effects {
+        encoder: false,
+        delay: 1,
+        damping: Some(damping),
+        force_step: Some(force_step),
+    };
+    let held = -old - damping * before + force_step.half();
+    let change = delay_storage(&[d]) - delay_storage(&[last])
+        + damping_storage(&damping, &[d, last])
+        - damping_storage(&damping, &[last, before]);
+    kani::cover!(
+        before < Dyadic::zero() && d > Dyadic::zero() && damping > Dyadic::zero(),
+        "turning, with damping"
+    );
+    kani::assert(
+        generated_linear(held, &step) + change <= effects.cost().bound(&d),
+        "TH-SMOOTH: the costs add without an encoder too",
+    );
+}

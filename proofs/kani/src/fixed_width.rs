@@ -1,0 +1,108 @@
+//! The fixed-width instance: no overflow within its stated bound, no panic anywhere.
+//!
+//! `ledger::row` states how many bits its result takes; the harnesses here hold it to that at
+//! 32 bits, where all inputs within the bound can be looked at. The count of bits is the same for
+//! every width.
+
+use passivity_core::{Fraction, Friction, Ordered, Step, ledger, verdict};
+
+use passivity_core::{Criterion, Scalar};
+
+/// Magnitudes within the bound of 32 bits: 2 bits, see `ledger::row`.
+const WITHIN: i8 = 3;
+
+fn within(low: i8) -> Fraction<i32> {
+    let n = kani::any_where(|n: &i8| *n >= low && *n <= WITHIN);
+    let d = kani::any_where(|d: &i8| *d >= 1 && *d <= WITHIN);
+    Fraction::new(i32::from(n), i32::from(d))
+}
+
+/// TH-INTERVAL: within its stated bound a row of 32-bit fractions is defined in every field.
+#[kani::proof]
+fn th_interval_row_is_defined_within_its_bound() {
+    let step = Step::new(within(-WITHIN), within(-WITHIN));
+    let friction = Friction::new(within(0), within(0));
+    let dtau = within(1);
+    let row = ledger::row(&step, &friction, &dtau);
+    let defined = row.net_linear.is_defined()
+        && row.net_quantized.is_defined()
+        && row.bound_22.is_defined()
+        && row.bound_quantized.is_defined()
+        && row.margin.is_defined();
+    kani::cover!(
+        row.margin.is_nonnegative() == Some(true),
+        "the criterion holds"
+    );
+    kani::assert(
+        defined,
+        "TH-INTERVAL: within its bound a row does not overflow",
+    );
+}
+
+fn anything() -> Fraction<i32> {
+    Fraction::new(kani::any(), kani::any())
+}
+
+/// TH-INTERVAL: an operation on any two 32-bit fractions is right or undefined; it never panics.
+#[kani::proof]
+fn th_interval_fractions_never_panic() {
+    let (x, y) = (anything(), anything());
+    let sum = x + y;
+    let product = x * y;
+    let quotient = x.over(y);
+    kani::cover!(
+        !sum.is_defined() && x.is_defined() && y.is_defined(),
+        "a sum overflows"
+    );
+    kani::cover!(quotient.is_defined(), "a quotient does not");
+    kani::assert(
+        [
+            sum,
+            x - y,
+            product,
+            quotient,
+            -x,
+            x.half(),
+            x.abs(),
+            x.max(y),
+            x.min(y),
+        ]
+        .iter()
+        .all(|z| z.parts().is_none_or(|(_, d)| *d > 0)),
+        "TH-INTERVAL: a defined fraction has a denominator above zero",
+    );
+}
+
+/// TH-INTERVAL: ⌊x⌋ of any 32-bit fraction is an integer n with n ≤ x < n + 1.
+#[kani::proof]
+fn th_interval_floor_of_any_fraction() {
+    let n: i32 = kani::any_where(|n: &i32| *n > -(1 << 15) && *n < 1 << 15);
+    let d: i32 = kani::any_where(|d: &i32| *d > 0 && *d < 1 << 12);
+    let floor = Fraction::new(n, d).floor();
+    kani::cover!(n < 0 && d > 1, "below zero");
+    if let Some((q, one)) = floor.parts() {
+        kani::assert(
+            *one == 1 && q * d <= n && n < q * d + d,
+            "TH-INTERVAL: the floor is the integer just below",
+        );
+    } else {
+        kani::assert(false, "TH-INTERVAL: a floor is always defined");
+    }
+}
+
+/// TH-REGION: a verdict on any two 32-bit fractions is given or refused; it never panics.
+#[kani::proof]
+fn th_region_verdict_never_panics() {
+    let criterion = Criterion {
+        viscous: anything(),
+        coulomb: anything(),
+    };
+    let speed = anything();
+    let defined = criterion.viscous.is_defined() && criterion.coulomb.is_defined();
+    let decision = verdict::decide(&criterion, &verdict::Speeds::UpTo(speed));
+    kani::cover!(defined && decision.is_none(), "a verdict is refused");
+    kani::assert(
+        kani::implies!(decision.is_some() => defined),
+        "TH-REGION: no verdict comes from an undefined number",
+    );
+}
