@@ -1,0 +1,236 @@
+//! The ledger row of one interval: exact, or exactly enclosed where the trace or the scene leaves
+//! room.
+
+use std::cmp::Ordering;
+
+use passivity_core::effects::{damping_storage, delay_storage};
+use passivity_core::{Ordered, Truth, dissipation, generation};
+
+use crate::cell::Cell;
+use crate::generated;
+use crate::model::Model;
+use crate::span::{Span, not};
+
+/// One row of the ledger. Energies in KΔ².
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry<S> {
+    /// ξ₀, in ticks.
+    pub xi0: Span<S>,
+    /// ξ₁, in ticks.
+    pub xi1: Span<S>,
+    /// Δτ, in sampling periods.
+    pub dtau: S,
+    /// Generated against the linear spring, or the wall's law (TH-LIN, TH-LAW).
+    pub generated_linear: Span<S>,
+    /// Generated against the quantized spring or law (18); without an encoder the same.
+    pub generated_quantized: Span<S>,
+    /// ½d² + ½|d| (22); without an encoder ½d² (TH-SMOOTH).
+    pub bound_22: Span<S>,
+    /// ½d² + ½|d| + ½f(1 − f) (TH-QUANT); without an encoder ½d².
+    pub bound_quantized: Span<S>,
+    /// βd²/Δτ + σ|d|, the least that friction dissipates (26).
+    pub dissipated_lower: Span<S>,
+    /// `dissipated_lower` − `generated_linear` − `extra_storage`.
+    pub net_linear: Span<S>,
+    /// `dissipated_lower` − `generated_quantized` − `extra_storage`.
+    pub net_quantized: Span<S>,
+    /// Margin of the criterion at the mean speed; `None` when nothing moved.
+    pub margin: Option<Span<S>>,
+    /// Whether the margin is not negative; true when nothing moved, for (27) reads 0 ≥ 0 then.
+    pub criterion_holds: Truth,
+    /// Whether more is generated against the linear spring than friction surely dissipates.
+    pub violates_linear: Truth,
+    /// The same against the quantized spring.
+    pub violates_quantized: Truth,
+    /// What the storages of delay and damping gain over the interval (TH-DELAY, TH-DAMP); `None`
+    /// without these effects.
+    pub extra_storage: Option<Span<S>>,
+}
+
+/// The row of the interval that `samples[0]` starts and `end` ends, `dtau` > 0 later.
+///
+/// `samples` holds the latest sample first; further ones are read as far as the model's
+/// [`memory`](Model::memory) goes. `None` when a number is undefined, as when a fixed width
+/// overflows.
+///
+/// # Example
+///
+/// The counterexample to (22), and what an encoder's counts say of the same move.
+///
+/// ```
+/// use passivity_core::{Fixed, Friction, Scalar, Truth};
+/// use passivity_oracle::{Cell, Model, Span, entry};
+///
+/// let model = Model::plain(Friction::new(Fixed::new(3, 5), Fixed::new(3, 5)));
+/// let one = Fixed::integer(1);
+/// let row = entry(&model, &[Cell::of(&one)], &Cell::of(&Fixed::new(1, 2)), &one).unwrap();
+/// assert_eq!(row.generated_quantized, Span::At(Fixed::new(1, 2)));
+/// assert_eq!(row.violates_quantized, Truth::Holds);
+///
+/// let row = entry(&model, &[Cell::count(one)], &Cell::count(Fixed::integer(0)), &one).unwrap();
+/// assert_eq!(row.generated_quantized, Span::Between(Fixed::integer(0), one));
+/// assert_eq!(row.violates_quantized, Truth::Depends);
+/// ```
+#[must_use]
+pub fn entry<S: Ordered>(
+    model: &Model<S>,
+    samples: &[Cell<S>],
+    end: &Cell<S>,
+    dtau: &S,
+) -> Option<Entry<S>> {
+    let start = samples.first()?;
+    let encoder = model.effects.encoder;
+    let displacement = displacement(start, end);
+    let distance = displacement.magnitude();
+    let held = model.held_force(samples);
+    let dissipated_lower = dissipated(model, &distance, dtau);
+    let extra_storage = extra_storage(model, samples, end);
+    let generated_linear = generated::against_law(model, &held, start, end);
+    let generated_quantized = generated::against_steps(model, &held, start, end);
+    let generation = generated::Generation {
+        model,
+        held: &held,
+        start,
+        end,
+        dtau,
+    };
+    let net = |generated: &Span<S>, tight: Option<Span<S>>| {
+        // The tight enclosure knows that all figures belong to the same two positions.
+        let net = tight.unwrap_or_else(|| dissipated_lower.minus(generated));
+        match &extra_storage {
+            Some(extra) => net.minus(extra),
+            None => net,
+        }
+    };
+    let net_linear = net(&generated_linear, generation.net_of_law());
+    let net_quantized = net(&generated_quantized, generation.net_of_steps());
+    let moved = distance.hi().is_positive()?;
+    let margin = moved.then(|| margin(model, &distance, dtau));
+    let bound = |quantized: fn(&S) -> S| {
+        move |d: &S| match encoder {
+            true => quantized(d),
+            false => d.square().half(),
+        }
+    };
+    let row = Entry {
+        xi0: start.position(),
+        xi1: end.position(),
+        dtau: dtau.clone(),
+        bound_22: distance.rising(bound(generation::bound_22)),
+        bound_quantized: distance.rising(bound(generation::bound_quantized)),
+        criterion_holds: match &margin {
+            Some(margin) => holds(margin, &distance)?,
+            None => Truth::Holds,
+        },
+        violates_linear: not(net_linear.is_nonnegative()?),
+        violates_quantized: not(net_quantized.is_nonnegative()?),
+        generated_linear,
+        generated_quantized,
+        dissipated_lower,
+        net_linear,
+        net_quantized,
+        margin,
+        extra_storage,
+    };
+    row.is_defined().then_some(row)
+}
+
+/// d = ξ₁ − ξ₀.
+fn displacement<S: Ordered>(start: &Cell<S>, end: &Cell<S>) -> Span<S> {
+    let ticks = end.tick.clone() - start.tick.clone();
+    end.residue
+        .minus(&start.residue)
+        .rising(|d| ticks.clone() + d.clone())
+}
+
+fn dissipated<S: Ordered>(model: &Model<S>, distance: &Span<S>, dtau: &S) -> Span<S> {
+    let at = |friction: &passivity_core::Friction<S>, d: &S| {
+        friction.dissipated_lower(d, &dissipation::mean_speed(d, dtau))
+    };
+    Span::of(
+        at(&model.least, distance.lo()),
+        at(&model.most, distance.hi()),
+    )
+}
+
+/// The criterion's margin at the mean speed; linear in it, so extreme at the ends.
+fn margin<S: Ordered>(model: &Model<S>, distance: &Span<S>, dtau: &S) -> Span<S> {
+    let (least, most) = model.criteria();
+    let speed = distance.rising(|d| dissipation::mean_speed(d, dtau));
+    Span::of(
+        least.margin(speed.lo()).min(least.margin(speed.hi())),
+        most.margin(speed.lo()).max(most.margin(speed.hi())),
+    )
+}
+
+fn holds<S: Ordered>(margin: &Span<S>, distance: &Span<S>) -> Option<Truth> {
+    let truth = margin.is_nonnegative()?;
+    let may_rest = distance.lo().sign()? == Ordering::Equal;
+    Some(match truth {
+        // Had nothing moved, the criterion would hold.
+        Truth::Fails if may_rest => Truth::Depends,
+        other => other,
+    })
+}
+
+/// What the extra storages of delay and damping gain over the interval.
+fn extra_storage<S: Ordered>(
+    model: &Model<S>,
+    samples: &[Cell<S>],
+    end: &Cell<S>,
+) -> Option<Span<S>> {
+    let late = usize::from(model.effects.delay);
+    if model.memory() == 0 {
+        return None;
+    }
+    // Displacements, the latest first; before the first sample nothing moved.
+    let chain: Vec<&Cell<S>> = std::iter::once(end).chain(samples).collect();
+    let steps: Vec<Span<S>> = chain
+        .windows(2)
+        .filter_map(|pair| Some(displacement(pair.get(1)?, pair.first()?).magnitude()))
+        .chain(std::iter::repeat_n(Span::At(S::zero()), late + 2))
+        .collect();
+    let storage = |from: usize| {
+        let at = |pick: fn(&Span<S>) -> &S| {
+            let taken = |n: usize| -> Vec<S> {
+                let recent = steps.iter().skip(from).take(n);
+                recent.map(|step| pick(step).clone()).collect()
+            };
+            let stored = delay_storage(&taken(late));
+            match &model.effects.damping {
+                Some(damping) => stored + damping_storage(damping, &taken(late + 1)),
+                None => stored,
+            }
+        };
+        // Storage rises with every |d|.
+        Span::of(at(Span::lo), at(Span::hi))
+    };
+    Some(storage(0).minus(&storage(1)))
+}
+
+impl<S: Ordered> Entry<S> {
+    /// The figures in the order of the interface, with their names.
+    pub fn figures(&self) -> [(&'static str, Option<&Span<S>>); 11] {
+        [
+            ("xi0", Some(&self.xi0)),
+            ("xi1", Some(&self.xi1)),
+            ("generated_linear", Some(&self.generated_linear)),
+            ("generated_quantized", Some(&self.generated_quantized)),
+            ("bound_22", Some(&self.bound_22)),
+            ("bound_quantized", Some(&self.bound_quantized)),
+            ("dissipated_lower", Some(&self.dissipated_lower)),
+            ("net_linear", Some(&self.net_linear)),
+            ("net_quantized", Some(&self.net_quantized)),
+            ("margin", self.margin.as_ref()),
+            ("extra_storage", self.extra_storage.as_ref()),
+        ]
+    }
+
+    fn is_defined(&self) -> bool {
+        let defined = |(_, figure): &(_, Option<&Span<S>>)| match figure {
+            Some(span) => span.is_defined(),
+            None => true,
+        };
+        self.dtau.sign().is_some() && self.figures().iter().all(defined)
+    }
+}

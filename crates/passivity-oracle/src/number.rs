@@ -1,0 +1,314 @@
+//! Exact numbers in and out, fast where they are small.
+
+use std::cmp::Ordering;
+use std::io::Write as _;
+
+use num_integer::Integer as _;
+use passivity_core::{BigRational, Fixed, Ordered, Scalar, Wide, rational};
+use passivity_scene::number::{NumberError, nearest_f64, parse};
+
+/// An exact number, kept small when it can be.
+///
+/// # Example
+///
+/// ```
+/// use passivity_oracle::Number;
+///
+/// let x = Number::parse("0.375").unwrap();
+/// assert_eq!(x.to_string(), "3/8");
+/// assert!(Number::parse("1e999999999").is_err());
+/// ```
+#[derive(Clone, Debug)]
+pub enum Number {
+    /// A numerator over a denominator above zero, not reduced.
+    Small(i64, i64),
+    /// Anything else.
+    Big(Box<BigRational>),
+}
+
+impl Number {
+    /// Reads what [`passivity_scene::number::parse`] reads.
+    ///
+    /// # Errors
+    ///
+    /// As that function.
+    pub fn parse(text: &str) -> Result<Self, NumberError> {
+        match short(text.as_bytes()) {
+            Some((n, d)) => Ok(Self::Small(n, d)),
+            None => parse(text).map(Self::from),
+        }
+    }
+
+    /// The dyadic rational that a double is; `None` for NaN and infinities.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_oracle::Number;
+    ///
+    /// assert_eq!(Number::from_f64(0.375).unwrap().to_string(), "3/8");
+    /// assert!(Number::from_f64(f64::NAN).is_none());
+    /// ```
+    #[must_use]
+    pub fn from_f64(x: f64) -> Option<Self> {
+        num_rational::BigRational::from_float(x).map(Self::from)
+    }
+
+    /// The whole number `n`.
+    #[must_use]
+    pub const fn whole(n: i64) -> Self {
+        Self::Small(n, 1)
+    }
+
+    /// The number over checked 128-bit integers, when it fits.
+    #[must_use]
+    pub fn to_fixed(&self) -> Option<Fixed> {
+        match self {
+            Self::Small(n, d) => Some(Fixed::new((*n).into(), (*d).into())),
+            Self::Big(x) => rational::to_fixed(x),
+        }
+    }
+
+    /// The number over big integers.
+    #[must_use]
+    pub fn to_wide(&self) -> Wide {
+        match self {
+            Self::Small(n, d) => Wide::new((*n).into(), (*d).into()),
+            Self::Big(x) => rational::to_wide(x),
+        }
+    }
+
+    /// The number in lowest terms.
+    #[must_use]
+    pub fn to_rational(&self) -> BigRational {
+        match self {
+            Self::Small(n, d) => BigRational::new((*n).into(), (*d).into()),
+            Self::Big(x) => (**x).clone(),
+        }
+    }
+}
+
+impl From<BigRational> for Number {
+    fn from(x: BigRational) -> Self {
+        use num_traits::ToPrimitive as _;
+        match (x.numer().to_i64(), x.denom().to_i64()) {
+            (Some(n), Some(d)) => Self::Small(n, d),
+            _ => Self::Big(Box::new(x)),
+        }
+    }
+}
+
+impl std::fmt::Display for Number {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.to_rational().fmt(f)
+    }
+}
+
+/// Equal as numbers.
+impl PartialEq for Number {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Small(n, d), Self::Small(m, e)) => {
+                i128::from(*n) * i128::from(*e) == i128::from(*m) * i128::from(*d)
+            }
+            _ => self.to_rational() == other.to_rational(),
+        }
+    }
+}
+
+/// A literal of at most 18 digits and no exponent: `-12`, `0.375`, `3/8`. `None` for all else,
+/// which is then for the full parser to read or to refuse.
+pub(crate) fn short(text: &[u8]) -> Option<(i64, i64)> {
+    let (negative, digits) = match text.split_first()? {
+        (b'-', rest) => (true, rest),
+        (b'+', rest) => (false, rest),
+        _ => (false, text),
+    };
+    if digits.is_empty() || digits.len() > 19 {
+        return None;
+    }
+    let (mut value, mut denominator, mut seen) = (0_i64, 1_i64, 0_u32);
+    let mut rest = digits.iter();
+    let mut separator = 0;
+    for byte in rest.by_ref() {
+        match byte {
+            b'0'..=b'9' => {
+                value = value.checked_mul(10)?.checked_add(i64::from(byte - b'0'))?;
+                seen += 1;
+            }
+            _ => {
+                separator = *byte;
+                break;
+            }
+        }
+    }
+    match separator {
+        0 => {}
+        b'.' => {
+            for byte in rest {
+                if !byte.is_ascii_digit() {
+                    return None;
+                }
+                value = value.checked_mul(10)?.checked_add(i64::from(byte - b'0'))?;
+                denominator = denominator.checked_mul(10)?;
+                seen += 1;
+            }
+        }
+        b'/' if seen > 0 => {
+            denominator = 0;
+            for byte in rest {
+                if !byte.is_ascii_digit() {
+                    return None;
+                }
+                denominator = denominator
+                    .checked_mul(10)?
+                    .checked_add(i64::from(byte - b'0'))?;
+            }
+            if denominator == 0 {
+                return None;
+            }
+        }
+        _ => return None,
+    }
+    if seen == 0 {
+        return None;
+    }
+    Some((if negative { -value } else { value }, denominator))
+}
+
+/// A number that can be written in lowest terms.
+pub trait Written: Ordered {
+    /// Appends the number in lowest terms, `3/8`, `-2`, `0`; nothing when it is undefined.
+    fn write(&self, out: &mut Vec<u8>);
+
+    /// The number in lowest terms; `None` when it is undefined.
+    fn to_rational(&self) -> Option<BigRational>;
+
+    /// The double nearest to the middle of two numbers, as JSON spells it.
+    fn write_middle(lo: &Self, hi: &Self, out: &mut Vec<u8>) {
+        let middle = (lo.clone() + hi.clone()).half();
+        let double = middle.to_rational().map(|x| nearest_f64(&x));
+        match double.and_then(serde_json::Number::from_f64) {
+            // Writing to memory cannot fail.
+            Some(x) => drop(write!(out, "{x}")),
+            None => out.extend_from_slice(b"null"),
+        }
+    }
+}
+
+impl Written for Fixed {
+    fn write(&self, out: &mut Vec<u8>) {
+        let Some((&n, &d)) = self.parts() else { return };
+        let (negative, n, d) = (n < 0, n.unsigned_abs(), d.unsigned_abs());
+        let divisor = match (u64::try_from(n), u64::try_from(d)) {
+            _ if d == 1 => 1,
+            (Ok(n), Ok(d)) => n.gcd(&d).into(),
+            _ => n.gcd(&d),
+        };
+        if negative {
+            out.push(b'-');
+        }
+        write_natural(n / divisor, out);
+        if d != divisor {
+            out.push(b'/');
+            write_natural(d / divisor, out);
+        }
+    }
+
+    fn to_rational(&self) -> Option<BigRational> {
+        rational::from_fixed(self)
+    }
+}
+
+impl Written for Wide {
+    fn write(&self, out: &mut Vec<u8>) {
+        if let Some(x) = rational::from_wide(self) {
+            drop(write!(out, "{x}"));
+        }
+    }
+
+    fn to_rational(&self) -> Option<BigRational> {
+        rational::from_wide(self)
+    }
+}
+
+impl Written for BigRational {
+    fn write(&self, out: &mut Vec<u8>) {
+        drop(write!(out, "{self}"));
+    }
+
+    fn to_rational(&self) -> Option<BigRational> {
+        Some(self.clone())
+    }
+}
+
+/// Decimal digits; the machine's word where it fits.
+fn write_natural(n: u128, out: &mut Vec<u8>) {
+    let Ok(mut n) = u64::try_from(n) else {
+        drop(write!(out, "{n}"));
+        return;
+    };
+    let mut digits = [0_u8; 20];
+    let mut at = digits.len();
+    loop {
+        at -= 1;
+        digits[at] = b'0' + u8::try_from(n % 10).unwrap_or(0);
+        n /= 10;
+        if n == 0 {
+            break;
+        }
+    }
+    out.extend_from_slice(&digits[at..]);
+}
+
+/// How two numbers compare, exactly.
+pub(crate) fn compare(a: &Number, b: &Number) -> Ordering {
+    match (a, b) {
+        (Number::Small(n, d), Number::Small(m, e)) => {
+            (i128::from(*n) * i128::from(*e)).cmp(&(i128::from(*m) * i128::from(*d)))
+        }
+        _ => a.to_rational().cmp(&b.to_rational()),
+    }
+}
+
+/// a − b.
+pub(crate) fn difference(a: &Number, b: &Number) -> Number {
+    if let (Number::Small(n, d), Number::Small(m, e)) = (a, b) {
+        let (n, d, m, e) = (
+            i128::from(*n),
+            i128::from(*d),
+            i128::from(*m),
+            i128::from(*e),
+        );
+        let (numerator, denominator) = if d == e {
+            (n - m, d)
+        } else {
+            (n * e - m * d, d * e)
+        };
+        if let (Ok(n), Ok(d)) = (i64::try_from(numerator), i64::try_from(denominator)) {
+            return Number::Small(n, d);
+        }
+    }
+    Number::from(a.to_rational() - b.to_rational())
+}
+
+/// a/b for b that is not zero.
+pub(crate) fn quotient(a: &Number, b: &Number) -> Number {
+    if let (Number::Small(n, d), Number::Small(m, e)) = (a, b) {
+        let (n, d, m, e) = (
+            i128::from(*n),
+            i128::from(*d),
+            i128::from(*m),
+            i128::from(*e),
+        );
+        let (numerator, denominator) = (n * e * m.signum(), (d * m).abs());
+        let divisor = numerator.unsigned_abs().gcd(&denominator.unsigned_abs());
+        if let Ok(divisor) = i128::try_from(divisor) {
+            let reduced = (numerator / divisor, denominator / divisor);
+            if let (Ok(n), Ok(d)) = (i64::try_from(reduced.0), i64::try_from(reduced.1)) {
+                return Number::Small(n, d);
+            }
+        }
+    }
+    Number::from(a.to_rational().over(b.to_rational()))
+}
