@@ -141,16 +141,50 @@ Definition delay_storage (k : nat) (d : nat -> R) : R :=
 Definition damping_storage (k : nat) (B : R) (d : nat -> R) : R :=
   B * sum_to (S k) (fun j => d j ^ 2) / 2.
 
+(** ** Force laws (TH-LAW) and the D/A converter (TH-DAC) *)
+
+(** The law of a wall clipped to forces in [lo, hi]: one-sided for lo = 0, saturated for
+    lo = - hi. *)
+Definition clipped (lo hi x : R) : R := Rmin (Rmax x lo) hi.
+Definition clipped_below (lo x : R) : R := Rmax x lo.
+
+(** The potential of a clipped law with force [p] at [x]. *)
+Definition law_potential_of (x p : R) : R := x * p - p ^ 2 / 2.
+
+(** A force rounded to the nearest multiple of the D/A step. *)
+Definition rounded_force (F delta : R) : R := delta * floor (F / delta + 1 / 2).
+
+(** ** In SI units: (1), (2), (7), (11) *)
+
+Definition beta_of (b K T : R) : R := b / (K * T).
+Definition sigma_of (c K Delta : R) : R := c / (K * Delta).
+Definition mu_of (m K T : R) : R := m / (K * T ^ 2).
+
+(** What viscous friction has to spare: k samples of delay, virtual damping [B]. *)
+Definition viscous_si (b K T k B : R) : R := b - K * T * (1 / 2 + k) - B.
+
+(** What Coulomb friction has to spare: virtual damping [B], force step [F]. *)
+Definition coulomb_si (c K T Delta B F : R) : R :=
+  c - K * Delta / 2 - B * Delta / T - F / 2.
+
+(** The same without an encoder (TH-SMOOTH). *)
+Definition coulomb_si_smooth (c F : R) : R := c - F / 2.
+
 (** ** Limits *)
 
 (** V^2 of TH-START: the square of the speed that an unforced motion never passes. *)
 Definition start_speed_squared (mu x v : R) : R := v ^ 2 + x ^ 2 / mu.
 
+(** The margin at V >= 0 of a criterion with viscous < 0 < coulomb has the sign of this. *)
+Definition margin_of_squares (viscous coulomb V2 : R) : R := coulomb ^ 2 - viscous ^ 2 * V2.
+
 (** TH-REGION: the speed at which the criterion changes sign. *)
-Definition critical_speed (beta sigma : R) : R := (1 / 2 - sigma) / (beta - 1 / 2).
+Definition critical_speed (viscous coulomb : R) : R := - coulomb / viscous.
 
-(** TH-STIFF, from (11): the stiffest wall at speed [v], in SI units. *)
-Definition stiffness_limit (b c T Delta v : R) : R := 2 * (b * v + c) / (T * v + Delta).
+(** TH-STIFF, from (11): the stiffest wall at speed [v]. *)
+Definition stiffness_limit (b c T Delta v k B F : R) : R :=
+  ((b - B) * v + (c - B * Delta / T - F / 2)) / (T * (1 / 2 + k) * v + Delta / 2).
 
-(** TH-STIFF: the stiffest wall at every speed. *)
-Definition stiffness_limit_all (b c T Delta : R) : R := Rmin (2 * b / T) (2 * c / Delta).
+(** TH-STIFF: the two limits whose smaller is the stiffest wall at every speed. *)
+Definition viscous_limit (b T k B : R) : R := (b - B) / (T * (1 / 2 + k)).
+Definition coulomb_limit (c T Delta B F : R) : R := (c - B * Delta / T - F / 2) / (Delta / 2).
