@@ -53,7 +53,10 @@ impl Dir {
         let document = run.json();
         let scenes = document["scenes"].as_array().expect("a list of scenes");
         assert_eq!(scenes.len(), 1, "{}", run.stderr);
-        Checked { scene: scenes[0].clone(), code: run.code }
+        Checked {
+            scene: scenes[0].clone(),
+            code: run.code,
+        }
     }
 }
 
@@ -96,7 +99,9 @@ pub(crate) struct Checked {
 
 impl Checked {
     pub(crate) fn text(&self, field: &str) -> &str {
-        self.scene[field].as_str().unwrap_or_else(|| panic!("`{field}` in {:#}", self.scene))
+        self.scene[field]
+            .as_str()
+            .unwrap_or_else(|| panic!("`{field}` in {:#}", self.scene))
     }
 
     /// Both ends of an interval, which must agree.
@@ -113,17 +118,25 @@ impl Checked {
     }
 
     pub(crate) fn approx(&self, field: &str) -> f64 {
-        self.scene[field]["approx"].as_f64().unwrap_or_else(|| panic!("`{field}`"))
+        self.scene[field]["approx"]
+            .as_f64()
+            .unwrap_or_else(|| panic!("`{field}`"))
     }
 }
 
 /// A rational in lowest terms, as the interface writes it; read here without the product's codec.
 pub(crate) fn rational(value: &Value) -> BigRational {
-    let text = value.as_str().unwrap_or_else(|| panic!("a rational as a string: {value}"));
+    let text = value
+        .as_str()
+        .unwrap_or_else(|| panic!("a rational as a string: {value}"));
     let (n, d) = text.split_once('/').unwrap_or((text, "1"));
     let (n, d): (BigInt, BigInt) = (n.parse().expect(text), d.parse().expect(text));
     let reduced = BigRational::new(n.clone(), d.clone());
-    assert_eq!((reduced.numer(), reduced.denom()), (&n, &d), "{text} is in lowest terms");
+    assert_eq!(
+        (reduced.numer(), reduced.denom()),
+        (&n, &d),
+        "{text} is in lowest terms"
+    );
     reduced
 }
 

@@ -23,7 +23,13 @@ fn writes_svg_and_png_with_every_scene_in_the_legend() {
     assert_eq!(run.code, 0, "{}", run.stderr);
     let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
     assert!(svg.starts_with("<svg"));
-    for word in ["good", "slow", "globally stable", "limit cycles", "critical line at 5 ticks/sample"] {
+    for word in [
+        "good",
+        "slow",
+        "globally stable",
+        "limit cycles",
+        "critical line at 5 ticks/sample",
+    ] {
         assert!(svg.contains(word), "{word}");
     }
     let run = dir.run(&["plane", &good, "--plot", "plane.png", "--format", "json"]);
@@ -39,8 +45,17 @@ fn says_what_it_cannot_draw_or_write() {
     let [good, _] = scenes(&dir);
     let run = dir.run(&["plane", &good, "--plot", "plane.bmp"]);
     assert_eq!(run.code, 2);
-    assert!(run.stderr.contains("expected a name that ends in .svg or .png"), "{}", run.stderr);
+    assert!(
+        run.stderr
+            .contains("expected a name that ends in .svg or .png"),
+        "{}",
+        run.stderr
+    );
     let run = dir.run(&["plane", &good, "--plot", "no/such/folder/plane.svg"]);
     assert_eq!(run.code, 2);
-    assert!(run.stderr.contains("no/such/folder/plane.svg"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("no/such/folder/plane.svg"),
+        "{}",
+        run.stderr
+    );
 }

@@ -18,7 +18,10 @@ fn completions_and_man_page_come_from_the_same_table() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let run = dir.run(&["completions", shell]);
         assert_eq!(run.code, 0);
-        assert!(run.stdout.contains("check") && run.stdout.contains("plane"), "{shell}");
+        assert!(
+            run.stdout.contains("check") && run.stdout.contains("plane"),
+            "{shell}"
+        );
     }
     let man = dir.run(&["man"]);
     assert!(man.stdout.contains(".TH passivity") && man.stdout.contains("check"));
@@ -29,7 +32,13 @@ fn completions_and_man_page_come_from_the_same_table() {
 #[test]
 fn mistakes_in_typing_exit_with_2() {
     let dir = Dir::new();
-    for args in [&["chek"][..], &["check"], &["check", "--format", "xml", "a.toml"], &["man", "chek"], &[]] {
+    for args in [
+        &["chek"][..],
+        &["check"],
+        &["check", "--format", "xml", "a.toml"],
+        &["man", "chek"],
+        &[],
+    ] {
         let run = dir.run(args);
         assert_eq!(run.code, 2, "{args:?}");
         assert!(!run.stderr.is_empty() && run.stdout.is_empty(), "{args:?}");

@@ -30,6 +30,9 @@ pub(crate) struct Args {
 /// The verbs.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    Check(verbs::check::Args),
+    Explain(verbs::explain::Args),
+    Plane(verbs::plane::Args),
     Completions(verbs::completions::Args),
     Man(verbs::man::Args),
 }

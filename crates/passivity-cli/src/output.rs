@@ -1,6 +1,9 @@
 //! Writing results: text or JSON on standard output, pictures as SVG or PNG files.
 
 use std::io::Write as _;
+use std::path::Path;
+
+use passivity_scene::Scene;
 
 use crate::exit::Failure;
 
@@ -26,4 +29,9 @@ pub(crate) fn emit(text: &str) -> Result<(), Failure> {
 /// Writes a JSON document to standard output.
 pub(crate) fn emit_json(document: &serde_json::Value) -> Result<(), Failure> {
     emit(&format!("{document:#}"))
+}
+
+/// Reads a scene file, with every diagnostic when it cannot be read.
+pub(crate) fn read_scene(path: &Path) -> Result<Scene, Failure> {
+    Scene::read(path).map_err(Failure::input)
 }

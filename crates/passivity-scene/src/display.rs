@@ -58,3 +58,29 @@ pub fn range(x: &Interval<BigRational>) -> String {
         format!("{lo} … {hi}")
     }
 }
+
+/// Text in lines of at most [`LINE`] characters, each but the first after `indent` spaces.
+///
+/// The first line is taken to start at `indent` as well.
+#[must_use]
+pub fn wrapped(text: &str, indent: usize) -> String {
+    let mut out = String::new();
+    let mut column = indent;
+    for word in text.split(' ') {
+        let width = word.chars().count();
+        if column > indent && column + 1 + width > LINE {
+            out.push('\n');
+            out.push_str(&" ".repeat(indent));
+            column = indent;
+        } else if column > indent {
+            out.push(' ');
+            column += 1;
+        }
+        out.push_str(word);
+        column += width;
+    }
+    out
+}
+
+/// How wide the text for people is.
+pub const LINE: usize = 96;

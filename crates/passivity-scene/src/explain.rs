@@ -6,7 +6,7 @@ use passivity_core::BigRational;
 use serde_json::{Value, json};
 
 use crate::check::{BoundSource, Report, Verdict, check};
-use crate::display::{approx, range};
+use crate::display::{approx, range, wrapped};
 use crate::effect::Effect;
 use crate::scene::{Given, Motion, Scene};
 
@@ -53,13 +53,23 @@ pub struct Explanation {
 pub fn explain(scene: &Scene) -> Explanation {
     let report = check(scene);
     let present = scene.effects();
-    let absent = Effect::ALL.into_iter().filter(|effect| !present.contains(effect)).collect();
-    let given = scene.parameters().into_iter().filter(|g| !g.text.is_empty());
+    let absent = Effect::ALL
+        .into_iter()
+        .filter(|effect| !present.contains(effect))
+        .collect();
+    let given = scene
+        .parameters()
+        .into_iter()
+        .filter(|g| !g.text.is_empty());
     Explanation {
         absent,
         given: given.map(|g| (g.key, g.text.clone())).collect(),
         lines: lines(scene, &report),
-        theorems: report.because.iter().map(|id| (*id, sentence(id))).collect(),
+        theorems: report
+            .because
+            .iter()
+            .map(|id| (*id, sentence(id)))
+            .collect(),
         present,
         report,
     }
@@ -68,24 +78,43 @@ pub fn explain(scene: &Scene) -> Explanation {
 fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
     let mut lines = Vec::new();
     let mut push = |id, formula: String, numbers: String| {
-        lines.push(Line { id, formula, numbers });
+        lines.push(Line {
+            id,
+            formula,
+            numbers,
+        });
     };
     let point = scene.point();
     let number = |x: &Option<BigRational>| x.as_ref().map_or_else(|| "0".to_owned(), readable);
     if scene.motion != Motion::Dimensionless {
-        push("(7)", "β = b/(KT)".to_owned(), units_text(scene, report, 'β'));
+        push(
+            "(7)",
+            "β = b/(KT)".to_owned(),
+            units_text(scene, report, 'β'),
+        );
         if scene.resolution.is_some() {
-            push("(7)", "σ = c/(KΔ)".to_owned(), units_text(scene, report, 'σ'));
+            push(
+                "(7)",
+                "σ = c/(KΔ)".to_owned(),
+                units_text(scene, report, 'σ'),
+            );
         }
         if let Some(mu) = &report.mu {
-            push("(7)", "μ = m/(KT²)".to_owned(), format!("μ = {}", range(mu)));
+            push(
+                "(7)",
+                "μ = m/(KT²)".to_owned(),
+                format!("μ = {}", range(mu)),
+            );
         }
     }
     let (law, law_id) = held_force(scene);
     push(law_id, law, String::new());
     push("(6)", motion(scene), String::new());
     let cost = Cost::of(scene);
-    let bound = format!("E_g ≤ {}·d² + {}·|d|{}", cost.viscous, cost.coulomb, cost.storage);
+    let bound = format!(
+        "E_g ≤ {}·d² + {}·|d|{}",
+        cost.viscous, cost.coulomb, cost.storage
+    );
     push(cost.id, bound, String::new());
     let friction = match (scene.has(Effect::Viscous), scene.has(Effect::Coulomb)) {
         (true, true) => "E_d ≥ β·d²/Δτ + σ·|d|",
@@ -97,7 +126,10 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
     let (beta, sigma) = (number(&point.beta), number(&point.sigma));
     push(
         "(8)",
-        format!("(β − {})·v + (σ − {}) ≥ 0 at every speed v that occurs", cost.viscous, cost.coulomb),
+        format!(
+            "(β − {})·v + (σ − {}) ≥ 0 at every speed v that occurs",
+            cost.viscous, cost.coulomb
+        ),
         format!(
             "({beta} − {})·v + ({sigma} − {}) ≥ 0",
             cost.viscous_number, cost.coulomb_number
@@ -105,7 +137,11 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
     );
     if let Some(v) = &report.critical_speed {
         let formula = "equality at the critical speed v_c".to_owned();
-        push("TH-REGION", formula, format!("v_c = {} ticks/sample", range(v)));
+        push(
+            "TH-REGION",
+            formula,
+            format!("v_c = {} ticks/sample", range(v)),
+        );
     }
     if let Some(v) = &report.speed_bound {
         let (id, formula) = match report.bound_source {
@@ -134,7 +170,9 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
 /// β or σ with the scene's own figures.
 fn units_text(scene: &Scene, report: &Report, which: char) -> String {
     let nominal = |given: &Option<Given>| {
-        given.as_ref().map_or_else(|| "0".to_owned(), |g| approx(&g.nominal.middle()))
+        given
+            .as_ref()
+            .map_or_else(|| "0".to_owned(), |g| approx(&g.nominal.middle()))
     };
     let of = |given: &Given| approx(&given.nominal.middle());
     let stiffness = of(&scene.stiffness);
@@ -157,7 +195,11 @@ fn units_text(scene: &Scene, report: &Report, which: char) -> String {
 /// The force that is held, with exactly the scene's effects.
 fn held_force(scene: &Scene) -> (String, &'static str) {
     let late = scene.delay.unwrap_or(0);
-    let sample = if late == 0 { "h".to_owned() } else { format!("h−{late}") };
+    let sample = if late == 0 {
+        "h".to_owned()
+    } else {
+        format!("h−{late}")
+    };
     let before = format!("h−{}", u32::from(late) + 1);
     let mut id = "(5)";
     let mut force = if scene.resolution.is_some() {
@@ -186,7 +228,11 @@ fn held_force(scene: &Scene) -> (String, &'static str) {
         id = "TH-DAC";
         force = format!("δ·⌊({force})/δ + ½⌋");
     }
-    let side = if scene.unilateral { ", and 0 when that sample is below 0" } else { "" };
+    let side = if scene.unilateral {
+        ", and 0 when that sample is below 0"
+    } else {
+        ""
+    };
     (format!("φ_V = −({force}) over [h, h+1){side}"), id)
 }
 
@@ -199,7 +245,11 @@ fn motion(scene: &Scene) -> String {
     if scene.coulomb.is_some() {
         left.push("σ·sgn(ξ̇)");
     }
-    let wall = if scene.amplifier.is_some() { "the lagged φ_V" } else { "φ_V" };
+    let wall = if scene.amplifier.is_some() {
+        "the lagged φ_V"
+    } else {
+        "φ_V"
+    };
     format!("{} = φ_H + {wall}", left.join(" + "))
 }
 
@@ -258,7 +308,11 @@ impl Cost {
             viscous_number: readable(&cost.viscous),
             coulomb: sum(&coulomb),
             coulomb_number: readable(&cost.coulomb),
-            storage: if stored { " + what the extra storage loses" } else { "" },
+            storage: if stored {
+                " + what the extra storage loses"
+            } else {
+                ""
+            },
             id,
         }
     }
@@ -282,7 +336,9 @@ fn sentence(id: &str) -> &'static str {
             "over any number of intervals the operator draws no more than was stored at the start, \
              whatever the operator does"
         }
-        "TH-START" => "an unforced motion never gets faster than V, so the criterion at V is enough",
+        "TH-START" => {
+            "an unforced motion never gets faster than V, so the criterion at V is enough"
+        }
         "TH-ACTIVE" => "below ½ in β or σ an exact cycle draws energy every time round",
         "TH-SMOOTH" => "without an encoder the terms of quantization go",
         "TH-UNI" => "a wall on one side generates no more than one on both",
@@ -319,12 +375,16 @@ impl Explanation {
         if !self.theorems.is_empty() {
             out.push_str("\nTheorems used\n");
             for (id, sentence) in &self.theorems {
-                let _ = writeln!(out, "  {id:<12}{sentence}");
+                let _ = writeln!(out, "  {id:<12}{}", wrapped(sentence, 14));
             }
         }
         let absent: Vec<&str> = self.absent.iter().map(|effect| effect.words()).collect();
         if !absent.is_empty() {
-            let _ = write!(out, "\nNot in this scene, and not computed\n  {}\n", absent.join("; "));
+            let _ = write!(
+                out,
+                "\nNot in this scene, and not computed\n  {}\n",
+                wrapped(&absent.join("; "), 2)
+            );
         }
         if self.report.verdict == Verdict::NotCovered {
             out.push_str("\nThe derivation above leaves out what no theorem covers.\n");
@@ -337,11 +397,12 @@ impl Explanation {
     #[must_use]
     pub fn to_json(&self) -> Value {
         let names = |effects: &[Effect]| -> Value { effects.iter().map(|e| e.name()).collect() };
-        let given: serde_json::Map<String, Value> =
-            self.given.iter().map(|(key, text)| ((*key).to_owned(), json!(text))).collect();
-        let line = |line: &Line| {
-            json!({ "id": line.id, "formula": line.formula, "numbers": line.numbers })
-        };
+        let given: serde_json::Map<String, Value> = self
+            .given
+            .iter()
+            .map(|(key, text)| ((*key).to_owned(), json!(text)))
+            .collect();
+        let line = |line: &Line| json!({ "id": line.id, "formula": line.formula, "numbers": line.numbers });
         let theorem = |(id, says): &(&str, &str)| json!({ "id": id, "says": says });
         json!({
             "scene": self.report.scene,

@@ -47,9 +47,10 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
                 report.scene
             )));
         };
-        let bound = report.speed_bound.as_ref().map(|v| {
-            (middle(v), format!("{} ticks/sample", range(v)))
-        });
+        let bound = report
+            .speed_bound
+            .as_ref()
+            .map(|v| (middle(v), format!("{} ticks/sample", range(v))));
         let mark = Mark {
             name: report.scene.clone(),
             beta: middle(&report.beta),
@@ -57,8 +58,10 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             speed: bound.filter(|(v, _)| *v > 0.0),
             verdict: report.verdict.name().replace('_', " "),
         };
-        documents.push(json!({ "scene": mark.name, "beta": mark.beta, "sigma": mark.sigma,
-            "speed": mark.speed.as_ref().map(|(v, _)| v), "verdict": report.verdict.name() }));
+        documents.push(
+            json!({ "scene": mark.name, "beta": mark.beta, "sigma": mark.sigma,
+            "speed": mark.speed.as_ref().map(|(v, _)| v), "verdict": report.verdict.name() }),
+        );
         marks.push(mark);
     }
     let svg = draw(&marks).map_err(Failure::input)?;

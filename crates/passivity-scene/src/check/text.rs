@@ -7,7 +7,7 @@ use passivity_core::{BigRational, Interval, Region};
 use super::changes::{Change, Direction};
 use super::decide::Verdict;
 use super::report::{BoundSource, Report};
-use crate::display::{approx, range};
+use crate::display::{approx, range, wrapped};
 use crate::effect::Effect;
 use crate::scene::Motion;
 
@@ -18,7 +18,7 @@ impl Report {
         let mut out = String::new();
         let mut line = |label: &str, value: &str| {
             // Writing to a string cannot fail.
-            let _ = writeln!(out, "  {label:<26}{value}");
+            let _ = writeln!(out, "  {label:<26}{}", wrapped(value, 28));
         };
         line("region", &self.region_text());
         line("β = b/(KT)", &range(&self.beta));
