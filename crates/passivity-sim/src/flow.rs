@@ -1,0 +1,596 @@
+//! Motion within an interval with an amplifier's lag or an operator's arm.
+//!
+//! Between reversals the motion is linear, of up to third order: M·ξ̈ = y + F − β′ξ̇ − kξ − σs with
+//! ẏ = κ(u − y), where M and β′ include the arm's mass and damping, k is its stiffness and s the
+//! sign of ξ̇. Its solution is the exponential of a matrix. It is evaluated by the power series of
+//! that exponential on pieces short enough that rate × piece ≤ ½, where n terms leave 2⁻ⁿ/n! of the
+//! first: the error is rounding, not a step size. Reversals are bracketed by the signs of ξ̇ and ξ̈
+//! at the ends of a piece and found by safeguarded Newton iteration on the series.
+
+use std::cmp::Ordering;
+
+use passivity_scene::Point;
+
+use crate::error::SimError;
+use crate::plan::to_double;
+use crate::real::{Real, Undecided};
+
+/// The largest rate, per sampling period, that is simulated.
+pub const FASTEST: f64 = 4096.0;
+
+/// The linear motion between reversals.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flow<R> {
+    /// M = μ + the arm's mass.
+    pub mass: R,
+    /// β.
+    pub beta: R,
+    /// σ; `None` without Coulomb friction.
+    pub sigma: Option<R>,
+    /// κ, the reciprocal of the amplifier's time constant in sampling periods.
+    pub rate: Option<R>,
+    /// The arm's damping and stiffness.
+    pub arm: Option<[R; 2]>,
+    /// How many pieces an interval has.
+    pub pieces: u32,
+}
+
+/// The state that is carried from piece to piece.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State<R> {
+    /// ξ.
+    pub xi: R,
+    /// ξ̇.
+    pub velocity: R,
+    /// y, the amplifier's output.
+    pub output: R,
+}
+
+/// What happened over an interval.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flowed<R> {
+    /// The state at its end.
+    pub end: State<R>,
+    /// ∫|ξ̇|dτ.
+    pub path: R,
+    /// ∫ξ̇²dτ.
+    pub square: R,
+    /// ∫y·ξ̇dτ, the work of the amplifier's output.
+    pub work: R,
+}
+
+/// The series of ξ on a piece: ξ(τ) = Σ c_n·(τ/h)ⁿ, and of the output likewise.
+struct Series<R> {
+    xi: Vec<R>,
+    output: Vec<R>,
+    h: R,
+}
+
+impl Flow<f64> {
+    /// The flow of a scene with an amplifier or an arm; `None` without either.
+    ///
+    /// # Errors
+    ///
+    /// A rate above [`FASTEST`].
+    pub fn compile(
+        point: &Point,
+        mass: f64,
+        beta: f64,
+        sigma: f64,
+    ) -> Result<Option<Self>, SimError> {
+        if point.amplifier.is_none() && point.arm.is_none() {
+            return Ok(None);
+        }
+        let arm = point
+            .arm
+            .as_ref()
+            .map(|arm| [0, 1, 2].map(|i| to_double(&arm[i])));
+        let flow = Self {
+            mass: mass + arm.map_or(0.0, |arm| arm[0]),
+            beta,
+            sigma: point.sigma.as_ref().map(|_| sigma),
+            rate: point.amplifier.as_ref().map(|time| 1.0 / to_double(time)),
+            arm: arm.map(|arm| [arm[1], arm[2]]),
+            pieces: 1,
+        };
+        let pieces = flow.pieces_needed()?;
+        Ok(Some(Self { pieces, ..flow }))
+    }
+
+    /// How many pieces make rate × piece ≤ ½.
+    fn pieces_needed(&self) -> Result<u32, SimError> {
+        let [damping, stiffness] = self.arm.unwrap_or([0.0; 2]);
+        let rates = [
+            self.rate.unwrap_or(0.0),
+            (self.beta + damping) / self.mass,
+            (stiffness / self.mass).sqrt(),
+        ];
+        let rate = rates.into_iter().fold(0.0, f64::max);
+        if rate > FASTEST || rate.is_nan() {
+            return Err(SimError::TooFast {
+                rate,
+                limit: FASTEST,
+            });
+        }
+        // 2·rate ≤ 8192 fits, and 1 is the least.
+        Ok((2.0 * rate).ceil().max(1.0) as u32)
+    }
+
+    /// For the plan: what is in the motion.
+    #[must_use]
+    pub fn describe(&self) -> String {
+        let mut text = String::new();
+        if let Some(rate) = self.rate {
+            text += &format!(", amplifier ẏ = {rate}·(u − y)");
+        }
+        if let Some([damping, stiffness]) = self.arm {
+            text += &format!(
+                ", arm −{damping}·ξ̇ − {stiffness}·ξ, moving mass {}",
+                self.mass
+            );
+        }
+        text + &format!(", {} pieces an interval", self.pieces)
+    }
+}
+
+impl<R: Real> Flow<R> {
+    /// Whether the operator's arm holds the device.
+    #[must_use]
+    pub const fn has_arm(&self) -> bool {
+        self.arm.is_some()
+    }
+
+    /// What acts on the device at rest: y + F − kξ.
+    #[must_use]
+    pub fn net(&self, state: &State<R>, force: &R) -> R {
+        let pull = state.output.clone() + force.clone();
+        match &self.arm {
+            Some([_, stiffness]) => pull - stiffness.clone() * state.xi.clone(),
+            None => pull,
+        }
+    }
+
+    /// The motion over a whole interval, `command` and `force` being constant.
+    ///
+    /// # Errors
+    ///
+    /// [`Undecided`] when the numbers cannot tell a sign.
+    pub fn advance(
+        &self,
+        start: &State<R>,
+        command: &R,
+        force: &R,
+    ) -> Result<Flowed<R>, Undecided> {
+        let zero = command.zero();
+        let pieces = i32::try_from(self.pieces).unwrap_or(i32::MAX);
+        let piece = zero.ratio(1, pieces);
+        let mut flowed = Flowed {
+            end: start.clone(),
+            path: zero.clone(),
+            square: zero.clone(),
+            work: zero.clone(),
+        };
+        if self.rate.is_none() {
+            flowed.end.output = command.clone();
+        }
+        for _ in 0..pieces {
+            self.piece(&mut flowed, command, force, &piece)?;
+        }
+        Ok(flowed)
+    }
+
+    /// A piece of the interval, with its reversals and its time at rest.
+    fn piece(
+        &self,
+        flowed: &mut Flowed<R>,
+        command: &R,
+        force: &R,
+        piece: &R,
+    ) -> Result<(), Undecided> {
+        // Each stop is followed by a motion the other way or by rest. More than a few within half a
+        // time constant can only be rounding about a stop; the device then rests until the piece ends.
+        const MOST_STOPS: u32 = 16;
+        let mut left = piece.clone();
+        let Some(sigma) = &self.sigma else {
+            let series = self.series(&flowed.end, command, force, &command.zero(), &left);
+            self.take(flowed, &series, &left.one());
+            return Ok(());
+        };
+        for _ in 0..MOST_STOPS {
+            let mut direction = flowed.end.velocity.sign()?;
+            if direction == Ordering::Equal {
+                let wait = self.rest(flowed, command, force, sigma, &left)?;
+                let Some(wait) = wait else { return Ok(()) };
+                left = left - wait;
+                direction = self.net(&flowed.end, force).sign()?;
+            }
+            let friction = match direction {
+                Ordering::Less => -sigma.clone(),
+                _ => sigma.clone(),
+            };
+            let series = self.series(&flowed.end, command, force, &friction, &left);
+            let Some(at) = series.stop(direction)? else {
+                self.take(flowed, &series, &left.one());
+                return Ok(());
+            };
+            self.take(flowed, &series, &at);
+            flowed.end.velocity = left.zero();
+            left = left.clone() - left * at;
+        }
+        self.idle(flowed, command, &left);
+        flowed.end.velocity = left.zero();
+        Ok(())
+    }
+
+    /// At rest: how long until the device starts, within `left`; `None` when it does not.
+    fn rest(
+        &self,
+        flowed: &mut Flowed<R>,
+        command: &R,
+        force: &R,
+        sigma: &R,
+        left: &R,
+    ) -> Result<Option<R>, Undecided> {
+        let net = self.net(&flowed.end, force);
+        if net.magnitude()?.compare(sigma)? == Ordering::Greater {
+            return Ok(Some(left.zero()));
+        }
+        let mut later = flowed.end.clone();
+        later.output = self.output_after(&flowed.end.output, command, left);
+        let net_later = self.net(&later, force);
+        if net_later.magnitude()?.compare(sigma)? != Ordering::Greater {
+            flowed.end = later;
+            return Ok(None);
+        }
+        // The output is monotone: the time at which it lets go is bracketed by 0 and `left`.
+        let (mut low, mut high) = (left.zero(), left.clone());
+        for _ in 0..left.bits() + 4 {
+            let middle = (low.clone() + high.clone()) * left.ratio(1, 2);
+            let mut state = flowed.end.clone();
+            state.output = self.output_after(&flowed.end.output, command, &middle);
+            if self.net(&state, force).magnitude()?.compare(sigma)? == Ordering::Greater {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        self.idle(flowed, command, &high);
+        Ok(Some(high))
+    }
+
+    /// Lets time pass at rest.
+    fn idle(&self, flowed: &mut Flowed<R>, command: &R, time: &R) {
+        flowed.end.output = self.output_after(&flowed.end.output, command, time);
+    }
+
+    /// The amplifier's output after a time of at most a piece.
+    fn output_after(&self, output: &R, command: &R, time: &R) -> R {
+        let Some(rate) = &self.rate else {
+            return command.clone();
+        };
+        let x = -(rate.clone() * time.clone());
+        let mut term = output.clone() - command.clone();
+        let mut sum = command.clone() + term.clone();
+        for n in 1..terms(output.bits()) {
+            term = term * x.clone() * output.ratio(1, n);
+            sum = sum + term.clone();
+        }
+        sum
+    }
+
+    /// The series of the motion from a state, on a piece of length `h`, against `friction`.
+    fn series(&self, from: &State<R>, command: &R, force: &R, friction: &R, h: &R) -> Series<R> {
+        let count = terms(h.bits());
+        let inverse = h.one() / self.mass.clone();
+        let damping = match &self.arm {
+            Some([damping, _]) => self.beta.clone() + damping.clone(),
+            None => self.beta.clone(),
+        };
+        let mut output = vec![from.output.clone()];
+        let mut excess = from.output.clone() - command.clone();
+        let mut xi = vec![from.xi.clone(), from.velocity.clone() * h.clone()];
+        for n in 2..count {
+            // c_n = h²/(n(n − 1))·(y_{n−2} + [F − σs] − kc_{n−2} − β′(n − 1)c_{n−1}/h)/M.
+            let index = usize::try_from(n).unwrap_or(2);
+            let mut pull = output[index - 2].clone();
+            if n == 2 {
+                pull = pull + force.clone() - friction.clone();
+            }
+            if let Some([_, stiffness]) = &self.arm {
+                pull = pull - stiffness.clone() * xi[index - 2].clone();
+            }
+            let drag = damping.clone() * h.clone() * xi[index - 1].clone() * h.ratio(n - 1, 1);
+            let over = h.ratio(1, n * (n - 1));
+            let next = (pull * h.clone() * h.clone() - drag) * inverse.clone() * over;
+            xi.push(next);
+            output.push(match &self.rate {
+                Some(rate) => {
+                    excess = -(excess * rate.clone() * h.clone()) * h.ratio(1, n - 1);
+                    excess.clone()
+                }
+                None => h.zero(),
+            });
+        }
+        Series {
+            xi,
+            output,
+            h: h.clone(),
+        }
+    }
+
+    /// Takes the motion to the fraction `s` of a series, on which the velocity keeps its sign.
+    fn take(&self, flowed: &mut Flowed<R>, series: &Series<R>, s: &R) {
+        let from = flowed.end.xi.clone();
+        let (square, work) = series.integrals(s);
+        flowed.square = flowed.square.clone() + square;
+        flowed.work = flowed.work.clone() + work;
+        flowed.end.xi = horner(&series.xi, s);
+        flowed.end.velocity = series.velocity(s);
+        if self.rate.is_some() {
+            flowed.end.output = horner(&series.output, s);
+        }
+        let d = flowed.end.xi.clone() - from;
+        // A displacement whose sign cannot be told is as good as 0 to the path.
+        let way = d.magnitude().unwrap_or(d);
+        flowed.path = flowed.path.clone() + way;
+    }
+}
+
+/// How many terms leave less than 2^−bits when each is at most half the one before, over n.
+fn terms(bits: u32) -> i32 {
+    let mut n = 3;
+    let mut log2 = 0.0;
+    while log2 < f64::from(bits) + 4.0 {
+        log2 += 1.0 + f64::from(n).log2();
+        n += 1;
+    }
+    n + 1
+}
+
+/// Σ cₙsⁿ.
+fn horner<R: Real>(coefficients: &[R], s: &R) -> R {
+    let mut sum = s.zero();
+    for c in coefficients.iter().rev() {
+        sum = sum * s.clone() + c.clone();
+    }
+    sum
+}
+
+impl<R: Real> Series<R> {
+    /// ξ̇ at the fraction `s`.
+    fn velocity(&self, s: &R) -> R {
+        self.derivative(s, 1) / self.h.clone()
+    }
+
+    /// The first or second derivative of ξ by the fraction.
+    fn derivative(&self, s: &R, order: usize) -> R {
+        let mut sum = s.zero();
+        for (n, c) in self.xi.iter().enumerate().skip(order).rev() {
+            let n = i32::try_from(n).unwrap_or(i32::MAX);
+            let factor = if order == 1 { n } else { n * (n - 1) };
+            sum = sum * s.clone() + c.clone() * s.ratio(factor, 1);
+        }
+        sum
+    }
+
+    /// The fraction at which the velocity, of sign `direction` at first, becomes 0.
+    fn stop(&self, direction: Ordering) -> Result<Option<R>, Undecided> {
+        let one = self.h.one();
+        let end = self.derivative(&one, 1).sign()?;
+        let high = if end == direction || end == Ordering::Equal {
+            // It may have been to 0 and back: only if it slowed down first and sped up later.
+            let slows = self.derivative(&self.h.zero(), 2).sign()? == direction.reverse();
+            let speeds_up = self.derivative(&one, 2).sign()? == direction;
+            if !(slows && speeds_up) {
+                return Ok(None);
+            }
+            let slowest = self.crossing(2, direction.reverse(), &one)?;
+            if self.derivative(&slowest, 1).sign()? == direction {
+                return Ok(None);
+            }
+            slowest
+        } else {
+            one
+        };
+        self.crossing(1, direction, &high).map(Some)
+    }
+
+    /// Where a derivative of sign `before` at 0 ceases to have it, between 0 and `high`: Newton's
+    /// iteration, with bisection whenever it leaves the bracket or shrinks it too little.
+    fn crossing(&self, order: usize, before: Ordering, high: &R) -> Result<R, Undecided> {
+        let half = high.ratio(1, 2);
+        let (mut low, mut high) = (high.zero(), high.clone());
+        let mut at = (low.clone() + high.clone()) * half.clone();
+        for _ in 0..2 * high.bits() {
+            let value = self.derivative(&at, order);
+            match value.sign()? {
+                Ordering::Equal => return Ok(at),
+                sign if sign == before => low = at.clone(),
+                _ => high = at.clone(),
+            }
+            let width = high.clone() - low.clone();
+            if width.approximate() <= at.approximate() * (-f64::from(at.bits())).exp2() {
+                break;
+            }
+            let slope = self.slope(&at, order);
+            let mut next = (low.clone() + high.clone()) * half.clone();
+            if slope.sign()? != Ordering::Equal {
+                let newton = at.clone() - value / slope;
+                let step = (newton.clone() - at.clone()).approximate().abs();
+                let inside = newton.compare(&low)? == Ordering::Greater
+                    && newton.compare(&high)? == Ordering::Less;
+                if inside {
+                    if step <= at.approximate() * (-f64::from(at.bits())).exp2() {
+                        return Ok(newton);
+                    }
+                    next = newton;
+                }
+            }
+            at = next;
+        }
+        Ok(at)
+    }
+
+    /// The derivative of [`Self::derivative`].
+    fn slope(&self, s: &R, order: usize) -> R {
+        let mut sum = s.zero();
+        for (n, c) in self.xi.iter().enumerate().skip(order + 1).rev() {
+            let n = i32::try_from(n).unwrap_or(i32::MAX);
+            let factor = if order == 1 {
+                n * (n - 1)
+            } else {
+                n * (n - 1) * (n - 2)
+            };
+            sum = sum * s.clone() + c.clone() * s.ratio(factor, 1);
+        }
+        sum
+    }
+
+    /// ∫ξ̇² and ∫yξ̇ from 0 to the fraction `s`: products of the series.
+    fn integrals(&self, s: &R) -> (R, R) {
+        let count = self.xi.len();
+        // Coefficients of ξ̇·h.
+        let mut rates = Vec::with_capacity(count);
+        for (n, c) in self.xi.iter().enumerate().skip(1) {
+            let n = i32::try_from(n).unwrap_or(i32::MAX);
+            rates.push(c.clone() * s.ratio(n, 1));
+        }
+        let integral = |a: &[R], b: &[R]| {
+            let mut power = s.clone();
+            let mut sum = s.zero();
+            for n in 0..rates.len() {
+                let mut term = s.zero();
+                for i in 0..=n {
+                    if let (Some(x), Some(y)) = (a.get(i), b.get(n - i)) {
+                        term = term + x.clone() * y.clone();
+                    }
+                }
+                let over = s.ratio(1, i32::try_from(n + 1).unwrap_or(i32::MAX));
+                sum = sum + term * over * power.clone();
+                power = power * s.clone();
+            }
+            sum
+        };
+        let square = integral(&rates, &rates) / self.h.clone();
+        let work = integral(&self.output, &rates);
+        (square, work)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Constants;
+
+    fn plain(mass: f64, beta: f64, sigma: f64) -> Flow<f64> {
+        let mut flow = Flow {
+            mass,
+            beta,
+            sigma: Some(sigma),
+            rate: None,
+            arm: None,
+            pieces: 1,
+        };
+        flow.pieces = flow.pieces_needed().unwrap();
+        flow
+    }
+
+    #[test]
+    fn without_amplifier_and_arm_it_is_the_closed_form() {
+        for (mu, beta) in [(50.0, 0.6), (2.0, 1.0), (1.0, 30.0)] {
+            let (flow, k) = (plain(mu, beta, 0.3), Constants::new(mu, beta, 0.3));
+            for v in [-1.2, -0.01, 0.0, 0.004, 0.3] {
+                for u in [-2.5, -0.5, 0.2, 1.5] {
+                    let start = State {
+                        xi: 0.25,
+                        velocity: v,
+                        output: 0.0,
+                    };
+                    let got = flow.advance(&start, &u, &0.0).unwrap();
+                    let want = k.advance::<true, true, true>(0.25, v, u);
+                    // A few ulp of the numbers at hand, all below 3, a piece.
+                    let tolerance = 1e-15 * f64::from(flow.pieces + 4);
+                    let close = |a: f64, b: f64| (a - b).abs() < tolerance;
+                    assert!(
+                        close(got.end.xi, want.xi)
+                            && close(got.end.velocity, want.velocity)
+                            && close(got.path, want.path)
+                            && close(got.square, want.square)
+                            && close(got.work, u * (want.xi - 0.25)),
+                        "μ {mu} v {v} u {u}: {got:?} {want:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_swing_on_an_arm_is_a_cosine_and_loses_nothing() {
+        let mut flow = plain(1.0, 0.0, 0.0);
+        let omega: f64 = 7.0;
+        flow.arm = Some([0.0, omega * omega]);
+        flow.pieces = flow.pieces_needed().unwrap();
+        for sigma in [None, Some(0.0)] {
+            flow.sigma = sigma;
+            let start = State {
+                xi: 1.0,
+                velocity: 0.0,
+                output: 0.0,
+            };
+            let got = flow.advance(&start, &0.0, &0.0).unwrap();
+            assert!((got.end.xi - omega.cos()).abs() < 1e-14);
+            assert!((got.end.velocity + omega * omega.sin()).abs() < 1e-13);
+            // ∫ω² sin²(ωt) dt over the interval.
+            let square = omega * omega * (0.5 - (2.0 * omega).sin() / (4.0 * omega));
+            assert!((got.square - square).abs() < 1e-12, "{}", got.square);
+        }
+    }
+
+    #[test]
+    fn coulomb_friction_takes_two_sigma_from_each_half_swing() {
+        // ω = 2π, k = 1 ⇒ the turning points of a free swing lose 2σ/k each half period.
+        let omega = 2.0 * std::f64::consts::PI;
+        let mut flow = plain(1.0 / (omega * omega), 0.0, 0.125);
+        flow.arm = Some([0.0, 1.0]);
+        flow.pieces = flow.pieces_needed().unwrap();
+        let start = State {
+            xi: 2.0,
+            velocity: 0.0,
+            output: 0.0,
+        };
+        let got = flow.advance(&start, &0.0, &0.0).unwrap();
+        assert!((got.end.xi - 1.5).abs() < 1e-13, "{}", got.end.xi);
+        assert!((got.path - 7.0).abs() < 1e-13, "{}", got.path);
+    }
+
+    #[test]
+    fn an_amplifier_lets_go_when_its_output_passes_friction() {
+        let mut flow = plain(1.0, 0.0, 0.5);
+        flow.rate = Some(2.0);
+        flow.pieces = flow.pieces_needed().unwrap();
+        let start = State {
+            xi: 0.0,
+            velocity: 0.0,
+            output: 0.0,
+        };
+        let got = flow.advance(&start, &1.0, &0.0).unwrap();
+        // y = 1 − e^(−2t) passes ½ at t₀ = ln 2/2; then v = ∫(y − ½) = (t − t₀)/2 − (½ − e^(−2t))/2.
+        let (t0, e) = (0.5 * 2.0_f64.ln(), (-2.0_f64).exp());
+        let velocity = 0.5 * (1.0 - t0) - 0.5 * (0.5 - e);
+        assert!((got.end.velocity - velocity).abs() < 1e-14, "{got:?}");
+        assert!((got.end.output - (1.0 - e)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn too_fast_an_amplifier_is_refused() {
+        let mut flow = plain(1.0, 0.0, 0.5);
+        flow.rate = Some(5000.0);
+        assert_eq!(
+            flow.pieces_needed(),
+            Err(SimError::TooFast {
+                rate: 5000.0,
+                limit: FASTEST
+            })
+        );
+    }
+}

@@ -1,0 +1,456 @@
+//! From where on divergence is certain.
+//!
+//! Without quantization and Coulomb friction the loop is linear from sample to sample, x′ = Ax. Let z
+//! be an eigenvalue of A with |z| > 1 and ℓ its left eigenvector, ℓA = zℓ. Quantization (an error of
+//! the held force of at most ½), Coulomb friction (at most σ), a D/A converter (at most ½δ) and the
+//! operator's force (at most F) disturb an interval by w with |ℓw| ≤ W. So
+//!
+//! > |ℓx′| ≥ |z||ℓx| − W, that is |ℓx′| − R ≥ |z|(|ℓx| − R) with R = W/(|z| − 1):
+//!
+//! once |ℓx| > R, it grows by the factor |z| for ever, whatever the disturbances do. For the paper's
+//! own scene x = (ξ, ξ̇) and everything is in closed form: A₁₁ = 1 − φ₂/μ, A₁₂ = φ₁, A₂₁ = −φ₁/μ,
+//! A₂₂ = e^(−λ), and an impulse of force moves ξ by φ₂/μ at most over an interval and ξ̇ by φ₁/μ.
+//!
+//! A one-sided wall or a saturated actuator makes the loop no such map: no radius is claimed there.
+//! Whatever the scene, a state past [`OVERFLOW`] is reported as growing too: it would leave the range
+//! of numbers next.
+
+use crate::flow::State;
+use crate::law::{self, Memory};
+use crate::motion::Constants;
+use crate::plan::Plan;
+
+/// The magnitude of ξ or ξ̇ at which any scene is called growing.
+pub const OVERFLOW: f64 = 1e140;
+
+/// |z| − 1 below this is rounding: no growth is claimed.
+const LEAST_EXCESS: f64 = 1e-12;
+
+/// The radius is widened by this factor against rounding of its computation and of the state.
+const WIDENED: f64 = 1.0 + 1e-6;
+
+/// More samples of history than this and no radius is computed.
+const MOST_HISTORY: usize = 64;
+
+/// When divergence is certain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Growth {
+    /// ℓ over (ξ, ξ̇), scaled to 1 at ξ: |ℓx|² = (ξ + c·ξ̇)² + (s·ξ̇)².
+    pub c: f64,
+    /// See `c`.
+    pub s: f64,
+    /// The square of the radius, at most that of [`OVERFLOW`].
+    pub square: f64,
+    /// |z|, when a mode grows.
+    pub factor: Option<f64>,
+    /// The whole of ℓ when there is more state than (ξ, ξ̇); then `square` only says when to look.
+    mode: Option<Mode>,
+}
+
+/// A left eigenvector over the whole state, real and imaginary part.
+#[derive(Clone, Debug, PartialEq)]
+struct Mode {
+    left: Vec<[f64; 2]>,
+    radius: f64,
+    lagging: bool,
+}
+
+impl Growth {
+    /// No mode grows, or none is known to: only numbers near overflow count.
+    #[must_use]
+    pub const fn never() -> Self {
+        Self {
+            c: 0.0,
+            s: 1.0,
+            square: OVERFLOW * OVERFLOW,
+            factor: None,
+            mode: None,
+        }
+    }
+
+    /// The growth of the paper's own scene; the held force is off by at most `error`, ½ with an
+    /// encoder and 0 without.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_sim::{growth::Growth, motion::Constants};
+    ///
+    /// assert!(Growth::plain(&Constants::new(50.0, 0.4, 0.6), 0.5).is_possible());
+    /// assert!(!Growth::plain(&Constants::new(50.0, 0.6, 0.6), 0.5).is_possible());
+    /// ```
+    #[must_use]
+    pub fn plain(k: &Constants, error: f64) -> Self {
+        let (phi1, phi2) = (k.phi1 * k.inverse_mu, k.phi2 * k.inverse_mu);
+        // det A − 1, without the cancellation of det A itself: e^(−λ) − 1 = −λφ₁ = −βφ₁/μ.
+        let excess = k.inverse_mu * (k.phi1 * k.phi1 - k.beta * k.phi1 - k.decay * k.phi2);
+        let (trace, det) = (1.0 - phi2 + k.decay, 1.0 + excess);
+        let discriminant = 0.25 * trace * trace - det;
+        let a11 = 1.0 - phi2;
+        let (real, imaginary, over) = if discriminant < 0.0 {
+            let over = excess / (1.0 + det.sqrt());
+            (0.5 * trace, (-discriminant).sqrt(), over)
+        } else {
+            let root = discriminant.sqrt();
+            let largest = 0.5 * trace + root.copysign(trace);
+            (largest, 0.0, largest.abs() - 1.0)
+        };
+        if over.is_nan() || over < LEAST_EXCESS {
+            return Self::never();
+        }
+        let c = (real - a11) / -phi1;
+        let s = imaginary / -phi1;
+        let disturbance = (error + k.sigma) * (phi2 + c.hypot(s) * phi1);
+        let radius = disturbance / over * WIDENED;
+        if !(c.is_finite() && s.is_finite()) {
+            return Self::never();
+        }
+        Self {
+            c,
+            s,
+            square: (radius * radius).min(OVERFLOW * OVERFLOW),
+            factor: Some(1.0 + over),
+            mode: None,
+        }
+    }
+
+    /// The growth of any scene.
+    #[must_use]
+    pub fn of(plan: &Plan) -> Self {
+        let law = &plan.controller;
+        let clamped = law.has(law::UNILATERAL) || law.has(law::SATURATION);
+        let history = usize::try_from(law.forgets_after()).unwrap_or(usize::MAX);
+        if clamped || history > MOST_HISTORY {
+            return Self::never();
+        }
+        let error = if law.has(law::ENCODER) { 0.5 } else { 0.0 };
+        let simple = [law::ENCODER, 0].contains(&law.effects);
+        if simple && plan.forces.is_none() && plan.flow.is_none() {
+            return Self::plain(&plan.constants, error);
+        }
+        Self::general(plan, history, error).unwrap_or_else(Self::never)
+    }
+
+    /// Whether a mode is known to grow.
+    #[must_use]
+    pub const fn is_possible(&self) -> bool {
+        self.factor.is_some()
+    }
+
+    /// Whether the state (ξ, ξ̇) calls for a closer look; for the paper's own scene, whether it grows.
+    #[inline(always)]
+    #[must_use]
+    pub fn exceeds(&self, xi: f64, v: f64) -> bool {
+        let real = xi + self.c * v;
+        let imaginary = self.s * v;
+        // A NaN would count as growth too, if there ever were one.
+        let square = real * real + imaginary * imaginary;
+        !(square <= self.square)
+    }
+
+    /// Whether divergence is certain from this state on.
+    #[must_use]
+    pub fn certain(&self, state: &State<f64>, memory: &Memory) -> bool {
+        if state.xi.abs().max(state.velocity.abs()) >= OVERFLOW {
+            return true;
+        }
+        let Some(mode) = &self.mode else {
+            return self.exceeds(state.xi, state.velocity);
+        };
+        let output = mode.lagging.then_some(state.output);
+        let all = [state.xi, state.velocity]
+            .into_iter()
+            .chain(output)
+            .chain(memory.latest_first());
+        let [mut real, mut imaginary] = [0.0, 0.0];
+        for (x, [re, im]) in all.zip(&mode.left) {
+            real += x * re;
+            imaginary += x * im;
+        }
+        real.hypot(imaginary) > mode.radius
+    }
+
+    /// The radius in words.
+    #[must_use]
+    pub fn words(&self) -> String {
+        match self.factor {
+            Some(factor) if self.square < OVERFLOW * OVERFLOW => format!(
+                "the radius {:.6} ticks of the growing mode (a factor of {factor:.9} a sample): \
+                 quantization and Coulomb friction cannot hold it any more",
+                self.mode.as_ref().map_or(self.square.sqrt(), |m| m.radius)
+            ),
+            _ => format!("{OVERFLOW:e} ticks, where numbers end"),
+        }
+    }
+
+    /// The growth of a scene with history, an amplifier, an arm or a force.
+    fn general(plan: &Plan, history: usize, error: f64) -> Option<Self> {
+        let law = &plan.controller;
+        let lagging = plan.flow.as_ref().is_some_and(|flow| flow.rate.is_some());
+        let own = if lagging { 3 } else { 2 };
+        let size = own + history;
+        let mut matrix = vec![vec![0.0; size]; size];
+        for column in 0..size {
+            let mut state = vec![0.0; size];
+            state[column] = 1.0;
+            for (row, x) in linear_step(plan, &state, own)?.into_iter().enumerate() {
+                matrix[row][column] = x;
+            }
+        }
+        let (left, factor) = dominant_left(&matrix)?;
+        if factor - 1.0 < LEAST_EXCESS.max(1e-9) {
+            return None;
+        }
+        let damping = if law.has(law::DAMPING) {
+            law.damping
+        } else {
+            0.0
+        };
+        let step = if law.has(law::FORCE_STEP) {
+            0.5 * law.force_step[0] / law.force_step[1]
+        } else {
+            0.0
+        };
+        let commanded = error * (1.0 + 2.0 * damping) + step;
+        let operator = plan.forces.as_ref().map_or(0.0, |forces| forces.largest());
+        let on_device = commanded + operator + plan.constants.sigma;
+        let size_of = |i: usize| left.get(i).map_or(0.0, |[re, im]| re.hypot(*im));
+        let mass = plan
+            .flow
+            .as_ref()
+            .map_or(plan.constants.mu, |flow| flow.mass);
+        // An impulse of force moves ξ̇ by at most 1/M and ξ by at most t/M, arm and friction or not.
+        let mut disturbance = on_device * (0.5 * size_of(0) + size_of(1)) / mass;
+        if lagging {
+            disturbance += commanded * size_of(2);
+        }
+        // What the controller remembers are samples, each off by at most ½ from the position.
+        let remembered: f64 = (own..size).map(size_of).sum();
+        let radius = (disturbance / (factor - 1.0) + error * remembered) * WIDENED;
+        let norm: f64 = (0..size).map(size_of).sum();
+        // |ℓx| > R needs some |x_i| > R/Σ|ℓ_i|: look once ξ or ξ̇ is that large.
+        let look = radius / norm;
+        Some(Self {
+            c: 0.0,
+            s: 1.0,
+            square: (look * look).min(OVERFLOW * OVERFLOW),
+            factor: Some(factor),
+            mode: Some(Mode {
+                left,
+                radius,
+                lagging,
+            }),
+        })
+    }
+}
+
+/// One sampling interval of the loop without quantization and Coulomb friction.
+///
+/// The state is ξ, ξ̇, the amplifier's output if there is one, and past positions, latest first.
+fn linear_step(plan: &Plan, state: &[f64], own: usize) -> Option<Vec<f64>> {
+    let law = &plan.controller;
+    let delay = if law.has(law::DELAY) { law.delay } else { 0 };
+    let sampled = |late: usize| {
+        if late == 0 {
+            state.first()
+        } else {
+            state.get(own + late - 1)
+        }
+        .copied()
+    };
+    let q = sampled(delay)?;
+    let mut command = -q;
+    if law.has(law::DAMPING) {
+        command -= law.damping * (q - sampled(delay + 1)?);
+    }
+    let [xi, velocity] = [*state.first()?, *state.get(1)?];
+    let mut next = match &plan.flow {
+        Some(flow) => {
+            let smooth = crate::flow::Flow {
+                sigma: None,
+                ..flow.clone()
+            };
+            let output = if own == 3 { *state.get(2)? } else { command };
+            let start = State {
+                xi,
+                velocity,
+                output,
+            };
+            let end = smooth.advance(&start, &command, &0.0).ok()?.end;
+            let mut next = vec![end.xi, end.velocity];
+            if own == 3 {
+                next.push(end.output);
+            }
+            next
+        }
+        None => {
+            let moved = plan
+                .constants
+                .advance::<true, false, false>(xi, velocity, command);
+            vec![moved.xi, moved.velocity]
+        }
+    };
+    let history = state.len() - own;
+    next.extend(
+        [xi].into_iter()
+            .chain(state.iter().skip(own).copied())
+            .take(history),
+    );
+    Some(next)
+}
+
+/// The dominant eigenvalue's magnitude and its left eigenvector, by repeated squaring.
+///
+/// Powers of a matrix tend to its dominant left-invariant subspace, of dimension 2 for a complex
+/// pair. `None` when the result does not satisfy ℓA = zℓ to 10⁻⁹.
+fn dominant_left(matrix: &[Vec<f64>]) -> Option<(Vec<[f64; 2]>, f64)> {
+    const SQUARINGS: usize = 40;
+    let mut power = matrix.to_vec();
+    for _ in 0..SQUARINGS {
+        power = product(&power, &power);
+        let largest = power.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+        if !(largest > 0.0 && largest.is_finite()) {
+            return None;
+        }
+        power.iter_mut().flatten().for_each(|x| *x /= largest);
+    }
+    let norm = |row: &[f64]| dot(row, row);
+    let row = power
+        .iter()
+        .max_by(|a, b| norm(a).total_cmp(&norm(b)))?
+        .clone();
+    let once = times(&row, matrix);
+    let twice = times(&once, matrix);
+    // Least squares for twice = trace·once − det·row.
+    let (aa, ab, bb) = (dot(&once, &once), dot(&once, &row), dot(&row, &row));
+    let (ya, yb) = (dot(&twice, &once), dot(&twice, &row));
+    let gram = aa * bb - ab * ab;
+    let (real, imaginary) = if gram < 1e-18 * aa * bb {
+        (ab / bb, 0.0)
+    } else {
+        let trace = (ya * bb - yb * ab) / gram;
+        let det = (ya * ab - yb * aa) / gram;
+        let discriminant = 0.25 * trace * trace - det;
+        if discriminant < 0.0 {
+            (0.5 * trace, (-discriminant).sqrt())
+        } else {
+            (0.5 * trace + discriminant.sqrt().copysign(trace), 0.0)
+        }
+    };
+    // ℓ = row·A − z̄·row, or row itself when row·A = z·row already.
+    let parallel = gram < 1e-18 * aa * bb;
+    let other = if parallel { 0.0 } else { 1.0 };
+    let left: Vec<[f64; 2]> = row
+        .iter()
+        .zip(&once)
+        .map(|(r, o)| {
+            if parallel {
+                [*r, 0.0]
+            } else {
+                [o - real * r, other * imaginary * r]
+            }
+        })
+        .collect();
+    let part = |i: usize| left.iter().map(|l| l[i]).collect::<Vec<f64>>();
+    let (re, im) = (part(0), part(1));
+    let (re_next, im_next) = (times(&re, matrix), times(&im, matrix));
+    let size = dot(&re, &re) + dot(&im, &im);
+    let mut off = 0.0;
+    for i in 0..left.len() {
+        let e = re_next[i] - (real * re[i] - imaginary * im[i]);
+        let f = im_next[i] - (real * im[i] + imaginary * re[i]);
+        off += e * e + f * f;
+    }
+    if !(off.sqrt() <= 1e-9 * size.sqrt()) {
+        return None;
+    }
+    let scale = size.sqrt();
+    let left = left
+        .into_iter()
+        .map(|[a, b]| [a / scale, b / scale])
+        .collect();
+    Some((left, real.hypot(imaginary)))
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// The row vector `a` times a matrix.
+fn times(a: &[f64], matrix: &[Vec<f64>]) -> Vec<f64> {
+    let mut sum = vec![0.0; matrix.len()];
+    for (x, row) in a.iter().zip(matrix) {
+        for (s, y) in sum.iter_mut().zip(row) {
+            *s += x * y;
+        }
+    }
+    sum
+}
+
+fn product(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    a.iter().map(|row| times(row, b)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn general_and_closed_form_agree_on_the_papers_scene() {
+        let k = Constants::new(50.0, 0.3, 0.6);
+        let matrix = vec![
+            vec![1.0 - k.phi2 / k.mu, k.phi1],
+            vec![-k.phi1 / k.mu, k.decay],
+        ];
+        let (left, factor) = dominant_left(&matrix).unwrap();
+        let plain = Growth::plain(&k, 0.5);
+        assert!((factor - plain.factor.unwrap()).abs() < 1e-12);
+        // Both are |ℓx| up to a scale.
+        let size = |x: [f64; 2]| {
+            let part = |i: usize| x[0] * left[0][i] + x[1] * left[1][i];
+            part(0).hypot(part(1))
+        };
+        let closed = |x: [f64; 2]| (x[0] + plain.c * x[1]).hypot(plain.s * x[1]);
+        let scale = size([1.0, 0.0]) / closed([1.0, 0.0]);
+        for x in [[0.0, 1.0], [1.0, 1.0], [-3.0, 0.2]] {
+            assert!((size(x) / closed(x) - scale).abs() < 1e-9 * scale);
+        }
+    }
+
+    #[test]
+    fn past_the_radius_the_mode_grows_whatever_disturbs_it() {
+        for (mu, beta, sigma) in [
+            (50.0, 0.3, 0.6),
+            (50.0, 0.49, 0.1),
+            (0.2, 0.1, 0.3),
+            (1.0, 0.0, 0.5),
+        ] {
+            let k = Constants::new(mu, beta, sigma);
+            let growth = Growth::plain(&k, 0.5);
+            let factor = growth.factor.unwrap();
+            let norm = |xi: f64, v: f64| (xi + growth.c * v).hypot(growth.s * v);
+            let radius = growth.square.sqrt();
+            for angle in 0..64 {
+                let angle = f64::from(angle) * 0.1;
+                // A state just past the radius, in the basis in which the norm is round.
+                let v = if growth.s == 0.0 {
+                    0.0
+                } else {
+                    radius * angle.sin() / growth.s
+                };
+                let xi = if growth.s == 0.0 {
+                    radius
+                } else {
+                    radius * angle.cos() - growth.c * v
+                };
+                let (xi, v) = (xi * 1.001, v * 1.001);
+                for error in [-0.5, 0.0, 0.5] {
+                    let moved = k.advance::<true, true, false>(xi, v, -(xi + error));
+                    let (before, after) = (norm(xi, v), norm(moved.xi, moved.velocity));
+                    let least = radius + factor * (before - radius);
+                    assert!(after >= least * (1.0 - 1e-5), "μ {mu}: {before} → {after}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! Motion of a haptic device between the samples of a virtual wall, and its energy ledger.
+//!
+//! The force is held over each sampling interval, so the motion within it has a closed form: no
+//! step size, no tolerance, at most one reversal per interval, found in closed form too. A scene
+//! compiles to a [`Plan`] that holds exactly the effects it has; an effect that is not there costs
+//! no instruction in the inner loop.
+//!
+//! Dimensionless throughout: ξ in encoder ticks, τ in sampling periods, force in KΔ, energy in
+//! KΔ², μ = m/(KT²), β = b/(KT), σ = c/(KΔ). The numbers in round brackets are the paper's.
+//!
+//! What it is **not**: it gives no verdict (that is exact, in `passivity-core`), and it reads no
+//! scene files.
+//!
+//! # Example
+//!
+//! ```
+//! use passivity_sim::{Exactly, Plan, Plain, run};
+//!
+//! // (0.6, 0.6) is globally stable: the device comes to exact rest.
+//! let plan = Plan::plain(&Plain { mu: 50.0, beta: 0.6, sigma: 0.6, xi: 0.0, velocity: 1.0 }, 50_000);
+//! let end = run::outcome(&plan);
+//! assert_eq!(end.outcome.exact, Exactly::AtRest);
+//! assert!(end.intervals < 2_000);
+//! ```
+#![forbid(clippy::unwrap_used)]
+
+pub mod error;
+pub mod flow;
+pub mod growth;
+pub mod law;
+pub mod ledger;
+pub mod motion;
+pub mod outcome;
+pub mod phi;
+pub mod plan;
+pub mod real;
+pub mod run;
+
+pub use error::SimError;
+pub use ledger::{Entry, Totals};
+pub use outcome::{Exactly, Outcome, Paper};
+pub use plan::{Plain, Plan};

@@ -1,0 +1,184 @@
+//! What became of a run: by the paper's threshold, and by what is certain.
+//!
+//! The paper calls a run converged when |ξ̇| < 0.01 at its end. With μ = 50 that is the largest
+//! chatter at a tick's edge, (½ − σ)/μ for σ → 0, so it calls most limit cycles converged. The
+//! exact words are only said when they are certain.
+
+/// The paper's threshold, in ticks per sample.
+pub const PAPER_THRESHOLD: f64 = 0.01;
+
+/// The outcome by the paper's detector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Paper {
+    /// |ξ̇| < 0.01 at the end.
+    Converged,
+    /// Neither converged nor unstable.
+    LimitCycle,
+    /// Growing, or with more energy at the end than at the start while the loop's linear part grows.
+    Unstable,
+}
+
+/// The outcome as far as it is certain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Exactly {
+    /// ξ̇ = 0 and |u| ≤ σ, for ever.
+    AtRest,
+    /// Unforced, and no tick's force is small enough to hold the device.
+    NeverAtRest,
+    /// Past a radius from which divergence is certain.
+    Growing,
+    /// None of these was found within the intervals.
+    Undecided,
+}
+
+/// What became of a run, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// By the paper's detector.
+    pub paper: Paper,
+    /// As far as it is certain.
+    pub exact: Exactly,
+    /// The interval at which rest began or divergence became certain.
+    pub at_interval: Option<u64>,
+    /// The reason for `exact`, a sentence for people.
+    pub because: String,
+}
+
+/// The end of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct End {
+    /// How many intervals were run.
+    pub intervals: u64,
+    /// ξ at the end, in ticks.
+    pub xi: f64,
+    /// ξ̇ at the end, in ticks per sample.
+    pub velocity: f64,
+    /// The outcome.
+    pub outcome: Outcome,
+}
+
+impl Paper {
+    /// The name used in machine-readable output.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::LimitCycle => "limit_cycle",
+            Self::Unstable => "unstable",
+        }
+    }
+
+    /// The outcome with this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::Converged, Self::LimitCycle, Self::Unstable]
+            .into_iter()
+            .find(|outcome| outcome.name() == name)
+    }
+}
+
+impl Exactly {
+    /// The name used in machine-readable output.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::AtRest => "at_rest",
+            Self::NeverAtRest => "never_at_rest",
+            Self::Growing => "growing",
+            Self::Undecided => "undecided",
+        }
+    }
+
+    /// The outcome with this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        [
+            Self::AtRest,
+            Self::NeverAtRest,
+            Self::Growing,
+            Self::Undecided,
+        ]
+        .into_iter()
+        .find(|outcome| outcome.name() == name)
+    }
+}
+
+/// What the words for an outcome depend on beside the state at the end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facts {
+    /// μ, with the arm's mass.
+    pub mu: f64,
+    /// σ.
+    pub sigma: f64,
+    /// The least force held at rest; `None` when the scene is forced.
+    pub least_holding_force: Option<f64>,
+    /// Whether the linear part of the loop has a growing mode (or is not known not to).
+    pub may_grow: bool,
+    /// ξ(0) and ξ̇(0).
+    pub start: [f64; 2],
+}
+
+/// How a run stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// At rest from this interval on.
+    Rest(u64),
+    /// Growing, noticed at this interval.
+    Growing(u64),
+    /// All intervals were run.
+    Ran(u64),
+}
+
+impl Facts {
+    /// The words for a run that stopped with this state; `growing` says past what, if it did.
+    #[must_use]
+    pub fn judge(&self, stop: Stop, xi: f64, velocity: f64, growing: &str) -> Outcome {
+        let exact = match stop {
+            Stop::Rest(_) => Exactly::AtRest,
+            Stop::Growing(_) => Exactly::Growing,
+            Stop::Ran(_) => match self.least_holding_force {
+                Some(least) if least > self.sigma => Exactly::NeverAtRest,
+                _ => Exactly::Undecided,
+            },
+        };
+        let at_interval = match stop {
+            Stop::Rest(h) | Stop::Growing(h) => Some(h),
+            Stop::Ran(_) => None,
+        };
+        let because = match exact {
+            Exactly::AtRest => format!(
+                "ξ̇ = 0 and |u| ≤ σ = {}, so nothing moves it any more",
+                self.sigma
+            ),
+            Exactly::NeverAtRest => format!(
+                "unforced, and the least force held at rest, {}, is above σ = {}",
+                self.least_holding_force.unwrap_or(0.0),
+                self.sigma
+            ),
+            Exactly::Growing => format!("past {growing}"),
+            Exactly::Undecided => "neither rest nor certain growth within the intervals".to_owned(),
+        };
+        Outcome {
+            paper: self.paper(exact, xi, velocity),
+            exact,
+            at_interval,
+            because,
+        }
+    }
+
+    fn paper(&self, exact: Exactly, xi: f64, velocity: f64) -> Paper {
+        let energy = |xi: f64, v: f64| self.mu * v * v + xi * xi;
+        // A start at rest at the origin has no energy to compare with: one tick has some.
+        let at_start = energy(self.start[0], self.start[1]).max(1.0);
+        let grown = self.may_grow && energy(xi, velocity) > at_start;
+        if exact == Exactly::Growing {
+            Paper::Unstable
+        } else if velocity.abs() < PAPER_THRESHOLD {
+            Paper::Converged
+        } else if grown {
+            Paper::Unstable
+        } else {
+            Paper::LimitCycle
+        }
+    }
+}

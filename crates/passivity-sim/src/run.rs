@@ -1,0 +1,366 @@
+//! Running a plan: the inner loops of the `closed-form` method.
+
+use crate::flow::State;
+use crate::law::{Controller, LawFn, Memory, floor};
+use crate::ledger::{Entry, Totals, potential_change};
+use crate::motion::{Constants, Moved};
+use crate::outcome::{End, Facts, Stop};
+use crate::plan::Plan;
+
+/// What watches a run; a watcher without a ledger costs nothing.
+trait Watch {
+    /// Whether energies are wanted.
+    const LEDGER: bool;
+    fn see(&mut self, entry: &Entry) -> bool;
+}
+
+struct Nothing;
+
+impl Watch for Nothing {
+    const LEDGER: bool = false;
+    fn see(&mut self, _: &Entry) -> bool {
+        true
+    }
+}
+
+struct Book<F> {
+    totals: Totals,
+    each: F,
+}
+
+impl<F: FnMut(&Entry) -> bool> Watch for Book<F> {
+    const LEDGER: bool = true;
+    fn see(&mut self, entry: &Entry) -> bool {
+        self.totals.add(entry);
+        (self.each)(entry)
+    }
+}
+
+/// The controller as the loop sees it: a function of 64, or the paper's own in line.
+trait Law {
+    fn held(&mut self, xi: f64) -> f64;
+    fn memory(&self) -> &Memory;
+}
+
+struct Table<'a> {
+    law: LawFn,
+    controller: &'a Controller,
+    memory: Memory,
+}
+
+impl Law for Table<'_> {
+    #[inline(always)]
+    fn held(&mut self, xi: f64) -> f64 {
+        (self.law)(self.controller, &mut self.memory, xi)
+    }
+    fn memory(&self) -> &Memory {
+        &self.memory
+    }
+}
+
+struct Encoder(Memory);
+
+impl Law for Encoder {
+    #[inline(always)]
+    fn held(&mut self, xi: f64) -> f64 {
+        -(floor(xi) + 0.5)
+    }
+    fn memory(&self) -> &Memory {
+        &self.0
+    }
+}
+
+/// Runs a plan to its end: outcome and final state, no ledger.
+///
+/// # Example
+///
+/// ```
+/// use passivity_sim::{Exactly, Plain, Plan, run};
+///
+/// let plan = Plan::plain(&Plain { mu: 50.0, beta: 0.4, sigma: 0.6, xi: 0.0, velocity: 10.0 }, 50_000);
+/// assert_eq!(run::outcome(&plan).outcome.exact, Exactly::Growing);
+/// ```
+#[must_use]
+pub fn outcome(plan: &Plan) -> End {
+    watched(plan, &mut Nothing)
+}
+
+/// Runs a plan with its ledger; `each` sees every interval, and stops the run by saying `false`.
+///
+/// # Example
+///
+/// ```
+/// use passivity_sim::{Plain, Plan, run};
+///
+/// let plan = Plan::plain(&Plain { mu: 50.0, beta: 0.6, sigma: 0.6, xi: 0.0, velocity: 1.0 }, 1000);
+/// let (end, totals) = run::ledger(&plan, |_| true);
+/// // S at the start is 25; what is left at rest is ½ξ², the rest was dissipated or never there.
+/// let left = 0.5 * end.xi * end.xi;
+/// assert!((25.0 - left + totals.generated_linear - totals.dissipated).abs() < 1e-12);
+/// ```
+pub fn ledger(plan: &Plan, each: impl FnMut(&Entry) -> bool) -> (End, Totals) {
+    let mut book = Book {
+        totals: Totals::default(),
+        each,
+    };
+    let end = watched(plan, &mut book);
+    (end, book.totals.settled())
+}
+
+fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
+    let memory = plan.controller.memory(plan.start[0]);
+    if plan.is_plain() {
+        return by_friction::<false, W, _>(plan, Encoder(memory), watch);
+    }
+    let law = Table {
+        law: plan.controller.law(),
+        controller: &plan.controller,
+        memory,
+    };
+    if plan.flow.is_some() {
+        return flowing(plan, law, watch);
+    }
+    if plan.forces.is_some() {
+        by_friction::<true, W, _>(plan, law, watch)
+    } else {
+        by_friction::<false, W, _>(plan, law, watch)
+    }
+}
+
+fn by_friction<const FORCE: bool, W: Watch, L: Law>(plan: &Plan, law: L, watch: &mut W) -> End {
+    match (plan.viscous, plan.coulomb) {
+        (true, true) => rigid::<true, true, FORCE, W, L>(plan, law, watch),
+        (true, false) => rigid::<true, false, FORCE, W, L>(plan, law, watch),
+        (false, true) => rigid::<false, true, FORCE, W, L>(plan, law, watch),
+        (false, false) => rigid::<false, false, FORCE, W, L>(plan, law, watch),
+    }
+}
+
+/// The loop of a force that is constant over the interval.
+fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, L: Law>(
+    plan: &Plan,
+    mut law: L,
+    watch: &mut W,
+) -> End {
+    let k = plan.constants;
+    let growth = plan.growth.clone();
+    let needed = plan.controller.forgets_after();
+    let [mut xi, mut v] = plan.start;
+    let mut resting = 0;
+    let mut h = 0;
+    let stop = loop {
+        if h == plan.intervals {
+            break Stop::Ran(h);
+        }
+        if growth.exceeds(xi, v) {
+            let state = State {
+                xi,
+                velocity: v,
+                output: 0.0,
+            };
+            if growth.certain(&state, law.memory()) {
+                break Stop::Growing(h);
+            }
+        }
+        let held = law.held(xi);
+        let force = match &plan.forces {
+            Some(forces) if FORCE => forces.at(h),
+            _ => 0.0,
+        };
+        if v == 0.0 {
+            resting = if holds::<FORCE>(plan, held, h) {
+                resting + 1
+            } else {
+                0
+            };
+            if resting > needed {
+                break Stop::Rest(h - needed);
+            }
+        } else {
+            resting = 0;
+        }
+        let u = if FORCE { held + force } else { held };
+        let moved = advance::<VISCOUS, COULOMB, W>(&k, xi, v, u);
+        if W::LEDGER {
+            let applied = held * (moved.xi - xi);
+            let entry = entry(plan, h, [xi, v], &moved, [held, force], applied);
+            if !watch.see(&entry) {
+                (xi, v) = (moved.xi, moved.velocity);
+                break Stop::Ran(h + 1);
+            }
+        }
+        (xi, v) = (moved.xi, moved.velocity);
+        h += 1;
+    };
+    end(plan, stop, h, xi, v)
+}
+
+/// The motion, with what the ledger needs only when there is one.
+#[inline(always)]
+fn advance<const VISCOUS: bool, const COULOMB: bool, W: Watch>(
+    k: &Constants,
+    xi: f64,
+    v: f64,
+    u: f64,
+) -> Moved {
+    if W::LEDGER {
+        k.advance::<VISCOUS, COULOMB, true>(xi, v, u)
+    } else {
+        k.advance::<VISCOUS, COULOMB, false>(xi, v, u)
+    }
+}
+
+/// Whether the held force, with every force of the operator from now on, is one that friction takes.
+#[inline(always)]
+fn holds<const FORCE: bool>(plan: &Plan, held: f64, h: u64) -> bool {
+    let sigma = plan.constants.sigma;
+    match &plan.forces {
+        Some(forces) if FORCE => {
+            let [least, most] = forces.range_from(h);
+            held + most <= sigma && held + least >= -sigma
+        }
+        _ => held.abs() <= sigma,
+    }
+}
+
+/// The loop of a scene with an amplifier or an arm.
+fn flowing<W: Watch>(plan: &Plan, mut law: Table<'_>, watch: &mut W) -> End {
+    let Some(flow) = &plan.flow else {
+        return end(plan, Stop::Ran(0), 0, plan.start[0], plan.start[1]);
+    };
+    let needed = plan.controller.forgets_after();
+    let [xi, velocity] = plan.start;
+    // The amplifier has settled on what the controller commanded before the start.
+    let output = plan.controller.settled(plan.controller.sample(xi));
+    let mut state = State {
+        xi,
+        velocity,
+        output,
+    };
+    let mut resting = 0;
+    let mut h = 0;
+    let stop = loop {
+        if h == plan.intervals {
+            break Stop::Ran(h);
+        }
+        if plan.growth.exceeds(state.xi, state.velocity)
+            && plan.growth.certain(&state, law.memory())
+        {
+            break Stop::Growing(h);
+        }
+        let held = law.held(state.xi);
+        let force = plan.forces.as_ref().map_or(0.0, |forces| forces.at(h));
+        let at_rest = state.velocity == 0.0 && rests(plan, &state, held, h);
+        resting = if at_rest { resting + 1 } else { 0 };
+        if resting > needed {
+            break Stop::Rest(h - needed);
+        }
+        // A double always has a sign, unless it is NaN: then the run has overflowed.
+        let Ok(flowed) = flow.advance(&state, &held, &force) else {
+            break Stop::Growing(h);
+        };
+        let go_on = if W::LEDGER {
+            let moved = Moved {
+                xi: flowed.end.xi,
+                velocity: flowed.end.velocity,
+                path: flowed.path,
+                square: flowed.square,
+            };
+            let start = [state.xi, state.velocity];
+            watch.see(&entry(plan, h, start, &moved, [held, force], flowed.work))
+        } else {
+            true
+        };
+        state = flowed.end;
+        h += 1;
+        if !go_on {
+            break Stop::Ran(h);
+        }
+    };
+    end(plan, stop, h, state.xi, state.velocity)
+}
+
+/// Whether friction takes what the amplifier gives now and in the end, whatever the operator does.
+fn rests(plan: &Plan, state: &State<f64>, held: f64, h: u64) -> bool {
+    let Some(flow) = &plan.flow else { return false };
+    let [least, most] = plan
+        .forces
+        .as_ref()
+        .map_or([0.0; 2], |forces| forces.range_from(h));
+    let now = if flow.rate.is_some() {
+        state.output
+    } else {
+        held
+    };
+    [now, held].into_iter().all(|output| {
+        let state = State {
+            output,
+            ..state.clone()
+        };
+        let sigma = plan.constants.sigma;
+        flow.net(&state, &most) <= sigma && flow.net(&state, &least) >= -sigma
+    })
+}
+
+/// The account of an interval; `applied` is the work of the force that acted.
+#[inline]
+fn entry(
+    plan: &Plan,
+    h: u64,
+    start: [f64; 2],
+    moved: &Moved,
+    [held, force]: [f64; 2],
+    applied: f64,
+) -> Entry {
+    let k = &plan.constants;
+    let [xi0, v0] = start;
+    let d = moved.xi - xi0;
+    let [linear, quantized] = potential_change(&plan.controller, xi0, moved.xi);
+    let dissipated = k.beta * moved.square + k.sigma * moved.path;
+    let (mass, arm) = match &plan.flow {
+        Some(flow) => {
+            let [damping, stiffness] = flow.arm.unwrap_or([0.0; 2]);
+            let arm = damping * moved.square + stiffness * d * (xi0 + 0.5 * d);
+            (flow.mass, arm)
+        }
+        None => (k.mu, 0.0),
+    };
+    let kinetic = 0.5 * mass * (moved.velocity - v0) * (moved.velocity + v0);
+    Entry {
+        h,
+        xi0,
+        xi1: moved.xi,
+        v0,
+        v1: moved.velocity,
+        held,
+        force,
+        generated_linear: applied + linear,
+        generated_quantized: applied + quantized,
+        dissipated,
+        residual: kinetic + dissipated + arm - applied - force * d,
+    }
+}
+
+/// The facts of a plan that its outcome is judged by.
+#[must_use]
+pub fn facts(plan: &Plan) -> Facts {
+    Facts {
+        mu: plan
+            .flow
+            .as_ref()
+            .map_or(plan.constants.mu, |flow| flow.mass),
+        sigma: plan.constants.sigma,
+        least_holding_force: plan.is_unforced().then(|| plan.least_holding_force()),
+        may_grow: plan.growth.is_possible(),
+        start: plan.start,
+    }
+}
+
+fn end(plan: &Plan, stop: Stop, intervals: u64, xi: f64, velocity: f64) -> End {
+    End {
+        intervals,
+        xi,
+        velocity,
+        outcome: facts(plan).judge(stop, xi, velocity, &plan.growth.words()),
+    }
+}
