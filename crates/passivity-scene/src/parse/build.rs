@@ -286,7 +286,9 @@ fn read_encoder(section: Option<Section>, reader: &mut Reader<'_>) -> Option<Giv
     }
     reader.leftovers(section);
     let by_resolution = by_resolution.and_then(|entry| reader.quantity(entry, &spec));
-    let entry = by_counts?;
+    let Some(entry) = by_counts else {
+        return by_resolution;
+    };
     let counts = reader.whole(&entry, COUNTS, (1, MAX_COUNTS))?;
     reader.told.push(Told {
         key: COUNTS,
