@@ -27,6 +27,7 @@
 pub mod error;
 pub mod flow;
 pub mod growth;
+pub mod lanes;
 pub mod law;
 pub mod ledger;
 pub mod motion;
