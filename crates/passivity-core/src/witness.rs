@@ -81,6 +81,9 @@ pub fn quantized<S: Ordered>(friction: &Friction<S>, speed_bound: Option<&S>) ->
     if !a.is_positive()? {
         return None;
     }
+    // Rounded down to a unit fraction, at least half of it: the same gain or less, and readable.
+    let pieces = -(-(one.clone().over(a))).floor();
+    let a = one.clone().over(pieces);
     // From 1 − a ≥ 0 to 1 + m, so that a wall on one side only has the cycle as well (TH-UNI).
     let from = one.clone() - a;
     let to = one + m;

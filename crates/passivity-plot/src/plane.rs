@@ -278,7 +278,7 @@ fn legend(area: &Area<'_>, marks: &[Mark]) -> Drawn {
         text(
             30,
             y,
-            format!("{}  {}", number + 1, clipped(&mark.name, 34)),
+            format!("{}  {}", number + 1, clipped(&mark.name, 40)),
             15,
         )?;
         y += 19;

@@ -111,15 +111,6 @@ impl SpeedBound {
     }
 }
 
-impl Start {
-    /// The least |ẋ(0)| within the tolerance: V is never below it.
-    pub(super) fn least_speed(&self, level: usize) -> BigRational {
-        magnitude(&self.velocity.value.enclosure(level))
-            .lo()
-            .clone()
-    }
-}
-
 /// The magnitudes of the numbers of an interval.
 fn magnitude(range: &Interval<BigRational>) -> Interval<BigRational> {
     if range.lo().is_negative() && range.hi().is_positive() {

@@ -117,29 +117,50 @@ pub(super) fn stiffness_limit(
                     decision.is_some_and(|d| d.holds)
                 }
             };
-            // Even a motion that starts in the middle of the wall asks for this much.
-            let most = Ord::max(
-                limit(&best, &start.least_speed(PRINTED)),
-                BigRational::zero(),
-            );
+            let now = rigs.stiffness.lo();
             Interval::hull(
-                border_below(&most, admissible(&worst, true)).0,
-                border_below(&most, admissible(&best, false)).1,
+                border_near(now, admissible(&worst, true)).0,
+                border_near(now, admissible(&best, false)).1,
             )
         }
     }
 }
 
-/// Brackets the border of a property that holds below it and not above, within [0, `most`], to 2⁻⁴⁸
-/// of `most`.
-fn border_below(
-    most: &BigRational,
+/// Brackets the border of a property that holds below it and not above, to 2⁻⁴⁸ of its size, by
+/// doubling or halving from `near` and then bisecting.
+///
+/// A border beyond 2⁶⁴ times `near`, either way, is given as that, or as zero.
+fn border_near(
+    near: &BigRational,
     holds: impl Fn(&BigRational) -> bool,
 ) -> (BigRational, BigRational) {
-    if !most.is_positive() || holds(most) {
-        return (most.clone(), most.clone());
+    const FAR: usize = 64;
+    let (mut lo, mut hi) = (near.clone(), near.clone());
+    if holds(near) {
+        let Some(above) = (0..FAR)
+            .map(|_| {
+                lo = hi.clone();
+                hi = hi.double();
+                hi.clone()
+            })
+            .find(|k| !holds(k))
+        else {
+            return (hi.clone(), hi);
+        };
+        hi = above;
+    } else {
+        let Some(below) = (0..FAR)
+            .map(|_| {
+                hi = lo.clone();
+                lo = lo.clone().half();
+                lo.clone()
+            })
+            .find(|k| holds(k))
+        else {
+            return (BigRational::zero(), BigRational::zero());
+        };
+        lo = below;
     }
-    let (mut lo, mut hi) = (BigRational::zero(), most.clone());
     for _ in 0..48 {
         let middle = (&lo + &hi).half();
         if holds(&middle) {

@@ -147,16 +147,16 @@ impl Report {
         };
         format!(
             "  Witness: move from {} to {} {unit} and back, each way at constant speed within one\n  \
-             sampling interval. Every round gains at least {} {energy} (≈ {}).\n",
+             sampling interval. Every round gains at least {} {energy}.\n",
             short(&witness.from),
             short(&witness.to),
-            short(&witness.gain_per_cycle),
-            approx(&witness.gain_per_cycle),
+            with_size(&witness.gain_per_cycle),
         )
     }
 
     fn changes_text(&self) -> String {
-        if self.changes.is_empty() {
+        // What is not covered is not mended by a parameter.
+        if self.changes.is_empty() || self.verdict == Verdict::NotCovered {
             return String::new();
         }
         let passive = self.verdict == Verdict::Passive;
@@ -206,6 +206,15 @@ fn words(effects: &[Effect]) -> String {
         .map(|effect| effect.words())
         .collect::<Vec<_>>()
         .join("; ")
+}
+
+/// A rational with its size in decimals, unless it is too long to read.
+fn with_size(x: &BigRational) -> String {
+    let (exact, rounded) = (short(x), approx(x));
+    if exact == rounded || exact.starts_with("about") {
+        return exact;
+    }
+    format!("{exact} (≈ {rounded})")
 }
 
 /// A rational as it is when that is short enough to read, else rounded.
