@@ -3,7 +3,7 @@
 use passivity_core::{Criterion, Friction, Ordered, Rig, Scalar, effects::Effects};
 
 use crate::Dyadic;
-use crate::domain::{below, coarse_position, friction_coefficient, speed, up_to};
+use crate::domain::{Ratio, below, coarse_position, friction_coefficient, speed, up_to};
 
 /// EQ-27: the left-hand side of (27) is E_d's lower bound less ½d²/Δτ + ½|d|.
 #[kani::proof]
@@ -58,14 +58,16 @@ fn eq_27_is_an_equality_on_the_critical_line_9() {
 const UNITS: u8 = 3;
 
 /// EQ-27: the criterion with units (11), with every effect, is (8) times KΔ.
+///
+/// K = 2, T = 3 and Δ = 5 fix the units of force, time and length, which no claim depends on.
 #[kani::proof]
 fn eq_27_with_units_is_11() {
     let rig = Rig {
         viscous: below(8),
         coulomb: below(8),
-        stiffness: up_to(UNITS),
-        period: up_to(UNITS),
-        length: up_to(UNITS),
+        stiffness: Ratio::integer(2),
+        period: Ratio::integer(3),
+        length: Ratio::integer(5),
         effects: Effects {
             delay: 1,
             damping: Some(below(UNITS)),

@@ -28,7 +28,7 @@ fn displacement() -> Dyadic {
     Dyadic::new(i32::from(n), 1)
 }
 
-/// Half ticks: positions of the combined effects in ±2, 3 bits, four of them.
+/// Half ticks: positions of the combined effects in ±2, 3 bits, since up to four are multiplied.
 const LOOP_LIMIT: i8 = 4;
 
 fn loop_position() -> Dyadic {
@@ -36,7 +36,18 @@ fn loop_position() -> Dyadic {
     Dyadic::new(i32::from(n), 1)
 }
 
-/// Halves: virtual damping and D/A step of the combined effects, in [0, 2), 2 bits.
+/// Quarters of a tick: positions of a damped loop in ±2, 4 bits, three of them and B multiplied.
+const NEAR_LIMIT: i8 = 8;
+
+fn near_position() -> Dyadic {
+    let n = kani::any_where(|n: &i8| *n >= -NEAR_LIMIT && *n < NEAR_LIMIT);
+    Dyadic::new(i32::from(n), COARSE_EXPONENT)
+}
+
+/// Step of the force where effects are combined, δ = ½; `th_dac_bound` has others.
+const LOOP_FORCE_STEP: Dyadic = Dyadic::new(1, 1);
+
+/// Halves: virtual damping of the combined effects, in [0, 2), 2 bits.
 const LOOP_SHARE_LIMIT: u8 = 4;
 
 fn loop_share() -> Dyadic {
@@ -57,8 +68,8 @@ fn generated_linear(held: Dyadic, step: &Step<Dyadic>) -> Dyadic {
 /// TH-DAC: rounding to whole steps is off by at most half a step.
 #[kani::proof]
 fn th_dac_rounding_is_off_by_at_most_half_a_step() {
-    let force = (below(64) - Ratio::integer(32)).half().half();
-    let step = up_to(8).half();
+    let force = (below(32) - Ratio::integer(16)).half();
+    let step = up_to(4).half();
     let rounded = rounded_force(&force, &step);
     let error = rounded - force;
     kani::cover!(error.double() == step, "off by half a step");
@@ -177,8 +188,8 @@ fn th_delay_storage_is_never_negative() {
 #[kani::proof]
 #[kani::unwind(3)]
 fn th_damp_bound() {
-    let previous = coarse_position();
-    let step = Step::new(coarse_position(), coarse_position());
+    let previous = near_position();
+    let step = Step::new(near_position(), near_position());
     let damping = loop_share();
     let d = step.displacement();
     let before = Step::new(previous, step.start);
@@ -222,7 +233,7 @@ fn th_delay_with_damping_and_dac() {
     let old = loop_position();
     let step = Step::new(loop_position(), loop_position());
     let damping = loop_share();
-    let force_step = loop_share();
+    let force_step = LOOP_FORCE_STEP;
     let rounds_up: bool = kani::any();
     let d = step.displacement();
     let last = step.start - old;
@@ -341,7 +352,7 @@ fn th_smooth_with_delay_damping_and_dac() {
     let (older, old) = (loop_position(), loop_position());
     let step = Step::new(loop_position(), loop_position());
     let damping = loop_share();
-    let force_step = loop_share();
+    let force_step = LOOP_FORCE_STEP;
     let d = step.displacement();
     let last = step.start - old;
     let before = old - older;

@@ -64,7 +64,7 @@ fn err_19_start_linear_counterpart() {
     );
     kani::assert(
         generated <= generation::bound_22(&step.displacement()),
-        "ERR-19-start: E_gᴸ from within an interval is within (22)",
+        "ERR-19-start: the linear counterpart is within (22) from any start",
     );
 }
 
@@ -86,6 +86,6 @@ fn err_19_start_quantized_counterpart() {
     );
     kani::assert(
         generated <= generation::bound_quantized(&step.displacement()),
-        "ERR-19-start: E_g from within an interval is within the tight bound",
+        "ERR-19-start: the quantized counterpart is within its bound from any start",
     );
 }

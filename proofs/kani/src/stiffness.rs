@@ -1,13 +1,20 @@
 //! TH-STIFF: border values of each parameter, on the kernel's own fractions.
 //!
-//! A quotient is never computed: fractions are compared by cross-multiplication.
+//! A quotient is never computed: fractions are compared by cross-multiplication. T and Δ are
+//! constants: they fix the units of time and length, in which every claim here is homogeneous.
 
 use passivity_core::{Criterion, Rig, Scalar, effects::Effects, stiffness};
 
 use crate::domain::{Ratio, below, up_to};
 
-/// Whole units of K, T, Δ and v: 1 to 3, since up to four of them are multiplied.
+/// Whole units of K, v, virtual damping and D/A steps: up to 3, since several are multiplied.
 const UNITS: u8 = 3;
+
+/// T in its unit; unlike Δ, so that one taken for the other shows.
+const PERIOD: i32 = 2;
+
+/// Δ in its unit.
+const LENGTH: i32 = 3;
 
 /// Whole units of b and c: below 8, so that both sides of every border are there.
 const FRICTION: u8 = 8;
@@ -31,8 +38,8 @@ fn plain() -> Rig<Ratio> {
         viscous: below(FRICTION),
         coulomb: below(FRICTION),
         stiffness: up_to(UNITS),
-        period: up_to(UNITS),
-        length: up_to(UNITS),
+        period: Ratio::integer(PERIOD),
+        length: Ratio::integer(LENGTH),
         effects: Effects::encoder(),
     }
 }
@@ -222,7 +229,6 @@ fn th_stiff_longest_period() {
 #[kani::proof]
 fn th_stiff_coarsest_resolution() {
     let rig = rig();
-    let speed = up_to(UNITS);
     kani::cover!(
         holds(rig.criterion().coulomb),
         "the encoder could be coarser"
@@ -232,6 +238,23 @@ fn th_stiff_coarsest_resolution() {
     kani::assert(
         coarsest,
         "TH-STIFF: the coarsest encoder takes all Coulomb friction",
+    );
+}
+
+/// TH-STIFF: the coarsest encoder up to a speed leaves a margin of zero there.
+#[kani::proof]
+fn th_stiff_coarsest_resolution_up_to_a_speed() {
+    let rig = Rig {
+        effects: Effects {
+            damping: Some(below(UNITS)),
+            ..Effects::encoder()
+        },
+        ..plain()
+    };
+    let speed = up_to(UNITS);
+    kani::cover!(
+        holds(rig.criterion().margin_up_to(&speed)),
+        "the encoder could be coarser"
     );
     let up_to_speed = stiffness::coarsest_resolution_up_to_speed(&rig, &speed)
         .is_some_and(|length| is_zero(Rig { length, ..rig }.criterion().margin_up_to(&speed)));
