@@ -9,367 +9,16 @@
 From Coq Require Import Reals Lra Lia Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
 From Passivity Require Import Definitions Quantizer Calculus Model Law Combined Passivity
-  Active Glue.
+  Active Glue Leg Cycle.
 Open Scope R_scope.
 
-(** ** The profile of a leg *)
-
-Section Profile.
-
-Variable k : nat.
-Let p : nat := S k.
-Definition scale : R := (2 * INR p + 1) / (2 * INR p).
-Definition wave (m : nat) (r : R) : R := (2 * r - 1) ^ m.
-
-Definition leg (r : R) : R := scale * (r - (wave (S (2 * p)) r + 1) / (2 * (2 * INR p + 1))).
-Definition dleg (r : R) : R := scale * (1 - wave (2 * p) r).
-Definition ddleg (r : R) : R := - scale * (INR (2 * p) * 2 * wave (pred (2 * p)) r).
-
-(** The integral of the square of [dleg]. *)
-Definition qleg (r : R) : R :=
-  scale ^ 2 * (r - wave (S (2 * p)) r / (2 * INR p + 1)
-               + wave (S (2 * (2 * p))) r / (2 * (4 * INR p + 1))).
-
-Lemma p_positive : 1 <= INR p.
-Proof. unfold p. rewrite S_INR. pose proof (pos_INR k). lra. Qed.
-
-Lemma INR_2p : INR (2 * p) = 2 * INR p.
-Proof. rewrite mult_INR. simpl (INR 2). ring. Qed.
-
-Lemma INR_4p : INR (2 * (2 * p)) = 4 * INR p.
-Proof. rewrite mult_INR, INR_2p. simpl (INR 2). ring. Qed.
-
-Lemma wave_derive : forall m r, is_derive (wave m) r (INR m * 2 * wave (pred m) r).
-Proof.
-  intros m r. unfold wave. auto_derive; [exact I |].
-  change (2 * r + - (1)) with (2 * r - 1). generalize ((2 * r - 1) ^ pred m). over_R. ring.
-Qed.
-
-Lemma wave_continuous : forall m r, continuous (wave m) r.
-Proof. intros. apply (ex_derive_continuous (wave m)). eexists. apply wave_derive. Qed.
-
-Lemma waves_derive : forall a b m c n e r,
-  is_derive (fun r => a * r + b * wave m r + c * wave n r + e) r
-    (a + b * (INR m * 2 * wave (pred m) r) + c * (INR n * 2 * wave (pred n) r)).
-Proof.
-  intros. evar_last.
-  { apply (@is_derive_plus R_AbsRing R_NormedModule); [| apply is_derive_const].
-    apply (@is_derive_plus R_AbsRing R_NormedModule); [| apply is_derive_scal, wave_derive].
-    apply (@is_derive_plus R_AbsRing R_NormedModule); [| apply is_derive_scal, wave_derive].
-    apply is_derive_scal, is_derive_id. }
-  unfold plus, zero, one; simpl. ring.
-Qed.
-
-(** Replaces a function and its derivative by equal ones. *)
-Lemma derive_as : forall (f g : R -> R) (r df dg : R),
-  is_derive f r df -> (forall x, f x = g x) -> df = dg -> is_derive g r dg.
-Proof. intros f g r df dg D E <-. apply is_derive_ext with (2 := D). exact E. Qed.
-
-Lemma leg_derive : forall r, is_derive leg r (dleg r).
-Proof.
-  intro r. pose proof p_positive. set (s := scale / (2 * (2 * INR p + 1))).
-  apply (derive_as _ _ _ _ _ (waves_derive scale (- s) (S (2 * p)) 0 0 (- s) r)).
-  - intro x. unfold leg, s. field. lra.
-  - unfold dleg, s. rewrite S_INR, INR_2p. change (pred (S (2 * p))) with (2 * p)%nat. field. lra.
-Qed.
-
-Lemma dleg_derive : forall r, is_derive dleg r (ddleg r).
-Proof.
-  intro r.
-  apply (derive_as _ _ _ _ _ (waves_derive 0 (- scale) (2 * p) 0 0 scale r)).
-  - intro x. unfold dleg. ring.
-  - unfold ddleg. ring.
-Qed.
-
-Lemma qleg_derive : forall r, is_derive qleg r (dleg r ^ 2).
-Proof.
-  intro r. pose proof p_positive. set (s := scale ^ 2).
-  apply (derive_as _ _ _ _ _ (waves_derive s (- s / (2 * INR p + 1)) (S (2 * p))
-    (s / (2 * (4 * INR p + 1))) (S (2 * (2 * p))) 0 r)).
-  - intro x. unfold qleg. fold s. field. lra.
-  - rewrite (S_INR (2 * p)), (S_INR (2 * (2 * p))), INR_4p, INR_2p.
-    change (pred (S (2 * p))) with (2 * p)%nat. change (pred (S (2 * (2 * p)))) with (2 * (2 * p))%nat.
-    unfold dleg. fold s. replace (wave (2 * (2 * p)) r) with (wave (2 * p) r ^ 2)
-      by (unfold wave; rewrite <- pow_mult; f_equal; lia).
-    unfold s. field. lra.
-Qed.
-
-Lemma ddleg_continuous : forall r, continuous ddleg r.
-Proof.
-  intro r. unfold ddleg. apply continuous_Rmult; [apply continuous_const |].
-  apply continuous_Rmult; [apply continuous_const | apply wave_continuous].
-Qed.
-
-Lemma wave_ends : wave (2 * p) 0 = 1 /\ wave (2 * p) 1 = 1 /\
-  wave (S (2 * p)) 0 = -1 /\ wave (S (2 * p)) 1 = 1 /\
-  wave (S (2 * (2 * p))) 0 = -1 /\ wave (S (2 * (2 * p))) 1 = 1.
-Proof.
-  unfold wave. replace (2 * 0 - 1) with (-1) by ring. replace (2 * 1 - 1) with 1 by ring.
-  rewrite !pow1, !pow_1_even, !pow_1_odd. repeat split; reflexivity.
-Qed.
-
-Lemma leg_ends : leg 0 = 0 /\ leg 1 = 1 /\ dleg 0 = 0 /\ dleg 1 = 0.
-Proof.
-  destruct wave_ends as (E0 & E1 & O0 & O1 & _). pose proof p_positive.
-  unfold leg, dleg. rewrite E0, E1, O0, O1. unfold scale. repeat split; field; lra.
-Qed.
-
-Lemma qleg_ends : qleg 1 - qleg 0 = 1 + / (4 * INR p + 1).
-Proof.
-  destruct wave_ends as (_ & _ & O0 & O1 & Q0 & Q1). pose proof p_positive.
-  unfold qleg. rewrite O0, O1, Q0, Q1. unfold scale. field. lra.
-Qed.
-
-Lemma dleg_nonneg : forall r, 0 <= r <= 1 -> 0 <= dleg r.
-Proof.
-  intros r Hr. pose proof p_positive. unfold dleg. apply Rmult_le_pos.
-  - unfold scale. apply Rdiv_le_0_compat; lra.
-  - assert (wave (2 * p) r <= 1); [| lra]. unfold wave. rewrite pow_mult.
-    apply Rle_trans with (1 ^ p); [apply pow_incr; split; [apply pow2_ge_0 | nra] | rewrite pow1; lra].
-Qed.
-
-End Profile.
-
-(** ** The motion: up on even intervals, down on odd ones *)
-
-Section Cycle.
-
-Variables mu beta sigma low d : R.
-Variable k : nat.
-Hypothesis P : physical mu beta sigma.
-Hypothesis d_pos : 0 < d.
-
-Definition way (z : Z) : R := if Z.even z then 1 else -1.
-Definition base (z : Z) : R := if Z.even z then low else low + d.
-
-Definition pos_piece (z : Z) (t : R) : R := base z + way z * d * leg k (t - IZR z).
-Definition vel_piece (z : Z) (t : R) : R := way z * d * dleg k (t - IZR z).
-Definition acc_piece (z : Z) (t : R) : R := way z * d * ddleg k (t - IZR z).
-Definition hand_piece (z : Z) (t : R) : R :=
-  mu * acc_piece z t + beta * vel_piece z t + sigma * way z - held_force (base z).
-
-Definition cpos : R -> R := glued pos_piece.
-Definition cvel : R -> R := glued vel_piece.
-Definition chand : R -> R := glued hand_piece.
-Definition cfriction : R -> R := glued (fun z _ => sigma * way z).
-
-Lemma way_cases : forall z, (way z = 1 /\ way (z + 1) = -1 /\ base z = low /\ base (z + 1) = low + d) \/
-  (way z = -1 /\ way (z + 1) = 1 /\ base z = low + d /\ base (z + 1) = low).
-Proof.
-  intro z. unfold way, base. rewrite Z.even_add. destruct (Z.even z); [left | right]; auto.
-Qed.
-
-Lemma shifted : forall (f df : R -> R) c z t, (forall r, is_derive f r (df r)) ->
-  is_derive (fun t => c * f (t - IZR z)) t (c * df (t - IZR z)).
-Proof.
-  intros f df c z t D. apply is_derive_scal. evar_last.
-  { apply (is_derive_comp f (fun t => t - IZR z)); [apply D |].
-    apply (@is_derive_minus R_AbsRing R_NormedModule); [apply is_derive_id | apply is_derive_const]. }
-  unfold scal, minus, plus, opp, zero, one; simpl. unfold mult; simpl. ring.
-Qed.
-
-Lemma pos_piece_derive : forall z t, is_derive (pos_piece z) t (vel_piece z t).
-Proof.
-  intros z t. unfold pos_piece, vel_piece. evar_last.
-  { apply (@is_derive_plus R_AbsRing R_NormedModule (fun _ => base z)); [apply is_derive_const |].
-    apply shifted, leg_derive. }
-  unfold plus, zero; simpl. ring.
-Qed.
-
-Lemma vel_piece_derive : forall z t, is_derive (vel_piece z) t (acc_piece z t).
-Proof. intros. apply shifted, dleg_derive. Qed.
-
-Lemma vel_piece_continuous : forall z t, continuous (vel_piece z) t.
-Proof. intros. apply (ex_derive_continuous (vel_piece z)). eexists. apply vel_piece_derive. Qed.
-
-Lemma acc_piece_continuous : forall z t, continuous (acc_piece z) t.
-Proof.
-  intros z t. unfold acc_piece. apply continuous_Rmult; [apply continuous_const |].
-  apply (continuous_comp (fun t => t - IZR z) (ddleg k)); [| apply ddleg_continuous].
-  apply (@continuous_minus _ R_AbsRing R_NormedModule); [apply continuous_id | apply continuous_const].
-Qed.
-
-Lemma at_ends : forall z t, (t = IZR z \/ t = IZR z + 1) ->
-  vel_piece z t = 0 /\ pos_piece z t = base z + (t - IZR z) * (way z * d).
-Proof.
-  intros z t H. destruct (leg_ends k) as (L0 & L1 & D0 & D1). unfold vel_piece, pos_piece.
-  destruct H as [-> | ->].
-  - replace (IZR z - IZR z) with 0 by ring. rewrite L0, D0. split; ring.
-  - replace (IZR z + 1 - IZR z) with 1 by ring. rewrite L1, D1. split; ring.
-Qed.
-
-Lemma pos_meets : forall z, pos_piece z (IZR z + 1) = pos_piece (z + 1) (IZR z + 1).
-Proof.
-  intro z. destruct (at_ends z (IZR z + 1)) as [_ ->]; [auto |].
-  destruct (at_ends (z + 1) (IZR z + 1)) as [_ ->]; [left; rewrite plus_IZR; ring |].
-  rewrite plus_IZR. destruct (way_cases z) as [(-> & -> & -> & ->) | (-> & -> & -> & ->)]; ring.
-Qed.
-
-Lemma vel_meets : forall z, vel_piece z (IZR z + 1) = vel_piece (z + 1) (IZR z + 1).
-Proof.
-  intro z. destruct (at_ends z (IZR z + 1)) as [-> _]; [auto |].
-  destruct (at_ends (z + 1) (IZR z + 1)) as [-> _]; [left; rewrite plus_IZR; ring | reflexivity].
-Qed.
-
-Lemma cycle_kinematic : kinematic cpos cvel.
-Proof.
-  split.
-  - apply (glued_derive pos_piece pos_meets vel_piece pos_piece_derive vel_meets).
-  - apply (glued_continuous vel_piece vel_meets vel_piece_continuous).
-Qed.
-
-Lemma cpos_at : forall z, cpos (IZR z) = base z.
-Proof.
-  intro z. unfold cpos. rewrite (glued_on pos_piece z) by lra.
-  destruct (at_ends z (IZR z)) as [_ ->]; [auto | ring].
-Qed.
-
-Lemma cvel_at : forall z, cvel (IZR z) = 0.
-Proof.
-  intro z. unfold cvel. rewrite (glued_on vel_piece z) by lra. apply at_ends. auto.
-Qed.
-
-Lemma way_square : forall z, way z * way z = 1.
-Proof. intro z. unfold way. destruct (Z.even z); ring. Qed.
-
-Lemma speed_piece : forall z t, IZR z <= t <= IZR z + 1 ->
-  Rabs (vel_piece z t) = way z * vel_piece z t.
-Proof.
-  intros z t Ht. pose proof (dleg_nonneg k (t - IZR z) ltac:(lra)) as N.
-  assert (M : 0 <= d * dleg k (t - IZR z)) by (apply Rmult_le_pos; lra).
-  unfold vel_piece, way. destruct (Z.even z).
-  - rewrite Rabs_right; [ring | lra].
-  - rewrite Rabs_left1; [ring | lra].
-Qed.
-
-(** The cycle is a motion of the paper's device, driven by the operator's force [chand]. *)
-Lemma cycle_obeys : paper_motion mu beta sigma cpos cvel cfriction chand.
-Proof.
-  pose proof (mu_positive _ _ _ P). pose proof (sigma_nonneg _ _ _ P).
-  assert (IS : forall h, INR (S h) = IZR (Z.of_nat h) + 1).
-  { intro h. rewrite S_INR, INR_IZR_INZ. reflexivity. }
-  assert (On : forall f h t u, INR h <= t <= INR (S h) -> Rmin (INR h) t < u < Rmax (INR h) t ->
-             glued f u = f (Z.of_nat h) u).
-  { intros f h t u Ht Hu. rewrite Rmin_left, Rmax_right in Hu by lra. apply glued_on.
-    rewrite <- INR_IZR_INZ. rewrite IS, <- INR_IZR_INZ in Ht. lra. }
-  assert (Full : forall h, INR h <= INR (S h) <= INR (S h)) by (intro h; rewrite S_INR; lra).
-  split.
-  - exact cycle_kinematic.
-  - intro t. unfold cfriction, cvel, glued. set (z := Int_part t).
-    pose proof (Int_part_spec t) as S. fold z in S. rewrite (speed_piece z t) by lra. ring.
-  - intro t. unfold cfriction, glued, way. destruct (Z.even (Int_part t)).
-    + rewrite Rmult_1_r, Rabs_right; lra.
-    + rewrite Rabs_left1; lra.
-  - intro h. apply ex_RInt_ext with (fun _ => sigma * way (Z.of_nat h)).
-    + intros u Hu. symmetry. apply (On (fun z _ => sigma * way z) h (INR (S h)) u (Full h) Hu).
-    + apply (@ex_RInt_const R_NormedModule).
-  - intro h. apply ex_RInt_ext with (hand_piece (Z.of_nat h)).
-    + intros u Hu. symmetry. apply (On hand_piece h (INR (S h)) u (Full h) Hu).
-    + apply ex_RInt_cont. intro u. unfold hand_piece, Rminus.
-      apply continuous_Rplus; [| apply continuous_const].
-      apply continuous_Rplus; [| apply continuous_const].
-      apply continuous_Rplus; (apply continuous_Rmult; [apply continuous_const |]);
-        [apply acc_piece_continuous | apply vel_piece_continuous].
-  - intros h t Ht. set (z := Z.of_nat h) in *.
-    rewrite (RInt_ext _ (fun u => mu * acc_piece z u)).
-    + rewrite (@RInt_scal R_CompleteNormedModule)
-        by (apply ex_RInt_cont, acc_piece_continuous).
-      rewrite (RInt_primitive (vel_piece z) (acc_piece z))
-        by (intros; apply vel_piece_derive || apply acc_piece_continuous).
-      unfold cvel. rewrite !(glued_on_closed vel_piece vel_meets z)
-        by (unfold z; rewrite <- IS, <- INR_IZR_INZ; lra).
-      reflexivity.
-    + intros u Hu. unfold chand, cvel, cfriction. rewrite !(On _ h t u Ht Hu). fold z.
-      unfold hand_piece. rewrite INR_IZR_INZ. fold z. rewrite cpos_at. over_R. ring.
-Qed.
-
-(** What a leg costs the operator's opponent, friction: a little more than at constant speed. *)
-Lemma leg_dissipated : forall h,
-  dissipated beta sigma cvel (INR h) (INR (S h))
-  = beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d.
-Proof.
-  intro h. unfold dissipated. rewrite S_INR, (INR_IZR_INZ h). set (z := Z.of_nat h).
-  rewrite (RInt_ext _ (fun u => beta * d ^ 2 * dleg k (u - IZR z) ^ 2 + sigma * d * dleg k (u - IZR z))).
-  - rewrite (RInt_primitive (fun u => beta * d ^ 2 * qleg k (u - IZR z) + sigma * d * leg k (u - IZR z))).
-    + replace (IZR z + 1 - IZR z) with 1 by ring. replace (IZR z - IZR z) with 0 by ring.
-      destruct (leg_ends k) as (-> & -> & _). rewrite <- (qleg_ends k). ring.
-    + intro u. apply (@is_derive_plus R_AbsRing R_NormedModule
-        (fun u => beta * d ^ 2 * qleg k (u - IZR z)) (fun u => sigma * d * leg k (u - IZR z))).
-      * apply (shifted (qleg k) (fun r => dleg k r ^ 2)), qleg_derive.
-      * apply shifted, leg_derive.
-    + intro u. assert (C : continuous (fun u => dleg k (u - IZR z)) u).
-      { apply (continuous_comp (fun t => t - IZR z) (dleg k)).
-        - apply (@continuous_minus _ R_AbsRing R_NormedModule);
-            [apply continuous_id | apply continuous_const].
-        - apply (ex_derive_continuous (dleg k)). eexists. apply dleg_derive. }
-      apply continuous_Rplus; (apply continuous_Rmult; [apply continuous_const |]); [| exact C].
-      simpl. apply continuous_Rmult; [exact C |].
-      apply continuous_Rmult; [exact C | apply continuous_const].
-  - intros u Hu. rewrite Rmin_left, Rmax_right in Hu by lra.
-    unfold cvel. rewrite (glued_on vel_piece z) by lra. unfold friction_power.
-    rewrite speed_piece by lra. unfold vel_piece. over_R.
-    replace (way z * (way z * d * dleg k (u - IZR z))) with (d * dleg k (u - IZR z))
-      by (rewrite <- Rmult_assoc, <- Rmult_assoc, way_square; ring).
-    replace ((way z * d * dleg k (u - IZR z)) ^ 2) with (d ^ 2 * dleg k (u - IZR z) ^ 2); [ring |].
-    replace ((way z * d * dleg k (u - IZR z)) ^ 2)
-      with (way z * way z * (d ^ 2 * dleg k (u - IZR z) ^ 2)) by ring.
-    rewrite way_square. ring.
-Qed.
-
-Lemma leg_operator : forall h,
-  is_RInt (fun u => chand u * cvel u) (INR h) (INR (S h))
-    (- held_force (base (Z.of_nat h)) * (way (Z.of_nat h) * d)
-     + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d)).
-Proof.
-  intro h.
-  pose proof (EQ_6_energy mu beta sigma INR _ cpos cvel cfriction chand P cycle_obeys h (INR (S h))
-    ltac:(rewrite S_INR; lra)) as E.
-  rewrite leg_dissipated in E. rewrite INR_IZR_INZ, !cvel_at, S_INR, INR_IZR_INZ, cpos_at in E.
-  replace (IZR (Z.of_nat h) + 1) with (IZR (Z.of_nat h + 1)) in * by (rewrite plus_IZR; reflexivity).
-  rewrite cpos_at, cvel_at in E.
-  rewrite S_INR, INR_IZR_INZ. rewrite <- (plus_IZR _ 1).
-  replace (- held_force (base (Z.of_nat h)) * (way (Z.of_nat h) * d)
-     + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d)) with
-   (kinetic mu 0 - kinetic mu 0 - held_force (base (Z.of_nat h)) * (base (Z.of_nat h + 1) - base (Z.of_nat h))
-     + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d)); [exact E |].
-  destruct (way_cases (Z.of_nat h)) as [(-> & _ & -> & ->) | (-> & _ & -> & ->)]; ring.
-Qed.
-
-(** What the operator draws in n cycles. *)
-Definition drawn_per_cycle : R :=
-  held_force low * d - held_force (low + d) * d
-  - 2 * (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d).
-
-Lemma cycles_operator : forall n,
-  is_RInt (fun u => chand u * cvel u) 0 (INR (2 * n)) (- (INR n * drawn_per_cycle)).
-Proof.
-  induction n as [| n IH].
-  - simpl (INR 0). replace (- (0 * drawn_per_cycle)) with 0 by ring.
-    replace (INR (2 * 0)) with 0 by reflexivity. apply (@is_RInt_point R_NormedModule).
-  - replace (2 * S n)%nat with (S (S (2 * n))) by lia.
-    pose proof (leg_operator (2 * n)) as U. pose proof (leg_operator (S (2 * n))) as D.
-    assert (Ev : Z.even (Z.of_nat (2 * n)) = true)
-      by (rewrite Nat2Z.inj_mul; apply Z.even_mul).
-    assert (Od : Z.even (Z.of_nat (S (2 * n))) = false).
-    { rewrite Nat2Z.inj_succ, Z.even_succ, <- Z.negb_even, Ev. reflexivity. }
-    unfold way, base in U, D. rewrite Ev in U. rewrite Od in D.
-    replace (- (INR (S n) * drawn_per_cycle))
-      with (- (INR n * drawn_per_cycle)
-            + (- held_force low * (1 * d) + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d))
-            + (- held_force (low + d) * (-1 * d) + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d))).
-    + apply is_RInt_join with (INR (S (2 * n))); [apply is_RInt_join with (INR (2 * n)) |]; assumption.
-    + rewrite (S_INR n). unfold drawn_per_cycle. ring.
-Qed.
-
-End Cycle.
-
-(** ** The theorem *)
-
 (** TH-ACTIVE (motions): below beta = 1/2 or sigma = 1/2 there is, for any mass, a motion of
-    the paper's device from which the operator draws more than any given energy. *)
+    the paper's device from which the operator draws more than any given energy.  Its
+    samples can be kept inside a wall on one side only. *)
 Theorem TH_ACTIVE_motion : forall mu beta sigma, physical mu beta sigma ->
   (beta < 1 / 2 \/ sigma < 1 / 2) ->
   exists pos vel friction hand, paper_motion mu beta sigma pos vel friction hand /\
+    (forall h, 0 <= pos (INR h)) /\
     forall E, exists t, 0 <= t /\ E < - operator_energy vel hand 0 t.
 Proof.
   intros mu beta sigma P H. pose proof (beta_nonneg _ _ _ P) as Hb.
@@ -388,14 +37,16 @@ Proof.
     assert (beta * d ^ 2 <= INR k * g) by nra.
     apply Rmult_le_reg_r with (4 * (INR k + 1) + 1); [lra |].
     rewrite Rmult_assoc, Rinv_l by lra. nra. }
-  set (low := IZR 0 - a).
+  set (low := IZR 1 - a).
   assert (W : g / 2 <= drawn_per_cycle beta sigma low d k).
-  { pose proof (TH_ACTIVE_work 0 m a A) as Wk. cbv zeta in Wk. fold low in Wk.
-    replace (IZR 0 + INR m) with (low + d) in Wk by (unfold low, d; ring).
+  { pose proof (TH_ACTIVE_work 1 m a A) as Wk. cbv zeta in Wk. fold low in Wk.
+    replace (IZR 1 + INR m) with (low + d) in Wk by (unfold low, d; ring).
     unfold drawn_per_cycle. unfold g, cycle_gain, cycle_friction in *. fold d in X |- *.
     set (x := / (4 * INR (S k) + 1)) in *. lra. }
   exists (cpos low d k), (cvel d k), (cfriction sigma), (chand mu beta sigma low d k).
-  split; [exact (cycle_obeys mu beta sigma low d k P D) |].
+  split; [exact (cycle_obeys mu beta sigma low d k P D) |]. split.
+  { intro h. rewrite INR_IZR_INZ, cpos_at. unfold base, low.
+    destruct (Z.even (Z.of_nat h)); lra. }
   intro E. destruct (INR_unbounded (E / (g / 2))) as (n & Hn).
   exists (INR (2 * n)). split; [apply pos_INR |].
   unfold operator_energy.
@@ -403,6 +54,24 @@ Proof.
   rewrite Ropp_involutive. pose proof (pos_INR n).
   assert (F : E / (g / 2) * (g / 2) = E) by (field; lra).
   assert (E < INR n * (g / 2)) by nra. nra.
+Qed.
+
+(** TH-ACTIVE with TH-UNI: the same for the wall on one side. *)
+Theorem TH_ACTIVE_motion_unilateral : forall mu beta sigma, physical mu beta sigma ->
+  (beta < 1 / 2 \/ sigma < 1 / 2) ->
+  exists pos vel friction hand,
+    obeys mu beta sigma INR (fun h => - clipped_below 0 (measured (pos (INR h))))
+          pos vel friction hand /\
+    forall E, exists t, 0 <= t /\ E < - operator_energy vel hand 0 t.
+Proof.
+  intros mu beta sigma P H.
+  destruct (TH_ACTIVE_motion mu beta sigma P H) as (pos & vel & fr & hand & O & In & U).
+  exists pos, vel, fr, hand. split; [| exact U].
+  destruct O as [K F1 F2 F3 F4 Nw]. split; try assumption.
+  intros h t Ht. rewrite (Nw h t Ht). unfold held_force, clipped_below.
+  rewrite (Rmax_left (measured (pos (INR h))) 0); [reflexivity |].
+  unfold measured. pose proof (floor_monotone 0 (pos (INR h)) (In h)) as Fm.
+  rewrite (floor_IZR 0) in Fm. lra.
 Qed.
 
 (** TH-ACTIVE (iff): from sampling instants the display is passive for every operator iff
@@ -414,7 +83,7 @@ Theorem TH_ACTIVE_iff : forall mu beta sigma, physical mu beta sigma ->
 Proof.
   intros mu beta sigma P. split.
   - intro H. assert (N : ~ (beta < 1 / 2 \/ sigma < 1 / 2)); [| lra].
-    intro C. destruct (TH_ACTIVE_motion mu beta sigma P C) as (pos & vel & fr & hand & O & U).
+    intro C. destruct (TH_ACTIVE_motion mu beta sigma P C) as (pos & vel & fr & hand & O & _ & U).
     destruct (U (storage mu (pos 0) (vel 0))) as (t & Ht & Hu).
     specialize (H pos vel fr hand O t Ht). lra.
   - intros [Hb Hs] pos vel friction hand O t Ht.
