@@ -12,6 +12,18 @@ pub const MAX_CHARS: usize = 4096;
 /// The largest magnitude of a decimal exponent, so that `1e999999999` cannot eat memory.
 pub const MAX_EXPONENT: u32 = 4096;
 
+/// How long a literal and how large its exponent may be.
+#[derive(Clone, Copy)]
+pub(crate) struct Limits {
+    pub(crate) chars: usize,
+    pub(crate) exponent: u32,
+}
+
+const LIMITS: Limits = Limits {
+    chars: MAX_CHARS,
+    exponent: MAX_EXPONENT,
+};
+
 /// What is wrong with a literal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum NumberErrorKind {
@@ -114,22 +126,25 @@ impl std::error::Error for NumberError {}
 /// assert_eq!(parse("0.1.2").unwrap_err().at(), 3);
 /// ```
 pub fn parse(text: &str) -> Result<BigRational, NumberError> {
-    let end = literal_len(text)?;
+    let end = literal_len(text, LIMITS)?;
     if end < text.len() {
         return Err(malformed(text, end));
     }
-    value(text)
+    value(text, LIMITS)
 }
 
 /// Reads the number that `text` starts with; also gives its length in bytes.
-pub(crate) fn parse_prefix(text: &str) -> Result<(BigRational, usize), NumberError> {
-    let end = literal_len(text)?;
+pub(crate) fn parse_prefix(
+    text: &str,
+    limits: Limits,
+) -> Result<(BigRational, usize), NumberError> {
+    let end = literal_len(text, limits)?;
     let literal = text.get(..end).unwrap_or(text);
-    Ok((value(literal)?, end))
+    Ok((value(literal, limits)?, end))
 }
 
 /// The length of the literal at the start of `text`, checked to be one and within bounds.
-fn literal_len(text: &str) -> Result<usize, NumberError> {
+fn literal_len(text: &str, limits: Limits) -> Result<usize, NumberError> {
     let bytes = text.as_bytes();
     let digits_from = |from: usize| {
         let rest = bytes.get(from..).unwrap_or_default();
@@ -160,11 +175,12 @@ fn literal_len(text: &str) -> Result<usize, NumberError> {
             end += 1 + sign + exponent;
         }
     }
-    if end > MAX_CHARS {
+    if end > limits.chars {
+        let most = limits.chars;
         return Err(NumberError::new(
             NumberErrorKind::TooLong,
-            MAX_CHARS,
-            format!("a number may have at most {MAX_CHARS} characters, this one has {end}"),
+            most,
+            format!("a number may have at most {most} characters, this one has {end}"),
         ));
     }
     Ok(end)
@@ -205,7 +221,7 @@ fn malformed(text: &str, at: usize) -> NumberError {
 }
 
 /// The value of a literal that [`literal_len`] accepted.
-fn value(literal: &str) -> Result<BigRational, NumberError> {
+fn value(literal: &str, limits: Limits) -> Result<BigRational, NumberError> {
     let negative = literal.starts_with('-');
     let sign = usize::from(literal.starts_with(['+', '-']));
     let body = literal.get(sign..).unwrap_or_default();
@@ -220,17 +236,17 @@ fn value(literal: &str) -> Result<BigRational, NumberError> {
         }
         BigRational::new(signed(natural(numerator)), signed(d))
     } else {
-        decimal(body, sign)?
+        decimal(body, sign, limits)?
     };
     Ok(if negative { -magnitude } else { magnitude })
 }
 
 /// The value of `12.5e-3`, which starts at byte `offset` of the literal.
-fn decimal(body: &str, offset: usize) -> Result<BigRational, NumberError> {
+fn decimal(body: &str, offset: usize, limits: Limits) -> Result<BigRational, NumberError> {
     let (mantissa, exponent) = match body.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => {
             let at = offset + mantissa.len() + 1;
-            (mantissa, small_exponent(exponent, at)?)
+            (mantissa, small_exponent(exponent, at, limits.exponent)?)
         }
         None => (body, 0),
     };
@@ -271,7 +287,7 @@ fn power_of_ten(n: BigUint, power: i64) -> BigRational {
     BigRational::new_raw(signed(n), signed(denominator))
 }
 
-fn small_exponent(text: &str, at: usize) -> Result<i64, NumberError> {
+fn small_exponent(text: &str, at: usize, most: u32) -> Result<i64, NumberError> {
     let negative = text.starts_with('-');
     let digits = text.trim_start_matches(['+', '-']).trim_start_matches('0');
     let magnitude = match digits {
@@ -281,7 +297,7 @@ fn small_exponent(text: &str, at: usize) -> Result<i64, NumberError> {
         _ => digits.parse::<u32>().ok(),
     };
     match magnitude {
-        Some(m) if m <= MAX_EXPONENT => Ok(if negative {
+        Some(m) if m <= most => Ok(if negative {
             -i64::from(m)
         } else {
             i64::from(m)
@@ -289,7 +305,7 @@ fn small_exponent(text: &str, at: usize) -> Result<i64, NumberError> {
         _ => Err(NumberError::new(
             NumberErrorKind::ExponentTooLarge,
             at,
-            format!("a decimal exponent must lie between -{MAX_EXPONENT} and {MAX_EXPONENT}"),
+            format!("a decimal exponent must lie between -{most} and {most}"),
         )),
     }
 }

@@ -7,8 +7,19 @@ use passivity_core::{BigRational, Interval};
 
 use crate::diagnostic::Kind;
 use crate::exact::Exact;
-use crate::number::{NumberError, parse_prefix};
+use crate::number::{Limits, NumberError, parse_prefix};
 use crate::units::{Unit, UnitError};
+
+/// The longest number of a quantity, in bytes: a verdict multiplies several of them.
+pub const MAX_NUMBER_CHARS: usize = 500;
+
+/// The largest magnitude of the decimal exponent of a quantity: past that of every double.
+pub const MAX_NUMBER_EXPONENT: u32 = 500;
+
+const LIMITS: Limits = Limits {
+    chars: MAX_NUMBER_CHARS,
+    exponent: MAX_NUMBER_EXPONENT,
+};
 
 /// A quantity as it was written, in its own unit.
 #[derive(Clone, Debug)]
@@ -80,7 +91,8 @@ impl Amount {
     ) -> Result<Self, Fault> {
         let start = text.len() - text.trim_start().len();
         let body = text.get(start..).unwrap_or_default();
-        let (nominal, len) = parse_prefix(body).map_err(|e| Fault::number(&e, text, start))?;
+        let (nominal, len) =
+            parse_prefix(body, LIMITS).map_err(|e| Fault::number(&e, text, start))?;
         let rest_at = start + len;
         let rest = text.get(rest_at..).unwrap_or_default();
         let sign = PLUS_MINUS
@@ -191,7 +203,8 @@ impl Tail {
             return Err(fault);
         };
         let at = piece.span.start;
-        let (number, len) = parse_prefix(&piece.text).map_err(|e| Fault::number(&e, text, at))?;
+        let (number, len) =
+            parse_prefix(&piece.text, LIMITS).map_err(|e| Fault::number(&e, text, at))?;
         if number.is_negative() {
             let message = "a tolerance cannot be negative";
             return Err(Fault::new(Kind::MalformedTolerance, at..at + len, message));

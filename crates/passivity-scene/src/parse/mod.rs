@@ -10,6 +10,7 @@ mod operator;
 mod reader;
 mod samples;
 
+pub use amount::{MAX_NUMBER_CHARS, MAX_NUMBER_EXPONENT};
 pub use build::{MAX_COUNTS, MAX_INTERVALS};
 pub use samples::{MAX_BYTES as MAX_SAMPLE_BYTES, MAX_SAMPLES};
 
