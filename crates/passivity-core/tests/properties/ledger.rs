@@ -1,0 +1,105 @@
+//! TH-INTERVAL, TH-RUN, TH-JITTER: one row an interval, and the sum of them.
+
+use passivity_core::generation::bound_22;
+use passivity_core::{Friction, Step, ledger};
+use proptest::prelude::*;
+
+use crate::common::{
+    coefficient, friction, half, magnitude, nonnegative, number, position, positive, q, sampled,
+    squared, unit, zero,
+};
+use crate::spring::staircase_integral;
+
+sampled! {
+    fn th_interval_row_by_formula(a in position(), b in position(), friction in friction(), dtau in positive()) {
+        let row = ledger::row(&Step::new(a.clone(), b.clone()), &friction, &dtau);
+        let d = &b - &a;
+        let size = magnitude(&d);
+        let work = -(a.floor() + half()) * &d;
+        let linear = &work + half() * (squared(&b) - squared(&a));
+        let quantized = work + staircase_integral(&b) - staircase_integral(&a);
+        let dissipated = &friction.beta * squared(&d) / &dtau + &friction.sigma * &size;
+        let f = &size - size.floor();
+        let printed = half() * squared(&d) + half() * &size;
+        prop_assert_eq!(row.bound_22, printed.clone());
+        prop_assert_eq!(row.bound_quantized, printed + half() * &f * (q(1, 1) - &f));
+        prop_assert_eq!(&row.generated_linear, &linear);
+        prop_assert_eq!(&row.generated_quantized, &quantized);
+        prop_assert_eq!(&row.dissipated_lower, &dissipated);
+        prop_assert_eq!(&row.net_linear, &(&dissipated - &linear));
+        prop_assert_eq!(&row.net_quantized, &(&dissipated - &quantized));
+        let margin = (&friction.beta - half()) * size / dtau + &friction.sigma - half();
+        prop_assert_eq!(&row.margin, &margin);
+        let row = ledger::row(&Step::new(a, b), &friction, &q(1, 1));
+        prop_assert_eq!(row.violates_linear(), Some(row.net_linear < zero()));
+        prop_assert_eq!(row.violates_quantized(), Some(row.net_quantized < zero()));
+    }
+
+    /// The central claim: where (8) holds, friction pays for what sampling generates.
+    fn th_interval_criterion_implies_no_net_energy(
+        a in position(), b in position(), friction in friction(), dtau in unit()
+    ) {
+        let row = ledger::row(&Step::new(a.clone(), b.clone()), &friction, &dtau);
+        if row.margin >= zero() {
+            prop_assert!(row.generated_linear <= bound_22(&(b - a)));
+            prop_assert!(row.bound_22 <= row.dissipated_lower);
+            prop_assert!(row.net_linear >= zero());
+        }
+    }
+
+    fn th_interval_on_the_critical_line(a in position(), b in position(), beta in coefficient(), dtau in unit()) {
+        // σ is chosen so that the margin is zero: the hardest point where the claim is made.
+        let speed = magnitude(&(&b - &a)) / &dtau;
+        let sigma = half() - speed * (&beta - half());
+        prop_assume!(sigma >= zero());
+        let row = ledger::row(&Step::new(a, b), &Friction::new(beta, sigma), &dtau);
+        prop_assert_eq!(row.margin, zero());
+        prop_assert!(row.net_linear >= zero());
+    }
+
+    fn th_jitter_bound(a in position(), b in position(), friction in friction(), dtau in positive()) {
+        let (d, row) = (&b - &a, ledger::row(&Step::new(a, b), &friction, &dtau));
+        let size = magnitude(&d);
+        let expected = (&friction.beta / &dtau - half()) * squared(&d)
+            + (&friction.sigma - half()) * &size;
+        let bound = ledger::jitter_bound(&friction, &d, &(size / dtau));
+        prop_assert_eq!(bound.clone(), expected);
+        prop_assert!(row.net_linear >= bound);
+    }
+
+    /// Any number of intervals at which (8) holds: the operator draws no more than was stored.
+    fn th_run_operator_draws_at_most_the_storage(
+        start in position(),
+        moves in prop::collection::vec((position(), unit(), nonnegative()), 1..8),
+        spare in (coefficient(), coefficient()),
+        kinetic in (nonnegative(), nonnegative()),
+    ) {
+        let friction = Friction::new(half() + spare.0, half() + spare.1);
+        // Kinetic energy at the samples in between is anybody's: it cancels.
+        let mut stored = &kinetic.0 + half() * squared(&start);
+        let (first, mut drawn, mut here) = (stored.clone(), zero(), start);
+        for (next, dtau, lost) in moves {
+            let row = ledger::row(&Step::new(here, next.clone()), &friction, &dtau);
+            let after = &kinetic.1 + half() * squared(&next);
+            // Friction loses the bound at the least, and `lost` more when the speed varies.
+            let dissipated = row.dissipated_lower + lost;
+            let work = ledger::operator_work(&stored, &after, &dissipated, &row.generated_linear);
+            prop_assert_eq!(&work, &(&after - &stored + &dissipated - &row.generated_linear));
+            drawn -= work;
+            stored = after;
+            here = next;
+        }
+        prop_assert!(drawn <= first);
+    }
+
+    fn th_run_inductive_step(
+        drawn in number(), stored in nonnegative(), gain in nonnegative(), dissipated in nonnegative(),
+        after in nonnegative(), first in number()
+    ) {
+        // Invariant: drawn + stored ≤ first. It survives a step that generates no more than is lost.
+        prop_assume!(&drawn + &stored <= first);
+        let generated = &dissipated - gain;
+        let work = ledger::operator_work(&stored, &after, &dissipated, &generated);
+        prop_assert!(drawn - work + after <= first);
+    }
+}
