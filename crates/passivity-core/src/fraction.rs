@@ -110,6 +110,8 @@ pub struct Fraction<I> {
 }
 
 /// Exact fractions of checked 128-bit integers: fast, and undefined on overflow.
+///
+/// How large the numbers may be is said where it matters: see [`ledger::row`](crate::ledger::row).
 pub type Fixed = Fraction<i128>;
 
 /// Exact fractions of big integers: never undefined but for a division by zero.

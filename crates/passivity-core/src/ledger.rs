@@ -32,6 +32,14 @@ pub struct Row<S> {
 /// For `dtau` ≤ 1, `margin` ≥ 0 implies `net_linear` ≥ 0 (TH-INTERVAL); for longer intervals both
 /// are still exact, and nothing is implied (TH-JITTER).
 ///
+/// # Fixed widths
+///
+/// On fractions of w-bit integers every field is defined when all numerators are below 2^m in
+/// magnitude and all denominators below 2^d, d ≤ m, with 3m + 9d + 5 < w and m + 11d + 1 < w: the
+/// bits of `net_linear`. That is m = d = 2 for 32 bits, 4 for 64 and 10 for 128
+/// ([`Fixed`](crate::Fixed)); with a common denominator far more. Beyond that a field may be
+/// undefined, and none is ever wrong.
+///
 /// # Example
 ///
 /// ERR-27: the criterion holds and yet more is generated than dissipated, by the paper's account.

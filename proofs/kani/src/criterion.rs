@@ -54,24 +54,28 @@ fn eq_27_is_an_equality_on_the_critical_line_9() {
     );
 }
 
-/// Whole units of the parameters of a rig: 2 bits each, since up to five are multiplied.
+/// Whole units of K, T, Δ and v: 2 bits each, since up to five are multiplied.
 const UNITS: u8 = 3;
+
+/// Whole units of b, c and m, on both sides of every border.
+const FRICTION: u8 = 6;
 
 /// EQ-27: the criterion with units (11), with every effect, is (8) times KΔ.
 ///
-/// K = 2, T = 3 and Δ = 5 fix the units of force, time and length, which no claim depends on.
+/// K = 2, T = 3 and Δ = 5 fix the units of force, time and length, which no claim depends on. B
+/// and F are 1: both sides are linear in them.
 #[kani::proof]
 fn eq_27_with_units_is_11() {
     let rig = Rig {
-        viscous: below(8),
-        coulomb: below(8),
+        viscous: below(FRICTION),
+        coulomb: below(FRICTION),
         stiffness: Ratio::integer(2),
         period: Ratio::integer(3),
         length: Ratio::integer(5),
         effects: Effects {
             delay: 1,
-            damping: Some(below(UNITS)),
-            force_step: Some(below(UNITS)),
+            damping: Some(Ratio::one()),
+            force_step: Some(Ratio::one()),
             ..Effects::encoder()
         },
     };
@@ -94,8 +98,8 @@ fn eq_27_with_units_is_11() {
 #[kani::proof]
 fn eq_27_dimensionless_numbers_are_those_of_7() {
     let rig = Rig {
-        viscous: below(8),
-        coulomb: below(8),
+        viscous: below(FRICTION),
+        coulomb: below(FRICTION),
         stiffness: up_to(UNITS),
         period: up_to(UNITS),
         length: up_to(UNITS),
@@ -117,7 +121,7 @@ fn eq_27_dimensionless_numbers_are_those_of_7() {
             && friction.sigma * (rig.stiffness * rig.length) == rig.coulomb,
         "EQ-27: β = b/(KT) and σ = c/(KΔ)",
     );
-    let inertia = below(8);
+    let inertia = below(FRICTION);
     kani::assert(
         rig.mu(&inertia) * (rig.stiffness * rig.period.square()) == inertia,
         "EQ-27: μ = m/(KT²)",
