@@ -33,6 +33,7 @@ pub(crate) enum Command {
     Check(verbs::check::Args),
     Explain(verbs::explain::Args),
     Plane(verbs::plane::Args),
+    Oracle(verbs::oracle::Args),
     Completions(verbs::completions::Args),
     Man(verbs::man::Args),
 }

@@ -34,8 +34,9 @@ pub struct Entry<S> {
     pub net_linear: Span<S>,
     /// `dissipated_lower` − `generated_quantized` − `extra_storage`.
     pub net_quantized: Span<S>,
-    /// Margin of the criterion at the mean speed; `None` when nothing moved.
-    pub margin: Option<Span<S>>,
+    /// Margin of the criterion (8) at the mean speed, (β − ½) + (σ − ½)/v̄ with the terms of the
+    /// effects; `None` when nothing moved.
+    pub margin: Option<Margin<S>>,
     /// Whether the margin is not negative; true when nothing moved, for (27) reads 0 ≥ 0 then.
     pub criterion_holds: Truth,
     /// Whether more is generated against the linear spring than friction surely dissipates.
@@ -45,6 +46,27 @@ pub struct Entry<S> {
     /// What the storages of delay and damping gain over the interval (TH-DELAY, TH-DAMP); `None`
     /// without these effects.
     pub extra_storage: Option<Span<S>>,
+}
+
+/// The margin of the criterion at a mean speed, between two ends.
+///
+/// An encoder that counts at most one tick leaves room for any small speed, at which (σ − ½)/v̄
+/// is past every bound: such an end is `None`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Margin<S> {
+    /// The lower end, when there is one.
+    pub lo: Option<S>,
+    /// The upper end, when there is one.
+    pub hi: Option<S>,
+}
+
+impl<S: Ordered> Margin<S> {
+    /// The margin, when it is known exactly.
+    #[must_use]
+    pub fn exact(&self) -> Option<&S> {
+        let (lo, hi) = self.lo.as_ref().zip(self.hi.as_ref())?;
+        (lo.compare(hi) == Some(Ordering::Equal)).then_some(lo)
+    }
 }
 
 /// The row of the interval that `samples[0]` starts and `end` ends, `dtau` > 0 later.
@@ -105,7 +127,10 @@ pub fn entry<S: Ordered>(
     let net_linear = net(&generated_linear, generation.net_of_law());
     let net_quantized = net(&generated_quantized, generation.net_of_steps());
     let moved = distance.hi().is_positive()?;
-    let margin = moved.then(|| margin(model, &distance, dtau));
+    let (margin, criterion_holds) = match moved {
+        true => criterion(model, &distance, dtau)?,
+        false => (None, Truth::Holds),
+    };
     let bound = |quantized: fn(&S) -> S| {
         move |d: &S| match encoder {
             true => quantized(d),
@@ -118,10 +143,7 @@ pub fn entry<S: Ordered>(
         dtau: dtau.clone(),
         bound_22: distance.rising(bound(generation::bound_22)),
         bound_quantized: distance.rising(bound(generation::bound_quantized)),
-        criterion_holds: match &margin {
-            Some(margin) => holds(margin, &distance)?,
-            None => Truth::Holds,
-        },
+        criterion_holds,
         violates_linear: not(net_linear.is_nonnegative()?),
         violates_quantized: not(net_quantized.is_nonnegative()?),
         generated_linear,
@@ -153,24 +175,42 @@ fn dissipated<S: Ordered>(model: &Model<S>, distance: &Span<S>, dtau: &S) -> Spa
     )
 }
 
-/// The criterion's margin at the mean speed; linear in it, so extreme at the ends.
-fn margin<S: Ordered>(model: &Model<S>, distance: &Span<S>, dtau: &S) -> Span<S> {
+/// The margin at the mean speed, and whether the criterion holds there.
+fn criterion<S: Ordered>(
+    model: &Model<S>,
+    distance: &Span<S>,
+    dtau: &S,
+) -> Option<(Option<Margin<S>>, Truth)> {
     let (least, most) = model.criteria();
     let speed = distance.rising(|d| dissipation::mean_speed(d, dtau));
-    Span::of(
-        least.margin(speed.lo()).min(least.margin(speed.hi())),
-        most.margin(speed.lo()).max(most.margin(speed.hi())),
-    )
-}
-
-fn holds<S: Ordered>(margin: &Span<S>, distance: &Span<S>) -> Option<Truth> {
-    let truth = margin.is_nonnegative()?;
     let may_rest = distance.lo().sign()? == Ordering::Equal;
-    Some(match truth {
+    // (8) times the speed is linear in it, so extreme at the ends, and has the sign of (8).
+    let worst = least.margin(speed.lo()).min(least.margin(speed.hi()));
+    let best = most.margin(speed.lo()).max(most.margin(speed.hi()));
+    let truth = match Truth::over(worst.is_nonnegative()?, best.is_nonnegative()?) {
         // Had nothing moved, the criterion would hold.
         Truth::Fails if may_rest => Truth::Depends,
-        other => other,
-    })
+        truth => truth,
+    };
+    // (8) itself is monotone in the speed, and without bound at rest unless σ is on the line.
+    let at = |criterion: &passivity_core::Criterion<S>, v: &S| {
+        criterion.viscous.clone() + criterion.coulomb.clone().over(v.clone())
+    };
+    let end = |criterion: &passivity_core::Criterion<S>, grows: Ordering| {
+        let sign = criterion.coulomb.sign()?;
+        let v = if sign == grows {
+            speed.lo()
+        } else {
+            speed.hi()
+        };
+        let unbounded = sign == grows && may_rest;
+        Some((!unbounded).then(|| at(criterion, v)))
+    };
+    let margin = Margin {
+        lo: end(&least, Ordering::Less)?,
+        hi: end(&most, Ordering::Greater)?,
+    };
+    Some((Some(margin), truth))
 }
 
 /// What the extra storages of delay and damping gain over the interval.
@@ -209,8 +249,8 @@ fn extra_storage<S: Ordered>(
 }
 
 impl<S: Ordered> Entry<S> {
-    /// The figures in the order of the interface, with their names.
-    pub fn figures(&self) -> [(&'static str, Option<&Span<S>>); 11] {
+    /// The energies and positions in the order of the interface, with their names.
+    pub fn figures(&self) -> [(&'static str, Option<&Span<S>>); 10] {
         [
             ("xi0", Some(&self.xi0)),
             ("xi1", Some(&self.xi1)),
@@ -221,7 +261,6 @@ impl<S: Ordered> Entry<S> {
             ("dissipated_lower", Some(&self.dissipated_lower)),
             ("net_linear", Some(&self.net_linear)),
             ("net_quantized", Some(&self.net_quantized)),
-            ("margin", self.margin.as_ref()),
             ("extra_storage", self.extra_storage.as_ref()),
         ]
     }
@@ -231,6 +270,9 @@ impl<S: Ordered> Entry<S> {
             Some(span) => span.is_defined(),
             None => true,
         };
-        self.dtau.sign().is_some() && self.figures().iter().all(defined)
+        let margin = self.margin.iter().flat_map(|m| m.lo.iter().chain(&m.hi));
+        margin.map(Ordered::sign).all(|sign| sign.is_some())
+            && self.dtau.sign().is_some()
+            && self.figures().iter().all(defined)
     }
 }

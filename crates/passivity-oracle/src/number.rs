@@ -184,6 +184,9 @@ pub trait Written: Ordered {
     /// The number in lowest terms; `None` when it is undefined.
     fn to_rational(&self) -> Option<BigRational>;
 
+    /// Numerator and denominator in lowest terms, when machine integers hold them.
+    fn to_reduced(&self) -> Option<(i128, i128)>;
+
     /// The double nearest to the middle of two numbers, as JSON spells it.
     fn write_middle(lo: &Self, hi: &Self, out: &mut Vec<u8>) {
         let middle = (lo.clone() + hi.clone()).half();
@@ -200,11 +203,7 @@ impl Written for Fixed {
     fn write(&self, out: &mut Vec<u8>) {
         let Some((&n, &d)) = self.parts() else { return };
         let (negative, n, d) = (n < 0, n.unsigned_abs(), d.unsigned_abs());
-        let divisor = match (u64::try_from(n), u64::try_from(d)) {
-            _ if d == 1 => 1,
-            (Ok(n), Ok(d)) => n.gcd(&d).into(),
-            _ => n.gcd(&d),
-        };
+        let divisor = if d == 1 { 1 } else { divisor(n, d) };
         if negative {
             out.push(b'-');
         }
@@ -218,6 +217,16 @@ impl Written for Fixed {
     fn to_rational(&self) -> Option<BigRational> {
         rational::from_fixed(self)
     }
+
+    fn to_reduced(&self) -> Option<(i128, i128)> {
+        let (&n, &d) = self.parts()?;
+        if d == 1 {
+            return Some((n, d));
+        }
+        let divisor = divisor(n.unsigned_abs(), d.unsigned_abs());
+        let divisor = i128::try_from(divisor).ok()?;
+        Some((n / divisor, d / divisor))
+    }
 }
 
 impl Written for Wide {
@@ -230,6 +239,10 @@ impl Written for Wide {
     fn to_rational(&self) -> Option<BigRational> {
         rational::from_wide(self)
     }
+
+    fn to_reduced(&self) -> Option<(i128, i128)> {
+        rational::from_wide(self)?.to_reduced()
+    }
 }
 
 impl Written for BigRational {
@@ -239,6 +252,19 @@ impl Written for BigRational {
 
     fn to_rational(&self) -> Option<BigRational> {
         Some(self.clone())
+    }
+
+    fn to_reduced(&self) -> Option<(i128, i128)> {
+        use num_traits::ToPrimitive as _;
+        self.numer().to_i128().zip(self.denom().to_i128())
+    }
+}
+
+/// The greatest common divisor, by the machine's word where it fits.
+fn divisor(n: u128, d: u128) -> u128 {
+    match (u64::try_from(n), u64::try_from(d)) {
+        (Ok(n), Ok(d)) => n.gcd(&d).into(),
+        _ => n.gcd(&d),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use passivity_core::Truth;
 
-use crate::entry::Entry;
+use crate::entry::{Entry, Margin};
 use crate::number::Written;
 use crate::span::Span;
 
@@ -72,11 +72,9 @@ impl<S: Written> Entry<S> {
         field("xi1", &|out| write_span(&self.xi1, out));
         field("dtau", &|out| write_string(&self.dtau, out));
         for (name, figure) in self.ledger_figures() {
-            field(name, &|out| match figure {
-                Some(span) => write_span(span, out),
-                None => out.extend_from_slice(b"null"),
-            });
+            field(name, &|out| write_span(figure, out));
         }
+        field("margin", &|out| write_margin(self.margin.as_ref(), out));
         for (name, truth) in self.truths() {
             field(name, &|out| out.extend_from_slice(truth_json(truth)));
         }
@@ -90,25 +88,28 @@ impl<S: Written> Entry<S> {
     /// depends.
     pub fn write_csv(&self, h: u64, enclosures: bool, out: &mut Vec<u8>) {
         out.extend_from_slice(h.to_string().as_bytes());
-        let mut figure = |span: Option<&Span<S>>, out: &mut Vec<u8>| {
-            out.push(b',');
-            if let Some(span) = span {
-                span.lo().write(out);
-            }
-            if enclosures {
+        let figure = |lo: Option<&S>, hi: Option<&S>, out: &mut Vec<u8>| {
+            let ends = if enclosures { &[lo, hi][..] } else { &[lo][..] };
+            for end in ends {
                 out.push(b',');
-                if let Some(span) = span {
-                    span.hi().write(out);
+                if let Some(x) = end {
+                    x.write(out);
                 }
             }
         };
-        figure(Some(&self.xi0), out);
-        figure(Some(&self.xi1), out);
+        figure(Some(self.xi0.lo()), Some(self.xi0.hi()), out);
+        figure(Some(self.xi1.lo()), Some(self.xi1.hi()), out);
         out.push(b',');
         self.dtau.write(out);
         for (_, span) in self.ledger_figures() {
-            figure(span, out);
+            figure(Some(span.lo()), Some(span.hi()), out);
         }
+        let margin = self.margin.as_ref();
+        figure(
+            margin.and_then(|m| m.lo.as_ref()),
+            margin.and_then(|m| m.hi.as_ref()),
+            out,
+        );
         for (_, truth) in self.truths() {
             out.push(b',');
             match truth {
@@ -120,16 +121,15 @@ impl<S: Written> Entry<S> {
         out.push(b'\n');
     }
 
-    fn ledger_figures(&self) -> [(&'static str, Option<&Span<S>>); 8] {
+    fn ledger_figures(&self) -> [(&'static str, &Span<S>); 7] {
         [
-            ("generated_linear", Some(&self.generated_linear)),
-            ("generated_quantized", Some(&self.generated_quantized)),
-            ("bound_22", Some(&self.bound_22)),
-            ("bound_quantized", Some(&self.bound_quantized)),
-            ("dissipated_lower", Some(&self.dissipated_lower)),
-            ("net_linear", Some(&self.net_linear)),
-            ("net_quantized", Some(&self.net_quantized)),
-            ("margin", self.margin.as_ref()),
+            ("generated_linear", &self.generated_linear),
+            ("generated_quantized", &self.generated_quantized),
+            ("bound_22", &self.bound_22),
+            ("bound_quantized", &self.bound_quantized),
+            ("dissipated_lower", &self.dissipated_lower),
+            ("net_linear", &self.net_linear),
+            ("net_quantized", &self.net_quantized),
         ]
     }
 
@@ -160,6 +160,27 @@ pub(crate) fn write_span<S: Written>(span: &Span<S>, out: &mut Vec<u8>) {
             out.extend_from_slice(b", \"approx\": ");
             S::write_middle(lo, hi, out);
             out.push(b'}');
+        }
+    }
+}
+
+/// Appends a margin as JSON; an end without bound is null, and so is a margin without meaning.
+fn write_margin<S: Written>(margin: Option<&Margin<S>>, out: &mut Vec<u8>) {
+    let Some(margin) = margin else {
+        return out.extend_from_slice(b"null");
+    };
+    match (&margin.lo, &margin.hi) {
+        (Some(lo), Some(hi)) => write_span(&Span::of(lo.clone(), hi.clone()), out),
+        (lo, hi) => {
+            let end = |end: &Option<S>, out: &mut Vec<u8>| match end {
+                Some(x) => write_string(x, out),
+                None => out.extend_from_slice(b"null"),
+            };
+            out.extend_from_slice(b"{\"lo\": ");
+            end(lo, out);
+            out.extend_from_slice(b", \"hi\": ");
+            end(hi, out);
+            out.extend_from_slice(b", \"approx\": null}");
         }
     }
 }

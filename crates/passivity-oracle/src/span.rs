@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use passivity_core::{Ordered, Scalar, Truth};
+use passivity_core::{Ordered, Truth};
 
 /// One number, or all numbers from a lower to an upper end.
 ///

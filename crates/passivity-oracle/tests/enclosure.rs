@@ -38,7 +38,6 @@ fn model() -> impl Strategy<Value = Model<Fixed>> {
 fn within(outer: Option<&Span<BigRational>>, inner: Option<&Span<BigRational>>) -> bool {
     match (outer, inner) {
         (Some(outer), Some(inner)) => outer.lo() <= inner.lo() && inner.hi() <= outer.hi(),
-        (Some(_), None) => true, // nothing moved: no margin
         (outer, inner) => outer.is_none() && inner.is_none(),
     }
 }
@@ -53,6 +52,12 @@ fn encloses(outer: &Entry<BigRational>, inner: &Entry<BigRational>) -> Result<()
             within(outer, inner),
             "{name}: {outer:?} does not hold {inner:?}"
         );
+    }
+    // Nothing may have moved: then there is no margin.
+    if let (Some(outer), Some(inner)) = (&outer.margin, &inner.margin) {
+        let above = outer.lo.is_none() || outer.lo <= inner.lo;
+        let below = outer.hi.is_none() || (inner.hi.is_some() && inner.hi <= outer.hi);
+        prop_assert!(above && below, "{outer:?} does not hold {inner:?}");
     }
     prop_assert!(agrees(outer.criterion_holds, inner.criterion_holds));
     prop_assert!(agrees(outer.violates_linear, inner.violates_linear));

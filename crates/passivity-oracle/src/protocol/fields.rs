@@ -1,0 +1,186 @@
+//! The fields of a request, each read once, with the place of every mistake.
+
+use passivity_core::{BigRational, Ordered};
+use passivity_scene::json::{read_interval, read_rational};
+use passivity_scene::number::NumberError;
+use serde_json::{Map, Value};
+
+use super::{At, MAX_POSITIONS, Refusal};
+use crate::ledger::Sample;
+use crate::number::Number;
+
+/// What a request says.
+pub(super) struct Fields<'a> {
+    map: &'a Map<String, Value>,
+}
+
+impl<'a> Fields<'a> {
+    pub(super) const fn new(map: &'a Map<String, Value>) -> Self {
+        Self { map }
+    }
+
+    /// Refuses every field that the operation does not have.
+    pub(super) fn only(&self, known: &[&str]) -> Result<(), Refusal> {
+        let unknown = self
+            .map
+            .keys()
+            .find(|key| !matches!(key.as_str(), "id" | "op") && !known.contains(&key.as_str()));
+        match unknown {
+            None => Ok(()),
+            Some(key) => Err(Refusal::new(
+                "unknown_field",
+                At::Field(key.clone()),
+                format!("this operation has the fields {}", known.join(", ")),
+            )),
+        }
+    }
+
+    /// The first of several spellings of a field that is there.
+    pub(super) fn get(&self, names: &[&'static str]) -> Option<(&'static str, &'a Value)> {
+        names
+            .iter()
+            .find_map(|name| self.map.get(*name).map(|value| (*name, value)))
+    }
+
+    pub(super) fn text(&self, name: &'static str) -> Result<&'a str, Refusal> {
+        match self.map.get(name) {
+            Some(Value::String(text)) => Ok(text),
+            Some(_) => Err(bad(name, "expected a string")),
+            None => Err(missing(name)),
+        }
+    }
+
+    pub(super) fn flag(&self, name: &'static str, otherwise: bool) -> Result<bool, Refusal> {
+        match self.map.get(name) {
+            None => Ok(otherwise),
+            Some(Value::Bool(flag)) => Ok(*flag),
+            Some(_) => Err(bad(name, "expected true or false")),
+        }
+    }
+
+    /// A whole number from 0 to `most`.
+    pub(super) fn natural(&self, name: &'static str, most: u64) -> Result<u64, Refusal> {
+        let Some(value) = self.map.get(name) else {
+            return Ok(0);
+        };
+        match value.as_u64() {
+            Some(n) if n <= most => Ok(n),
+            _ => Err(bad(
+                name,
+                format!("expected a whole number from 0 to {most}"),
+            )),
+        }
+    }
+
+    pub(super) fn number(&self, name: &'static str) -> Result<Number, Refusal> {
+        match self.map.get(name) {
+            Some(value) => number(value, || name.to_owned()),
+            None => Err(missing(name)),
+        }
+    }
+
+    /// A number, or an interval of them, that is at least zero.
+    pub(super) fn friction(&self, name: &'static str) -> Result<[BigRational; 2], Refusal> {
+        let value = self.map.get(name).ok_or_else(|| missing(name))?;
+        let range = read_interval(value).map_err(|error| refused(&error, name.to_owned()))?;
+        if range.lo().is_nonnegative() != Some(true) {
+            return Err(out_of_range(name.to_owned(), "zero or a value above it"));
+        }
+        Ok([range.lo().clone(), range.hi().clone()])
+    }
+
+    /// An optional number that is above zero, or at least zero.
+    pub(super) fn effect(
+        &self,
+        name: &'static str,
+        zero_allowed: bool,
+    ) -> Result<Option<BigRational>, Refusal> {
+        let Some(value) = self.map.get(name) else {
+            return Ok(None);
+        };
+        let x = read_rational(value).map_err(|error| refused(&error, name.to_owned()))?;
+        match (
+            x.is_positive() == Some(true),
+            x.is_nonnegative() == Some(true),
+        ) {
+            (true, _) => Ok(Some(x)),
+            (false, true) if zero_allowed => Ok(Some(x)),
+            _ if zero_allowed => Err(out_of_range(name.to_owned(), "zero or a value above it")),
+            _ => Err(out_of_range(name.to_owned(), "a value above zero")),
+        }
+    }
+}
+
+/// A list of a bounded length.
+pub(super) fn list<'v>(name: &str, value: &'v Value) -> Result<&'v [Value], Refusal> {
+    match value {
+        Value::Array(items) if items.len() <= MAX_POSITIONS => Ok(items),
+        Value::Array(_) => Err(out_of_range(
+            name.to_owned(),
+            format!("at most {MAX_POSITIONS} items"),
+        )),
+        _ => Err(bad(name, "expected a list")),
+    }
+}
+
+/// A number that is at `place`.
+pub(super) fn number(value: &Value, place: impl Fn() -> String) -> Result<Number, Refusal> {
+    let read = match value {
+        Value::String(text) => Number::parse(text),
+        Value::Number(n) => Number::parse(n.as_str()),
+        other => read_rational(other).map(Number::from),
+    };
+    read.map_err(|error| refused(&error, place()))
+}
+
+/// Δτ: a number above zero.
+pub(super) fn duration(value: &Value, place: impl Fn() -> String) -> Result<Number, Refusal> {
+    let dtau = number(value, &place)?;
+    let positive = match &dtau {
+        Number::Small(n, _) => *n > 0,
+        Number::Big(x) => x.is_positive() == Some(true),
+    };
+    if positive {
+        Ok(dtau)
+    } else {
+        Err(out_of_range(place(), "a value above zero"))
+    }
+}
+
+/// A position, or an encoder's count.
+pub(super) fn sample(
+    value: &Value,
+    counted: bool,
+    place: impl Fn() -> String,
+) -> Result<Sample, Refusal> {
+    if !counted {
+        return number(value, place).map(Sample::Exact);
+    }
+    match number(value, &place)? {
+        Number::Small(n, 1) => Ok(Sample::Count(n)),
+        Number::Small(n, d) if n % d == 0 => Ok(Sample::Count(n / d)),
+        _ => Err(bad(&place(), "expected a count: a whole number of 64 bits")),
+    }
+}
+
+fn refused(error: &NumberError, place: String) -> Refusal {
+    let message = format!("{} (character {} of the number)", error, error.at() + 1);
+    Refusal::new(error.kind().name(), At::Field(place), message)
+}
+
+pub(super) fn missing(name: &str) -> Refusal {
+    let message = format!("this operation needs `{name}`");
+    Refusal::new("missing_field", At::Field(name.to_owned()), message)
+}
+
+pub(super) fn bad(place: &str, message: impl Into<String>) -> Refusal {
+    Refusal::new("bad_value", At::Field(place.to_owned()), message)
+}
+
+pub(super) fn out_of_range(place: String, expected: impl std::fmt::Display) -> Refusal {
+    Refusal::new(
+        "out_of_range",
+        At::Field(place),
+        format!("expected {expected}"),
+    )
+}

@@ -1,0 +1,124 @@
+//! The line protocol: a request a line, an answer a line, and no request that ends the process.
+
+mod fields;
+mod ops;
+mod serve;
+
+pub use serve::{MAX_LINE, serve};
+
+use serde_json::Value;
+
+use crate::protocol::fields::Fields;
+
+/// The number of this protocol.
+pub const PROTOCOL: u32 = 1;
+
+/// The most positions in a `run`.
+pub const MAX_POSITIONS: usize = 1_000_000;
+
+/// Why a request has no result.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// What kind of mistake it is, for programs.
+    pub kind: String,
+    /// What is wrong, for people.
+    pub message: String,
+    /// The field, as in `xi[3]`; or the byte of the line, from 1, where it is no JSON.
+    pub at: At,
+}
+
+/// The place of a mistake.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum At {
+    /// The request as a whole.
+    Request,
+    /// A field.
+    Field(String),
+    /// A byte of the line, from 1.
+    Byte(usize),
+}
+
+impl Refusal {
+    pub(crate) fn new(kind: &str, at: At, message: impl Into<String>) -> Self {
+        Self {
+            kind: kind.to_owned(),
+            message: message.into(),
+            at,
+        }
+    }
+
+    fn write(&self, out: &mut Vec<u8>) {
+        let string = |text: &str| Value::from(text).to_string();
+        let at = match &self.at {
+            At::Request => "null".to_owned(),
+            At::Field(field) => string(field),
+            At::Byte(byte) => byte.to_string(),
+        };
+        let (kind, message) = (string(&self.kind), string(&self.message));
+        let text = format!("{{\"kind\": {kind}, \"message\": {message}, \"at\": {at}}}");
+        out.extend_from_slice(text.as_bytes());
+    }
+}
+
+/// Appends the answer to one request, without a line break.
+///
+/// # Example
+///
+/// ```
+/// let mut answer = Vec::new();
+/// passivity_oracle::protocol::answer(br#"{"id": 7, "op": "interval", "xi0": "1/0"}"#, &mut answer);
+/// let answer = String::from_utf8(answer).unwrap();
+/// assert!(answer.starts_with(r#"{"id": 7, "error": {"kind": "zero_denominator""#));
+/// ```
+pub fn answer(line: &[u8], out: &mut Vec<u8>) {
+    let request: Value = match serde_json::from_slice(line) {
+        Ok(request) => request,
+        Err(error) => {
+            // Requests are one line, so the column is the byte.
+            let at = At::Byte(error.column().max(1));
+            let refusal = Refusal::new("bad_json", at, format!("no JSON: {}", plain(&error)));
+            return refuse(&Value::Null, &refusal, out);
+        }
+    };
+    let Value::Object(map) = &request else {
+        let message = "a request is an object such as {\"id\": 1, \"op\": \"version\"}";
+        return refuse(
+            &Value::Null,
+            &Refusal::new("bad_request", At::Request, message),
+            out,
+        );
+    };
+    let id = map.get("id").unwrap_or(&Value::Null);
+    let start = out.len();
+    open(id, "result", out);
+    match ops::run(&Fields::new(map), out) {
+        Ok(()) => out.push(b'}'),
+        Err(refusal) => {
+            out.truncate(start);
+            refuse(id, &refusal, out);
+        }
+    }
+}
+
+/// The error without its place, which the answer has on its own.
+fn plain(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    match text.rsplit_once(" at line ") {
+        Some((message, _)) => message.to_owned(),
+        None => text,
+    }
+}
+
+fn open(id: &Value, key: &str, out: &mut Vec<u8>) {
+    out.extend_from_slice(b"{\"id\": ");
+    out.extend_from_slice(id.to_string().as_bytes());
+    out.extend_from_slice(b", \"");
+    out.extend_from_slice(key.as_bytes());
+    out.extend_from_slice(b"\": ");
+}
+
+pub(crate) fn refuse(id: &Value, refusal: &Refusal, out: &mut Vec<u8>) {
+    open(id, "error", out);
+    refusal.write(out);
+    out.push(b'}');
+}

@@ -1,0 +1,237 @@
+//! The line protocol: the answers of the interface to the character, and an answer to every line.
+
+use passivity_oracle::protocol::{MAX_LINE, answer, serve};
+use proptest::prelude::*;
+use serde_json::Value;
+
+fn ask(line: &str) -> String {
+    let mut out = Vec::new();
+    answer(line.as_bytes(), &mut out);
+    String::from_utf8(out).unwrap()
+}
+
+fn result(line: &str) -> Value {
+    let answer: Value = serde_json::from_str(&ask(line)).unwrap();
+    assert!(answer.get("error").is_none(), "{answer}");
+    answer["result"].clone()
+}
+
+fn error(line: &str) -> (String, Value) {
+    let answer: Value = serde_json::from_str(&ask(line)).unwrap();
+    assert!(answer.get("result").is_none(), "{answer}");
+    let error = &answer["error"];
+    assert!(error["message"].as_str().is_some_and(|m| !m.is_empty()));
+    (
+        error["kind"].as_str().unwrap().to_owned(),
+        error["at"].clone(),
+    )
+}
+
+#[test]
+fn example_of_the_interface_to_the_character() {
+    let line = r#"{"id": 1, "op": "interval", "xi0": "1", "xi1": "1/2", "beta": "3/5", "sigma": "3/5", "dtau": "1"}"#;
+    let expected = r#"{"id": 1, "result": {"h": 0, "xi0": "1", "xi1": "1/2", "dtau": "1", "generated_linear": "3/8", "generated_quantized": "1/2", "bound_22": "3/8", "bound_quantized": "1/2", "dissipated_lower": "9/20", "net_linear": "3/40", "net_quantized": "-1/20", "margin": "3/10", "criterion_holds": true, "violates_linear": false, "violates_quantized": true}}"#;
+    assert_eq!(ask(line), expected);
+}
+
+#[test]
+fn numbers_are_read_as_what_they_spell() {
+    let spelled = [
+        "\"0.1\"",
+        "\"1/10\"",
+        "0.1",
+        "\"1e-1\"",
+        "1e-1",
+        "\"+10e-2\"",
+    ];
+    for x in spelled {
+        let line = format!(r#"{{"op":"interval","xi0":{x},"xi1":1,"beta":1,"sigma":1}}"#);
+        assert_eq!(result(&line)["xi0"], "1/10", "{x}");
+    }
+}
+
+#[test]
+fn nothing_moved() {
+    let row = result(r#"{"op":"interval","xi0":"7/2","xi1":3.5,"beta":0,"sigma":0}"#);
+    assert_eq!(row["margin"], Value::Null);
+    assert_eq!(row["criterion_holds"], true);
+    assert_eq!(row["violates_linear"], false);
+}
+
+#[test]
+fn counts_answer_in_three_values() {
+    let row = result(r#"{"op":"interval","count0":4,"count1":4,"beta":"1/4","sigma":"3/5"}"#);
+    // σ > ½: at ever smaller speeds (σ − ½)/v̄ is past every bound.
+    assert_eq!(row["margin"]["hi"], Value::Null);
+    assert_eq!(row["margin"]["lo"], "-3/20");
+    assert_eq!(row["criterion_holds"], Value::Null);
+    assert_eq!(row["xi0"]["lo"], "4");
+}
+
+#[test]
+fn run_gives_rows_and_totals() {
+    let run =
+        result(r#"{"op":"run","xi":[0,"1","1/2"],"beta":"3/5","sigma":"3/5","dtau":["1","1/2"]}"#);
+    assert_eq!(run["rows"].as_array().unwrap().len(), 2);
+    assert_eq!(run["rows"][1]["h"], 1);
+    assert_eq!(run["rows"][1]["dtau"], "1/2");
+    // 3/5·¼/½ + 3/5·½ = 3/5.
+    assert_eq!(run["totals"]["dissipated_lower"], "9/5");
+    assert_eq!(run["totals"]["generated_linear"], "3/8");
+    let counts = result(r#"{"op":"run","counts":[0,1,3,3],"beta":"3/5","sigma":"3/5"}"#);
+    // Σ ½D² ± ½|D| over all intervals but the last, which has D = 0 and E in [−1/8, 1/8].
+    assert_eq!(counts["totals"]["generated_linear"]["lo"], "7/8");
+    assert_eq!(counts["totals"]["generated_linear"]["hi"], "33/8");
+}
+
+#[test]
+fn check_is_that_of_the_scene() {
+    let report = result(r#"{"op":"check","scene":{"dimensionless":{"beta":"3/5","sigma":"2/5"}}}"#);
+    assert_eq!(report["verdict"], "not_passive");
+    assert_eq!(report["witness"]["gain_per_cycle"], "1/120");
+    let (_, at) = error(r#"{"op":"check","scene":{"dimensionless":{"beta":"x","sigma":1}}}"#);
+    assert_eq!(at, "scene.dimensionless.beta");
+}
+
+#[test]
+fn every_mistake_has_a_kind_and_a_place() {
+    let interval = |rest: &str| format!(r#"{{"id":9,"op":"interval",{rest}}}"#);
+    for (line, kind, at) in [
+        ("nonsense".to_owned(), "bad_json", Value::from(2)),
+        (String::new(), "bad_json", Value::from(1)),
+        ("[1]".to_owned(), "bad_request", Value::Null),
+        ("{}".to_owned(), "missing_field", Value::from("op")),
+        (
+            r#"{"op":"fly"}"#.to_owned(),
+            "unknown_op",
+            Value::from("op"),
+        ),
+        (
+            r#"{"op":"version","x":1}"#.to_owned(),
+            "unknown_field",
+            Value::from("x"),
+        ),
+        (
+            interval(r#""xi0":1,"beta":1,"sigma":1"#),
+            "missing_field",
+            Value::from("xi1"),
+        ),
+        (
+            interval(r#""xi0":1,"xi1":2,"sigma":1"#),
+            "missing_field",
+            Value::from("beta"),
+        ),
+        (
+            interval(r#""xi0":1,"xi1":2,"beta":-1,"sigma":1"#),
+            "out_of_range",
+            Value::from("beta"),
+        ),
+        (
+            interval(r#""xi0":1,"xi1":2,"beta":1,"sigma":1,"dtau":0"#),
+            "out_of_range",
+            Value::from("dtau"),
+        ),
+        (
+            interval(r#""xi0":"1/0","xi1":2,"beta":1,"sigma":1"#),
+            "zero_denominator",
+            Value::from("xi0"),
+        ),
+        (
+            interval(r#""xi0":"NaN","xi1":2,"beta":1,"sigma":1"#),
+            "not_finite",
+            Value::from("xi0"),
+        ),
+        (
+            interval(r#""xi0":1e999999999,"xi1":2,"beta":1,"sigma":1"#),
+            "exponent_too_large",
+            Value::from("xi0"),
+        ),
+        (
+            interval(r#""count0":1,"count1":2.5,"beta":1,"sigma":1"#),
+            "bad_value",
+            Value::from("count1"),
+        ),
+        (
+            r#"{"op":"run","xi":[1],"beta":1,"sigma":1}"#.to_owned(),
+            "bad_value",
+            Value::from("xi"),
+        ),
+        (
+            r#"{"op":"run","xi":[1,"q"],"beta":1,"sigma":1}"#.to_owned(),
+            "malformed_number",
+            Value::from("xi[1]"),
+        ),
+        (
+            r#"{"op":"run","xi":[1,2],"dtau":[1,2],"beta":1,"sigma":1}"#.to_owned(),
+            "bad_value",
+            Value::from("dtau"),
+        ),
+    ] {
+        assert_eq!(error(&line), (kind.to_owned(), at), "{line}");
+    }
+    assert!(ask(&interval("\"xi0\":1")).starts_with(r#"{"id": 9, "error": "#));
+    assert!(ask(&"[".repeat(100_000)).contains("bad_json"));
+}
+
+#[test]
+fn a_line_past_the_bound_is_refused_and_the_next_served() {
+    let mut input = vec![b'x'; MAX_LINE + 10];
+    input.extend_from_slice(b"\n{\"id\": 2, \"op\": \"version\"}\r\n{\"id\": 3");
+    let mut out = Vec::new();
+    serve(std::io::BufReader::new(&input[..]), &mut out).unwrap();
+    let text = String::from_utf8(out).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines.len(), 3);
+    assert!(lines[0].contains("line_too_long"));
+    assert!(lines[1].contains("\"protocol\": 1"));
+    assert!(lines[2].contains("bad_json")); // torn
+}
+
+#[test]
+fn answers_do_not_wait_for_further_requests() {
+    // A reader that blocks after one request: its answer must be out by then.
+    struct Once<'a>(&'a std::cell::RefCell<Vec<u8>>, bool);
+    impl std::io::Read for Once<'_> {
+        fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+            if std::mem::replace(&mut self.1, true) {
+                assert!(
+                    self.0.borrow().ends_with(b"}\n"),
+                    "no answer before the next read"
+                );
+                return Ok(0);
+            }
+            let request = b"{\"id\": 1, \"op\": \"version\"}\n{\"id\"";
+            buffer[..request.len()].copy_from_slice(request);
+            Ok(request.len())
+        }
+    }
+    struct Out<'a>(&'a std::cell::RefCell<Vec<u8>>);
+    impl std::io::Write for Out<'_> {
+        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+            self.0.borrow_mut().extend_from_slice(bytes);
+            Ok(bytes.len())
+        }
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+    let out = std::cell::RefCell::new(Vec::new());
+    serve(std::io::BufReader::new(Once(&out, false)), Out(&out)).unwrap();
+}
+
+proptest! {
+    #[test]
+    fn no_line_stops_the_service(line in prop::collection::vec(any::<u8>(), 0..200)) {
+        let mut out = Vec::new();
+        answer(&line, &mut out);
+        let text = String::from_utf8(out).unwrap();
+        prop_assert!(serde_json::from_str::<Value>(&text).is_ok(), "{}", text);
+    }
+
+    #[test]
+    fn no_field_stops_the_service(value in "[\"0-9eE+/.\\-NaInf\\[\\]{}:,]{0,40}", field in 0..5_usize) {
+        let field = ["xi0", "beta", "dtau", "h", "delay"][field];
+        let line = format!(r#"{{"op":"interval","xi1":1,"sigma":1,"{field}":{value}}}"#);
+        prop_assert!(serde_json::from_str::<Value>(&ask(&line)).is_ok());
+    }
+}
