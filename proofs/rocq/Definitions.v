@@ -188,3 +188,28 @@ Definition stiffness_limit (b c T Delta v k B F : R) : R :=
 (** TH-STIFF: the two limits whose smaller is the stiffest wall at every speed. *)
 Definition viscous_limit (b T k B : R) : R := (b - B) / (T * (1 / 2 + k)).
 Definition coulomb_limit (c T Delta B F : R) : R := (c - B * Delta / T - F / 2) / (Delta / 2).
+
+(** ** Regions (TH-REGION): sets of speeds v > 0 at which the criterion holds *)
+
+Definition holds_at_all (viscous coulomb : R) : Prop :=
+  forall v, 0 < v -> 0 <= margin viscous coulomb v.
+
+Definition holds_up_to (viscous coulomb V : R) : Prop :=
+  forall v, 0 < v <= V -> 0 <= margin viscous coulomb v.
+
+(** All speeds. *)
+Definition globally_stable : R -> R -> Prop := holds_at_all.
+
+(** Those up to a critical speed. *)
+Definition locally_stable (viscous coulomb : R) : Prop :=
+  0 < critical_speed viscous coulomb /\
+  forall v, 0 < v -> (0 <= margin viscous coulomb v <-> v <= critical_speed viscous coulomb).
+
+(** Those from a critical speed on. *)
+Definition limit_cycles (viscous coulomb : R) : Prop :=
+  0 < critical_speed viscous coulomb /\
+  forall v, 0 < v -> (0 <= margin viscous coulomb v <-> critical_speed viscous coulomb <= v).
+
+(** None. *)
+Definition unstable (viscous coulomb : R) : Prop :=
+  forall v, 0 < v -> margin viscous coulomb v < 0.

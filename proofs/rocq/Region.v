@@ -32,10 +32,9 @@ Variables viscous coulomb : R.
 
 (** TH-REGION (all): the criterion holds at every speed v > 0 iff neither coefficient is
     negative: globally stable, the border lines included. *)
-Theorem TH_REGION_all : (forall v, 0 < v -> 0 <= margin viscous coulomb v)
-  <-> (0 <= viscous /\ 0 <= coulomb).
+Theorem TH_REGION_all : globally_stable viscous coulomb <-> (0 <= viscous /\ 0 <= coulomb).
 Proof.
-  unfold margin. split.
+  unfold globally_stable, holds_at_all, margin. split.
   - intro H. split.
     + destruct (Rle_lt_dec 0 viscous) as [| N]; [assumption | exfalso].
       set (v := (Rabs coulomb + 1) / - viscous).
@@ -54,10 +53,10 @@ Qed.
 
 (** TH-REGION (none): it holds at no speed iff one coefficient is negative and the other
     not positive: unstable. *)
-Theorem TH_REGION_none : (forall v, 0 < v -> margin viscous coulomb v < 0)
+Theorem TH_REGION_none : unstable viscous coulomb
   <-> (viscous <= 0 /\ coulomb <= 0 /\ (viscous < 0 \/ coulomb < 0)).
 Proof.
-  unfold margin. split.
+  unfold unstable, margin. split.
   - intro H.
     assert (V : viscous <= 0).
     { destruct (Rle_lt_dec viscous 0) as [| N]; [assumption | exfalso].
@@ -81,10 +80,12 @@ Proof.
 Qed.
 
 (** TH-REGION (up to v_c): with viscous < 0 < coulomb it holds exactly up to v_c. *)
-Theorem TH_REGION_up_to : viscous < 0 < coulomb -> forall v, 0 < v ->
-  (0 <= margin viscous coulomb v <-> v <= critical_speed viscous coulomb).
+Theorem TH_REGION_up_to : viscous < 0 < coulomb -> locally_stable viscous coulomb.
 Proof.
-  intros [V C] v Hv. unfold margin, critical_speed.
+  intros [V C]. split.
+  { unfold critical_speed. replace (- coulomb / viscous) with (coulomb / - viscous) by (field; lra).
+    apply Rdiv_lt_0_compat; lra. }
+  intros v Hv. unfold margin, critical_speed.
   assert (E : viscous * (- coulomb / viscous) = - coulomb) by (field; lra).
   set (vc := - coulomb / viscous) in *. split; intro H.
   - destruct (Rle_lt_dec v vc) as [| N]; [assumption | exfalso]. nra.
@@ -92,10 +93,10 @@ Proof.
 Qed.
 
 (** TH-REGION (from v_c on): with coulomb < 0 < viscous it holds exactly from v_c on. *)
-Theorem TH_REGION_from : coulomb < 0 < viscous -> forall v, 0 < v ->
-  (0 <= margin viscous coulomb v <-> critical_speed viscous coulomb <= v).
+Theorem TH_REGION_from : coulomb < 0 < viscous -> limit_cycles viscous coulomb.
 Proof.
-  intros [C V] v Hv. unfold margin, critical_speed.
+  intros [C V]. split; [unfold critical_speed; apply Rdiv_lt_0_compat; lra |].
+  intros v Hv. unfold margin, critical_speed.
   assert (E : viscous * (- coulomb / viscous) = - coulomb) by (field; lra).
   set (vc := - coulomb / viscous) in *. split; intro H.
   - destruct (Rle_lt_dec vc v) as [| N]; [assumption | exfalso]. nra.
@@ -112,6 +113,23 @@ Proof.
   assert (0 < coulomb - viscous * W) by nra. split; intro H1.
   - apply Rmult_le_pos; lra.
   - apply Rmult_le_reg_l with (coulomb - viscous * W); lra.
+Qed.
+
+(** TH-REGION (a bound): up to a speed V it is enough to look at rest and at V. *)
+Theorem TH_REGION_bound : forall V, 0 < V ->
+  (holds_up_to viscous coulomb V <-> 0 <= coulomb /\ 0 <= margin viscous coulomb V).
+Proof.
+  intros V HV. unfold holds_up_to, margin. split.
+  - intro H. split; [| apply H; lra].
+    destruct (Rle_lt_dec 0 coulomb) as [| N]; [assumption | exfalso].
+    set (w := - coulomb / (2 * (Rabs viscous + 1))).
+    pose proof (Rabs_pos viscous). pose proof (Rle_abs viscous).
+    assert (0 < w) by (unfold w; apply Rdiv_lt_0_compat; lra).
+    assert (E : 2 * (Rabs viscous + 1) * w = - coulomb) by (unfold w; field; lra).
+    pose proof (Rmin_l w V). pose proof (Rmin_r w V).
+    assert (0 < Rmin w V) by (apply Rmin_glb_lt; lra).
+    specialize (H (Rmin w V) ltac:(lra)). nra.
+  - intros [C M] v Hv. destruct (Rle_lt_dec 0 viscous); nra.
 Qed.
 
 End Regions.
@@ -155,7 +173,7 @@ Qed.
 (** TH-STIFF (all speeds): K is admissible at every speed iff it is at most both limits;
     without effects they are 2b/T and 2c/Delta. *)
 Theorem TH_STIFF_all : forall b c K T Delta k B F, 0 < T -> 0 < Delta -> 0 <= k ->
-  ((forall v, 0 < v -> 0 <= margin (viscous_si b K T k B) (coulomb_si c K T Delta B F) v)
+  (globally_stable (viscous_si b K T k B) (coulomb_si c K T Delta B F)
    <-> K <= Rmin (viscous_limit b T k B) (coulomb_limit c T Delta B F)).
 Proof.
   intros b c K T Delta k B F HT HD Hk. rewrite TH_REGION_all.
