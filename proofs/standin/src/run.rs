@@ -46,7 +46,8 @@ pub fn check(harness: &Harness, body: fn()) {
         record::append(Path::new(&folder), entry, &seen, &faults, seconds)
             .unwrap_or_else(|e| panic!("cannot write the record of `{name}`: {e}"));
     }
-    println!(
+    // Shown with `cargo test -- --show-output`, and with a failure.
+    eprintln!(
         "{name}: {:?}, {} inputs, {} cases, {seconds:.2} s, covers {:?}",
         seen.mode, seen.inputs, seen.cases, seen.hits
     );
