@@ -299,14 +299,16 @@ Definition kernel_row_net_linear (x0 x1 beta sigma dtau : R) : R :=
   (((Rabs (x1 - x0)) * ((beta * ((Rabs (x1 - x0)) / dtau)) + sigma)) - (((x1 - x0) * (((x1 - x0) + ((x0 - (floor x0)) + (x0 - (floor x0)))) - 1)) / 2)).
 Lemma bridge_row_net_linear : forall x0 x1 beta sigma dtau,
   kernel_row_net_linear x0 x1 beta sigma dtau = dissipated_lower beta sigma (x1 - x0) dtau - generated_linear x0 x1.
-Proof. unfold kernel_row_net_linear. bridge. Qed.
+Proof. unfold kernel_row_net_linear. intros; rewrite <- (bridge_row_dissipated_lower x0 x1),
+  <- (bridge_row_generated_linear x0 x1 beta sigma dtau); reflexivity. Qed.
 
 (** [ledger::row] *)
 Definition kernel_row_net_quantized (x0 x1 beta sigma dtau : R) : R :=
   (((Rabs (x1 - x0)) * ((beta * ((Rabs (x1 - x0)) / dtau)) + sigma)) - ((((floor x1) - (floor x0)) * ((((floor x1) - (floor x0)) + ((x1 - (floor x1)) + (x1 - (floor x1)))) - 1)) / 2)).
 Lemma bridge_row_net_quantized : forall x0 x1 beta sigma dtau,
   kernel_row_net_quantized x0 x1 beta sigma dtau = dissipated_lower beta sigma (x1 - x0) dtau - generated_quantized x0 x1.
-Proof. unfold kernel_row_net_quantized. bridge. Qed.
+Proof. unfold kernel_row_net_quantized. intros; rewrite <- (bridge_row_dissipated_lower x0 x1),
+  <- (bridge_row_generated_quantized x0 x1 beta sigma dtau); reflexivity. Qed.
 
 (** [ledger::row] *)
 Definition kernel_row_margin (x0 x1 beta sigma dtau : R) : R :=

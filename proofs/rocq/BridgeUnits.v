@@ -102,7 +102,7 @@ Definition kernel_limit_at_all_speeds (b c K T Delta v B F : R) : R :=
   (Rmin (((b - ((0 * T) * ((1 / 2) + 2))) - B) / (T * ((1 / 2) + 2))) ((((c - ((0 * Delta) / 2)) - (B * (Delta / T))) - (F / 2)) / (Delta / 2))).
 Lemma bridge_limit_at_all_speeds : forall b c K T Delta v B F,
   kernel_limit_at_all_speeds b c K T Delta v B F = Rmin (viscous_limit b T 2 B) (coulomb_limit c T Delta B F).
-Proof. unfold kernel_limit_at_all_speeds. bridge. Qed.
+Proof. unfold kernel_limit_at_all_speeds. intros; apply f_equal2; bridge. Qed.
 
 (** [stiffness::limit_at_speed] *)
 Definition kernel_limit_at_speed_plain (b c K T Delta v : R) : R :=

@@ -37,7 +37,12 @@ fn lemmas<T>(
     conclusion: impl Fn(&T) -> String,
 ) {
     for (i, path) in paths.iter().enumerate() {
-        let premises = path.signs.iter().map(|s| premise(s) + " ->").collect::<Vec<_>>().join(" ");
+        let premises = path
+            .signs
+            .iter()
+            .map(|s| premise(s) + " ->")
+            .collect::<Vec<_>>()
+            .join(" ");
         let conclusion = path.result.as_ref().map_or("False".to_owned(), &conclusion);
         // Writing to a string does not fail.
         let _ = write!(
@@ -71,27 +76,43 @@ pub(crate) fn decisions() -> String {
 
     text.push_str("\n(** ** [verdict::decide] up to a speed *)\n");
     let up_to = paths::of(|| decide(&criterion(), &Speeds::UpTo(var("V"))));
-    lemmas(&mut text, "decide_up_to", "viscous coulomb V", &up_to, |d| {
-        format!("0 < V -> {}(holds_up_to viscous coulomb V)", truth(d.holds))
-    });
+    lemmas(
+        &mut text,
+        "decide_up_to",
+        "viscous coulomb V",
+        &up_to,
+        |d| format!("0 < V -> {}(holds_up_to viscous coulomb V)", truth(d.holds)),
+    );
 
     text.push_str("\n(** ** [verdict::decide] up to a speed given by its square *)\n");
     let squared = paths::of(|| decide(&criterion(), &Speeds::UpToSquared(var("V2"))));
-    lemmas(&mut text, "decide_squared", "viscous coulomb V2", &squared, |d| {
-        format!(
-            "forall V, 0 < V -> V ^ 2 = V2 -> {}(holds_up_to viscous coulomb V)",
-            truth(d.holds)
-        )
-    });
+    lemmas(
+        &mut text,
+        "decide_squared",
+        "viscous coulomb V2",
+        &squared,
+        |d| {
+            format!(
+                "forall V, 0 < V -> V ^ 2 = V2 -> {}(holds_up_to viscous coulomb V)",
+                truth(d.holds)
+            )
+        },
+    );
 
     text.push_str("\n(** ** [start::holds_up_to] (TH-START) *)\n");
     let started = paths::of(|| start::holds_up_to(&criterion(), &var("V2")));
-    lemmas(&mut text, "start", "viscous coulomb V2", &started, |holds| {
-        format!(
-            "forall V, 0 < V -> V ^ 2 = V2 -> {}(holds_up_to viscous coulomb V)",
-            truth(*holds)
-        )
-    });
+    lemmas(
+        &mut text,
+        "start",
+        "viscous coulomb V2",
+        &started,
+        |holds| {
+            format!(
+                "forall V, 0 < V -> V ^ 2 = V2 -> {}(holds_up_to viscous coulomb V)",
+                truth(*holds)
+            )
+        },
+    );
     text
 }
 

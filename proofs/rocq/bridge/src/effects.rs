@@ -50,7 +50,9 @@ fn criteria() -> Vec<Formula> {
                 "Cost::bound",
                 &["d", "delta", "B"],
                 effects.cost().bound(&var("d")),
-                format!("- (viscous_surplus 0 {delay} B * d ^ 2 + coulomb_surplus 0 delta B * Rabs d)"),
+                format!(
+                    "- (viscous_surplus 0 {delay} B * d ^ 2 + coulomb_surplus 0 delta B * Rabs d)"
+                ),
             )
             .named(format!("cost_bound_{delay}")),
         );
@@ -88,7 +90,11 @@ fn past(length: u16) -> (Vec<&'static str>, Vec<Term>, String) {
         .zip(&names)
         .map(|(j, name)| format!(" | {j}%nat => {name}"))
         .collect();
-    (names, terms, format!("(fun j => match j with{cases} | _ => 0 end)"))
+    (
+        names,
+        terms,
+        format!("(fun j => match j with{cases} | _ => 0 end)"),
+    )
 }
 
 fn storages() -> Vec<Formula> {
@@ -135,10 +141,20 @@ fn laws() -> Vec<Formula> {
     let both = Law::bilateral();
     vec![
         Formula::new("Law::bilateral::force", &["x"], both.force(&x), "x").named("law_bilateral"),
-        Formula::new("Law::bilateral::potential", &["x"], both.potential(&x), "linear_potential x")
-            .named("law_bilateral_potential"),
-        Formula::new("Law::unilateral::force", &["x"], one_sided.force(&x), "clipped_below 0 x")
-            .named("law_unilateral"),
+        Formula::new(
+            "Law::bilateral::potential",
+            &["x"],
+            both.potential(&x),
+            "linear_potential x",
+        )
+        .named("law_bilateral_potential"),
+        Formula::new(
+            "Law::unilateral::force",
+            &["x"],
+            one_sided.force(&x),
+            "clipped_below 0 x",
+        )
+        .named("law_unilateral"),
         Formula::new(
             "Law::unilateral::potential",
             &["x"],
@@ -176,7 +192,12 @@ fn laws() -> Vec<Formula> {
         .named("law_unilateral_saturated")
         .given("0 <= hi")
         .by("intros; unfold clipped; rewrite (Rmax_left 0 (- hi)) by lra; reflexivity"),
-        Formula::new("Law::held_force", &["x"], both.held_force(&x), "held_force x")
-            .named("law_bilateral_held"),
+        Formula::new(
+            "Law::held_force",
+            &["x"],
+            both.held_force(&x),
+            "held_force x",
+        )
+        .named("law_bilateral_held"),
     ]
 }

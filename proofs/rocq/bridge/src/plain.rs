@@ -1,8 +1,8 @@
 //! The formulas of the paper: quantizer, springs, generation, dissipation, criterion, ledger.
 
 use passivity_core::{
-    Criterion, Friction, Quantized, Step, dissipation, generation, ledger, quantizer, region, spring,
-    start, witness,
+    Criterion, Friction, Quantized, Step, dissipation, generation, ledger, quantizer, region,
+    spring, start, witness,
 };
 use passivity_terms::Term;
 
@@ -43,9 +43,19 @@ fn positions() -> Vec<Formula> {
     let (mu, v) = (var("mu"), var("v"));
     vec![
         Formula::new("Quantized::of::tick", &["x"], q.tick.clone(), "floor x"),
-        Formula::new("Quantized::of::residue", &["x"], q.residue.clone(), "residue x"),
+        Formula::new(
+            "Quantized::of::residue",
+            &["x"],
+            q.residue.clone(),
+            "residue x",
+        ),
         Formula::new("Quantized::measured", &["x"], q.measured(), "measured x"),
-        Formula::new("quantizer::held_force", &["x"], quantizer::held_force(&x), "held_force x"),
+        Formula::new(
+            "quantizer::held_force",
+            &["x"],
+            quantizer::held_force(&x),
+            "held_force x",
+        ),
         Formula::new(
             "spring::linear_potential",
             &["x"],
@@ -64,7 +74,12 @@ fn positions() -> Vec<Formula> {
             spring::quantized_potential(&x),
             "quantized_potential x",
         ),
-        Formula::new("spring::kinetic", &["mu", "v"], spring::kinetic(&mu, &v), "kinetic mu v"),
+        Formula::new(
+            "spring::kinetic",
+            &["mu", "v"],
+            spring::kinetic(&mu, &v),
+            "kinetic mu v",
+        ),
         Formula::new(
             "spring::storage",
             &["mu", "x", "v"],
@@ -84,7 +99,12 @@ fn generated() -> Vec<Formula> {
     let ends = ["x0", "x1"];
     let d = var("d");
     vec![
-        Formula::new("Step::displacement", &ends, step().displacement(), "x1 - x0"),
+        Formula::new(
+            "Step::displacement",
+            &ends,
+            step().displacement(),
+            "x1 - x0",
+        ),
         Formula::new("Step::ticks", &ends, step().ticks(), "ticks x0 x1"),
         Formula::new(
             "generation::generated",
@@ -122,7 +142,12 @@ fn generated() -> Vec<Formula> {
             generation::bound_21(&var("D")),
             "bound_21 D",
         ),
-        Formula::new("generation::bound_22", &["d"], generation::bound_22(&d), "bound_22 d"),
+        Formula::new(
+            "generation::bound_22",
+            &["d"],
+            generation::bound_22(&d),
+            "bound_22 d",
+        ),
         Formula::new(
             "generation::bound_quantized",
             &["d"],
@@ -183,7 +208,12 @@ fn criteria() -> Vec<Formula> {
             "coulomb_surplus sigma 0 0",
         )
         .named("of_friction_coulomb"),
-        Formula::new("Criterion::margin", &names, criterion().margin(&v), "margin viscous coulomb v"),
+        Formula::new(
+            "Criterion::margin",
+            &names,
+            criterion().margin(&v),
+            "margin viscous coulomb v",
+        ),
         Formula::new(
             "Criterion::margin_at_all_speeds",
             &["viscous", "coulomb"],
@@ -266,12 +296,14 @@ fn row() -> Vec<Formula> {
         formula("bound_22", row.bound_22, "bound_22 (x1 - x0)".into()),
         formula("bound_quantized", row.bound_quantized, "bound_quantized (x1 - x0)".into()),
         formula("dissipated_lower", row.dissipated_lower, lower.into()),
-        formula("net_linear", row.net_linear, format!("{lower} - generated_linear x0 x1")),
+        formula("net_linear", row.net_linear, format!("{lower} - generated_linear x0 x1"))
+            .by("intros; rewrite <- (bridge_row_dissipated_lower x0 x1),\n  <- (bridge_row_generated_linear x0 x1 beta sigma dtau); reflexivity"),
         formula(
             "net_quantized",
             row.net_quantized,
             format!("{lower} - generated_quantized x0 x1"),
-        ),
+        )
+        .by("intros; rewrite <- (bridge_row_dissipated_lower x0 x1),\n  <- (bridge_row_generated_quantized x0 x1 beta sigma dtau); reflexivity"),
         formula(
             "margin",
             row.margin,

@@ -42,8 +42,13 @@ fn parameters() -> Vec<Formula> {
     let rig = rig(Effects::encoder());
     let friction = rig.friction();
     vec![
-        Formula::new("Rig::friction", &["b", "K", "T"], friction.beta, "beta_of b K T")
-            .named("rig_beta"),
+        Formula::new(
+            "Rig::friction",
+            &["b", "K", "T"],
+            friction.beta,
+            "beta_of b K T",
+        )
+        .named("rig_beta"),
         Formula::new(
             "Rig::friction",
             &["c", "K", "Delta"],
@@ -51,7 +56,13 @@ fn parameters() -> Vec<Formula> {
             "sigma_of c K Delta",
         )
         .named("rig_sigma"),
-        Formula::new("Rig::mu", &["m", "K", "T"], rig.mu(&var("m")), "mu_of m K T").named("rig_mu"),
+        Formula::new(
+            "Rig::mu",
+            &["m", "K", "T"],
+            rig.mu(&var("m")),
+            "mu_of m K T",
+        )
+        .named("rig_mu"),
         Formula::new(
             "Rig::dimensionless_speed",
             &["v", "T", "Delta"],
@@ -149,7 +160,8 @@ fn limits() -> Vec<Formula> {
             &with_effects,
             stiffness::limit_at_all_speeds(&rig),
             "Rmin (viscous_limit b T 2 B) (coulomb_limit c T Delta B F)",
-        ),
+        )
+        .by("intros; apply f_equal2; bridge"),
         Formula::new(
             "stiffness::limit_at_speed",
             &ALL,

@@ -22,7 +22,11 @@ fn assert_same(name: &str, generated: &str) {
             line + 1
         );
     }
-    assert_eq!(committed.lines().count(), generated.lines().count(), "{name}");
+    assert_eq!(
+        committed.lines().count(),
+        generated.lines().count(),
+        "{name}"
+    );
 }
 
 #[test]
@@ -44,9 +48,9 @@ fn every_definition_is_compared() {
         .lines()
         .filter_map(|line| line.strip_prefix("Definition "))
         .filter_map(|rest| rest.split_whitespace().next());
-    // Used by the definitions themselves.
-    let inner = ["floor", "sum_to", "viscous_surplus_inner"];
-    for name in names.filter(|name| !inner.contains(name)) {
+    // (8) as printed divides by the speed; the kernel has it multiplied out, and the theorem
+    // `EQ_8_margin` says that the two agree.
+    for name in names.filter(|name| *name != "margin_8") {
         let used = bridge
             .split(|c: char| !c.is_alphanumeric() && c != '_')
             .any(|word| word == name);
