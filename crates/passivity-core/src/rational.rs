@@ -32,11 +32,19 @@ impl Scalar for BigRational {
     }
 
     fn max(self, other: Self) -> Self {
-        Ord::max(self, other)
+        if cross_compare(&self, &other) == Ordering::Less {
+            other
+        } else {
+            self
+        }
     }
 
     fn min(self, other: Self) -> Self {
-        Ord::min(self, other)
+        if cross_compare(&self, &other) == Ordering::Greater {
+            other
+        } else {
+            self
+        }
     }
 
     fn over(self, divisor: Self) -> Self {
@@ -54,8 +62,17 @@ impl Ordered for BigRational {
     }
 
     fn compare(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
+        Some(cross_compare(self, other))
     }
+}
+
+/// Compares by cross-multiplication.
+///
+/// The type's own order compares continued fractions: slower, and recursive, so that two long
+/// numbers that nearly agree could exhaust the stack.
+fn cross_compare(a: &BigRational, b: &BigRational) -> Ordering {
+    // Denominators are positive: the type keeps its sign in the numerator.
+    (a.numer() * b.denom()).cmp(&(b.numer() * a.denom()))
 }
 
 /// The value as a fraction of 128-bit integers, or `None` when it does not fit.
