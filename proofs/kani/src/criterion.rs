@@ -2,8 +2,8 @@
 
 use passivity_core::{Criterion, Friction, Ordered, Rig, Scalar, effects::Effects};
 
-use crate::Dyadic;
-use crate::domain::{Ratio, below, coarse_position, friction_coefficient, speed, up_to};
+use crate::domain::{below, coarse_position, friction_coefficient, speed, up_to};
+use crate::{Dyadic, Ratio};
 
 /// EQ-27: the left-hand side of (27) is E_d's lower bound less ½d²/Δτ + ½|d|.
 #[kani::proof]

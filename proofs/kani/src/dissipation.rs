@@ -6,8 +6,8 @@
 
 use passivity_core::{Friction, Ordered, Scalar, dissipation::mean_speed};
 
-use crate::Dyadic;
-use crate::domain::{Ratio, below, coarse_position, friction_coefficient, up_to};
+use crate::domain::{below, coarse_position, friction_coefficient, up_to};
+use crate::{Dyadic, Ratio};
 
 /// Half ticks per sample: velocities in ±4, 4 bits, since four of them are multiplied.
 const VELOCITY_LIMIT: i8 = 8;
@@ -97,7 +97,7 @@ fn eq_23_26_is_reached_at_constant_speed() {
     );
 }
 
-/// EQ-23..26: mean speed times time is the distance; on the kernel's fractions.
+/// EQ-23..26: mean speed times time is the distance.
 #[kani::proof]
 fn eq_23_26_mean_speed_is_distance_over_time() {
     let d = below(16) - Ratio::integer(8);

@@ -5,14 +5,9 @@
 //! crossing (none, one, several, both directions). Wider grids cost the model checker minutes and
 //! show nothing new; the statement without bounds is the solver's (`proofs/smt`).
 
-use passivity_core::{Fraction, Scalar};
+use passivity_core::Scalar;
 
-use crate::Dyadic;
-
-/// The kernel's own fractions, for claims that divide: nothing is divided, only cross-multiplied.
-///
-/// Overflow makes a value undefined, and no assertion here holds of an undefined value.
-pub(crate) type Ratio = Fraction<i32>;
+use crate::{Dyadic, Ratio};
 
 /// Positions are multiples of 1/2⁴ tick: all residues that matter, in 4 bits.
 pub(crate) const POSITION_EXPONENT: u32 = 4;

@@ -14,11 +14,10 @@ use passivity_core::{
     spring,
 };
 
-use crate::Dyadic;
 use crate::domain::{
-    COARSE_EXPONENT, Ratio, SHARE_LIMIT, below, coarse_position, friction_coefficient, share,
-    speed, up_to,
+    COARSE_EXPONENT, SHARE_LIMIT, below, coarse_position, friction_coefficient, share, speed, up_to,
 };
+use crate::{Dyadic, Ratio};
 
 /// Half ticks: displacements of the delay's sums in ±4, 4 bits, up to four of them.
 const MOVE_LIMIT: i8 = 8;

@@ -6,11 +6,11 @@
 
 use passivity_core::{Criterion, Friction, Ordered, Scalar, Step, generation, ledger, spring};
 
-use crate::Dyadic;
 use crate::domain::{
-    COARSE_EXPONENT, FRICTION_EXPONENT, Ratio, SPEED_LIMIT, coarse_position, friction_coefficient,
-    speed, up_to,
+    COARSE_EXPONENT, FRICTION_EXPONENT, SPEED_LIMIT, coarse_position, friction_coefficient, speed,
+    up_to,
 };
+use crate::{Dyadic, Ratio};
 
 /// β and σ in the harness of the whole claim: [0, 1) by 1/8, 3 bits.
 const SMALL_FRICTION_LIMIT: u8 = 8;
@@ -75,8 +75,8 @@ fn th_interval_generated_is_at_most_dissipated() {
     }
 }
 
-/// Quarters: position, Δτ and friction of the ledger's rows, 2 or 3 bits each; each is an
-/// unreduced fraction, and a row multiplies five of them.
+/// Quarters: position, Δτ and friction of the ledger's rows, 2 or 3 bits each; a row
+/// multiplies five of them.
 const ROW_PARTS: i32 = 4;
 
 fn row_fraction(low: i8, high: i8) -> Ratio {
@@ -84,7 +84,7 @@ fn row_fraction(low: i8, high: i8) -> Ratio {
     Ratio::new(i32::from(n), ROW_PARTS)
 }
 
-/// TH-INTERVAL: a row of the ledger, from Δτ itself and on the kernel's fractions.
+/// TH-INTERVAL: a row of the ledger, from Δτ itself.
 #[kani::proof]
 fn th_interval_row_of_the_ledger() {
     let step = Step::new(row_fraction(0, 3), row_fraction(-4, 4));

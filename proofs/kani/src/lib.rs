@@ -1,7 +1,7 @@
 //! Proof harnesses: the kernel's own functions, run by a model checker.
 //!
-//! Each harness calls the generic functions of `passivity-core` at [`Dyadic`], an exact number of
-//! small bounded width, or at the kernel's own fractions, and states one claim of
+//! Each harness calls the generic functions of `passivity-core` at [`Dyadic`] or [`Ratio`], exact
+//! numbers of bounded width, or at the kernel's own fractions, and states one claim of
 //! `proofs/claims.toml`. Kani decides it for every input of the harness's domain
 //! (`make prove-kani`); `cargo test` runs the same text on all inputs of a small domain and on
 //! samples of a larger one. `README.md` says how to read and how to add one.
@@ -16,8 +16,10 @@ extern crate passivity_standin as kani;
 
 mod domain;
 mod dyadic;
+mod ratio;
 
 pub use dyadic::Dyadic;
+pub use ratio::Ratio;
 
 mod criterion;
 mod dissipation;

@@ -6,8 +6,8 @@ use passivity_core::{
     verdict::{Speeds, decide},
 };
 
-use crate::Dyadic;
-use crate::domain::{COARSE_EXPONENT, Ratio, SPEED_LIMIT, below, up_to};
+use crate::domain::{COARSE_EXPONENT, SPEED_LIMIT, below, up_to};
+use crate::{Dyadic, Ratio};
 
 /// Eighths: what friction has to spare, in [−2, 2), 5 bits.
 const SPARE_LIMIT: i8 = 16;

@@ -5,9 +5,9 @@ use passivity_core::{
     verdict::{Speeds, decide},
 };
 
-use crate::Dyadic;
-use crate::domain::{Ratio, below, up_to};
+use crate::domain::{below, up_to};
 use crate::region::{criterion, moving};
+use crate::{Dyadic, Ratio};
 
 /// Slower than any border of these criteria; see `region`.
 const SLOW: Dyadic = Dyadic::new(1, 4);

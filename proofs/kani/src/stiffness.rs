@@ -1,11 +1,12 @@
-//! TH-STIFF: border values of each parameter, on the kernel's own fractions.
+//! TH-STIFF: border values of each parameter.
 //!
 //! A quotient is never computed: fractions are compared by cross-multiplication. T and Δ are
 //! constants: they fix the units of time and length, in which every claim here is homogeneous.
 
 use passivity_core::{Criterion, Rig, Scalar, effects::Effects, stiffness};
 
-use crate::domain::{Ratio, below, up_to};
+use crate::Ratio;
+use crate::domain::{below, up_to};
 
 /// Whole units of K, v, virtual damping and D/A steps: up to 3, since several are multiplied.
 const UNITS: u8 = 3;
