@@ -16,7 +16,7 @@
 //! of numbers next.
 
 use crate::flow::State;
-use crate::law::{self, Memory};
+use crate::law;
 use crate::motion::Constants;
 use crate::plan::Plan;
 
@@ -148,20 +148,24 @@ impl Growth {
         !(square <= self.square)
     }
 
-    /// Whether divergence is certain from this state on.
+    /// Whether divergence is certain from this state on; `samples` are those that the controller
+    /// remembers, the latest first.
     #[must_use]
-    pub fn certain(&self, state: &State<f64>, memory: &Memory) -> bool {
+    pub fn certain(&self, state: &State<f64>, samples: impl Iterator<Item = f64>) -> bool {
+        if !self.exceeds(state.xi, state.velocity) {
+            return false;
+        }
         if state.xi.abs().max(state.velocity.abs()) >= OVERFLOW {
             return true;
         }
         let Some(mode) = &self.mode else {
-            return self.exceeds(state.xi, state.velocity);
+            return true;
         };
         let output = mode.lagging.then_some(state.output);
         let all = [state.xi, state.velocity]
             .into_iter()
             .chain(output)
-            .chain(memory.latest_first());
+            .chain(samples);
         let [mut real, mut imaginary] = [0.0, 0.0];
         for (x, [re, im]) in all.zip(&mode.left) {
             real += x * re;

@@ -200,7 +200,11 @@ fn fits(plan: &Plan) -> bool {
     const FAR: f64 = 1e12;
     let [xi, v] = plan.start;
     let reach = xi.abs() + v.abs() * plan.constants.mu.sqrt();
-    let radius = if plan.growth.is_possible() { plan.growth.square.sqrt() } else { 0.0 };
+    let radius = if plan.growth.is_possible() {
+        plan.growth.square.sqrt()
+    } else {
+        0.0
+    };
     plan.constants.lambda <= phi::SMALL_LAMBDA && reach < FAR && radius < FAR
 }
 
@@ -266,7 +270,9 @@ mod tests {
         let mut queue = points.iter().copied().enumerate();
         let mut ends: Vec<Option<End>> = vec![None; points.len()];
         run(intervals, || queue.next(), |i, end| ends[i] = Some(end));
-        ends.into_iter().map(|end| end.expect("every point ends")).collect()
+        ends.into_iter()
+            .map(|end| end.expect("every point ends"))
+            .collect()
     }
 
     #[test]
@@ -289,14 +295,24 @@ mod tests {
             for beta in [0.0, 0.5, 1e-300] {
                 for velocity in [0.0, 5e-324, -1.0, 1e-9] {
                     for xi in [0.0, -1.0, 1.0_f64.next_down(), 1e15] {
-                        points.push(Plain { mu: 50.0, beta, sigma, xi, velocity });
+                        points.push(Plain {
+                            mu: 50.0,
+                            beta,
+                            sigma,
+                            xi,
+                            velocity,
+                        });
                     }
                 }
             }
         }
         for intervals in [0, 1, 63, 64, 65, 1000] {
             for (point, end) in points.iter().zip(all(&points, intervals)) {
-                assert_eq!(end, run::outcome(&Plan::plain(point, intervals)), "{point:?}");
+                assert_eq!(
+                    end,
+                    run::outcome(&Plan::plain(point, intervals)),
+                    "{point:?}"
+                );
             }
         }
     }

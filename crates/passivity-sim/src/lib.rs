@@ -24,20 +24,26 @@
 //! ```
 #![forbid(clippy::unwrap_used)]
 
+pub mod big;
+pub mod enclosed;
 pub mod error;
 pub mod flow;
 pub mod growth;
 pub mod lanes;
 pub mod law;
 pub mod ledger;
+pub mod methods;
+pub mod model;
 pub mod motion;
 pub mod outcome;
 pub mod phi;
 pub mod plan;
 pub mod real;
 pub mod run;
+pub mod series;
 
 pub use error::SimError;
 pub use ledger::{Entry, Totals};
+pub use methods::Method;
 pub use outcome::{Exactly, Outcome, Paper};
 pub use plan::{Plain, Plan};

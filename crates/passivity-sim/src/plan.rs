@@ -1,6 +1,6 @@
 //! A scene compiled for simulation: exactly its effects, and the loop that runs them.
 
-use num_traits::{ToPrimitive, Zero};
+use num_traits::Zero;
 use passivity_core::{BigRational, Rig, Scalar, effects::Effects};
 use passivity_scene::{Effect, Point};
 
@@ -82,7 +82,7 @@ pub struct Plan {
 /// ```
 #[must_use]
 pub fn to_double(x: &BigRational) -> f64 {
-    x.to_f64().unwrap_or(f64::NAN)
+    passivity_scene::number::nearest_f64(x)
 }
 
 /// A parameter as a double, or an error when it is out of a double's range.

@@ -3,6 +3,9 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use num_bigint::BigInt;
+use passivity_core::BigRational;
+
 /// A comparison or a floor that the number at hand cannot tell: an interval that straddles an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Undecided;
@@ -40,6 +43,25 @@ pub trait Real:
     /// How many bits the number is good for: where a series may stop.
     fn bits(&self) -> u32;
 
+    /// The number, where its error may be up to |`bound`|: intervals grow by it, others do not.
+    #[must_use]
+    fn widened(self, bound: &Self) -> Self {
+        let _ = bound;
+        self
+    }
+
+    /// What holds both numbers, when a comparison could not tell which of them is right.
+    #[must_use]
+    fn join(self, other: Self) -> Self {
+        let _ = other;
+        self
+    }
+
+    /// How many bits it takes to write the number down, if that can grow.
+    fn length(&self) -> u64 {
+        0
+    }
+
     /// How `self` compares with `other`.
     ///
     /// # Errors
@@ -71,6 +93,36 @@ pub trait Real:
             Ordering::Less => -self.clone(),
             _ => self.clone(),
         })
+    }
+}
+
+impl Real for BigRational {
+    fn ratio(&self, n: i32, m: i32) -> Self {
+        Self::new(BigInt::from(n), BigInt::from(m))
+    }
+
+    fn sign(&self) -> Result<Ordering, Undecided> {
+        Ok(self.numer().cmp(&BigInt::ZERO))
+    }
+
+    fn floor(&self) -> Result<Self, Undecided> {
+        Ok(Self::floor(self))
+    }
+
+    fn approximate(&self) -> f64 {
+        crate::plan::to_double(self)
+    }
+
+    fn bits(&self) -> u32 {
+        0 // No series is ever summed: there is none at β = 0.
+    }
+
+    fn length(&self) -> u64 {
+        self.numer().bits() + self.denom().bits()
+    }
+
+    fn compare(&self, other: &Self) -> Result<Ordering, Undecided> {
+        Ok(self.cmp(other))
     }
 }
 

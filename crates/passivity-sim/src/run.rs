@@ -1,6 +1,6 @@
 //! Running a plan: the inner loops of the `closed-form` method.
 
-use crate::flow::State;
+use crate::flow::{Flowed, State};
 use crate::law::{Controller, LawFn, Memory, floor};
 use crate::ledger::{Entry, Totals, potential_change};
 use crate::motion::{Constants, Moved};
@@ -117,8 +117,9 @@ fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
         controller: &plan.controller,
         memory,
     };
-    if plan.flow.is_some() {
-        return flowing(plan, law, watch);
+    if let Some(flow) = &plan.flow {
+        let advance = |state: &State<f64>, held, force| flow.advance(state, &held, &force).ok();
+        return stepping(plan, law, advance, watch);
     }
     if plan.forces.is_some() {
         by_friction::<true, W, _>(plan, law, watch)
@@ -158,7 +159,7 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
                 velocity: v,
                 output: 0.0,
             };
-            if growth.certain(&state, law.memory()) {
+            if growth.certain(&state, law.memory().latest_first()) {
                 break Stop::Growing(h);
             }
         }
@@ -223,11 +224,35 @@ fn holds<const FORCE: bool>(plan: &Plan, held: f64, h: u64) -> bool {
     }
 }
 
-/// The loop of a scene with an amplifier or an arm.
-fn flowing<W: Watch>(plan: &Plan, mut law: Table<'_>, watch: &mut W) -> End {
-    let Some(flow) = &plan.flow else {
-        return end(plan, Stop::Ran(0), 0, plan.start[0], plan.start[1]);
+/// Runs a plan with another way over an interval: what the methods to compare with are made of.
+///
+/// `advance` leads over an interval from a state, a held force and the operator's force; `None` says
+/// that it could not, because numbers have overflowed.
+pub fn stepped(
+    plan: &Plan,
+    advance: impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
+    each: impl FnMut(&Entry) -> bool,
+) -> (End, Totals) {
+    let law = Table {
+        law: plan.controller.law(),
+        controller: &plan.controller,
+        memory: plan.controller.memory(plan.start[0]),
     };
+    let mut book = Book {
+        totals: Totals::default(),
+        each,
+    };
+    let end = stepping(plan, law, advance, &mut book);
+    (end, book.totals.settled())
+}
+
+/// The loop of a scene with an amplifier or an arm, and of every method of steps.
+fn stepping<W: Watch>(
+    plan: &Plan,
+    mut law: Table<'_>,
+    mut advance: impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
+    watch: &mut W,
+) -> End {
     let needed = plan.controller.forgets_after();
     let [xi, velocity] = plan.start;
     // The amplifier has settled on what the controller commanded before the start.
@@ -244,7 +269,7 @@ fn flowing<W: Watch>(plan: &Plan, mut law: Table<'_>, watch: &mut W) -> End {
             break Stop::Ran(h);
         }
         if plan.growth.exceeds(state.xi, state.velocity)
-            && plan.growth.certain(&state, law.memory())
+            && plan.growth.certain(&state, law.memory().latest_first())
         {
             break Stop::Growing(h);
         }
@@ -255,8 +280,7 @@ fn flowing<W: Watch>(plan: &Plan, mut law: Table<'_>, watch: &mut W) -> End {
         if resting > needed {
             break Stop::Rest(h - needed);
         }
-        // A double always has a sign, unless it is NaN: then the run has overflowed.
-        let Ok(flowed) = flow.advance(&state, &held, &force) else {
+        let Some(flowed) = advance(&state, held, force) else {
             break Stop::Growing(h);
         };
         let go_on = if W::LEDGER {
@@ -282,23 +306,19 @@ fn flowing<W: Watch>(plan: &Plan, mut law: Table<'_>, watch: &mut W) -> End {
 
 /// Whether friction takes what the amplifier gives now and in the end, whatever the operator does.
 fn rests(plan: &Plan, state: &State<f64>, held: f64, h: u64) -> bool {
-    let Some(flow) = &plan.flow else { return false };
     let [least, most] = plan
         .forces
         .as_ref()
         .map_or([0.0; 2], |forces| forces.range_from(h));
-    let now = if flow.rate.is_some() {
-        state.output
-    } else {
-        held
+    let sigma = plan.constants.sigma;
+    let (lags, stiffness) = match &plan.flow {
+        Some(flow) => (flow.rate.is_some(), flow.arm.map_or(0.0, |arm| arm[1])),
+        None => (false, 0.0),
     };
+    let now = if lags { state.output } else { held };
     [now, held].into_iter().all(|output| {
-        let state = State {
-            output,
-            ..state.clone()
-        };
-        let sigma = plan.constants.sigma;
-        flow.net(&state, &most) <= sigma && flow.net(&state, &least) >= -sigma
+        let pull = output - stiffness * state.xi;
+        pull + most <= sigma && pull + least >= -sigma
     })
 }
 
