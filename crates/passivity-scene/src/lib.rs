@@ -11,6 +11,7 @@ pub mod diagnostic;
 pub mod display;
 pub mod effect;
 pub mod exact;
+pub mod explain;
 pub mod json;
 pub mod number;
 pub mod parse;
