@@ -235,3 +235,22 @@ fn a_text_written_with_escapes_means_the_same() {
     let scene = rotary("device", "viscous = '9e-6 N·m s/rad'").unwrap();
     assert_eq!(scene.viscous.unwrap().value, plain.value);
 }
+
+#[test]
+fn byte_order_marks_and_carriage_returns_change_nothing() {
+    let plain = "[sampling]\nperiod = \"1 ms\"\n[wall]\nstiffness = \"1 N/mm\"\n";
+    let marked = format!("\u{feff}{}", plain.replace('\n', "\r\n"));
+    let [plain, marked] = [plain, &marked].map(|text| Scene::from_toml("s", text).unwrap());
+    assert_eq!(plain.point(), marked.point());
+    let error = Scene::from_toml("s", "\u{feff}[wall]\r\nstiffness = 1\r\n").unwrap_err();
+    let bare = error
+        .diagnostics()
+        .iter()
+        .find(|d| d.line() == Some(2))
+        .unwrap();
+    assert_eq!(
+        (bare.column(), bare.kind().name()),
+        (Some(13), "missing_unit")
+    );
+    assert!(!error.render(false).contains(['\r', '?']));
+}

@@ -53,6 +53,8 @@ pub(super) fn printable(text: &str) -> String {
         let hidden = matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}');
         let spared = c == '\n' || c == '\t';
         match c.len_utf8() {
+            // The end of a line elsewhere.
+            1 if c == '\r' => " ",
             1 if c.is_control() && !spared => "?",
             2 if c.is_control() => "??",
             3 if hidden => "\u{fffd}",
