@@ -108,3 +108,20 @@ Proof.
       split; [apply Rdiv_lt_0_compat; lra |]. apply Rmult_le_reg_r with (INR (S N)); [exact Sp |].
       unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. rewrite S_INR. lra.
 Qed.
+
+(** TH-SMOOTH (converse): without an encoder the cycle p -> p + d -> p gains
+    d^2 - 2 (beta d^2 + sigma d), and some d > 0 makes that positive iff beta < 1/2. *)
+Theorem TH_SMOOTH_active : forall beta sigma, 0 <= sigma ->
+  (exists d, 0 < d /\ 0 < d ^ 2 - 2 * (beta * d ^ 2 + sigma * d)) <-> beta < 1 / 2.
+Proof.
+  intros beta sigma Hs. split.
+  - intros (d & Hd & G). destruct (Rlt_le_dec beta (1 / 2)) as [L | L]; [exact L | exfalso].
+    assert (0 <= sigma * d) by (apply Rmult_le_pos; lra).
+    pose proof (pow2_ge_0 d). nra.
+  - intro L. set (d := (sigma + 1) / (1 / 2 - beta)).
+    assert (E : d * (1 / 2 - beta) = sigma + 1) by (unfold d; field; lra).
+    assert (D : 0 < d) by (unfold d; apply Rdiv_lt_0_compat; lra).
+    exists d. split; [exact D |].
+    replace (d ^ 2 - 2 * (beta * d ^ 2 + sigma * d)) with (2 * d * (d * (1 / 2 - beta) - sigma)) by field.
+    rewrite E. nra.
+Qed.

@@ -97,6 +97,33 @@ Qed.
 
 End Integrals.
 
+(** EQ-13 (the paper's counterpart): over any part of an interval from its sample, the
+    operator's energy is the growth of H_T, plus E_d, less E_g. *)
+Theorem EQ_13 : forall mu beta sigma pos vel friction hand,
+  physical mu beta sigma -> paper_motion mu beta sigma pos vel friction hand ->
+  forall h t, INR h <= t <= INR (S h) ->
+  operator_energy vel hand (INR h) t
+  = quantized_storage mu (pos t) (vel t) - quantized_storage mu (pos (INR h)) (vel (INR h))
+    + (dissipated beta sigma vel (INR h) t - generated_quantized (pos (INR h)) (pos t)).
+Proof.
+  intros mu beta sigma pos vel friction hand P O h t Ht. rewrite <- EQ_19_20_by_definition.
+  apply is_RInt_unique. unfold quantized_storage.
+  exact (EQ_13_interval _ _ _ _ _ _ _ _ _ P O quantized_potential h t Ht).
+Qed.
+
+(** EQ-14: so over that part the display is passive in the paper's sense, (12), iff E_g is
+    at most E_d. *)
+Theorem EQ_14 : forall mu beta sigma pos vel friction hand,
+  physical mu beta sigma -> paper_motion mu beta sigma pos vel friction hand ->
+  forall h t, INR h <= t <= INR (S h) ->
+  (quantized_storage mu (pos t) (vel t) - quantized_storage mu (pos (INR h)) (vel (INR h))
+   <= operator_energy vel hand (INR h) t
+   <-> generated_quantized (pos (INR h)) (pos t) <= dissipated beta sigma vel (INR h) t).
+Proof.
+  intros mu beta sigma pos vel friction hand P O h t Ht.
+  rewrite (EQ_13 mu beta sigma pos vel friction hand P O h t Ht). split; intro; lra.
+Qed.
+
 (** ERR-21/22 and ERR-27 (motion): beta = sigma = 3/5, from 1 to 1/2 at constant speed over
     one interval: (8) holds at every instant, E_d = 9/20, and yet E_g by (18) is 1/2,
     more than (22)'s 3/8. *)

@@ -59,6 +59,7 @@ Proof.
   set (f := residue (Rabs (x1 - x0))) in *. pose proof (pow2_ge_0 (f - 1 / 2)). nra.
 Qed.
 
+(** ERR-21/22 (excess, tight): a step back by a |d| with fractional part 1/2 passes (22) by 1/8. *)
 Theorem ERR_22_excess_attained : forall z d, d <= 0 -> residue (Rabs d) = 1 / 2 ->
   generated_quantized (IZR z) (IZR z + d) = bound_22 d + 1 / 8.
 Proof.

@@ -85,6 +85,7 @@ Proof.
     quantization_potential, ticks, residue. nra.
 Qed.
 
+(** TH-TELESCOPE (the potential): it lies between 0 and 1/8. *)
 Theorem TH_TELESCOPE_bounds : forall x, 0 <= quantization_potential x <= 1 / 8.
 Proof.
   intro x. unfold quantization_potential. pose proof (residue_bounds x).

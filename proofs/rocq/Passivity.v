@@ -120,6 +120,27 @@ Proof.
     split; [exact I |]. unfold storage. lra.
 Qed.
 
+(** TH-RUN (mean speeds): it is enough that the criterion holds at the mean speed of each
+    interval reached, the last one up to where the run ends. *)
+Theorem TH_RUN_mean : forall N t, INR N <= t <= INR (S N) ->
+  (forall h r, reached INR N t h r -> INR h < r ->
+     0 <= margin (viscous_surplus beta 0 0) (coulomb_surplus sigma 0 0)
+                 (mean_speed (pos r - pos (INR h)) (r - INR h))) ->
+  storage mu (pos t) (vel t) - storage mu (pos 0) (vel 0) <= operator_energy vel hand 0 t.
+Proof.
+  intros N t Ht M.
+  destruct (TH_COMBINED_jitter mu beta sigma (fun x => x) (fun x => x) linear_potential 0 0 (1 / 2) 0
+    INR _ (fun _ => 0) pos vel friction hand P INR_increasing paper_wall O
+    (paper_rendered pos _) N t Ht) as [_ E].
+  - intros h r Hr Hlt. specialize (M h r Hr Hlt).
+    destruct (reached_range INR INR_increasing N t Ht h r Hr) as (_ & _ & R2). rewrite S_INR in R2.
+    rewrite viscous_surplus_plain, coulomb_surplus_plain in M.
+    eapply Rle_trans; [| apply TH_JITTER_on_time; [unfold viscous_need; simpl (INR 0); lra | lra]].
+    rewrite EQ_27 by lra. apply Rmult_le_pos; [apply Rabs_pos | exact M].
+  - unfold extra_towards, extra_at in E. rewrite !no_extra in E. simpl (INR 0) in *.
+    unfold storage. lra.
+Qed.
+
 (** TH-RUN (extracted): the energy drawn by the operator never exceeds S at the start. *)
 Theorem TH_RUN_extracted : forall t, 0 <= t ->
   (forall u, 0 <= u <= t -> criterion_8 beta sigma (vel u)) ->

@@ -164,6 +164,7 @@ Proof.
   - apply Rmult_le_compat_r with (r := s) in H; lra.
 Qed.
 
+(** TH-STIFF (plain): the limit of the wall (2) is 2 (b v + c) / (T v + Delta). *)
 Theorem TH_STIFF_plain : forall b c T Delta v, 0 < T -> 0 < Delta -> 0 <= v ->
   stiffness_limit b c T Delta v 0 0 0 = 2 * (b * v + c) / (T * v + Delta).
 Proof.
@@ -193,6 +194,7 @@ Proof.
       unfold n in *. lra.
 Qed.
 
+(** TH-STIFF (plain, all speeds): the limits of the wall (2) are 2b/T and 2c/Delta. *)
 Theorem TH_STIFF_all_plain : forall b c T Delta, 0 < T -> 0 < Delta ->
   viscous_limit b T 0 0 = 2 * b / T /\ coulomb_limit c T Delta 0 0 = 2 * c / Delta.
 Proof. intros. unfold viscous_limit, coulomb_limit. split; field; lra. Qed.
