@@ -24,7 +24,9 @@ fn within(low: i8, denominator: i32) -> Fraction<i32> {
 fn th_interval_row_is_defined_within_its_bound() {
     let [p, q] = DENOMINATORS;
     let step = Step::new(within(-WITHIN, p), within(-WITHIN, q));
-    let friction = Friction::new(within(0, p), within(0, q));
+    // The most friction: no field grows when β or σ is less.
+    let most = i32::from(WITHIN);
+    let friction = Friction::new(Fraction::new(most, p), Fraction::new(most, q));
     let dtau = within(1, p);
     let row = ledger::row(&step, &friction, &dtau);
     let defined = row.net_linear.is_defined()

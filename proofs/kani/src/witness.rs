@@ -2,8 +2,8 @@
 
 use passivity_core::{Fraction, Friction, Scalar, witness};
 
-use crate::Dyadic;
 use crate::domain::{COARSE_EXPONENT, FRICTION_EXPONENT, friction_coefficient};
+use crate::{Dyadic, Ratio};
 
 /// Whole ticks of the cycle beyond the first border: up to 3.
 const CYCLE_TICKS: u8 = 3;
@@ -32,23 +32,20 @@ fn th_active_gain_is_the_formula() {
     );
 }
 
-/// The kernel's fractions at 64 bits: a witness divides three times and multiplies what it got.
-type Wide = Fraction<i64>;
-
 /// Eighths: β and σ in [0, 1], on both sides of ½ and on it; each pair is a run of its own.
 const POINT_LIMIT: u8 = 8;
 
-fn point() -> Friction<Wide> {
+fn point() -> Friction<Ratio> {
     let beta = kani::any_where(|n: &u8| *n <= POINT_LIMIT);
     let sigma = kani::any_where(|n: &u8| *n <= POINT_LIMIT);
     Friction::new(
-        Wide::new(i64::from(beta), 8),
-        Wide::new(i64::from(sigma), 8),
+        Ratio::new(i32::from(beta), 8),
+        Ratio::new(i32::from(sigma), 8),
     )
 }
 
-fn half() -> Wide {
-    Wide::new(1, 2)
+fn half() -> Ratio {
+    Ratio::new(1, 2)
 }
 
 /// TH-ACTIVE: a cycle with a gain is found exactly when β < ½ or σ < ½.
@@ -67,12 +64,12 @@ fn th_active_cycle_exists_exactly_below_a_half() {
     );
     if let Some(cycle) = cycle {
         kani::assert(
-            cycle.gain > Wide::zero()
+            cycle.gain > Ratio::zero()
                 && cycle.gain == witness::gain(&cycle.from, &cycle.to, &friction),
             "TH-ACTIVE: the cycle found gains what it says, above zero",
         );
         kani::assert(
-            cycle.from >= Wide::zero(),
+            cycle.from >= Ratio::zero(),
             "TH-ACTIVE: the cycle found keeps within the wall",
         );
     }
@@ -83,7 +80,7 @@ fn th_active_cycle_exists_exactly_below_a_half() {
 fn th_active_cycle_keeps_to_a_speed_bound() {
     let friction = point();
     let n = kani::any_where(|n: &u8| *n >= 1 && *n <= POINT_LIMIT);
-    let bound = Wide::new(i64::from(n), 1 << COARSE_EXPONENT);
+    let bound = Ratio::new(i32::from(n), 1 << COARSE_EXPONENT);
     let cycle = witness::quantized(&friction, Some(&bound));
     kani::cover!(
         cycle.is_none() && friction.beta < half(),
@@ -92,23 +89,34 @@ fn th_active_cycle_keeps_to_a_speed_bound() {
     if let Some(cycle) = cycle {
         kani::cover!(cycle.to - cycle.from == bound, "the bound is used up");
         kani::assert(
-            cycle.to - cycle.from <= bound && cycle.gain > Wide::zero(),
+            cycle.to - cycle.from <= bound && cycle.gain > Ratio::zero(),
             "TH-ACTIVE: the cycle keeps to the bound and gains",
         );
     }
 }
 
+/// The kernel's own fractions at 64 bits, since the displacement, a quotient, is squared.
+type Wide = Fraction<i64>;
+
+/// Quarters: β and σ in [0, 1], with ½ and neighbours.
+const COARSE_POINT_LIMIT: u8 = 4;
+
 /// TH-SMOOTH: without an encoder a cycle is found exactly when β < ½, and gains what it says.
 #[kani::proof]
-fn th_smooth_cycle_exists_exactly_below_a_half() {
-    let friction = point();
+fn th_smooth_cycle_exists_exactly_below_a_Wide::new(1, 2) {
+    let beta = kani::any_where(|n: &u8| *n <= COARSE_POINT_LIMIT);
+    let sigma = kani::any_where(|n: &u8| *n <= COARSE_POINT_LIMIT);
+    let friction = Friction::new(
+        Wide::new(i64::from(beta), 1 << COARSE_EXPONENT),
+        Wide::new(i64::from(sigma), 1 << COARSE_EXPONENT),
+    );
     let cycle = witness::smooth(&friction, None);
     kani::cover!(
-        cycle.is_some() && friction.sigma > half(),
+        cycle.is_some() && friction.sigma > Wide::new(1, 2),
         "despite Coulomb friction"
     );
     kani::assert(
-        cycle.is_some() == (friction.beta < half()),
+        cycle.is_some() == (friction.beta < Wide::new(1, 2)),
         "TH-SMOOTH: a cycle is found exactly when β < ½",
     );
     if let Some(cycle) = cycle {

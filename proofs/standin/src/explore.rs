@@ -16,6 +16,9 @@ const SAMPLES: u64 = 400_000;
 /// Values of a type up to which it is drawn by going through all of them.
 const LISTED_UP_TO: i128 = 1 << 16;
 
+/// Panics, each of which prints its own message, after which a harness is left.
+const PANICS: u64 = 4;
+
 /// Values tried before a sampled predicate counts as one that nothing meets.
 const TRIES: usize = 4096;
 
@@ -39,6 +42,8 @@ pub(crate) struct Seen {
     pub(crate) failures: BTreeMap<String, (u64, String)>,
     /// How often each cover was hit.
     pub(crate) hits: BTreeMap<&'static str, u64>,
+    /// Inputs on which something other than an assertion failed.
+    panics: u64,
 }
 
 /// One point on the way to an input: the values a draw may take, and which is taken.
@@ -179,6 +184,10 @@ fn every(body: fn()) -> Option<Seen> {
         }
         seen.note(left, &input.drawn);
         hits = input.hits;
+        if seen.panics == PANICS {
+            seen.hits = hits;
+            return Some(seen);
+        }
         // On to the next input: the last draw that has another value takes it.
         loop {
             let Some(last) = taken.last_mut() else {
@@ -204,6 +213,9 @@ fn samples(body: fn(), random: Random) -> Seen {
         seen.note(left, &input.drawn);
         source = input.source;
         hits = input.hits;
+        if seen.panics == PANICS {
+            break;
+        }
     }
     seen.hits = hits;
     seen
@@ -231,6 +243,7 @@ impl Seen {
             cases: 0,
             failures: BTreeMap::new(),
             hits: BTreeMap::new(),
+            panics: 0,
         }
     }
 
@@ -243,7 +256,10 @@ impl Seen {
         let (message, place) = match why.downcast_ref() {
             Some(Leave::Cut | Leave::TooLarge) => return,
             Some(Leave::Failed(message, at)) => ((*message).to_string(), format!(" at {at}")),
-            None => (panic_message(&*why), String::new()),
+            None => {
+                self.panics += 1;
+                (panic_message(&*why), String::new())
+            }
         };
         self.cases += 1;
         let entry = self.failures.entry(message).or_insert_with(|| {
