@@ -103,7 +103,7 @@ const COARSE_POINT_LIMIT: u8 = 4;
 
 /// TH-SMOOTH: without an encoder a cycle is found exactly when β < ½, and gains what it says.
 #[kani::proof]
-fn th_smooth_cycle_exists_exactly_below_a_Wide::new(1, 2) {
+fn th_smooth_cycle_exists_exactly_below_a_half() {
     let beta = kani::any_where(|n: &u8| *n <= COARSE_POINT_LIMIT);
     let sigma = kani::any_where(|n: &u8| *n <= COARSE_POINT_LIMIT);
     let friction = Friction::new(
