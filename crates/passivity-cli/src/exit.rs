@@ -45,6 +45,8 @@ impl From<Exit> for ExitCode {
 pub(crate) enum Failure {
     /// Bad input or usage, with a message for people.
     Input(String),
+    /// A scene that cannot be read, with its diagnostics drawn out.
+    Scene(String),
     /// Whoever read the output has gone: there is nobody to tell.
     Closed,
 }
@@ -67,8 +69,11 @@ impl Failure {
     pub(crate) fn report(&self) -> ExitCode {
         match self {
             Self::Input(message) => {
-                // `message` of a scene's diagnostics has its own frame and ends in a line break.
                 eprintln!("error: {}", message.trim_end());
+                Exit::BadInput.into()
+            }
+            Self::Scene(diagnostics) => {
+                eprintln!("{}", diagnostics.trim_end());
                 Exit::BadInput.into()
             }
             Self::Closed => Exit::Holds.into(),

@@ -1,6 +1,6 @@
 //! Writing results: text or JSON on standard output, pictures as SVG or PNG files.
 
-use std::io::Write as _;
+use std::io::{IsTerminal as _, Write as _};
 use std::path::Path;
 
 use passivity_scene::Scene;
@@ -33,5 +33,5 @@ pub(crate) fn emit_json(document: &serde_json::Value) -> Result<(), Failure> {
 
 /// Reads a scene file, with every diagnostic when it cannot be read.
 pub(crate) fn read_scene(path: &Path) -> Result<Scene, Failure> {
-    Scene::read(path).map_err(Failure::input)
+    Scene::read(path).map_err(|error| Failure::Scene(error.render(std::io::stderr().is_terminal())))
 }

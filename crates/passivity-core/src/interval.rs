@@ -46,6 +46,14 @@ impl<S: Ordered> Interval<S> {
         }
     }
 
+    /// The interval with both ends taken through `f`, which must keep their order.
+    pub fn map<U>(&self, f: impl Fn(&S) -> U) -> Interval<U> {
+        Interval {
+            lo: f(&self.lo),
+            hi: f(&self.hi),
+        }
+    }
+
     /// The lower end.
     #[must_use]
     pub const fn lo(&self) -> &S {

@@ -86,48 +86,60 @@ impl<S: Scalar> Speeds<S> {
 
 /// A box of rigs: every parameter anywhere in its interval, independently of the others.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RigBox {
+pub struct RigBox<S = BigRational> {
     /// b.
-    pub viscous: Interval<BigRational>,
+    pub viscous: Interval<S>,
     /// c.
-    pub coulomb: Interval<BigRational>,
+    pub coulomb: Interval<S>,
     /// K.
-    pub stiffness: Interval<BigRational>,
+    pub stiffness: Interval<S>,
     /// T.
-    pub period: Interval<BigRational>,
+    pub period: Interval<S>,
     /// Δ, or the unit of length without an encoder.
-    pub length: Interval<BigRational>,
+    pub length: Interval<S>,
     /// Whether an encoder quantizes the position.
     pub encoder: bool,
     /// Whole samples of delay.
     pub delay: u16,
     /// B.
-    pub damping: Option<Interval<BigRational>>,
+    pub damping: Option<Interval<S>>,
     /// F.
-    pub force_step: Option<Interval<BigRational>>,
+    pub force_step: Option<Interval<S>>,
 }
 
-impl RigBox {
+impl<S: Ordered> RigBox<S> {
+    /// The same box with every number taken through `f`, which must keep their order.
+    pub fn map<U: Ordered>(&self, f: impl Fn(&S) -> U) -> RigBox<U> {
+        let optional = |range: &Option<Interval<S>>| range.as_ref().map(|range| range.map(&f));
+        RigBox {
+            viscous: self.viscous.map(&f),
+            coulomb: self.coulomb.map(&f),
+            stiffness: self.stiffness.map(&f),
+            period: self.period.map(&f),
+            length: self.length.map(&f),
+            encoder: self.encoder,
+            delay: self.delay,
+            damping: optional(&self.damping),
+            force_step: optional(&self.force_step),
+        }
+    }
+
     /// The corner where the criterion is hardest to meet: least friction, most of all else.
     ///
     /// The one parameter that pulls both ways is T when there is virtual damping and an encoder
     /// (BΔ/T), so the criterion of the box is taken term by term in [`criteria`](Self::criteria).
     #[must_use]
-    pub fn worst(&self) -> Rig<BigRational> {
+    pub fn worst(&self) -> Rig<S> {
         self.corner(Interval::lo, Interval::hi)
     }
 
     /// The corner where the criterion is easiest to meet.
     #[must_use]
-    pub fn best(&self) -> Rig<BigRational> {
+    pub fn best(&self) -> Rig<S> {
         self.corner(Interval::hi, Interval::lo)
     }
 
-    fn corner(
-        &self,
-        friction: fn(&Interval<BigRational>) -> &BigRational,
-        load: fn(&Interval<BigRational>) -> &BigRational,
-    ) -> Rig<BigRational> {
+    fn corner(&self, friction: fn(&Interval<S>) -> &S, load: fn(&Interval<S>) -> &S) -> Rig<S> {
         Rig {
             viscous: friction(&self.viscous).clone(),
             coulomb: friction(&self.coulomb).clone(),
@@ -148,7 +160,7 @@ impl RigBox {
     /// Every rig of the box lies between the two. They are those of two corners, unless T, B and
     /// an encoder pull both ways: then they enclose.
     #[must_use]
-    pub fn criteria(&self) -> (Criterion<BigRational>, Criterion<BigRational>) {
+    pub fn criteria(&self) -> (Criterion<S>, Criterion<S>) {
         let (worst, best) = (self.worst(), self.best());
         // BΔ/T is largest at the shortest period.
         let worst_coulomb = Rig {
@@ -159,7 +171,7 @@ impl RigBox {
             period: self.period.hi().clone(),
             ..best.clone()
         };
-        let of = |viscous: &Rig<BigRational>, coulomb: &Rig<BigRational>| Criterion {
+        let of = |viscous: &Rig<S>, coulomb: &Rig<S>| Criterion {
             viscous: viscous.criterion().viscous,
             coulomb: coulomb.criterion().coulomb,
         };
@@ -170,11 +182,7 @@ impl RigBox {
     ///
     /// The speed is given for the hardest and for the easiest end of its own interval.
     #[must_use]
-    pub fn holds(
-        &self,
-        hardest: &Speeds<BigRational>,
-        easiest: &Speeds<BigRational>,
-    ) -> Option<Truth> {
+    pub fn holds(&self, hardest: &Speeds<S>, easiest: &Speeds<S>) -> Option<Truth> {
         let (worst, best) = self.criteria();
         let at_worst = decide(&worst, hardest)?.holds;
         let at_best = decide(&best, easiest)?.holds;
@@ -193,11 +201,7 @@ impl RigBox {
 }
 
 /// Whether no rig between the two criteria can leave `region`, which both are in.
-fn same_signs(
-    worst: &Criterion<BigRational>,
-    best: &Criterion<BigRational>,
-    region: Region,
-) -> bool {
+fn same_signs<S: Ordered>(worst: &Criterion<S>, best: &Criterion<S>, region: Region) -> bool {
     // Mixed corners: the viscous term of one end with the coulomb term of the other.
     let mixed = [(worst, best), (best, worst)];
     mixed.iter().all(|(v, c)| {

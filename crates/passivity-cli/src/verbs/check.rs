@@ -1,5 +1,6 @@
 //! `passivity check`: the verdict.
 
+use std::io::IsTerminal as _;
 use std::path::PathBuf;
 
 use passivity_scene::Scene;
@@ -47,7 +48,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             }
             Err(error) => {
                 exit = exit.and(Exit::BadInput);
-                eprintln!("{error}");
+                eprintln!("{}", error.render(std::io::stderr().is_terminal()).trim_end());
                 errors.push(error.to_json());
             }
         }

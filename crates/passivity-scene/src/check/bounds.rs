@@ -1,8 +1,9 @@
 //! The speed up to which a verdict is asked: the scene's bound, or that of TH-START.
 
-use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
+
 use passivity_core::verdict::{RigBox, Speeds};
-use passivity_core::{BigRational, Interval};
+use passivity_core::{BigRational, Interval, Ordered, Scalar, Wide, rational, start};
 
 use super::report::BoundSource;
 use crate::pi;
@@ -12,7 +13,7 @@ use crate::scene::{Scene, Start};
 pub(super) struct SpeedBound {
     pub(super) source: BoundSource,
     /// The values of V, or of V² when `squared`.
-    value: Interval<BigRational>,
+    value: Interval<Wide>,
     squared: bool,
 }
 
@@ -21,37 +22,42 @@ impl SpeedBound {
     /// start; `None` when neither is given, or TH-START lacks the inertia.
     pub(super) fn of(scene: &Scene, level: usize) -> Option<Self> {
         if let Some(speed) = &scene.max_speed {
-            let value = speed.value.enclosure(level);
+            let value = wide(&speed.value.enclosure(level));
             return Some(Self {
                 source: BoundSource::MaxSpeed,
                 value,
                 squared: false,
             });
         }
-        let start = scene.start.as_ref().filter(|_| scene.is_unforced())?;
-        Self::of_start(scene, start, &scene.stiffness.value.enclosure(level), level)
+        let from = scene.start.as_ref().filter(|_| scene.is_unforced())?;
+        Self::of_start(
+            scene,
+            from,
+            &wide(&scene.stiffness.value.enclosure(level)),
+            level,
+        )
     }
 
     /// V of TH-START at a stiffness: V² = ẋ(0)² + (K/m)·x(0)².
     pub(super) fn of_start(
         scene: &Scene,
-        start: &Start,
-        stiffness: &Interval<BigRational>,
+        from: &Start,
+        stiffness: &Interval<Wide>,
         level: usize,
     ) -> Option<Self> {
-        let velocity = magnitude(&start.velocity.value.enclosure(level));
-        let position = magnitude(&start.position.value.enclosure(level));
+        let velocity = magnitude(&wide(&from.velocity.value.enclosure(level)));
+        let position = magnitude(&wide(&from.position.value.enclosure(level)));
         let source = BoundSource::Start;
-        if position.hi().is_zero() {
+        if position.hi().is_positive() == Some(false) {
             return Some(Self {
                 source,
                 value: velocity,
                 squared: false,
             });
         }
-        let inertia = scene.inertia.as_ref()?.value.enclosure(level);
-        let square = |v: &BigRational, x: &BigRational, k: &BigRational, m: &BigRational| {
-            v * v + x * x * k / m
+        let inertia = wide(&scene.inertia.as_ref()?.value.enclosure(level));
+        let square = |v: &Wide, x: &Wide, k: &Wide, m: &Wide| {
+            start::speed_squared(&m.clone().over(k.clone()), x, v)
         };
         let value = Interval::hull(
             square(velocity.lo(), position.lo(), stiffness.lo(), inertia.hi()),
@@ -69,7 +75,7 @@ impl SpeedBound {
         self.squared
     }
 
-    fn speeds(&self, value: &BigRational) -> Speeds<BigRational> {
+    fn speeds(&self, value: &Wide) -> Speeds<Wide> {
         if self.squared {
             Speeds::UpToSquared(value.clone())
         } else {
@@ -78,17 +84,17 @@ impl SpeedBound {
     }
 
     /// The largest bound within the tolerances, where the criterion is hardest to meet.
-    pub(super) fn hardest(&self) -> Speeds<BigRational> {
+    pub(super) fn hardest(&self) -> Speeds<Wide> {
         self.speeds(self.value.hi())
     }
 
     /// The least bound within the tolerances.
-    pub(super) fn easiest(&self) -> Speeds<BigRational> {
+    pub(super) fn easiest(&self) -> Speeds<Wide> {
         self.speeds(self.value.lo())
     }
 
     /// An enclosure of V, in SI units.
-    pub(super) fn speed(&self) -> Interval<BigRational> {
+    pub(super) fn speed(&self) -> Interval<Wide> {
         if self.squared {
             Interval::hull(root(self.value.lo(), false), root(self.value.hi(), true))
         } else {
@@ -97,41 +103,57 @@ impl SpeedBound {
     }
 
     /// An enclosure of V in ticks per sampling period (4).
-    pub(super) fn in_ticks(&self, rigs: &RigBox) -> Interval<BigRational> {
-        let speed = self.speed();
-        Interval::hull(
-            speed.lo() * rigs.period.lo() / rigs.length.hi(),
-            speed.hi() * rigs.period.hi() / rigs.length.lo(),
-        )
+    pub(super) fn in_ticks(&self, rigs: &RigBox<Wide>) -> Interval<Wide> {
+        in_ticks(&self.speed(), rigs)
     }
 
     /// The least V in ticks per sampling period: what a witness must keep to.
-    pub(super) fn least_in_ticks(&self, rigs: &RigBox) -> BigRational {
-        self.in_ticks(rigs).lo().clone()
+    pub(super) fn least_in_ticks(&self, rigs: &RigBox<Wide>) -> BigRational {
+        let ticks = self.in_ticks(rigs);
+        super::report::reduced(ticks.lo())
     }
 }
 
+/// A speed in SI units as ticks per sampling period (4).
+pub(super) fn in_ticks(speed: &Interval<Wide>, rigs: &RigBox<Wide>) -> Interval<Wide> {
+    let of =
+        |v: &Wide, period: &Wide, length: &Wide| (v.clone() * period.clone()).over(length.clone());
+    Interval::hull(
+        of(speed.lo(), rigs.period.lo(), rigs.length.hi()),
+        of(speed.hi(), rigs.period.hi(), rigs.length.lo()),
+    )
+}
+
+fn wide(range: &Interval<BigRational>) -> Interval<Wide> {
+    range.map(rational::to_wide)
+}
+
 /// The magnitudes of the numbers of an interval.
-fn magnitude(range: &Interval<BigRational>) -> Interval<BigRational> {
-    if range.lo().is_negative() && range.hi().is_positive() {
-        return Interval::hull(BigRational::zero(), range.lo().abs().max(range.hi().abs()));
+fn magnitude(range: &Interval<Wide>) -> Interval<Wide> {
+    let ends = Interval::hull(range.lo().abs(), range.hi().abs());
+    match (range.lo().sign(), range.hi().sign()) {
+        (Some(Ordering::Less), Some(Ordering::Greater)) => {
+            Interval::hull(Wide::zero(), ends.hi().clone())
+        }
+        _ => ends,
     }
-    Interval::hull(range.lo().abs(), range.hi().abs())
 }
 
 /// A rational root of x ≥ 0, off by less than 2⁻²⁰⁰ of its size: rounded down, or up; exact for
 /// the square of a rational.
-pub(super) fn root(x: &BigRational, up: bool) -> BigRational {
-    let (n, d) = (x.numer(), x.denom());
+fn root(x: &Wide, up: bool) -> Wide {
+    const BITS: u32 = 200;
+    let Some((n, d)) = x.reduced() else {
+        return x.clone();
+    };
     let (root_n, root_d) = (n.sqrt(), d.sqrt());
-    if &root_n * &root_n == *n && &root_d * &root_d == *d {
-        return BigRational::new(root_n, root_d);
+    if &root_n * &root_n == n && &root_d * &root_d == d {
+        return Wide::new(root_n, root_d);
     }
-    // √(n/d) = √(n·d)/d; spare bits make the whole root precise relative to its size.
-    let shift = 2 * (200 + d.bits());
-    let whole = ((n * d) << shift).sqrt();
+    // √(n/d) = √(n·d)/d, and the whole number n·d is at least 1: these bits are all past its point.
+    let whole = ((n * &d) << (2 * BITS)).sqrt();
     let whole = if up { whole + 1 } else { whole };
-    BigRational::new(whole, d << (shift / 2))
+    Wide::new(whole, d << BITS)
 }
 
 /// The enclosures for figures that are printed.
@@ -143,7 +165,7 @@ mod tests {
 
     #[test]
     fn roots_enclose_and_are_exact_for_squares() {
-        let ratio = |n: i64, d: i64| BigRational::new(n.into(), d.into());
+        let ratio = |n: i64, d: i64| Wide::new(n.into(), d.into());
         assert_eq!(root(&ratio(9, 16), false), ratio(3, 4));
         for x in [
             ratio(2, 1),
@@ -152,9 +174,9 @@ mod tests {
             ratio(i64::MAX, 7),
         ] {
             let (lo, hi) = (root(&x, false), root(&x, true));
-            assert!(&lo * &lo < x && x < &hi * &hi);
-            let width = (&hi - &lo) / &lo;
-            assert!(width < BigRational::new(1.into(), num_bigint::BigInt::from(1) << 199));
+            assert!(lo.square() < x && x < hi.square());
+            let width = (hi - lo.clone()).over(lo);
+            assert!(width < Wide::new(1.into(), num_bigint::BigInt::from(1) << 199));
         }
     }
 }

@@ -1,11 +1,9 @@
 //! How far each parameter can go, or has to go: the border of the criterion in each alone.
 
-use num_traits::Signed;
-use passivity_core::verdict::{RigBox, decide};
-use passivity_core::{BigRational, Interval, Rig, Scalar, stiffness};
+use passivity_core::verdict::RigBox;
+use passivity_core::{BigRational, Interval, Ordered, Rig, Scalar, Wide, stiffness};
 
-use super::bounds::{PRINTED, SpeedBound};
-use super::report::non_negative;
+use super::report::{exact, non_negative};
 use crate::scene::{Motion, Scene};
 
 /// Whether a parameter must stay above its border or below it.
@@ -37,142 +35,100 @@ pub struct Change {
 }
 
 /// The borders of every parameter that the criterion limits, with a speed bound or at all speeds.
-pub(super) fn changes(scene: &Scene, bound: Option<&SpeedBound>) -> Vec<Change> {
-    let rigs = scene.rig_box(PRINTED);
-    let speed = bound.map(SpeedBound::speed);
-    let corners = [
-        (rigs.worst(), speed.as_ref().map(|v| v.hi().clone())),
-        (rigs.best(), speed.as_ref().map(|v| v.lo().clone())),
-    ];
-    let names = names(scene.motion);
+///
+/// `stiffest` is the border of the stiffness when V grows with it (TH-START), and so no quotient.
+pub(super) fn changes(
+    scene: &Scene,
+    rigs: &RigBox<Wide>,
+    speed: Option<&Interval<Wide>>,
+    stiffest: Option<&Interval<Wide>>,
+) -> Vec<Change> {
+    // A bound of zero asks nothing of speed; the border is that of every speed.
+    let positive = |v: &Wide| (v.is_positive() == Some(true)).then(|| v.clone());
+    let worst = Corner {
+        rig: rigs.worst(),
+        speed: speed.and_then(|v| positive(v.hi())),
+    };
+    let best = Corner {
+        rig: rigs.best(),
+        speed: speed.and_then(|v| positive(v.lo())),
+    };
     let mut changes = Vec::new();
-    for (parameter, (key, name, unit)) in Parameter::ALL.into_iter().zip(names) {
-        let border = |(rig, v): &(Rig<BigRational>, Option<BigRational>)| {
-            // A bound of zero asks nothing of speed; the border is that of every speed.
-            let v = v.as_ref().filter(|v| v.is_positive());
-            parameter
-                .border(rig, v)
-                .filter(|x| parameter.is_possible(x))
+    for (parameter, (key, name, unit)) in Parameter::ALL.into_iter().zip(names(scene.motion)) {
+        let known = stiffest.filter(|_| parameter == Parameter::Stiffness);
+        let border = match known {
+            Some(border) => Some(border.clone()),
+            None => parameter
+                .border(&worst)
+                .zip(parameter.border(&best))
+                .map(|(a, b)| Interval::hull(a, b)),
         };
-        let [worst, best] = &corners;
-        let Some((at_worst, at_best)) = border(worst).zip(border(best)) else {
+        let possible = |border: &Interval<Wide>| match parameter.direction() {
+            Direction::AtLeast => true,
+            // A wall, a period or a resolution of zero is none.
+            Direction::AtMost => border.lo().is_positive() == Some(true),
+        };
+        let Some(border) = border.filter(possible) else {
             continue;
         };
-        let (at_worst, at_best) = match (parameter, bound) {
-            // V of TH-START grows with the stiffness, so this border is no quotient.
-            (Parameter::Stiffness, Some(bound)) => {
-                let limit = stiffness_limit(scene, &rigs, bound);
-                (limit.lo().clone(), limit.hi().clone())
-            }
-            _ => (at_worst, at_best),
+        let hardest = match parameter.direction() {
+            Direction::AtLeast => border.hi(),
+            Direction::AtMost => border.lo(),
         };
-        let moved = parameter.moved(&worst.0, &at_worst);
-        let suffices = match worst.1.as_ref().filter(|v| v.is_positive()) {
-            Some(v) => !moved.criterion().margin_up_to(v).is_negative(),
-            None => !moved.criterion().margin_at_all_speeds().is_negative(),
-        };
-        let now = parameter.value(&worst.0).clone();
-        let now = Interval::hull(now, parameter.value(&best.0).clone());
+        let now = Interval::hull(
+            parameter.value(&worst.rig).clone(),
+            parameter.value(&best.rig).clone(),
+        );
         changes.push(Change {
             key,
             name,
             unit,
-            now,
-            border: non_negative(at_worst, at_best),
+            now: exact(&now),
             direction: parameter.direction(),
-            suffices,
+            suffices: known.is_some() || worst.with(parameter, hardest).holds(),
+            border: non_negative(border.lo(), border.hi()),
         });
     }
     changes
 }
 
-/// The stiffest wall at every speed up to the bound, over the tolerances; at least 0.
-pub(super) fn stiffness_limit(
-    scene: &Scene,
-    rigs: &RigBox,
-    bound: &SpeedBound,
-) -> Interval<BigRational> {
-    let limit = |rig: &Rig<BigRational>, v: &BigRational| {
-        if v.is_positive() {
-            stiffness::limit_up_to_speed(rig, v)
-        } else {
-            stiffness::limit_at_all_speeds(rig)
+/// One end of the tolerances.
+struct Corner {
+    rig: Rig<Wide>,
+    /// The speed bound, when there is one above zero.
+    speed: Option<Wide>,
+}
+
+impl Corner {
+    /// The same with one parameter at `x`, or at zero when that is below.
+    fn with(&self, parameter: Parameter, x: &Wide) -> Self {
+        let mut rig = self.rig.clone();
+        let place = match parameter {
+            Parameter::Viscous => &mut rig.viscous,
+            Parameter::Coulomb => &mut rig.coulomb,
+            Parameter::Stiffness => &mut rig.stiffness,
+            Parameter::Period => &mut rig.period,
+            Parameter::Resolution => &mut rig.length,
+        };
+        *place = x.clone().max(Wide::zero());
+        Self {
+            rig,
+            speed: self.speed.clone(),
         }
-    };
-    let (worst, best, speed) = (rigs.worst(), rigs.best(), bound.speed());
-    match scene.start.as_ref().filter(|_| bound.is_root()) {
-        None => non_negative(limit(&worst, speed.hi()), limit(&best, speed.lo())),
-        Some(start) => {
-            let admissible = |rig: &Rig<BigRational>, hardest: bool| {
-                let rig = rig.clone();
-                move |k: &BigRational| {
-                    let at = Interval::point(k.clone());
-                    let bound = SpeedBound::of_start(scene, start, &at, PRINTED);
-                    let rig = Rig {
-                        stiffness: k.clone(),
-                        ..rig.clone()
-                    };
-                    let speeds = bound.map(|b| if hardest { b.hardest() } else { b.easiest() });
-                    let decision = speeds.and_then(|s| decide(&rig.criterion(), &s));
-                    decision.is_some_and(|d| d.holds)
-                }
-            };
-            let now = rigs.stiffness.lo();
-            Interval::hull(
-                border_near(now, admissible(&worst, true)).0,
-                border_near(now, admissible(&best, false)).1,
-            )
-        }
+    }
+
+    /// Whether the criterion holds at every speed, or up to the bound.
+    fn holds(&self) -> bool {
+        let criterion = self.rig.criterion();
+        let margin = match &self.speed {
+            Some(v) => criterion.margin_up_to(v),
+            None => criterion.margin_at_all_speeds(),
+        };
+        margin.is_nonnegative() == Some(true)
     }
 }
 
-/// Brackets the border of a property that holds below it and not above, to 2⁻⁴⁸ of its size, by
-/// doubling or halving from `near` and then bisecting.
-///
-/// A border beyond 2⁶⁴ times `near`, either way, is given as that, or as zero.
-fn border_near(
-    near: &BigRational,
-    holds: impl Fn(&BigRational) -> bool,
-) -> (BigRational, BigRational) {
-    const FAR: usize = 64;
-    let (mut lo, mut hi) = (near.clone(), near.clone());
-    if holds(near) {
-        let Some(above) = (0..FAR)
-            .map(|_| {
-                lo = hi.clone();
-                hi = hi.double();
-                hi.clone()
-            })
-            .find(|k| !holds(k))
-        else {
-            return (hi.clone(), hi);
-        };
-        hi = above;
-    } else {
-        let Some(below) = (0..FAR)
-            .map(|_| {
-                hi = lo.clone();
-                lo = lo.clone().half();
-                lo.clone()
-            })
-            .find(|k| holds(k))
-        else {
-            return (BigRational::zero(), BigRational::zero());
-        };
-        lo = below;
-    }
-    for _ in 0..48 {
-        let middle = (&lo + &hi).half();
-        if holds(&middle) {
-            lo = middle;
-        } else {
-            hi = middle;
-        }
-    }
-    (lo, hi)
-}
-
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Parameter {
     Viscous,
     Coulomb,
@@ -197,9 +153,10 @@ impl Parameter {
         }
     }
 
-    /// Where the criterion is met with equality, at every speed or at every speed up to `v`.
-    fn border(self, rig: &Rig<BigRational>, v: Option<&BigRational>) -> Option<BigRational> {
-        match (self, v) {
+    /// Where the criterion is met with equality, at every speed or at every speed up to a bound.
+    fn border(self, corner: &Corner) -> Option<Wide> {
+        let rig = &corner.rig;
+        match (self, &corner.speed) {
             (Self::Viscous, None) => Some(stiffness::viscous_needed(rig)),
             (Self::Viscous, Some(v)) => Some(stiffness::viscous_needed_at_speed(rig, v)),
             (Self::Coulomb, None) => Some(stiffness::coulomb_needed(rig)),
@@ -213,15 +170,7 @@ impl Parameter {
         }
     }
 
-    /// Whether a device can have the value: friction may be zero, the others may not.
-    fn is_possible(self, x: &BigRational) -> bool {
-        match self.direction() {
-            Direction::AtLeast => true,
-            Direction::AtMost => x.is_positive(),
-        }
-    }
-
-    const fn value(self, rig: &Rig<BigRational>) -> &BigRational {
+    const fn value(self, rig: &Rig<Wide>) -> &Wide {
         match self {
             Self::Viscous => &rig.viscous,
             Self::Coulomb => &rig.coulomb,
@@ -229,24 +178,6 @@ impl Parameter {
             Self::Period => &rig.period,
             Self::Resolution => &rig.length,
         }
-    }
-
-    /// The rig with this parameter at `x`.
-    fn moved(self, rig: &Rig<BigRational>, x: &BigRational) -> Rig<BigRational> {
-        let mut moved = rig.clone();
-        let place = match self {
-            Self::Viscous => &mut moved.viscous,
-            Self::Coulomb => &mut moved.coulomb,
-            Self::Stiffness => &mut moved.stiffness,
-            Self::Period => &mut moved.period,
-            Self::Resolution => &mut moved.length,
-        };
-        *place = if x.is_negative() {
-            BigRational::zero()
-        } else {
-            x.clone()
-        };
-        moved
     }
 }
 

@@ -1,8 +1,12 @@
 //! Which verdict: the criterion over the box of a scene's tolerances.
 
-use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
+
+use num_traits::Signed;
 use passivity_core::verdict::{RigBox, Speeds};
-use passivity_core::{BigRational, Cycle, Friction, Interval, Region, Truth, witness};
+use passivity_core::{
+    BigRational, Cycle, Friction, Interval, Ordered, Region, Scalar, Truth, Wide, rational, witness,
+};
 
 use super::bounds::SpeedBound;
 use crate::pi;
@@ -61,19 +65,19 @@ pub(super) fn decide(scene: &Scene) -> Decided {
 }
 
 fn decide_at(scene: &Scene, level: usize) -> Decided {
-    let rigs = scene.rig_box(level);
+    let rigs = wide(&scene.rig_box(level));
     let bound = SpeedBound::of(scene, level);
-    let at_all_speeds = rigs.holds(&Speeds::All, &Speeds::All) == Some(Truth::Holds);
+    let at_every_speed = rigs.holds(&Speeds::All, &Speeds::All);
+    let at_all_speeds = at_every_speed == Some(Truth::Holds);
     let truth = match &bound {
-        _ if at_all_speeds => Some(Truth::Holds),
-        Some(bound) => rigs.holds(&bound.hardest(), &bound.easiest()),
-        None => rigs.holds(&Speeds::All, &Speeds::All),
+        Some(bound) if !at_all_speeds => rigs.holds(&bound.hardest(), &bound.easiest()),
+        _ => at_every_speed,
     };
     // A zero stiffness or period is refused when a scene is read; should one get here, no claim
     // is made of it.
     let truth = truth.unwrap_or(Truth::Depends);
     let witness = match truth {
-        Truth::Fails => find_witness(scene, &rigs, bound.as_ref(), level),
+        Truth::Fails => find_witness(scene, bound.as_ref(), level),
         _ => None,
     };
     Decided {
@@ -84,20 +88,25 @@ fn decide_at(scene: &Scene, level: usize) -> Decided {
     }
 }
 
+/// The same box without lowest terms: signs need none, and a gcd costs more than the criterion.
+pub(super) fn wide(rigs: &RigBox) -> RigBox<Wide> {
+    rigs.map(rational::to_wide)
+}
+
 /// A cycle that draws energy whatever the parameters within their tolerances: one for the most
 /// friction, because less friction only raises the gain.
 fn find_witness(
     scene: &Scene,
-    rigs: &RigBox,
     bound: Option<&SpeedBound>,
     level: usize,
 ) -> Option<Cycle<BigRational>> {
+    let rigs = &scene.rig_box(level);
     let best = rigs.best();
     if !best.effects.is_plain() {
         return None;
     }
     let friction: Friction<BigRational> = best.friction();
-    let speed = bound.map(|bound| bound.least_in_ticks(rigs));
+    let speed = bound.map(|bound| bound.least_in_ticks(&wide(rigs)));
     let cycle = if rigs.encoder {
         witness::quantized(&friction, speed.as_ref())?
     } else {
@@ -123,7 +132,7 @@ fn within_saturation(
     } else {
         cycle.to.clone()
     };
-    largest * unit <= *limit.value.enclosure(level).lo()
+    (largest * unit).compare(limit.value.enclosure(level).lo()) != Some(Ordering::Greater)
 }
 
 /// The parameters that decide a verdict that depends: those whose tolerance alone flips it, with
@@ -183,11 +192,13 @@ fn pinned(scene: &Scene, free: &str, end: End) -> Scene {
 /// The value of largest (worst) or least (best) magnitude in a range.
 fn extreme_magnitude(range: &Interval<BigRational>, end: End) -> BigRational {
     let (lo, hi) = (range.lo(), range.hi());
-    let larger = if lo.abs() > hi.abs() { lo } else { hi };
-    let smaller = if lo.abs() > hi.abs() { hi } else { lo };
+    let (larger, smaller) = match Signed::abs(lo).compare(&Signed::abs(hi)) {
+        Some(Ordering::Greater) => (lo, hi),
+        _ => (hi, lo),
+    };
     match end {
         End::Worst => larger.clone(),
-        End::Best if lo.is_negative() && hi.is_positive() => BigRational::zero(),
+        End::Best if lo.is_negative() && Signed::is_positive(hi) => BigRational::zero(),
         End::Best => smaller.clone(),
     }
 }

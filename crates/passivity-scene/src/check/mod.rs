@@ -6,8 +6,10 @@
 mod bounds;
 mod changes;
 mod decide;
+mod figures;
 mod json;
 mod report;
+mod stiffest;
 mod text;
 
 pub use changes::{Change, Direction};

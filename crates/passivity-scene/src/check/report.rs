@@ -1,12 +1,12 @@
 //! Every figure of a check, exact or exactly enclosed.
 
-use num_traits::Signed;
-use passivity_core::verdict::RigBox;
-use passivity_core::{BigRational, Criterion, Interval, Region, Scalar, Truth, stiffness};
+use passivity_core::{BigRational, Interval, Region, Scalar, Truth, Wide, rational, stiffness};
 
-use super::bounds::{PRINTED, SpeedBound};
+use super::bounds::{PRINTED, SpeedBound, in_ticks};
 use super::changes::{self, Change};
 use super::decide::{self, Verdict};
+use super::figures::Figures;
+use super::stiffest::stiffness_limit;
 use crate::effect::Effect;
 use crate::scene::{Motion, Scene};
 
@@ -102,8 +102,8 @@ pub fn check(scene: &Scene) -> Report {
     let decided = decide::decide(scene);
     let not_covered = scene.not_covered();
     let bound = SpeedBound::of(scene, PRINTED);
-    let rigs = scene.rig_box(PRINTED);
-    let figures = Figures { scene, rigs: &rigs };
+    let rigs = decide::wide(&scene.rig_box(PRINTED));
+    let figures = Figures { rigs: &rigs };
     let verdict = match decided.truth {
         _ if !not_covered.is_empty() => Verdict::NotCovered,
         Truth::Holds => Verdict::Passive,
@@ -112,8 +112,12 @@ pub fn check(scene: &Scene) -> Report {
         Truth::Fails => Verdict::NotGuaranteed,
     };
     let has_units = scene.motion != Motion::Dimensionless;
-    let si = |x: Interval<BigRational>| has_units.then_some(x);
+    let si = |x: &Interval<Wide>| has_units.then(|| exact(x));
     let critical_si = figures.critical_speed(decided.region);
+    let speed = bound.as_ref().map(SpeedBound::speed);
+    let stiffest = bound
+        .as_ref()
+        .map(|bound| stiffness_limit(scene, &rigs, bound));
     let friction = (rigs.worst().friction(), rigs.best().friction());
     Report {
         scene: scene.name.clone(),
@@ -125,37 +129,42 @@ pub fn check(scene: &Scene) -> Report {
         mu: scene
             .inertia
             .as_ref()
-            .map(|m| figures.mu(&m.value.enclosure(PRINTED))),
-        beta: Interval::hull(friction.0.beta, friction.1.beta),
+            .map(|m| exact(&figures.mu(&m.value.enclosure(PRINTED).map(rational::to_wide)))),
+        beta: exact(&Interval::hull(friction.0.beta, friction.1.beta)),
         sigma: rigs
             .encoder
-            .then(|| Interval::hull(friction.0.sigma, friction.1.sigma)),
-        critical_speed: critical_si.as_ref().map(|v| figures.in_ticks(v)),
-        critical_speed_si: critical_si.and_then(si),
-        margin_at_all_speeds: figures.margin_at_all_speeds(),
-        speed_bound: bound.as_ref().map(|bound| bound.in_ticks(&rigs)),
-        speed_bound_si: bound.as_ref().and_then(|bound| si(bound.speed())),
+            .then(|| exact(&Interval::hull(friction.0.sigma, friction.1.sigma))),
+        critical_speed: critical_si.as_ref().map(|v| exact(&in_ticks(v, &rigs))),
+        critical_speed_si: critical_si.as_ref().and_then(si),
+        margin_at_all_speeds: exact(&figures.margin_at_all_speeds()),
+        speed_bound: speed.as_ref().map(|v| exact(&in_ticks(v, &rigs))),
+        speed_bound_si: speed.as_ref().and_then(si),
         bound_source: bound.as_ref().map(|bound| bound.source),
-        margin_at_speed_bound: bound
-            .as_ref()
-            .map(|bound| figures.margin_at(&bound.speed())),
+        margin_at_speed_bound: speed.as_ref().map(|v| exact(&figures.margin_at(v))),
         max_stiffness_all_speeds: has_units.then(|| {
             non_negative(
-                stiffness::limit_at_all_speeds(&rigs.worst()),
-                stiffness::limit_at_all_speeds(&rigs.best()),
+                &stiffness::limit_at_all_speeds(&rigs.worst()),
+                &stiffness::limit_at_all_speeds(&rigs.best()),
             )
         }),
-        max_stiffness_at_speed_bound: bound
+        max_stiffness_at_speed_bound: stiffest
             .as_ref()
             .filter(|_| has_units)
-            .map(|bound| changes::stiffness_limit(scene, &rigs, bound)),
+            .map(|k| non_negative(k.lo(), k.hi())),
         colgate: figures.colgate(),
         abbott_okamura: figures.abbott_okamura(),
         decided_by: match verdict {
             Verdict::Depends => decide::deciding(scene),
             _ => Vec::new(),
         },
-        changes: changes::changes(scene, bound.as_ref()),
+        changes: changes::changes(
+            scene,
+            &rigs,
+            speed.as_ref(),
+            stiffest
+                .as_ref()
+                .filter(|_| bound.as_ref().is_some_and(SpeedBound::is_root)),
+        ),
         witness: decided
             .witness
             .filter(|_| verdict == Verdict::NotPassive)
@@ -168,16 +177,23 @@ pub fn check(scene: &Scene) -> Report {
     }
 }
 
+/// A number in lowest terms; zero for an undefined one, which no scene that was read can give.
+pub(super) fn reduced(x: &Wide) -> BigRational {
+    rational::from_wide(x).unwrap_or_else(BigRational::zero)
+}
+
+/// An enclosure in lowest terms.
+pub(super) fn exact(range: &Interval<Wide>) -> Interval<BigRational> {
+    if range.is_point() {
+        return Interval::point(reduced(range.lo()));
+    }
+    range.map(reduced)
+}
+
 /// The interval between two values, both taken as at least zero.
-pub(super) fn non_negative(a: BigRational, b: BigRational) -> Interval<BigRational> {
-    let clamp = |x: BigRational| {
-        if x.is_negative() {
-            BigRational::zero()
-        } else {
-            x
-        }
-    };
-    Interval::hull(clamp(a), clamp(b))
+pub(super) fn non_negative(a: &Wide, b: &Wide) -> Interval<BigRational> {
+    let clamp = |x: &Wide| x.clone().max(Wide::zero());
+    exact(&Interval::hull(clamp(a), clamp(b)))
 }
 
 /// The theorems a verdict rests on.
@@ -210,118 +226,4 @@ fn because(
         }
     }
     ids
-}
-
-/// The figures of a box of rigs, as exact enclosures.
-struct Figures<'a> {
-    scene: &'a Scene,
-    rigs: &'a RigBox,
-}
-
-impl Figures<'_> {
-    fn mu(&self, inertia: &Interval<BigRational>) -> Interval<BigRational> {
-        Interval::hull(
-            self.rigs.worst().mu(inertia.lo()),
-            self.rigs.best().mu(inertia.hi()),
-        )
-    }
-
-    /// A speed in SI units as ticks per sampling period (4).
-    fn in_ticks(&self, speed: &Interval<BigRational>) -> Interval<BigRational> {
-        let (period, length) = (&self.rigs.period, &self.rigs.length);
-        Interval::hull(
-            speed.lo() * period.lo() / length.hi(),
-            speed.hi() * period.hi() / length.lo(),
-        )
-    }
-
-    /// The critical speed in SI units, where the region has one.
-    fn critical_speed(&self, region: Option<Region>) -> Option<Interval<BigRational>> {
-        let (worst, best) = self.rigs.criteria();
-        let speed = passivity_core::region::critical_speed::<BigRational>;
-        match region? {
-            // More friction raises the speed up to which the criterion holds.
-            Region::LocallyStable => Some(Interval::hull(speed(&worst), speed(&best))),
-            Region::LimitCycles => Some(Interval::hull(speed(&best), speed(&worst))),
-            Region::GloballyStable | Region::Unstable => None,
-        }
-    }
-
-    /// Each coefficient of the dimensionless criterion: `(with units) / unit`, as an enclosure.
-    fn coefficients(&self) -> (Interval<BigRational>, Interval<BigRational>) {
-        let (worst, best) = self.rigs.criteria();
-        let viscous_unit = product(&self.rigs.stiffness, &self.rigs.period);
-        let force_unit = product(&self.rigs.stiffness, &self.rigs.length);
-        (
-            quotient(&Interval::hull(worst.viscous, best.viscous), &viscous_unit),
-            quotient(&Interval::hull(worst.coulomb, best.coulomb), &force_unit),
-        )
-    }
-
-    fn margin_at_all_speeds(&self) -> Interval<BigRational> {
-        let (viscous, coulomb) = self.coefficients();
-        let lowest = |a: &BigRational, b: &BigRational| Ord::min(a, b).clone();
-        Interval::hull(
-            lowest(viscous.lo(), coulomb.lo()),
-            lowest(viscous.hi(), coulomb.hi()),
-        )
-    }
-
-    /// The margin at a speed in SI units, in units of KΔ.
-    fn margin_at(&self, speed: &Interval<BigRational>) -> Interval<BigRational> {
-        let (worst, best) = self.rigs.criteria();
-        let margins = |criterion: &Criterion<BigRational>| {
-            [criterion.margin(speed.lo()), criterion.margin(speed.hi())]
-        };
-        let least = margins(&worst).into_iter().min();
-        let most = margins(&best).into_iter().max();
-        let range = Interval::hull(
-            least.unwrap_or_else(BigRational::zero),
-            most.unwrap_or_else(BigRational::zero),
-        );
-        quotient(&range, &product(&self.rigs.stiffness, &self.rigs.length))
-    }
-
-    /// b ≥ KT/2 + B.
-    fn colgate(&self) -> Truth {
-        let holds = |rig: passivity_core::Rig<BigRational>| {
-            let damping = rig
-                .effects
-                .damping
-                .clone()
-                .unwrap_or_else(BigRational::zero);
-            rig.viscous >= rig.stiffness.half() * rig.period + damping
-        };
-        Truth::over(holds(self.rigs.worst()), holds(self.rigs.best()))
-    }
-
-    /// K ≤ min(2b/T, 2c/Δ); without an encoder K ≤ 2b/T.
-    fn abbott_okamura(&self) -> Truth {
-        let encoder = self.scene.resolution.is_some();
-        let holds = |rig: passivity_core::Rig<BigRational>| {
-            let half = rig.stiffness.half();
-            rig.viscous >= &half * rig.period && (!encoder || rig.coulomb >= half * rig.length)
-        };
-        Truth::over(holds(self.rigs.worst()), holds(self.rigs.best()))
-    }
-}
-
-/// The products of two intervals of non-negative numbers.
-fn product(a: &Interval<BigRational>, b: &Interval<BigRational>) -> Interval<BigRational> {
-    Interval::hull(a.lo() * b.lo(), a.hi() * b.hi())
-}
-
-/// The quotients of an interval by one of positive numbers.
-fn quotient(a: &Interval<BigRational>, by: &Interval<BigRational>) -> Interval<BigRational> {
-    let lo = if a.lo().is_negative() {
-        a.lo() / by.lo()
-    } else {
-        a.lo() / by.hi()
-    };
-    let hi = if a.hi().is_negative() {
-        a.hi() / by.hi()
-    } else {
-        a.hi() / by.lo()
-    };
-    Interval::hull(lo, hi)
 }
