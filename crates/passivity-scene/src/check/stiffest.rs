@@ -1,7 +1,7 @@
 //! The stiffest wall up to a speed, also where that speed grows with the stiffness (TH-START).
 
 use passivity_core::verdict::{RigBox, decide};
-use passivity_core::{Interval, Ordered, Rig, Scalar, Wide, stiffness};
+use passivity_core::{BigRational, Interval, Ordered, Rig, Scalar, Wide, rational, stiffness};
 
 use super::bounds::{PRINTED, SpeedBound};
 use crate::scene::Scene;
@@ -52,39 +52,44 @@ pub(super) fn stiffness_limit(
 /// A border beyond 2⁶⁴ times `near`, either way, is given as that, or as zero.
 fn border_near(near: &Wide, holds: impl Fn(&Wide) -> bool) -> (Wide, Wide) {
     const FAR: usize = 64;
-    let (mut lo, mut hi) = (near.clone(), near.clone());
-    if holds(near) {
-        let Some(above) = (0..FAR)
-            .map(|_| {
-                lo = hi.clone();
-                hi = hi.double();
-                hi.clone()
-            })
-            .find(|k| !holds(k))
-        else {
-            return (hi.clone(), hi);
-        };
-        hi = above;
-    } else {
-        let Some(below) = (0..FAR)
-            .map(|_| {
-                hi = lo.clone();
-                lo = lo.clone().half();
-                lo.clone()
-            })
-            .find(|k| holds(k))
-        else {
-            return (Wide::zero(), Wide::zero());
-        };
-        lo = below;
+    // The factor is kept in lowest terms, because halving sums of unreduced fractions would double
+    // their length every time.
+    let at = |factor: &BigRational| near.clone() * rational::to_wide(factor);
+    let holds = |factor: &BigRational| holds(&at(factor));
+    let one = BigRational::one();
+    let (mut lo, mut hi) = (one.clone(), one);
+    let upward = holds(&lo);
+    for _ in 0..FAR {
+        if upward {
+            (lo, hi) = (hi.clone(), hi.double());
+        } else {
+            (lo, hi) = (lo.clone().half(), lo);
+        }
+        if holds(if upward { &hi } else { &lo }) != upward {
+            return bisected(lo, hi, holds, at);
+        }
     }
+    if upward {
+        (at(&hi), at(&hi))
+    } else {
+        (Wide::zero(), Wide::zero())
+    }
+}
+
+/// Halves the bracket 48 times.
+fn bisected(
+    mut lo: BigRational,
+    mut hi: BigRational,
+    holds: impl Fn(&BigRational) -> bool,
+    at: impl Fn(&BigRational) -> Wide,
+) -> (Wide, Wide) {
     for _ in 0..48 {
-        let middle = (lo.clone() + hi.clone()).half();
+        let middle = (&lo + &hi).half();
         if holds(&middle) {
             lo = middle;
         } else {
             hi = middle;
         }
     }
-    (lo, hi)
+    (at(&lo), at(&hi))
 }
