@@ -1,0 +1,155 @@
+//! Checking a written case against the tree: what has changed since.
+
+use std::path::Path;
+
+use crate::case::Case;
+use crate::error::CaseError;
+use crate::manifest::{Manifest, read_bytes};
+use crate::records::Records;
+use crate::study::Study;
+use crate::tree::sha256;
+
+/// A file of a case is no larger than this.
+const MOST_BYTES: u64 = 1 << 30;
+
+/// How a written case stands to what is there now.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Findings {
+    /// What makes the case out of date, a line each: files, scenes and verdicts that changed.
+    pub changed: Vec<String>,
+    /// Records that are stale or missing now and were not when the case was written.
+    pub stale: Vec<String>,
+    /// Records that stand as they did.
+    pub unchanged: usize,
+    /// What could not be compared, and why.
+    pub not_at_hand: Vec<String>,
+}
+
+impl Findings {
+    /// Whether the case still says what is so.
+    #[must_use]
+    pub const fn is_current(&self) -> bool {
+        self.changed.is_empty() && self.stale.is_empty()
+    }
+}
+
+/// Compares the case in `folder` with its own hashes, with the scenes, and with `records`.
+///
+/// # Errors
+///
+/// A folder without a manifest that can be read.
+pub fn check(folder: &Path, records: &Records) -> Result<Findings, CaseError> {
+    let manifest = Manifest::read(folder)?;
+    let mut findings = Findings::default();
+    for (name, expected) in &manifest.files {
+        // A name that leads out of the folder is no file of the case.
+        if Path::new(name).components().count() != 1 || name.contains("..") {
+            findings
+                .changed
+                .push(format!("`{name}`: no file name of a case"));
+            continue;
+        }
+        match read_bytes(&folder.join(name), MOST_BYTES) {
+            Ok(bytes) if sha256(&bytes) == *expected => {}
+            Ok(_) => findings
+                .changed
+                .push(format!("`{name}` was changed after it was written")),
+            Err(error) => findings.changed.push(error.to_string()),
+        }
+    }
+    let studies = scenes(folder, &manifest, &mut findings);
+    verdicts(&manifest, studies, records, &mut findings);
+    evidence(&manifest, records, &mut findings);
+    Ok(findings)
+}
+
+/// The scenes as they are now, or as the case has them when they are no longer there.
+fn scenes(folder: &Path, manifest: &Manifest, findings: &mut Findings) -> Vec<Study> {
+    let mut studies = Vec::new();
+    for (name, entry) in &manifest.scenes {
+        let path = Path::new(&entry.path);
+        let read = if path.is_file() {
+            Study::read(path)
+        } else {
+            findings.not_at_hand.push(format!(
+                "scene file `{}`: the copy in the case was used",
+                entry.path
+            ));
+            Study::read(&folder.join(format!("{name}.toml")))
+        };
+        match read {
+            Ok(mut study) => {
+                if study.sha256 != entry.sha256 {
+                    findings
+                        .changed
+                        .push(format!("scene `{}` has changed", entry.path));
+                }
+                study.slug.clone_from(name);
+                studies.push(study);
+            }
+            Err(error) => findings
+                .changed
+                .push(format!("scene `{}`: {error}", entry.path)),
+        }
+    }
+    studies
+}
+
+fn verdicts(manifest: &Manifest, studies: Vec<Study>, records: &Records, findings: &mut Findings) {
+    let case = Case::new(studies, records.clone(), Vec::new());
+    for (study, argument) in case.scenes() {
+        let Some(entry) = manifest.scenes.get(&study.slug) else {
+            continue;
+        };
+        let verdict = study.report().verdict.name();
+        if verdict != entry.verdict {
+            findings.changed.push(format!(
+                "{}: the verdict is {verdict}, in the case it is {}",
+                study.slug, entry.verdict
+            ));
+        }
+        let standing = argument.top().standing.map_or("", |s| s.words());
+        if standing != entry.standing {
+            findings.changed.push(format!(
+                "{}: the top goal is {standing}, in the case it is {}",
+                study.slug, entry.standing
+            ));
+        }
+    }
+}
+
+fn evidence(manifest: &Manifest, records: &Records, findings: &mut Findings) {
+    if records.claims_sha256 != manifest.claims {
+        findings.changed.push("the claims have changed".to_owned());
+    }
+    if records.evidence_sha256 != manifest.evidence {
+        findings
+            .changed
+            .push("the recorded evidence has changed".to_owned());
+    }
+    if !records.sources_at_hand {
+        findings
+            .not_at_hand
+            .push("the sources: no evidence was compared with them".to_owned());
+    }
+    let mut now: std::collections::BTreeMap<&str, String> = records
+        .evidence()
+        .map(|(_, e)| (e.id.as_str(), e.words()))
+        .collect();
+    for (id, then) in &manifest.records {
+        match now.remove(id.as_str()) {
+            Some(words) if words == *then => findings.unchanged += 1,
+            Some(words) => findings
+                .stale
+                .push(format!("{id}: {words} (in the case: {then})")),
+            None => findings
+                .stale
+                .push(format!("{id}: no such record now (in the case: {then})")),
+        }
+    }
+    for (id, words) in now {
+        findings
+            .changed
+            .push(format!("{id}: {words} (not in the case)"));
+    }
+}

@@ -1,0 +1,348 @@
+//! Where the elements of an argument go: a tree from the top, contexts and counter goals beside.
+
+use std::collections::BTreeSet;
+
+use super::text::{LINE, Letters};
+use crate::gsn::{Argument, Kind, Node};
+
+/// Room between elements.
+const GAP: f64 = 22.0;
+/// Room beside an element for the lines to its contexts.
+const GUTTER: f64 = 42.0;
+/// Size of the diamond under an undeveloped element.
+pub(super) const DIAMOND: f64 = 14.0;
+/// Solutions under one goal stand in columns of at most this many.
+const COLUMN: usize = 3;
+
+/// An element with its place.
+#[derive(Clone, Debug)]
+pub(super) struct Shape<'a> {
+    pub(super) node: &'a Node,
+    pub(super) x: f64,
+    pub(super) y: f64,
+    pub(super) w: f64,
+    pub(super) h: f64,
+    /// Height of the element itself, without the diamond under it.
+    pub(super) body: f64,
+    /// The id, in bold, and the text.
+    pub(super) id: Vec<String>,
+    pub(super) lines: Vec<String>,
+    /// Whether what supports it is drawn elsewhere.
+    pub(super) folded: bool,
+}
+
+/// What a line says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Relation {
+    SupportedBy,
+    InContextOf,
+    Challenges,
+}
+
+/// A line of straight pieces with its arrow head at the last point.
+#[derive(Clone, Debug)]
+pub(super) struct Edge {
+    pub(super) relation: Relation,
+    /// Whether it ends in an arrow head, and not in another line.
+    pub(super) head: bool,
+    pub(super) points: Vec<(f64, f64)>,
+}
+
+/// A part of the drawing with its own origin.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Block<'a> {
+    pub(super) w: f64,
+    pub(super) h: f64,
+    /// Where a line from above arrives.
+    port: (f64, f64),
+    pub(super) shapes: Vec<Shape<'a>>,
+    pub(super) edges: Vec<Edge>,
+}
+
+impl<'a> Block<'a> {
+    fn absorb(&mut self, other: Self, dx: f64, dy: f64) {
+        self.w = self.w.max(other.w + dx);
+        self.h = self.h.max(other.h + dy);
+        self.shapes
+            .extend(other.shapes.into_iter().map(|mut shape| {
+                shape.x += dx;
+                shape.y += dy;
+                shape
+            }));
+        self.edges.extend(other.edges.into_iter().map(|mut edge| {
+            for point in &mut edge.points {
+                point.0 += dx;
+                point.1 += dy;
+            }
+            edge
+        }));
+    }
+
+    fn edge(&mut self, relation: Relation, points: &[(f64, f64)]) {
+        self.edges.push(Edge {
+            relation,
+            head: true,
+            points: points.to_vec(),
+        });
+    }
+}
+
+/// Lays out the part of an argument under one element.
+pub(super) struct Layout<'a> {
+    argument: &'a Argument,
+    letters: Letters,
+    /// Elements whose support is drawn elsewhere.
+    folded: BTreeSet<String>,
+    placed: BTreeSet<String>,
+}
+
+impl<'a> Layout<'a> {
+    pub(super) fn new(argument: &'a Argument, folded: &[String]) -> Self {
+        Self {
+            argument,
+            letters: Letters::new(),
+            folded: folded.iter().cloned().collect(),
+            placed: BTreeSet::new(),
+        }
+    }
+
+    /// Everything under `root`.
+    pub(super) fn under(&mut self, root: &'a Node) -> Block<'a> {
+        let shape = self.shape(root);
+        let (w, h) = (shape.w, shape.h);
+        // The sides of a parallelogram slant.
+        let slant = if root.kind == Kind::Strategy {
+            8.0
+        } else {
+            0.0
+        };
+        let left = self.beside(root, &[Kind::Context, Kind::Justification]);
+        let right = self.beside(root, &[Kind::Assumption]);
+        let counters: Vec<Block<'a>> = self
+            .argument
+            .nodes()
+            .iter()
+            .filter(|node| node.challenges.as_deref() == Some(root.id.as_str()))
+            .map(|counter| self.under(counter))
+            .collect();
+        let mut block = Block::default();
+        let side = |stack: &[Block<'a>]| stack.iter().map(|b| b.w).fold(0.0, f64::max);
+        let left_width = side(&left);
+        let x = if left.is_empty() {
+            0.0
+        } else {
+            left_width + GUTTER
+        };
+        let mut y = 0.0;
+        for item in left {
+            let (px, py) = (left_width, y + item.h / 2.0);
+            let bus = left_width + GUTTER / 2.0;
+            let from = h / 2.0;
+            block.edge(
+                Relation::InContextOf,
+                &[(x + slant, from), (bus, from), (bus, py), (px, py)],
+            );
+            let height = item.h;
+            let dx = left_width - item.w;
+            block.absorb(item, dx, y);
+            y += height + GAP / 2.0;
+        }
+        let edge_x = x + w;
+        let mut y = 0.0;
+        for item in counters {
+            // The head of a counter goal is its first shape.
+            let (cx, cy) = item
+                .shapes
+                .first()
+                .map_or((0.0, 0.0), |s| (s.x, LINE * 1.5));
+            let dx = edge_x + GUTTER * 2.0;
+            block.edge(Relation::Challenges, &[(dx + cx, y + cy), (edge_x, y + cy)]);
+            let height = item.h;
+            block.absorb(item, dx, y);
+            y += height + GAP;
+        }
+        for item in right {
+            let (px, py) = (edge_x + GUTTER, y + item.h / 2.0);
+            let bus = edge_x + GUTTER / 2.0;
+            let from = h - LINE;
+            block.edge(
+                Relation::InContextOf,
+                &[(edge_x - slant, from), (bus, from), (bus, py), (px, py)],
+            );
+            let height = item.h;
+            block.absorb(item, px, y);
+            y += height + GAP / 2.0;
+        }
+        block.w = block.w.max(edge_x);
+        block.h = block.h.max(h);
+        block.port = (x + w / 2.0, 0.0);
+        block.shapes.insert(0, Shape { x, y: 0.0, ..shape });
+        self.hang_supports(root, &mut block, h);
+        block
+    }
+
+    fn hang_supports(&mut self, root: &'a Node, block: &mut Block<'a>, bottom: f64) {
+        if self.folded.contains(&root.id) {
+            return;
+        }
+        let supports: Vec<&'a Node> = root
+            .supported_by
+            .iter()
+            .filter_map(|id| self.argument.node(id))
+            .filter(|node| !self.placed.contains(&node.id))
+            .collect();
+        let (leaves, inner): (Vec<_>, Vec<_>) = supports
+            .into_iter()
+            .partition(|n| matches!(n.kind, Kind::Solution | Kind::CounterSolution));
+        let mut parts: Vec<Block<'a>> = inner.into_iter().map(|node| self.under(node)).collect();
+        if let [only] = leaves[..] {
+            parts.push(self.under(only));
+        } else if !leaves.is_empty() {
+            let hanging = self.columns(&leaves);
+            parts.push(hanging);
+        }
+        if parts.is_empty() {
+            return;
+        }
+        let top = block.h.max(bottom) + GAP * 1.6;
+        let bus = top - GAP * 0.8;
+        // As wide as the parts are; the line from above goes down the middle of it.
+        let width: f64 = parts.iter().map(|p| p.w).sum::<f64>() + GAP * (parts.len() - 1) as f64;
+        let port = block.port.0;
+        let mut x = port - width / 2.0;
+        if x < 0.0 {
+            let shift = -x;
+            let whole = std::mem::take(block);
+            let port = whole.port;
+            block.absorb(whole, shift, 0.0);
+            block.port = (port.0 + shift, port.1);
+            x = 0.0;
+        }
+        let port = block.port.0;
+        for part in parts {
+            let at = (x + part.port.0, top + part.port.1);
+            // Columns of solutions bring their own lines, from the height of the bus on.
+            block.edges.push(Edge {
+                relation: Relation::SupportedBy,
+                head: at.1 > bus,
+                points: vec![(port, bottom), (port, bus), (at.0, bus), at],
+            });
+            let width = part.w;
+            block.absorb(part, x, top);
+            x += width + GAP;
+        }
+    }
+
+    /// Solutions in columns, each column on a line that comes down at its left.
+    fn columns(&mut self, leaves: &[&'a Node]) -> Block<'a> {
+        let mut block = Block::default();
+        let rows = if leaves.len() <= 4 {
+            1
+        } else {
+            COLUMN.min(leaves.len().div_ceil(3))
+        };
+        let mut x = 0.0;
+        let mut trunks = Vec::new();
+        for column in leaves.chunks(rows) {
+            let trunk = x + 6.0;
+            let mut y = 0.0;
+            let mut widest: f64 = 0.0;
+            for leaf in column {
+                let shape = self.shape(leaf);
+                let (w, h) = (shape.w, shape.h);
+                let middle = y + h / 2.0;
+                let start = (trunk, -GAP * 0.8);
+                let end = (trunk + 16.0, middle);
+                block.edge(Relation::SupportedBy, &[start, (trunk, middle), end]);
+                block.shapes.push(Shape {
+                    x: trunk + 16.0,
+                    y,
+                    ..shape
+                });
+                widest = widest.max(w);
+                y += h + GAP / 2.0;
+            }
+            block.h = block.h.max(y - GAP / 2.0);
+            trunks.push(trunk);
+            x = trunk + 16.0 + widest + GAP / 2.0;
+        }
+        block.w = x - GAP / 2.0;
+        // One line across all trunks; the line from above meets it at the nearest trunk's side.
+        let (first, last) = (trunks[0], trunks[trunks.len() - 1]);
+        block.edges.push(Edge {
+            relation: Relation::SupportedBy,
+            head: false,
+            points: vec![(first, -GAP * 0.8), (last, -GAP * 0.8)],
+        });
+        block.port = (first, -GAP * 0.8);
+        block
+    }
+
+    /// The contexts of some kinds beside an element, each a block of its own.
+    fn beside(&mut self, node: &Node, kinds: &[Kind]) -> Vec<Block<'a>> {
+        let found: Vec<&'a Node> = node
+            .in_context_of
+            .iter()
+            .filter_map(|id| self.argument.node(id))
+            .filter(|context| kinds.contains(&context.kind))
+            .collect();
+        found
+            .into_iter()
+            .map(|context| {
+                let shape = self.shape(context);
+                Block {
+                    w: shape.w,
+                    h: shape.h,
+                    shapes: vec![shape],
+                    ..Block::default()
+                }
+            })
+            .collect()
+    }
+
+    /// An element sized to its text, at the origin.
+    fn shape(&mut self, node: &'a Node) -> Shape<'a> {
+        self.placed.insert(node.id.clone());
+        // The ellipse and the circle are as large as their text's rectangle needs.
+        let root_2 = std::f64::consts::SQRT_2;
+        let inner = match node.kind {
+            Kind::Goal | Kind::CounterGoal => 164.0,
+            Kind::Strategy => 190.0,
+            Kind::Context => 190.0,
+            Kind::Assumption | Kind::Justification => 176.0,
+            Kind::Solution | Kind::CounterSolution => 108.0,
+        };
+        let lines = self.letters.wrap(&node.text, inner);
+        // Bold letters are up to a fifth wider.
+        let id = self.letters.wrap(&node.id, inner / 1.2);
+        // The id above the text, the standing below it.
+        let extra = if node.standing.is_some() { 2.0 } else { 1.0 };
+        let height = LINE * (lines.len() as f64 + extra);
+        let (w, h) = match node.kind {
+            Kind::Goal | Kind::CounterGoal | Kind::Context => (inner + 20.0, height + 14.0),
+            Kind::Strategy => (inner + 52.0, height + 14.0),
+            Kind::Assumption | Kind::Justification => (inner * root_2, height * root_2 + 4.0),
+            Kind::Solution | Kind::CounterSolution => {
+                let diameter = inner.hypot(height) + 8.0;
+                (diameter, diameter)
+            }
+        };
+        let folded = self.folded.contains(&node.id) && !node.supported_by.is_empty();
+        let below = if node.is_undeveloped() || folded {
+            DIAMOND + 4.0
+        } else {
+            0.0
+        };
+        Shape {
+            node,
+            x: 0.0,
+            y: 0.0,
+            w,
+            h: h + below,
+            body: h,
+            id,
+            lines,
+            folded,
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! A case in a folder: written whole or not at all.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::argument::TOP;
+use crate::case::{Case, Past};
+use crate::draw::draw;
+use crate::error::CaseError;
+use crate::manifest::{MANIFEST, Manifest};
+use crate::{html, pdf, sections};
+
+/// The document, as HTML.
+pub const HTML: &str = "case.html";
+
+/// The document, as PDF.
+pub const PDF: &str = "case.pdf";
+
+/// The files of a case, by name, the manifest last.
+///
+/// # Errors
+///
+/// A document that cannot be set as PDF.
+pub fn files(case: &Case) -> Result<BTreeMap<String, Vec<u8>>, CaseError> {
+    let document = sections::document(case);
+    let mut files = BTreeMap::new();
+    files.insert(HTML.to_owned(), html::write(&document).into_bytes());
+    files.insert(PDF.to_owned(), pdf::write(&document)?);
+    for (study, argument) in case.scenes() {
+        let name = &study.slug;
+        files.insert(format!("{name}.gsn.yaml"), argument.to_yaml().into_bytes());
+        let drawing = draw(argument, TOP, &[], name);
+        files.insert(format!("{name}.gsn.svg"), drawing.svg.into_bytes());
+        files.insert(format!("{name}.toml"), study.text.clone().into_bytes());
+    }
+    let manifest = Manifest::of(case, &files);
+    files.insert(MANIFEST.to_owned(), manifest.to_text().into_bytes());
+    Ok(files)
+}
+
+/// The verdicts that an earlier case in the folder recorded; none when there is no case.
+///
+/// # Errors
+///
+/// A manifest that is there and cannot be read.
+pub fn history(folder: &Path) -> Result<Vec<Past>, CaseError> {
+    if folder.join(MANIFEST).is_file() {
+        Ok(Manifest::read(folder)?.history)
+    } else {
+        Ok(Vec::new())
+    }
+}
+
+/// Writes the case into `folder`, which takes the place of a case that was there before.
+///
+/// Everything is written into a new folder beside it first, so that no half-written case is left
+/// behind, whatever happens.
+///
+/// # Errors
+///
+/// A folder that cannot be written, or that holds something that is no case.
+pub fn write(case: &Case, folder: &Path) -> Result<(), CaseError> {
+    let files = files(case)?;
+    refuse_others(folder)?;
+    let parent = match folder.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    };
+    fs::create_dir_all(&parent).map_err(|error| CaseError::io(&parent, &error))?;
+    let name = folder
+        .file_name()
+        .ok_or_else(|| {
+            CaseError::new(format!(
+                "`{}`: expected the name of a folder",
+                folder.display()
+            ))
+        })?
+        .to_string_lossy()
+        .into_owned();
+    let beside = |what: &str| parent.join(format!(".{name}.{what}-{}", std::process::id()));
+    let (new, old) = (beside("new"), beside("old"));
+    let result = fill(&new, &files).and_then(|()| swap(&new, &old, folder));
+    // What is left over when it failed is of no use to anybody.
+    let _ = fs::remove_dir_all(&new);
+    result
+}
+
+fn fill(new: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<(), CaseError> {
+    fs::create_dir(new).map_err(|error| CaseError::io(new, &error))?;
+    for (name, bytes) in files {
+        let path = new.join(name);
+        fs::write(&path, bytes).map_err(|error| CaseError::io(&path, &error))?;
+    }
+    Ok(())
+}
+
+/// Puts `new` in the place of `folder`; should that fail, what was there stays there.
+fn swap(new: &Path, old: &Path, folder: &Path) -> Result<(), CaseError> {
+    let there = folder.exists();
+    if there {
+        fs::rename(folder, old).map_err(|error| CaseError::io(folder, &error))?;
+    }
+    if let Err(error) = fs::rename(new, folder) {
+        if there {
+            let _ = fs::rename(old, folder);
+        }
+        return Err(CaseError::io(folder, &error));
+    }
+    // The new case stands; an old one that cannot be removed does no harm.
+    let _ = fs::remove_dir_all(old);
+    Ok(())
+}
+
+/// Refuses a folder that is not empty and holds no case: writing would lose what is in it.
+fn refuse_others(folder: &Path) -> Result<(), CaseError> {
+    if !folder.exists() || folder.join(MANIFEST).is_file() {
+        return no_strangers(folder);
+    }
+    let mut entries = fs::read_dir(folder).map_err(|error| CaseError::io(folder, &error))?;
+    if entries.next().is_some() {
+        return Err(CaseError::new(format!(
+            "`{}`: expected an empty folder, a new one or one with a case in it",
+            folder.display()
+        )));
+    }
+    Ok(())
+}
+
+/// Refuses to replace a case to which somebody has added files of their own.
+fn no_strangers(folder: &Path) -> Result<(), CaseError> {
+    if !folder.exists() {
+        return Ok(());
+    }
+    let manifest = Manifest::read(folder)?;
+    let entries = fs::read_dir(folder).map_err(|error| CaseError::io(folder, &error))?;
+    for entry in entries {
+        let entry = entry.map_err(|error| CaseError::io(folder, &error))?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name != MANIFEST && !manifest.files.contains_key(&name) {
+            return Err(CaseError::new(format!(
+                "`{}`: no part of the case, and writing the case again would lose it: move it \
+                 elsewhere",
+                entry.path().display()
+            )));
+        }
+    }
+    Ok(())
+}

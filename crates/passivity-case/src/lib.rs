@@ -1,0 +1,31 @@
+//! The safety case: claims and recorded evidence about a scene, as an argument and a document.
+//!
+//! [`argue`](argument::argue) builds the argument of a scene in Goal Structuring Notation, and
+//! [`draw`](draw::draw) draws it. Evidence is bound by hash to the text of its claim and to the
+//! sources that it covers: what changed since is *stale*, what was never run is *not run here*.
+//!
+//! What it is **not**: a claim of compliance with any standard, and no judge. It shows what was
+//! shown, on which assumptions, and what is open.
+
+pub mod argument;
+pub mod case;
+pub mod check;
+pub mod document;
+pub mod draw;
+pub mod error;
+pub mod figures;
+pub mod folder;
+pub mod gsn;
+pub mod html;
+pub mod load;
+pub mod manifest;
+pub mod pdf;
+pub mod records;
+pub mod sections;
+pub mod study;
+pub mod tree;
+
+pub use case::Case;
+pub use error::CaseError;
+pub use records::Records;
+pub use study::Study;

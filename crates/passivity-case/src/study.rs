@@ -1,0 +1,250 @@
+//! A scene under study: its file, what was checked, and where each parameter comes from.
+
+use std::path::{Path, PathBuf};
+
+use passivity_core::{BigRational, Interval};
+use passivity_scene::check::{BoundSource, Report, Verdict};
+use passivity_scene::display::range;
+use passivity_scene::explain::{Explanation, explain};
+use passivity_scene::{Given, Motion, Scene};
+
+use crate::document::slug;
+use crate::error::CaseError;
+use crate::tree::sha256;
+
+/// A scene with its check and the text of its file.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// The scene.
+    pub scene: Scene,
+    /// The derivation and the check that it ends in.
+    pub explanation: Explanation,
+    /// The text of the file.
+    pub text: String,
+    /// Where it was read.
+    pub path: PathBuf,
+    /// SHA-256 of the file.
+    pub sha256: String,
+    /// The name in ids and file names, of its own among the scenes of a case.
+    pub slug: String,
+}
+
+/// Where a parameter's value comes from, as far as the scene file says.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// A comment at the parameter.
+    Comment(String),
+    /// The comment at the head of the file, which speaks of all parameters.
+    Head,
+    /// The file does not say.
+    None,
+}
+
+impl Study {
+    /// Reads and checks a scene.
+    ///
+    /// # Errors
+    ///
+    /// A file that cannot be read, or is no scene: with the scene's own diagnostics.
+    pub fn read(path: &Path) -> Result<Self, CaseError> {
+        let scene = Scene::read(path).map_err(|error| CaseError::new(error.to_string()))?;
+        let text = std::fs::read_to_string(path).map_err(|error| CaseError::io(path, &error))?;
+        Ok(Self::new(scene, text, path))
+    }
+
+    /// Checks a scene that was read from `text`.
+    #[must_use]
+    pub fn new(scene: Scene, text: String, path: &Path) -> Self {
+        Self {
+            explanation: explain(&scene),
+            sha256: sha256(text.as_bytes()),
+            slug: slug(&path.file_stem().unwrap_or_default().to_string_lossy()),
+            path: path.to_owned(),
+            text,
+            scene,
+        }
+    }
+
+    /// The check.
+    #[must_use]
+    pub fn report(&self) -> &Report {
+        &self.explanation.report
+    }
+
+    /// What the scene is called.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.scene.name
+    }
+
+    /// Whether the wall was shown to be passive.
+    #[must_use]
+    pub fn is_passive(&self) -> bool {
+        self.report().verdict == Verdict::Passive
+    }
+
+    /// At which speeds the verdict was asked: `at every speed`, or up to a bound.
+    #[must_use]
+    pub fn speeds(&self) -> String {
+        let report = self.report();
+        let holds_always = !num_traits::Signed::is_negative(report.margin_at_all_speeds.lo());
+        let Some(ticks) = report.speed_bound.as_ref().filter(|_| !holds_always) else {
+            return "at every speed".to_owned();
+        };
+        let bound = match &report.speed_bound_si {
+            Some(si) => format!("{} {}", range(si), speed_unit(self.scene.motion)),
+            None => format!("{} ticks/sample", range(ticks)),
+        };
+        match report.bound_source {
+            Some(BoundSource::Start) => {
+                format!("in the unforced motion from its start, which never passes {bound}")
+            }
+            _ => format!("at every speed up to {bound}"),
+        }
+    }
+
+    /// What the scene file says at its head.
+    #[must_use]
+    pub fn head(&self) -> String {
+        let lines = self
+            .text
+            .lines()
+            .map_while(|line| line.trim().strip_prefix('#'));
+        let paragraphs: Vec<String> = lines
+            .collect::<Vec<_>>()
+            .split(|line| line.trim().is_empty())
+            .map(|lines| lines.iter().map(|l| l.trim()).collect::<Vec<_>>().join(" "))
+            .filter(|paragraph| !paragraph.is_empty())
+            .collect();
+        paragraphs.join("\n")
+    }
+
+    /// Where the value of a parameter comes from: a comment on its line, or on the lines just
+    /// above it, or the head of the file.
+    #[must_use]
+    pub fn source(&self, given: &Given) -> Source {
+        let at = given.span.start.min(self.text.len());
+        if let Some(comment) = self.comment_at(at).filter(|comment| !comment.is_empty()) {
+            return Source::Comment(comment);
+        }
+        if self.head().is_empty() {
+            Source::None
+        } else {
+            Source::Head
+        }
+    }
+
+    fn comment_at(&self, at: usize) -> Option<String> {
+        let start = self.text.get(..at)?.rfind('\n').map_or(0, |i| i + 1);
+        let line = self.text.get(start..)?.lines().next()?;
+        if let Some(comment) = trailing_comment(line) {
+            return Some(comment.to_owned());
+        }
+        let above = self.text.get(..start)?;
+        // The head of the file is no comment at a parameter.
+        let own = above.lines().any(|line| {
+            let line = line.trim();
+            !line.is_empty() && !line.starts_with('#')
+        });
+        if !own {
+            return None;
+        }
+        let mut lines: Vec<&str> = above
+            .lines()
+            .rev()
+            .map_while(|line| line.trim().strip_prefix('#'))
+            .collect();
+        lines.reverse();
+        Some(lines.iter().map(|l| l.trim()).collect::<Vec<_>>().join(" "))
+    }
+
+    /// The parameters of which the file says no source.
+    #[must_use]
+    pub fn unsourced(&self) -> Vec<&'static str> {
+        let parameters = self
+            .scene
+            .parameters()
+            .into_iter()
+            .filter(|g| !g.text.is_empty());
+        parameters
+            .filter(|g| self.source(g) == Source::None)
+            .map(|g| g.key)
+            .collect()
+    }
+}
+
+/// The comment at the end of a line of TOML: after the first `#` outside quotes.
+fn trailing_comment(line: &str) -> Option<&str> {
+    let mut quote = None;
+    for (index, letter) in line.char_indices() {
+        match (quote, letter) {
+            (None, '#') => return Some(line.get(index + 1..)?.trim()),
+            (None, '"' | '\'') => quote = Some(letter),
+            (Some(open), close) if open == close => quote = None,
+            _ => {}
+        }
+    }
+    None
+}
+
+/// The unit of speed of a motion.
+pub(crate) const fn speed_unit(motion: Motion) -> &'static str {
+    match motion {
+        Motion::Linear => "m/s",
+        Motion::Rotary => "rad/s",
+        Motion::Dimensionless => "ticks/sample",
+    }
+}
+
+/// An interval with its unit.
+pub(crate) fn with_unit(x: &Interval<BigRational>, unit: &str) -> String {
+    format!("{} {unit}", range(x)).trim_end().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "# Measured on our bench.\n\n[dimensionless]\n\
+        mu = \"50\" # m, \"scales\"\n# From the data sheet,\n# page 3.\nbeta = \"3/5\"\nsigma = \"3/5\"\n";
+
+    fn study(text: &str) -> Study {
+        let scene = Scene::from_toml("a # scene", text).expect("a scene");
+        Study::new(scene, text.to_owned(), Path::new("dir/a b.toml"))
+    }
+
+    #[test]
+    fn sources_are_the_comments_of_the_file() {
+        let study = study(TEXT);
+        let source = |key: &str| {
+            let given = study.scene.parameters().into_iter().find(|g| g.key == key);
+            study.source(given.expect(key))
+        };
+        assert_eq!(
+            source("dimensionless.mu"),
+            Source::Comment("m, \"scales\"".to_owned())
+        );
+        let sheet = "From the data sheet, page 3.".to_owned();
+        assert_eq!(source("dimensionless.beta"), Source::Comment(sheet));
+        assert_eq!(source("dimensionless.sigma"), Source::Head);
+        assert_eq!(study.head(), "Measured on our bench.");
+        assert_eq!(study.slug, "a-b");
+        assert!(study.unsourced().is_empty());
+    }
+
+    #[test]
+    fn a_file_without_comments_has_no_sources() {
+        let study = study("[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n");
+        assert!(
+            study.unsourced().contains(&"dimensionless.beta"),
+            "{:?}",
+            study.unsourced()
+        );
+    }
+
+    #[test]
+    fn a_hash_within_quotes_is_no_comment() {
+        assert_eq!(trailing_comment(r#"name = "a # b" # c"#), Some("c"));
+        assert_eq!(trailing_comment(r#"name = "a # b""#), None);
+    }
+}
