@@ -24,10 +24,11 @@ fn within(low: i8, denominator: i32) -> Fraction<i32> {
 fn th_interval_row_is_defined_within_its_bound() {
     let [p, q] = DENOMINATORS;
     let step = Step::new(within(-WITHIN, p), within(-WITHIN, q));
-    // The most friction: no field grows when β or σ is less.
+    // The most friction and the largest fraction of time: with less, no numerator and no
+    // denominator of a field grows.
     let most = i32::from(WITHIN);
     let friction = Friction::new(Fraction::new(most, p), Fraction::new(most, q));
-    let dtau = within(1, p);
+    let dtau = Fraction::new(most, p);
     let row = ledger::row(&step, &friction, &dtau);
     let defined = row.net_linear.is_defined()
         && row.net_quantized.is_defined()

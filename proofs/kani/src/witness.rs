@@ -1,6 +1,6 @@
 //! TH-ACTIVE: cycles that draw energy, and when there is one.
 
-use passivity_core::{Fraction, Friction, Scalar, witness};
+use passivity_core::{Friction, Scalar, witness};
 
 use crate::domain::{COARSE_EXPONENT, FRICTION_EXPONENT, friction_coefficient};
 use crate::{Dyadic, Ratio};
@@ -95,35 +95,33 @@ fn th_active_cycle_keeps_to_a_speed_bound() {
     }
 }
 
-/// The kernel's own fractions at 64 bits, since the displacement, a quotient, is squared.
-type Wide = Fraction<i64>;
-
-/// Quarters: β and σ in [0, 1], with ½ and neighbours.
-const COARSE_POINT_LIMIT: u8 = 4;
+/// Quarters of β and halves of σ, both in [0, 1]: the displacement, a quotient, is squared, and
+/// all of it fits 32 bits.
+const COARSE_POINT: (u8, u8) = (4, 2);
 
 /// TH-SMOOTH: without an encoder a cycle is found exactly when β < ½, and gains what it says.
 #[kani::proof]
 fn th_smooth_cycle_exists_exactly_below_a_half() {
-    let beta = kani::any_where(|n: &u8| *n <= COARSE_POINT_LIMIT);
-    let sigma = kani::any_where(|n: &u8| *n <= COARSE_POINT_LIMIT);
+    let beta = kani::any_where(|n: &u8| *n <= COARSE_POINT.0);
+    let sigma = kani::any_where(|n: &u8| *n <= COARSE_POINT.1);
     let friction = Friction::new(
-        Wide::new(i64::from(beta), 1 << COARSE_EXPONENT),
-        Wide::new(i64::from(sigma), 1 << COARSE_EXPONENT),
+        Ratio::new(i32::from(beta), 4),
+        Ratio::new(i32::from(sigma), 2),
     );
     let cycle = witness::smooth(&friction, None);
     kani::cover!(
-        cycle.is_some() && friction.sigma > Wide::new(1, 2),
+        cycle.is_some() && friction.sigma > half(),
         "despite Coulomb friction"
     );
     kani::assert(
-        cycle.is_some() == (friction.beta < Wide::new(1, 2)),
+        cycle.is_some() == (friction.beta < half()),
         "TH-SMOOTH: a cycle is found exactly when β < ½",
     );
     if let Some(cycle) = cycle {
         let d = cycle.to - cycle.from;
         let work = d.square() - friction.dissipated_lower(&d, &d.abs()).double();
         kani::assert(
-            cycle.gain > Wide::zero() && cycle.gain == work,
+            cycle.gain > Ratio::zero() && cycle.gain == work,
             "TH-SMOOTH: the cycle gains 2(½d² − βd² − σd), above zero",
         );
     }
