@@ -9,22 +9,21 @@ From Passivity Require Import Definitions Quantizer Calculus Model History Law.
 Open Scope R_scope.
 
 (** What a rendered wall is made of; see Law.v. *)
-Record wall (f sat V : R -> R) (B delta e : R) : Prop := {
+Record wall (f V : R -> R) (B delta e : R) : Prop := {
   law_lipschitz : lipschitz f;
-  saturation_lipschitz : lipschitz sat;
   damping_nonneg : 0 <= B;
   step_nonneg : 0 <= delta;
   error_nonneg : 0 <= e;
-  law_potential : potential (fun x => sat (f x)) V
+  law_potential : potential f V
 }.
 
 (** The held forces are the wall's, from measured positions [k] samples late. *)
-Definition rendered (f sat : R -> R) (B delta e : R) (k : nat)
+Definition rendered (f : R -> R) (B delta e : R) (k : nat)
     (ts : nat -> R) (pos : R -> R) (past : nat -> R) (held : nat -> R) : Prop :=
   forall h, exists q q',
     Rabs (q - sample ts pos past h k) <= e /\
     Rabs (q' - sample ts pos past h (S k)) <= e /\
-    commands f sat B delta q q' (- held h).
+    commands f B delta q q' (- held h).
 
 (** Extra storage at sample [h], and on the way to the next one. *)
 Definition extra (k : nat) (B : R) (d : nat -> R) : R :=
@@ -63,14 +62,14 @@ Qed.
 Section Combination.
 
 Variables mu beta sigma : R.
-Variables (f sat V : R -> R) (B delta e : R) (k : nat).
+Variables (f V : R -> R) (B delta e : R) (k : nat).
 Variables ts held past : nat -> R.
 Variables pos vel friction hand : R -> R.
 Hypothesis P : physical mu beta sigma.
 Hypothesis T : increasing ts.
-Hypothesis L : wall f sat V B delta e.
+Hypothesis L : wall f V B delta e.
 Hypothesis O : obeys mu beta sigma ts held pos vel friction hand.
-Hypothesis D : rendered f sat B delta e k ts pos past held.
+Hypothesis D : rendered f B delta e k ts pos past held.
 
 Let K : kinematic pos vel := is_kinematic _ _ _ _ _ _ _ _ _ O.
 
@@ -84,9 +83,9 @@ Theorem TH_JITTER_interval : forall h t, ts h < t ->
         + extra_towards ts pos past k B h t - extra_at ts pos past k B h).
 Proof.
   intros h t Ht. destruct (D h) as (q & q' & Hq & Hq' & C).
-  pose proof (generated_combined f sat V B delta e k (law_lipschitz _ _ _ _ _ _ L)
-    (saturation_lipschitz _ _ _ _ _ _ L) (damping_nonneg _ _ _ _ _ _ L)
-    (potential_derivative _ _ (law_potential _ _ _ _ _ _ L))
+  pose proof (generated_combined f V B delta e k (law_lipschitz _ _ _ _ _ L)
+    (damping_nonneg _ _ _ _ _ L)
+    (potential_derivative _ _ (law_potential _ _ _ _ _ L))
     (pos (ts h)) (pos t) _ _ q q' (- held h) (step ts pos past h) C Hq Hq'
     (delayed_distance ts pos past h k) eq_refl) as G.
   cbv zeta in G. rewrite Ropp_involutive in G.
@@ -108,7 +107,7 @@ Proof.
   unfold extra_towards, extra_at, extra, generated.
   pose proof (delay_storage_push k (pos (ts h) - pos (ts h)) (step ts pos past h)) as H1.
   pose proof (damping_storage_push k B (pos (ts h) - pos (ts h)) (step ts pos past h)) as H2.
-  pose proof (damping_nonneg _ _ _ _ _ _ L).
+  pose proof (damping_nonneg _ _ _ _ _ L).
   assert (0 <= sum_to k (fun j => step ts pos past h j ^ 2))
     by (apply sum_to_nonneg; intros; apply pow2_ge_0).
   assert (0 <= B * step ts pos past h (S k) ^ 2)
@@ -193,11 +192,11 @@ End Criterion.
 (** TH-COMBINED: the operator puts in at least the growth of the storage, if the sampling
     is on time and (8), with the terms that the effects add, holds at every instant. *)
 Theorem TH_COMBINED :
-  forall mu beta sigma f sat V B delta e k ts held past pos vel friction hand,
+  forall mu beta sigma f V B delta e k ts held past pos vel friction hand,
   physical mu beta sigma -> increasing ts -> on_time ts ->
-  wall f sat V B delta e ->
+  wall f V B delta e ->
   obeys mu beta sigma ts held pos vel friction hand ->
-  rendered f sat B delta e k ts pos past held ->
+  rendered f B delta e k ts pos past held ->
   forall N t, ts N <= t <= ts (S N) ->
   (forall u, ts 0%nat <= u <= t -> vel u <> 0 ->
      0 <= margin_8 (beta - viscous_need (INR k) B) (sigma - coulomb_need e delta B) (vel u)) ->
@@ -206,11 +205,11 @@ Theorem TH_COMBINED :
   <= kinetic mu (vel (ts 0%nat)) + V (pos (ts 0%nat)) + extra_at ts pos past k B 0
      + operator_energy vel hand (ts 0%nat) t.
 Proof.
-  intros mu beta sigma f sat V B delta e k ts held past pos vel friction hand
+  intros mu beta sigma f V B delta e k ts held past pos vel friction hand
     P T J L O D N t Ht H8.
-  apply (TH_COMBINED_jitter mu beta sigma f sat V B delta e k ts held past pos vel friction hand
+  apply (TH_COMBINED_jitter mu beta sigma f V B delta e k ts held past pos vel friction hand
     P T L O D N t Ht).
-  intros h r Hr Hlt. pose proof (damping_nonneg _ _ _ _ _ _ L) as HB.
+  intros h r Hr Hlt. pose proof (damping_nonneg _ _ _ _ _ L) as HB.
   pose proof (pos_INR k) as Hk.
   destruct (reached_range ts T N t Ht h r Hr) as (R0 & R1 & R2).
   eapply Rle_trans; [| apply TH_JITTER_on_time].

@@ -28,27 +28,26 @@ Let q (h j : nat) : R := measured (sample INR pos past h j).
 (** What the operator may draw from extra storage left by the history before the start. *)
 Definition start_extra (k : nat) (B : R) : R := extra k B (step INR pos past 0).
 
-(** TH-COMBINED (encoder): a law [f], saturation [sat], virtual damping [B] on positions
-    [k] samples late, and a D/A converter within [delta]/2, with criterion
+(** TH-COMBINED (encoder): a law [f], virtual damping [B] on positions [k] samples late, and
+    a D/A converter within [delta]/2, with criterion
     (beta - 1/2 - k - B) v + (sigma - (1 + delta)/2 - B) >= 0. *)
-Theorem TH_COMBINED_encoder : forall f sat V B delta k F,
-  lipschitz f -> lipschitz sat -> 0 <= B -> 0 <= delta ->
-  potential (fun x => sat (f x)) V ->
-  (forall h, Rabs (F h - sat (f (q h k) + B * (q h k - q h (S k)))) <= delta / 2) ->
+Theorem TH_COMBINED_encoder : forall f V B delta k F,
+  lipschitz f -> 0 <= B -> 0 <= delta -> potential f V ->
+  (forall h, commands f B delta (q h k) (q h (S k)) (F h)) ->
   obeys mu beta sigma INR (fun h => - F h) pos vel friction hand ->
   forall t, 0 <= t ->
   criterion_holds (viscous_surplus beta (INR k) B) (coulomb_surplus sigma delta B) vel t ->
   passive_run vel hand (kinetic mu (vel 0) + V (pos 0) + start_extra k B)
                        (kinetic mu (vel t) + V (pos t)) t.
 Proof.
-  intros f sat V B delta k F Lf Ls HB Hd HV HF O t Ht H8.
-  assert (W : wall f sat V B delta (1 / 2)) by (split; try assumption; lra).
-  assert (D : rendered f sat B delta (1 / 2) k INR pos past (fun h => - F h)).
+  intros f V B delta k F Lf HB Hd HV HF O t Ht H8.
+  assert (W : wall f V B delta (1 / 2)) by (split; try assumption; lra).
+  assert (D : rendered f B delta (1 / 2) k INR pos past (fun h => - F h)).
   { intro h. exists (q h k), (q h (S k)).
     split; [apply encoder_error |]. split; [apply encoder_error |].
-    unfold commands. rewrite Ropp_involutive. apply HF. }
+    rewrite Ropp_involutive. apply HF. }
   destruct (INR_covers t Ht) as (N & HN).
-  destruct (TH_COMBINED mu beta sigma f sat V B delta (1 / 2) k INR _ past pos vel friction hand
+  destruct (TH_COMBINED mu beta sigma f V B delta (1 / 2) k INR _ past pos vel friction hand
     P INR_increasing INR_on_time W O D N t HN) as (I & E).
   - simpl (INR 0). intros u Hu Hv. specialize (H8 u Hu Hv).
     rewrite viscous_need_surplus, coulomb_need_surplus in H8. exact H8.
@@ -65,11 +64,11 @@ Theorem TH_LAW : forall f V, lipschitz f -> potential f V ->
   passive_run vel hand (kinetic mu (vel 0) + V (pos 0)) (kinetic mu (vel t) + V (pos t)) t.
 Proof.
   intros f V Lf HV O t Ht H8.
-  pose proof (TH_COMBINED_encoder f (fun x => x) V 0 0 0
-    (fun h => f (measured (pos (INR h)))) Lf lipschitz_id (Rle_refl 0) (Rle_refl 0) HV) as C.
+  pose proof (TH_COMBINED_encoder f V 0 0 0
+    (fun h => f (measured (pos (INR h)))) Lf (Rle_refl 0) (Rle_refl 0) HV) as C.
   unfold start_extra in C. rewrite no_extra, Rplus_0_r in C. apply C; try assumption.
-  intro h. unfold q. rewrite sample_now.
-  replace (_ - _) with 0 by ring. rewrite Rabs_R0. lra.
+  intro h. unfold q, commands. rewrite sample_now.
+  replace (_ - f _) with 0 by ring. rewrite Rabs_R0. lra.
 Qed.
 
 (** TH-UNI: the unilateral wall, force 0 when the sample is outside; the criterion is unchanged. *)
@@ -106,11 +105,11 @@ Theorem TH_DAC : forall delta, 0 < delta ->
   passive_run vel hand (storage mu (pos 0) (vel 0)) (storage mu (pos t) (vel t)) t.
 Proof.
   intros delta Hd O t Ht H8.
-  pose proof (TH_COMBINED_encoder (fun x => x) (fun x => x) linear_potential 0 delta 0
-    (fun h => rounded_force (measured (pos (INR h))) delta) lipschitz_id lipschitz_id
+  pose proof (TH_COMBINED_encoder (fun x => x) linear_potential 0 delta 0
+    (fun h => rounded_force (measured (pos (INR h))) delta) lipschitz_id
     (Rle_refl 0) (Rlt_le _ _ Hd) potential_linear) as C.
   unfold start_extra in C. rewrite no_extra, Rplus_0_r in C. apply C; try assumption.
-  intro h. unfold q. rewrite sample_now, Rmult_0_l, Rplus_0_r. apply rounding_error, Hd.
+  intro h. unfold q, commands. rewrite sample_now, Rmult_0_l, Rplus_0_l. apply rounding_error, Hd.
 Qed.
 
 (** TH-DELAY: the force [k] samples late; beta has k less to spare, and the storage at the
@@ -124,12 +123,12 @@ Theorem TH_DELAY : forall k,
     (storage mu (pos t) (vel t)) t.
 Proof.
   intros k O t Ht H8.
-  pose proof (TH_COMBINED_encoder (fun x => x) (fun x => x) linear_potential 0 0 k
-    (fun h => q h k) lipschitz_id lipschitz_id (Rle_refl 0) (Rle_refl 0) potential_linear) as C.
+  pose proof (TH_COMBINED_encoder (fun x => x) linear_potential 0 0 k
+    (fun h => q h k) lipschitz_id (Rle_refl 0) (Rle_refl 0) potential_linear) as C.
   replace (start_extra k 0) with (delay_storage k (step INR pos past 0)) in C
     by (unfold start_extra, extra, damping_storage; field).
-  apply C; try assumption. intro h.
-  replace (_ - _) with 0 by ring. rewrite Rabs_R0. lra.
+  apply C; try assumption. intro h. unfold commands.
+  replace (q h k - q h k) with 0 by ring. rewrite Rabs_R0. lra.
 Qed.
 
 (** TH-DAMP: virtual damping -B (q_h - q_(h-1)); beta and sigma have B less to spare, and the
@@ -143,13 +142,14 @@ Theorem TH_DAMP : forall B, 0 <= B ->
     (storage mu (pos t) (vel t)) t.
 Proof.
   intros B HB O t Ht H8.
-  pose proof (TH_COMBINED_encoder (fun x => x) (fun x => x) linear_potential B 0 0
-    (fun h => q h 0 + B * (q h 0 - q h 1)) lipschitz_id lipschitz_id HB (Rle_refl 0)
+  pose proof (TH_COMBINED_encoder (fun x => x) linear_potential B 0 0
+    (fun h => q h 0 + B * (q h 0 - q h 1)) lipschitz_id HB (Rle_refl 0)
     potential_linear) as C.
   replace (start_extra 0 B) with (B * step INR pos past 0 1 ^ 2 / 2) in C
     by (unfold start_extra, extra, delay_storage, damping_storage; simpl; field).
-  apply C; try assumption. intro h.
-  replace (_ - _) with 0 by ring. rewrite Rabs_R0. lra.
+  apply C; try assumption. intro h. unfold commands.
+  replace (_ - q h 0) with (B * (q h 0 - q h 1)) by ring.
+  rewrite Rabs_mult, (Rabs_right B) by lra. lra.
 Qed.
 
 (** TH-SMOOTH: without an encoder the 1/2 of quantization goes: (beta - 1/2) v + sigma >= 0,
@@ -160,14 +160,14 @@ Theorem TH_SMOOTH :
   passive_run vel hand (storage mu (pos 0) (vel 0)) (storage mu (pos t) (vel t)) t.
 Proof.
   intros O t Ht H8.
-  assert (W : wall (fun x => x) (fun x => x) linear_potential 0 0 0)
+  assert (W : wall (fun x => x) linear_potential 0 0 0)
     by (split; try lra; try apply lipschitz_id; exact potential_linear).
-  assert (D : rendered (fun x => x) (fun x => x) 0 0 0 0 INR pos past (fun h => - pos (INR h))).
+  assert (D : rendered (fun x => x) 0 0 0 0 INR pos past (fun h => - pos (INR h))).
   { intro h. exists (sample INR pos past h 0), (sample INR pos past h 1).
     unfold commands. rewrite sample_now.
     split; [| split]; (replace (_ - _) with 0 by ring); rewrite Rabs_R0; lra. }
   destruct (INR_covers t Ht) as (N & HN).
-  destruct (TH_COMBINED mu beta sigma _ _ _ 0 0 0 0 INR _ past pos vel friction hand
+  destruct (TH_COMBINED mu beta sigma _ _ 0 0 0 0 INR _ past pos vel friction hand
     P INR_increasing INR_on_time W O D N t HN) as (I & E).
   - simpl (INR 0). intros u Hu Hv. specialize (H8 u Hu Hv).
     replace (beta - viscous_need 0 0) with (beta - 1 / 2) by (unfold viscous_need; ring).

@@ -1,12 +1,13 @@
 (** * Law: force laws that are 1-Lipschitz, and what one interval can generate under one.
 
-    The commanded force is F with |F - sat (f q + B (q - q'))| <= delta/2, where
-    - [f] is the force law, nowhere stiffer than K: 1-Lipschitz (TH-LAW);
+    The commanded force is F with |F - f q| <= B |q - q'| + delta/2, where
+    - [f] is the force law, nowhere stiffer than K: 1-Lipschitz (TH-LAW), what the actuator's
+      saturation leaves of it;
     - q and q' are two successive measured positions, [k] samples late (TH-DELAY),
       each within [e] of the true one: 1/2 with an encoder, 0 without (TH-SMOOTH);
-    - [B] is the virtual damping (TH-DAMP);
-    - [sat] is 1-Lipschitz too: the identity, or the actuator's saturation;
-    - [delta] is the D/A step (TH-DAC), which may round before or after [sat]. *)
+    - [B] is the virtual damping (TH-DAMP): f q + B (q - q') is such a force, and so is what
+      saturation or a wall on one side leave of it (Effects.v);
+    - [delta] is the D/A step (TH-DAC), which may round before or after saturation. *)
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -22,8 +23,8 @@ Record potential (f V : R -> R) : Prop := {
 }.
 
 (** The wall pushes with - F, where F is the commanded force. *)
-Definition commands (f sat : R -> R) (B delta q q' F : R) : Prop :=
-  Rabs (F - sat (f q + B * (q - q'))) <= delta / 2.
+Definition commands (f : R -> R) (B delta q q' F : R) : Prop :=
+  Rabs (F - f q) <= B * Rabs (q - q') + delta / 2.
 
 (** What the terms of the effects add up to; with an encoder e = 1/2. *)
 Definition viscous_need (k B : R) : R := 1 / 2 + k + B.
@@ -61,31 +62,22 @@ Qed.
 
 Section Interval.
 
-Variables (f sat V : R -> R) (B delta e : R) (k : nat).
+Variables (f V : R -> R) (B delta e : R) (k : nat).
 Hypothesis f_lip : lipschitz f.
-Hypothesis sat_lip : lipschitz sat.
 Hypothesis B_nonneg : 0 <= B.
-Hypothesis V_der : forall x, is_derive V x (sat (f x)).
-
-Lemma composed_lip : lipschitz (fun x => sat (f x)).
-Proof. intros x y. eapply Rle_trans; [apply sat_lip | apply f_lip]. Qed.
+Hypothesis V_der : forall x, is_derive V x (f x).
 
 (** The commanded force is within these distances of the law at the true position [x0]:
     [s] are the displacements before, q and q' are measured [k] and [k + 1] samples ago. *)
 Lemma command_error : forall x0 y y' q q' F s,
-  commands f sat B delta q q' F ->
+  commands f B delta q q' F ->
   Rabs (q - y) <= e -> Rabs (q' - y') <= e ->
   Rabs (x0 - y) <= sum_to k (fun j => Rabs (s j)) -> y - y' = s (S k) ->
-  Rabs (F - sat (f x0)) <= sum_to k (fun j => Rabs (s j)) + B * Rabs (s (S k))
-                          + coulomb_need e delta B.
+  Rabs (F - f x0) <= sum_to k (fun j => Rabs (s j)) + B * Rabs (s (S k))
+                     + coulomb_need e delta B.
 Proof.
   intros x0 y y' q q' F s C Hq Hq' Hd Hy. unfold commands in C.
-  pose proof (sat_lip (f q + B * (q - q')) (f x0)) as A1.
   pose proof (f_lip q x0) as A2.
-  assert (A3 : Rabs (f q + B * (q - q') - f x0) <= Rabs (f q - f x0) + B * Rabs (q - q')).
-  { replace (f q + B * (q - q') - f x0) with ((f q - f x0) + B * (q - q')) by ring.
-    eapply Rle_trans; [apply Rabs_triang |].
-    rewrite Rabs_mult, (Rabs_right B) by lra. lra. }
   assert (A4 : Rabs (q - x0) <= e + sum_to k (fun j => Rabs (s j))).
   { replace (q - x0) with ((q - y) + - (x0 - y)) by ring.
     eapply Rle_trans; [apply Rabs_triang | rewrite Rabs_Ropp; lra]. }
@@ -95,15 +87,14 @@ Proof.
     assert (Rabs ((y - y') + - (q' - y')) <= Rabs (y - y') + Rabs (- (q' - y'))) by apply Rabs_triang.
     rewrite Rabs_Ropp, Hy in *. lra. }
   assert (A6 : B * Rabs (q - q') <= B * (2 * e + Rabs (s (S k)))) by (apply Rmult_le_compat_l; lra).
-  replace (F - sat (f x0)) with ((F - sat (f q + B * (q - q'))) + (sat (f q + B * (q - q')) - sat (f x0)))
-    by ring.
+  replace (F - f x0) with ((F - f q) + (f q - f x0)) by ring.
   eapply Rle_trans; [apply Rabs_triang |]. unfold coulomb_need. lra.
 Qed.
 
 (** TH-COMBINED (generated): what the interval generates, with what the extra storage
     grows by, is at most the need of all effects together. *)
 Lemma generated_combined : forall x0 x1 y y' q q' F s,
-  commands f sat B delta q q' F ->
+  commands f B delta q q' F ->
   Rabs (q - y) <= e -> Rabs (q' - y') <= e ->
   Rabs (x0 - y) <= sum_to k (fun j => Rabs (s j)) -> y - y' = s (S k) ->
   let d := x1 - x0 in
@@ -115,14 +106,14 @@ Proof.
   intros x0 x1 y y' q q' F s C Hq Hq' Hd Hy d.
   rewrite delay_storage_push, damping_storage_push.
   pose proof (command_error x0 y y' q q' F s C Hq Hq' Hd Hy) as E.
-  pose proof (below_parabola _ V composed_lip V_der x0 x1) as Pb. simpl in Pb. fold d in Pb.
+  pose proof (below_parabola f V f_lip V_der x0 x1) as Pb. simpl in Pb. fold d in Pb.
   pose proof (path_by_squares k d s) as Ps.
   set (p := sum_to k (fun j => Rabs (s j))) in *. set (sq := sum_to k (fun j => s j ^ 2)) in *.
   unfold generated. fold d. set (c := coulomb_need e delta B) in *.
-  assert (W : (sat (f x0) - F) * d <= Rabs (F - sat (f x0)) * Rabs d).
-  { rewrite <- (Rabs_Ropp (F - sat (f x0))), <- Rabs_mult.
-    replace (- (F - sat (f x0))) with (sat (f x0) - F) by ring. apply Rle_abs. }
-  assert (W2 : Rabs (F - sat (f x0)) * Rabs d <= (p + B * Rabs (s (S k)) + c) * Rabs d).
+  assert (W : (f x0 - F) * d <= Rabs (F - f x0) * Rabs d).
+  { rewrite <- (Rabs_Ropp (F - f x0)), <- Rabs_mult.
+    replace (- (F - f x0)) with (f x0 - F) by ring. apply Rle_abs. }
+  assert (W2 : Rabs (F - f x0) * Rabs d <= (p + B * Rabs (s (S k)) + c) * Rabs d).
   { apply Rmult_le_compat_r; [apply Rabs_pos | exact E]. }
   assert (Q : B * (Rabs (s (S k)) * Rabs d) <= B * ((s (S k)) ^ 2 + d ^ 2) / 2).
   { pose proof (pow2_ge_0 (Rabs (s (S k)) - Rabs d)) as Sq.

@@ -33,7 +33,7 @@ Proof. intro. unfold viscous_surplus. ring. Qed.
 Lemma coulomb_plain : forall sigma, coulomb_surplus sigma 0 0 = sigma - 1 / 2.
 Proof. intro. unfold coulomb_surplus. field. Qed.
 
-Lemma paper_wall : wall (fun x => x) (fun x => x) linear_potential 0 0 (1 / 2).
+Lemma paper_wall : wall (fun x => x) linear_potential 0 0 (1 / 2).
 Proof.
   split; try lra; try apply lipschitz_id. exact potential_linear.
 Qed.
@@ -56,7 +56,7 @@ Lemma encoder_error : forall x, Rabs (measured x - x) <= 1 / 2.
 Proof. intro x. pose proof (measured_error x). apply Rabs_le. lra. Qed.
 
 Lemma paper_rendered : forall pos past,
-  rendered (fun x => x) (fun x => x) 0 0 (1 / 2) 0 INR pos past
+  rendered (fun x => x) 0 0 (1 / 2) 0 INR pos past
            (fun h => held_force (pos (INR h))).
 Proof.
   intros pos past h.
@@ -111,7 +111,7 @@ Theorem TH_RUN : forall t, 0 <= t ->
   storage mu (pos t) (vel t) - storage mu (pos 0) (vel 0) <= operator_energy vel hand 0 t.
 Proof.
   intros t Ht H8. destruct (INR_covers t Ht) as (N & HN).
-  destruct (TH_COMBINED mu beta sigma (fun x => x) (fun x => x) linear_potential 0 0 (1 / 2) 0
+  destruct (TH_COMBINED mu beta sigma (fun x => x) linear_potential 0 0 (1 / 2) 0
     INR _ (fun _ => 0) pos vel friction hand P INR_increasing INR_on_time paper_wall O
     (paper_rendered pos _) N t HN) as (I & E).
   - simpl (INR 0). intros u Hu. specialize (H8 u Hu). unfold criterion_8 in H8.
@@ -129,7 +129,7 @@ Theorem TH_RUN_mean : forall N t, INR N <= t <= INR (S N) ->
   storage mu (pos t) (vel t) - storage mu (pos 0) (vel 0) <= operator_energy vel hand 0 t.
 Proof.
   intros N t Ht M.
-  destruct (TH_COMBINED_jitter mu beta sigma (fun x => x) (fun x => x) linear_potential 0 0 (1 / 2) 0
+  destruct (TH_COMBINED_jitter mu beta sigma (fun x => x) linear_potential 0 0 (1 / 2) 0
     INR _ (fun _ => 0) pos vel friction hand P INR_increasing paper_wall O
     (paper_rendered pos _) N t Ht) as [_ E].
   - intros h r Hr Hlt. specialize (M h r Hr Hlt).

@@ -85,15 +85,15 @@ Qed.
 Section Bootstrap.
 
 Variables mu beta sigma : R.
-Variables (f sat V : R -> R) (B delta e : R) (k : nat).
+Variables (f V : R -> R) (B delta e : R) (k : nat).
 Variables ts held past : nat -> R.
 Variables pos vel friction hand : R -> R.
 Hypothesis P : physical mu beta sigma.
 Hypothesis T : increasing ts.
 Hypothesis J : on_time ts.
-Hypothesis L : wall f sat V B delta e.
+Hypothesis L : wall f V B delta e.
 Hypothesis O : obeys mu beta sigma ts held pos vel friction hand.
-Hypothesis D : rendered f sat B delta e k ts pos past held.
+Hypothesis D : rendered f B delta e k ts pos past held.
 Hypothesis unforced : forall t, hand t = 0.
 
 Let need := viscous_need (INR k) B.
@@ -110,7 +110,7 @@ Hypothesis not_degenerate : 0 < coulomb \/ 0 < W.
 
 Lemma need_positive : 0 < need.
 Proof.
-  unfold need, viscous_need. pose proof (pos_INR k). pose proof (damping_nonneg _ _ _ _ _ _ L). lra.
+  unfold need, viscous_need. pose proof (pos_INR k). pose proof (damping_nonneg _ _ _ _ _ L). lra.
 Qed.
 
 (** With the criterion up to W, an interval at speeds up to W pays. *)
@@ -137,15 +137,15 @@ Lemma paid_speed : forall N t, ts N <= t <= ts (S N) ->
   Rabs (vel t) <= W.
 Proof.
   intros N t Ht Hp.
-  destruct (TH_COMBINED_jitter mu beta sigma f sat V B delta e k ts held past pos vel friction hand
+  destruct (TH_COMBINED_jitter mu beta sigma f V B delta e k ts held past pos vel friction hand
     P T L O D N t Ht Hp) as [_ E].
   assert (Z : operator_energy vel hand (ts 0%nat) t = 0).
   { unfold operator_energy. rewrite (RInt_ext _ (fun _ => 0)).
     - rewrite RInt_const. apply Rmult_0_r.
     - intros x _. rewrite unforced. apply Rmult_0_l. }
-  pose proof (potential_nonneg _ _ (law_potential _ _ _ _ _ _ L) (pos t)) as V0. cbv beta in V0.
+  pose proof (potential_nonneg _ _ (law_potential _ _ _ _ _ L) (pos t)) as V0. cbv beta in V0.
   pose proof (extra_nonneg k B (push (pos t - pos (ts N)) (step ts pos past N))
-    (damping_nonneg _ _ _ _ _ _ L)) as X0.
+    (damping_nonneg _ _ _ _ _ L)) as X0.
   unfold extra_towards in E. pose proof (mu_positive _ _ _ P) as M.
   assert (S : kinetic mu (vel t) <= kinetic mu W) by lra. unfold kinetic in S.
   apply Rsqr_incr_0_var; [| exact W_nonneg]. rewrite <- Rsqr_abs. unfold Rsqr. nra.
@@ -229,7 +229,7 @@ Theorem TH_START : beta < 1 / 2 < sigma -> forall W, 0 <= W ->
 Proof.
   intros Hbs W HW E M t Ht. destruct (INR_covers t Ht) as (N & HN).
   rewrite viscous_surplus_plain, coulomb_surplus_plain in M.
-  apply (TH_START_combined mu beta sigma (fun x => x) (fun x => x) linear_potential 0 0 (1 / 2) 0
+  apply (TH_START_combined mu beta sigma (fun x => x) linear_potential 0 0 (1 / 2) 0
     INR _ (fun _ => 0) pos vel friction hand P INR_increasing INR_on_time paper_wall O
     (paper_rendered pos _) unforced W HW) with (N := N); try exact M; try exact HN.
   - unfold extra_at. rewrite no_extra. simpl (INR 0). unfold kinetic, linear_potential.
