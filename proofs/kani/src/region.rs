@@ -1,9 +1,10 @@
 //! TH-REGION: a region is the set of speeds at which the criterion holds.
 
 use passivity_core::{
-    Criterion, Region, Scalar,
+    Criterion, Interval, Region, Rig, Scalar, Truth,
+    effects::Effects,
     region::critical_speed,
-    verdict::{Speeds, decide},
+    verdict::{RigBox, Speeds, decide},
 };
 
 use crate::domain::{COARSE_EXPONENT, SPEED_LIMIT, below, up_to};
@@ -194,5 +195,73 @@ fn th_region_verdict_at_every_speed() {
     kani::assert(
         decided == Some(expected),
         "TH-REGION: the verdict at every speed is β ≥ ½ and σ ≥ ½",
+    );
+}
+
+/// Whole units of a tolerance: below 4, 2 bits, three numbers an interval.
+const TOLERANCE: u8 = 4;
+
+/// An interval and a number within it, both from `low` on.
+fn tolerance(low: u8) -> (Interval<Ratio>, Ratio) {
+    let lo = kani::any_where(|n: &u8| *n >= low && *n < TOLERANCE);
+    let x = kani::any_where(|n: &u8| *n >= lo && *n < TOLERANCE);
+    let hi = kani::any_where(|n: &u8| *n >= x && *n < TOLERANCE);
+    let number = |n: u8| Ratio::integer(i32::from(n));
+    (Interval::hull(number(lo), number(hi)), number(x))
+}
+
+/// TH-REGION: a verdict over tolerances is that of every rig within them, or it depends.
+///
+/// b, c and T have tolerances; T pulls both ways, since virtual damping costs BΔ/T. K = 2 and
+/// B = Δ = 1 are exact.
+#[kani::proof]
+fn th_region_verdict_over_tolerances() {
+    let (viscous_box, viscous) = tolerance(0);
+    let (coulomb_box, coulomb) = tolerance(0);
+    let (period_box, period) = tolerance(1);
+    let two = Ratio::integer(2);
+    let rigs = RigBox {
+        viscous: viscous_box,
+        coulomb: coulomb_box,
+        stiffness: Interval::point(two),
+        period: period_box,
+        length: Interval::point(Ratio::one()),
+        encoder: true,
+        delay: 0,
+        damping: Some(Interval::point(Ratio::one())),
+        force_step: None,
+    };
+    let rig = Rig {
+        viscous,
+        coulomb,
+        stiffness: two,
+        period,
+        length: Ratio::one(),
+        effects: Effects {
+            damping: Some(Ratio::one()),
+            ..Effects::encoder()
+        },
+    };
+    let truth = rigs.holds(&Speeds::All, &Speeds::All);
+    let one = decide(&rig.criterion(), &Speeds::All);
+    kani::cover!(truth == Some(Truth::Depends), "it depends");
+    kani::cover!(
+        truth == Some(Truth::Holds) && !period_box.is_point(),
+        "it holds for every period of an interval"
+    );
+    let agrees = match (truth, one) {
+        (Some(Truth::Holds), Some(one)) => one.holds,
+        (Some(Truth::Fails), Some(one)) => !one.holds,
+        (Some(Truth::Depends), Some(_)) => true,
+        (_, _) => false,
+    };
+    kani::assert(
+        agrees,
+        "TH-REGION: a verdict over tolerances is that of each rig within",
+    );
+    let region = rigs.region();
+    kani::assert(
+        kani::implies!(region.is_some() => region == one.map(|one| one.region)),
+        "TH-REGION: a region over tolerances is that of each rig within",
     );
 }
