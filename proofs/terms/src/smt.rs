@@ -19,10 +19,10 @@ use crate::{Node, Term};
 ///
 /// let mut printer = Printer::default();
 /// let text = printer.print(&held_force(&Term::variable("x")));
-/// assert_eq!(text, "(- (+ n1 (/ 1 2)))");
+/// assert_eq!(text, "(- (+ floor1 (/ 1 2)))");
 /// assert_eq!(
 ///     printer.preamble(),
-///     "(declare-const n1 Real) ; floor of x\n(assert (and (<= n1 x) (< x (+ n1 1))))\n"
+///     "(declare-const floor1 Real) ; floor of x\n(assert (and (<= floor1 x) (< x (+ floor1 1))))\n"
 /// );
 /// ```
 #[derive(Clone, Debug, Default)]
@@ -102,7 +102,7 @@ impl Printer {
     }
 
     fn define(&mut self, term: &Term, text: &str) -> String {
-        let name = format!("t{}", self.names.len() + 1);
+        let name = format!("def{}", self.names.len() + 1);
         let _ = writeln!(self.preamble, "(define-fun {name} () Real {text})");
         self.names.insert(term.clone(), name.clone());
         name
@@ -110,7 +110,7 @@ impl Printer {
 
     fn floor(&mut self, term: &Term, x: &Term) -> String {
         let x_text = self.named(x);
-        let name = format!("n{}", self.names.len() + 1);
+        let name = format!("floor{}", self.names.len() + 1);
         let (sort, value) = if self.whole {
             ("Int", format!("(to_real {name})"))
         } else {

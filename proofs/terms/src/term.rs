@@ -1,7 +1,7 @@
 //! The tree of what was asked.
 
 use std::ops::{Add, Mul, Neg, Sub};
-use std::rc::Rc;
+use std::sync::Arc;
 
 use passivity_core::Scalar;
 
@@ -19,7 +19,7 @@ use passivity_core::Scalar;
 /// assert_eq!(force.evaluate(&|_| Fixed::new(5, 4)), Fixed::new(-3, 2));
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Term(Rc<Node>);
+pub struct Term(Arc<Node>);
 
 /// The top of a [`Term`].
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -52,7 +52,7 @@ pub enum Node {
 
 impl Term {
     fn of(node: Node) -> Self {
-        Self(Rc::new(node))
+        Self(Arc::new(node))
     }
 
     /// The variable of that name.

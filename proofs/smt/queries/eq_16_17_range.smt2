@@ -1,0 +1,12 @@
+; EQ-16/17, range: quantization adds between 0 and 1/8 to the potential
+; quantization adds between 0 and 1/8 to the potential
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const x Real)
+(declare-const floor1 Real) ; floor of x
+(assert (and (<= floor1 x) (< x (+ floor1 1))))
+; what would contradict the goal
+(assert (not (and (<= 0 (/ (* (- x floor1) (- 1 (- x floor1))) 2)) (<= (/ (* (- x floor1) (- 1 (- x floor1))) 2) (/ 1 8)))))
+(check-sat)

@@ -1,0 +1,15 @@
+; EQ-19/20, forms: (19) with (20), ½D² + D(ρ₁ − ½) and the integral (18) are one
+; (19) with (20), ½D² + D(ρ₁ − ½) and the integral (18) are one
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const x1 Real)
+(declare-const x0 Real)
+(declare-const floor1 Real) ; floor of x1
+(assert (and (<= floor1 x1) (< x1 (+ floor1 1))))
+(declare-const floor2 Real) ; floor of x0
+(assert (and (<= floor2 x0) (< x0 (+ floor2 1))))
+; what would contradict the goal
+(assert (not (and (= (/ (* (- floor1 floor2) (- (+ (- floor1 floor2) (+ (- x1 floor1) (- x1 floor1))) 1)) 2) (- (+ (* (- (+ floor2 (/ 1 2))) (- x1 x0)) (+ (/ (* x1 x1) 2) (/ (* (- x1 floor1) (- 1 (- x1 floor1))) 2))) (+ (/ (* x0 x0) 2) (/ (* (- x0 floor2) (- 1 (- x0 floor2))) 2)))) (= (/ (* (- floor1 floor2) (- (+ (- floor1 floor2) (+ (- x1 floor1) (- x1 floor1))) 1)) 2) (+ (/ (* (- x1 x0) (- x1 x0)) 2) (- (* (- (- x0 floor2) (/ 1 2)) (- floor1 floor2)) (/ (* (- (- x1 floor1) (- x0 floor2)) (- (- x1 floor1) (- x0 floor2))) 2)))))))
+(check-sat)

@@ -1,0 +1,21 @@
+; EQ-23..26, merging coulomb: Coulomb friction dissipates at least as much in two pieces as in the whole (24)
+; sometimes more
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const sigma Real)
+(declare-const t1 Real)
+(declare-const t2 Real)
+(declare-const d1 Real)
+(declare-const d2 Real)
+(define-fun def1 () Real (ite (>= d1 0) d1 (- d1)))
+(define-fun def2 () Real (ite (>= d2 0) d2 (- d2)))
+(define-fun def3 () Real (+ d1 d2))
+(define-fun def4 () Real (ite (>= def3 0) def3 (- def3)))
+(assert (<= 0 sigma))
+(assert (> t1 0))
+(assert (> t2 0))
+; what would contradict the goal
+(assert (not (= (+ (* def1 (+ (* 0 (/ def1 t1)) sigma)) (* def2 (+ (* 0 (/ def2 t2)) sigma))) (* def4 (+ (* 0 (/ def4 (+ t1 t2))) sigma)))))
+(check-sat)

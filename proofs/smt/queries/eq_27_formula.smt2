@@ -1,0 +1,15 @@
+; EQ-27, formula: the surplus is (β − ½)d²/Δτ + (σ − ½)|d|
+; the surplus is (β − ½)d²/Δτ + (σ − ½)|d|
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const t1 Real)
+(declare-const d1 Real)
+(declare-const beta Real)
+(declare-const sigma Real)
+(define-fun def1 () Real (ite (>= d1 0) d1 (- d1)))
+(assert (> t1 0))
+; what would contradict the goal
+(assert (not (= (* def1 (+ (* (- beta (/ 1 2)) (/ def1 t1)) (- sigma (/ 1 2)))) (+ (* (- beta (/ 1 2)) (/ (* d1 d1) t1)) (* (- sigma (/ 1 2)) def1)))))
+(check-sat)

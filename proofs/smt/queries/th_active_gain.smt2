@@ -1,0 +1,26 @@
+; TH-ACTIVE, gain: the gain by the forces is d(m + 1 − 2βd − 2σ)
+; the gain by the forces is d(m + 1 − 2βd − 2σ)
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const n Real)
+(declare-const a Real)
+(declare-const m Real)
+(declare-const beta Real)
+(declare-const sigma Real)
+(define-fun def1 () Real (- n a))
+(declare-const floor2 Real) ; floor of def1
+(assert (and (<= floor2 def1) (< def1 (+ floor2 1))))
+(define-fun def3 () Real (+ n m))
+(declare-const floor4 Real) ; floor of def3
+(assert (and (<= floor4 def3) (< def3 (+ floor4 1))))
+(define-fun def5 () Real (- def3 def1))
+(define-fun def6 () Real (ite (>= def5 0) def5 (- def5)))
+(assert (= floor2 (- n 1)))
+(assert (= floor4 def3))
+(assert (> a 0))
+(assert (<= 0 m))
+; what would contradict the goal
+(assert (not (= (- (- (* (- (+ floor2 (/ 1 2))) (- def3 def1)) (* (- (+ floor4 (/ 1 2))) (- def3 def1))) (+ (* def6 (+ (* beta def6) sigma)) (* def6 (+ (* beta def6) sigma)))) (* (+ m a) (- (+ m 1) (+ (+ (* beta (+ m a)) sigma) (+ (* beta (+ m a)) sigma)))))))
+(check-sat)

@@ -1,0 +1,18 @@
+; TH-ACTIVE, none where passive: where β ≥ ½ and σ ≥ ½ no cycle of m and a gains
+; where β ≥ ½ and σ ≥ ½ no cycle of m and a gains
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const m Real)
+(declare-const a Real)
+(declare-const beta Real)
+(declare-const sigma Real)
+(assert (<= 0 m))
+(assert (> a 0))
+(assert (<= a 1))
+(assert (<= (/ 1 2) beta))
+(assert (<= (/ 1 2) sigma))
+; what would contradict the goal
+(assert (not (<= (* (+ m a) (- (+ m 1) (+ (+ (* beta (+ m a)) sigma) (+ (* beta (+ m a)) sigma)))) 0)))
+(check-sat)

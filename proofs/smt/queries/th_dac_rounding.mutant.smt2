@@ -1,0 +1,17 @@
+; TH-DAC, rounding: rounding to steps of δ is off by at most ½δ
+; not by at most ⅓δ
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const delta Real)
+(declare-const u Real)
+(define-fun def1 () Real (+ (/ u delta) (/ 1 2)))
+(declare-const floor2 Real) ; floor of def1
+(assert (and (<= floor2 def1) (< def1 (+ floor2 1))))
+(define-fun def3 () Real (- (* delta floor2) u))
+(define-fun def4 () Real (ite (>= def3 0) def3 (- def3)))
+(assert (> delta 0))
+; what would contradict the goal
+(assert (not (<= def4 (* delta (/ 1 3)))))
+(check-sat)

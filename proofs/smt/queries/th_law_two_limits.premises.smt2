@@ -1,0 +1,11 @@
+; TH-LAW, two limits: with two limits of its force it generates at most ½d² + ½|d|: the law held from the position itself, at most ½d²
+; the premises can be met
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const lower Real)
+(declare-const upper Real)
+(assert (<= lower 0))
+(assert (<= 0 upper))
+(check-sat)

@@ -1,0 +1,14 @@
+; TH-LAW, two limits measured: an error of measurement of at most ½ adds at most ½|d|
+; the premises can be met
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const lower Real)
+(declare-const upper Real)
+(declare-const e Real)
+(define-fun def1 () Real (ite (>= e 0) e (- e)))
+(assert (<= lower 0))
+(assert (<= 0 upper))
+(assert (<= def1 (/ 1 2)))
+(check-sat)

@@ -1,0 +1,19 @@
+; TH-QUANT, cases: with N = ⌊|d|⌋ the ticks crossed are N or N + 1, in the direction of d
+; with N = ⌊|d|⌋ the ticks crossed are N or N + 1, in the direction of d
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_LIRA)
+(set-info :status unsat)
+(declare-const x1 Real)
+(declare-const x0 Real)
+(declare-const floor1 Int) ; floor of x1
+(assert (and (<= (to_real floor1) x1) (< x1 (+ (to_real floor1) 1))))
+(declare-const floor2 Int) ; floor of x0
+(assert (and (<= (to_real floor2) x0) (< x0 (+ (to_real floor2) 1))))
+(define-fun def3 () Real (- x1 x0))
+(define-fun def4 () Real (ite (>= def3 0) def3 (- def3)))
+(declare-const floor5 Int) ; floor of def4
+(assert (and (<= (to_real floor5) def4) (< def4 (+ (to_real floor5) 1))))
+; what would contradict the goal
+(assert (not (or (and (<= 0 (- x1 x0)) (or (= (- (to_real floor1) (to_real floor2)) (to_real floor5)) (= (- (to_real floor1) (to_real floor2)) (+ (to_real floor5) 1)))) (and (<= def3 0) (or (= (- (to_real floor1) (to_real floor2)) (- (to_real floor5))) (= (- (to_real floor1) (to_real floor2)) (- (+ (to_real floor5) 1))))))))
+(check-sat)

@@ -1,0 +1,17 @@
+; TH-REGION, all speeds: where the smaller coefficient is not negative the criterion holds at every speed
+; where the smaller coefficient is not negative the criterion holds at every speed
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const v Real)
+(declare-const beta Real)
+(declare-const sigma Real)
+(define-fun def1 () Real (- beta (/ 1 2)))
+(define-fun def2 () Real (- sigma (/ 1 2)))
+(define-fun def3 () Real (ite (<= def1 def2) def1 def2))
+(assert (> v 0))
+(assert (<= 0 def3))
+; what would contradict the goal
+(assert (not (<= 0 (+ (* def1 v) def2))))
+(check-sat)

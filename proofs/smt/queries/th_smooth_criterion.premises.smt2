@@ -1,0 +1,7 @@
+; TH-SMOOTH, criterion: without an encoder the ½ of quantization goes
+; the premises can be met
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(check-sat)

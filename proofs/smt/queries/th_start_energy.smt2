@@ -1,0 +1,16 @@
+; TH-START, energy: while storage stays below that at the start, the speed stays below V
+; while storage stays below that at the start, the speed stays below V
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const mu Real)
+(declare-const v1 Real)
+(declare-const x1 Real)
+(declare-const v0 Real)
+(declare-const x0 Real)
+(assert (> mu 0))
+(assert (<= (+ (/ (* mu (* v1 v1)) 2) (/ (* x1 x1) 2)) (+ (/ (* mu (* v0 v0)) 2) (/ (* x0 x0) 2))))
+; what would contradict the goal
+(assert (not (<= (* v1 v1) (+ (* v0 v0) (/ (* x0 x0) mu)))))
+(check-sat)

@@ -1,0 +1,13 @@
+; TH-START, storage of v: ½μV² is the storage at the start
+; ½μξ̇² is not
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const mu Real)
+(declare-const v0 Real)
+(declare-const x0 Real)
+(assert (> mu 0))
+; what would contradict the goal
+(assert (not (= (/ (* mu (* v0 v0)) 2) (+ (/ (* mu (* v0 v0)) 2) (/ (* x0 x0) 2)))))
+(check-sat)

@@ -1,0 +1,19 @@
+; TH-STIFF, at a speed: K is admissible at a speed exactly up to the limit
+; K is admissible at a speed exactly up to the limit
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const K Real)
+(declare-const T Real)
+(declare-const Delta Real)
+(declare-const v Real)
+(declare-const b Real)
+(declare-const c Real)
+(assert (> K 0))
+(assert (> T 0))
+(assert (> Delta 0))
+(assert (> v 0))
+; what would contradict the goal
+(assert (not (and (or (not (<= 0 (+ (* (- b (* (* K T) (+ (/ 1 2) 0))) v) (- c (/ (* K Delta) 2))))) (<= K (/ (+ (* (- b (* (* 0 T) (+ (/ 1 2) 0))) v) (- c (/ (* 0 Delta) 2))) (+ (* (* T (+ (/ 1 2) 0)) v) (/ Delta 2))))) (or (not (<= K (/ (+ (* (- b (* (* 0 T) (+ (/ 1 2) 0))) v) (- c (/ (* 0 Delta) 2))) (+ (* (* T (+ (/ 1 2) 0)) v) (/ Delta 2))))) (<= 0 (+ (* (- b (* (* K T) (+ (/ 1 2) 0))) v) (- c (/ (* K Delta) 2))))))))
+(check-sat)

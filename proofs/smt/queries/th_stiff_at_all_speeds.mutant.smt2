@@ -1,0 +1,25 @@
+; TH-STIFF, at all speeds: K is admissible at every speed exactly up to the limit
+; it is not the larger of the two
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const K Real)
+(declare-const T Real)
+(declare-const Delta Real)
+(declare-const v Real)
+(declare-const b Real)
+(declare-const c Real)
+(define-fun def1 () Real (- b (* (* K T) (+ (/ 1 2) 0))))
+(define-fun def2 () Real (- c (/ (* K Delta) 2)))
+(define-fun def3 () Real (ite (<= def1 def2) def1 def2))
+(define-fun def4 () Real (/ (- b (* (* 0 T) (+ (/ 1 2) 0))) (* T (+ (/ 1 2) 0))))
+(define-fun def5 () Real (/ (- c (/ (* 0 Delta) 2)) (/ Delta 2)))
+(define-fun def6 () Real (ite (>= def4 def5) def4 def5))
+(assert (> K 0))
+(assert (> T 0))
+(assert (> Delta 0))
+(assert (> v 0))
+; what would contradict the goal
+(assert (not (and (or (not (<= 0 def3)) (<= K def6)) (or (not (<= K def6)) (<= 0 def3)))))
+(check-sat)

@@ -1,0 +1,15 @@
+; TH-STIFF, at all speeds: K is admissible at every speed exactly up to the limit
+; the premises can be met
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const K Real)
+(declare-const T Real)
+(declare-const Delta Real)
+(declare-const v Real)
+(assert (> K 0))
+(assert (> T 0))
+(assert (> Delta 0))
+(assert (> v 0))
+(check-sat)

@@ -1,0 +1,27 @@
+; TH-STIFF, friction needed: the least friction brings the margin to zero
+; the least friction brings the margin to zero
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const K Real)
+(declare-const T Real)
+(declare-const Delta Real)
+(declare-const v Real)
+(declare-const b Real)
+(declare-const B Real)
+(declare-const c Real)
+(declare-const F Real)
+(define-fun def1 () Real (- (- (- c (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2)))
+(define-fun def2 () Real (+ (* (- (- b (* (* K T) (+ (/ 1 2) 2))) B) v) def1))
+(define-fun def3 () Real (ite (<= def1 def2) def1 def2))
+(define-fun def4 () Real (- (- (- (- c def3) (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2)))
+(define-fun def5 () Real (+ (* (- (- b (* (* K T) (+ (/ 1 2) 2))) B) v) def4))
+(define-fun def6 () Real (ite (<= def4 def5) def4 def5))
+(assert (> K 0))
+(assert (> T 0))
+(assert (> Delta 0))
+(assert (> v 0))
+; what would contradict the goal
+(assert (not (and (= (- (- (- b (- (- b (* (* K T) (+ (/ 1 2) 2))) B)) (* (* K T) (+ (/ 1 2) 2))) B) 0) (= (- (- (- (- c (- (- (- c (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2))) (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2)) 0) (= (+ (* (- (- (- b (/ (+ (* (- (- b (* (* K T) (+ (/ 1 2) 2))) B) v) (- (- (- c (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2))) v)) (* (* K T) (+ (/ 1 2) 2))) B) v) (- (- (- c (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2))) 0) (= def6 0))))
+(check-sat)

@@ -1,0 +1,21 @@
+; TH-STIFF, stiffer never helps: where a stiffer wall is admissible, a softer one is
+; the premises can be met
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const K Real)
+(declare-const T Real)
+(declare-const Delta Real)
+(declare-const v Real)
+(declare-const K1 Real)
+(declare-const B Real)
+(declare-const F Real)
+(assert (> K 0))
+(assert (> T 0))
+(assert (> Delta 0))
+(assert (> v 0))
+(assert (> K1 K))
+(assert (<= 0 B))
+(assert (<= 0 F))
+(check-sat)

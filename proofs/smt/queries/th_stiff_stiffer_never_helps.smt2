@@ -1,0 +1,25 @@
+; TH-STIFF, stiffer never helps: where a stiffer wall is admissible, a softer one is
+; where a stiffer wall is admissible, a softer one is
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const K Real)
+(declare-const T Real)
+(declare-const Delta Real)
+(declare-const v Real)
+(declare-const K1 Real)
+(declare-const B Real)
+(declare-const F Real)
+(declare-const b Real)
+(declare-const c Real)
+(assert (> K 0))
+(assert (> T 0))
+(assert (> Delta 0))
+(assert (> v 0))
+(assert (> K1 K))
+(assert (<= 0 B))
+(assert (<= 0 F))
+; what would contradict the goal
+(assert (not (or (not (<= 0 (+ (* (- (- b (* (* K1 T) (+ (/ 1 2) 2))) B) v) (- (- (- c (/ (* K1 Delta) 2)) (* B (/ Delta T))) (/ F 2))))) (<= 0 (+ (* (- (- b (* (* K T) (+ (/ 1 2) 2))) B) v) (- (- (- c (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2)))))))
+(check-sat)

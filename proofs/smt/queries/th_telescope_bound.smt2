@@ -1,0 +1,17 @@
+; TH-TELESCOPE, bound: from any start to any end the change of ½ρ(1 − ρ) is within 1/8
+; from any start to any end the change of ½ρ(1 − ρ) is within 1/8
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const x1 Real)
+(declare-const x0 Real)
+(declare-const floor1 Real) ; floor of x1
+(assert (and (<= floor1 x1) (< x1 (+ floor1 1))))
+(declare-const floor2 Real) ; floor of x0
+(assert (and (<= floor2 x0) (< x0 (+ floor2 1))))
+(define-fun def3 () Real (- (/ (* (- x1 floor1) (- 1 (- x1 floor1))) 2) (/ (* (- x0 floor2) (- 1 (- x0 floor2))) 2)))
+(define-fun def4 () Real (ite (>= def3 0) def3 (- def3)))
+; what would contradict the goal
+(assert (not (<= def4 (/ 1 8))))
+(check-sat)

@@ -1,0 +1,7 @@
+; TH-TELESCOPE, sum: the differences over two runs add up to that of both
+; the premises can be met
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(check-sat)

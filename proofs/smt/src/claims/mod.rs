@@ -1,0 +1,42 @@
+//! The queries, by subject.
+
+use passivity_core::Scalar as _;
+use passivity_terms::Term;
+
+use crate::Query;
+
+mod criterion;
+mod effects;
+mod errata;
+mod generation;
+mod limits;
+mod witness;
+
+/// Every query, in the order of the claims.
+#[must_use]
+pub fn all() -> Vec<Query> {
+    [
+        generation::queries(),
+        criterion::queries(),
+        limits::queries(),
+        witness::queries(),
+        effects::queries(),
+        errata::queries(),
+    ]
+    .concat()
+}
+
+/// The variable of that name.
+fn v(name: &str) -> Term {
+    Term::variable(name)
+}
+
+/// The number n.
+fn n(n: i32) -> Term {
+    Term::integer(n)
+}
+
+/// ½.
+fn half() -> Term {
+    n(1).half()
+}
