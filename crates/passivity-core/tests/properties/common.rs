@@ -13,7 +13,7 @@ use passivity_core::{BigRational, Friction, Rig};
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, TestRunner};
 
-/// Inputs that each sampled test is run on.
+/// Inputs that each sampled test is run on, unless `PROPTEST_CASES` says otherwise.
 const CASES: u32 = 256;
 
 /// The fraction n/d.
@@ -179,8 +179,11 @@ pub(crate) fn run<S: Strategy>(
     test: impl Fn(S::Value) -> Result<(), TestCaseError>,
 ) {
     let started = Instant::now();
+    let asked = std::env::var("PROPTEST_CASES")
+        .ok()
+        .and_then(|cases| cases.parse().ok());
     let config = ProptestConfig {
-        cases: CASES,
+        cases: asked.unwrap_or(CASES),
         failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
         source_file: Some(file),
         test_name: Some(Box::leak(name.to_owned().into_boxed_str())),

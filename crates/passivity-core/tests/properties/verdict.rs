@@ -62,7 +62,9 @@ fn rigs() -> impl Strategy<Value = RigBox> {
 
 /// The corner of the box that a mask of seven bits names: b, c, K, T, Δ, B, F, low or high.
 fn corner(rigs: &RigBox, mask: u8) -> Rig<BigRational> {
-    let pick = |i: &Interval<BigRational>, bit: u8| if mask >> bit & 1 == 1 { i.hi() } else { i.lo() }.clone();
+    let pick = |i: &Interval<BigRational>, bit: u8| {
+        if mask >> bit & 1 == 1 { i.hi() } else { i.lo() }.clone()
+    };
     Rig {
         viscous: pick(&rigs.viscous, 0),
         coulomb: pick(&rigs.coulomb, 1),

@@ -90,7 +90,10 @@ fn th_active_exact_cycles() {
     );
     // Half of the room is 5/24; rounded down to a unit fraction, 1/5.
     let cycle = at(q(3, 5), q(1, 4));
-    assert_eq!((cycle.from, cycle.to, cycle.gain), (q(4, 5), q(1, 1), q(13, 250)));
+    assert_eq!(
+        (cycle.from, cycle.to, cycle.gain),
+        (q(4, 5), q(1, 1), q(13, 250))
+    );
     // No friction: a whole tick, one unit of force held all the way back.
     let cycle = at(zero(), zero());
     assert_eq!(
