@@ -5,9 +5,10 @@ CARGO ?= cargo
 PYTHON ?= python3
 SCENE ?= scenes/re35.toml
 FLAGS ?= --locked
+SOLVERS = target/solvers
 BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
 
-.PHONY: help run test check fmt clippy doc bench figures
+.PHONY: help run test check fmt clippy doc bench figures prove-smt prove-kani prove-rocq
 
 help: ## list the targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -18,9 +19,10 @@ run: ## check and explain the default scene: the main job
 	@echo "== passivity explain $(SCENE)"
 	@$(BIN) explain $(SCENE)
 
-test: ## run all tests
+test: ## run all tests, and ask the solvers every claim
 	@echo "== cargo test --workspace"
 	$(CARGO) test $(FLAGS) --workspace
+	@$(MAKE) --no-print-directory prove-smt
 
 check: fmt clippy doc test ## format, lints, documentation and all tests
 
@@ -44,3 +46,16 @@ figures: ## draw every figure of the documentation into target/figures
 	@mkdir -p target/figures
 	@echo "== passivity plane"
 	@$(BIN) plane scenes/re35*.toml --plot target/figures/plane.svg
+
+prove-smt: ## z3 and cvc5 on every claim, for all real numbers
+	@echo "== z3 and cvc5 on proofs/smt/queries"
+	@proofs/smt/install $(SOLVERS)
+	$(CARGO) run --quiet --release $(FLAGS) -p passivity-smt -- check $(SOLVERS)
+
+prove-kani: ## the model checker on every harness, where `cargo kani` is installed
+	@echo "== cargo kani on proofs/kani"
+	$(CARGO) run --quiet $(FLAGS) -p passivity-prove-kani
+
+prove-rocq: ## the whole theorem in Rocq, installing it where apt-get can
+	@echo "== Rocq on proofs/rocq"
+	$(MAKE) --no-print-directory -C proofs/rocq
