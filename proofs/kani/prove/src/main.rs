@@ -21,7 +21,7 @@ use serde_json::{Value, json};
 const VERSION: &str = "0.68.0";
 
 /// Harnesses checked at a time.
-const JOBS: &str = "2";
+const JOBS: u8 = 2;
 
 /// The longest that one harness may take.
 const TIME_LIMIT: &str = "120s";
@@ -130,14 +130,11 @@ fn installed_version() -> Option<String> {
 
 /// Runs Kani on every harness and returns what it printed.
 fn run(folder: &Path) -> Result<String, String> {
-    println!(
-        "cargo kani on {} (each harness up to {TIME_LIMIT})",
-        folder.display()
-    );
+    println!("cargo kani -p passivity-kani, {JOBS} harnesses at a time, each up to {TIME_LIMIT}");
     let output = cargo_kani()
-        .arg("--manifest-path")
-        .arg(folder.join("Cargo.toml"))
-        .args(["--output-format=terse", "--jobs", JOBS])
+        .current_dir(folder)
+        .args(["-p", "passivity-kani", "--output-format=terse"])
+        .arg(format!("--jobs={JOBS}"))
         .args(["-Z", "unstable-options", "--harness-timeout", TIME_LIMIT])
         .output()
         .map_err(|e| format!("`cargo kani` can't be run: {e}"))?;
