@@ -150,6 +150,13 @@ fn th_active_within_a_speed_bound() {
 }
 
 #[test]
+fn the_margin_at_the_speed_bound_is_that_of_8() {
+    // (β − ½) + (σ − ½)/V = 1/10 + 2·1/10.
+    let scene = dimensionless("3/5", "3/5") + "[operator]\nmax_speed = \"1/2\"\n";
+    assert_eq!(Dir::new().check(&scene).point("margin_at_speed_bound"), ratio(3, 10));
+}
+
+#[test]
 fn th_start_compares_squares() {
     let dir = Dir::new();
     // v_c = 5; V² = 3² + 8²/4 = 25, so V = 5 exactly, by squares.

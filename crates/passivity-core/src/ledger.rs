@@ -23,7 +23,7 @@ pub struct Row<S> {
     pub net_linear: S,
     /// `dissipated_lower` − `generated_quantized`.
     pub net_quantized: S,
-    /// Margin of the criterion (8) at the mean speed; of no meaning when nothing moved.
+    /// Margin of the criterion at the mean speed v̄: (8) times v̄, so that it is defined at rest.
     pub margin: S,
 }
 

@@ -53,42 +53,39 @@ impl Figures<'_> {
         (cost.viscous, cost.coulomb)
     }
 
-    fn force_unit(&self) -> Interval<Wide> {
-        product(&self.rigs.stiffness, &self.rigs.length)
+    /// The coefficients of the dimensionless criterion, β − ½ and σ − ½ less the effects'.
+    fn coefficients(&self) -> (Interval<Wide>, Interval<Wide>) {
+        let (viscous, coulomb) = self.spare();
+        let (viscous_taken, coulomb_taken) = self.taken();
+        let viscous_unit = product(&self.rigs.stiffness, &self.rigs.period);
+        let force_unit = product(&self.rigs.stiffness, &self.rigs.length);
+        (
+            quotient(&viscous, &viscous_unit).map(|x| x.clone() - viscous_taken.clone()),
+            quotient(&coulomb, &force_unit).map(|x| x.clone() - coulomb_taken.clone()),
+        )
     }
 
     /// The smaller coefficient of the dimensionless criterion.
     pub(super) fn margin_at_all_speeds(&self) -> Interval<Wide> {
-        let (viscous, coulomb) = self.spare();
-        let (viscous_taken, coulomb_taken) = self.taken();
-        let viscous_unit = product(&self.rigs.stiffness, &self.rigs.period);
-        let viscous = quotient(&viscous, &viscous_unit).map(|x| x.clone() - viscous_taken.clone());
-        let coulomb =
-            quotient(&coulomb, &self.force_unit()).map(|x| x.clone() - coulomb_taken.clone());
+        let (viscous, coulomb) = self.coefficients();
         Interval::hull(
             viscous.lo().clone().min(coulomb.lo().clone()),
             viscous.hi().clone().min(coulomb.hi().clone()),
         )
     }
 
-    /// The margin at a speed in SI units, in units of KΔ.
-    pub(super) fn margin_at(&self, speed: &Interval<Wide>) -> Interval<Wide> {
-        let (viscous, coulomb) = self.spare();
-        let (viscous_taken, coulomb_taken) = self.taken();
-        let at = |v: &Wide, end: fn(&Interval<Wide>) -> &Wide| {
-            end(&viscous).clone() * v.clone() + end(&coulomb).clone()
-        };
-        let spare = Interval::hull(
-            at(speed.lo(), Interval::lo).min(at(speed.hi(), Interval::lo)),
-            at(speed.lo(), Interval::hi).max(at(speed.hi(), Interval::hi)),
-        );
-        let spare = quotient(&spare, &self.force_unit());
+    /// The margin of (8), (β − ½) + (σ − ½)/v, at a speed in SI units; `None` where that may be 0.
+    pub(super) fn margin_at(&self, speed: &Interval<Wide>) -> Option<Interval<Wide>> {
         let ticks = super::bounds::in_ticks(speed, self.rigs);
-        let taken = ticks.map(|v| v.clone() * viscous_taken.clone() + coulomb_taken.clone());
-        Interval::hull(
-            spare.lo().clone() - taken.hi().clone(),
-            spare.hi().clone() - taken.lo().clone(),
-        )
+        if ticks.lo().is_positive() != Some(true) {
+            return None;
+        }
+        let (viscous, coulomb) = self.coefficients();
+        let coulomb = quotient(&coulomb, &ticks);
+        Some(Interval::hull(
+            viscous.lo().clone() + coulomb.lo().clone(),
+            viscous.hi().clone() + coulomb.hi().clone(),
+        ))
     }
 
     /// b ≥ KT/2 + B.

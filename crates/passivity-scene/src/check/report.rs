@@ -66,7 +66,7 @@ pub struct Report {
     pub speed_bound_si: Option<Interval<BigRational>>,
     /// Where V comes from.
     pub bound_source: Option<BoundSource>,
-    /// The margin of the criterion at V.
+    /// The margin of (8) at V, (β − ½) + (σ − ½)/V less the effects'; `None` at V = 0.
     pub margin_at_speed_bound: Option<Interval<BigRational>>,
     /// The stiffest wall at every speed, SI; at most 0 when there is none.
     pub max_stiffness_all_speeds: Option<Interval<BigRational>>,
@@ -140,7 +140,10 @@ pub fn check(scene: &Scene) -> Report {
         speed_bound: speed.as_ref().map(|v| exact(&in_ticks(v, &rigs))),
         speed_bound_si: speed.as_ref().and_then(si),
         bound_source: bound.as_ref().map(|bound| bound.source),
-        margin_at_speed_bound: speed.as_ref().map(|v| exact(&figures.margin_at(v))),
+        margin_at_speed_bound: speed
+            .as_ref()
+            .and_then(|v| figures.margin_at(v))
+            .map(|m| exact(&m)),
         max_stiffness_all_speeds: has_units.then(|| {
             non_negative(
                 &stiffness::limit_at_all_speeds(&rigs.worst()),
