@@ -132,13 +132,27 @@ impl Ledger {
         self.fixed.as_ref()
     }
 
+    /// The loop over big integers.
+    #[must_use]
+    pub const fn wide(&self) -> &Model<Wide> {
+        &self.wide
+    }
+
+    /// How many samples, up to the start of an interval, its row depends on: the storage of a
+    /// delay looks one displacement further back than the force.
+    #[must_use]
+    pub fn window(&self) -> usize {
+        match self.exact.memory() {
+            0 => 1,
+            memory => memory + 2,
+        }
+    }
+
     /// The row of the interval from `samples[0]` (the latest sample first) to `end`; `None` for
     /// no samples or a Δτ that is not above zero.
     #[must_use]
     pub fn row(&self, samples: &[Sample], end: &Sample, dtau: &Number) -> Option<Row> {
-        let kept = samples.get(..=self.exact.memory()).unwrap_or(samples);
-        // Extra storage of a delay looks one displacement further back.
-        let kept = samples.get(..kept.len() + 1).unwrap_or(samples);
+        let kept = samples.get(..self.window()).unwrap_or(samples);
         let on_machine_integers = || {
             let model = self.fixed.as_ref()?;
             let cells: Option<Vec<_>> = kept.iter().map(Sample::to_fixed).collect();
@@ -198,14 +212,23 @@ impl Row {
         on_entry!(self, entry => entry.net_linear.try_map(Written::to_rational))
     }
 
-    /// Adds E_gᴸ to a sum.
-    pub(crate) fn add_linear(&self, sum: &mut SpanSum) {
-        on_entry!(self, entry => sum.add(&entry.generated_linear));
+    /// E_gᴸ and E_g in lowest terms.
+    pub(crate) fn generated(&self) -> Option<[Span<BigRational>; 2]> {
+        on_entry!(self, entry => Some([
+            entry.generated_linear.try_map(Written::to_rational)?,
+            entry.generated_quantized.try_map(Written::to_rational)?,
+        ]))
     }
 
-    /// Adds E_g to a sum.
-    pub(crate) fn add_quantized(&self, sum: &mut SpanSum) {
-        on_entry!(self, entry => sum.add(&entry.generated_quantized));
+    /// The lower end of `net_linear`: in lowest terms, on machine integers when it fits.
+    pub(crate) fn net_floor(&self) -> Result<(i128, i128), BigRational> {
+        on_entry!(self, entry => {
+            let net = entry.net_linear.lo();
+            net.to_reduced().ok_or_else(|| {
+                // A row's figures are defined.
+                net.to_rational().unwrap_or_else(BigRational::zero)
+            })
+        })
     }
 
     /// The five figures that totals are kept of.

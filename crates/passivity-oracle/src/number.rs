@@ -1,6 +1,5 @@
 //! Exact numbers in and out, fast where they are small.
 
-use std::cmp::Ordering;
 use std::io::Write as _;
 
 use num_integer::Integer as _;
@@ -287,16 +286,6 @@ fn write_natural(n: u128, out: &mut Vec<u8>) {
     out.extend_from_slice(&digits[at..]);
 }
 
-/// How two numbers compare, exactly.
-pub(crate) fn compare(a: &Number, b: &Number) -> Ordering {
-    match (a, b) {
-        (Number::Small(n, d), Number::Small(m, e)) => {
-            (i128::from(*n) * i128::from(*e)).cmp(&(i128::from(*m) * i128::from(*d)))
-        }
-        _ => a.to_rational().cmp(&b.to_rational()),
-    }
-}
-
 /// a − b.
 pub(crate) fn difference(a: &Number, b: &Number) -> Number {
     if let (Number::Small(n, d), Number::Small(m, e)) = (a, b) {
@@ -337,4 +326,12 @@ pub(crate) fn quotient(a: &Number, b: &Number) -> Number {
         }
     }
     Number::from(a.to_rational().over(b.to_rational()))
+}
+
+/// Whether a number is above zero.
+pub(crate) fn is_positive(x: &Number) -> bool {
+    match x {
+        Number::Small(n, _) => *n > 0,
+        Number::Big(x) => num_traits::Signed::is_positive(&**x),
+    }
 }

@@ -2,10 +2,10 @@
 
 use std::collections::VecDeque;
 
-use passivity_core::{BigRational, Ordered, Truth};
+use passivity_core::{BigRational, Truth};
 
 use crate::ledger::{Ledger, Row, Sample};
-use crate::number::{Number, Written};
+use crate::number::Number;
 use crate::row::write_span;
 use crate::span::Span;
 use crate::sum::SpanSum;
@@ -49,6 +49,19 @@ impl Tally {
     /// Counts an interval.
     pub fn add(&mut self, truth: Truth, h: u64) {
         self.add_times(truth, h, 1);
+    }
+
+    /// Adds the tally of what came after the first `before` intervals.
+    pub(crate) fn append(&mut self, other: &Self, before: u64) {
+        for (truth, times, first) in [
+            (Truth::Holds, other.holds, other.first_holds),
+            (Truth::Fails, other.fails, other.first_fails),
+            (Truth::Depends, other.depends, other.first_depends),
+        ] {
+            if let Some(first) = first {
+                self.add_times(truth, before + first, times);
+            }
+        }
     }
 
     /// Counts `times` intervals, the first of them `h`.
@@ -107,8 +120,6 @@ pub struct Run<'a> {
     intervals: u64,
     sums: [SpanSum; 5],
     last: Option<Row>,
-    /// Σ over all rows but the last of E_g, for the tight total of counts.
-    but_last: SpanSum,
     counted: bool,
     criterion: Tally,
     linear: Tally,
@@ -125,7 +136,6 @@ impl<'a> Run<'a> {
             intervals: 0,
             sums: Default::default(),
             last: None,
-            but_last: SpanSum::default(),
             counted: ledger.model().is_plain(),
             criterion: Tally::default(),
             linear: Tally::default(),
@@ -153,14 +163,11 @@ impl<'a> Run<'a> {
             Some(row)
         };
         self.samples.push_front(sample);
-        self.samples.truncate(self.ledger.model().memory() + 2);
+        self.samples.truncate(self.ledger.window());
         Some(row)
     }
 
     fn account(&mut self, row: &Row) {
-        if let Some(last) = self.last.take() {
-            last.add_quantized(&mut self.but_last);
-        }
         row.add_to(&mut self.sums, 1);
         let [criterion, linear, quantized] = row.truths();
         self.criterion.add(criterion, self.intervals);
@@ -175,9 +182,7 @@ impl<'a> Run<'a> {
     pub fn totals(&self) -> Totals {
         let mut figures = self.sums.each_ref().map(SpanSum::value);
         if let (true, Some(last)) = (self.counted, &self.last) {
-            let mut linear = self.but_last.clone();
-            last.add_linear(&mut linear);
-            figures = tightened(figures, linear.value());
+            figures = tightened(figures, last);
         }
         Totals {
             intervals: self.intervals,
@@ -194,27 +199,37 @@ impl<'a> Run<'a> {
 /// Each residue inside the run enters Σ E_gᴸ linearly (TH-TELESCOPE), so that the total is
 /// enclosed exactly by Σ E_g of all rows but the last and E_gᴸ of the last. Net energy is enclosed
 /// by the sum of rows and by the difference of the totals, so by what both have in common.
-pub(crate) fn tightened(
-    figures: [Span<BigRational>; 5],
-    generated_linear: Span<BigRational>,
-) -> [Span<BigRational>; 5] {
-    let [_, quantized, dissipated, net_linear, net_quantized] = figures;
-    let common = |rows: Span<BigRational>, totals: Span<BigRational>| {
-        let lo = Ord::max(rows.lo(), totals.lo()).clone();
-        Span::of(lo, Ord::min(rows.hi(), totals.hi()).clone())
-    };
-    let net_linear = common(net_linear, dissipated.minus(&generated_linear));
-    let net_quantized = common(net_quantized, dissipated.minus(&quantized));
-    [
-        generated_linear,
+pub(crate) fn tightened(figures: [Span<BigRational>; 5], last: &Row) -> [Span<BigRational>; 5] {
+    let [
+        rows_linear,
         quantized,
         dissipated,
         net_linear,
         net_quantized,
-    ]
-}
-
-/// Whether a figure is below zero for certain, or may be.
-pub(crate) fn is_negative<S: Written + Ordered>(span: &Span<S>) -> Option<Truth> {
-    span.is_nonnegative().map(crate::span::not)
+    ] = figures;
+    let [linear_last, quantized_last] = match last.generated() {
+        Some(generated) => generated,
+        None => {
+            return [
+                rows_linear,
+                quantized,
+                dissipated,
+                net_linear,
+                net_quantized,
+            ];
+        }
+    };
+    let swapped =
+        |total: &BigRational, out: &BigRational, within: &BigRational| total - out + within;
+    let linear = Span::of(
+        swapped(quantized.lo(), quantized_last.lo(), linear_last.lo()),
+        swapped(quantized.hi(), quantized_last.hi(), linear_last.hi()),
+    );
+    let common = |rows: Span<BigRational>, totals: Span<BigRational>| {
+        let lo = Ord::max(rows.lo(), totals.lo()).clone();
+        Span::of(lo, Ord::min(rows.hi(), totals.hi()).clone())
+    };
+    let net_linear = common(net_linear, dissipated.minus(&linear));
+    let net_quantized = common(net_quantized, dissipated.minus(&quantized));
+    [linear, quantized, dissipated, net_linear, net_quantized]
 }

@@ -72,11 +72,9 @@ impl<'a> Fields<'a> {
         }
     }
 
-    pub(super) fn number(&self, name: &'static str) -> Result<Number, Refusal> {
-        match self.map.get(name) {
-            Some(value) => number(value, || name.to_owned()),
-            None => Err(missing(name)),
-        }
+    pub(super) fn rational(&self, name: &'static str) -> Result<BigRational, Refusal> {
+        let value = self.map.get(name).ok_or_else(|| missing(name))?;
+        read_rational(value).map_err(|error| refused(&error, name.to_owned()))
     }
 
     /// A number, or an interval of them, that is at least zero.

@@ -1,4 +1,4 @@
-//! The operations: `interval`, `run`, `check`, `version`.
+//! The operations: `interval`, `run`, `motion`, `check`, `version`.
 
 use passivity_core::effects::Effects;
 use passivity_core::{BigRational, Friction};
@@ -8,8 +8,11 @@ use super::fields::{Fields, bad, duration, list, missing, sample};
 use super::{At, PROTOCOL, Refusal};
 use crate::ledger::{Ledger, Sample};
 use crate::model::Model;
+use crate::motion::Piece;
 use crate::number::Number;
+use crate::row::write_span;
 use crate::run::Run;
+use crate::span::Span;
 
 /// The fields that describe a loop, shared by `interval` and `run`.
 const LOOP: [&str; 8] = [
@@ -31,12 +34,13 @@ pub(super) fn run(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal>
     match fields.text("op")? {
         "interval" => interval(fields, out),
         "run" => sequence(fields, out),
+        "motion" => motion(fields, out),
         "check" => verdict(fields, out),
         "version" => version(fields, out),
         other => Err(Refusal::new(
             "unknown_op",
             At::Field("op".to_owned()),
-            format!("no operation `{other}`: there are interval, run, check, version"),
+            format!("no operation `{other}`: there are interval, run, motion, check, version"),
         )),
     }
 }
@@ -128,6 +132,33 @@ fn sequence(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     Ok(())
 }
 
+/// Where a piece of motion at a constant force leads, enclosed between decimals.
+fn motion(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
+    fields.only(&["mu", "beta", "sigma", "xi", "velocity", "force", "tau"])?;
+    let [beta, _] = fields.friction("beta")?;
+    let [sigma, _] = fields.friction("sigma")?;
+    let number = |name| fields.rational(name);
+    let piece = Piece {
+        mu: fields.effect("mu", false)?.ok_or_else(|| missing("mu"))?,
+        friction: Friction::new(beta, sigma),
+        xi: number("xi")?,
+        velocity: number("velocity")?,
+        force: number("force")?,
+        duration: fields.effect("tau", true)?.ok_or_else(|| missing("tau"))?,
+    };
+    let arrival = piece.arrival().ok_or_else(|| {
+        let message = "not one piece of motion: at rest, a change of direction, or βτ/μ > 1";
+        Refusal::new("out_of_range", At::Request, message)
+    })?;
+    let span = |[lo, hi]: [BigRational; 2]| Span::of(lo, hi);
+    out.extend_from_slice(b"{\"xi\": ");
+    write_span(&span(arrival.xi), out);
+    out.extend_from_slice(b", \"velocity\": ");
+    write_span(&span(arrival.velocity), out);
+    out.push(b'}');
+    Ok(())
+}
+
 /// What `passivity check` says of a scene.
 fn verdict(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     fields.only(&["scene"])?;
@@ -148,7 +179,7 @@ fn version(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     fields.only(&[])?;
     let text = format!(
         "{{\"name\": \"passivity\", \"version\": \"{}\", \"protocol\": {PROTOCOL}, \
-         \"ops\": [\"interval\", \"run\", \"check\", \"version\"]}}",
+         \"ops\": [\"interval\", \"run\", \"motion\", \"check\", \"version\"]}}",
         env!("CARGO_PKG_VERSION")
     );
     out.extend_from_slice(text.as_bytes());

@@ -1,0 +1,77 @@
+//! `passivity audit`: the exact ledger of a recorded trace.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::PathBuf;
+
+use passivity_oracle::audit::{Options, Standing, audit};
+
+use crate::exit::{Exit, Failure};
+use crate::output::{Format, emit, emit_json, read_scene};
+
+/// Account for a recorded or simulated trace, exactly, interval by interval.
+///
+/// The trace is CSV with a header, or Parquet, with one of the columns `xi` (ticks), `x [unit]` or
+/// `count` (encoder counts), and perhaps `t [s]` (or `tau`) and `f [unit]`, the commanded force.
+/// The rows that `simulate --out` writes are a trace as well. Of counts, every figure is an exact
+/// enclosure and every answer has three values.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  passivity audit trace.csv --scene scenes/re35.toml
+  passivity audit log.parquet --scene scene.toml --format json --out rows.csv --plot energy.svg
+
+Exit codes: 0 no interval violates the linear account; 1 one does, or it depends; 2 the trace or
+the scene is bad (what came before the mistake is accounted for); 3 the scene has an effect that
+no theorem covers.")]
+pub(crate) struct Args {
+    /// The trace; `-` reads CSV from standard input.
+    #[arg(value_name = "TRACE")]
+    trace: PathBuf,
+    /// The scene it was recorded in.
+    #[arg(long, value_name = "FILE")]
+    scene: PathBuf,
+    /// Write the rows of the ledger to a CSV file.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Draw energy against time, as SVG or PNG.
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// How many cores to use; 0 for all.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    threads: usize,
+    /// For people or for programs.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// Audits and reports.
+pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    let scene = read_scene(&args.scene)?;
+    let place = |what: &std::path::Path| what.display().to_string();
+    let mut rows = match &args.out {
+        Some(path) => Some(BufWriter::new(
+            File::create(path).map_err(|error| Failure::io(place(path), &error))?,
+        )),
+        None => None,
+    };
+    let options = Options {
+        rows: rows.as_mut().map(|rows| rows as &mut dyn Write),
+        points: args.plot.is_some(),
+        threads: args.threads,
+    };
+    let report = audit(&args.trace, &scene, options)
+        .map_err(|error| Failure::input(format!("{}: {error}", place(&args.trace))))?;
+    match args.format {
+        Format::Text => emit(&report.to_text())?,
+        Format::Json => emit_json(&report.to_json())?,
+    }
+    if let Some(error) = report.error() {
+        eprintln!("error: {}: {error}", place(&args.trace));
+    }
+    Ok(match report.standing() {
+        Standing::Holds => Exit::Holds,
+        Standing::Fails | Standing::Depends => Exit::Fails,
+        Standing::NotCovered => Exit::NotCovered,
+        Standing::Broken => Exit::BadInput,
+    })
+}

@@ -1,0 +1,239 @@
+//! A running sum and the lowest point of its course.
+
+use num_integer::Integer as _;
+use passivity_core::{BigRational, Scalar};
+
+use crate::number::Written as _;
+use crate::sum::Sum;
+
+/// A running sum that starts at zero, and the least value it had, the start included.
+#[derive(Clone, Debug)]
+pub(crate) struct Course {
+    /// Sum and least value over the common denominator.
+    now: i128,
+    least: i128,
+    denominator: i128,
+    at: u64,
+    steps: u64,
+    /// Takes over, from what it holds, when machine integers no longer do.
+    big: Option<Box<Big>>,
+}
+
+#[derive(Clone, Debug)]
+struct Big {
+    now: Sum,
+    /// Near `now`, to tell cheaply when it is far above the least value.
+    near: f64,
+    least: BigRational,
+    least_near: f64,
+}
+
+impl Default for Course {
+    fn default() -> Self {
+        Self {
+            now: 0,
+            least: 0,
+            denominator: 1,
+            at: 0,
+            steps: 0,
+            big: None,
+        }
+    }
+}
+
+impl Course {
+    /// The common denominator, as long as machine integers hold the sum.
+    pub(crate) const fn denominator(&self) -> Option<i128> {
+        match self.big {
+            None => Some(self.denominator),
+            Some(_) => None,
+        }
+    }
+
+    /// The sum over [`denominator`](Self::denominator).
+    pub(crate) const fn now(&self) -> i128 {
+        self.now
+    }
+
+    /// n/d over the common denominator, which grows to hold it; `None` when it cannot.
+    pub(crate) fn scaled(&mut self, n: i128, d: i128) -> Option<i128> {
+        if self.big.is_some() {
+            return None;
+        }
+        if self.denominator % d != 0 {
+            let divisor = self.denominator.unsigned_abs().gcd(&d.unsigned_abs());
+            let factor = d / i128::try_from(divisor).ok()?;
+            // Room is left for the sum to grow in.
+            let larger = self.denominator.checked_mul(factor)?;
+            if larger > 1 << 62 {
+                return None;
+            }
+            self.now = self.now.checked_mul(factor)?;
+            self.least = self.least.checked_mul(factor)?;
+            self.denominator = larger;
+        }
+        n.checked_mul(self.denominator / d)
+    }
+
+    /// Adds a step that [`scaled`](Self::scaled) gave. False, and nothing added, on overflow.
+    #[inline]
+    pub(crate) fn add_scaled(&mut self, step: i128) -> bool {
+        let Some(now) = self.now.checked_add(step) else {
+            return false;
+        };
+        self.now = now;
+        self.steps += 1;
+        if now < self.least {
+            self.least = now;
+            self.at = self.steps;
+        }
+        true
+    }
+
+    /// Adds a step in lowest terms.
+    pub(crate) fn add(&mut self, step: &Result<(i128, i128), BigRational>) {
+        if let Ok((n, d)) = step {
+            if let Some(scaled) = self.scaled(*n, *d) {
+                if self.add_scaled(scaled) {
+                    return;
+                }
+            }
+        }
+        let step = match step {
+            Ok((n, d)) => BigRational::new((*n).into(), (*d).into()),
+            Err(step) => step.clone(),
+        };
+        self.add_big(&step);
+    }
+
+    fn add_big(&mut self, step: &BigRational) {
+        let (now, least, denominator) = (self.now, self.least, self.denominator);
+        let big = self.big.get_or_insert_with(|| {
+            let ratio = |n: i128| BigRational::new(n.into(), denominator.into());
+            let mut sum = Sum::default();
+            sum.add_rational(&ratio(now));
+            Box::new(Big {
+                near: near(&ratio(now)),
+                now: sum,
+                least_near: near(&ratio(least)),
+                least: ratio(least),
+            })
+        });
+        self.steps += 1;
+        big.now.add_rational(step);
+        big.near += near(step);
+        // Doubles are off by 2⁻⁵³ a step: a billion steps of them are within this.
+        let slack = 1e-6 * (1.0 + big.near.abs().max(big.least_near.abs()));
+        if big.near < big.least_near + slack {
+            let now = big.now.value().lo().clone();
+            big.near = near(&now);
+            if now < big.least {
+                big.least_near = big.near;
+                big.least = now;
+                self.at = self.steps;
+            }
+        }
+    }
+
+    /// The sum.
+    pub(crate) fn total(&self) -> BigRational {
+        match &self.big {
+            None => BigRational::new(self.now.into(), self.denominator.into()),
+            Some(big) => big.now.value().lo().clone(),
+        }
+    }
+
+    /// The sum as a double, for pictures.
+    pub(crate) fn near(&self) -> f64 {
+        match &self.big {
+            #[allow(clippy::cast_precision_loss)]
+            None => self.now as f64 / self.denominator as f64,
+            Some(big) => big.near,
+        }
+    }
+
+    /// The least value, and after how many steps it was there.
+    pub(crate) fn least(&self) -> (BigRational, u64) {
+        let least = match &self.big {
+            None => BigRational::new(self.least.into(), self.denominator.into()),
+            Some(big) => big.least.clone(),
+        };
+        (least, self.at)
+    }
+
+    /// Goes on with another course, which started at zero where this one ends.
+    pub(crate) fn append(&mut self, other: &Self) {
+        let (least, at) = other.least();
+        let lowest = self.total() + least;
+        let lower = lowest < self.least().0;
+        let (before, steps) = (self.steps, other.steps);
+        let total = other.total();
+        self.add(&total.to_reduced().ok_or(total));
+        if lower {
+            self.at = before + at;
+            match &mut self.big {
+                Some(big) => {
+                    big.least_near = near(&lowest);
+                    big.least = lowest;
+                }
+                None => self.set_least(lowest),
+            }
+        }
+        self.steps = before + steps;
+    }
+
+    fn set_least(&mut self, lowest: BigRational) {
+        let scaled = lowest.to_reduced().and_then(|(n, d)| self.scaled(n, d));
+        match scaled {
+            Some(least) => self.least = least,
+            None => {
+                self.add_big(&BigRational::integer(0));
+                if let Some(big) = &mut self.big {
+                    big.least_near = near(&lowest);
+                    big.least = lowest;
+                }
+            }
+        }
+    }
+}
+
+/// The nearest double.
+pub(crate) fn near(x: &BigRational) -> f64 {
+    passivity_scene::number::nearest_f64(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn ratio(n: i128, d: i128) -> BigRational {
+        BigRational::new(n.into(), d.into())
+    }
+
+    proptest! {
+        #[test]
+        fn is_the_running_sum_and_its_least_value(
+            steps in prop::collection::vec((-50..50_i128, 1..40_i128), 0..60),
+            cut in 0..60_usize,
+            wide: bool,
+        ) {
+            let scale = if wide { i128::MAX / 1000 } else { 1 };
+            let (mut now, mut least, mut at) = (ratio(0, 1), ratio(0, 1), 0);
+            let (mut first, mut second) = (Course::default(), Course::default());
+            for (i, (n, d)) in steps.iter().enumerate() {
+                let step = ratio(n * scale, *d);
+                now += &step;
+                if now < least {
+                    least = now.clone();
+                    at = i as u64 + 1;
+                }
+                let part = if i < cut { &mut first } else { &mut second };
+                part.add(&step.to_reduced().ok_or(step));
+            }
+            first.append(&second);
+            prop_assert_eq!(first.total(), now);
+            prop_assert_eq!(first.least(), (least, at));
+        }
+    }
+}

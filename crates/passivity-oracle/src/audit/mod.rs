@@ -1,0 +1,179 @@
+//! The exact ledger of a recorded trace: CSV or Parquet, streamed, on every core.
+
+mod account;
+mod chunk;
+mod course;
+mod csv;
+mod error;
+mod force;
+mod layout;
+mod merge;
+mod parquet;
+mod report;
+mod worker;
+
+pub use account::Point;
+pub use error::TraceError;
+pub use layout::Form;
+pub use report::{Audit, Standing};
+
+use std::fs::File;
+use std::io::{Read, Write};
+use std::path::Path;
+
+use passivity_scene::Scene;
+
+use crate::audit::chunk::Chunk;
+use crate::audit::csv::{Block, Lines};
+use crate::audit::layout::{Layout, Scale};
+use crate::audit::merge::Merge;
+use crate::audit::worker::{Task, Worker};
+use crate::ledger::Ledger;
+use crate::model::Model;
+
+/// The level of π at which friction in ticks is enclosed: about 14 digits, which machine integers
+/// hold.
+const PI_LEVEL: usize = 2;
+
+/// What an audit is to give besides its report.
+#[derive(Default)]
+pub struct Options<'a> {
+    /// Where the rows of the ledger go, as CSV.
+    pub rows: Option<&'a mut (dyn Write + 'a)>,
+    /// Whether the course of the energy is wanted, for a plot.
+    pub points: bool,
+    /// How many cores to use; 0 for all.
+    pub threads: usize,
+}
+
+/// Where the samples come from.
+enum Source {
+    Csv(Lines<Box<dyn Read>>),
+    Parquet(Box<parquet::Table>),
+}
+
+/// Audits a trace in a file; `-` is standard input, which must be CSV.
+///
+/// # Errors
+///
+/// [`TraceError`] when the file cannot be opened or its header cannot be read, or when rows cannot
+/// be written. A mistake further on is part of the [`Audit`], with the account of what came before.
+pub fn audit(path: &Path, scene: &Scene, options: Options<'_>) -> Result<Audit, TraceError> {
+    if path.as_os_str() == "-" {
+        return audit_csv(Box::new(std::io::stdin()), scene, options);
+    }
+    let mut file = File::open(path).map_err(|error| TraceError::io(&error))?;
+    let mut magic = [0; 4];
+    let is_parquet = file.read_exact(&mut magic).is_ok() && &magic == b"PAR1";
+    drop(file);
+    if is_parquet {
+        let table = parquet::Table::open(path)?;
+        let layout = Layout::read(table.names(), scene)?;
+        return run(Source::Parquet(Box::new(table)), &layout, scene, options);
+    }
+    let file = File::open(path).map_err(|error| TraceError::io(&error))?;
+    audit_csv(Box::new(file), scene, options)
+}
+
+/// Audits a trace in CSV.
+///
+/// # Errors
+///
+/// As [`audit`].
+///
+/// # Example
+///
+/// ```
+/// use passivity_oracle::audit::{Options, Standing, audit_csv};
+/// use passivity_scene::Scene;
+///
+/// let scene = Scene::from_toml("s", "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"").unwrap();
+/// let trace = Box::new(&b"xi\n1\n1/2\n"[..]);
+/// let audit = audit_csv(trace, &scene, Options::default()).unwrap();
+/// assert_eq!(audit.standing(), Standing::Holds); // the linear account,
+/// assert_eq!(audit.totals().quantized.holds, 1); // not that of (22)
+/// ```
+pub fn audit_csv(
+    input: Box<dyn Read>,
+    scene: &Scene,
+    options: Options<'_>,
+) -> Result<Audit, TraceError> {
+    let mut lines = Lines::new(input);
+    let names = csv::names(&lines.header()?)?;
+    let layout = Layout::read(names, scene)?;
+    run(Source::Csv(lines), &layout, scene, options)
+}
+
+/// What a core is given.
+enum Work {
+    Parse(Block),
+    Account(Chunk),
+}
+
+fn run(
+    mut source: Source,
+    layout: &Layout,
+    scene: &Scene,
+    options: Options<'_>,
+) -> Result<Audit, TraceError> {
+    let ledger = Ledger::new(Model::of_scene(scene, PI_LEVEL));
+    let model = ledger.model();
+    let enclosures = layout.form == Form::Count
+        || model.least != model.most
+        || matches!(layout.scale, Scale::Pi(..));
+    let task = Task {
+        ledger: &ledger,
+        layout,
+        rows: options.rows.is_some().then_some(enclosures),
+        points: options.points,
+    };
+    let threads = match options.threads {
+        0 => std::thread::available_parallelism().map_or(1, usize::from),
+        threads => threads,
+    };
+    let mut workers: Vec<Worker> = (0..threads).map(|_| Worker::default()).collect();
+    let mut merge = Merge::new(&task, options.rows)?;
+    let lead = ledger.window() - 1;
+    loop {
+        let mut work: Vec<Work> = Vec::with_capacity(threads);
+        while work.len() < threads {
+            let next = match &mut source {
+                Source::Csv(lines) => lines.next_block().map(Work::Parse),
+                Source::Parquet(table) => table.next_chunk(layout).map(Work::Account),
+            };
+            match next {
+                Some(next) => work.push(next),
+                None => break,
+            }
+        }
+        if work.is_empty() {
+            break;
+        }
+        let done = std::thread::scope(|scope| {
+            let mut running = Vec::new();
+            for (work, worker) in work.into_iter().zip(&mut workers) {
+                let task = &task;
+                running.push(scope.spawn(move || {
+                    let mut chunk = match work {
+                        Work::Parse(block) => csv::parse(&block, task.layout),
+                        Work::Account(chunk) => chunk,
+                    };
+                    let account = worker.account(task, &mut chunk, lead);
+                    (chunk, account)
+                }));
+            }
+            let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
+                handle
+                    .join()
+                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+            };
+            running.into_iter().map(join).collect::<Vec<_>>()
+        });
+        for (chunk, account) in done {
+            if !merge.take(chunk, account)? {
+                return merge.finish(scene);
+            }
+        }
+    }
+    merge.finish(scene)
+}

@@ -1,0 +1,237 @@
+//! Drives another implementation through the vectors, over the line protocol.
+
+use std::collections::HashMap;
+use std::io::{BufRead as _, BufReader, Write as _};
+use std::process::{Command, Stdio};
+use std::sync::mpsc;
+use std::time::Duration;
+
+use passivity_core::{BigRational, Friction, witness};
+use passivity_scene::json::read_rational;
+use serde_json::Value;
+
+use super::{Group, Test};
+
+/// How long to wait for the next answer.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The longest answer that is read, in bytes.
+const MAX_ANSWER: u64 = 64 << 20;
+
+/// Where another implementation differs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Difference {
+    /// The group.
+    pub group: &'static str,
+    /// The test.
+    pub id: u64,
+    /// The field, as in `rows[2].net_linear`.
+    pub field: String,
+    /// What was expected and what was found.
+    pub message: String,
+}
+
+/// What came of it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Outcome {
+    /// How many tests were run.
+    pub tests: usize,
+    /// Every difference.
+    pub differences: Vec<Difference>,
+}
+
+/// Runs `command` with the shell, asks it every test of `groups`, and compares the answers.
+///
+/// # Errors
+///
+/// When the command cannot be started.
+pub fn against(command: &str, groups: &[Group]) -> std::io::Result<Outcome> {
+    let mut child = Command::new("sh")
+        .args(["-c", command])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()?;
+    let lines: Vec<String> = groups
+        .iter()
+        .flat_map(|group| &group.tests)
+        .map(Test::line)
+        .collect();
+    let mut input = child.stdin.take();
+    // Asking and listening at once: neither side's pipe fills up.
+    let asking = std::thread::spawn(move || {
+        for line in lines {
+            let Some(input) = &mut input else { return };
+            if writeln!(input, "{line}").is_err() {
+                return;
+            }
+        }
+        drop(input);
+    });
+    let (heard, answers) = mpsc::channel();
+    let output = child.stdout.take();
+    std::thread::spawn(move || {
+        let Some(output) = output else { return };
+        let mut output = BufReader::new(output);
+        loop {
+            let mut line = String::new();
+            let read = std::io::Read::take(&mut output, MAX_ANSWER).read_line(&mut line);
+            match read {
+                Ok(n) if n > 0 && heard.send(line).is_ok() => {}
+                _ => return,
+            }
+        }
+    });
+    let expected: usize = groups.iter().map(|group| group.tests.len()).sum();
+    let mut by_id: HashMap<u64, Value> = HashMap::new();
+    for _ in 0..expected {
+        let Ok(line) = answers.recv_timeout(PATIENCE) else {
+            break;
+        };
+        let Ok(answer) = serde_json::from_str::<Value>(&line) else {
+            continue;
+        };
+        if let Some(id) = answer["id"].as_u64() {
+            by_id.insert(id, answer);
+        }
+    }
+    // Whatever it still does, it is asked nothing more.
+    let _ = child.kill();
+    let _ = child.wait();
+    let _ = asking.join();
+    Ok(compare(groups, &by_id))
+}
+
+/// Compares answers with what the tests expect.
+#[must_use]
+pub fn compare(groups: &[Group], answers: &HashMap<u64, Value>) -> Outcome {
+    let mut outcome = Outcome::default();
+    for group in groups {
+        for test in &group.tests {
+            outcome.tests += 1;
+            let mut found = Vec::new();
+            match answers.get(&test.id) {
+                None => found.push((String::new(), "no answer".to_owned())),
+                Some(answer) => judge(test, answer, &mut found),
+            }
+            let differences = found.into_iter().map(|(field, message)| Difference {
+                group: group.name,
+                id: test.id,
+                field,
+                message,
+            });
+            outcome.differences.extend(differences);
+        }
+    }
+    outcome
+}
+
+/// Field and message of each difference.
+type Found = Vec<(String, String)>;
+
+fn judge(test: &Test, answer: &Value, found: &mut Found) {
+    match (&test.result, answer.get("result"), answer.get("error")) {
+        (None, None, Some(_)) => {}
+        (None, _, _) => found.push((String::new(), "expected an error".to_owned())),
+        (Some(_), None, _) => {
+            let message = format!("expected a result, found {}", short(answer));
+            found.push((String::new(), message));
+        }
+        (Some(expected), Some(result), _) => {
+            if test.request["op"] == "motion" {
+                meets(expected, result, found);
+            } else {
+                differs(expected, result, "", found);
+            }
+            if expected["verdict"] == "not_passive" {
+                check_witness(test, result, found);
+            }
+        }
+    }
+}
+
+/// Everything expected must be there; what is there besides is not asked about.
+fn differs(expected: &Value, actual: &Value, field: &str, found: &mut Found) {
+    match (expected, actual) {
+        (Value::Object(expected), Value::Object(actual)) => {
+            for (name, expected) in expected {
+                let field = if field.is_empty() {
+                    name.clone()
+                } else {
+                    format!("{field}.{name}")
+                };
+                match actual.get(name) {
+                    Some(actual) => differs(expected, actual, &field, found),
+                    None => found.push((field, "the field is missing".to_owned())),
+                }
+            }
+        }
+        (Value::Array(expected), Value::Array(actual)) if expected.len() == actual.len() => {
+            for (i, (expected, actual)) in expected.iter().zip(actual).enumerate() {
+                differs(expected, actual, &format!("{field}[{i}]"), found);
+            }
+        }
+        _ if expected == actual => {}
+        _ => {
+            let message = format!("expected {}, found {}", short(expected), short(actual));
+            found.push((field.to_owned(), message));
+        }
+    }
+}
+
+/// Whether numbers meet the enclosures of the test, widened a little.
+fn meets(expected: &Value, actual: &Value, found: &mut Found) {
+    for field in ["xi", "velocity"] {
+        let ends = [&expected[field], &actual[field]].map(ends);
+        let [Some([lo, hi]), Some([least, most])] = ends else {
+            found.push((field.to_owned(), "expected a number or {lo, hi}".to_owned()));
+            continue;
+        };
+        let tolerance = BigRational::new(1.into(), 1_000_000_000.into());
+        let size = num_traits::Signed::abs(&hi) + BigRational::from_integer(1.into());
+        let slack = tolerance * size;
+        if least > most || least > &hi + &slack || most < &lo - &slack {
+            let message = format!("expected {lo} … {hi}, found {least} … {most}");
+            found.push((field.to_owned(), message));
+        }
+    }
+}
+
+fn ends(value: &Value) -> Option<[BigRational; 2]> {
+    match value {
+        Value::Object(ends) => Some([
+            read_rational(ends.get("lo")?).ok()?,
+            read_rational(ends.get("hi")?).ok()?,
+        ]),
+        number => read_rational(number).ok().map(|x| [x.clone(), x]),
+    }
+}
+
+/// A cycle that gains energy, by the held force (5) and friction (23) alone.
+fn check_witness(test: &Test, result: &Value, found: &mut Found) {
+    let number = |value: &Value| read_rational(value).ok();
+    let point = &test.request["scene"]["dimensionless"];
+    let numbers = [
+        number(&result["witness"]["from"]),
+        number(&result["witness"]["to"]),
+        number(&point["beta"]),
+        number(&point["sigma"]),
+    ];
+    let [Some(from), Some(to), Some(beta), Some(sigma)] = numbers else {
+        found.push(("witness".to_owned(), "expected {from, to}".to_owned()));
+        return;
+    };
+    let gain = witness::gain(&from, &to, &Friction::new(beta, sigma));
+    if !num_traits::Signed::is_positive(&gain) {
+        let message = format!("{from} → {to} → {from} gains {gain}");
+        found.push(("witness".to_owned(), message));
+    }
+}
+
+fn short(value: &Value) -> String {
+    const MOST: usize = 120;
+    let text = value.to_string();
+    match text.char_indices().nth(MOST) {
+        Some((at, _)) => format!("{}…", text.get(..at).unwrap_or_default()),
+        None => text,
+    }
+}
