@@ -95,6 +95,8 @@ impl Quantity {
 impl Bound {
     /// Whether a value with this sign is allowed.
     #[must_use]
+    #[cfg_attr(prusti, prusti_contracts::ensures(matches!(sign, core::cmp::Ordering::Less) ==> !result))]
+    #[cfg_attr(prusti, prusti_contracts::ensures(matches!(sign, core::cmp::Ordering::Greater) ==> result))]
     pub const fn allows(&self, sign: core::cmp::Ordering) -> bool {
         match sign {
             core::cmp::Ordering::Less => false,

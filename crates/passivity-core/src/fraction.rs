@@ -2,7 +2,8 @@
 //!
 //! A verdict needs the sign of a polynomial, not its lowest terms, and a greatest common divisor
 //! costs more than the polynomial. [`Fixed`] is the fast instance, over checked 128-bit integers;
-//! [`Wide`] is the same text over big integers and never overflows.
+//! [`Wide`] is the same text over big integers and never overflows. What they compute is exact, or
+//! undefined (NUM-EXACT).
 
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -46,6 +47,7 @@ macro_rules! machine_integer {
             fn mul(&self, other: &Self) -> Option<Self> {
                 self.checked_mul(*other)
             }
+            #[cfg_attr(prusti, prusti_contracts::ensures(*divisor <= 0 ==> result.is_none()))]
             fn div_floor(&self, divisor: &Self) -> Option<Self> {
                 // With a positive divisor the Euclidean quotient is the floor.
                 if *divisor > 0 { self.checked_div_euclid(*divisor) } else { None }
@@ -53,6 +55,7 @@ macro_rules! machine_integer {
             fn signum(&self) -> Ordering {
                 self.cmp(&0)
             }
+            #[cfg_attr(prusti, prusti_contracts::ensures(*self % 2 != 0 ==> result.is_none()))]
             fn halved(&self) -> Option<Self> {
                 if self & 1 == 0 { self.checked_div_euclid(2) } else { None }
             }
@@ -133,12 +136,14 @@ impl<I: Integer> Fraction<I> {
 
     /// Whether the value is defined: nothing overflowed and nothing was divided by zero.
     #[must_use]
+    #[cfg_attr(prusti, prusti_contracts::pure)]
     pub const fn is_defined(&self) -> bool {
         self.value.is_some()
     }
 
     /// Numerator and denominator as they are, not reduced; `None` when undefined.
     #[must_use]
+    #[cfg_attr(prusti, prusti_contracts::ensures(result.is_some() == self.is_defined()))]
     pub const fn parts(&self) -> Option<(&I, &I)> {
         match &self.value {
             Some((n, d)) => Some((n, d)),
@@ -245,6 +250,7 @@ impl<I: Integer> Scalar for Fraction<I> {
 }
 
 impl<I: Integer> Ordered for Fraction<I> {
+    #[cfg_attr(prusti, prusti_contracts::ensures(result.is_some() == self.is_defined()))]
     fn sign(&self) -> Option<Ordering> {
         self.value.as_ref().map(|(n, _)| n.signum())
     }

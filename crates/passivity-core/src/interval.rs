@@ -104,6 +104,8 @@ impl Truth {
     /// assert_eq!(Truth::over(false, true), Truth::Depends);
     /// ```
     #[must_use]
+    #[cfg_attr(prusti, prusti_contracts::ensures(at_worst == matches!(result, Truth::Holds)))]
+    #[cfg_attr(prusti, prusti_contracts::ensures((!at_worst && !at_best) == matches!(result, Truth::Fails)))]
     pub const fn over(at_worst: bool, at_best: bool) -> Self {
         match (at_worst, at_best) {
             (true, _) => Self::Holds,

@@ -31,6 +31,7 @@ pub enum Region {
 impl Region {
     /// The region of a criterion; `None` when a coefficient is undefined.
     #[must_use]
+    #[cfg_attr(prusti, prusti_contracts::ensures(criterion.viscous.sign().is_none() ==> result.is_none()))]
     pub fn of<S: Ordered>(criterion: &Criterion<S>) -> Option<Self> {
         use Ordering::{Greater, Less};
         Some(

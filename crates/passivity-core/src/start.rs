@@ -36,6 +36,8 @@ pub fn margin_of_squares<S: Scalar>(criterion: &Criterion<S>, speed_squared: &S)
 /// At V = 0 nothing moves and nothing is asked, but a device that is pushed would move: the
 /// answer is that of arbitrarily small speeds.
 #[must_use]
+#[cfg_attr(prusti, prusti_contracts::ensures(criterion.viscous.sign().is_none() ==> result.is_none()))]
+#[cfg_attr(prusti, prusti_contracts::ensures(criterion.coulomb.sign().is_none() ==> result.is_none()))]
 pub fn holds_up_to<S: Ordered>(criterion: &Criterion<S>, speed_squared: &S) -> Option<bool> {
     match (criterion.viscous.sign()?, criterion.coulomb.sign()?) {
         (_, Ordering::Less) => Some(false),

@@ -149,7 +149,7 @@ fn small_rig() -> impl Strategy<Value = Rig<BigRational>> {
 }
 
 sampled! {
-    fn instances_agree_on_numbers_of_any_size(
+    fn num_exact_instances_agree_on_numbers_of_any_size(
         a in position(), b in position(), beta in coefficient(), sigma in coefficient(),
         dtau in positive(), rig in rig()
     ) {
@@ -172,7 +172,7 @@ sampled! {
         }
     }
 
-    fn instances_agree_on_numbers_of_data_sheets(
+    fn num_exact_instances_agree_on_numbers_of_data_sheets(
         a in small(), b in small(), beta in small(), sigma in small(), dtau in small(), rig in small_rig()
     ) {
         let friction = Friction::new(beta, sigma);
@@ -186,7 +186,7 @@ sampled! {
         }
     }
 
-    fn instances_agree_on_verdicts(rig in rig(), v in positive(), squared in any::<bool>()) {
+    fn num_exact_instances_agree_on_verdicts(rig in rig(), v in positive(), squared in any::<bool>()) {
         let speeds = if squared { Speeds::UpToSquared(v) } else { Speeds::UpTo(v) };
         for speeds in [speeds, Speeds::All] {
             let expected = decide(&rig.criterion(), &speeds);
@@ -195,7 +195,7 @@ sampled! {
         }
     }
 
-    fn instances_compare_alike(a in number(), b in number()) {
+    fn num_exact_instances_compare_alike(a in number(), b in number()) {
         let expected = Some(a.cmp(&b));
         prop_assert_eq!(a.compare(&b), expected);
         let (wide_a, wide_b) = (to_wide(&a), to_wide(&b));
@@ -210,7 +210,7 @@ sampled! {
         prop_assert_eq!(from_wide(&wide_a.max(wide_b)), Some(if a < b { b } else { a }));
     }
 
-    fn instances_agree_on_regions(viscous in number(), coulomb in number()) {
+    fn num_exact_instances_agree_on_regions(viscous in number(), coulomb in number()) {
         let wide = Criterion { viscous: to_wide(&viscous), coulomb: to_wide(&coulomb) };
         prop_assert_eq!(Region::of(&wide), Region::of(&Criterion { viscous, coulomb }));
     }

@@ -5,7 +5,7 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 use passivity_core::bounds::{Quantity, TABLE};
 
 #[test]
-fn bounds_of_every_quantity() {
+fn num_exact_bounds_of_every_quantity() {
     let expected = [
         (Quantity::Inertia, "inertia", "m", false),
         (Quantity::Viscous, "viscous friction", "b", true),

@@ -59,7 +59,7 @@ fn defined(a: Fixed) -> Option<(i128, i128)> {
 }
 
 sampled! {
-    fn fraction_operations(a in number(), b in number()) {
+    fn num_exact_fraction_operations(a in number(), b in number()) {
         prop_assume!(b != zero());
         let expected = expected(&a, &b);
         prop_assert_eq!(&operations(&a, &b), &expected);
@@ -72,7 +72,7 @@ sampled! {
         }
     }
 
-    fn fraction_operations_on_small_numbers(
+    fn num_exact_fraction_operations_on_small_numbers(
         a in (-200i64..200, 1i64..60), b in (-200i64..200, 1i64..60), scale in 1i128..50
     ) {
         let (a, b) = (q(a.0, a.1), q(b.0, b.1));
@@ -89,7 +89,7 @@ sampled! {
         prop_assert!(unreduced(&a) == to_fixed(&a).unwrap());
     }
 
-    fn fraction_new_moves_the_sign(n in any::<i64>(), d in any::<i64>()) {
+    fn num_exact_fraction_new_moves_the_sign(n in any::<i64>(), d in any::<i64>()) {
         let x = Fixed::new(n.into(), d.into());
         prop_assert_eq!(x.is_defined(), d != 0);
         if d != 0 {
@@ -98,7 +98,7 @@ sampled! {
         }
     }
 
-    fn fraction_reduced(n in number(), k in 1u32..1000) {
+    fn num_exact_fraction_reduced(n in number(), k in 1u32..1000) {
         let (numerator, denominator) = (n.numer() * k, n.denom() * k);
         let wide = Wide::new(numerator, denominator);
         prop_assert_eq!(wide.reduced(), Some((n.numer().clone(), n.denom().clone())));
@@ -106,7 +106,7 @@ sampled! {
         prop_assert_eq!(to_wide(&n).reduced(), Some((n.numer().clone(), n.denom().clone())));
     }
 
-    fn fraction_round_trip(n in any::<i128>(), d in 1i128..) {
+    fn num_exact_fraction_round_trip(n in any::<i128>(), d in 1i128..) {
         let big = BigRational::new(BigInt::from(n), BigInt::from(d));
         let fixed = to_fixed(&big).unwrap();
         prop_assert_eq!(from_fixed(&fixed), Some(big.clone()));
@@ -181,14 +181,14 @@ fn edges<I: Integer + core::fmt::Debug>(least: I, most: I) {
 }
 
 #[test]
-fn fraction_widths_at_their_ends() {
+fn num_exact_fraction_widths_at_their_ends() {
     edges(i32::MIN, i32::MAX);
     edges(i64::MIN, i64::MAX);
     edges(i128::MIN, i128::MAX);
 }
 
 #[test]
-fn fraction_of_big_integers_never_overflows() {
+fn num_exact_fraction_of_big_integers_never_overflows() {
     let n = |n: i32| <BigInt as Integer>::from_i32(n);
     assert_eq!(n(-7).div_floor(&n(2)), Some(n(-4)));
     assert_eq!(
@@ -221,7 +221,7 @@ fn fraction_of_big_integers_never_overflows() {
 }
 
 #[test]
-fn fraction_halves_without_growing_where_it_can() {
+fn num_exact_fraction_halves_without_growing_where_it_can() {
     assert_eq!(defined(Fixed::new(6, 5).half()), Some((3, 5)));
     assert_eq!(defined(Fixed::new(3, 5).half()), Some((3, 10)));
     assert_eq!(defined(Fixed::new(1, 5) + Fixed::new(2, 5)), Some((3, 5)));
@@ -229,7 +229,7 @@ fn fraction_halves_without_growing_where_it_can() {
 }
 
 #[test]
-fn division_by_zero_of_big_rationals_is_zero() {
+fn num_exact_division_by_zero_of_big_rationals_is_zero() {
     assert_eq!(q(3, 1).over(zero()), zero());
     assert_eq!(q(3, 1).over(q(2, 1)), q(3, 2));
     assert_eq!(to_fixed(&q(-3, 4)).and_then(defined), Some((-3, 4)));

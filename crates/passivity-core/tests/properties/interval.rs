@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use crate::common::{number, q, sampled, zero};
 
 sampled! {
-    fn interval_keeps_its_ends(a in number(), b in number()) {
+    fn num_exact_interval_keeps_its_ends(a in number(), b in number()) {
         let interval = Interval::new(a.clone(), b.clone());
         prop_assert_eq!(interval.is_some(), a <= b);
         if let Some(interval) = interval {
@@ -21,7 +21,7 @@ sampled! {
         }
     }
 
-    fn interval_hull_orders_its_ends(a in number(), b in number()) {
+    fn num_exact_interval_hull_orders_its_ends(a in number(), b in number()) {
         let hull = Interval::hull(a.clone(), b.clone());
         let (lo, hi) = if a <= b { (a, b) } else { (b, a) };
         prop_assert_eq!((hull.lo(), hull.hi()), (&lo, &hi));
@@ -31,7 +31,7 @@ sampled! {
 }
 
 #[test]
-fn interval_edge_cases() {
+fn num_exact_interval_edge_cases() {
     assert!(Interval::new(q(1, 1), q(1, 1)).is_some_and(|i| i.is_point()));
     let at_zero = Interval::new(q(-1, 1), zero()).unwrap();
     assert_eq!(at_zero.is_nonnegative(), Some(Truth::Depends));
@@ -41,7 +41,7 @@ fn interval_edge_cases() {
 }
 
 #[test]
-fn truth_of_the_two_ends() {
+fn num_exact_truth_of_the_two_ends() {
     let table = [
         (true, true, Truth::Holds, "holds"),
         (true, false, Truth::Holds, "holds"),

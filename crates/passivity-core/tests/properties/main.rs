@@ -1,7 +1,7 @@
 //! The kernel's claims on big rationals of full size, one test a statement.
 //!
 //! A test's name begins with the id of the claim that it speaks of (`th_lin_…` for TH-LIN);
-//! names without an id are about numbers and tables. Every expected value is computed here from the
+//! NUM-EXACT is about the numbers and tables themselves. Every expected value is computed here from the
 //! paper's or the theory's formula, not by the kernel's own functions.
 
 mod agreement;

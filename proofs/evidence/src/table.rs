@@ -1,0 +1,208 @@
+//! `proofs/README.md`: claims and evidence in tables.
+
+use std::fmt::Write as _;
+
+use crate::claims::{Claim, Claims};
+use crate::record::{Engine, Evidence, Mutation, Record};
+
+/// The engines that count as evidence, a column each.
+const COLUMNS: [Engine; 5] = [
+    Engine::Smt,
+    Engine::Rocq,
+    Engine::Kani,
+    Engine::StandIn,
+    Engine::Tests,
+];
+
+/// The text of `proofs/README.md`.
+#[must_use]
+pub fn table(claims: &Claims, evidence: &Evidence) -> String {
+    let mut text = INTRODUCTION.to_owned();
+    text.push_str("\n## What is claimed\n\n| id | claim | formula | paper | code |\n| --- | --- | --- | --- | --- |\n");
+    for claim in &claims.claims {
+        let status = if claim.refutes {
+            "**Refuted as printed.** "
+        } else {
+            ""
+        };
+        let formula = if claim.formula.is_empty() {
+            String::new()
+        } else {
+            escaped(&claim.formula)
+        };
+        let _ = writeln!(
+            text,
+            "| {} | {status}{} | {formula} | {} | {} |",
+            claim.id,
+            escaped(&claim.sentence),
+            escaped(&claim.equation),
+            code(claim),
+        );
+    }
+    text.push_str("\n## What shows it\n\n| id |");
+    for engine in COLUMNS {
+        let _ = write!(text, " {} |", engine.words());
+    }
+    text.push_str(" assumptions | caveats |\n| --- |");
+    text.push_str(&" --- |".repeat(COLUMNS.len() + 2));
+    text.push('\n');
+    for claim in &claims.claims {
+        let _ = write!(text, "| {} |", claim.id);
+        for engine in COLUMNS {
+            let _ = write!(text, " {} |", cell(evidence.find(&claim.id, engine)));
+        }
+        let _ = writeln!(
+            text,
+            " {} | {} |",
+            list(&claim.assumptions),
+            list(&claim.caveats)
+        );
+    }
+    engines(&mut text, evidence);
+    mutation(&mut text, evidence.mutation.as_ref());
+    text.push_str("\n## Assumptions\n\n| id | what is assumed | how to check it on the bench |\n| --- | --- | --- |\n");
+    for assumption in &claims.assumptions {
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} |",
+            assumption.id,
+            escaped(&assumption.sentence),
+            escaped(&assumption.check)
+        );
+    }
+    text.push_str("\n## Caveats\n");
+    for caveat in &claims.caveats {
+        let _ = write!(text, "\n**{}.** {}\n", caveat.id, caveat.text);
+    }
+    text
+}
+
+/// What an engine says of a claim, and by how many parts.
+fn cell(record: Option<&Record>) -> String {
+    let Some(record) = record else {
+        return "–".to_owned();
+    };
+    let Some(result) = &record.result else {
+        return "**failed**".to_owned();
+    };
+    let count = match record.engine {
+        // One part a claim, which lists its theorems.
+        Engine::Rocq => record
+            .parts
+            .iter()
+            .map(|part| part.split(", ").count())
+            .sum(),
+        _ => record.parts.len(),
+    };
+    let (one, many) = match record.engine {
+        Engine::Smt => ("query", "queries"),
+        Engine::Rocq => ("theorem", "theorems"),
+        Engine::Kani | Engine::StandIn => ("harness", "harnesses"),
+        Engine::Tests | Engine::Prusti => ("test", "tests"),
+    };
+    if record.not_run.is_some() {
+        return result.clone();
+    }
+    format!("{result} ({count} {})", if count == 1 { one } else { many })
+}
+
+fn engines(text: &mut String, evidence: &Evidence) {
+    text.push_str(
+        "\n## What ran\n\n| engine | tool | parts | seconds |\n| --- | --- | --- | --- |\n",
+    );
+    for run in &evidence.runs {
+        let name = run.engine.words();
+        let _ = match &run.not_run {
+            Some(why) => writeln!(
+                text,
+                "| {name} | **not run here**: {} | – | – |",
+                escaped(why)
+            ),
+            None => writeln!(
+                text,
+                "| {name} | {} | {} | {:.0} |",
+                escaped(&run.tool),
+                run.parts,
+                run.seconds
+            ),
+        };
+    }
+    text.push_str(
+        "\nPrusti's contracts stand in the sources of the kernel. While nothing runs them they are \
+         comments, and no claim counts them.\n",
+    );
+}
+
+fn mutation(text: &mut String, mutation: Option<&Mutation>) {
+    text.push_str("\n## Mutants\n\n");
+    let Some(mutation) = mutation else {
+        text.push_str("`make mutate`: not run here.\n");
+        return;
+    };
+    let _ = writeln!(
+        text,
+        "{} changed {} in {} places that compile; {} were noticed. Survivors, none of which changes \
+         what is computed:\n",
+        mutation.tool,
+        mutation
+            .files
+            .iter()
+            .map(|file| format!("`{file}`"))
+            .collect::<Vec<_>>()
+            .join(", "),
+        mutation.mutants,
+        mutation.caught,
+    );
+    if mutation.survivors.is_empty() {
+        text.push_str("none.\n");
+        return;
+    }
+    text.push_str("| mutant | why no test can notice it |\n| --- | --- |\n");
+    for survivor in &mutation.survivors {
+        let _ = writeln!(
+            text,
+            "| `{}` | {} |",
+            escaped(&survivor.mutant),
+            escaped(&survivor.reason)
+        );
+    }
+}
+
+fn code(claim: &Claim) -> String {
+    let item = |item: &String| {
+        let module = item.split("::").next().unwrap_or(item);
+        format!("[`{item}`](../crates/passivity-core/src/{module}.rs)")
+    };
+    claim.code.iter().map(item).collect::<Vec<_>>().join(", ")
+}
+
+fn list(ids: &[String]) -> String {
+    if ids.is_empty() {
+        "–".to_owned()
+    } else {
+        ids.join(", ")
+    }
+}
+
+/// A bar would end the cell.
+fn escaped(text: &str) -> String {
+    text.replace('|', "\\|")
+}
+
+const INTRODUCTION: &str = "\
+# Claims and evidence
+
+<!-- Generated: `cargo run -p passivity-evidence -- table`. Edit claims.toml, not this file. -->
+
+What the project claims, and what machines have shown of it. The words are: *proved for all reals*
+(both solvers, or the proof assistant), *proved for all inputs in* a bound (model checker), *exhausted on* a
+domain (every input was run), *sampled, N cases*, *not run here*. They are used in no other sense.
+
+Every engine but Rocq runs the kernel's own functions, not a copy: `smt/` prints its questions from
+them, `kani/` calls them at a number type of bounded width, the tests at big rationals. Rocq proves
+the theorem about motions, and a generated file checks that its definitions are the kernel's.
+
+`make prove` runs all engines and writes `target/evidence.json`; `evidence.json` here is the last one
+that was committed. Each record is bound by SHA-256 to the text of its claim and to the sources of its
+code: `cargo run -p passivity-evidence -- stale` lists the records that no longer speak of what is there.
+";
