@@ -5,12 +5,20 @@ use passivity_core::{Criterion, Friction, Ordered, Rig, Scalar, effects::Effects
 use crate::domain::{below, coarse_position, friction_coefficient, speed, up_to};
 use crate::{Dyadic, Ratio};
 
+/// Halves of a tick: displacements in ±4 where an equality of products is asked, 4 bits.
+const DISTANCE_LIMIT: i8 = 8;
+
+fn distance() -> Dyadic {
+    let n = kani::any_where(|n: &i8| *n >= -DISTANCE_LIMIT && *n < DISTANCE_LIMIT);
+    Dyadic::new(i32::from(n), 1)
+}
+
 /// EQ-27: the left-hand side of (27) is E_d's lower bound less ½d²/Δτ + ½|d|.
 #[kani::proof]
 fn eq_27_is_dissipated_less_generated() {
     let friction = Friction::new(friction_coefficient(), friction_coefficient());
     let criterion = Criterion::of_friction(&friction);
-    let d = coarse_position();
+    let d = distance();
     let speed = speed();
     let surplus = criterion.surplus(&d, &speed);
     kani::cover!(surplus < Dyadic::zero(), "less is dissipated");
