@@ -138,6 +138,27 @@ fn stretch(batch: &mut Batch, intervals: u32) {
     }
 }
 
+/// The widest instruction set that the lanes use on this processor.
+#[must_use]
+pub fn instructions() -> &'static str {
+    #[cfg(target_arch = "x86_64")]
+    {
+        if std::arch::is_x86_feature_detected!("avx512f")
+            && std::arch::is_x86_feature_detected!("avx512dq")
+            && std::arch::is_x86_feature_detected!("avx512vl")
+            && std::arch::is_x86_feature_detected!("avx512bw")
+        {
+            return "AVX-512";
+        }
+        if std::arch::is_x86_feature_detected!("avx2") {
+            return "AVX2";
+        }
+        "SSE2"
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    "baseline"
+}
+
 /// Runs points of the paper's own scene, each for `intervals` intervals; `next` gives the next point
 /// with its index, `done` takes the end of each, in the order in which they end.
 ///

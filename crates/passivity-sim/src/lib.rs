@@ -24,6 +24,7 @@
 //! ```
 #![forbid(clippy::unwrap_used)]
 
+pub mod accuracy;
 pub mod big;
 pub mod enclosed;
 pub mod error;
@@ -38,9 +39,12 @@ pub mod motion;
 pub mod outcome;
 pub mod phi;
 pub mod plan;
+pub mod plot;
 pub mod real;
 pub mod run;
 pub mod series;
+pub mod sweep;
+pub mod trace;
 
 pub use error::SimError;
 pub use ledger::{Entry, Totals};

@@ -1,0 +1,127 @@
+//! `passivity accuracy`: what accuracy costs in time.
+
+use std::path::PathBuf;
+
+use indicatif::ProgressBar;
+use passivity_plot::save;
+use passivity_sim::accuracy::{Table, measure, methods};
+use passivity_sim::plot::accuracy::draw;
+use serde_json::{Value, json};
+
+use crate::exit::{Exit, Failure};
+use crate::output::{Format, emit, emit_json, read_scene};
+
+/// Compare every method and step on a scene: error against the reference, and time per interval.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  passivity accuracy scenes/re35.toml
+  passivity accuracy scenes/re35.toml --plot accuracy.svg --format json")]
+pub(crate) struct Args {
+    /// Scene file.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// How many intervals to run at most; the reference takes microseconds for each.
+    #[arg(long, value_name = "N", default_value_t = 2000)]
+    intervals: u64,
+    /// Where to draw error against time: a name that ends in .svg or .png.
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// For people or for programs.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// Measures every method.
+pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    let scene = read_scene(&args.scene)?;
+    let point = scene.point();
+    let bar = ProgressBar::new(methods().len() as u64 + 1);
+    let measured = measure(&point, args.intervals, |method| {
+        bar.set_message(method.to_string());
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
+    let table =
+        measured.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
+    if let Some(path) = &args.plot {
+        let title = format!(
+            "{}: error and time, {} intervals",
+            scene.name, table.intervals
+        );
+        let picture = draw(&title, &table).map_err(Failure::input)?;
+        save(&picture, path).map_err(Failure::input)?;
+    }
+    match args.format {
+        Format::Text => emit(&text(&scene.name, &table))?,
+        Format::Json => emit_json(&document(&scene.name, &table))?,
+    }
+    Ok(Exit::Holds)
+}
+
+fn text(name: &str, table: &Table) -> String {
+    let mut lines = vec![
+        format!(
+            "{name}: {} intervals, {} by the reference",
+            table.intervals,
+            table.reference.name().replace('_', " ")
+        ),
+        format!(
+            "{:<16}{:>12}{:>12}{:>12}{:>14}  outcome",
+            "method", "position", "velocity", "energy", "ns/interval"
+        ),
+    ];
+    for row in &table.rows {
+        let same = if row.same_outcome {
+            ""
+        } else {
+            " (not the reference's)"
+        };
+        lines.push(format!(
+            "{:<16}{:>12.1e}{:>12.1e}{:>12.1e}{:>14.1}  {}{same}",
+            row.method.to_string(),
+            row.position,
+            row.velocity,
+            row.energy,
+            row.nanoseconds,
+            row.exact.name().replace('_', " ")
+        ));
+    }
+    for (method, reason) in &table.left_out {
+        lines.push(format!("{:<16}left out: {reason}", method.to_string()));
+    }
+    lines.push(
+        "Errors are relative: to the reach of the motion, its greatest speed, the energy dissipated."
+            .to_owned(),
+    );
+    lines.join("\n")
+}
+
+fn document(name: &str, table: &Table) -> Value {
+    let rows: Vec<Value> = table
+        .rows
+        .iter()
+        .map(|row| {
+            json!({
+                "method": row.method.to_string(),
+                "position": row.position,
+                "velocity": row.velocity,
+                "energy": row.energy,
+                "outcome": row.exact.name(),
+                "same_outcome": row.same_outcome,
+                "nanoseconds_per_interval": row.nanoseconds,
+            })
+        })
+        .collect();
+    let left_out: Vec<Value> = table
+        .left_out
+        .iter()
+        .map(|(method, reason)| json!({"method": method.to_string(), "because": reason}))
+        .collect();
+    json!({
+        "scene": name,
+        "intervals": table.intervals,
+        "reference": table.reference.name(),
+        "rows": rows,
+        "left_out": left_out,
+    })
+}

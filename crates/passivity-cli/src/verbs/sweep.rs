@@ -1,0 +1,161 @@
+//! `passivity sweep`: the outcome of every point of a grid, as in Fig. 5.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use passivity_plot::save;
+use passivity_sim::plot::sweep::draw;
+use passivity_sim::sweep::{Grid, Range, Row, open, run as sweep};
+use passivity_sim::{Exactly, Paper};
+use serde_json::json;
+
+use crate::exit::{Exit, Failure};
+use crate::output::{Format, emit, emit_json, read_scene};
+
+/// Simulate every point of a grid of (β, σ, speed at the start), on all cores (Fig. 5 of the paper).
+///
+/// Everything but β, σ and the speed is the scene's. Ranges are start:stop:count, both ends included,
+/// or lists as in 1,2,5. A sweep that was killed is taken up again with --resume.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 --speed 1/2,1,2,5 \\
+      --out fig5.csv --plot fig5.png
+  passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 --speed 1/2,1,2,5 \\
+      --out fig5.csv --resume")]
+pub(crate) struct Args {
+    /// Scene file.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Values of β.
+    #[arg(long, value_name = "RANGE")]
+    beta: String,
+    /// Values of σ.
+    #[arg(long, value_name = "RANGE")]
+    sigma: String,
+    /// Speeds at the start, in ticks per sample; the scene's when not given.
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    speed: Option<String>,
+    /// How many intervals to run, instead of what the scene says.
+    #[arg(long, value_name = "N")]
+    intervals: Option<u64>,
+    /// Where to write the outcomes, a CSV row per point.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Go on with what a sweep that was stopped has left in --out.
+    #[arg(long, requires = "out")]
+    resume: bool,
+    /// Where to draw Fig. 5: a name that ends in .svg or .png.
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// For people or for programs.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// Sweeps the grid.
+pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    let scene = read_scene(&args.scene)?;
+    let mut point = scene.point();
+    if let Some(intervals) = args.intervals {
+        point.intervals = intervals;
+    }
+    let range = |text: &str| Range::parse(text).map_err(Failure::input);
+    let speed = match &args.speed {
+        Some(text) => range(text)?,
+        None => Range {
+            values: vec![point.start[1].clone()],
+        },
+    };
+    let grid = Grid::new(range(&args.beta)?, range(&args.sigma)?, speed).map_err(Failure::input)?;
+    let mut rows: Vec<Option<Row>> = vec![None; grid.len()];
+    let mut file = None;
+    let mut before = 0;
+    if let Some(path) = &args.out {
+        let opened = open(path, &point, &grid, args.resume).map_err(Failure::input)?;
+        before = opened.found.len();
+        for (index, row) in opened.found {
+            rows[index] = Some(row);
+        }
+        file = Some(opened.rows);
+    }
+    let bar = progress(grid.len() as u64);
+    bar.inc(before as u64);
+    let begin = Instant::now();
+    let done: Vec<bool> = rows.iter().map(Option::is_some).collect();
+    let swept = sweep(&point, &grid, &done, |index, row| {
+        rows[index] = Some(row);
+        bar.inc(1);
+        match &mut file {
+            Some(file) => file.add(&grid, index, &row),
+            None => Ok(()),
+        }
+    });
+    let seconds = begin.elapsed().as_secs_f64();
+    bar.finish_and_clear();
+    let written = match (swept, file) {
+        (Ok(()), Some(file)) => file.finish(&grid, &rows),
+        (result, _) => result,
+    };
+    written.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
+    if let Some(path) = &args.plot {
+        let picture = draw(&grid, &rows).map_err(Failure::input)?;
+        save(&picture, path).map_err(Failure::input)?;
+    }
+    let exact = |outcome| {
+        rows.iter()
+            .flatten()
+            .filter(|row| row.exact == outcome)
+            .count()
+    };
+    let paper = |outcome| {
+        rows.iter()
+            .flatten()
+            .filter(|row| row.paper == outcome)
+            .count()
+    };
+    let [rest, never, growing, undecided] = [
+        Exactly::AtRest,
+        Exactly::NeverAtRest,
+        Exactly::Growing,
+        Exactly::Undecided,
+    ]
+    .map(exact);
+    let [converged, cycle, unstable] =
+        [Paper::Converged, Paper::LimitCycle, Paper::Unstable].map(paper);
+    match args.format {
+        Format::Text => emit(&format!(
+            "{}: {} points, {} of them now in {seconds:.3} s\n  \
+             exactly       {rest} at rest, {never} never at rest, {growing} growing, {undecided} undecided\n  \
+             by the paper  {converged} converged, {cycle} limit cycles, {unstable} unstable",
+            scene.name,
+            grid.len(),
+            grid.len() - before,
+        ))?,
+        Format::Json => emit_json(&json!({
+            "scene": scene.name,
+            "points": grid.len(),
+            "simulated": grid.len() - before,
+            "intervals": point.intervals,
+            "exact": {
+                "at_rest": rest,
+                "never_at_rest": never,
+                "growing": growing,
+                "undecided": undecided,
+            },
+            "paper": {"converged": converged, "limit_cycle": cycle, "unstable": unstable},
+            "seconds": seconds,
+        }))?,
+    }
+    Ok(Exit::Holds)
+}
+
+/// A bar on standard error, when that is a terminal.
+fn progress(points: u64) -> ProgressBar {
+    let bar = ProgressBar::new(points);
+    let style = ProgressStyle::with_template("{wide_bar} {pos}/{len} points, {eta} to go");
+    if let Ok(style) = style {
+        bar.set_style(style);
+    }
+    bar
+}

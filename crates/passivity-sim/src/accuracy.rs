@@ -1,0 +1,149 @@
+//! What accuracy costs: every method on one scene, its error against the reference and its time.
+
+use std::time::Instant;
+
+use passivity_scene::Point;
+
+use crate::error::SimError;
+use crate::methods::{Method, Simulated, simulate};
+use crate::outcome::Exactly;
+
+/// The reference that errors are measured against.
+pub const REFERENCE: Method = Method::Reference { digits: 50 };
+
+/// A method on a scene: how wrong, and how long an interval takes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// The method.
+    pub method: Method,
+    /// |ξ − ξ_ref| at the end over the reach of the motion.
+    pub position: f64,
+    /// |ξ̇ − ξ̇_ref| at the end over the greatest speed of the motion.
+    pub velocity: f64,
+    /// The largest difference in the sums of E_gᴸ, E_g and E_d, over the energy dissipated.
+    pub energy: f64,
+    /// The outcome.
+    pub exact: Exactly,
+    /// Whether it is the reference's, at the same interval.
+    pub same_outcome: bool,
+    /// Nanoseconds an interval.
+    pub nanoseconds: f64,
+}
+
+/// The table of a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Intervals that were compared: until rest or certain growth, and at most the caller's bound.
+    pub intervals: u64,
+    /// The reference's outcome.
+    pub reference: Exactly,
+    /// A row for each method that can do the scene.
+    pub rows: Vec<Measured>,
+    /// The methods that cannot, with the reason.
+    pub left_out: Vec<(Method, String)>,
+}
+
+/// Every method and step that is compared.
+#[must_use]
+pub fn methods() -> Vec<Method> {
+    let substeps = [1, 4, 10, 40, 100, 1000];
+    let tolerances = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
+    [
+        Method::ClosedForm,
+        Method::Exact,
+        Method::Enclosure,
+        REFERENCE,
+    ]
+    .into_iter()
+    .chain(substeps.map(|substeps| Method::Euler { substeps }))
+    .chain(substeps.map(|substeps| Method::Rk4 { substeps }))
+    .chain(tolerances.map(|tolerance| Method::Adaptive { tolerance }))
+    .collect()
+}
+
+/// Runs every method on a scene for at most `most` intervals; `progress` hears of each before it runs.
+///
+/// # Errors
+///
+/// A scene that the reference cannot do.
+pub fn measure(
+    point: &Point,
+    most: u64,
+    mut progress: impl FnMut(&Method),
+) -> Result<Table, SimError> {
+    let mut point = point.clone();
+    point.intervals = point.intervals.min(most);
+    let mut reach = 0.0_f64;
+    let mut fastest = 0.0_f64;
+    progress(&REFERENCE);
+    let mut watch = |line: &crate::methods::Line<'_>| {
+        if let crate::methods::Line::Double(entry) = line {
+            reach = reach.max(entry.xi0.abs()).max(entry.xi1.abs());
+            fastest = fastest.max(entry.v0.abs()).max(entry.v1.abs());
+        }
+        true
+    };
+    let truth = simulate(&point, &REFERENCE, Some(&mut watch))?;
+    // A motion that never was anywhere has no scale: one tick, one tick a sample.
+    let scale = |x: f64| if x > 0.0 { x } else { 1.0 };
+    let scales = [scale(reach), scale(fastest), scale(truth.totals.dissipated)];
+    let mut table = Table {
+        intervals: truth.end.intervals,
+        reference: truth.end.outcome.exact,
+        rows: Vec::new(),
+        left_out: Vec::new(),
+    };
+    for method in methods() {
+        progress(&method);
+        match timed(&point, &method) {
+            Ok((run, nanoseconds)) => {
+                table
+                    .rows
+                    .push(compare(method, &run, &truth, scales, nanoseconds))
+            }
+            Err(error) => table.left_out.push((method, error.to_string())),
+        }
+    }
+    Ok(table)
+}
+
+/// A run and its time per interval: the least of several runs, as long as they take little time.
+fn timed(point: &Point, method: &Method) -> Result<(Simulated, f64), SimError> {
+    const ENOUGH_SECONDS: f64 = 0.3;
+    let begin = Instant::now();
+    let mut least = f64::INFINITY;
+    loop {
+        let start = Instant::now();
+        let run = simulate(point, method, None)?;
+        let seconds = start.elapsed().as_secs_f64();
+        least = least.min(seconds * 1e9 / run.end.intervals.max(1) as f64);
+        if begin.elapsed().as_secs_f64() > ENOUGH_SECONDS {
+            return Ok((run, least));
+        }
+    }
+}
+
+fn compare(
+    method: Method,
+    run: &Simulated,
+    truth: &Simulated,
+    [reach, fastest, energy]: [f64; 3],
+    nanoseconds: f64,
+) -> Measured {
+    let (a, b) = (&run.totals, &truth.totals);
+    let energies = [
+        a.generated_linear - b.generated_linear,
+        a.generated_quantized - b.generated_quantized,
+        a.dissipated - b.dissipated,
+    ];
+    let (got, want) = (&run.end.outcome, &truth.end.outcome);
+    Measured {
+        method,
+        position: (run.end.xi - truth.end.xi).abs() / reach,
+        velocity: (run.end.velocity - truth.end.velocity).abs() / fastest,
+        energy: energies.into_iter().fold(0.0, |m: f64, e| m.max(e.abs())) / energy,
+        exact: got.exact,
+        same_outcome: got.exact == want.exact && got.at_interval == want.at_interval,
+        nanoseconds,
+    }
+}

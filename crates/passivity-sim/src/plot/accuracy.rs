@@ -1,0 +1,110 @@
+//! Work and precision: the error of each method against its time per interval, log–log.
+
+use passivity_plot::PlotError;
+use plotters::prelude::*;
+
+use crate::accuracy::{Measured, Table};
+use crate::plot::{Area, COLOURS, Drawn, svg};
+
+/// Errors below this are drawn on it: a double has no more digits.
+const FLOOR: f64 = 1e-17;
+
+/// Draws the table of a scene as SVG text.
+///
+/// # Errors
+///
+/// A table that cannot be drawn.
+pub fn draw(title: &str, table: &Table) -> Result<String, PlotError> {
+    svg((1000, 640), "accuracy", |root| chart(root, title, table))
+}
+
+fn chart(root: &Area<'_>, title: &str, table: &Table) -> Drawn {
+    let times = table.rows.iter().map(|row| row.nanoseconds.max(0.1));
+    let least = times.clone().fold(f64::INFINITY, f64::min).min(10.0);
+    let most = times.fold(0.0, f64::max).max(1e3);
+    let error = |row: &Measured| row.position.max(row.energy).clamp(FLOOR, 100.0);
+    let mut chart = ChartBuilder::on(root)
+        .margin(14)
+        .caption(title, ("sans-serif", 18))
+        .x_label_area_size(46)
+        .y_label_area_size(76)
+        .build_cartesian_2d(
+            (least * 0.4..most * 3.0).log_scale(),
+            (FLOOR * 0.3..300.0).log_scale(),
+        )?;
+    chart
+        .configure_mesh()
+        .light_line_style(WHITE)
+        .x_desc("time per interval (ns)")
+        .y_desc("relative error of position and energy at the end")
+        .x_label_formatter(&|x| power(*x))
+        .y_label_formatter(&|y| power(*y))
+        .axis_desc_style(("sans-serif", 15))
+        .label_style(("sans-serif", 12))
+        .draw()?;
+    let names = [
+        "closed-form",
+        "exact",
+        "enclosure",
+        "reference",
+        "euler",
+        "rk4",
+        "adaptive",
+    ];
+    for (name, colour) in names.into_iter().zip(COLOURS) {
+        let rows: Vec<&Measured> = table
+            .rows
+            .iter()
+            .filter(|r| r.method.name() == name)
+            .collect();
+        if rows.is_empty() {
+            continue;
+        }
+        let line = rows.iter().map(|row| (row.nanoseconds, error(row)));
+        chart.draw_series(LineSeries::new(line, colour.mix(0.6).stroke_width(1)))?;
+        // A ring says that the outcome is not the reference's.
+        let dots = rows.iter().map(|row| {
+            let style = if row.same_outcome {
+                colour.filled()
+            } else {
+                colour.stroke_width(2)
+            };
+            Circle::new((row.nanoseconds, error(row)), 6, style)
+        });
+        chart
+            .draw_series(dots)?
+            .label(name)
+            .legend(move |(x, y)| Circle::new((x + 9, y), 5, colour.filled()));
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperRight)
+        .background_style(WHITE.mix(0.85))
+        .border_style(BLACK.mix(0.3))
+        .label_font(("sans-serif", 13))
+        .draw()?;
+    Ok(())
+}
+
+/// A power of ten as 10ⁿ.
+fn power(x: f64) -> String {
+    let exponent = x.log10().round() as i32;
+    let digits: String = exponent
+        .to_string()
+        .chars()
+        .map(|c| match c {
+            '-' => '⁻',
+            '0' => '⁰',
+            '1' => '¹',
+            '2' => '²',
+            '3' => '³',
+            '4' => '⁴',
+            '5' => '⁵',
+            '6' => '⁶',
+            '7' => '⁷',
+            '8' => '⁸',
+            _ => '⁹',
+        })
+        .collect();
+    format!("10{digits}")
+}

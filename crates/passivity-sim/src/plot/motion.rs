@@ -1,0 +1,249 @@
+//! A motion: position, velocity and energy against time, with encoder ticks dashed as in Fig. 6, and
+//! the phase plane.
+
+use passivity_plot::PlotError;
+use plotters::prelude::*;
+
+use crate::ledger::Entry;
+use crate::plot::{Area, COLOURS, Drawn, padded, svg};
+
+/// A sample of a motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sample {
+    /// Time in sampling periods.
+    pub time: f64,
+    /// ξ in ticks.
+    pub xi: f64,
+    /// ξ̇ in ticks per sample.
+    pub velocity: f64,
+    /// Σ E_gᴸ, Σ E_g and Σ E_d so far, in KΔ².
+    pub energies: [f64; 3],
+}
+
+/// The samples of a motion that a picture needs: all of a short one, the extremes of stretches of a
+/// long one, in bounded memory.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    samples: Vec<Sample>,
+    stretch: u64,
+    seen: u64,
+    pending: Vec<Sample>,
+    energies: [f64; 3],
+}
+
+/// The most samples that are kept.
+const MOST: usize = 16_384;
+
+impl Default for Motion {
+    fn default() -> Self {
+        Self {
+            samples: Vec::new(),
+            stretch: 1,
+            seen: 0,
+            pending: Vec::new(),
+            energies: [0.0; 3],
+        }
+    }
+}
+
+impl Motion {
+    /// Takes an interval.
+    pub fn add(&mut self, entry: &Entry) {
+        if self.seen == 0 {
+            self.samples.push(Sample {
+                time: entry.h as f64,
+                xi: entry.xi0,
+                velocity: entry.v0,
+                energies: self.energies,
+            });
+        }
+        let terms = [
+            entry.generated_linear,
+            entry.generated_quantized,
+            entry.dissipated,
+        ];
+        for (sum, term) in self.energies.iter_mut().zip(terms) {
+            *sum += term;
+        }
+        self.pending.push(Sample {
+            time: (entry.h + 1) as f64,
+            xi: entry.xi1,
+            velocity: entry.v1,
+            energies: self.energies,
+        });
+        self.seen += 1;
+        if self.pending.len() as u64 >= self.stretch * 4 {
+            self.settle();
+        }
+    }
+
+    /// The samples, in order of time.
+    #[must_use]
+    pub fn samples(mut self) -> Vec<Sample> {
+        self.settle();
+        self.samples
+    }
+
+    /// Keeps the extremes of what is pending, and half of everything when there is too much.
+    fn settle(&mut self) {
+        thin(&self.pending, self.stretch, &mut self.samples);
+        self.pending.clear();
+        if self.samples.len() > MOST {
+            let mut fewer = Vec::with_capacity(MOST);
+            for group in self.samples.chunks(8) {
+                thin(group, 2, &mut fewer);
+            }
+            self.samples = fewer;
+            self.stretch *= 2;
+        }
+    }
+}
+
+/// Of a group, the samples with extreme position or velocity, unless `stretch` is 1.
+fn thin(group: &[Sample], stretch: u64, kept: &mut Vec<Sample>) {
+    if stretch == 1 {
+        kept.extend_from_slice(group);
+        return;
+    }
+    let by = |key: fn(&Sample) -> f64| {
+        let order = move |a: &&Sample, b: &&Sample| key(a).total_cmp(&key(b));
+        [group.iter().min_by(order), group.iter().max_by(order)]
+    };
+    let mut extremes: Vec<Sample> = by(|s| s.xi)
+        .into_iter()
+        .chain(by(|s| s.velocity))
+        .flatten()
+        .copied()
+        .collect();
+    extremes.sort_by(|a, b| a.time.total_cmp(&b.time));
+    extremes.dedup_by(|a, b| a.time == b.time);
+    kept.extend(extremes);
+}
+
+/// Draws a motion as SVG text.
+///
+/// # Errors
+///
+/// A motion that cannot be drawn.
+pub fn draw(title: &str, samples: &[Sample]) -> Result<String, PlotError> {
+    svg((1200, 860), "motion", |root| panels(root, title, samples))
+}
+
+fn panels(root: &Area<'_>, title: &str, samples: &[Sample]) -> Drawn {
+    let root = root.titled(title, ("sans-serif", 20))?;
+    let (left, right) = root.split_horizontally(720);
+    let rows = left.split_evenly((3, 1));
+    let [position, velocity, energy] = rows.as_slice() else {
+        return Ok(());
+    };
+    let time = padded(samples.iter().map(|s| s.time));
+    let points = |key: fn(&Sample) -> f64| samples.iter().map(move |s| (s.time, key(s)));
+    let panel = |area: &Area<'_>, name: &str, range: std::ops::Range<f64>, ticks: bool| -> Drawn {
+        let mut chart = ChartBuilder::on(area)
+            .margin(8)
+            .x_label_area_size(38)
+            .y_label_area_size(70)
+            .build_cartesian_2d(time.clone(), range.clone())?;
+        chart
+            .configure_mesh()
+            .disable_mesh()
+            .x_desc("time τ (sampling periods)")
+            .y_desc(name)
+            .axis_desc_style(("sans-serif", 15))
+            .label_style(("sans-serif", 12))
+            .draw()?;
+        if ticks {
+            for y in encoder_ticks(&range) {
+                let line = [(time.start, y), (time.end, y)].into_iter();
+                let style = BLACK.mix(0.35).into();
+                chart.draw_series(DashedLineSeries::new(line, 6, 5, style))?;
+            }
+            chart.draw_series(LineSeries::new(
+                points(|s| s.xi),
+                COLOURS[0].stroke_width(2),
+            ))?;
+            return Ok(());
+        }
+        if name.starts_with("velocity") {
+            let zero = [(time.start, 0.0), (time.end, 0.0)];
+            chart.draw_series(LineSeries::new(zero, BLACK.mix(0.4)))?;
+            let line = points(|s| s.velocity);
+            chart.draw_series(LineSeries::new(line, COLOURS[2].stroke_width(2)))?;
+            return Ok(());
+        }
+        let series: [(&str, fn(&Sample) -> f64, RGBColor); 3] = [
+            ("generated, linear spring", |s| s.energies[0], COLOURS[1]),
+            ("generated, quantized spring", |s| s.energies[1], COLOURS[7]),
+            ("dissipated", |s| s.energies[2], COLOURS[0]),
+        ];
+        for (label, key, colour) in series {
+            chart
+                .draw_series(LineSeries::new(points(key), colour.stroke_width(2)))?
+                .label(label)
+                .legend(move |(x, y)| {
+                    PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2))
+                });
+        }
+        chart
+            .configure_series_labels()
+            .position(SeriesLabelPosition::LowerRight)
+            .background_style(WHITE.mix(0.8))
+            .border_style(BLACK.mix(0.3))
+            .label_font(("sans-serif", 13))
+            .draw()?;
+        Ok(())
+    };
+    panel(
+        position,
+        "position ξ (ticks)",
+        padded(samples.iter().map(|s| s.xi)),
+        true,
+    )?;
+    panel(
+        velocity,
+        "velocity ξ̇ (ticks/sample)",
+        padded(samples.iter().map(|s| s.velocity)),
+        false,
+    )?;
+    let energies = samples.iter().flat_map(|s| s.energies);
+    panel(energy, "energy so far (KΔ²)", padded(energies), false)?;
+    phase_plane(&right, samples)
+}
+
+fn phase_plane(area: &Area<'_>, samples: &[Sample]) -> Drawn {
+    let (upper, _) = area.split_vertically(520);
+    let range = padded(samples.iter().map(|s| s.xi));
+    let mut chart = ChartBuilder::on(&upper)
+        .margin(8)
+        .caption("phase plane", ("sans-serif", 16))
+        .x_label_area_size(38)
+        .y_label_area_size(60)
+        .build_cartesian_2d(range.clone(), padded(samples.iter().map(|s| s.velocity)))?;
+    chart
+        .configure_mesh()
+        .disable_mesh()
+        .x_desc("ξ (ticks)")
+        .y_desc("ξ̇ (ticks/sample)")
+        .axis_desc_style(("sans-serif", 15))
+        .label_style(("sans-serif", 12))
+        .draw()?;
+    let path = samples.iter().map(|s| (s.xi, s.velocity));
+    chart.draw_series(LineSeries::new(path, COLOURS[3].stroke_width(1)))?;
+    let mark = |sample: Option<&Sample>, colour: RGBColor| {
+        sample.map(|s| Circle::new((s.xi, s.velocity), 4, colour.filled()))
+    };
+    chart.draw_series(mark(samples.first(), COLOURS[2]))?;
+    chart.draw_series(mark(samples.last(), COLOURS[1]))?;
+    Ok(())
+}
+
+/// The encoder's edges in a range, unless there are more than can be told apart.
+fn encoder_ticks(range: &std::ops::Range<f64>) -> Vec<f64> {
+    const MOST_TICKS: f64 = 24.0;
+    let (first, last) = (range.start.ceil(), range.end.floor());
+    if !(last - first).is_finite() || last - first > MOST_TICKS {
+        return Vec::new();
+    }
+    let count = (last - first) as i32;
+    (0..=count).map(|i| first + f64::from(i)).collect()
+}

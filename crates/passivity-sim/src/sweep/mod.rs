@@ -1,0 +1,156 @@
+//! Sweeps: the outcome of every point of a grid, on all cores, as in Fig. 5.
+
+mod file;
+mod grid;
+
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc;
+
+use passivity_scene::Point;
+
+use crate::error::SimError;
+use crate::lanes;
+use crate::outcome::{End, Exactly, Paper};
+use crate::plan::{Plain, Plan, to_double};
+use crate::run;
+
+pub use file::{Opened, Rows, open};
+pub use grid::{Grid, MOST_POINTS, Range};
+
+/// The outcome of a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// By the paper's detector.
+    pub paper: Paper,
+    /// As far as it is certain.
+    pub exact: Exactly,
+    /// The interval of rest or of certain growth.
+    pub at_interval: Option<u64>,
+    /// ξ at the end.
+    pub xi: f64,
+    /// ξ̇ at the end.
+    pub velocity: f64,
+}
+
+impl Row {
+    fn of(end: &End) -> Self {
+        Self {
+            paper: end.outcome.paper,
+            exact: end.outcome.exact,
+            at_interval: end.outcome.at_interval,
+            xi: end.xi,
+            velocity: end.velocity,
+        }
+    }
+}
+
+/// Runs the points of a grid that are not `done` yet; `sink` takes each in the order in which they
+/// end, with its index, and its error stops the sweep.
+///
+/// The paper's own scene goes through vector lanes, any other through the loop of its plan, one
+/// point at a time; both use all cores.
+///
+/// # Errors
+///
+/// A scene that cannot be simulated, or what `sink` reports.
+///
+/// # Example
+///
+/// ```
+/// use passivity_scene::Scene;
+/// use passivity_sim::Exactly;
+/// use passivity_sim::sweep::{Grid, Range, run};
+///
+/// let scene = "[dimensionless]\nmu = \"50\"\nbeta = \"1\"\nsigma = \"1\"\n[run]\nintervals = 3000";
+/// let point = Scene::from_toml("fig5", scene).unwrap().point();
+/// let range = |text| Range::parse(text).unwrap();
+/// let grid = Grid::new(range("0.6"), range("0.4,0.6"), range("1,2")).unwrap();
+/// let mut rows = vec![None; grid.len()];
+/// run(&point, &grid, &[], |index, row| {
+///     rows[index] = Some(row);
+///     Ok(())
+/// })
+/// .unwrap();
+/// assert_eq!(rows[0].unwrap().exact, Exactly::NeverAtRest);
+/// assert_eq!(rows[2].unwrap().exact, Exactly::AtRest);
+/// ```
+pub fn run(
+    scene: &Point,
+    grid: &Grid,
+    done: &[bool],
+    mut sink: impl FnMut(usize, Row) -> Result<(), SimError>,
+) -> Result<(), SimError> {
+    if grid.is_empty() {
+        return Ok(());
+    }
+    // One point compiled stands for all: they differ in β, σ and speed alone.
+    let first = Plan::compile(&grid.point(scene, 0))?;
+    let next = AtomicUsize::new(0);
+    let cancelled = AtomicBool::new(false);
+    let take = || {
+        if cancelled.load(Ordering::Relaxed) {
+            return None;
+        }
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= grid.len() {
+                return None;
+            }
+            if !done.get(index).copied().unwrap_or(false) {
+                return Some(index);
+            }
+        }
+    };
+    let (send, receive) = mpsc::sync_channel(1024);
+    let worker = |send: mpsc::SyncSender<Result<(usize, Row), SimError>>| {
+        let deliver = |message| {
+            if send.send(message).is_err() {
+                cancelled.store(true, Ordering::Relaxed);
+            }
+        };
+        if first.is_plain() {
+            let (mu, xi) = (first.constants.mu, to_double(&scene.start[0]));
+            let point = || {
+                let index = take()?;
+                let [beta, sigma, velocity] = grid.doubles(index);
+                Some((
+                    index,
+                    Plain {
+                        mu,
+                        beta,
+                        sigma,
+                        xi,
+                        velocity,
+                    },
+                ))
+            };
+            lanes::run(scene.intervals, point, |index, end| {
+                deliver(Ok((index, Row::of(&end))));
+            });
+        } else {
+            while let Some(index) = take() {
+                let plan = Plan::compile(&grid.point(scene, index));
+                deliver(plan.map(|plan| (index, Row::of(&run::outcome(&plan)))));
+            }
+        }
+    };
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..workers.min(grid.len()) {
+            let send = send.clone();
+            scope.spawn(|| worker(send));
+        }
+        drop(send);
+        let mut result = Ok(());
+        for message in receive {
+            if result.is_err() {
+                continue; // Drain what the workers still had at hand.
+            }
+            result = message.and_then(|(index, row)| sink(index, row));
+            if result.is_err() {
+                cancelled.store(true, Ordering::Relaxed);
+            }
+        }
+        result
+    })
+}
