@@ -47,12 +47,7 @@ pub fn argue(study: &Study, records: &Records) -> Argument {
     );
     build.sum();
     build.criterion();
-    build.claims_goal(
-        NUMERICS,
-        "The figures are exact: rationals of any size, π enclosed, tolerances as intervals. No \
-         rounding decides.",
-        &["NUM-EXACT", "EQ-27", "TH-STIFF"],
-    );
+    build.numerics();
     build.parameters();
     build.not_covered();
     build.counter();
@@ -231,6 +226,18 @@ impl<'a> Build<'a> {
 
     fn at_all_speeds(&self) -> bool {
         !num_traits::Signed::is_negative(self.report().margin_at_all_speeds.lo())
+    }
+
+    /// Why the figures can be relied on.
+    fn numerics(&mut self) {
+        let text = "The margins, borders and regions are what the criterion says for the numbers of \
+                    the scene: rationals of any size, tolerances as intervals. No rounding decides.";
+        self.claims_goal(NUMERICS, text, &["EQ-27", "TH-STIFF"]);
+        let text = "The arithmetic of rationals is a library's (num-rational on num-bigint); π is \
+                    enclosed between rationals and refined until it does not matter. Both are \
+                    tested, and trusted.";
+        let why = Node::new(Kind::Justification, "J-arithmetic", text).at("limits");
+        self.argument.hang(NUMERICS, why);
     }
 
     /// Where the parameters come from: what is not said is open.

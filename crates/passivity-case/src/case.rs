@@ -18,6 +18,8 @@ pub struct Case {
     pub records: Records,
     /// The verdicts that were given so far, the newest of each scene last.
     pub history: Vec<Past>,
+    /// Whether to measure what accuracy costs in time, which differs from run to run.
+    pub measured: bool,
 }
 
 /// A verdict that was given.
@@ -66,6 +68,7 @@ impl Case {
             arguments,
             records,
             history,
+            measured: false,
         }
     }
 

@@ -27,5 +27,5 @@ pub mod tree;
 
 pub use case::Case;
 pub use error::CaseError;
-pub use records::Records;
+pub use records::{Origin, Records};
 pub use study::Study;

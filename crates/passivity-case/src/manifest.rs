@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 
 use crate::case::{Case, Past, VERSION};
 use crate::error::CaseError;
-use crate::tree::sha256;
+use passivity_evidence::sha256;
 
 /// The manifest's file name.
 pub const MANIFEST: &str = "manifest.json";

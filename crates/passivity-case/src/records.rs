@@ -114,6 +114,29 @@ impl Claim {
     }
 }
 
+/// The sources that evidence was compared with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Origin {
+    /// Those that this `passivity` was built from.
+    #[default]
+    Build,
+    /// Those of a source tree, as they are now.
+    Tree,
+}
+
+impl Origin {
+    /// The sources in words.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Build => {
+                "the sources that this passivity was built from (the tree is not at hand)"
+            }
+            Self::Tree => "the sources of the tree, as they were when this case was written",
+        }
+    }
+}
+
 /// Everything that is known of the claims.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Records {
@@ -123,14 +146,16 @@ pub struct Records {
     pub assumptions: Vec<Assumption>,
     /// Recorded evidence for ids that are no claim.
     pub unknown: Vec<String>,
-    /// Where the sources are: they were hashed now, or they are not at hand.
-    pub sources_at_hand: bool,
+    /// Which sources the evidence was compared with.
+    pub origin: Origin,
     /// SHA-256 of the claims' text.
     pub claims_sha256: String,
     /// SHA-256 of the recorded evidence.
     pub evidence_sha256: String,
     /// The commit of the sources, when known.
     pub commit: Option<String>,
+    /// What the last mutation run found, in a sentence.
+    pub mutation: Option<String>,
 }
 
 impl Records {

@@ -10,7 +10,7 @@ use passivity_scene::{Given, Motion, Scene};
 
 use crate::document::slug;
 use crate::error::CaseError;
-use crate::tree::sha256;
+use passivity_evidence::sha256;
 
 /// A scene with its check and the text of its file.
 #[derive(Clone, Debug)]

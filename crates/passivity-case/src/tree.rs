@@ -2,27 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest as _, Sha256};
-
 /// The file that marks the root of the tree.
 pub const CLAIMS: &str = "proofs/claims.toml";
-
-/// SHA-256 in lower-case hexadecimal digits.
-///
-/// # Example
-///
-/// ```
-/// use passivity_case::tree::sha256;
-///
-/// assert!(sha256(b"").starts_with("e3b0c44298fc1c14"));
-/// ```
-#[must_use]
-pub fn sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes)
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
-}
 
 /// The nearest folder, from `from` up, that holds the claims.
 #[must_use]
@@ -61,13 +42,6 @@ fn is_commit(text: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn hashes_are_those_of_the_standard() {
-        // FIPS 180-2, example B.1.
-        let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
-        assert_eq!(sha256(b"abc"), expected);
-    }
 
     #[test]
     fn only_hexadecimal_names_are_commits() {

@@ -293,3 +293,123 @@ fn draw_edge(svg: &mut String, edge: &Edge) {
         by - 4.0 * ux,
     );
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gsn::Node;
+
+    /// An argument with everything that a drawing can have, and more of it than usual.
+    fn crowded() -> Argument {
+        let text =
+            "A text long enough to be broken into several lines, with a_very_long_word_in_it.";
+        let mut argument = Argument::new("crowded", Node::new(Kind::Goal, "G-top", text));
+        for name in ["C-1", "C-2", "C-3"] {
+            argument.hang("G-top", Node::new(Kind::Context, name, text));
+        }
+        argument.hang("G-top", Node::new(Kind::Strategy, "S-1", text));
+        argument.hang("S-1", Node::new(Kind::Justification, "J-1", text));
+        for name in ["A-1", "A-2", "A-3", "A-4"] {
+            argument.hang("S-1", Node::new(Kind::Assumption, name, text));
+        }
+        for goal in 0..6 {
+            let id = format!("G-{goal}");
+            argument.hang("S-1", Node::new(Kind::Goal, &id, text));
+            argument.hang(&id, Node::new(Kind::Assumption, format!("A-g{goal}"), text));
+            for leaf in 0..goal * 2 {
+                let id_of_leaf = format!("Sn-{goal}-{leaf}");
+                argument.hang(&id, Node::new(Kind::Solution, id_of_leaf, text));
+            }
+        }
+        argument.hang("G-3", Node::new(Kind::Goal, "G-3-sub", text));
+        argument.challenge("G-top", Node::new(Kind::CounterGoal, "CG-1", text));
+        argument.hang("CG-1", Node::new(Kind::CounterSolution, "CSn-1", text));
+        argument.hang("CG-1", Node::new(Kind::CounterSolution, "CSn-2", text));
+        argument.challenge("G-2", Node::new(Kind::CounterGoal, "CG-2", text));
+        argument.hang("CG-2", Node::new(Kind::CounterSolution, "CSn-3", text));
+        argument.settle();
+        argument
+    }
+
+    #[test]
+    fn no_two_elements_overlap_and_every_element_is_drawn_within_the_picture() {
+        let argument = crowded();
+        let block = Layout::new(&argument, &[]).under(argument.top());
+        assert_eq!(block.shapes.len(), argument.nodes().len());
+        for (index, a) in block.shapes.iter().enumerate() {
+            assert!(a.x >= 0.0 && a.y >= 0.0, "{}", a.node.id);
+            assert!(
+                a.x + a.w <= block.w + 1e-9 && a.y + a.h <= block.h + 1e-9,
+                "{}",
+                a.node.id
+            );
+            for b in &block.shapes[index + 1..] {
+                let apart =
+                    a.x + a.w <= b.x || b.x + b.w <= a.x || a.y + a.h <= b.y || b.y + b.h <= a.y;
+                assert!(apart, "{} and {}", a.node.id, b.node.id);
+            }
+        }
+    }
+
+    #[test]
+    fn no_line_goes_through_an_element() {
+        let argument = crowded();
+        let block = Layout::new(&argument, &[]).under(argument.top());
+        for edge in &block.edges {
+            for piece in edge.points.windows(2) {
+                let ((x0, y0), (x1, y1)) = (piece[0], piece[1]);
+                assert!(
+                    x0 == x1 || y0 == y1,
+                    "lines are upright or level: {piece:?}"
+                );
+                let (left, right) = (x0.min(x1), x0.max(x1));
+                let (top, bottom) = (y0.min(y1), y0.max(y1));
+                for shape in &block.shapes {
+                    // Ends touch, and the slant of a parallelogram lets a line in by 8.
+                    let (x, w) = (shape.x + 9.0, shape.w - 18.0);
+                    let (y, h) = (shape.y + 1.0, shape.body - 2.0);
+                    let through = left < x + w && right > x && top < y + h && bottom > y;
+                    assert!(!through, "{piece:?} through {}", shape.node.id);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn text_fits_into_its_element() {
+        let argument = crowded();
+        let letters = text::Letters::new();
+        let block = Layout::new(&argument, &[]).under(argument.top());
+        for shape in &block.shapes {
+            let rows =
+                shape.id.len() + shape.lines.len() + usize::from(shape.node.standing.is_some());
+            let (h, body) = (rows as f64 * LINE, shape.body);
+            for line in &shape.lines {
+                let w = letters.width(line);
+                let fits = match shape.node.kind {
+                    Kind::Solution | Kind::CounterSolution => w.hypot(h) <= body,
+                    // Within the ellipse: (w/2a)² + (h/2b)² ≤ 1.
+                    Kind::Assumption | Kind::Justification => {
+                        (w / shape.w).powi(2) + (h / body).powi(2) <= 1.0
+                    }
+                    _ => w < shape.w && h < body,
+                };
+                assert!(fits, "{}: {line}", shape.node.id);
+            }
+        }
+    }
+
+    #[test]
+    fn a_folded_drawing_leaves_the_support_to_another() {
+        let argument = crowded();
+        let drawing = draw(&argument, "G-top", &["G-5".to_owned()], "one");
+        assert!(drawing.svg.contains(">G-5<") && !drawing.svg.contains("Sn-5-0"));
+        let other = draw(&argument, "G-5", &[], "two");
+        assert!(other.svg.contains("Sn-5-0") && !other.svg.contains(">G-4<"));
+        assert!(
+            other
+                .svg
+                .contains(r#"aria-labelledby="two-title two-desc""#)
+        );
+    }
+}

@@ -9,7 +9,7 @@ mod svg;
 
 use krilla::annotation::{Annotation, LinkAnnotation, Target};
 use krilla::color::rgb;
-use krilla::configure::{Configuration, Validator};
+use krilla::configure::{Accessibility, ConfigurationBuilder};
 use krilla::destination::{Destination, XyzDestination};
 use krilla::geom::{PathBuilder, Point, Rect};
 use krilla::metadata::Metadata;
@@ -47,9 +47,14 @@ use layout::{Item, Layout, MARGIN, Sheet};
 pub fn write(document: &Document) -> Result<Vec<u8>, CaseError> {
     let fonts = Fonts::load()?;
     let layout = Layout::of(&fonts, document)?;
+    // PDF/UA-1: the writer refuses what is not accessible, such as a picture without words.
+    let configuration = ConfigurationBuilder::new()
+        .with_accessibility_validator(Accessibility::UA1)
+        .finish()
+        .map_err(|error| CaseError::new(format!("pdf: {error:?}")))?;
     let mut pdf = Pdf::new_with(SerializeSettings {
         enable_tagging: true,
-        configuration: Configuration::new_with_validator(Validator::UA1),
+        configuration,
         ..SerializeSettings::default()
     });
     let metadata = Metadata::new()

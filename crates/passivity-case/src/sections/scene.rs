@@ -29,6 +29,7 @@ pub(super) fn write(document: &mut Document, case: &Case, study: &Study, argumen
     parameters(document, study);
     derivation(document, study);
     pictures(document, study);
+    motion(document, case, study);
     show_argument(document, case, study, argument);
 }
 
@@ -247,9 +248,24 @@ fn pictures(document: &mut Document, study: &Study) {
         })),
         Err(error) => document.say(format!("No picture of the plane: {error}.")),
     }
-    for figure in figures::of_motion(study) {
-        document.blocks.push(figure);
+}
+
+fn motion(document: &mut Document, case: &Case, study: &Study) {
+    document.heading(3, study.anchor("motions"), "Motion and energy");
+    document.blocks.extend(figures::of_motion(study));
+    if case.measured {
+        document.blocks.extend(figures::of_accuracy(study));
+        return;
     }
+    document.say(
+        Line::text(
+            "What accuracy costs in time is not run here, because it differs from run to run: ",
+        )
+        .and(Line::code("passivity case --accuracy"))
+        .and(" measures it and puts the picture here, and so does ".into())
+        .and(Line::code("passivity accuracy"))
+        .and(" by itself.".into()),
+    );
 }
 
 fn show_argument(document: &mut Document, case: &Case, study: &Study, argument: &Argument) {

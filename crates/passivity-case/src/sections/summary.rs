@@ -87,17 +87,15 @@ fn evidence(document: &mut Document, case: &Case) {
         counts[index] += 1;
     }
     let [fresh, stale, not_run, failed] = counts;
-    let mut text = format!(
+    let records = &case.records;
+    document.say(format!(
         "{} claims, {} records of evidence: {fresh} fresh, {stale} stale, {not_run} not run here, \
-         {failed} failed.",
-        case.records.claims.len(),
+         {failed} failed. They were compared with {}.",
+        records.claims.len(),
         fresh + stale + not_run + failed,
-    );
-    if !case.records.sources_at_hand {
-        text.push_str(
-            " The sources are not at hand here: the records are those that this build of passivity \
-             carries, and whether they are fresh was not checked.",
-        );
+        records.origin.words(),
+    ));
+    if let Some(mutation) = &records.mutation {
+        document.say(mutation.as_str());
     }
-    document.say(text);
 }
