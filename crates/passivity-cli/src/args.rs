@@ -20,7 +20,8 @@ use crate::verbs;
   passivity check scenes/re35.toml
   passivity check --format json scenes/*.toml
   passivity explain scenes/re35.toml
-  passivity plane scenes/re35*.toml --plot plane.svg")]
+  passivity plane scenes/re35*.toml --plot plane.svg
+  passivity case scenes/re35.toml --out case")]
 pub(crate) struct Args {
     /// What to do.
     #[command(subcommand)]
@@ -32,8 +33,14 @@ pub(crate) struct Args {
 pub(crate) enum Command {
     Check(verbs::check::Args),
     Explain(verbs::explain::Args),
+    Simulate(verbs::simulate::Args),
+    Sweep(verbs::sweep::Args),
     Plane(verbs::plane::Args),
+    Accuracy(verbs::accuracy::Args),
+    Audit(verbs::audit::Args),
     Oracle(verbs::oracle::Args),
+    Vectors(verbs::vectors::Args),
+    Case(verbs::case::Args),
     Completions(verbs::completions::Args),
     Man(verbs::man::Args),
 }

@@ -1,0 +1,170 @@
+//! `passivity case`: the safety case.
+
+use std::path::{Path, PathBuf};
+
+use passivity_case::check::check;
+use passivity_case::{Case, Records, Study, folder, load, tree};
+use passivity_scene::check::Verdict;
+use serde_json::json;
+
+use crate::exit::{Exit, Failure};
+use crate::output::{Format, emit, emit_json};
+
+/// Write the safety case of scenes, or check a written one against the sources.
+///
+/// The case is a folder with the document (HTML and PDF), the argument of each scene in Goal
+/// Structuring Notation (YAML and SVG), the scenes, and a manifest of hashes. Evidence that was
+/// recorded for other sources is shown as stale, evidence that was never recorded as not run here.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  passivity case scenes/re35.toml --out case
+  passivity case scenes/re35.toml --out case --strict
+  passivity case --check case
+
+Exit codes: 0 every scene is passive (with --check: the case is current); 1 not, or with --strict
+something is stale, missing or open; 2 bad input; 3 a scene has an effect that no theorem covers.")]
+pub(crate) struct Args {
+    /// Scene files.
+    #[arg(required_unless_present = "check", conflicts_with = "check", value_name = "SCENE")]
+    scenes: Vec<PathBuf>,
+    /// The folder to write, new or with an earlier case in it.
+    #[arg(long, value_name = "DIR", required_unless_present = "check", conflicts_with = "check")]
+    out: Option<PathBuf>,
+    /// Check the case in this folder against the sources instead of writing one.
+    #[arg(long, value_name = "DIR")]
+    check: Option<PathBuf>,
+    /// Exit with 1 on anything that is stale, missing or open.
+    #[arg(long)]
+    strict: bool,
+    /// Where the claims and the sources are; by default the nearest folder, from here up, with
+    /// proofs/claims.toml in it, and without one what this build carries.
+    #[arg(long, value_name = "DIR")]
+    root: Option<PathBuf>,
+    /// Recorded evidence to read; by default what `make prove` recorded last under the root.
+    #[arg(long, value_name = "FILE")]
+    evidence: Option<PathBuf>,
+    /// Also measure what accuracy costs in time; the figures differ from run to run.
+    #[arg(long, conflicts_with = "check")]
+    accuracy: bool,
+    /// For people or for programs.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// Writes or checks a case.
+pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    let records = load::records(root(args)?.as_deref(), args.evidence.as_deref()).map_err(Failure::input)?;
+    match (&args.check, &args.out) {
+        (Some(folder), _) => compare(args, folder, &records),
+        (None, Some(out)) => write(args, out, records),
+        (None, None) => Err(Failure::input("expected --out DIR or --check DIR")),
+    }
+}
+
+fn root(args: &Args) -> Result<Option<PathBuf>, Failure> {
+    if let Some(root) = &args.root {
+        if !root.join(tree::CLAIMS).is_file() {
+            let name = root.display();
+            return Err(Failure::input(format!("`{name}`: expected a folder with {}", tree::CLAIMS)));
+        }
+        return Ok(Some(root.clone()));
+    }
+    let here = std::env::current_dir().map_err(|error| Failure::io("this folder", &error))?;
+    Ok(tree::find_root(&here))
+}
+
+fn write(args: &Args, out: &Path, records: Records) -> Result<Exit, Failure> {
+    let studies = args.scenes.iter().map(|path| Study::read(path));
+    let studies = studies.collect::<Result<Vec<_>, _>>().map_err(Failure::input)?;
+    let history = folder::history(out).map_err(Failure::input)?;
+    let mut case = Case::new(studies, records, history);
+    case.measured = args.accuracy;
+    folder::write(&case, out).map_err(Failure::input)?;
+    let objections = case.objections();
+    match args.format {
+        Format::Text => emit(&summary(&case, out, &objections))?,
+        Format::Json => emit_json(&document(&case, out, &objections))?,
+    }
+    let verdicts = case.studies.iter().map(|study| exit_of(study.report().verdict));
+    let exit = verdicts.fold(Exit::Holds, Exit::and);
+    Ok(if args.strict && !objections.is_empty() { exit.and(Exit::Fails) } else { exit })
+}
+
+const fn exit_of(verdict: Verdict) -> Exit {
+    match verdict {
+        Verdict::Passive => Exit::Holds,
+        Verdict::NotPassive | Verdict::NotGuaranteed | Verdict::Depends => Exit::Fails,
+        Verdict::NotCovered => Exit::NotCovered,
+    }
+}
+
+fn standing(argument: &passivity_case::gsn::Argument) -> &'static str {
+    argument.top().standing.map_or("", passivity_case::gsn::Standing::words)
+}
+
+fn summary(case: &Case, out: &Path, objections: &[String]) -> String {
+    let mut text = format!("Safety case written: {}\n", out.join(folder::HTML).display());
+    for (study, argument) in case.scenes() {
+        let line = format!(
+            "  {}: {}; top goal {}\n",
+            study.name(),
+            study.report().headline(),
+            standing(argument)
+        );
+        text.push_str(&line);
+    }
+    if objections.is_empty() {
+        text.push_str("  Nothing is open, stale or missing.\n");
+    } else {
+        text.push_str(&format!("  Open, stale, missing or defeated: {}\n", objections.len()));
+        for objection in objections {
+            text.push_str(&format!("    {objection}\n"));
+        }
+    }
+    text
+}
+
+fn document(case: &Case, out: &Path, objections: &[String]) -> serde_json::Value {
+    let scenes: Vec<_> = case
+        .scenes()
+        .map(|(study, argument)| {
+            json!({ "scene": study.name(), "name": study.slug,
+                "verdict": study.report().verdict.name(),
+                "top_goal": argument.top().id, "standing": standing(argument) })
+        })
+        .collect();
+    json!({ "out": out.to_string_lossy(), "scenes": scenes, "objections": objections })
+}
+
+fn compare(args: &Args, folder: &Path, records: &Records) -> Result<Exit, Failure> {
+    let findings = check(folder, records).map_err(Failure::input)?;
+    match args.format {
+        Format::Text => {
+            let current = findings.is_current();
+            let mut text = format!(
+                "{}: {}\n  {} records of evidence stand as they did\n",
+                folder.display(),
+                if current { "the case is current" } else { "the case is NOT current" },
+                findings.unchanged
+            );
+            let lists = [
+                ("changed", &findings.changed),
+                ("evidence", &findings.stale),
+                ("not compared", &findings.not_at_hand),
+            ];
+            for (word, lines) in lists {
+                for line in lines {
+                    text.push_str(&format!("  {word}: {line}\n"));
+                }
+            }
+            emit(&text)?;
+        }
+        Format::Json => emit_json(&json!({
+            "case": folder.to_string_lossy(), "current": findings.is_current(),
+            "changed": findings.changed, "evidence": findings.stale,
+            "unchanged": findings.unchanged, "not_compared": findings.not_at_hand,
+        }))?,
+    }
+    let complete = !args.strict || findings.not_at_hand.is_empty();
+    Ok(if findings.is_current() && complete { Exit::Holds } else { Exit::Fails })
+}
