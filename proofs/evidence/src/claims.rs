@@ -63,6 +63,9 @@ pub struct Claim {
     pub code: Vec<String>,
     /// The engines that are expected to show it.
     pub evidence: Vec<Engine>,
+    /// What part of the claim an engine speaks of, where it is not the whole.
+    #[serde(default)]
+    pub scope: BTreeMap<Engine, String>,
     /// Ids of the assumptions that it is made under.
     pub assumptions: Vec<String>,
     /// Ids of the caveats of its evidence.

@@ -4,10 +4,9 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use passivity_evidence::{Claims, Evidence, collect, root, table};
+use passivity_evidence::{Claims, Evidence, collect, mutants, root, table};
 
-const USAGE: &str =
-    "usage: passivity-evidence collect FOLDER OUT | commit EVIDENCE | table | stale";
+const USAGE: &str = "usage: passivity-evidence collect FOLDER OUT | commit EVIDENCE | mutants FOLDER | table | stale";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -15,6 +14,7 @@ fn main() -> ExitCode {
     let outcome = match words.as_slice() {
         ["collect", folder, out] => gather(Path::new(folder), Path::new(out)),
         ["commit", evidence] => commit(Path::new(evidence)),
+        ["mutants", folder] => judge_mutants(Path::new(folder)),
         ["table"] => write_table(),
         ["stale"] => stale(),
         _ => Err(USAGE.to_owned()),
@@ -81,6 +81,26 @@ fn write_table() -> Result<(), String> {
     write(
         &root().join("proofs/README.md"),
         &table(&Claims::read(&root())?, &evidence),
+    )
+}
+
+/// Compares the survivors of a mutation run with the explained ones; writes `last.json`.
+fn judge_mutants(folder: &Path) -> Result<(), String> {
+    let explained = mutants::explained(&root())?;
+    let (mutation, faults) = mutants::judge(&root(), folder, &explained)?;
+    let text = serde_json::to_string_pretty(&mutation).map_err(|e| e.to_string())?;
+    println!(
+        "{} mutants compile, {} noticed, {} explained survivors",
+        mutation.mutants,
+        mutation.caught,
+        mutation.survivors.len()
+    );
+    if !faults.is_empty() {
+        return Err(faults.join("\n"));
+    }
+    write(
+        &root().join("proofs/mutants/last.json"),
+        &format!("{text}\n"),
     )
 }
 

@@ -110,6 +110,8 @@ pub struct Record {
     /// *proved for all reals*, *proved for all inputs in …*, *exhausted on …*, *sampled, N cases* or
     /// *not run here*; `None` when the engine ran and did not show it.
     pub result: Option<String>,
+    /// What part of the claim that is said of; `None` for the whole.
+    pub scope: Option<String>,
     /// The domains, in words.
     pub domain: Vec<String>,
     /// Inputs that were tried, where they can be counted.

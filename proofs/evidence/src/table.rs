@@ -103,7 +103,14 @@ fn cell(record: Option<&Record>) -> String {
     if record.not_run.is_some() {
         return result.clone();
     }
-    format!("{result} ({count} {})", if count == 1 { one } else { many })
+    let scope = record
+        .scope
+        .as_ref()
+        .map_or_else(String::new, |part| format!(" for *{part}*"));
+    format!(
+        "{result}{scope} ({count} {})",
+        if count == 1 { one } else { many }
+    )
 }
 
 fn engines(text: &mut String, evidence: &Evidence) {

@@ -3,6 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use crate::record::Engine;
+
 /// Beginnings of the ids of claims.
 const KINDS: [&str; 4] = ["EQ-", "ERR-", "TH-", "NUM-"];
 
@@ -13,6 +15,7 @@ const KINDS: [&str; 4] = ["EQ-", "ERR-", "TH-", "NUM-"];
 /// ```
 /// let ids = passivity_evidence::trace::ids("Equal to (19), see EQ-19/20, and TH-LIN.");
 /// assert_eq!(ids, ["EQ-19/20", "TH-LIN"]);
+/// assert_eq!(passivity_evidence::trace::ids("the record `TH-LIN/smt`"), ["TH-LIN"]);
 /// ```
 #[must_use]
 pub fn ids(text: &str) -> Vec<String> {
@@ -24,7 +27,11 @@ pub fn ids(text: &str) -> Vec<String> {
             .iter()
             .any(|kind| word.strip_prefix(kind).is_some_and(|rest| !rest.is_empty()))
         {
-            found.push(word.to_owned());
+            // A record is named by claim and engine.
+            let record = Engine::ALL
+                .iter()
+                .find_map(|e| word.strip_suffix(e.name())?.strip_suffix('/'));
+            found.push(record.unwrap_or(word).to_owned());
         }
     }
     found
