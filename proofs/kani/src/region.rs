@@ -198,31 +198,29 @@ fn th_region_verdict_at_every_speed() {
     );
 }
 
-/// Whole units of a tolerance: below 4, 2 bits, three numbers an interval.
+/// Units of a tolerance, halves for c: up to 4, 2 bits, three numbers an interval.
 const TOLERANCE: u8 = 4;
 
-/// An interval and a number within it, both from `low` on.
-fn tolerance(low: u8) -> (Interval<Ratio>, Ratio) {
-    let lo = kani::any_where(|n: &u8| *n >= low && *n < TOLERANCE);
-    let x = kani::any_where(|n: &u8| *n >= lo && *n < TOLERANCE);
-    let hi = kani::any_where(|n: &u8| *n >= x && *n < TOLERANCE);
+/// An interval of [1, `most`] and a number within it.
+fn tolerance(most: u8) -> (Interval<Ratio>, Ratio) {
+    let lo = kani::any_where(|n: &u8| *n >= 1 && *n <= most);
+    let x = kani::any_where(|n: &u8| *n >= lo && *n <= most);
+    let hi = kani::any_where(|n: &u8| *n >= x && *n <= most);
     let number = |n: u8| Ratio::integer(i32::from(n));
     (Interval::hull(number(lo), number(hi)), number(x))
 }
 
-/// TH-REGION: a verdict over tolerances is that of every rig within them, or it depends.
+/// Rigs with tolerances of c and T, and one rig within them.
 ///
-/// c and T have tolerances; T pulls both ways, since virtual damping costs BΔ/T. b is exact, and
-/// so are K = 2 and B = Δ = 1.
-#[kani::proof]
-fn th_region_verdict_over_tolerances() {
+/// T pulls both ways, since virtual damping costs BΔ/T. b is exact, and so are K = 2, B = Δ = 1.
+fn rigs_and_one_of_them() -> (RigBox<Ratio>, Rig<Ratio>) {
     let viscous = below(TOLERANCE);
-    let (coulomb_box, coulomb) = tolerance(0);
-    let (period_box, period) = tolerance(1);
+    let (double_coulomb_box, double_coulomb) = tolerance(TOLERANCE);
+    let (period_box, period) = tolerance(TOLERANCE - 1);
     let two = Ratio::integer(2);
     let rigs = RigBox {
         viscous: Interval::point(viscous),
-        coulomb: coulomb_box,
+        coulomb: double_coulomb_box.map(|c| c.half()),
         stiffness: Interval::point(two),
         period: period_box,
         length: Interval::point(Ratio::one()),
@@ -233,7 +231,7 @@ fn th_region_verdict_over_tolerances() {
     };
     let rig = Rig {
         viscous,
-        coulomb,
+        coulomb: double_coulomb.half(),
         stiffness: two,
         period,
         length: Ratio::one(),
@@ -242,26 +240,43 @@ fn th_region_verdict_over_tolerances() {
             ..Effects::encoder()
         },
     };
+    (rigs, rig)
+}
+
+/// TH-REGION: a verdict over tolerances is that of every rig within them, or it depends.
+#[kani::proof]
+fn th_region_verdict_over_tolerances() {
+    let (rigs, rig) = rigs_and_one_of_them();
     let truth = rigs.holds(&Speeds::All, &Speeds::All);
-    let one = decide(&rig.criterion(), &Speeds::All);
+    let one = decide(&rig.criterion(), &Speeds::All).map(|decision| decision.holds);
     kani::cover!(truth == Some(Truth::Depends), "it depends");
     kani::cover!(
-        truth == Some(Truth::Holds) && !period_box.is_point(),
+        truth == Some(Truth::Holds) && !rigs.period.is_point(),
         "it holds for every period of an interval"
     );
-    let agrees = match (truth, one) {
-        (Some(Truth::Holds), Some(one)) => one.holds,
-        (Some(Truth::Fails), Some(one)) => !one.holds,
-        (Some(Truth::Depends), Some(_)) => true,
-        (_, _) => false,
+    let agrees = match truth {
+        Some(Truth::Holds) => one == Some(true),
+        Some(Truth::Fails) => one == Some(false),
+        Some(Truth::Depends) => one.is_some(),
+        None => false,
     };
     kani::assert(
         agrees,
         "TH-REGION: a verdict over tolerances is that of each rig within",
     );
+}
+
+/// TH-REGION: a region over tolerances is that of every rig within them, or there is none.
+#[kani::proof]
+fn th_region_region_over_tolerances() {
+    let (rigs, rig) = rigs_and_one_of_them();
     let region = rigs.region();
+    kani::cover!(
+        region == Some(Region::GloballyStable) && !rigs.period.is_point(),
+        "globally stable for every period of an interval"
+    );
     kani::assert(
-        kani::implies!(region.is_some() => region == one.map(|one| one.region)),
+        region.is_none() || region == Region::of(&rig.criterion()),
         "TH-REGION: a region over tolerances is that of each rig within",
     );
 }
