@@ -53,19 +53,28 @@ pub struct Entry<S> {
 /// An encoder that counts at most one tick leaves room for any small speed, at which (σ − ½)/v̄
 /// is past every bound: such an end is `None`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Margin<S> {
-    /// The lower end, when there is one.
-    pub lo: Option<S>,
-    /// The upper end, when there is one.
-    pub hi: Option<S>,
+pub enum Margin<S> {
+    /// Exactly this.
+    At(S),
+    /// Between a lower and an upper end, as far as there are any.
+    Between(Option<S>, Option<S>),
 }
 
-impl<S: Ordered> Margin<S> {
-    /// The margin, when it is known exactly.
-    #[must_use]
-    pub fn exact(&self) -> Option<&S> {
-        let (lo, hi) = self.lo.as_ref().zip(self.hi.as_ref())?;
-        (lo.compare(hi) == Some(Ordering::Equal)).then_some(lo)
+impl<S> Margin<S> {
+    /// The lower end, when there is one.
+    pub const fn lo(&self) -> Option<&S> {
+        match self {
+            Self::At(x) => Some(x),
+            Self::Between(lo, _) => lo.as_ref(),
+        }
+    }
+
+    /// The upper end, when there is one.
+    pub const fn hi(&self) -> Option<&S> {
+        match self {
+            Self::At(x) => Some(x),
+            Self::Between(_, hi) => hi.as_ref(),
+        }
     }
 }
 
@@ -169,10 +178,13 @@ fn dissipated<S: Ordered>(model: &Model<S>, distance: &Span<S>, dtau: &S) -> Spa
     let at = |friction: &passivity_core::Friction<S>, d: &S| {
         friction.dissipated_lower(d, &dissipation::mean_speed(d, dtau))
     };
-    Span::of(
-        at(&model.least, distance.lo()),
-        at(&model.most, distance.hi()),
-    )
+    match distance {
+        Span::At(d) if model.is_exact() => Span::At(at(&model.least, d)),
+        _ => Span::Between(
+            at(&model.least, distance.lo()),
+            at(&model.most, distance.hi()),
+        ),
+    }
 }
 
 /// The margin at the mean speed, and whether the criterion holds there.
@@ -206,9 +218,10 @@ fn criterion<S: Ordered>(
         let unbounded = sign == grows && may_rest;
         Some((!unbounded).then(|| at(criterion, v)))
     };
-    let margin = Margin {
-        lo: end(&least, Ordering::Less)?,
-        hi: end(&most, Ordering::Greater)?,
+    let (lo, hi) = (end(&least, Ordering::Less)?, end(&most, Ordering::Greater)?);
+    let margin = match (model.is_exact(), distance, lo) {
+        (true, Span::At(_), Some(margin)) => Margin::At(margin),
+        (_, _, lo) => Margin::Between(lo, hi),
     };
     Some((Some(margin), truth))
 }
@@ -243,7 +256,10 @@ fn extra_storage<S: Ordered>(
             }
         };
         // Storage rises with every |d|.
-        Span::of(at(Span::lo), at(Span::hi))
+        match steps.iter().all(|step| step.exact().is_some()) {
+            true => Span::At(at(Span::lo)),
+            false => Span::Between(at(Span::lo), at(Span::hi)),
+        }
     };
     Some(storage(0).minus(&storage(1)))
 }
@@ -270,7 +286,10 @@ impl<S: Ordered> Entry<S> {
             Some(span) => span.is_defined(),
             None => true,
         };
-        let margin = self.margin.iter().flat_map(|m| m.lo.iter().chain(&m.hi));
+        let margin = self
+            .margin
+            .iter()
+            .flat_map(|m| m.lo().into_iter().chain(m.hi()));
         margin.map(Ordered::sign).all(|sign| sign.is_some())
             && self.dtau.sign().is_some()
             && self.figures().iter().all(defined)

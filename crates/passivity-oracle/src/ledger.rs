@@ -257,6 +257,7 @@ impl Model<BigRational> {
         let (worst, best) = (rigs.worst().friction(), rigs.best().friction());
         let point = scene.point();
         Self {
+            exact: worst == best,
             least: worst,
             most: best,
             effects: passivity_core::effects::Effects {

@@ -28,6 +28,8 @@ pub struct Model<S> {
     pub unilateral: bool,
     /// The largest force, in KΔ.
     pub max_force: Option<S>,
+    /// Whether `least` and `most` are the same.
+    pub exact: bool,
 }
 
 impl<S: Scalar> Model<S> {
@@ -40,7 +42,14 @@ impl<S: Scalar> Model<S> {
             effects: Effects::encoder(),
             unilateral: false,
             max_force: None,
+            exact: true,
         }
+    }
+
+    /// Whether friction is known exactly: figures are numbers then, not enclosures.
+    #[must_use]
+    pub const fn is_exact(&self) -> bool {
+        self.exact
     }
 
     /// Whether an encoder, at most, is all there is beside the hold, so that a row depends on
@@ -136,6 +145,7 @@ impl<S: Scalar> Model<S> {
             },
             unilateral: self.unilateral,
             max_force: optional(&self.max_force)?,
+            exact: self.exact,
         })
     }
 }

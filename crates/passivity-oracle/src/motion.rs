@@ -116,7 +116,11 @@ fn phi(z: &BigRational, k: u32) -> [BigRational; 2] {
         before = sum.clone();
         sum += &term;
     }
-    if before < sum { [before, sum] } else { [sum, before] }
+    if before < sum {
+        [before, sum]
+    } else {
+        [sum, before]
+    }
 }
 
 /// Rounded outward to [`DIGITS`] decimal places; exact numbers stay.
@@ -125,7 +129,10 @@ fn outward([lo, hi]: [BigRational; 2]) -> [BigRational; 2] {
         return [lo, hi];
     }
     let scale = BigRational::from_integer(BigInt::from(10).pow(DIGITS));
-    [(lo * &scale).floor() / &scale, (hi * &scale).ceil() / &scale]
+    [
+        (lo * &scale).floor() / &scale,
+        (hi * &scale).ceil() / &scale,
+    ]
 }
 
 #[cfg(test)]
@@ -148,11 +155,15 @@ mod tests {
             duration: ratio(1, 1),
         };
         let arrival = piece.arrival().unwrap();
-        let digits: BigInt = "36787944117144232159552377016146086744581113103176".parse().unwrap();
+        let digits: BigInt = "36787944117144232159552377016146086744581113103176"
+            .parse()
+            .unwrap();
         let inverse_e = BigRational::new(digits, BigInt::from(10).pow(50_u32));
         let [lo, hi] = &arrival.velocity;
         assert!(*lo < inverse_e && inverse_e < *hi);
-        assert!(hi - lo < ratio(1, 1_000_000_000_000_000_000) * ratio(1, 1_000_000_000_000_000_000));
+        assert!(
+            hi - lo < ratio(1, 1_000_000_000_000_000_000) * ratio(1, 1_000_000_000_000_000_000)
+        );
         // ξ = 1 − 1/e.
         let xi = ratio(1, 1) - inverse_e;
         assert!(arrival.xi[0] < xi && xi < arrival.xi[1]);

@@ -106,8 +106,8 @@ impl<S: Written> Entry<S> {
         }
         let margin = self.margin.as_ref();
         figure(
-            margin.and_then(|m| m.lo.as_ref()),
-            margin.and_then(|m| m.hi.as_ref()),
+            margin.and_then(Margin::lo),
+            margin.and_then(Margin::hi),
             out,
         );
         for (_, truth) in self.truths() {
@@ -169,9 +169,12 @@ fn write_margin<S: Written>(margin: Option<&Margin<S>>, out: &mut Vec<u8>) {
     let Some(margin) = margin else {
         return out.extend_from_slice(b"null");
     };
-    match (&margin.lo, &margin.hi) {
-        (Some(lo), Some(hi)) => write_span(&Span::of(lo.clone(), hi.clone()), out),
-        (lo, hi) => {
+    match margin {
+        Margin::At(x) => write_string(x, out),
+        Margin::Between(Some(lo), Some(hi)) => {
+            write_span(&Span::Between(lo.clone(), hi.clone()), out);
+        }
+        Margin::Between(lo, hi) => {
             let end = |end: &Option<S>, out: &mut Vec<u8>| match end {
                 Some(x) => write_string(x, out),
                 None => out.extend_from_slice(b"null"),

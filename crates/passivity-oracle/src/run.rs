@@ -221,13 +221,13 @@ pub(crate) fn tightened(figures: [Span<BigRational>; 5], last: &Row) -> [Span<Bi
     };
     let swapped =
         |total: &BigRational, out: &BigRational, within: &BigRational| total - out + within;
-    let linear = Span::of(
+    let linear = Span::Between(
         swapped(quantized.lo(), quantized_last.lo(), linear_last.lo()),
         swapped(quantized.hi(), quantized_last.hi(), linear_last.hi()),
     );
     let common = |rows: Span<BigRational>, totals: Span<BigRational>| {
         let lo = Ord::max(rows.lo(), totals.lo()).clone();
-        Span::of(lo, Ord::min(rows.hi(), totals.hi()).clone())
+        Span::Between(lo, Ord::min(rows.hi(), totals.hi()).clone())
     };
     let net_linear = common(net_linear, dissipated.minus(&linear));
     let net_quantized = common(net_quantized, dissipated.minus(&quantized));

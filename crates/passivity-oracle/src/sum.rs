@@ -200,9 +200,10 @@ impl SpanSum {
     /// The sum.
     #[must_use]
     pub fn value(&self) -> Span<BigRational> {
-        let lo = self.lo.value();
-        let hi = self.hi.as_ref().map_or_else(|| lo.clone(), Sum::value);
-        Span::of(lo.lo().clone(), hi.hi().clone())
+        match &self.hi {
+            None => self.lo.value(),
+            Some(hi) => Span::Between(self.lo.value().lo().clone(), hi.value().hi().clone()),
+        }
     }
 }
 

@@ -27,6 +27,7 @@ fn model() -> impl Strategy<Value = Model<Fixed>> {
             force_step: step.map(|s| Fixed::new(s, 3)),
         });
     (friction(), friction(), law, effects).prop_map(|(a, b, law, effects)| Model {
+        exact: a == b,
         least: Friction::new(a.beta.min(b.beta), a.sigma.min(b.sigma)),
         most: Friction::new(a.beta.max(b.beta), a.sigma.max(b.sigma)),
         unilateral: law.0,
@@ -55,8 +56,8 @@ fn encloses(outer: &Entry<BigRational>, inner: &Entry<BigRational>) -> Result<()
     }
     // Nothing may have moved: then there is no margin.
     if let (Some(outer), Some(inner)) = (&outer.margin, &inner.margin) {
-        let above = outer.lo.is_none() || outer.lo <= inner.lo;
-        let below = outer.hi.is_none() || (inner.hi.is_some() && inner.hi <= outer.hi);
+        let above = outer.lo().is_none() || outer.lo() <= inner.lo();
+        let below = outer.hi().is_none() || (inner.hi().is_some() && inner.hi() <= outer.hi());
         prop_assert!(above && below, "{outer:?} does not hold {inner:?}");
     }
     prop_assert!(agrees(outer.criterion_holds, inner.criterion_holds));

@@ -68,9 +68,9 @@ impl Course {
             if larger > 1 << 62 {
                 return None;
             }
-            self.now = self.now.checked_mul(factor)?;
-            self.least = self.least.checked_mul(factor)?;
-            self.denominator = larger;
+            let now = self.now.checked_mul(factor)?;
+            let least = self.least.checked_mul(factor)?;
+            (self.now, self.least, self.denominator) = (now, least, larger);
         }
         n.checked_mul(self.denominator / d)
     }

@@ -15,8 +15,8 @@ use crate::number::{Number, short};
 /// The longest line, in bytes.
 pub(crate) const MAX_LINE: usize = 1 << 20;
 
-/// How much is parsed at once by one core, in bytes.
-const BLOCK: usize = 4 << 20;
+/// How much is parsed at once by one core, in bytes, unless asked otherwise.
+pub(crate) const BLOCK: usize = 4 << 20;
 
 /// Whole lines of a trace, in order.
 pub(crate) struct Lines<R> {
@@ -24,6 +24,7 @@ pub(crate) struct Lines<R> {
     /// The start of a line that the last block did not hold whole.
     rest: Vec<u8>,
     ended: bool,
+    block: usize,
 }
 
 /// A block of lines, or what stopped the reading after it.
@@ -36,11 +37,13 @@ pub(crate) struct Block {
 }
 
 impl<R: Read> Lines<R> {
-    pub(crate) const fn new(input: R) -> Self {
+    /// Reads from `input`, about `block` bytes at a time.
+    pub(crate) const fn new(input: R, block: usize) -> Self {
         Self {
             input,
             rest: Vec::new(),
             ended: false,
+            block,
         }
     }
 
@@ -74,43 +77,40 @@ impl<R: Read> Lines<R> {
 
     /// The next block of whole lines; `None` after the last.
     pub(crate) fn next_block(&mut self) -> Option<Block> {
-        if self.ended && self.rest.is_empty() {
-            return None;
-        }
-        if !self.ended {
-            let more = BLOCK.saturating_sub(self.rest.len()).max(MAX_LINE);
-            if let Err(error) = self.fill(more) {
-                self.ended = true;
-                let mut bytes = std::mem::take(&mut self.rest);
-                bytes.truncate(bytes.iter().rposition(|b| *b == b'\n').map_or(0, |n| n + 1));
-                let error = Some(TraceError::io(&error));
-                return Some(Block {
-                    bytes,
-                    last: true,
-                    error,
-                });
+        let mut error = None;
+        while !self.ended {
+            if let Err(broken) = self.fill(self.block) {
+                error = Some(TraceError::io(&broken));
+                break;
+            }
+            if self.ended || memchr::memrchr(b'\n', &self.rest).is_some() {
+                break;
+            }
+            if self.rest.len() > MAX_LINE {
+                let message = format!("a line longer than {MAX_LINE} bytes");
+                error = Some(TraceError::new("line_too_long", message));
+                break;
             }
         }
-        if self.ended {
-            let bytes = std::mem::take(&mut self.rest);
-            return Some(Block {
-                bytes,
-                last: true,
-                error: None,
-            });
+        if self.ended && self.rest.is_empty() && error.is_none() {
+            return None;
         }
-        let end = self.rest.iter().rposition(|byte| *byte == b'\n');
-        let tail = self.rest.split_off(end.map_or(0, |end| end + 1));
-        let bytes = std::mem::replace(&mut self.rest, tail);
-        let error = (self.rest.len() > MAX_LINE).then(|| {
+        let mut bytes = std::mem::take(&mut self.rest);
+        if !self.ended || error.is_some() {
+            let end = memchr::memrchr(b'\n', &bytes).map_or(0, |end| end + 1);
+            self.rest = bytes.split_off(end);
+        }
+        if error.is_some() || self.rest.len() > MAX_LINE {
+            error = error.or_else(|| {
+                let message = format!("a line longer than {MAX_LINE} bytes");
+                Some(TraceError::new("line_too_long", message))
+            });
             self.ended = true;
             self.rest = Vec::new();
-            let message = format!("a line longer than {MAX_LINE} bytes");
-            TraceError::new("line_too_long", message)
-        });
+        }
         Some(Block {
             bytes,
-            last: error.is_some(),
+            last: self.ended,
             error,
         })
     }

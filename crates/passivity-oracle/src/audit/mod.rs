@@ -44,6 +44,8 @@ pub struct Options<'a> {
     pub points: bool,
     /// How many cores to use; 0 for all.
     pub threads: usize,
+    /// How many bytes of CSV a core is given at once; 0 for a size that suits most machines.
+    pub block: usize,
 }
 
 /// Where the samples come from.
@@ -98,7 +100,11 @@ pub fn audit_csv(
     scene: &Scene,
     options: Options<'_>,
 ) -> Result<Audit, TraceError> {
-    let mut lines = Lines::new(input);
+    let block = match options.block {
+        0 => csv::BLOCK,
+        block => block,
+    };
+    let mut lines = Lines::new(input, block);
     let names = csv::names(&lines.header()?)?;
     let layout = Layout::read(names, scene)?;
     run(Source::Csv(lines), &layout, scene, options)
@@ -118,9 +124,8 @@ fn run(
 ) -> Result<Audit, TraceError> {
     let ledger = Ledger::new(Model::of_scene(scene, PI_LEVEL));
     let model = ledger.model();
-    let enclosures = layout.form == Form::Count
-        || model.least != model.most
-        || matches!(layout.scale, Scale::Pi(..));
+    let enclosures =
+        layout.form == Form::Count || !model.is_exact() || matches!(layout.scale, Scale::Pi(..));
     let task = Task {
         ledger: &ledger,
         layout,

@@ -192,6 +192,7 @@ fn model(fields: &Fields<'_>) -> Result<Model<BigRational>, Refusal> {
     let [sigma_least, sigma_most] = fields.friction("sigma")?;
     let delay = fields.natural("delay", MAX_DELAY)?;
     Ok(Model {
+        exact: beta_least == beta_most && sigma_least == sigma_most,
         least: Friction::new(beta_least, sigma_least),
         most: Friction::new(beta_most, sigma_most),
         effects: Effects {

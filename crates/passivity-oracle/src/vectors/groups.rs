@@ -40,10 +40,25 @@ fn errata() -> Group {
         }
     }
     // Exactly where the criterion meets equality, for the same moves.
-    for (beta, sigma) in [("1/2", "1/2"), ("3/4", "3/8"), ("2/5", "11/20"), ("1/4", "5/8")] {
-        for (from, to) in [("1", "1/2"), ("0", "-1/2"), ("-2", "-5/2"), ("3", "3/2"), ("1/2", "1")] {
+    for (beta, sigma) in [
+        ("1/2", "1/2"),
+        ("3/4", "3/8"),
+        ("2/5", "11/20"),
+        ("1/4", "5/8"),
+    ] {
+        for (from, to) in [
+            ("1", "1/2"),
+            ("0", "-1/2"),
+            ("-2", "-5/2"),
+            ("3", "3/2"),
+            ("1/2", "1"),
+        ] {
             let request = interval(from, to, beta, sigma, "1");
-            tests.push(test("the criterion at or near equality", &["CriterionBorder"], request));
+            tests.push(test(
+                "the criterion at or near equality",
+                &["CriterionBorder"],
+                request,
+            ));
         }
     }
     Group {
@@ -51,15 +66,27 @@ fn errata() -> Group {
         header: "What does not hold as printed: the bound (22), and E_g ≤ E_d for the quantized spring.",
         claims: vec!["ERR-21/22", "ERR-27", "TH-LIN", "TH-QUANT"],
         notes: vec![
-            ("Bound22Violated", "generated_quantized is above bound_22, and within bound_quantized; generated_linear is within bound_22"),
-            ("CriterionBorder", "the margin of the criterion is zero, or close to it"),
+            (
+                "Bound22Violated",
+                "generated_quantized is above bound_22, and within bound_quantized; generated_linear is within bound_22",
+            ),
+            (
+                "CriterionBorder",
+                "the margin of the criterion is zero, or close to it",
+            ),
         ],
         tests,
     }
 }
 
 fn intervals() -> Group {
-    let frictions = [("3/5", "3/5"), ("2/5", "3/5"), ("3/5", "2/5"), ("0", "0"), ("1", "1/10")];
+    let frictions = [
+        ("3/5", "3/5"),
+        ("2/5", "3/5"),
+        ("3/5", "2/5"),
+        ("0", "0"),
+        ("1", "1/10"),
+    ];
     let mut tests = Vec::new();
     for from in [-2_i64, 0, 1] {
         for to in -3_i64..=3 {
@@ -78,12 +105,25 @@ fn intervals() -> Group {
     for _ in 0..60 {
         let xi = dice.fraction(-9, 9, 16);
         let request = interval(&xi, &xi, "3/5", "3/5", "1");
-        tests.push(test("nothing moves: no margin, and the criterion holds", &["Still"], request));
+        tests.push(test(
+            "nothing moves: no margin, and the criterion holds",
+            &["Still"],
+            request,
+        ));
     }
     Group {
         name: "intervals",
         header: "The ledger row of one interval between exact positions.",
-        claims: vec!["EQ-16/17", "EQ-19/20", "EQ-21a", "EQ-23..26", "EQ-27", "TH-LIN", "TH-QUANT", "TH-INTERVAL"],
+        claims: vec![
+            "EQ-16/17",
+            "EQ-19/20",
+            "EQ-21a",
+            "EQ-23..26",
+            "EQ-27",
+            "TH-LIN",
+            "TH-QUANT",
+            "TH-INTERVAL",
+        ],
         notes: vec![
             ("WholeTicks", "both positions are whole ticks"),
             ("OffGrid", "positions anywhere, on either side of zero"),
@@ -96,7 +136,12 @@ fn intervals() -> Group {
 fn edges() -> Group {
     let mut tests = Vec::new();
     // Just above and just below a tick, on both sides and in both directions.
-    let steps = [ratio(1, 1_000_000_007), ratio(-1, 1_000_000_007), ratio(1, 1 << 40), ratio(0, 1)];
+    let steps = [
+        ratio(1, 1_000_000_007),
+        ratio(-1, 1_000_000_007),
+        ratio(1, 1 << 40),
+        ratio(0, 1),
+    ];
     for tick in [-2_i64, -1, 0, 1, 2] {
         for step in &steps {
             for to in [tick - 1, tick, tick + 1] {
@@ -118,20 +163,31 @@ fn edges() -> Group {
             }
             let to = sum(from, &ratio(d, 8));
             let request = interval(from, &to, beta, &sigma, "1");
-            tests.push(test("margin zero: equality is passive", &["MarginZero"], request));
+            tests.push(test(
+                "margin zero: equality is passive",
+                &["MarginZero"],
+                request,
+            ));
         }
     }
     // TH-LIN with equality: from a whole tick downward, β = σ = ½: net energy is exactly zero.
     for d in 1_i64..=40 {
         let request = interval("3", &sum("3", &ratio(-d, 8)), "1/2", "1/2", "1");
-        tests.push(test("the bound of TH-LIN is reached", &["NetZero"], request));
+        tests.push(test(
+            "the bound of TH-LIN is reached",
+            &["NetZero"],
+            request,
+        ));
     }
     Group {
         name: "edges",
         header: "Borders: ticks, equality in the criterion, equality in the bound.",
         claims: vec!["TH-LIN", "TH-QUANT", "TH-INTERVAL", "EQ-27"],
         notes: vec![
-            ("TickEdge", "a position is a whole tick, or closer to one than doubles near a large position could say"),
+            (
+                "TickEdge",
+                "a position is a whole tick, or closer to one than doubles near a large position could say",
+            ),
             ("MarginZero", "the criterion holds with equality"),
             ("NetZero", "net_linear is zero: not a violation"),
         ],
@@ -159,9 +215,21 @@ fn big() -> Group {
     for exponent in [19_i64, 38, 77, 300, 1000] {
         let far = format!("1e{exponent}");
         let tiny = format!("1e-{exponent}");
-        tests.push(test("far away", &["Decimal"], interval(&far, "0", "1", "1", "1")));
-        tests.push(test("a tiny move", &["Decimal"], interval("0", &tiny, "1", "1", "1")));
-        tests.push(test("a tiny friction", &["Decimal"], interval("0", "2", &tiny, &tiny, "1")));
+        tests.push(test(
+            "far away",
+            &["Decimal"],
+            interval(&far, "0", "1", "1", "1"),
+        ));
+        tests.push(test(
+            "a tiny move",
+            &["Decimal"],
+            interval("0", &tiny, "1", "1", "1"),
+        ));
+        tests.push(test(
+            "a tiny friction",
+            &["Decimal"],
+            interval("0", "2", &tiny, &tiny, "1"),
+        ));
     }
     Group {
         name: "big",
@@ -178,9 +246,21 @@ fn big() -> Group {
 fn counted() -> Group {
     let mut tests = Vec::new();
     for ticks in -6_i64..=6 {
-        for (beta, sigma) in [("3/5", "3/5"), ("2/5", "3/5"), ("3/5", "2/5"), ("1/4", "1/4"), ("2", "1/2")] {
+        for (beta, sigma) in [
+            ("3/5", "3/5"),
+            ("2/5", "3/5"),
+            ("3/5", "2/5"),
+            ("1/4", "1/4"),
+            ("2", "1/2"),
+        ] {
             for dtau in ["1", "1/3", "2"] {
-                let request = counts(ticks.rem_euclid(4) - 2, ticks.rem_euclid(4) - 2 + ticks, beta, sigma, dtau);
+                let request = counts(
+                    ticks.rem_euclid(4) - 2,
+                    ticks.rem_euclid(4) - 2 + ticks,
+                    beta,
+                    sigma,
+                    dtau,
+                );
                 tests.push(test(format!("{ticks} ticks"), &["Counts"], request));
             }
         }
@@ -189,7 +269,10 @@ fn counted() -> Group {
         name: "counts",
         header: "What encoder counts say of an interval: exact enclosures and three-valued answers. null is 'it depends'; a null end of a margin is unbounded.",
         claims: vec!["TH-LIN", "TH-QUANT", "TH-INTERVAL"],
-        notes: vec![("Counts", "only the tick of each position is known: n ≤ ξ < n + 1. Ends are those of the closure")],
+        notes: vec![(
+            "Counts",
+            "only the tick of each position is known: n ≤ ξ < n + 1. Ends are those of the closure",
+        )],
         tests,
     }
 }
@@ -198,7 +281,11 @@ fn jitter() -> Group {
     let mut dice = Dice::new(3);
     let mut tests = Vec::new();
     for i in 0..200 {
-        let dtau = if i % 2 == 0 { dice.fraction(1, 1, 1) } else { String::new() };
+        let dtau = if i % 2 == 0 {
+            dice.fraction(1, 1, 1)
+        } else {
+            String::new()
+        };
         let dtau = if dtau.is_empty() || i % 4 == 0 {
             ratio(dice.between(1, 60), dice.between(10, 30))
         } else {
@@ -213,7 +300,10 @@ fn jitter() -> Group {
         name: "jitter",
         header: "Intervals shorter and longer than a sampling period.",
         claims: vec!["TH-JITTER", "TH-INTERVAL"],
-        notes: vec![("Jitter", "for Δτ > 1 the criterion implies nothing; the ledger is still exact")],
+        notes: vec![(
+            "Jitter",
+            "for Δτ > 1 the criterion implies nothing; the ledger is still exact",
+        )],
         tests,
     }
 }
@@ -239,15 +329,21 @@ fn runs() -> Group {
         tests.push(test("exact positions", &["Telescope"], request));
     }
     for i in 0..40_usize {
-        let counts: Vec<Value> = walk(&mut dice, 2 + i % 9, 1).iter().map(|n| json!(n)).collect();
+        let counts: Vec<Value> = walk(&mut dice, 2 + i % 9, 1)
+            .iter()
+            .map(|n| json!(n))
+            .collect();
         let (beta, sigma) = (dice.fraction(0, 2, 10), dice.fraction(0, 2, 10));
         let request = json!({"op": "run", "count": counts, "beta": beta, "sigma": sigma});
         tests.push(test("counts", &["TightTotals"], request));
     }
     for i in 0..40_usize {
         let positions = walk(&mut dice, 2 + i % 5, 12);
-        let dtau: Vec<String> = (1..positions.len()).map(|_| ratio(dice.between(1, 30), 12)).collect();
-        let request = json!({"op": "run", "xi": positions, "beta": "3/5", "sigma": "3/5", "dtau": dtau});
+        let dtau: Vec<String> = (1..positions.len())
+            .map(|_| ratio(dice.between(1, 30), 12))
+            .collect();
+        let request =
+            json!({"op": "run", "xi": positions, "beta": "3/5", "sigma": "3/5", "dtau": dtau});
         tests.push(test("uneven sampling", &["Telescope"], request));
     }
     Group {
@@ -255,8 +351,14 @@ fn runs() -> Group {
         header: "Sequences of positions: rows and totals.",
         claims: vec!["TH-TELESCOPE", "TH-RUN"],
         notes: vec![
-            ("Telescope", "the totals of both accounts differ by the change of ½ρ(1 − ρ)"),
-            ("TightTotals", "the total of counts is enclosed as a whole: a residue that ends one interval starts the next"),
+            (
+                "Telescope",
+                "the totals of both accounts differ by the change of ½ρ(1 − ρ)",
+            ),
+            (
+                "TightTotals",
+                "the total of counts is enclosed as a whole: a residue that ends one interval starts the next",
+            ),
         ],
         tests,
     }
@@ -272,8 +374,14 @@ fn effects() -> Group {
         ("Delay", json!({"delay": 2})),
         ("Damping", json!({"damping": "1/4"})),
         ("NoEncoder", json!({"encoder": false})),
-        ("Combined", json!({"unilateral": true, "delay": 1, "damping": "1/3", "force_step": "1/2"})),
-        ("Combined", json!({"unilateral": true, "max_force": "5/2", "delay": 1, "force_step": "1/2"})),
+        (
+            "Combined",
+            json!({"unilateral": true, "delay": 1, "damping": "1/3", "force_step": "1/2"}),
+        ),
+        (
+            "Combined",
+            json!({"unilateral": true, "max_force": "5/2", "delay": 1, "force_step": "1/2"}),
+        ),
     ];
     for (flag, effect) in &kinds {
         for i in 0..30_usize {
@@ -288,14 +396,24 @@ fn effects() -> Group {
     Group {
         name: "effects",
         header: "Effects beyond sampling and encoder. The force of the sample q, k late, is −(q + B(q − q′)), zero outside a one-sided wall, then rounded to force steps δ⌊u/δ + ½⌋, then limited. Before the first sample the device stood there. net_* subtract what the storages of delay and damping gain (extra_storage).",
-        claims: vec!["TH-UNI", "TH-LAW", "TH-DAC", "TH-DELAY", "TH-DAMP", "TH-SMOOTH"],
+        claims: vec![
+            "TH-UNI",
+            "TH-LAW",
+            "TH-DAC",
+            "TH-DELAY",
+            "TH-DAMP",
+            "TH-SMOOTH",
+        ],
         notes: vec![
             ("Unilateral", "the wall is ξ ≥ 0 only"),
             ("Saturation", "the actuator's force is limited"),
             ("ForceStep", "the force comes in steps"),
             ("Delay", "the force is whole samples late"),
             ("Damping", "virtual damping by backward difference"),
-            ("NoEncoder", "the position is known exactly; both accounts are the same, and the bounds are ½d²"),
+            (
+                "NoEncoder",
+                "the position is known exactly; both accounts are the same, and the bounds are ½d²",
+            ),
             ("Combined", "several at once"),
         ],
         tests,

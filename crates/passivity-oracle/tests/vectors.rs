@@ -1,0 +1,211 @@
+//! The committed vectors are the generated ones and have the form of their schema; a second
+//! implementation passes them, and broken copies of it do not.
+
+use std::fs;
+use std::path::PathBuf;
+
+use passivity_oracle::vectors::{Outcome, SCHEMA, against::against, all};
+use serde_json::Value;
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+#[test]
+fn committed_vectors_are_the_generated_ones() {
+    let folder = root().join("tests/vectors");
+    let groups = all();
+    let mut files = vec!["schema.json".to_owned()];
+    let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
+    assert_eq!(read("schema.json"), SCHEMA);
+    for group in &groups {
+        let name = format!("{}.json", group.name);
+        assert!(
+            read(&name) == group.to_json(),
+            "{name} is not what `passivity vectors` writes"
+        );
+        files.push(name);
+    }
+    let mut found: Vec<String> = fs::read_dir(&folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name.ends_with(".json"))
+        .collect();
+    files.sort();
+    found.sort();
+    assert_eq!(found, files);
+    assert!(groups.iter().map(|group| group.tests.len()).sum::<usize>() >= 2000);
+}
+
+#[test]
+fn vectors_have_the_form_of_their_schema_and_flags_have_notes() {
+    let schema: Value = serde_json::from_str(SCHEMA).unwrap();
+    let mut id = 0;
+    for group in all() {
+        let file: Value = serde_json::from_str(&group.to_json()).unwrap();
+        check(&file, &schema, &schema).unwrap_or_else(|error| panic!("{}: {error}", group.name));
+        for test in file["tests"].as_array().unwrap() {
+            id += 1;
+            assert_eq!(test["id"], id);
+            for flag in test["flags"].as_array().unwrap() {
+                assert!(
+                    file["notes"].get(flag.as_str().unwrap()).is_some(),
+                    "{flag}"
+                );
+            }
+        }
+    }
+    // The check can fail: a field too many, one too few, one of the wrong form.
+    let file: Value = serde_json::from_str(&all()[0].to_json()).unwrap();
+    for change in [
+        |file: &mut Value| file["more"] = Value::Null,
+        |file: &mut Value| drop(file.as_object_mut().unwrap().remove("claims")),
+        |file: &mut Value| file["tests"][3]["result"]["bound_22"] = "1.5".into(),
+        |file: &mut Value| file["tests"][3]["result"]["extra"] = "1".into(),
+    ] {
+        let mut broken = file.clone();
+        change(&mut broken);
+        assert!(check(&broken, &schema, &schema).is_err());
+    }
+}
+
+/// What of JSON Schema the schema uses.
+fn check(value: &Value, schema: &Value, root: &Value) -> Result<(), String> {
+    let at = |what: &str| {
+        format!(
+            "{what}: {}",
+            value.to_string().chars().take(80).collect::<String>()
+        )
+    };
+    if let Some(reference) = schema["$ref"].as_str() {
+        return check(value, root.pointer(&reference[1..]).unwrap(), root);
+    }
+    if let Some(options) = schema["oneOf"].as_array() {
+        let fit = options
+            .iter()
+            .filter(|option| check(value, option, root).is_ok())
+            .count();
+        if fit != 1 {
+            return Err(at(&format!("fits {fit} of the forms")));
+        }
+    }
+    let types: Vec<&str> = match &schema["type"] {
+        Value::String(name) => vec![name],
+        Value::Array(names) => names.iter().filter_map(Value::as_str).collect(),
+        _ => Vec::new(),
+    };
+    let is = |name: &str| match name {
+        "object" => value.is_object(),
+        "array" => value.is_array(),
+        "string" => value.is_string(),
+        "boolean" => value.is_boolean(),
+        "null" => value.is_null(),
+        "integer" => value.is_i64() || value.is_u64(),
+        "number" => value.is_number(),
+        other => panic!("{other}"),
+    };
+    if !types.is_empty() && !types.iter().any(|name| is(name)) {
+        return Err(at("wrong type"));
+    }
+    if schema
+        .get("const")
+        .is_some_and(|constant| constant != value)
+    {
+        return Err(at("not the constant"));
+    }
+    if schema["enum"]
+        .as_array()
+        .is_some_and(|options| !options.contains(value))
+    {
+        return Err(at("none of the values"));
+    }
+    if let (Some(_), Some(text)) = (schema.get("pattern"), value.as_str()) {
+        let parts: Vec<&str> = text
+            .strip_prefix('-')
+            .unwrap_or(text)
+            .splitn(2, '/')
+            .collect();
+        let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+        if !parts.iter().all(|part| digits(part))
+            || parts.get(1).is_some_and(|d| d.starts_with('0'))
+        {
+            return Err(at("no fraction"));
+        }
+    }
+    if let Some(least) = schema["minimum"].as_i64() {
+        if value.as_i64().is_some_and(|n| n < least) {
+            return Err(at("too small"));
+        }
+    }
+    for item in value.as_array().into_iter().flatten() {
+        if let Some(schema) = schema.get("items") {
+            check(item, schema, root)?;
+        }
+    }
+    if let Some(fields) = value.as_object() {
+        for name in schema["required"].as_array().into_iter().flatten() {
+            if !fields.contains_key(name.as_str().unwrap()) {
+                return Err(at(&format!("no {name}")));
+            }
+        }
+        for (name, field) in fields {
+            match (
+                schema["properties"].get(name),
+                schema.get("additionalProperties"),
+            ) {
+                (Some(schema), _) => check(field, schema, root)?,
+                (None, Some(Value::Bool(false))) => return Err(at(&format!("`{name}` too many"))),
+                (None, Some(schema)) => check(field, schema, root)?,
+                (None, None) => {}
+            }
+        }
+    }
+    Ok(())
+}
+
+fn python(program: &str) -> Outcome {
+    against(&format!("python3 '{program}'"), &all()).unwrap()
+}
+
+#[test]
+fn second_implementation_passes_and_broken_copies_do_not() {
+    let path = root().join("tests/conformance/passivity_ref.py");
+    let outcome = python(path.to_str().unwrap());
+    let first = &outcome.differences[..outcome.differences.len().min(5)];
+    assert!(outcome.differences.is_empty(), "{first:#?}");
+    assert!(outcome.tests >= 2000);
+    let text = fs::read_to_string(&path).unwrap();
+    let broken = std::env::temp_dir().join(format!("passivity-broken-{}.py", std::process::id()));
+    for (sound, mistake) in [
+        ("HALF * d * d + HALF * abs(d)", "HALF * d * d + HALF * d"),
+        ("beta * d * d / dtau", "beta * d * d"),
+        ("return xi - floor(xi)", "return abs(xi) - floor(abs(xi))"),
+        (
+            "margin is None or margin >= 0",
+            "margin is None or margin > 0",
+        ),
+        ("net_linear < 0", "net_linear <= 0"),
+        (
+            "viscous >= 0 and coulomb >= 0",
+            "viscous > 0 and coulomb >= 0",
+        ),
+        ("coulomb**2 >= viscous**2", "coulomb**2 > viscous**2"),
+        ("holds is False and least == 0", "False"),
+        ("coulomb -= self.step / 2", "pass"),
+        ("F(k - j + 1)", "F(1)"),
+        ("+ (v - limit) * (1 - decay)", "- (v - limit) * (1 - decay)"),
+        ("if int(d) == 0:", "if False:"),
+    ] {
+        assert_eq!(text.matches(sound).count(), 1, "{sound}");
+        fs::write(&broken, text.replace(sound, mistake)).unwrap();
+        let outcome = python(broken.to_str().unwrap());
+        assert!(!outcome.differences.is_empty(), "nobody notices {mistake}");
+    }
+    fs::remove_file(broken).unwrap();
+}
+
+#[test]
+fn an_implementation_that_says_nothing_fails_every_test() {
+    let outcome = against("true", &all()).unwrap();
+    assert_eq!(outcome.differences.len(), outcome.tests);
+}
