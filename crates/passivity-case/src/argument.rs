@@ -232,7 +232,7 @@ impl<'a> Build<'a> {
     fn numerics(&mut self) {
         let text = "The margins, borders and regions are what the criterion says for the numbers of \
                     the scene: rationals of any size, tolerances as intervals. No rounding decides.";
-        self.claims_goal(NUMERICS, text, &["EQ-27", "TH-STIFF"]);
+        self.claims_goal(NUMERICS, text, &["NUM-EXACT", "EQ-27", "TH-STIFF"]);
         let text = "The arithmetic of rationals is a library's (num-rational on num-bigint); π is \
                     enclosed between rationals and refined until it does not matter. Both are \
                     tested, and trusted.";

@@ -109,10 +109,16 @@ impl Case {
         {
             all.push(format!("{}: no evidence is recorded", claim.id));
         }
-        for (_, evidence) in self.records.evidence() {
+        // Many records stand the same way for the same reason: they are one point.
+        let mut alike: BTreeMap<(&str, String), Vec<&str>> = BTreeMap::new();
+        for (claim, evidence) in self.records.evidence() {
             if evidence.standing() != Standing::Shown {
-                all.push(format!("{}: {}", evidence.id, evidence.words()));
+                let key = (evidence.engine.as_str(), evidence.words());
+                alike.entry(key).or_default().push(&claim.id);
             }
+        }
+        for ((engine, words), claims) in alike {
+            all.push(format!("{engine}: {words}: {}", claims.join(", ")));
         }
         all
     }

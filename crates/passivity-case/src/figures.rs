@@ -72,7 +72,7 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
         totals.dissipated,
         totals.residual_max,
     );
-    match motion::draw(study.name(), &samples.samples()) {
+    match motion::draw(study.name(), samples) {
         Ok(svg) => vec![Block::Figure(Figure {
             id: study.anchor("motion"),
             svg,

@@ -102,11 +102,6 @@ fn combine(
             serde_json::from_str(evidence)
                 .map_err(|error| CaseError::new(format!("`{evidence_name}`: {error}")))?
         };
-    let caveats: BTreeMap<&str, &str> = read
-        .caveats
-        .iter()
-        .map(|caveat| (caveat.id.as_str(), caveat.text.as_str()))
-        .collect();
     let claims_list = read.claims.iter().map(|claim| {
         let now: BTreeMap<String, String> = claim
             .files()
@@ -121,16 +116,7 @@ fn combine(
             refutes: claim.refutes,
             code: claim.code.clone(),
             assumptions: claim.assumptions.clone(),
-            caveats: claim
-                .caveats
-                .iter()
-                .map(|id| {
-                    caveats
-                        .get(id.as_str())
-                        .map_or(id.as_str(), |text| text)
-                        .to_owned()
-                })
-                .collect(),
+            caveats: claim.caveats.clone(),
             evidence: Engine::ALL
                 .into_iter()
                 .filter_map(|engine| evidence_of(claim, engine, &found, &now))
@@ -153,6 +139,11 @@ fn combine(
     Ok(Records {
         claims: claims_list.collect(),
         assumptions: read.assumptions.iter().map(assumption).collect(),
+        caveats: read
+            .caveats
+            .iter()
+            .map(|c| (c.id.clone(), c.text.clone()))
+            .collect(),
         unknown,
         origin: Origin::Build,
         claims_sha256: sha256(claims.as_bytes()),
@@ -194,6 +185,9 @@ fn evidence_of(
         .result
         .clone()
         .unwrap_or_else(|| "not shown".to_owned());
+    if let (Some(part), None) = (&record.scope, &record.not_run) {
+        result = format!("{result} for {part}");
+    }
     if !record.domain.is_empty() && record.not_run.is_none() {
         result = format!("{result} ({})", record.domain.join("; "));
     }
@@ -256,6 +250,7 @@ mod tests {
             engine: Engine::Smt,
             tool: "z3".to_owned(),
             result: Some("proved for all reals".to_owned()),
+            scope: None,
             domain: Vec::new(),
             cases: None,
             seconds: 1.0,

@@ -21,7 +21,7 @@ pub struct Claim {
     pub code: Vec<String>,
     /// Ids of the assumptions that it is made under.
     pub assumptions: Vec<String>,
-    /// What the evidence does not say, a sentence each.
+    /// Ids of the caveats: what the evidence does not say.
     pub caveats: Vec<String>,
     /// What was recorded or should have been.
     pub evidence: Vec<Evidence>,
@@ -144,6 +144,8 @@ pub struct Records {
     pub claims: Vec<Claim>,
     /// The assumptions.
     pub assumptions: Vec<Assumption>,
+    /// The caveats, by their ids.
+    pub caveats: BTreeMap<String, String>,
     /// Recorded evidence for ids that are no claim.
     pub unknown: Vec<String>,
     /// Which sources the evidence was compared with.
@@ -197,6 +199,11 @@ impl Records {
             }
             for id in &claim.assumptions {
                 if self.assumption(id).is_none() {
+                    linkage.unknown.insert(id);
+                }
+            }
+            for id in &claim.caveats {
+                if !self.caveats.contains_key(id) {
                     linkage.unknown.insert(id);
                 }
             }

@@ -116,8 +116,17 @@ impl<'a> Layout<'a> {
         } else {
             0.0
         };
-        let left = self.beside(root, &[Kind::Context, Kind::Justification]);
-        let right = self.beside(root, &[Kind::Assumption]);
+        // What is drawn elsewhere has its surroundings there.
+        let folded = self.folded.contains(&root.id);
+        let mut beside = |kinds: &[Kind]| {
+            if folded {
+                Vec::new()
+            } else {
+                self.beside(root, kinds)
+            }
+        };
+        let left = beside(&[Kind::Context, Kind::Justification]);
+        let right = beside(&[Kind::Assumption]);
         let counters: Vec<Block<'a>> = self
             .argument
             .nodes()

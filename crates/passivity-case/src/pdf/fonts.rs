@@ -69,6 +69,19 @@ impl Fonts {
         units as f32 * size / f32::from(face.units_per_em())
     }
 
+    /// The style, or the plain one where the style's font lacks a letter of the text.
+    pub(super) fn style_for(&self, text: &str, style: Style) -> Style {
+        let face = &self.of(style).face;
+        if text
+            .chars()
+            .all(|letter| face.glyph_index(letter).is_some())
+        {
+            style
+        } else {
+            Style::Plain
+        }
+    }
+
     /// The text with a sign in the place of every letter that no font here has.
     pub(super) fn printable(&self, text: &str) -> String {
         text.chars()

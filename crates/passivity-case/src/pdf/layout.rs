@@ -206,6 +206,8 @@ impl<'a> Layout<'a> {
 
     /// Text from the left margin plus `indent` to the right one, over pages.
     fn flow(&mut self, line: &Line, style: Style, size: f32, indent: f32) -> Vec<Element> {
+        // After a page on its side the text goes on upright, in another width.
+        self.room(size * LEADING);
         let lines = set(self.fonts, line, style, size, self.width() - indent);
         let (elements, numbers) = self.number(line);
         for line in lines {
@@ -266,6 +268,7 @@ impl<'a> Layout<'a> {
         } else {
             ([251, 228, 228], [161, 18, 18])
         };
+        self.room(BODY * LEADING);
         let lines = set(self.fonts, line, Style::Bold, BODY, self.width() - 24.0);
         let h = lines.len() as f32 * BODY * LEADING + 12.0;
         self.room(h + 6.0);

@@ -38,6 +38,7 @@ pub(super) fn set(fonts: &Fonts, line: &Line, base: Style, size: f32, width: f32
             Inline::Link(to, text) => (text, base, Some(to.clone())),
         };
         let text = fonts.printable(text);
+        let style = fonts.style_for(text.trim_matches('\n'), style);
         for part in text.split_inclusive([' ', '\n']) {
             let word = part.trim_end_matches([' ', '\n']);
             if !word.is_empty() {
@@ -78,7 +79,9 @@ impl Setter<'_> {
             0.0
         };
         let whole = self.fonts.width(word, like.style, self.size);
-        if self.x + gap + whole <= self.width {
+        // A mark that follows what it belongs to may hang over the edge a little.
+        let hangs = !space && self.x > 0.0 && matches!(word, "," | "." | ";" | ":");
+        if hangs || self.x + gap + whole <= self.width {
             self.place(word, gap, whole, like);
         } else if whole <= self.width && !word.contains(['/', '_']) {
             self.next();
@@ -172,12 +175,13 @@ mod tests {
                 .flatten()
                 .map(|run| run.text.as_str())
                 .collect();
+            let over = fonts.width(";", Style::Plain, 9.0);
             let squeezed: String = all.split(' ').collect();
             let expected =
                 "TheclaimTH-LINisincrates/passivity-core/src/generation.rs,withβ≥½everywhere.";
             assert_eq!(squeezed, expected);
             for run in lines.iter().flatten() {
-                assert!(run.x + run.width <= width + 1e-3, "{width}: {run:?}");
+                assert!(run.x + run.width <= width + over + 1e-3, "{width}: {run:?}");
             }
         }
         let one = set(&fonts, &line, Style::Plain, 9.0, 10_000.0);

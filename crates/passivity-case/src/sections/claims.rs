@@ -8,6 +8,7 @@ use crate::records::{Claim, Records};
 
 pub(super) fn write(document: &mut Document, case: &Case) {
     table(document, &case.records);
+    caveats(document, &case.records);
     traceability(document, &case.records);
     assumptions(document, case);
 }
@@ -30,8 +31,11 @@ fn table(document: &mut Document, records: &Records) {
                 .and(Line::text(" "))
                 .and(Line::code(&claim.formula));
         }
-        for caveat in &claim.caveats {
-            sentence = sentence.and(format!(" Caveat: {caveat}").into());
+        let caveats = claim.caveats.iter().map(|id| to_caveat(records, id));
+        if !claim.caveats.is_empty() {
+            sentence = sentence
+                .and(Line::text(" Caveats: "))
+                .and(Line::joined(caveats, ", "));
         }
         let evidence = claim.evidence.iter().map(|evidence| {
             let tool = if evidence.tool.is_empty() {
@@ -68,6 +72,24 @@ fn table(document: &mut Document, records: &Records) {
         &columns,
         rows.collect(),
     );
+}
+
+/// A reference to a caveat; its mere id when the claims do not have it.
+fn to_caveat(records: &Records, id: &str) -> Line {
+    if records.caveats.contains_key(id) {
+        Line::link(format!("caveat-{id}"), id)
+    } else {
+        Line::text(id)
+    }
+}
+
+fn caveats(document: &mut Document, records: &Records) {
+    let rows = records.caveats.iter().map(|(id, text)| Row {
+        id: Some(format!("caveat-{id}")),
+        cells: vec![id.as_str().into(), text.as_str().into()],
+    });
+    let columns = [("Caveat", 16), ("What the evidence does not say", 84)];
+    document.table("Caveats of the evidence", &columns, rows.collect());
 }
 
 fn traceability(document: &mut Document, records: &Records) {
