@@ -81,19 +81,19 @@ fn scenes(intervals: u64) -> Vec<(String, Point)> {
 #[expect(clippy::print_stdout, reason = "a bench prints its table")]
 fn main() {
     let args: Vec<String> = std::env::args().collect();
-    if let [_, word, scene, intervals] = args.as_slice() {
-        if word == "run" {
-            let intervals: u64 = intervals.parse().unwrap_or(0);
-            let index: usize = scene.parse().unwrap_or(0);
-            let scenes = scenes(intervals);
-            let Some((name, point)) = scenes.get(index) else {
-                return;
-            };
-            let plan = Plan::compile(point).unwrap_or_else(|error| panic!("{name}: {error}"));
-            let end = run::outcome(&plan);
-            assert_eq!(end.intervals, intervals, "{name}: {end:?}");
+    if let [_, word, scene, intervals] = args.as_slice()
+        && word == "run"
+    {
+        let intervals: u64 = intervals.parse().unwrap_or(0);
+        let index: usize = scene.parse().unwrap_or(0);
+        let scenes = scenes(intervals);
+        let Some((name, point)) = scenes.get(index) else {
             return;
-        }
+        };
+        let plan = Plan::compile(point).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let end = run::outcome(&plan);
+        assert_eq!(end.intervals, intervals, "{name}: {end:?}");
+        return;
     }
     let Ok(program) = std::env::current_exe() else {
         return;

@@ -24,8 +24,10 @@ pub struct Measured {
     pub energy: f64,
     /// The outcome.
     pub exact: Exactly,
-    /// Whether it is the reference's, at the same interval.
+    /// Whether it is the reference's, by the paper's detector too.
     pub same_outcome: bool,
+    /// How many intervals too late (or, below 0, too early) rest or growth was found.
+    pub late: i64,
     /// Nanoseconds an interval.
     pub nanoseconds: f64,
 }
@@ -143,7 +145,8 @@ fn compare(
         velocity: (run.end.velocity - truth.end.velocity).abs() / fastest,
         energy: energies.into_iter().fold(0.0, |m: f64, e| m.max(e.abs())) / energy,
         exact: got.exact,
-        same_outcome: got.exact == want.exact && got.at_interval == want.at_interval,
+        same_outcome: got.exact == want.exact && got.paper == want.paper,
+        late: run.end.intervals.cast_signed() - truth.end.intervals.cast_signed(),
         nanoseconds,
     }
 }

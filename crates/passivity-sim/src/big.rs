@@ -208,10 +208,8 @@ mod tests {
                     round(&b, RoundingMode::ToEven),
                 );
                 let (a, b) = (exact(&x), exact(&y));
-                let results: [(
-                    BigRational,
-                    fn(&BigFloat, &BigFloat, usize, RoundingMode) -> BigFloat,
-                ); 4] = [
+                type Operation = fn(&BigFloat, &BigFloat, usize, RoundingMode) -> BigFloat;
+                let results: [(BigRational, Operation); 4] = [
                     (&a + &b, |x, y, p, m| x.add(y, p, m)),
                     (&a - &b, |x, y, p, m| x.sub(y, p, m)),
                     (&a * &b, |x, y, p, m| x.mul(y, p, m)),

@@ -15,6 +15,8 @@
 //! Whatever the scene, a state past [`OVERFLOW`] is reported as growing too: it would leave the range
 //! of numbers next.
 
+use std::cmp::Ordering;
+
 use crate::flow::State;
 use crate::law;
 use crate::motion::Constants;
@@ -143,9 +145,12 @@ impl Growth {
     pub fn exceeds(&self, xi: f64, v: f64) -> bool {
         let real = xi + self.c * v;
         let imaginary = self.s * v;
-        // A NaN would count as growth too, if there ever were one.
         let square = real * real + imaginary * imaginary;
-        !(square <= self.square)
+        // What is no number any more is past every radius too.
+        !matches!(
+            square.partial_cmp(&self.square),
+            Some(Ordering::Less | Ordering::Equal)
+        )
     }
 
     /// Whether divergence is certain from this state on; `samples` are those that the controller
@@ -365,7 +370,8 @@ fn dominant_left(matrix: &[Vec<f64>]) -> Option<(Vec<[f64; 2]>, f64)> {
         let f = im_next[i] - (real * im[i] + imaginary * re[i]);
         off += e * e + f * f;
     }
-    if !(off.sqrt() <= 1e-9 * size.sqrt()) {
+    let small = off.sqrt() <= 1e-9 * size.sqrt();
+    if !small {
         return None;
     }
     let scale = size.sqrt();

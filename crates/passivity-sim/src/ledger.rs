@@ -243,7 +243,7 @@ mod tests {
                 // Within one eighth the held force is constant.
                 let step = -kernel.held_force(&exact(xi0)) * exact(0.125);
                 assert_eq!(exact(quantized), step, "{effects} from {xi0}");
-                sum = sum + step;
+                sum += step;
             }
             assert!(sum >= Scalar::integer(0) || !law.has(law::UNILATERAL));
         }

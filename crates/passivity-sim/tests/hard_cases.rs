@@ -1,12 +1,12 @@
 //! Cases that break simulators, each against the reference's digits (issue: hard cases).
 //!
 //! The bound of the closed form's error, in doubles, after N intervals of a motion with reach R and
-//! greatest speed V: in each interval the velocity is rounded a dozen times, each by at most ½ε of a
-//! number below 2V, and the parameters are rounded once, which moves the acceleration by as much
-//! again: 16εV. Such errors do not grow from interval to interval (the motion under a held force is not
-//! expanding), so they sum to 16NεV. Positions are off by what the velocities were, N·16NεV, and by
-//! their own roundings, 16NεR. A sample on the other side of an edge would be a force off by a whole
-//! tick: far outside.
+//! greatest speed V under forces up to U: in each interval the velocity is rounded a dozen times, each
+//! by at most ½ε of a number below 2V, and the parameters are rounded once, which moves the
+//! acceleration by εU/μ and the velocity by φ₁ of that: 16ε(V + φ₁U/μ) = W in all. Such errors do not
+//! grow from interval to interval (the motion under a held force is not expanding), so they sum to
+//! NW. Positions are off by what the velocities were, N·NW, and by their own roundings, 16NεR. A
+//! sample on the other side of an edge would be a force off by a whole tick: far outside.
 
 mod common;
 
@@ -53,9 +53,21 @@ fn holds(name: &str, point: &Point) -> Simulated {
     );
     assert_eq!(got.outcome.paper, want.outcome.paper, "{name}");
     assert_eq!(got.intervals, want.intervals, "{name}");
+    let passivity_scene::Point { mu, sigma, .. } = point;
+    let of = |x: &Option<_>| x.as_ref().map_or(0.0, passivity_sim::plan::to_double);
+    let pull = reach
+        + 1.0
+        + of(sigma)
+        + point
+            .force
+            .iter()
+            .flatten()
+            .map(passivity_sim::plan::to_double)
+            .fold(0.0, f64::max);
     let n = got.intervals.max(1) as f64;
     let least = f64::MIN_POSITIVE; // below it ε is no longer relative
-    let velocity = 16.0 * n * f64::EPSILON * speed + n * least;
+    let mean = passivity_sim::phi::phi1(-of(&point.beta) / of(mu));
+    let velocity = 16.0 * n * f64::EPSILON * (speed + mean * pull / of(mu)) + n * least;
     let position = n * velocity + 16.0 * n * f64::EPSILON * reach;
     let off = [
         (got.xi - want.xi).abs(),
@@ -72,17 +84,6 @@ fn holds(name: &str, point: &Point) -> Simulated {
         off[1]
     );
     // The balance of one interval: a dozen roundings of energies, none above this sum.
-    let passivity_scene::Point { mu, sigma, .. } = point;
-    let of = |x: &Option<_>| x.as_ref().map_or(0.0, passivity_sim::plan::to_double);
-    let pull = reach
-        + 1.0
-        + of(sigma)
-        + point
-            .force
-            .iter()
-            .flatten()
-            .map(passivity_sim::plan::to_double)
-            .fold(0.0, f64::max);
     let energy = of(mu) * speed * speed + 4.0 * pull * speed.max(reach);
     let residual = fast.totals.residual_max;
     assert!(

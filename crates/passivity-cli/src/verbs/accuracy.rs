@@ -71,13 +71,14 @@ fn text(name: &str, table: &Table) -> String {
         ),
     ];
     for row in &table.rows {
-        let same = if row.same_outcome {
-            ""
-        } else {
-            " (not the reference's)"
-        };
+        let mut note = String::new();
+        if !row.same_outcome {
+            note += " (not the reference's)";
+        } else if row.late != 0 {
+            note += &format!(" ({:+} intervals)", row.late);
+        }
         lines.push(format!(
-            "{:<16}{:>12.1e}{:>12.1e}{:>12.1e}{:>14.1}  {}{same}",
+            "{:<16}{:>12.1e}{:>12.1e}{:>12.1e}{:>14.1}  {}{note}",
             row.method.to_string(),
             row.position,
             row.velocity,
@@ -108,6 +109,7 @@ fn document(name: &str, table: &Table) -> Value {
                 "energy": row.energy,
                 "outcome": row.exact.name(),
                 "same_outcome": row.same_outcome,
+                "intervals_late": row.late,
                 "nanoseconds_per_interval": row.nanoseconds,
             })
         })

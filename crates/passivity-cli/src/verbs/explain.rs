@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use passivity_scene::explain::explain;
+use passivity_sim::Plan;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
@@ -24,10 +25,27 @@ pub(crate) struct Args {
 
 /// Explains the scene.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    let explanation = explain(&read_scene(&args.scene)?);
+    let scene = read_scene(&args.scene)?;
+    let explanation = explain(&scene);
+    // What `simulate` computes in each interval, or why it cannot.
+    let plan = match Plan::compile(&scene.point()) {
+        Ok(plan) => plan.describe(),
+        Err(error) => vec![format!("none: {error}")],
+    };
     match args.format {
-        Format::Text => emit(&explanation.to_text())?,
-        Format::Json => emit_json(&explanation.to_json())?,
+        Format::Text => {
+            let mut text = explanation.to_text();
+            text += "\nSimulation, in each interval\n";
+            for line in plan {
+                text += &format!("  {line}\n");
+            }
+            emit(&text)?;
+        }
+        Format::Json => {
+            let mut document = explanation.to_json();
+            document["plan"] = plan.into();
+            emit_json(&document)?;
+        }
     }
     Ok(Exit::Holds)
 }

@@ -97,7 +97,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             scene.name,
             run.end.outcome.exact.name().replace('_', " ")
         );
-        let picture = draw(&title, &motion.samples()).map_err(Failure::input)?;
+        let picture = draw(&title, motion).map_err(Failure::input)?;
         save(&picture, path).map_err(Failure::input)?;
     }
     match args.format {

@@ -50,7 +50,7 @@ pub(crate) fn padded(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> 
         return -1.0..1.0;
     }
     let air = (0.06 * (high - low))
-        .max(1e-3 * high.abs().max(low.abs()))
+        .max(1e-6 * high.abs().max(low.abs()))
         .max(1e-9);
     low - air..high + air
 }

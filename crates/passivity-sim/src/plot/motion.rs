@@ -1,6 +1,8 @@
 //! A motion: position, velocity and energy against time, with encoder ticks dashed as in Fig. 6, and
 //! the phase plane.
 
+use std::collections::VecDeque;
+
 use passivity_plot::PlotError;
 use plotters::prelude::*;
 
@@ -25,19 +27,32 @@ pub struct Sample {
 #[derive(Clone, Debug)]
 pub struct Motion {
     samples: Vec<Sample>,
+    first: Vec<Sample>,
+    last: VecDeque<Sample>,
     stretch: u64,
     seen: u64,
     pending: Vec<Sample>,
     energies: [f64; 3],
 }
 
+/// What is drawn of a sample.
+type Key = fn(&Sample) -> f64;
+
 /// The most samples that are kept.
 const MOST: usize = 16_384;
+
+/// How many samples of the beginning are all kept, for the phase plane.
+const BEGIN: usize = 4_000;
+
+/// How many samples the end of a motion has.
+const END: usize = 160;
 
 impl Default for Motion {
     fn default() -> Self {
         Self {
             samples: Vec::new(),
+            first: Vec::new(),
+            last: VecDeque::new(),
             stretch: 1,
             seen: 0,
             pending: Vec::new(),
@@ -65,23 +80,36 @@ impl Motion {
         for (sum, term) in self.energies.iter_mut().zip(terms) {
             *sum += term;
         }
-        self.pending.push(Sample {
+        let sample = Sample {
             time: (entry.h + 1) as f64,
             xi: entry.xi1,
             velocity: entry.v1,
             energies: self.energies,
-        });
+        };
+        self.pending.push(sample);
+        if self.first.len() < BEGIN {
+            self.first.push(sample);
+        }
+        if self.last.len() == END {
+            self.last.pop_front();
+        }
+        self.last.push_back(sample);
         self.seen += 1;
         if self.pending.len() as u64 >= self.stretch * 4 {
             self.settle();
         }
     }
 
-    /// The samples, in order of time.
+    /// The samples, in order of time: those of the whole motion, those with all of its beginning, and
+    /// all of its end.
     #[must_use]
-    pub fn samples(mut self) -> Vec<Sample> {
+    pub fn samples(mut self) -> [Vec<Sample>; 3] {
         self.settle();
-        self.samples
+        let begun = self.first.last().map_or(f64::NEG_INFINITY, |s| s.time);
+        let mut path: Vec<Sample> = self.samples.first().copied().into_iter().collect();
+        path.extend(self.first);
+        path.extend(self.samples.iter().filter(|s| s.time > begun));
+        [self.samples, path, self.last.into()]
     }
 
     /// Keeps the extremes of what is pending, and half of everything when there is too much.
@@ -125,11 +153,14 @@ fn thin(group: &[Sample], stretch: u64, kept: &mut Vec<Sample>) {
 /// # Errors
 ///
 /// A motion that cannot be drawn.
-pub fn draw(title: &str, samples: &[Sample]) -> Result<String, PlotError> {
-    svg((1200, 860), "motion", |root| panels(root, title, samples))
+pub fn draw(title: &str, motion: Motion) -> Result<String, PlotError> {
+    let [samples, path, end] = motion.samples();
+    svg((1200, 860), "motion", |root| {
+        panels(root, title, [&samples, &path, &end])
+    })
 }
 
-fn panels(root: &Area<'_>, title: &str, samples: &[Sample]) -> Drawn {
+fn panels(root: &Area<'_>, title: &str, [samples, path, end]: [&[Sample]; 3]) -> Drawn {
     let root = root.titled(title, ("sans-serif", 20))?;
     let (left, right) = root.split_horizontally(720);
     let rows = left.split_evenly((3, 1));
@@ -171,14 +202,14 @@ fn panels(root: &Area<'_>, title: &str, samples: &[Sample]) -> Drawn {
             chart.draw_series(LineSeries::new(line, COLOURS[2].stroke_width(2)))?;
             return Ok(());
         }
-        let series: [(&str, fn(&Sample) -> f64, RGBColor); 3] = [
+        let series: [(&str, Key, RGBColor); 3] = [
             ("generated, linear spring", |s| s.energies[0], COLOURS[1]),
             ("generated, quantized spring", |s| s.energies[1], COLOURS[7]),
             ("dissipated", |s| s.energies[2], COLOURS[0]),
         ];
-        for (label, key, colour) in series {
+        for ((label, key, colour), width) in series.into_iter().zip([4, 2, 2]) {
             chart
-                .draw_series(LineSeries::new(points(key), colour.stroke_width(2)))?
+                .draw_series(LineSeries::new(points(key), colour.stroke_width(width)))?
                 .label(label)
                 .legend(move |(x, y)| {
                     PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2))
@@ -207,13 +238,14 @@ fn panels(root: &Area<'_>, title: &str, samples: &[Sample]) -> Drawn {
     )?;
     let energies = samples.iter().flat_map(|s| s.energies);
     panel(energy, "energy so far (KΔ²)", padded(energies), false)?;
-    phase_plane(&right, samples)
+    let (upper, lower) = right.split_vertically(500);
+    phase_plane(&upper, path)?;
+    the_end(&lower, end)
 }
 
 fn phase_plane(area: &Area<'_>, samples: &[Sample]) -> Drawn {
-    let (upper, _) = area.split_vertically(520);
     let range = padded(samples.iter().map(|s| s.xi));
-    let mut chart = ChartBuilder::on(&upper)
+    let mut chart = ChartBuilder::on(area)
         .margin(8)
         .caption("phase plane", ("sans-serif", 16))
         .x_label_area_size(38)
@@ -237,12 +269,44 @@ fn phase_plane(area: &Area<'_>, samples: &[Sample]) -> Drawn {
     Ok(())
 }
 
-/// The encoder's edges in a range, unless there are more than can be told apart.
+/// The position over the last samples, close enough to see the ticks.
+fn the_end(area: &Area<'_>, samples: &[Sample]) -> Drawn {
+    let time = padded(samples.iter().map(|s| s.time));
+    let range = padded(samples.iter().map(|s| s.xi));
+    let mut chart = ChartBuilder::on(area)
+        .margin(8)
+        .caption("position, the last samples", ("sans-serif", 16))
+        .x_label_area_size(38)
+        .y_label_area_size(84)
+        .build_cartesian_2d(time.clone(), range.clone())?;
+    chart
+        .configure_mesh()
+        .disable_mesh()
+        .x_labels(5)
+        .x_desc("time τ (sampling periods)")
+        .y_desc("ξ (ticks)")
+        .axis_desc_style(("sans-serif", 15))
+        .label_style(("sans-serif", 12))
+        .draw()?;
+    for y in encoder_ticks(&range) {
+        let line = [(time.start, y), (time.end, y)].into_iter();
+        chart.draw_series(DashedLineSeries::new(line, 6, 5, BLACK.mix(0.35).into()))?;
+    }
+    let path = samples.iter().map(|s| (s.time, s.xi));
+    chart.draw_series(LineSeries::new(path, COLOURS[0].stroke_width(2)))?;
+    Ok(())
+}
+
+/// The encoder's edges in a range, or those at ±1 when there are more than can be told apart.
 fn encoder_ticks(range: &std::ops::Range<f64>) -> Vec<f64> {
     const MOST_TICKS: f64 = 24.0;
     let (first, last) = (range.start.ceil(), range.end.floor());
-    if !(last - first).is_finite() || last - first > MOST_TICKS {
+    if !(last - first).is_finite() {
         return Vec::new();
+    }
+    if last - first > MOST_TICKS {
+        // As in Fig. 6: one tick either side.
+        return vec![-1.0, 1.0];
     }
     let count = (last - first) as i32;
     (0..=count).map(|i| first + f64::from(i)).collect()

@@ -3,12 +3,13 @@
 use passivity_plot::PlotError;
 use plotters::prelude::*;
 
-use crate::outcome::Exactly;
+use crate::outcome::{Exactly, Paper};
 use crate::plot::{Area, COLOURS, Drawn, svg};
 use crate::sweep::{Grid, Row};
 
 /// Draws a sweep as SVG text: (a) growing, (b) never at rest, a shade for each speed from black for
-/// the slowest to light grey, with the critical lines (9) of the speeds.
+/// the slowest to light grey, with the critical lines (9) of the speeds; in (b) dots where the paper's
+/// detector sees the oscillation of some speed too.
 ///
 /// # Errors
 ///
@@ -21,7 +22,13 @@ pub fn draw(grid: &Grid, rows: &[Option<Row>]) -> Result<String, PlotError> {
         )?;
         let (a, b) = root.split_horizontally(640);
         panel(&a, "(a) growing", grid, rows, Exactly::Growing)?;
-        panel(&b, "(b) never at rest", grid, rows, Exactly::NeverAtRest)
+        panel(
+            &b,
+            "(b) never at rest; dots: |ξ̇| ≥ 0.01 at the end",
+            grid,
+            rows,
+            Exactly::NeverAtRest,
+        )
     })
 }
 
@@ -114,12 +121,31 @@ fn panel(area: &Area<'_>, title: &str, grid: &Grid, rows: &[Option<Row>], shown:
             }
         }
     }
+    if shown == Exactly::NeverAtRest {
+        let middle = |(low, high): (f64, f64)| 0.5 * (low + high);
+        for ((_, i), column) in beta.iter().zip(&columns) {
+            for ((_, j), line) in sigma.iter().zip(&lines) {
+                let first = (i * grid.sigma.len() + j) * grid.speed.len();
+                let all = rows
+                    .get(first..first + grid.speed.len())
+                    .unwrap_or_default();
+                if all
+                    .iter()
+                    .flatten()
+                    .any(|row| row.paper == Paper::LimitCycle)
+                {
+                    let place = (middle(*column), middle(*line));
+                    chart.draw_series([Circle::new(place, 2, COLOURS[7].filled())])?;
+                }
+            }
+        }
+    }
     for border in [
         [(0.5, height.start), (0.5, height.end)],
         [(width.start, 0.5), (width.end, 0.5)],
     ] {
         let style = BLACK.mix(0.8).into();
-        chart.draw_series(DashedLineSeries::new(border.into_iter(), 10, 4, style))?;
+        chart.draw_series(DashedLineSeries::new(border, 10, 4, style))?;
     }
     for (rank, (_, speed)) in speeds.iter().enumerate() {
         let colour = COLOURS[rank % COLOURS.len()];
@@ -128,7 +154,7 @@ fn panel(area: &Area<'_>, title: &str, grid: &Grid, rows: &[Option<Row>], shown:
         };
         let style = colour.stroke_width(2);
         chart
-            .draw_series(DashedLineSeries::new(ends.into_iter(), 6, 4, style))?
+            .draw_series(DashedLineSeries::new(ends, 6, 4, style))?
             .label(format!("{speed} ticks/sample"))
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
     }

@@ -76,7 +76,7 @@ pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Ope
         )));
     }
     let mut found = Vec::new();
-    let mut length = 0;
+    let (mut length, mut text_length) = (0, fs::metadata(path).map_or(0, |file| file.len()));
     if resume && path.exists() {
         if mark.exists() {
             let saved = fs::read_to_string(&mark).map_err(|error| failed(&mark, &error))?;
@@ -90,6 +90,7 @@ pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Ope
         }
         let text = fs::read_to_string(path).map_err(|error| failed(path, &error))?;
         (found, length) = read(path, &text, grid)?;
+        text_length = text.len() as u64;
     }
     fs::write(&mark, print).map_err(|error| failed(&mark, &error))?;
     let file = OpenOptions::new()
@@ -97,7 +98,9 @@ pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Ope
         .append(true)
         .open(path)
         .map_err(|error| failed(path, &error))?;
-    file.set_len(length).map_err(|error| failed(path, &error))?;
+    if text_length > length {
+        file.set_len(length).map_err(|error| failed(path, &error))?;
+    }
     let mut rows = Rows {
         path: path.to_owned(),
         file,
