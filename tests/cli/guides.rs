@@ -28,7 +28,10 @@ fn commands(guide: &str) -> Vec<Shown> {
             _ if !within => {}
             _ => match (line.strip_prefix("$ "), found.last_mut()) {
                 (Some(command), _) => {
-                    found.push(Shown { command: command.to_owned(), output: String::new() });
+                    found.push(Shown {
+                        command: command.to_owned(),
+                        output: String::new(),
+                    });
                 }
                 (None, Some(last)) => {
                     last.output.push_str(line);
@@ -44,7 +47,9 @@ fn commands(guide: &str) -> Vec<Shown> {
 /// Whether `text` is as `pattern` shows it.
 fn matches(pattern: &str, text: &str) -> bool {
     let mut parts = pattern.split("...");
-    let Some(mut rest) = parts.next().and_then(|first| text.strip_prefix(first)) else { return false };
+    let Some(mut rest) = parts.next().and_then(|first| text.strip_prefix(first)) else {
+        return false;
+    };
     let mut parts = parts.peekable();
     while let Some(part) = parts.next() {
         // A `...` on a line of its own takes its line break with it.
@@ -67,7 +72,10 @@ fn matching_takes_dots_for_anything_and_nothing_else() {
     assert!(matches("...b\n...\nd\n", "a\nb\nc\nd\n"));
     assert!(!matches("...b\n...\nd\n", "a\nb\nc\ne\n"));
     assert!(!matches("...x...\n", "a\nb\n"));
-    assert!(matches("{\"id\": 1, ...}\n", "{\"id\": 1, \"result\": 2}\n"));
+    assert!(matches(
+        "{\"id\": 1, ...}\n",
+        "{\"id\": 1, \"result\": 2}\n"
+    ));
 }
 
 #[cfg(unix)]
@@ -81,9 +89,17 @@ fn the_guides_show_what_the_commands_say() {
         let file = entry.expect("an entry").path();
         let guide = std::fs::read_to_string(&file).expect("a guide");
         let shown = commands(&guide);
-        assert!(shown.len() >= 2, "{}: shows {} commands", file.display(), shown.len());
+        assert!(
+            shown.len() >= 2,
+            "{}: shows {} commands",
+            file.display(),
+            shown.len()
+        );
         let dir = Dir::new();
-        let scenes = root().join("scenes").canonicalize().expect("the shipped scenes");
+        let scenes = root()
+            .join("scenes")
+            .canonicalize()
+            .expect("the shipped scenes");
         std::os::unix::fs::symlink(scenes, dir.path("scenes")).expect("a link to the scenes");
         let mut code = 0;
         for Shown { command, output } in shown {

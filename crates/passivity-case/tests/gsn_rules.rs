@@ -119,13 +119,11 @@ fn broken(yaml: &str) -> BTreeSet<&'static str> {
                 if other == id {
                     broken.insert("V06");
                 }
-                match elements.get(other) {
-                    None => drop(broken.insert("C03")),
-                    Some(other) if !allowed.contains(&other.kind.as_str()) => {
-                        drop(broken.insert("V04"))
-                    }
-                    Some(_) => {}
-                }
+                let rule = match elements.get(other) {
+                    None => Some("C03"),
+                    Some(other) => (!allowed.contains(&other.kind.as_str())).then_some("V04"),
+                };
+                broken.extend(rule);
             }
         }
         if element.defeated && !challenged.contains(id) {
@@ -152,11 +150,11 @@ fn broken(yaml: &str) -> BTreeSet<&'static str> {
         .filter(|(id, e)| !e.kind.starts_with("Counter") && !referenced.contains(id))
         .map(|(id, _)| id)
         .collect();
-    match tops[..] {
-        [top] if elements[top].kind == "Goal" => {}
-        [_] => drop(broken.insert("C02")),
-        _ => drop(broken.insert("C01")),
-    }
+    let rule = match tops[..] {
+        [top] => (elements[top].kind != "Goal").then_some("C02"),
+        _ => Some("C01"),
+    };
+    broken.extend(rule);
     // Everything hangs under a top element or a challenge, and nothing supports itself.
     let roots = tops.into_iter().chain(
         elements

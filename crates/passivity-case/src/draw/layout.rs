@@ -125,8 +125,12 @@ impl<'a> Layout<'a> {
                 self.beside(root, kinds)
             }
         };
-        let left = beside(&[Kind::Context, Kind::Justification]);
-        let right = beside(&[Kind::Assumption]);
+        let mut left = beside(&[Kind::Context, Kind::Justification]);
+        let mut right = beside(&[Kind::Assumption]);
+        // Many assumptions stand on both sides, for a lower drawing.
+        while right.len() > left.len() + 1 {
+            left.extend(right.pop());
+        }
         let counters: Vec<Block<'a>> = self
             .argument
             .nodes()

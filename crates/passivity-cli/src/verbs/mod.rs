@@ -1,8 +1,8 @@
 //! One file per verb.
 
-pub(crate) mod case;
 pub(crate) mod accuracy;
 pub(crate) mod audit;
+pub(crate) mod case;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod explain;
