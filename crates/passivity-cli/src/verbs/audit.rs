@@ -58,6 +58,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         rows: rows.as_mut().map(|rows| rows as &mut dyn Write),
         points: args.plot.is_some(),
         threads: args.threads,
+        block: 0,
     };
     let report = audit(&args.trace, &scene, options)
         .map_err(|error| Failure::input(format!("{}: {error}", place(&args.trace))))?;

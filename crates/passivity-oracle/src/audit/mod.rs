@@ -1,6 +1,7 @@
 //! The exact ledger of a recorded trace: CSV or Parquet, streamed, on every core.
 
 mod account;
+mod arrays;
 mod chunk;
 mod course;
 mod csv;
@@ -13,6 +14,7 @@ mod report;
 mod worker;
 
 pub use account::Point;
+pub use arrays::{Positions, audit_arrays};
 pub use error::TraceError;
 pub use layout::Form;
 pub use report::{Audit, Standing};
@@ -52,6 +54,8 @@ pub struct Options<'a> {
 enum Source {
     Csv(Lines<Box<dyn Read>>),
     Parquet(Box<parquet::Table>),
+    /// In memory, the last chunk first.
+    Memory(Vec<Chunk>),
 }
 
 /// Audits a trace in a file; `-` is standard input, which must be CSV.
@@ -145,6 +149,7 @@ fn run(
             let next = match &mut source {
                 Source::Csv(lines) => lines.next_block().map(Work::Parse),
                 Source::Parquet(table) => table.next_chunk(layout).map(Work::Account),
+                Source::Memory(chunks) => chunks.pop().map(Work::Account),
             };
             match next {
                 Some(next) => work.push(next),

@@ -1,0 +1,243 @@
+//! The native half of the Python package `passivity`: text and arrays in, JSON out. What users
+//! see is `python/passivity/__init__.py`.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::PathBuf;
+
+use passivity_oracle::audit::{self, Audit, Options, Positions};
+use passivity_oracle::protocol;
+use passivity_scene::{Scene, check as checked};
+use passivity_sim::methods::{Line, Simulated};
+use passivity_sim::model::Row;
+use passivity_sim::real::Real;
+use passivity_sim::{Entry, Method, Plan};
+use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::prelude::*;
+use serde_json::json;
+
+/// A scene as the Python half passes it: a file's path, or a JSON object.
+fn read_scene(path: Option<PathBuf>, object: Option<&str>) -> PyResult<Scene> {
+    let refused = |error: &dyn std::fmt::Display| PyValueError::new_err(error.to_string());
+    match (path, object) {
+        (Some(path), _) => Scene::read(path).map_err(|error| refused(&error)),
+        (None, Some(text)) => {
+            let value = serde_json::from_str(text).map_err(|error| refused(&error))?;
+            Scene::from_json(&value).map_err(|error| refused(&error))
+        }
+        (None, None) => Err(PyValueError::new_err("expected a scene")),
+    }
+}
+
+/// The verdict on a scene, as JSON.
+#[pyfunction]
+#[pyo3(signature = (path=None, object=None))]
+fn check(py: Python<'_>, path: Option<PathBuf>, object: Option<&str>) -> PyResult<String> {
+    let scene = read_scene(path, object)?;
+    Ok(py.detach(|| checked::check(&scene).to_json().to_string()))
+}
+
+/// Where an audit writes its rows.
+fn rows_file(path: Option<PathBuf>) -> PyResult<Option<BufWriter<File>>> {
+    match path {
+        Some(path) => Ok(Some(BufWriter::new(
+            File::create(path).map_err(|error| PyOSError::new_err(error.to_string()))?,
+        ))),
+        None => Ok(None),
+    }
+}
+
+fn report(audit: Result<Audit, audit::TraceError>) -> PyResult<String> {
+    audit
+        .map(|audit| audit.to_json().to_string())
+        .map_err(|error| PyValueError::new_err(error.to_string()))
+}
+
+/// The audit of a trace in a file, as JSON.
+#[pyfunction]
+#[pyo3(signature = (trace, path=None, object=None, out=None, threads=0))]
+fn audit_file(
+    py: Python<'_>,
+    trace: PathBuf,
+    path: Option<PathBuf>,
+    object: Option<&str>,
+    out: Option<PathBuf>,
+    threads: usize,
+) -> PyResult<String> {
+    let scene = read_scene(path, object)?;
+    let mut rows = rows_file(out)?;
+    py.detach(|| {
+        let options = Options {
+            rows: rows.as_mut().map(|rows| rows as &mut (dyn Write + '_)),
+            threads,
+            ..Options::default()
+        };
+        report(audit::audit(&trace, &scene, options))
+    })
+}
+
+/// The audit of a trace in memory, as JSON: 64-bit counts, or doubles under the name of a column,
+/// in the machine's own byte order.
+#[pyfunction]
+#[pyo3(signature = (column, data, times=None, path=None, object=None, out=None, threads=0))]
+#[allow(clippy::too_many_arguments)]
+fn audit_arrays(
+    py: Python<'_>,
+    column: &str,
+    data: &[u8],
+    times: Option<(String, Vec<u8>)>,
+    path: Option<PathBuf>,
+    object: Option<&str>,
+    out: Option<PathBuf>,
+    threads: usize,
+) -> PyResult<String> {
+    let scene = read_scene(path, object)?;
+    let mut rows = rows_file(out)?;
+    let positions = match column {
+        "count" => Positions::Counts(words(data).map(i64::from_ne_bytes).collect()),
+        name => Positions::Numbers(
+            name.to_owned(),
+            words(data).map(f64::from_ne_bytes).collect(),
+        ),
+    };
+    let times = times.map(|(name, data)| (name, words(&data).map(f64::from_ne_bytes).collect()));
+    py.detach(|| {
+        let options = Options {
+            rows: rows.as_mut().map(|rows| rows as &mut (dyn Write + '_)),
+            threads,
+            ..Options::default()
+        };
+        report(audit::audit_arrays(positions, times, &scene, options))
+    })
+}
+
+/// Eight bytes at a time.
+fn words(data: &[u8]) -> impl Iterator<Item = [u8; 8]> + '_ {
+    data.chunks_exact(8).filter_map(|word| word.try_into().ok())
+}
+
+/// The answer to a request of the line protocol.
+#[pyfunction]
+fn answer(request: &[u8]) -> String {
+    let mut answer = Vec::new();
+    protocol::answer(request, &mut answer);
+    // Answers are JSON text.
+    String::from_utf8_lossy(&answer).into_owned()
+}
+
+/// The columns of a simulated trace.
+const COLUMNS: [&str; 7] = [
+    "xi0",
+    "xi1",
+    "v0",
+    "v1",
+    "generated_linear",
+    "generated_quantized",
+    "dissipated",
+];
+
+/// What a simulation gives: its report as JSON, and its columns as doubles in bytes.
+type Simulation = (String, Vec<(&'static str, Vec<u8>)>);
+
+/// The motion of a scene.
+#[pyfunction]
+#[pyo3(signature = (path=None, object=None, method="closed-form", intervals=None, trace=true))]
+fn simulate(
+    py: Python<'_>,
+    path: Option<PathBuf>,
+    object: Option<&str>,
+    method: &str,
+    intervals: Option<u64>,
+    trace: bool,
+) -> PyResult<Simulation> {
+    let scene = read_scene(path, object)?;
+    let mut point = scene.point();
+    if let Some(intervals) = intervals {
+        point.intervals = intervals;
+    }
+    let refused = |error: &dyn std::fmt::Display| PyValueError::new_err(error.to_string());
+    let method = Method::parse(method).map_err(|error| refused(&error))?;
+    let plan = Plan::compile(&point).map_err(|error| refused(&error))?;
+    let mut columns: Vec<Vec<u8>> = vec![Vec::new(); if trace { COLUMNS.len() } else { 0 }];
+    let run = py.detach(|| {
+        let mut see = |line: &Line<'_>| {
+            let entry = entry(line);
+            let values = [
+                entry.xi0,
+                entry.xi1,
+                entry.v0,
+                entry.v1,
+                entry.generated_linear,
+                entry.generated_quantized,
+                entry.dissipated,
+            ];
+            for (column, value) in columns.iter_mut().zip(values) {
+                column.extend_from_slice(&value.to_ne_bytes());
+            }
+            true
+        };
+        let each = trace.then_some(&mut see as &mut dyn FnMut(&Line<'_>) -> bool);
+        passivity_sim::methods::simulate(&point, &method, each)
+    });
+    let run = run.map_err(|error| refused(&error))?;
+    let report = document(&scene.name, &plan, &method, &run);
+    Ok((report, COLUMNS.into_iter().zip(columns).collect()))
+}
+
+fn entry(line: &Line<'_>) -> Entry {
+    fn near<R: Real>(row: &Row<R>) -> Entry {
+        Entry {
+            h: row.h,
+            xi0: row.xi[0].approximate(),
+            xi1: row.xi[1].approximate(),
+            v0: row.velocity[0].approximate(),
+            v1: row.velocity[1].approximate(),
+            generated_linear: row.generated_linear.approximate(),
+            generated_quantized: row.generated_quantized.approximate(),
+            dissipated: row.dissipated.approximate(),
+            ..Entry::default()
+        }
+    }
+    match line {
+        Line::Double(entry) => **entry,
+        Line::Exact(row) => near(row),
+        Line::Enclosed(row) => near(row),
+    }
+}
+
+fn document(name: &str, plan: &Plan, method: &Method, run: &Simulated) -> String {
+    let (end, totals) = (&run.end, &run.totals);
+    let effects: Vec<&str> = plan.effects.iter().map(|effect| effect.name()).collect();
+    json!({
+        "scene": name,
+        "method": method.name(),
+        "effects": effects,
+        "intervals": end.intervals,
+        "final": {"xi": end.xi, "velocity": end.velocity},
+        "outcome": {
+            "paper": end.outcome.paper.name(),
+            "exact": end.outcome.exact.name(),
+            "at_interval": end.outcome.at_interval,
+            "because": end.outcome.because,
+        },
+        "totals": {
+            "generated_linear": totals.generated_linear,
+            "generated_quantized": totals.generated_quantized,
+            "dissipated": totals.dissipated,
+            "residual_max": totals.residual_max,
+        },
+    })
+    .to_string()
+}
+
+/// The native functions.
+#[pymodule]
+fn _passivity(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_function(wrap_pyfunction!(check, module)?)?;
+    module.add_function(wrap_pyfunction!(audit_file, module)?)?;
+    module.add_function(wrap_pyfunction!(audit_arrays, module)?)?;
+    module.add_function(wrap_pyfunction!(answer, module)?)?;
+    module.add_function(wrap_pyfunction!(simulate, module)?)?;
+    Ok(())
+}

@@ -1,0 +1,123 @@
+"""The package as a user has it: run with `python -m unittest` where it is installed."""
+
+import os
+import tempfile
+import unittest
+from array import array
+from decimal import Decimal
+from fractions import Fraction
+
+import passivity
+
+SCENE = {"dimensionless": {"mu": 50, "beta": "3/5", "sigma": Fraction(3, 5)}}
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+
+class Check(unittest.TestCase):
+    def test_verdict(self):
+        report = passivity.check(SCENE)
+        self.assertEqual(report["verdict"], "passive")
+        self.assertEqual(report["margin_at_all_speeds"]["lo"], "1/10")
+
+    def test_scene_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.toml")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write('[dimensionless]\nbeta = "2/5"\nsigma = "2/5"\n')
+            self.assertEqual(passivity.check(path)["verdict"], "not_passive")
+
+    def test_mistakes(self):
+        with self.assertRaisesRegex(ValueError, "nonsense"):
+            passivity.check({"nonsense": {}})
+        with self.assertRaises(ValueError):
+            passivity.check("/no/such/scene.toml")
+        with self.assertRaises(ValueError):
+            passivity.check({"dimensionless": {"beta": float("nan"), "sigma": 1}})
+
+
+class Interval(unittest.TestCase):
+    def test_counterexample_to_22(self):
+        for half in ("1/2", 0.5, Fraction(1, 2), Decimal("0.5")):
+            row = passivity.interval(1, half, beta="3/5", sigma=Decimal("0.6"))
+            self.assertEqual(row["bound_22"], "3/8")
+            self.assertEqual(Fraction(row["generated_quantized"]), Fraction(1, 2))
+            self.assertTrue(row["violates_quantized"])
+        with self.assertRaisesRegex(ValueError, "xi1"):
+            passivity.interval(0, "x", beta=1, sigma=1)
+        with self.assertRaises(ValueError):
+            passivity.interval(0, float("nan"), beta=1, sigma=1)
+
+
+class Audit(unittest.TestCase):
+    def test_counts_from_sequences_and_arrays(self):
+        counts = [0, 1, 3, 2, -1]
+        forms = [counts, tuple(counts), array("q", counts), array("i", counts)]
+        if numpy is not None:
+            forms += [numpy.array(counts), numpy.array(counts, dtype=numpy.int16)]
+            forms.append(numpy.repeat(counts, 2)[::2])
+        reports = [passivity.audit(form, SCENE) for form in forms]
+        for report in reports:
+            self.assertEqual(report, reports[0])
+        self.assertEqual(reports[0]["intervals"], 4)
+        self.assertEqual(reports[0]["positions"], "count")
+        self.assertEqual(reports[0]["verdict"], "holds")
+
+    def test_files_agree_with_arrays(self):
+        with tempfile.TemporaryDirectory() as folder:
+            trace = os.path.join(folder, "trace.csv")
+            rows = os.path.join(folder, "rows.csv")
+            with open(trace, "w", encoding="utf-8") as file:
+                file.write("tau,xi\n0,0\n1,0.5\n2.5,-0.25\n")
+            report = passivity.audit(trace, SCENE, out=rows)
+            with open(rows, encoding="utf-8") as file:
+                self.assertEqual(len(file.readlines()), 3)
+        self.assertEqual(
+            report, passivity.audit([0.0, 0.5, -0.25], SCENE, t=[0, 1, 2.5], t_unit=None)
+        )
+        self.assertEqual(report["timing"]["late"], 1)
+
+    def test_units(self):
+        scene = {
+            "sampling": {"rate": "1 kHz"},
+            "encoder": {"resolution": "0.25 mm"},
+            "wall": {"stiffness": "1 N/mm"},
+        }
+        report = passivity.audit([0.0, 0.5], scene, unit="mm", t=[0.0, 0.25], t_unit="s")
+        self.assertEqual(report["rows"][0]["xi1"], "2")
+        self.assertEqual(report["rows"][0]["dtau"], "250")
+
+    def test_mistakes(self):
+        report = passivity.audit([0.0, 1.0, float("nan"), 2.0], SCENE)
+        self.assertEqual(report["error"]["row"], 3)
+        self.assertEqual(report["intervals"], 1)
+        for wrong in (["a"], [[1, 2]], [2**70, 0], [1j]):
+            with self.assertRaises(ValueError):
+                passivity.audit(wrong, SCENE)
+        with self.assertRaises(ValueError):
+            passivity.audit([1, 2], SCENE, t=[0.0], t_unit=None)
+        if numpy is not None:
+            with self.assertRaises(ValueError):
+                passivity.audit(numpy.zeros((2, 2)), SCENE)
+
+
+class Simulate(unittest.TestCase):
+    def test_motion_and_its_audit(self):
+        scene = {**SCENE, "start": {"velocity": "10"}, "run": {"intervals": 5000}}
+        result = passivity.simulate(scene)
+        self.assertEqual(result["outcome"]["exact"], "at_rest")
+        columns = result.columns
+        self.assertEqual(columns["xi0"][0], 0.0)
+        self.assertEqual(columns["v0"][0], 10.0)
+        positions = list(columns["xi0"]) + [columns["xi1"][-1]]
+        report = passivity.audit(positions, scene)
+        self.assertEqual(report["verdict"], "holds")
+        ours = float(Fraction(report["totals"]["generated_linear"]))
+        self.assertAlmostEqual(ours, result["totals"]["generated_linear"], delta=1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()
