@@ -4,7 +4,9 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 
-use passivity_oracle::audit::{Options, Standing, audit};
+use passivity_oracle::audit::{self, Options, Standing, audit};
+use passivity_plot::energy::{Point, draw};
+use passivity_plot::save;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
@@ -62,6 +64,12 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     };
     let report = audit(&args.trace, &scene, options)
         .map_err(|error| Failure::input(format!("{}: {error}", place(&args.trace))))?;
+    if let Some(path) = &args.plot {
+        let course: Vec<Point> = report.points().iter().map(point).collect();
+        let title = format!("{} in {}", place(&args.trace), scene.name);
+        let picture = draw(&title, &course).map_err(Failure::input)?;
+        save(&picture, path).map_err(Failure::input)?;
+    }
     match args.format {
         Format::Text => emit(&report.to_text())?,
         Format::Json => emit_json(&report.to_json())?,
@@ -75,4 +83,14 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         Standing::NotCovered => Exit::NotCovered,
         Standing::Broken => Exit::BadInput,
     })
+}
+
+/// A point of the audit as the picture has it.
+#[allow(clippy::cast_precision_loss)] // for a picture
+fn point(point: &audit::Point) -> Point {
+    Point {
+        interval: point.h as f64,
+        net: point.net,
+        observer: point.observer,
+    }
 }

@@ -95,10 +95,18 @@ impl Layout {
             (Some((start, _)), Some((end, _))) => Some((start, end)),
             _ => None,
         };
+        // A ledger may repeat where its intervals start as `xi`: its own columns say more.
+        let other = |column| {
+            if ledger.is_some() {
+                Ok(None)
+            } else {
+                find(column)
+            }
+        };
         let forms = [
-            (Form::Xi, find("xi")?),
-            (Form::X, find("x")?),
-            (Form::Count, find("count")?),
+            (Form::Xi, other("xi")?),
+            (Form::X, other("x")?),
+            (Form::Count, other("count")?),
             (Form::Ledger, ledger.map(|(start, _)| (start, None))),
         ];
         let mut present = forms

@@ -146,9 +146,12 @@ impl Audit {
     fn supply(&self) -> Option<Lowest> {
         let lowest = self.account.supply.as_ref()?;
         let [_, most] = self.start.as_ref()?;
+        let value = &lowest.value - most;
+        // At the start it is zero.
+        let below = num_traits::Signed::is_negative(&value);
         Some(Lowest {
-            value: &lowest.value - most,
-            h: lowest.h,
+            h: if below { lowest.h } else { 0 },
+            value: if below { value } else { value.clone() - value },
         })
     }
 
