@@ -279,6 +279,22 @@ fn tree(dir: &Dir) -> std::path::PathBuf {
     to
 }
 
+/// The recorded evidence, as if it had been recorded for the tree as it is.
+fn recorded_now(root: &Path) -> serde_json::Value {
+    let text = fs::read_to_string(root.join("proofs/evidence.json")).expect("evidence");
+    let mut recorded: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let claims = passivity_evidence::Claims::read(root).expect("claims");
+    for record in recorded["records"].as_array_mut().expect("records") {
+        let claim = claims
+            .find(record["claim"].as_str().expect("an id"))
+            .expect("a claim");
+        record["claim_sha256"] = claim.sha256().into();
+        let sources = claim.sources(root).expect("sources");
+        record["sources"] = serde_json::to_value(sources).expect("JSON");
+    }
+    recorded
+}
+
 /// How each record of the written case stands.
 fn records(dir: &Dir) -> BTreeMap<String, String> {
     let manifest: serde_json::Value =
@@ -296,8 +312,8 @@ fn a_changed_line_makes_the_evidence_that_covers_it_stale_and_no_other() {
     let root = tree(&dir);
     let scene = dir.write("good.toml", GOOD);
     let evidence = root.join("proofs/evidence.json");
-    let recorded: serde_json::Value =
-        serde_json::from_str(&fs::read_to_string(&evidence).expect("evidence")).expect("JSON");
+    let recorded = recorded_now(&root);
+    fs::write(&evidence, recorded.to_string()).expect("evidence");
     let write = |case: &[&str]| {
         let mut args = vec!["case", "--root", "tree"];
         args.extend(case);
