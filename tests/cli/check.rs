@@ -153,7 +153,10 @@ fn th_active_within_a_speed_bound() {
 fn the_margin_at_the_speed_bound_is_that_of_8() {
     // (β − ½) + (σ − ½)/V = 1/10 + 2·1/10.
     let scene = dimensionless("3/5", "3/5") + "[operator]\nmax_speed = \"1/2\"\n";
-    assert_eq!(Dir::new().check(&scene).point("margin_at_speed_bound"), ratio(3, 10));
+    assert_eq!(
+        Dir::new().check(&scene).point("margin_at_speed_bound"),
+        ratio(3, 10)
+    );
 }
 
 #[test]

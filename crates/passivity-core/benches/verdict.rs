@@ -28,7 +28,9 @@ fn data_sheet() -> Rig<BigRational> {
 /// The same rig, every parameter off by a fraction with a denominator of `bits` bits.
 fn large(bits: u64) -> Rig<BigRational> {
     let nudge = BigRational::new(BigInt::from(1), (BigInt::from(1) << bits) + 1);
-    data_sheet().try_map(|x| Some(x + &nudge)).expect("a map that never gives up")
+    data_sheet()
+        .try_map(|x| Some(x + &nudge))
+        .expect("a map that never gives up")
 }
 
 fn verdicts(c: &mut Criterion) {
@@ -41,8 +43,15 @@ fn verdicts(c: &mut Criterion) {
     group.bench_function("data sheet, up to 3 rad/s", |b| {
         b.iter(|| of_rig(black_box(&rig), &speeds));
     });
-    let effects = Effects { delay: 1, damping: Some(ratio(1, 1_000_000)), ..Effects::encoder() };
-    let with_effects = Rig { effects, ..data_sheet() };
+    let effects = Effects {
+        delay: 1,
+        damping: Some(ratio(1, 1_000_000)),
+        ..Effects::encoder()
+    };
+    let with_effects = Rig {
+        effects,
+        ..data_sheet()
+    };
     group.bench_function("data sheet, delay and damping", |b| {
         b.iter(|| of_rig(black_box(&with_effects), &speeds));
     });

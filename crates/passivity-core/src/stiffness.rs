@@ -3,9 +3,11 @@
 //! Each function solves the criterion (11), with the terms of the effects, for one parameter and
 //! leaves the others as they are. `None` means that the criterion does not limit the parameter.
 
+use core::cmp::Ordering;
+
 use crate::effects::delay_number;
 use crate::rig::Rig;
-use crate::scalar::Scalar;
+use crate::scalar::{Ordered, Scalar};
 
 /// Friction that is left for the wall itself once damping and D/A steps have taken their share.
 struct Spare<S> {
@@ -71,10 +73,22 @@ pub fn coulomb_limit<S: Scalar>(rig: &Rig<S>) -> Option<S> {
 ///
 /// Not above zero when no wall at all is passive at every speed.
 #[must_use]
-pub fn limit_at_all_speeds<S: Scalar>(rig: &Rig<S>) -> S {
-    match coulomb_limit(rig) {
-        Some(limit) => viscous_limit(rig).min(limit),
-        None => viscous_limit(rig),
+pub fn limit_at_all_speeds<S: Ordered>(rig: &Rig<S>) -> S {
+    near_rest(rig, viscous_limit(rig))
+}
+
+/// `limit`, or less where a wall that stiff fails near rest.
+fn near_rest<S: Ordered>(rig: &Rig<S>, limit: S) -> S {
+    if let Some(at_rest) = coulomb_limit(rig) {
+        return limit.min(at_rest);
+    }
+    // Without an encoder stiffness costs no Coulomb friction, but D/A steps may already cost more
+    // than there is: then no stiffness is low enough.
+    let slack = spare(rig).coulomb;
+    match slack.sign() {
+        Some(Ordering::Less) => limit.min(S::zero()),
+        Some(_) => limit,
+        None => slack,
     }
 }
 
@@ -93,14 +107,10 @@ pub fn limit_at_speed<S: Scalar>(rig: &Rig<S>, speed: &S) -> S {
 /// The largest stiffness at which the criterion holds at every speed up to v > 0.
 ///
 /// The limit at a speed lies between the limits at rest and at the bound, so the smaller of these
-/// two it is.
+/// two it is. Not above zero when no wall at all is passive up to that speed.
 #[must_use]
-pub fn limit_up_to_speed<S: Scalar>(rig: &Rig<S>, speed: &S) -> S {
-    let at_speed = limit_at_speed(rig, speed);
-    match coulomb_limit(rig) {
-        Some(at_rest) => at_speed.min(at_rest),
-        None => at_speed,
-    }
+pub fn limit_up_to_speed<S: Ordered>(rig: &Rig<S>, speed: &S) -> S {
+    near_rest(rig, limit_at_speed(rig, speed))
 }
 
 /// The least viscous friction for the criterion at every speed: KT(½ + k) + B.

@@ -3,6 +3,7 @@
 //!
 //! Times are of the processor, not of the clock on the wall, where the system tells them.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use passivity_core::{BigRational, Scalar};
@@ -86,17 +87,31 @@ fn main() {
     let scalar = (clock(begin) - start) / count as f64 * 1e9;
     println!("closed form, scalar, moving points      {scalar:8.2} ns an interval (at most 30)");
 
-    let start = clock(begin);
-    let mut queue = points.iter().copied().enumerate();
-    let mut count = 0;
-    lanes::run(intervals, || queue.next(), |_, end| count += end.intervals);
-    let lane = (clock(begin) - start) / count as f64 * 1e9;
-    let has_512 = lanes::instructions() == "AVX-512";
-    let most = if has_512 { 4.0 } else { 12.0 };
-    println!(
-        "sweep, moving points, {:<18}{lane:8.2} ns an interval and point (at most {most})",
-        lanes::instructions()
-    );
+    let widest = lanes::instructions();
+    let sets = [
+        (
+            lanes::Instructions::Best,
+            widest,
+            if widest == "AVX-512" { 4.0 } else { 12.0 },
+        ),
+        (lanes::Instructions::Avx2, "AVX2 at most", 12.0),
+        (lanes::Instructions::Baseline, "baseline", f64::INFINITY),
+    ];
+    for (set, name, most) in sets {
+        let start = clock(begin);
+        let mut queue = points.iter().copied().enumerate();
+        let mut count = 0;
+        lanes::run_on(
+            set,
+            intervals,
+            || queue.next(),
+            |_, end| count += end.intervals,
+        );
+        let lane = (clock(begin) - start) / count as f64 * 1e9;
+        println!(
+            "sweep, moving points, {name:<18}{lane:8.2} ns an interval and point (at most {most})"
+        );
+    }
 
     let (point, grid) = (scene(intervals), grid());
     let wall = Instant::now();
@@ -112,38 +127,98 @@ fn main() {
         wall.elapsed().as_secs_f64()
     );
 
-    let (mut decided, mut same, mut worst) = (0, 0, 0.0_f64);
+    rigorous(&point, &grid, &rows);
+    if std::env::args().any(|arg| arg == "--reference") {
+        precise(&point, &grid, &rows);
+    } else {
+        println!("state at the end against the reference: not run here (-- --reference, minutes)");
+    }
+}
+
+/// Every point by enclosures: how many they decide, and whether the outcomes agree.
+#[expect(clippy::print_stdout, reason = "a bench prints its table")]
+fn rigorous(point: &Point, grid: &Grid, rows: &[Option<sweep::Row>]) {
     let wall = Instant::now();
-    for (index, row) in rows.iter().enumerate() {
-        let Some(row) = row else { continue };
-        let run = simulate(&grid.point(&point, index), &Method::Enclosure, None)
+    let checks = every(rows, |index, row| {
+        let run = simulate(&grid.point(point, index), &Method::Enclosure, None)
             .unwrap_or_else(|error| panic!("{error}"));
         let outcome = &run.end.outcome;
-        if outcome.exact == Exactly::Undecided {
-            continue;
-        }
-        decided += 1;
-        if outcome.exact == row.exact && outcome.at_interval == row.at_interval {
-            same += 1;
-        }
-        if let Detail::Enclosed { ends: [xi, v], .. } = run.detail {
-            // The farthest that the true state can be, over its magnitude as an oscillator's.
-            let far = |x: f64, [lo, hi]: [f64; 2]| (x - lo).abs().max((x - hi).abs());
-            let off = far(row.xi, xi).hypot(50.0_f64.sqrt() * far(row.velocity, v));
-            let size = row.xi.hypot(50.0_f64.sqrt() * row.velocity);
-            if size > 0.0 {
-                worst = worst.max(off / size);
-            }
-        }
-    }
+        let Detail::Enclosed { ends: [xi, v], .. } = run.detail else {
+            return None;
+        };
+        let holds = |x: f64, [lo, hi]: [f64; 2]| (x - lo).abs().max((x - hi).abs());
+        let off = holds(row.xi, xi).hypot(50.0_f64.sqrt() * holds(row.velocity, v));
+        let same = outcome.exact == row.exact && outcome.at_interval == row.at_interval;
+        (outcome.exact != Exactly::Undecided).then_some((same, off))
+    });
+    let decided = checks.iter().flatten().count();
+    let same = checks.iter().flatten().filter(|(same, _)| *same).count();
+    let worst = checks
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |m, (_, off)| m.max(*off));
     println!(
         "enclosure decides                       {:8.2} % of {} points (at least 95), in {:.1} s",
-        100.0 * f64::from(decided) / grid.len() as f64,
-        grid.len(),
+        100.0 * decided as f64 / rows.len() as f64,
+        rows.len(),
         wall.elapsed().as_secs_f64()
     );
     println!("outcome and interval as the enclosure's {same:8} of {decided} decided points (all)");
+    println!("state at the end, proved to be within   {worst:8.1e} ticks of the true one");
+}
+
+/// Every point by the reference: the error of the state at the end over its magnitude.
+#[expect(clippy::print_stdout, reason = "a bench prints its table")]
+fn precise(point: &Point, grid: &Grid, rows: &[Option<sweep::Row>]) {
+    let wall = Instant::now();
+    let errors = every(rows, |index, row| {
+        let end = simulate(
+            &grid.point(point, index),
+            &Method::Reference { digits: 20 },
+            None,
+        )
+        .unwrap_or_else(|error| panic!("{error}"))
+        .end;
+        let size = |xi: f64, v: f64| xi.hypot(50.0_f64.sqrt() * v);
+        let off = size(row.xi - end.xi, row.velocity - end.velocity);
+        Some(if off == 0.0 {
+            0.0
+        } else {
+            off / size(end.xi, end.velocity)
+        })
+    });
+    let worst = errors.iter().flatten().fold(0.0_f64, |m, e| m.max(*e));
     println!(
-        "final state within the enclosure to     {worst:8.1e} of its magnitude (at most 1e-8)"
+        "state at the end against the reference  {worst:8.1e} of its magnitude (at most 1e-8), in {:.1} s",
+        wall.elapsed().as_secs_f64()
     );
+}
+
+/// Does something with every row, on all cores.
+fn every<T: Send>(
+    rows: &[Option<sweep::Row>],
+    task: impl Fn(usize, &sweep::Row) -> Option<T> + Sync,
+) -> Vec<Option<T>> {
+    let next = AtomicUsize::new(0);
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    let (next, task) = (&next, &task);
+    std::thread::scope(|scope| {
+        let spawn = |_| {
+            scope.spawn(move || {
+                let mut results = Vec::new();
+                loop {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(row) = rows.get(index) else {
+                        return results;
+                    };
+                    results.push(row.as_ref().and_then(|row| task(index, row)));
+                }
+            })
+        };
+        let workers: Vec<_> = (0..workers).map(spawn).collect();
+        let results = workers.into_iter().map(|worker| worker.join());
+        results
+            .flat_map(|result| result.unwrap_or_else(|_| panic!("a worker failed")))
+            .collect()
+    })
 }

@@ -285,7 +285,7 @@ fn linear_step(plan: &Plan, state: &[f64], own: usize) -> Option<Vec<f64>> {
                 velocity,
                 output,
             };
-            let end = smooth.advance(&start, &command, &0.0).ok()?.end;
+            let end = smooth.advance(&start, &command, &0.0, false).ok()?.end;
             let mut next = vec![end.xi, end.velocity];
             if own == 3 {
                 next.push(end.output);

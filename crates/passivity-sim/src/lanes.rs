@@ -95,13 +95,34 @@ fn floor_lane(x: f64) -> f64 {
     nearest - select(nearest > x, 1.0, 0.0)
 }
 
-/// Runs every busy lane for `intervals` intervals.
+/// Which vector instructions the lanes use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Instructions {
+    /// The widest that this processor has.
+    Best,
+    /// At most AVX2, to measure it where there is more.
+    Avx2,
+    /// What every processor of the architecture has.
+    Baseline,
+}
+
 #[multiversion(targets(
     "x86_64+avx512f+avx512dq+avx512vl+avx512bw",
     "x86_64+avx2",
     "x86_64+sse4.1",
     "aarch64+neon"
 ))]
+fn best(batch: &mut Batch, intervals: u32) {
+    stretch(batch, intervals);
+}
+
+#[multiversion(targets("x86_64+avx2"))]
+fn avx2(batch: &mut Batch, intervals: u32) {
+    stretch(batch, intervals);
+}
+
+/// Runs every busy lane for `intervals` intervals.
+#[inline(always)]
 fn stretch(batch: &mut Batch, intervals: u32) {
     for _ in 0..intervals {
         for i in 0..WIDTH {
@@ -177,6 +198,16 @@ pub fn instructions() -> &'static str {
 /// ```
 pub fn run(
     intervals: u64,
+    next: impl FnMut() -> Option<(usize, Plain)>,
+    done: impl FnMut(usize, End),
+) {
+    run_on(Instructions::Best, intervals, next, done);
+}
+
+/// [`run`] with given vector instructions: the results are the same to the last bit.
+pub fn run_on(
+    instructions: Instructions,
+    intervals: u64,
     mut next: impl FnMut() -> Option<(usize, Plain)>,
     mut done: impl FnMut(usize, End),
 ) {
@@ -201,7 +232,11 @@ pub fn run(
             return;
         }
         let length = this_time(&batch, &taken, intervals);
-        stretch(&mut batch, length);
+        match instructions {
+            Instructions::Best => best(&mut batch, length),
+            Instructions::Avx2 => avx2(&mut batch, length),
+            Instructions::Baseline => stretch(&mut batch, length),
+        }
         for (lane, slot) in taken.iter_mut().enumerate() {
             let finished = batch.busy[lane] == 0.0 || batch.count[lane] >= intervals as f64;
             if let Some(taken) = slot.take_if(|_| finished) {
@@ -288,9 +323,18 @@ mod tests {
     }
 
     fn all(points: &[Plain], intervals: u64) -> Vec<End> {
+        by(Instructions::Best, points, intervals)
+    }
+
+    fn by(instructions: Instructions, points: &[Plain], intervals: u64) -> Vec<End> {
         let mut queue = points.iter().copied().enumerate();
         let mut ends: Vec<Option<End>> = vec![None; points.len()];
-        run(intervals, || queue.next(), |i, end| ends[i] = Some(end));
+        run_on(
+            instructions,
+            intervals,
+            || queue.next(),
+            |i, end| ends[i] = Some(end),
+        );
         ends.into_iter()
             .map(|end| end.expect("every point ends"))
             .collect()
@@ -305,6 +349,19 @@ mod tests {
                 let scalar = run::outcome(&Plan::plain(point, intervals));
                 assert_eq!(end, scalar, "{point:?}");
                 assert_eq!(end.xi.to_bits(), scalar.xi.to_bits(), "{point:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_instruction_set_gives_the_same_bits() {
+        let points = grid(50.0, &[1.0, 5.0]);
+        let best = by(Instructions::Best, &points, 2_000);
+        for instructions in [Instructions::Avx2, Instructions::Baseline] {
+            let other = by(instructions, &points, 2_000);
+            for (a, b) in best.iter().zip(&other) {
+                assert_eq!(a, b, "{instructions:?}");
+                assert_eq!(a.xi.to_bits(), b.xi.to_bits(), "{instructions:?}");
             }
         }
     }

@@ -411,7 +411,7 @@ impl<R: Number> Model<R> {
                 (moved.xi, moved.velocity, moved.dissipated, work, xi.zero())
             }
             Some(flow) => {
-                let flowed = flow.advance(&state, &held, &force)?;
+                let flowed = flow.advance(&state, &held, &force, true)?;
                 *output = flowed.end.output;
                 let sigma = flow.sigma.clone().unwrap_or_else(|| xi.zero());
                 let dissipated = flow.beta.clone() * flowed.square.clone() + sigma * flowed.path;

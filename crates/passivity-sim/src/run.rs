@@ -118,7 +118,8 @@ fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
         memory,
     };
     if let Some(flow) = &plan.flow {
-        let advance = |state: &State<f64>, held, force| flow.advance(state, &held, &force).ok();
+        let advance =
+            |state: &State<f64>, held, force| flow.advance(state, &held, &force, W::LEDGER).ok();
         return stepping(plan, law, advance, watch);
     }
     if plan.forces.is_some() {

@@ -25,10 +25,19 @@ Exit codes: 0 every scene is passive (with --check: the case is current); 1 not,
 something is stale, missing or open; 2 bad input; 3 a scene has an effect that no theorem covers.")]
 pub(crate) struct Args {
     /// Scene files.
-    #[arg(required_unless_present = "check", conflicts_with = "check", value_name = "SCENE")]
+    #[arg(
+        required_unless_present = "check",
+        conflicts_with = "check",
+        value_name = "SCENE"
+    )]
     scenes: Vec<PathBuf>,
     /// The folder to write, new or with an earlier case in it.
-    #[arg(long, value_name = "DIR", required_unless_present = "check", conflicts_with = "check")]
+    #[arg(
+        long,
+        value_name = "DIR",
+        required_unless_present = "check",
+        conflicts_with = "check"
+    )]
     out: Option<PathBuf>,
     /// Check the case in this folder against the sources instead of writing one.
     #[arg(long, value_name = "DIR")]
@@ -53,7 +62,8 @@ pub(crate) struct Args {
 
 /// Writes or checks a case.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    let records = load::records(root(args)?.as_deref(), args.evidence.as_deref()).map_err(Failure::input)?;
+    let records =
+        load::records(root(args)?.as_deref(), args.evidence.as_deref()).map_err(Failure::input)?;
     match (&args.check, &args.out) {
         (Some(folder), _) => compare(args, folder, &records),
         (None, Some(out)) => write(args, out, records),
@@ -65,7 +75,10 @@ fn root(args: &Args) -> Result<Option<PathBuf>, Failure> {
     if let Some(root) = &args.root {
         if !root.join(tree::CLAIMS).is_file() {
             let name = root.display();
-            return Err(Failure::input(format!("`{name}`: expected a folder with {}", tree::CLAIMS)));
+            return Err(Failure::input(format!(
+                "`{name}`: expected a folder with {}",
+                tree::CLAIMS
+            )));
         }
         return Ok(Some(root.clone()));
     }
@@ -75,7 +88,9 @@ fn root(args: &Args) -> Result<Option<PathBuf>, Failure> {
 
 fn write(args: &Args, out: &Path, records: Records) -> Result<Exit, Failure> {
     let studies = args.scenes.iter().map(|path| Study::read(path));
-    let studies = studies.collect::<Result<Vec<_>, _>>().map_err(Failure::input)?;
+    let studies = studies
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(Failure::input)?;
     let history = folder::history(out).map_err(Failure::input)?;
     let mut case = Case::new(studies, records, history);
     case.measured = args.accuracy;
@@ -85,9 +100,16 @@ fn write(args: &Args, out: &Path, records: Records) -> Result<Exit, Failure> {
         Format::Text => emit(&summary(&case, out, &objections))?,
         Format::Json => emit_json(&document(&case, out, &objections))?,
     }
-    let verdicts = case.studies.iter().map(|study| exit_of(study.report().verdict));
+    let verdicts = case
+        .studies
+        .iter()
+        .map(|study| exit_of(study.report().verdict));
     let exit = verdicts.fold(Exit::Holds, Exit::and);
-    Ok(if args.strict && !objections.is_empty() { exit.and(Exit::Fails) } else { exit })
+    Ok(if args.strict && !objections.is_empty() {
+        exit.and(Exit::Fails)
+    } else {
+        exit
+    })
 }
 
 const fn exit_of(verdict: Verdict) -> Exit {
@@ -99,11 +121,17 @@ const fn exit_of(verdict: Verdict) -> Exit {
 }
 
 fn standing(argument: &passivity_case::gsn::Argument) -> &'static str {
-    argument.top().standing.map_or("", passivity_case::gsn::Standing::words)
+    argument
+        .top()
+        .standing
+        .map_or("", passivity_case::gsn::Standing::words)
 }
 
 fn summary(case: &Case, out: &Path, objections: &[String]) -> String {
-    let mut text = format!("Safety case written: {}\n", out.join(folder::HTML).display());
+    let mut text = format!(
+        "Safety case written: {}\n",
+        out.join(folder::HTML).display()
+    );
     for (study, argument) in case.scenes() {
         let line = format!(
             "  {}: {}; top goal {}\n",
@@ -116,7 +144,10 @@ fn summary(case: &Case, out: &Path, objections: &[String]) -> String {
     if objections.is_empty() {
         text.push_str("  Nothing is open, stale or missing.\n");
     } else {
-        text.push_str(&format!("  Open, stale, missing or defeated: {}\n", objections.len()));
+        text.push_str(&format!(
+            "  Open, stale, missing or defeated: {}\n",
+            objections.len()
+        ));
         for objection in objections {
             text.push_str(&format!("    {objection}\n"));
         }
@@ -144,7 +175,11 @@ fn compare(args: &Args, folder: &Path, records: &Records) -> Result<Exit, Failur
             let mut text = format!(
                 "{}: {}\n  {} records of evidence stand as they did\n",
                 folder.display(),
-                if current { "the case is current" } else { "the case is NOT current" },
+                if current {
+                    "the case is current"
+                } else {
+                    "the case is NOT current"
+                },
                 findings.unchanged
             );
             let lists = [
@@ -166,5 +201,9 @@ fn compare(args: &Args, folder: &Path, records: &Records) -> Result<Exit, Failur
         }))?,
     }
     let complete = !args.strict || findings.not_at_hand.is_empty();
-    Ok(if findings.is_current() && complete { Exit::Holds } else { Exit::Fails })
+    Ok(if findings.is_current() && complete {
+        Exit::Holds
+    } else {
+        Exit::Fails
+    })
 }

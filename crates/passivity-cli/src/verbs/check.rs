@@ -48,7 +48,10 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             }
             Err(error) => {
                 exit = exit.and(Exit::BadInput);
-                eprintln!("{}", error.render(std::io::stderr().is_terminal()).trim_end());
+                eprintln!(
+                    "{}",
+                    error.render(std::io::stderr().is_terminal()).trim_end()
+                );
                 errors.push(error.to_json());
             }
         }

@@ -48,8 +48,8 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         }
     }
     if let Some(command) = &args.against {
-        let outcome =
-            against(command, &groups).map_err(|error| Failure::io(format!("`{command}`"), &error))?;
+        let outcome = against(command, &groups)
+            .map_err(|error| Failure::io(format!("`{command}`"), &error))?;
         let differences = &outcome.differences;
         if args.format == Format::Json {
             let listed: Vec<_> = differences
@@ -70,7 +70,11 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
                 differences.len()
             ))?;
         }
-        return Ok(if differences.is_empty() { Exit::Holds } else { Exit::Fails });
+        return Ok(if differences.is_empty() {
+            Exit::Holds
+        } else {
+            Exit::Fails
+        });
     }
     if args.format == Format::Json {
         let listed: Vec<_> = groups
@@ -80,7 +84,12 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         emit_json(&json!({ "groups": listed }))?;
     } else {
         for group in &groups {
-            emit(&format!("{:>6} {:<12}{}", group.tests.len(), group.name, group.header))?;
+            emit(&format!(
+                "{:>6} {:<12}{}",
+                group.tests.len(),
+                group.name,
+                group.header
+            ))?;
         }
     }
     Ok(Exit::Holds)

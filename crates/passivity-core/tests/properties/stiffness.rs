@@ -1,7 +1,7 @@
 //! TH-STIFF: border values agree with the verdict, on the border and just beside it.
 
 use passivity_core::effects::Effects;
-use passivity_core::{BigRational, Rig, stiffness};
+use passivity_core::{BigRational, Fixed, Rig, Scalar as _, stiffness};
 use proptest::prelude::*;
 
 use crate::common::{half, positive, q, rig, sampled, zero};
@@ -70,13 +70,11 @@ sampled! {
 
     fn th_stiff_limit_at_all_speeds(rig in rig()) {
         let limit = stiffness::limit_at_all_speeds(&rig);
-        // Without an encoder no stiffness helps against Coulomb friction that the D/A steps use up.
-        let possible = rig.effects.encoder || criterion_written_out(&rig).coulomb >= zero();
-        if limit > zero() && possible {
+        if limit > zero() {
             prop_assert!(at_all_speeds(&with_stiffness(&rig, &limit)));
             prop_assert!(!at_all_speeds(&with_stiffness(&rig, &(&limit * above_one()))));
         }
-        prop_assert_eq!(at_all_speeds(&rig), rig.stiffness <= limit && possible);
+        prop_assert_eq!(at_all_speeds(&rig), rig.stiffness <= limit);
     }
 
     fn th_stiff_limit_at_a_speed(rig in rig(), v in positive()) {
@@ -89,13 +87,21 @@ sampled! {
 
     fn th_stiff_limit_up_to_a_speed(rig in rig(), v in positive()) {
         let limit = stiffness::limit_up_to_speed(&rig, &v);
-        let possible = rig.effects.encoder || criterion_written_out(&rig).coulomb >= zero();
-        prop_assert_eq!(up_to_speed(&rig, &v), rig.stiffness <= limit && possible);
-        if possible {
+        prop_assert_eq!(up_to_speed(&rig, &v), rig.stiffness <= limit);
+        if limit > zero() {
             prop_assert!(up_to_speed(&with_stiffness(&rig, &limit), &v));
             let above = limit + q(1, 1_000_000_000);
             prop_assert!(!up_to_speed(&with_stiffness(&rig, &above), &v));
         }
+    }
+
+    /// D/A steps that cost more Coulomb friction than there is leave no stiffness at all.
+    fn th_stiff_no_limit_without_coulomb_friction_to_spare(rig in rig(), v in positive()) {
+        let force_step = q(2, 1) * &rig.coulomb + v.clone();
+        let effects = Effects { encoder: false, force_step: Some(force_step), ..rig.effects.clone() };
+        let rig = Rig { effects, ..rig };
+        prop_assert!(stiffness::limit_at_all_speeds(&rig) <= zero());
+        prop_assert!(stiffness::limit_up_to_speed(&rig, &v) <= zero());
     }
 
     fn th_stiff_viscous_friction_needed(rig in rig(), v in positive()) {
@@ -144,4 +150,32 @@ sampled! {
         prop_assert!(up_to_speed(&with(up_to.clone()), &v));
         prop_assert!(!up_to_speed(&with(up_to + q(1, 1_000_000_000)), &v));
     }
+}
+
+#[test]
+fn th_stiff_of_an_undefined_rig_is_undefined() {
+    let one = || Fixed::integer(1);
+    let effects = Effects {
+        encoder: false,
+        force_step: Some(Fixed::new(1, 0)),
+        ..Effects::encoder()
+    };
+    let rig = Rig {
+        viscous: one(),
+        coulomb: one(),
+        stiffness: one(),
+        period: one(),
+        length: one(),
+        effects,
+    };
+    assert!(!stiffness::limit_at_all_speeds(&rig).is_defined());
+    let defined = Rig {
+        effects: Effects::smooth(),
+        ..rig
+    };
+    assert_eq!(stiffness::limit_at_all_speeds(&defined), Fixed::integer(2));
+    assert_eq!(
+        stiffness::limit_up_to_speed(&defined, &one()),
+        Fixed::integer(4)
+    );
 }

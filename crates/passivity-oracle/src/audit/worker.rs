@@ -25,7 +25,7 @@ const MAX_ROWS: usize = 1 << 15;
 const SMALL_STEP: i64 = 512;
 
 /// About how many points of a chunk are plotted.
-const POINTS: usize = 64;
+const POINTS: usize = 512;
 
 /// What is asked of every chunk.
 #[derive(Clone, Debug)]

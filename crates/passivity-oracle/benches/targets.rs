@@ -1,0 +1,214 @@
+//! The figures that the project promises for audits and the line protocol, measured in one run:
+//! `cargo bench -p passivity-oracle --bench targets`.
+//!
+//! Rates are per core: on one thread, by processor time where the system tells it. A figure that is
+//! missed ends the run with an error.
+
+use std::io::Read;
+use std::process::Command;
+use std::sync::Arc;
+use std::time::Instant;
+
+use parquet::data_type::Int64Type;
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::parser::parse_message_type;
+use passivity_oracle::audit::{Options, audit, audit_csv};
+use passivity_oracle::protocol;
+use passivity_scene::Scene;
+
+/// A hand that presses into a wall, holds and lets go: 50 000 samples that end where they start.
+fn counts() -> Vec<i64> {
+    let mut counts = Vec::with_capacity(50_000);
+    for i in 0..50_000_i64 {
+        let phase = (i - 25_000).abs();
+        counts.push((25_000 - phase).min(9_000) / 3 + (i * i % 7) / 3);
+    }
+    counts
+}
+
+/// A CSV trace of any length, without a file.
+struct Endless {
+    block: Vec<u8>,
+    at: usize,
+    left: u64,
+}
+
+impl Endless {
+    fn new(blocks: u64) -> Self {
+        let mut block = Vec::new();
+        for count in counts() {
+            block.extend_from_slice(format!("{count}\n").as_bytes());
+        }
+        let left = blocks * block.len() as u64;
+        Self { block, at: 0, left }
+    }
+}
+
+impl Read for Endless {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let most = usize::try_from(self.left).unwrap_or(usize::MAX);
+        let n = buffer.len().min(self.block.len() - self.at).min(most);
+        buffer[..n].copy_from_slice(&self.block[self.at..self.at + n]);
+        self.at = (self.at + n) % self.block.len();
+        self.left -= n as u64;
+        Ok(n)
+    }
+}
+
+fn scene() -> Scene {
+    let text = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"";
+    Scene::from_toml("bench", text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Seconds that this process, with its threads, has run for.
+fn processor(begin: Instant) -> f64 {
+    let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    let after_name = stat.rsplit(')').next().unwrap_or_default();
+    let fields: Vec<f64> = after_name
+        .split_whitespace()
+        .filter_map(|f| f.parse().ok())
+        .collect();
+    // utime and stime, in ticks of 10 ms; the state before them is a letter.
+    match (fields.get(10), fields.get(11)) {
+        (Some(user), Some(system)) => (user + system) * 0.01,
+        _ => begin.elapsed().as_secs_f64(),
+    }
+}
+
+fn csv(blocks: u64, threads: usize) -> u64 {
+    let input: Box<dyn Read> = Box::new((&b"count\n"[..]).chain(Endless::new(blocks)));
+    let options = Options {
+        threads,
+        ..Options::default()
+    };
+    let audit = audit_csv(input, &scene(), options).unwrap_or_else(|error| panic!("{error}"));
+    assert!(audit.error().is_none());
+    assert_eq!(audit.totals().intervals, blocks * 50_000 - 1);
+    audit.totals().intervals
+}
+
+fn write_parquet(path: &std::path::Path, blocks: usize) {
+    let schema = parse_message_type("message trace { required int64 count; }");
+    let schema = Arc::new(schema.unwrap_or_else(|error| panic!("{error}")));
+    let file = std::fs::File::create(path).unwrap_or_else(|error| panic!("{error}"));
+    let properties = Arc::new(WriterProperties::builder().build());
+    let mut writer = SerializedFileWriter::new(file, schema, properties).expect("a writer");
+    let values = counts().repeat(20);
+    for _ in 0..blocks / 20 {
+        let mut group = writer.next_row_group().expect("a group");
+        let mut column = group.next_column().expect("a column").expect("one");
+        column
+            .typed::<Int64Type>()
+            .write_batch(&values, None, None)
+            .expect("values");
+        column.close().expect("a column");
+        group.close().expect("a group");
+    }
+    writer.close().expect("a file");
+}
+
+/// Seconds per interval of the plainest exact loop in Python.
+fn python() -> Option<f64> {
+    const LOOP: &str = "
+import time
+from fractions import Fraction as F
+beta = sigma = F(3, 5)
+counts = [(i * 7919) % 13 for i in range(3001)]
+begin, net = time.process_time(), F(0)
+for n0, n1 in zip(counts, counts[1:]):
+    d = F(n1 - n0)
+    least = max(abs(d) - 1, F(0))
+    generated = max((d - F(1, 2))**2, (d + F(1, 2))**2) / 2
+    net += beta * least * least + sigma * least - generated
+print((time.process_time() - begin) / (len(counts) - 1))
+";
+    let output = Command::new("python3").args(["-c", LOOP]).output().ok()?;
+    String::from_utf8(output.stdout).ok()?.trim().parse().ok()
+}
+
+/// Reports a figure; true when it reaches its target.
+fn report(what: &str, found: f64, target: f64, unit: &str) -> bool {
+    let reached = found >= target;
+    let word = if reached { "reached" } else { "MISSED" };
+    eprintln!("{what:<44}{found:>14.3e} {unit:<14} target {target:.1e}: {word}");
+    reached
+}
+
+fn main() {
+    let begin = Instant::now();
+    let timed = |work: &dyn Fn() -> u64| {
+        let before = processor(begin);
+        let n = work();
+        let seconds = (processor(begin) - before).max(0.01);
+        #[allow(clippy::cast_precision_loss)]
+        let rate = n as f64 / seconds;
+        rate
+    };
+    let mut reached = true;
+    let from_csv = timed(&|| csv(800, 1));
+    reached &= report(
+        "audit of counts from CSV, one core",
+        from_csv,
+        5e6,
+        "intervals/s",
+    );
+    let path = std::env::temp_dir().join(format!("passivity-bench-{}.parquet", std::process::id()));
+    write_parquet(&path, 800);
+    let from_parquet = timed(&|| {
+        let options = Options {
+            threads: 1,
+            ..Options::default()
+        };
+        let audit = audit(&path, &scene(), options).unwrap_or_else(|error| panic!("{error}"));
+        audit.totals().intervals
+    });
+    reached &= report(
+        "audit of counts from Parquet, one core",
+        from_parquet,
+        1e7,
+        "intervals/s",
+    );
+    let _ = std::fs::remove_file(&path);
+    // 24 hours at 1 kHz: 86.4 million samples.
+    let start = Instant::now();
+    let samples = csv(1728, 2) + 1;
+    let seconds = start.elapsed().as_secs_f64();
+    assert_eq!(samples, 86_400_000);
+    reached &= report(
+        "24 hours at 1 kHz on two cores, 20 s over",
+        20.0 / seconds,
+        1.0,
+        "times",
+    );
+    match python() {
+        Some(seconds) => {
+            let times = seconds * from_csv;
+            reached &= report(
+                "against a loop of Python's fractions",
+                times,
+                1000.0,
+                "times",
+            );
+        }
+        None => eprintln!("against a loop of Python's fractions: not run here (no python3)"),
+    }
+    let mut requests = String::new();
+    for i in 0..200_000_i64 {
+        let (a, b, c) = (i % 199 - 99, i % 17 + 1, i % 97 - 48);
+        requests.push_str(&format!(
+            "{{\"id\": {i}, \"op\": \"interval\", \"xi0\": \"{a}/{b}\", \"xi1\": \"{c}/{b}\", \
+             \"beta\": \"3/5\", \"sigma\": \"3/5\", \"dtau\": \"1\"}}\n"
+        ));
+    }
+    let rate = timed(&|| {
+        let input = std::io::BufReader::new(requests.as_bytes());
+        let mut answers = Vec::new();
+        protocol::serve(input, &mut answers).unwrap_or_else(|error| panic!("{error}"));
+        answers.iter().filter(|byte| **byte == b'\n').count() as u64
+    });
+    reached &= report("interval requests, one core", rate, 1e5, "requests/s");
+    if !reached {
+        std::process::exit(1);
+    }
+}

@@ -1,0 +1,185 @@
+//! Sweeps: the same points as one by one, and files that survive being killed.
+
+mod common;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use common::paper;
+use passivity_scene::Point;
+use passivity_sim::methods::simulate;
+use passivity_sim::sweep::{Grid, Range, Row, open, run};
+use passivity_sim::{Method, SimError};
+
+fn grid(beta: &str, sigma: &str, speed: &str) -> Grid {
+    let range = |text| Range::parse(text).unwrap();
+    Grid::new(range(beta), range(sigma), range(speed)).unwrap()
+}
+
+/// A folder for one test.
+fn folder(name: &str) -> PathBuf {
+    let path = std::env::temp_dir().join(format!("passivity-sweep-{name}-{}", std::process::id()));
+    fs::create_dir_all(&path).unwrap();
+    path
+}
+
+/// Sweeps into a file, killed after `rows` rows if that is given.
+fn sweep(
+    path: &Path,
+    scene: &Point,
+    grid: &Grid,
+    resume: bool,
+    rows: Option<usize>,
+) -> Result<usize, SimError> {
+    let opened = open(path, scene, grid, resume)?;
+    let mut all: Vec<Option<Row>> = vec![None; grid.len()];
+    for (index, row) in opened.found {
+        all[index] = Some(row);
+    }
+    let done: Vec<bool> = all.iter().map(Option::is_some).collect();
+    let mut file = opened.rows;
+    let mut now = 0;
+    let result = run(scene, grid, &done, |index, row| {
+        if rows.is_some_and(|rows| now >= rows) {
+            return Err(SimError::File("killed".to_owned()));
+        }
+        assert!(all[index].is_none(), "point {index} was done before");
+        all[index] = Some(row);
+        now += 1;
+        file.add(grid, index, &row)?;
+        file.flush()
+    });
+    match result {
+        Ok(()) => {
+            file.finish(grid, &all)?;
+            Ok(now)
+        }
+        Err(error) => Err(error),
+    }
+}
+
+#[test]
+fn a_sweep_has_the_outcome_of_every_point() {
+    let grid = grid("0:1:6", "0:1.5:6", "1/2,2");
+    let mut delayed = paper("1", "1", "1", 2_000);
+    delayed.delay = 1;
+    for scene in [paper("1", "1", "1", 2_000), delayed] {
+        let mut rows: Vec<Option<Row>> = vec![None; grid.len()];
+        run(&scene, &grid, &[], |index, row| {
+            assert!(rows[index].replace(row).is_none());
+            Ok(())
+        })
+        .unwrap();
+        for (index, row) in rows.iter().enumerate() {
+            let end = simulate(&grid.point(&scene, index), &Method::ClosedForm, None)
+                .unwrap()
+                .end;
+            let row = row.unwrap();
+            assert_eq!(
+                (row.xi, row.velocity),
+                (end.xi, end.velocity),
+                "point {index}"
+            );
+            assert_eq!(
+                (row.exact, row.paper),
+                (end.outcome.exact, end.outcome.paper)
+            );
+            assert_eq!(row.at_interval, end.outcome.at_interval);
+        }
+    }
+}
+
+#[test]
+fn a_killed_sweep_is_taken_up_without_redoing_or_losing_a_point() {
+    let folder = folder("resume");
+    let (whole, part) = (folder.join("whole.csv"), folder.join("part.csv"));
+    let (scene, grid) = (paper("1", "1", "1", 500), grid("0:1:10", "0:1:10", "1,2"));
+    sweep(&whole, &scene, &grid, false, None).unwrap();
+    sweep(&part, &scene, &grid, false, Some(70)).unwrap_err();
+    // A torn last line, as a killed process leaves it.
+    let mut text = fs::read_to_string(&part).unwrap();
+    text.push_str("0.1111111");
+    fs::write(&part, text).unwrap();
+    let error = sweep(&part, &scene, &grid, false, None)
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("--resume"), "{error}");
+    let now = sweep(&part, &scene, &grid, true, None).unwrap();
+    assert_eq!(now, grid.len() - 70);
+    assert_eq!(fs::read(&whole).unwrap(), fs::read(&part).unwrap());
+    // Nothing is left to do, and nothing changes.
+    assert_eq!(sweep(&part, &scene, &grid, true, None).unwrap(), 0);
+    assert_eq!(fs::read(&whole).unwrap(), fs::read(&part).unwrap());
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_file_of_another_sweep_is_refused() {
+    let folder = folder("other");
+    let path = folder.join("sweep.csv");
+    let (scene, small) = (paper("1", "1", "1", 500), grid("0:1:3", "0:1:3", "1"));
+    sweep(&path, &scene, &small, false, Some(4)).unwrap_err();
+    let kept = fs::read(&path).unwrap();
+    let other = paper("1", "1", "1", 501);
+    let error = sweep(&path, &other, &small, true, None)
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("another scene or other ranges"), "{error}");
+    let error = sweep(&path, &scene, &grid("0:1:3", "0:1:4", "1"), true, None).unwrap_err();
+    assert!(
+        error.to_string().contains("another scene or other ranges"),
+        "{error}"
+    );
+    assert_eq!(fs::read(&path).unwrap(), kept, "what was finished stays");
+    for (text, expected) in [
+        ("nonsense\n1,2\n", "line 1: expected the header"),
+        (
+            "beta,sigma,speed,paper,exact,at_interval,xi,velocity\n1,2\n",
+            "line 2: expected a row",
+        ),
+        (
+            "beta,sigma,speed,paper,exact,at_interval,xi,velocity\n7.0,0.0,1.0,converged,at_rest,3,0.5,0.0\n",
+            "line 2: a point that is not in these ranges",
+        ),
+    ] {
+        fs::write(&path, text).unwrap();
+        let error = sweep(&path, &scene, &small, true, None)
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_one_clear_error() {
+    let (scene, grid) = (paper("1", "1", "1", 10), grid("0", "0", "1"));
+    let nowhere = std::env::temp_dir()
+        .join("passivity-no-such-folder")
+        .join("sweep.csv");
+    let error = sweep(&nowhere, &scene, &grid, false, None)
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("sweep.csv"), "{error}");
+}
+
+#[test]
+fn bad_ranges_say_what_was_expected() {
+    for (text, expected) in [
+        ("0:1", "start:stop:count"),
+        ("0:1:0", "a count from 1"),
+        ("0:1:1", "a count of 1 needs"),
+        ("0:x:3", "`x`"),
+        ("", "``"),
+        ("0:1:100000001", "a count from 1"),
+    ] {
+        let error = Range::parse(text).unwrap_err().to_string();
+        assert!(error.contains(expected), "{text}: {error}");
+    }
+    let range = |text| Range::parse(text).unwrap();
+    let error = Grid::new(range("-1:1:3"), range("1"), range("1"))
+        .unwrap_err()
+        .to_string();
+    assert_eq!(error, "β = -1: expected zero or a value above it");
+    assert!(Grid::new(range("0:1:10000"), range("0:1:10000"), range("1,2")).is_err());
+}
