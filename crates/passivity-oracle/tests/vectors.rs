@@ -132,10 +132,10 @@ fn check(value: &Value, schema: &Value, root: &Value) -> Result<(), String> {
             return Err(at("no fraction"));
         }
     }
-    if let Some(least) = schema["minimum"].as_i64() {
-        if value.as_i64().is_some_and(|n| n < least) {
-            return Err(at("too small"));
-        }
+    if let Some(least) = schema["minimum"].as_i64()
+        && value.as_i64().is_some_and(|n| n < least)
+    {
+        return Err(at("too small"));
     }
     for item in value.as_array().into_iter().flatten() {
         if let Some(schema) = schema.get("items") {

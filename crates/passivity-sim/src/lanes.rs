@@ -204,7 +204,7 @@ pub fn run(
     run_on(Instructions::Best, intervals, next, done);
 }
 
-/// [`run`] with given vector instructions: the results are the same to the last bit.
+/// [`run()`] with given vector instructions: the results are the same to the last bit.
 pub fn run_on(
     instructions: Instructions,
     intervals: u64,

@@ -92,12 +92,11 @@ impl Course {
 
     /// Adds a step in lowest terms.
     pub(crate) fn add(&mut self, step: &Result<(i128, i128), BigRational>) {
-        if let Ok((n, d)) = step {
-            if let Some(scaled) = self.scaled(*n, *d) {
-                if self.add_scaled(scaled) {
-                    return;
-                }
-            }
+        if let Ok((n, d)) = step
+            && let Some(scaled) = self.scaled(*n, *d)
+            && self.add_scaled(scaled)
+        {
+            return;
         }
         let step = match step {
             Ok((n, d)) => BigRational::new((*n).into(), (*d).into()),

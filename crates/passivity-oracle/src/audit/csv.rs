@@ -279,11 +279,11 @@ fn push(line: &[u8], layout: &Layout, chunk: &mut Chunk) -> Result<(), TraceErro
         Some(column) => Some((force.unwrap_or_default(), number_in(force, column)?)),
         None => None,
     };
-    if let (Some(before), true) = (&chunk.closing, closing.is_some()) {
-        if *before != sample {
-            let message = "a row of a ledger starts where the row before it ends";
-            return Err(named(TraceError::new("gap", message)));
-        }
+    if let (Some(before), true) = (&chunk.closing, closing.is_some())
+        && *before != sample
+    {
+        let message = "a row of a ledger starts where the row before it ends";
+        return Err(named(TraceError::new("gap", message)));
     }
     match &mut chunk.samples {
         Samples::Counts(counts) => {

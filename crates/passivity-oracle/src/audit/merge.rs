@@ -126,11 +126,11 @@ impl<'a, 'w> Merge<'a, 'w> {
                 _ => self.dtau.clone(),
             },
         };
-        if let (None, Some(closing)) = (before, &self.closing) {
-            if *closing != sample {
-                let message = "a row of a ledger starts where the row before it ends";
-                return Err(TraceError::new("gap", message));
-            }
+        if let (None, Some(closing)) = (before, &self.closing)
+            && *closing != sample
+        {
+            let message = "a row of a ledger starts where the row before it ends";
+            return Err(TraceError::new("gap", message));
         }
         self.interval(sample, dtau)
     }

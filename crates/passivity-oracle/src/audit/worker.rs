@@ -119,7 +119,7 @@ impl Worker {
             self.slow(task, chunk, i, &dtau, &mut account, &mut key);
             let potential = potential(task.ledger, &chunk.samples, i + 1);
             supply.lower(&account, &potential);
-            if task.points && (i + 1 - from) % stride == 0 {
+            if task.points && (i + 1 - from).is_multiple_of(stride) {
                 plot(&mut account);
             }
             i += 1;

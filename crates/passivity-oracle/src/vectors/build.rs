@@ -48,10 +48,10 @@ fn expected(request: &Value, mut result: Value) -> Value {
         "margin_at_all_speeds",
         "not_covered",
     ];
-    if request["op"] == "check" {
-        if let Value::Object(fields) = &mut result {
-            fields.retain(|name, _| VERDICT.contains(&name.as_str()));
-        }
+    if request["op"] == "check"
+        && let Value::Object(fields) = &mut result
+    {
+        fields.retain(|name, _| VERDICT.contains(&name.as_str()));
     }
     without_approximations(&mut result);
     result
