@@ -5,10 +5,10 @@ CARGO ?= cargo
 PYTHON ?= python3
 SCENE ?= scenes/re35.toml
 FLAGS ?= --locked
-SOLVERS = target/solvers
+SOLVERS = target/smt
 BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
 
-.PHONY: help run test check fmt clippy doc bench figures prove-smt prove-kani prove-rocq
+.PHONY: help run test check fmt clippy doc bench figures prove prove-smt prove-kani prove-rocq prove-prusti mutate
 
 help: ## list the targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -47,6 +47,10 @@ figures: ## draw every figure of the documentation into target/figures
 	@echo "== passivity plane"
 	@$(BIN) plane scenes/re35*.toml --plot target/figures/plane.svg
 
+prove: ## every engine on every claim; writes target/evidence.json
+	@echo "== proofs/prove: every engine that is here; the others are recorded as not run"
+	@CARGO="$(CARGO)" PASSIVITY_SMT="$(CURDIR)/$(SOLVERS)" proofs/prove
+
 prove-smt: ## z3 and cvc5 on every claim, for all real numbers
 	@echo "== z3 and cvc5 on proofs/smt/queries"
 	@proofs/smt/install $(SOLVERS)
@@ -59,3 +63,11 @@ prove-kani: ## the model checker on every harness, where `cargo kani` is install
 prove-rocq: ## the whole theorem in Rocq, installing it where apt-get can
 	@echo "== Rocq on proofs/rocq"
 	$(MAKE) --no-print-directory -C proofs/rocq
+
+prove-prusti: ## the contracts on the kernel, where `cargo prusti` is installed
+	@echo "== Prusti on crates/passivity-core"
+	@proofs/prusti
+
+mutate: ## change the kernel's formulas one by one; a test must notice each change (half an hour)
+	@echo "== cargo mutants on crates/passivity-core"
+	@proofs/mutate

@@ -302,8 +302,8 @@ fn rocq(root: &Path, folder: &Path) -> Result<Report, String> {
     let count = f64::from(u32::try_from(theorems.claim.len()).unwrap_or(u32::MAX));
     let part = |TheoremsOf { id, theorems }: TheoremsOf| {
         let missing = theorems.iter().find(|name| {
-            let listed = |line: &str| line.split([' ', ':']).next() == Some(name.as_str());
-            !expected.lines().any(listed)
+            let prefix = format!("Passivity.{name}:");
+            !expected.lines().any(|line| line.starts_with(&prefix))
         });
         Part {
             claims: vec![id],
@@ -453,4 +453,45 @@ fn prusti(folder: &Path) -> Report {
         why.trim()
     };
     absent(Engine::Prusti, why)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What `rocq` makes of a record of `proofs/prove`.
+    fn rocq_says(name: &str, record: &str) -> Report {
+        let folder = std::env::temp_dir().join(format!("passivity-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        std::fs::write(folder.join("rocq.json"), record).unwrap();
+        let report = rocq(&crate::root(), &folder);
+        std::fs::remove_dir_all(&folder).unwrap();
+        report.unwrap()
+    }
+
+    #[test]
+    fn theorems_that_compiled_show_their_claims() {
+        let record = r#"{"tool": "Rocq 8", "passed": true, "seconds": 60, "not_run": null}"#;
+        let report = rocq_says("compiled", record);
+        assert!(!report.parts.is_empty());
+        for part in &report.parts {
+            assert_eq!(part.failure, None, "{}", part.name);
+        }
+    }
+
+    #[test]
+    fn theorems_that_did_not_compile_show_nothing() {
+        let record = r#"{"tool": "Rocq 8", "passed": false, "seconds": 60, "not_run": null}"#;
+        let report = rocq_says("not-compiled", record);
+        assert!(!report.parts.is_empty());
+        assert!(report.parts.iter().all(|part| part.failure.is_some()));
+    }
+
+    #[test]
+    fn theorems_that_were_left_out_are_not_run() {
+        let record = r#"{"tool": "Rocq 8", "passed": false, "seconds": 0, "not_run": "left out"}"#;
+        let report = rocq_says("left-out", record);
+        assert_eq!(report.not_run.as_deref(), Some("left out"));
+        assert!(report.parts.is_empty());
+    }
 }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use passivity_evidence::{Claims, Evidence, collect, mutants, root, table};
 
-const USAGE: &str = "usage: passivity-evidence collect FOLDER OUT | commit EVIDENCE | mutants FOLDER | table | stale";
+const USAGE: &str = "usage: passivity-evidence collect FOLDER OUT | commit EVIDENCE | mutants FOLDER... | table | stale";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -14,7 +14,7 @@ fn main() -> ExitCode {
     let outcome = match words.as_slice() {
         ["collect", folder, out] => gather(Path::new(folder), Path::new(out)),
         ["commit", evidence] => commit(Path::new(evidence)),
-        ["mutants", folder] => judge_mutants(Path::new(folder)),
+        ["mutants", folders @ ..] if !folders.is_empty() => judge_mutants(folders),
         ["table"] => write_table(),
         ["stale"] => stale(),
         _ => Err(USAGE.to_owned()),
@@ -84,10 +84,11 @@ fn write_table() -> Result<(), String> {
     )
 }
 
-/// Compares the survivors of a mutation run with the explained ones; writes `last.json`.
-fn judge_mutants(folder: &Path) -> Result<(), String> {
+/// Compares the survivors of mutation runs with the explained ones; writes `last.json`.
+fn judge_mutants(folders: &[&str]) -> Result<(), String> {
     let explained = mutants::explained(&root())?;
-    let (mutation, faults) = mutants::judge(&root(), folder, &explained)?;
+    let folders: Vec<&Path> = folders.iter().map(Path::new).collect();
+    let (mutation, faults) = mutants::judge(&root(), &folders, &explained)?;
     let text = serde_json::to_string_pretty(&mutation).map_err(|e| e.to_string())?;
     println!(
         "{} mutants compile, {} noticed, {} explained survivors",
@@ -122,6 +123,13 @@ fn stale() -> Result<(), String> {
                 record.engine,
                 changed.join(", ")
             );
+        }
+    }
+    if let Some(mutation) = &evidence.mutation {
+        let changed = mutation.stale(&root())?;
+        if !changed.is_empty() {
+            stale += 1;
+            println!("mutants: changed since: {}", changed.join(", "));
         }
     }
     println!("{stale} of {} records are stale", evidence.records.len());

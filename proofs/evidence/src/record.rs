@@ -207,6 +207,24 @@ impl Record {
     }
 }
 
+impl Mutation {
+    /// The files that have changed since the run; none for a fresh one.
+    ///
+    /// # Errors
+    ///
+    /// A sentence, when a file can't be read.
+    pub fn stale(&self, root: &Path) -> Result<Vec<String>, String> {
+        let mut changed = Vec::new();
+        for (file, hash) in &self.sources {
+            let path = root.join(file);
+            if !path.exists() || sha256(crate::read(&path)?.as_bytes()) != *hash {
+                changed.push(file.clone());
+            }
+        }
+        Ok(changed)
+    }
+}
+
 /// SHA-256 in hexadecimal.
 ///
 /// # Example

@@ -179,15 +179,17 @@ pub(crate) fn run<S: Strategy>(
     test: impl Fn(S::Value) -> Result<(), TestCaseError>,
 ) {
     let started = Instant::now();
-    let asked = std::env::var("PROPTEST_CASES")
-        .ok()
-        .and_then(|cases| cases.parse().ok());
+    let asked = |name: &str| std::env::var(name).ok()?.parse().ok();
+    // Who asks for no shrinking wants to know whether a test fails, not the input on which it does:
+    // nothing is kept then.
+    let shrink = asked("PROPTEST_MAX_SHRINK_ITERS").unwrap_or(20_000);
+    let kept = Box::new(FileFailurePersistence::WithSource("regressions"));
     let config = ProptestConfig {
-        cases: asked.unwrap_or(CASES),
-        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
+        cases: asked("PROPTEST_CASES").unwrap_or(CASES),
+        failure_persistence: (shrink > 0).then_some(kept as _),
         source_file: Some(file),
         test_name: Some(Box::leak(name.to_owned().into_boxed_str())),
-        max_shrink_iters: 20_000,
+        max_shrink_iters: shrink,
         ..ProptestConfig::default()
     };
     let cases = Cell::new(0u64);
