@@ -1,13 +1,14 @@
 //! Drives another implementation through the vectors, over the line protocol.
 
 use std::collections::HashMap;
-use std::io::{BufRead as _, BufReader, Write as _};
+use std::io::{BufRead, BufReader, Read as _, Write as _};
 use std::process::{Command, Stdio};
 use std::sync::mpsc;
 use std::time::Duration;
 
 use passivity_core::{BigRational, Friction, witness};
 use passivity_scene::json::read_rational;
+use passivity_scene::number::nearest_f64;
 use serde_json::Value;
 
 use super::{Group, Test};
@@ -15,8 +16,8 @@ use super::{Group, Test};
 /// How long to wait for the next answer.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The longest answer that is read, in bytes.
-const MAX_ANSWER: u64 = 64 << 20;
+/// The longest answer that is read, in bytes: many times the longest that a test expects.
+const MAX_ANSWER: u64 = 1 << 20;
 
 /// Where another implementation differs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,7 +59,7 @@ pub fn against(command: &str, groups: &[Group]) -> std::io::Result<Outcome> {
         .collect();
     let mut input = child.stdin.take();
     // Asking and listening at once: neither side's pipe fills up.
-    let asking = std::thread::spawn(move || {
+    std::thread::spawn(move || {
         for line in lines {
             let Some(input) = &mut input else { return };
             if writeln!(input, "{line}").is_err() {
@@ -67,62 +68,117 @@ pub fn against(command: &str, groups: &[Group]) -> std::io::Result<Outcome> {
         }
         drop(input);
     });
-    let (heard, answers) = mpsc::channel();
+    // A few answers in advance: a flood of them waits in the pipe, not in memory.
+    let (heard, answers) = mpsc::sync_channel(64);
     let output = child.stdout.take();
     std::thread::spawn(move || {
         let Some(output) = output else { return };
         let mut output = BufReader::new(output);
-        loop {
-            let mut line = String::new();
-            let read = std::io::Read::take(&mut output, MAX_ANSWER).read_line(&mut line);
-            match read {
-                Ok(n) if n > 0 && heard.send(line).is_ok() => {}
-                _ => return,
+        while let Ok(Some(line)) = read_line(&mut output) {
+            if heard.send(line).is_err() {
+                return;
             }
         }
     });
-    let expected: usize = groups.iter().map(|group| group.tests.len()).sum();
-    let mut by_id: HashMap<u64, Value> = HashMap::new();
-    for _ in 0..expected {
+    let mut judge = Judge::new(groups);
+    // It may talk besides answering, but not without end.
+    let mut patience = 2 * judge.open.len();
+    while patience > 0 && !judge.open.is_empty() {
+        patience -= 1;
         let Ok(line) = answers.recv_timeout(PATIENCE) else {
             break;
         };
-        let Ok(answer) = serde_json::from_str::<Value>(&line) else {
-            continue;
-        };
-        if let Some(id) = answer["id"].as_u64() {
-            by_id.insert(id, answer);
-        }
+        judge.hear(&line);
     }
     // Whatever it still does, it is asked nothing more.
     let _ = child.kill();
     let _ = child.wait();
-    let _ = asking.join();
-    Ok(compare(groups, &by_id))
+    Ok(judge.finish())
 }
 
-/// Compares answers with what the tests expect.
-#[must_use]
-pub fn compare(groups: &[Group], answers: &HashMap<u64, Value>) -> Outcome {
-    let mut outcome = Outcome::default();
-    for group in groups {
-        for test in &group.tests {
-            outcome.tests += 1;
-            let mut found = Vec::new();
-            match answers.get(&test.id) {
-                None => found.push((String::new(), "no answer".to_owned())),
-                Some(answer) => judge(test, answer, &mut found),
-            }
-            let differences = found.into_iter().map(|(field, message)| Difference {
-                group: group.name,
-                id: test.id,
-                field,
-                message,
-            });
-            outcome.differences.extend(differences);
+/// The next line, cut off after [`MAX_ANSWER`] bytes; `None` at the end.
+fn read_line(input: &mut impl BufRead) -> std::io::Result<Option<Vec<u8>>> {
+    let mut line = Vec::new();
+    if input.take(MAX_ANSWER).read_until(b'\n', &mut line)? == 0 {
+        return Ok(None);
+    }
+    if line.last() != Some(&b'\n') && input.skip_until(b'\n')? > 0 {
+        // Too long to be an answer, and nothing that it says is used.
+        line.clear();
+    }
+    Ok(Some(line))
+}
+
+/// Compares the answers of another implementation with what the tests expect, one by one.
+///
+/// # Example
+///
+/// ```
+/// use passivity_oracle::vectors::{against::Judge, all};
+///
+/// let groups = all();
+/// let mut judge = Judge::new(&groups);
+/// judge.hear(br#"{"id": 1, "result": {}}"#);
+/// judge.hear(b"Segmentation fault");
+/// let outcome = judge.finish();
+/// assert!(outcome.differences.len() >= outcome.tests);
+/// ```
+#[derive(Debug)]
+pub struct Judge<'a> {
+    groups: &'a [Group],
+    /// The tests that have no answer yet.
+    open: HashMap<u64, &'a Test>,
+    found: HashMap<u64, Found>,
+}
+
+impl<'a> Judge<'a> {
+    /// Expects an answer to each test of `groups`.
+    #[must_use]
+    pub fn new(groups: &'a [Group]) -> Self {
+        let tests = groups.iter().flat_map(|group| &group.tests);
+        Self {
+            groups,
+            open: tests.map(|test| (test.id, test)).collect(),
+            found: HashMap::new(),
         }
     }
-    outcome
+
+    /// Takes a line that the implementation says. What is no answer to an open test is passed over:
+    /// the first answer counts.
+    pub fn hear(&mut self, line: &[u8]) {
+        let Ok(answer) = serde_json::from_slice::<Value>(line) else {
+            return;
+        };
+        let test = answer["id"].as_u64().and_then(|id| self.open.remove(&id));
+        if let Some(test) = test {
+            let mut found = Vec::new();
+            judge(test, &answer, &mut found);
+            self.found.insert(test.id, found);
+        }
+    }
+
+    /// Every difference, in the order of the tests.
+    #[must_use]
+    pub fn finish(mut self) -> Outcome {
+        let mut outcome = Outcome::default();
+        for group in self.groups {
+            for test in &group.tests {
+                outcome.tests += 1;
+                let found = match self.found.remove(&test.id) {
+                    Some(found) => found,
+                    None => vec![(String::new(), "no answer".to_owned())],
+                };
+                let differences = found.into_iter().map(|(field, message)| Difference {
+                    group: group.name,
+                    id: test.id,
+                    field,
+                    message,
+                });
+                outcome.differences.extend(differences);
+            }
+        }
+        outcome
+    }
 }
 
 /// Field and message of each difference.
@@ -190,6 +246,7 @@ fn meets(expected: &Value, actual: &Value, found: &mut Found) {
         let size = num_traits::Signed::abs(&hi) + BigRational::from_integer(1.into());
         let slack = tolerance * size;
         if least > most || least > &hi + &slack || most < &lo - &slack {
+            let [lo, hi, least, most] = [lo, hi, least, most].map(|x| nearest_f64(&x));
             let message = format!("expected {lo} … {hi}, found {least} … {most}");
             found.push((field.to_owned(), message));
         }

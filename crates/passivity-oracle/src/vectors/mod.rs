@@ -10,7 +10,7 @@ mod cover;
 mod groups;
 mod schema;
 
-pub use against::{Difference, Outcome};
+pub use against::{Difference, Judge, Outcome};
 pub use schema::SCHEMA;
 
 use serde_json::{Map, Value, json};
