@@ -46,8 +46,7 @@ fn sweep(
         assert!(all[index].is_none(), "point {index} was done before");
         all[index] = Some(row);
         now += 1;
-        file.add(grid, index, &row)?;
-        file.flush()
+        file.add(grid, index, &row)
     });
     match result {
         Ok(()) => {

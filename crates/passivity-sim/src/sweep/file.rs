@@ -1,9 +1,11 @@
-//! The file of a sweep: a row per finished point, appended as they finish, in the order of the grid
+//! The file of a sweep: a row per finished point, written as it finishes, in the order of the grid
 //! once all have.
 //!
 //! While a sweep is unfinished a file beside it, its name with `.run` appended, says of which scene and
-//! grid it is. A killed sweep leaves both; `open` with `resume` takes it up, drops a torn last line,
-//! and refuses rows that are not of this sweep.
+//! grid it is; a Parquet file is only written at the end, until then its rows are CSV in a file with
+//! `.rows` appended. A killed sweep leaves both; `open` with `resume` takes it up, drops a torn last
+//! line, and refuses rows that are not of this sweep. A sweep that was finished has no `.run` file any
+//! more: some of its points are then simulated again, and must be the same to the last bit.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -15,7 +17,9 @@ use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::outcome::{Exactly, Paper};
-use crate::sweep::{Grid, Row};
+use crate::plan::Plan;
+use crate::run;
+use crate::sweep::{Grid, Row, parquet};
 
 /// The header of a sweep's file.
 const HEADER: &str = "beta,sigma,speed,paper,exact,at_interval,xi,velocity";
@@ -23,10 +27,13 @@ const HEADER: &str = "beta,sigma,speed,paper,exact,at_interval,xi,velocity";
 /// A file that rows can be added to.
 #[derive(Debug)]
 pub struct Rows {
+    /// What was asked for.
     path: PathBuf,
-    file: File,
+    /// Where rows go as they finish: the same, except for Parquet.
+    journal: PathBuf,
+    /// `None` when the sweep was finished before.
+    file: Option<File>,
     buffer: String,
-    waiting: usize,
     written: usize,
     total: usize,
 }
@@ -40,14 +47,18 @@ pub struct Opened {
     pub found: Vec<(usize, Row)>,
 }
 
-fn failed(path: &Path, error: &io::Error) -> SimError {
+fn failed(path: &Path, error: &dyn std::fmt::Display) -> SimError {
     SimError::File(format!("`{}`: {error}", path.display()))
 }
 
-fn marker(path: &Path) -> PathBuf {
+fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
-    name.push(".run");
+    name.push(suffix);
     PathBuf::from(name)
+}
+
+fn marker(path: &Path) -> PathBuf {
+    with_suffix(path, ".run")
 }
 
 /// What tells one sweep from another: the scene and the grid, exactly.
@@ -61,93 +72,160 @@ fn fingerprint(scene: &Point, grid: &Grid) -> String {
 
 /// Opens the file of a sweep: a new one, or with `resume` one that was left unfinished.
 ///
+/// A name that ends in `.parquet` is Parquet, any other CSV.
+///
 /// # Errors
 ///
 /// A file that cannot be read or written, one of another sweep, one with a row that is none; without
 /// `resume`, one that was left unfinished.
 pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Opened, SimError> {
     let mark = marker(path);
+    let journal = if parquet::is_meant(path) {
+        with_suffix(path, ".rows")
+    } else {
+        path.to_owned()
+    };
     let print = fingerprint(scene, grid);
-    if !resume && mark.exists() && path.exists() {
+    let unfinished = mark.exists() && journal.exists();
+    if !resume && unfinished {
         return Err(SimError::File(format!(
             "`{}` is of a sweep that was not finished: take it up with --resume, or remove `{}`",
             path.display(),
             mark.display()
         )));
     }
-    let mut found = Vec::new();
-    let (mut length, mut text_length) = (0, fs::metadata(path).map_or(0, |file| file.len()));
-    if resume && path.exists() {
-        if mark.exists() {
-            let saved = fs::read_to_string(&mark).map_err(|error| failed(&mark, &error))?;
-            if saved != print {
-                return Err(SimError::File(format!(
-                    "`{}` is of a sweep of another scene or other ranges: give the same ones, or \
-                     another --out",
-                    path.display()
-                )));
-            }
+    let mut rows = Rows {
+        path: path.to_owned(),
+        journal,
+        file: None,
+        buffer: String::new(),
+        written: 0,
+        total: grid.len(),
+    };
+    if resume && !unfinished && path.exists() {
+        let found = finished(path, scene, grid)?;
+        rows.written = found.len();
+        return Ok(Opened { rows, found });
+    }
+    let journal = &rows.journal;
+    let (mut found, mut length) = (Vec::new(), 0);
+    if resume && unfinished {
+        let saved = fs::read_to_string(&mark).map_err(|error| failed(&mark, &error))?;
+        if saved != print {
+            return Err(SimError::File(format!(
+                "`{}` is of a sweep of another scene or other ranges: give the same ones, or \
+                 another --out",
+                path.display()
+            )));
         }
-        let text = fs::read_to_string(path).map_err(|error| failed(path, &error))?;
-        (found, length) = read(path, &text, grid)?;
-        text_length = text.len() as u64;
+        (found, length) = read(journal, grid)?;
     }
     fs::write(&mark, print).map_err(|error| failed(&mark, &error))?;
     let file = OpenOptions::new()
         .create(true)
         .append(true)
-        .open(path)
-        .map_err(|error| failed(path, &error))?;
-    if text_length > length {
-        file.set_len(length).map_err(|error| failed(path, &error))?;
+        .open(journal)
+        .map_err(|error| failed(journal, &error))?;
+    let long = file.metadata().map_or(0, |file| file.len());
+    if long > length {
+        file.set_len(length)
+            .map_err(|error| failed(journal, &error))?;
     }
-    let mut rows = Rows {
-        path: path.to_owned(),
-        file,
-        buffer: String::new(),
-        waiting: 0,
-        written: found.len(),
-        total: grid.len(),
-    };
+    rows.file = Some(file);
+    rows.written = found.len();
     if length == 0 {
         rows.buffer = format!("{HEADER}\n");
-        rows.flush()?;
+        rows.put()?;
     }
     Ok(Opened { rows, found })
 }
 
-/// The rows of a file, and how long it is without a torn last line.
-fn read(path: &Path, text: &str, grid: &Grid) -> Result<(Vec<(usize, Row)>, u64), SimError> {
-    let whole = text.rfind('\n').map_or(0, |end| end + 1);
-    let name = path.display();
-    let mut lines = text[..whole].lines();
+/// The rows of a sweep that was finished, once it is plain that they are of this one.
+fn finished(path: &Path, scene: &Point, grid: &Grid) -> Result<Vec<(usize, Row)>, SimError> {
+    let found = if parquet::is_meant(path) {
+        let rows = parquet::read(path).map_err(|error| failed(path, &error))?;
+        place(rows.into_iter(), grid, &|number, what| {
+            failed(path, &format!("row {}: {what}", number + 1))
+        })?
+    } else {
+        read(path, grid)?.0
+    };
+    let refuse = |why: &str| {
+        failed(
+            path,
+            &format!(
+                "{why}, and no file `.run` says of which sweep it is: remove it to start anew"
+            ),
+        )
+    };
+    if found.len() < grid.len() {
+        return Err(refuse("not every point of these ranges is there"));
+    }
+    // Points that ran to their end tell of the number of intervals too.
+    const MOST: usize = 8;
+    let (ended, ran): (Vec<_>, Vec<_>) =
+        found.iter().partition(|(_, row)| row.at_interval.is_some());
+    for group in [ended, ran] {
+        for (index, row) in group.iter().step_by(group.len().div_ceil(MOST).max(1)) {
+            let plan = Plan::compile(&grid.point(scene, *index))?;
+            if Row::of(&run::outcome(&plan)) != *row {
+                return Err(refuse("its points are not those of this scene"));
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The rows of a CSV file, and how long it is without a torn last line.
+fn read(path: &Path, grid: &Grid) -> Result<(Vec<(usize, Row)>, u64), SimError> {
+    let bytes = fs::read(path).map_err(|error| failed(path, &error))?;
+    let whole = bytes
+        .iter()
+        .rposition(|b| *b == b'\n')
+        .map_or(0, |end| end + 1);
+    // What is no text becomes a line that is no row.
+    let text = String::from_utf8_lossy(&bytes[..whole]);
+    let at = |number: usize, what: &str| failed(path, &format!("line {}: {what}", number + 2));
+    let mut lines = text.lines();
     match lines.next() {
         None => return Ok((Vec::new(), 0)),
         Some(HEADER) => {}
         Some(_) => {
-            return Err(SimError::File(format!(
-                "`{name}`, line 1: expected the header `{HEADER}`"
-            )));
+            return Err(failed(
+                path,
+                &format!("line 1: expected the header `{HEADER}`"),
+            ));
         }
     }
+    let mut rows = Vec::new();
+    for (number, line) in lines.enumerate() {
+        rows.push(parse(line).ok_or_else(|| at(number, "expected a row of a sweep"))?);
+    }
+    Ok((place(rows.into_iter(), grid, &at)?, whole as u64))
+}
+
+/// The rows with the indices of their points in the grid.
+fn place(
+    rows: impl Iterator<Item = parquet::Found>,
+    grid: &Grid,
+    at: &dyn Fn(usize, &str) -> SimError,
+) -> Result<Vec<(usize, Row)>, SimError> {
     let mut places = HashMap::with_capacity(grid.len());
     for index in 0..grid.len() {
         places.insert(grid.doubles(index).map(f64::to_bits), index);
     }
     let mut found = Vec::new();
     let mut seen = vec![false; grid.len()];
-    for (number, line) in lines.enumerate() {
-        let at = |what: &str| SimError::File(format!("`{name}`, line {}: {what}", number + 2));
-        let (values, row) = parse(line).ok_or_else(|| at("expected a row of a sweep"))?;
+    for (number, (values, row)) in rows.enumerate() {
         let index = places
             .get(&values.map(f64::to_bits))
-            .ok_or_else(|| at("a point that is not in these ranges"))?;
+            .ok_or_else(|| at(number, "a point that is not in these ranges"))?;
         if std::mem::replace(&mut seen[*index], true) {
-            return Err(at("a point that was there before"));
+            return Err(at(number, "a point that was there before"));
         }
         found.push((*index, row));
     }
-    Ok((found, whole as u64))
+    Ok(found)
 }
 
 fn parse(line: &str) -> Option<([f64; 3], Row)> {
@@ -183,41 +261,33 @@ fn write_row(grid: &Grid, index: usize, row: &Row, out: &mut String) {
 }
 
 impl Rows {
-    /// Adds a row; rows reach the file a few at a time.
+    /// Adds a row, which reaches the file at once: a killed process loses none that was added.
     ///
     /// # Errors
     ///
     /// A file that cannot be written: what is in it stays.
     pub fn add(&mut self, grid: &Grid, index: usize, row: &Row) -> Result<(), SimError> {
-        const AT_ONCE: usize = 64;
         write_row(grid, index, row, &mut self.buffer);
-        self.waiting += 1;
-        if self.waiting >= AT_ONCE {
-            self.flush()
-        } else {
-            Ok(())
-        }
+        self.put()?;
+        self.written += 1;
+        Ok(())
     }
 
     /// Writes what is waiting.
-    ///
-    /// # Errors
-    ///
-    /// A file that cannot be written: what is in it stays.
-    pub fn flush(&mut self) -> Result<(), SimError> {
-        let result = self.file.write_all(self.buffer.as_bytes());
+    fn put(&mut self) -> Result<(), SimError> {
+        let Some(file) = &mut self.file else {
+            return Ok(());
+        };
+        let result = file.write_all(self.buffer.as_bytes());
+        self.buffer.clear();
         result.map_err(|error| {
             SimError::File(format!(
                 "`{}`: {error}; {} of {} points are kept: go on with --resume",
-                self.path.display(),
+                self.journal.display(),
                 self.written,
                 self.total
             ))
-        })?;
-        self.written += self.waiting;
-        self.waiting = 0;
-        self.buffer.clear();
-        Ok(())
+        })
     }
 
     /// Replaces the file by one with every row in the order of the grid, all at once.
@@ -225,32 +295,44 @@ impl Rows {
     /// # Errors
     ///
     /// A file that cannot be written: the unordered one stays.
-    pub fn finish(mut self, grid: &Grid, rows: &[Option<Row>]) -> Result<(), SimError> {
-        self.flush()?;
-        let mut name = self.path.as_os_str().to_owned();
-        name.push(".tmp");
-        let ordered = PathBuf::from(name);
-        let write = || -> io::Result<()> {
-            let mut file = io::BufWriter::new(File::create(&ordered)?);
-            writeln!(file, "{HEADER}")?;
-            let mut line = String::new();
-            for (index, row) in rows.iter().enumerate() {
-                if let Some(row) = row {
-                    line.clear();
-                    write_row(grid, index, row, &mut line);
-                    file.write_all(line.as_bytes())?;
-                }
-            }
-            file.into_inner()
-                .map_err(io::IntoInnerError::into_error)?
-                .sync_all()?;
-            fs::rename(&ordered, &self.path)
+    pub fn finish(self, grid: &Grid, rows: &[Option<Row>]) -> Result<(), SimError> {
+        if self.file.is_none() {
+            return Ok(()); // It was finished before.
+        }
+        let ordered = with_suffix(&self.path, ".tmp");
+        let written = if parquet::is_meant(&self.path) {
+            parquet::write(&ordered, grid, rows).map_err(|error| failed(&self.path, &error))
+        } else {
+            write_ordered(&ordered, grid, rows).map_err(|error| failed(&self.path, &error))
         };
-        write().map_err(|error| {
+        let placed = written.and_then(|()| {
+            fs::rename(&ordered, &self.path).map_err(|error| failed(&self.path, &error))
+        });
+        placed.inspect_err(|_| {
+            // What could not be written whole is of no use; the rows are in the journal.
             let _ = fs::remove_file(&ordered);
-            failed(&self.path, &error)
         })?;
+        if self.journal != self.path {
+            fs::remove_file(&self.journal).map_err(|error| failed(&self.journal, &error))?;
+        }
         let mark = marker(&self.path);
         fs::remove_file(&mark).map_err(|error| failed(&mark, &error))
     }
+}
+
+/// Writes a CSV file with every row in the order of the grid.
+fn write_ordered(path: &Path, grid: &Grid, rows: &[Option<Row>]) -> io::Result<()> {
+    let mut file = io::BufWriter::new(File::create(path)?);
+    writeln!(file, "{HEADER}")?;
+    let mut line = String::new();
+    for (index, row) in rows.iter().enumerate() {
+        if let Some(row) = row {
+            line.clear();
+            write_row(grid, index, row, &mut line);
+            file.write_all(line.as_bytes())?;
+        }
+    }
+    file.into_inner()
+        .map_err(io::IntoInnerError::into_error)?
+        .sync_all()
 }

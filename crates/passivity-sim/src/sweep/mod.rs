@@ -2,6 +2,7 @@
 
 mod file;
 mod grid;
+mod parquet;
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
