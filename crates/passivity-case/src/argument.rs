@@ -365,8 +365,8 @@ impl<'a> Build<'a> {
             .evidence
             .iter()
             .map(|evidence| match evidence.standing() {
-                Standing::Shown => evidence.engine.clone(),
-                standing => format!("{} ({})", evidence.engine, standing.words()),
+                Standing::Shown => evidence.label().to_owned(),
+                standing => format!("{} ({})", evidence.label(), standing.words()),
             })
             .collect();
         let text = if engines.is_empty() {

@@ -189,7 +189,15 @@ fn evidence_of(
         result = format!("{result} for {part}");
     }
     if !record.domain.is_empty() && record.not_run.is_none() {
-        result = format!("{result} ({})", record.domain.join("; "));
+        let domain = record.domain.join("; ");
+        // What the solvers are asked of a false statement is that statement, and they answer with a model.
+        let refuted = claim.refutes && engine == Engine::Smt;
+        let model = if refuted {
+            "refuted by a model, replayed on the kernel: "
+        } else {
+            ""
+        };
+        result = format!("{result} ({model}{domain})");
     }
     Some(Evidence {
         id,

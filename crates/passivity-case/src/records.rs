@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use passivity_evidence::Engine;
+
 use crate::gsn::Standing;
 
 /// A claim with what was recorded about it.
@@ -69,6 +71,13 @@ pub enum Freshness {
 }
 
 impl Evidence {
+    /// What the engine is, for a reader.
+    #[must_use]
+    pub fn label(&self) -> &str {
+        let engine = Engine::ALL.iter().find(|e| e.name() == self.engine);
+        engine.map_or(&self.engine, |e| e.words())
+    }
+
     /// How it stands in the argument.
     #[must_use]
     pub const fn standing(&self) -> Standing {

@@ -84,6 +84,8 @@ pub(super) struct Layout<'a> {
     pub(super) headings: Vec<(u8, String, usize, f32)>,
     pub(super) elements: Vec<Element>,
     pub(super) pieces: usize,
+    /// Whether the page on its side waits for its picture, under a heading.
+    headed: bool,
     y: f32,
 }
 
@@ -98,10 +100,19 @@ impl<'a> Layout<'a> {
             headings: Vec::new(),
             elements: Vec::new(),
             pieces: 0,
+            headed: false,
             y: MARGIN,
         };
         layout.title(document);
-        for block in &document.blocks {
+        let next = document.blocks.iter().skip(1).map(Some).chain([None]);
+        for (block, next) in document.blocks.iter().zip(next) {
+            // The heading of a wide picture goes onto the picture's page.
+            if let (Block::Heading { .. }, Some(Block::Figure(Figure { wide: true, .. }))) =
+                (block, next)
+            {
+                layout.new_sheet(true);
+                layout.headed = true;
+            }
             layout.block(block)?;
         }
         Ok(layout)
@@ -136,7 +147,8 @@ impl<'a> Layout<'a> {
 
     /// Starts a new page unless `height` fits on this one.
     fn room(&mut self, height: f32) {
-        if self.y + height > self.bottom() && self.y > MARGIN || self.sheet().turned {
+        let full = self.y + height > self.bottom() && self.y > MARGIN;
+        if full || self.sheet().turned && !self.headed {
             self.new_sheet(false);
         }
     }
@@ -334,10 +346,12 @@ impl<'a> Layout<'a> {
         let picture = Picture::read(&figure.svg)?;
         let (w, h) = picture.size();
         let caption_height = SMALL * LEADING * 2.0 + 8.0;
-        if figure.wide {
+        if figure.wide && !self.headed {
             self.new_sheet(true);
         }
-        let most = self.bottom() - MARGIN - caption_height;
+        self.headed = false;
+        let top = if figure.wide { self.y } else { MARGIN };
+        let most = self.bottom() - top - caption_height;
         // Never larger than drawn: 0.75 points make a pixel.
         let scale = (self.width() / w).min(most / h).min(0.75);
         if !figure.wide {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::case::Case;
 use crate::document::{Document, Line, Row};
-use crate::records::{Claim, Records};
+use crate::records::{Claim, Freshness, Records};
 
 pub(super) fn write(document: &mut Document, case: &Case) {
     table(document, &case.records);
@@ -19,59 +19,75 @@ fn to_claim(id: &str) -> Line {
 
 fn table(document: &mut Document, records: &Records) {
     document.heading(2, "claims", "Claims and evidence");
-    document.say(
-        "Each claim with every record of evidence. A record is fresh when the text of the claim and \
-         all sources that it covers are as they were when it was made, stale when one of them has \
-         changed, and not run here when there is no result.",
-    );
     let rows = records.claims.iter().map(|claim| {
-        let mut sentence = Line::text(&claim.sentence);
+        let mut sentence = Line::default();
+        if claim.refutes {
+            sentence = sentence.and(Line::strong("Refuted as printed. "));
+        }
+        sentence = sentence.and(Line::text(&claim.sentence));
         if !claim.formula.is_empty() {
             sentence = sentence
                 .and(Line::text(" "))
                 .and(Line::code(&claim.formula));
         }
         let caveats = claim.caveats.iter().map(|id| to_caveat(records, id));
-        if !claim.caveats.is_empty() {
-            sentence = sentence
-                .and(Line::text(" Caveats: "))
-                .and(Line::joined(caveats, ", "));
-        }
-        let evidence = claim.evidence.iter().map(|evidence| {
-            let tool = if evidence.tool.is_empty() {
-                String::new()
-            } else {
-                format!(" ({})", evidence.tool)
-            };
-            Line::strong(&evidence.engine)
-                .and(format!(": {}{tool}, {}", evidence.result, evidence.words()).into())
-        });
-        let evidence = if claim.evidence.is_empty() {
-            Line::text("no evidence is recorded")
-        } else {
-            Line::joined(evidence, ". ")
-        };
         Row {
             id: Some(format!("claim-{}", claim.id)),
             cells: vec![
                 claim.id.as_str().into(),
                 sentence,
-                evidence,
+                Line::joined(caveats, ", "),
                 claim.standing().words().into(),
             ],
         }
     });
     let columns = [
-        ("Claim", 13),
-        ("What it says", 35),
-        ("Evidence", 41),
+        ("Claim", 14),
+        ("What it says", 58),
+        ("Caveats", 17),
         ("Stands", 11),
     ];
-    document.table(
-        "Claims, what shows them, and whether that is fresh",
-        &columns,
-        rows.collect(),
+    document.table("What is claimed", &columns, rows.collect());
+    document.say(
+        "Below is every record of evidence. A record is fresh when the text of the claim and all \
+         sources that it covers are as they were when it was made, stale when one of them has \
+         changed, and not run here when there is no result.",
     );
+    let rows = records.claims.iter().flat_map(|claim| {
+        claim.evidence.iter().map(|evidence| {
+            let tool = match evidence.tool.as_str() {
+                "" => String::new(),
+                tool => format!(", by {tool}"),
+            };
+            let (result, state) = match &evidence.freshness {
+                Freshness::NotRun(why) if !why.is_empty() => (format!("because {why}"), "not run"),
+                Freshness::NotRun(_) => (String::new(), "not run"),
+                Freshness::Fresh => (format!("{}{tool}", evidence.result), "fresh"),
+                Freshness::Stale(_) => (
+                    format!("{}{tool}; {}", evidence.result, evidence.words()),
+                    "stale",
+                ),
+                Freshness::Failed(_) => (
+                    format!("{}{tool}; {}", evidence.result, evidence.words()),
+                    "failed",
+                ),
+            };
+            [
+                to_claim(&claim.id),
+                evidence.label().into(),
+                result.as_str().into(),
+                state.into(),
+            ]
+            .into()
+        })
+    });
+    let columns = [
+        ("Claim", 14),
+        ("Shown by", 17),
+        ("Result, and on which domain", 58),
+        ("Record", 11),
+    ];
+    document.table("What shows it", &columns, rows.collect());
 }
 
 /// A reference to a caveat; its mere id when the claims do not have it.

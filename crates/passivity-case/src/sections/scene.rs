@@ -252,21 +252,20 @@ fn pictures(document: &mut Document, study: &Study) {
 
 fn motion(document: &mut Document, case: &Case, study: &Study) {
     document.heading(3, study.anchor("motions"), "Motion and energy");
-    if !case.measured {
-        document.say(
-            Line::text(
-                "What accuracy costs in time is not run here, because it differs from run to run: ",
-            )
-            .and(Line::code("passivity case --accuracy"))
-            .and(" measures it and puts the picture here, and so does ".into())
-            .and(Line::code("passivity accuracy"))
-            .and(" by itself.".into()),
-        );
-    }
     document.blocks.extend(figures::of_motion(study));
     if case.measured {
         document.blocks.extend(figures::of_accuracy(study));
+        return;
     }
+    document.say(
+        Line::text(
+            "What accuracy costs in time is not run here, because it differs from run to run: ",
+        )
+        .and(Line::code("passivity case --accuracy"))
+        .and(" measures it and puts the picture here, and so does ".into())
+        .and(Line::code("passivity accuracy"))
+        .and(" by itself.".into()),
+    );
 }
 
 fn show_argument(document: &mut Document, case: &Case, study: &Study, argument: &Argument) {
