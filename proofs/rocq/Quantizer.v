@@ -37,6 +37,10 @@ Proof.
   intro x. unfold measured. pose proof (floor_spec x). lra.
 Qed.
 
+(** EQ-5: the force is commanded for a position that is within half a tick of the sampled one. *)
+Theorem EQ_5_error : forall x, - (1 / 2) < measured x - x <= 1 / 2.
+Proof. exact measured_error. Qed.
+
 Lemma floor_IZR : forall z, floor (IZR z) = IZR z.
 Proof. intro z. apply floor_unique. lra. Qed.
 
