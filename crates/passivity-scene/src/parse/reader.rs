@@ -167,13 +167,18 @@ impl Reader<'_> {
             Ok(amount) => Some(amount),
             Err(fault) => {
                 let found = text.get(fault.span.clone()).unwrap_or_default();
+                let tolerance = fault.kind == Kind::MalformedTolerance;
                 let mut diagnostic = Diagnostic::new(fault.kind, fault.message)
                     .at(node.part(fault.span))
                     .help(fault.help);
                 if !found.is_empty() {
                     diagnostic = diagnostic.found(format!("`{}`", shorten(found)));
                 }
-                self.report(about(diagnostic));
+                diagnostic = about(diagnostic);
+                if tolerance {
+                    diagnostic = diagnostic.expected("a tolerance such as `± 10%` or `± 1e-6`");
+                }
+                self.report(diagnostic);
                 None
             }
         }
