@@ -3,10 +3,13 @@
 //! A member of no crate of its own: `crates/passivity-cli` lists it as a test target, so that the
 //! binary under test is the one just built.
 
+mod accuracy;
 mod case;
 mod check;
 mod explain;
 mod guides;
 mod harness;
 mod plane;
+mod simulate;
+mod sweep;
 mod usage;

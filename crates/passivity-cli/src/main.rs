@@ -3,6 +3,7 @@
 mod args;
 mod exit;
 mod output;
+mod progress;
 mod verbs;
 
 use clap::Parser as _;

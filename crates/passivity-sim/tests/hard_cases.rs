@@ -86,6 +86,13 @@ fn holds(name: &str, point: &Point) -> Simulated {
     // The balance of one interval: a dozen roundings of energies, none above this sum.
     let energy = of(mu) * speed * speed + 4.0 * pull * speed.max(reach);
     let residual = fast.totals.residual_max;
+    // The table of docs/simulator.md, with `--nocapture`.
+    let worst = (off[0] / position).max(off[1] / velocity);
+    let part = residual / (16.0 * f64::EPSILON * energy + least);
+    eprintln!(
+        "| {name} | {} | {:.1e} | {position:.1e} | {worst:.3} | {part:.3} |",
+        got.intervals, off[0]
+    );
     assert!(
         residual <= 16.0 * f64::EPSILON * energy + least,
         "{name}: residual {residual:e} of {energy:e}"
@@ -119,7 +126,7 @@ fn mu_from_1e_6_to_1e9() {
 
 #[test]
 fn samples_exactly_on_encoder_edges() {
-    // Dyadic numbers: doubles are exact, so every edge is met exactly, and the results must be equal.
+    // The start is on an edge, exactly; the samples after it are where rationals say.
     for (start, sigma) in [
         (["1", "0"], "1/4"),
         (["-1", "1/2"], "1/2"),
@@ -178,6 +185,34 @@ fn grazing_an_edge() {
         assert!(xi + v * v / 0.375 <= 1.0);
         holds("grazing", &scene);
     }
+}
+
+#[test]
+fn a_reversal_within_an_ulp_of_an_edge() {
+    // As above the device stops as the interval ends, 3/32 on: at the edge ξ = 1, or an ulp off it.
+    let start = 1.0_f64 - 0.09375;
+    let next = [start.next_down(), start, start.next_up()].map(|xi| {
+        let mut scene = point("4", "0", "1/4", ["0", "3/16"], 2);
+        scene.start[0] = passivity_core::BigRational::from_float(xi).unwrap();
+        let run = holds("turns an ulp from an edge", &scene);
+        scene.intervals = 40;
+        holds("goes on from there", &scene);
+        run.end.velocity
+    });
+    // Before the edge it is drawn back by ½ − ¼, from the edge on by 3/2 − ¼, for one interval.
+    assert_eq!(next, [-0.25 / 4.0, -1.25 / 4.0, -1.25 / 4.0]);
+    // Between samples the edge means nothing: the motion is that of the exact turning point.
+    for xi in [125.0 / 128.0, (125.0_f64 / 128.0).next_down()] {
+        let mut scene = point("4", "0", "1/4", ["0", "3/32"], 30);
+        scene.start[0] = passivity_core::BigRational::from_float(xi).unwrap();
+        holds("turns an ulp from an edge, between samples", &scene);
+    }
+}
+
+#[test]
+fn twenty_thousand_intervals_of_a_cycle() {
+    holds("a long cycle", &paper("3/5", "2/5", "2", 20_000));
+    holds("a long fast cycle", &paper("1", "1/10", "2", 20_000));
 }
 
 #[test]

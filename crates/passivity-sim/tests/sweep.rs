@@ -113,6 +113,70 @@ fn a_killed_sweep_is_taken_up_without_redoing_or_losing_a_point() {
 }
 
 #[test]
+fn a_parquet_file_has_the_rows_of_the_csv() {
+    let folder = folder("parquet");
+    let (csv, parquet) = (folder.join("sweep.csv"), folder.join("sweep.parquet"));
+    let (scene, grid) = (paper("1", "1", "1", 300), grid("0:1:7", "0:1:7", "1,5"));
+    sweep(&csv, &scene, &grid, false, None).unwrap();
+    // Killed, taken up, and read back when there is nothing left to do.
+    sweep(&parquet, &scene, &grid, false, Some(30)).unwrap_err();
+    assert!(!parquet.exists());
+    assert_eq!(sweep(&parquet, &scene, &grid, true, None).unwrap(), 98 - 30);
+    let files = fs::read_dir(&folder).unwrap().count();
+    assert_eq!(files, 2, "nothing is left beside the two files");
+    let bits = |row: &Row| [row.xi.to_bits(), row.velocity.to_bits()];
+    let mut rows = open(&parquet, &scene, &grid, true).unwrap().found;
+    let expected = open(&csv, &scene, &grid, true).unwrap().found;
+    rows.sort_by_key(|(index, _)| *index);
+    assert_eq!(rows, expected);
+    assert!(
+        rows.iter()
+            .zip(&expected)
+            .all(|(a, b)| bits(&a.1) == bits(&b.1))
+    );
+    for row in [0, 1] {
+        let kinds = rows
+            .iter()
+            .filter(|(_, r)| usize::from(r.at_interval.is_some()) == row);
+        assert!(kinds.count() > 0, "rows with and without an interval");
+    }
+    // A torn file, and one that is something else.
+    let whole = fs::read(&parquet).unwrap();
+    for bytes in [&whole[..whole.len() - 9], b"PAR1, it says", b""] {
+        fs::write(&parquet, bytes).unwrap();
+        let error = open(&parquet, &scene, &grid, true).unwrap_err().to_string();
+        assert!(error.contains("sweep.parquet"), "{error}");
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_finished_sweep_of_another_scene_is_refused() {
+    let folder = folder("finished");
+    for name in ["sweep.csv", "sweep.parquet"] {
+        let path = folder.join(name);
+        let (scene, grid) = (paper("1", "1", "1", 300), grid("1/2:1:4", "0:1:4", "1"));
+        sweep(&path, &scene, &grid, false, None).unwrap();
+        let kept = fs::read(&path).unwrap();
+        // More intervals only show in points that ran to the end.
+        for other in [
+            paper("1", "1", "1", 301),
+            common::point("49", "1", "1", ["0", "1"], 300),
+        ] {
+            let error = open(&path, &other, &grid, true).unwrap_err().to_string();
+            assert!(error.contains("not those of this scene"), "{error}");
+        }
+        assert_eq!(fs::read(&path).unwrap(), kept);
+    }
+    let path = folder.join("part.csv");
+    let header = "beta,sigma,speed,paper,exact,at_interval,xi,velocity\n";
+    fs::write(&path, header).unwrap();
+    let error = open(&path, &paper("1", "1", "1", 9), &grid("1", "1", "1"), true).unwrap_err();
+    assert!(error.to_string().contains("not every point"), "{error}");
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
 fn a_file_of_another_sweep_is_refused() {
     let folder = folder("other");
     let path = folder.join("sweep.csv");

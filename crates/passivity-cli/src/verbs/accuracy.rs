@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use indicatif::ProgressBar;
 use passivity_plot::save;
 use passivity_sim::accuracy::{Table, measure, methods};
 use passivity_sim::plot::accuracy::draw;
@@ -10,12 +9,14 @@ use serde_json::{Value, json};
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
+use crate::progress::Progress;
+use crate::verbs::simulate::speed_at_start;
 
 /// Compare every method and step on a scene: error against the reference, and time per interval.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  passivity accuracy scenes/re35.toml
-  passivity accuracy scenes/re35.toml --plot accuracy.svg --format json")]
+  passivity accuracy scenes/re35.toml --speed 5
+  passivity accuracy scenes/dimensionless.toml --plot accuracy.svg --format json")]
 pub(crate) struct Args {
     /// Scene file.
     #[arg(value_name = "SCENE")]
@@ -23,6 +24,9 @@ pub(crate) struct Args {
     /// How many intervals to run at most; the reference takes microseconds for each.
     #[arg(long, value_name = "N", default_value_t = 2000)]
     intervals: u64,
+    /// Speed at the start in ticks per sample, instead of the scene's.
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    speed: Option<String>,
     /// Where to draw error against time: a name that ends in .svg or .png.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -34,13 +38,16 @@ pub(crate) struct Args {
 /// Measures every method.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
-    let point = scene.point();
-    let bar = ProgressBar::new(methods().len() as u64 + 1);
+    let mut point = scene.point();
+    if let Some(text) = &args.speed {
+        point.start[1] = speed_at_start(text)?;
+    }
+    let mut bar = Progress::new(methods().len() as u64 + 1, "methods");
     let measured = measure(&point, args.intervals, |method| {
-        bar.set_message(method.to_string());
-        bar.inc(1);
+        bar.say(method.to_string());
+        bar.advance(1);
     });
-    bar.finish_and_clear();
+    drop(bar);
     let table =
         measured.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
     if let Some(path) = &args.plot {
@@ -89,6 +96,9 @@ fn text(name: &str, table: &Table) -> String {
     }
     for (method, reason) in &table.left_out {
         lines.push(format!("{:<16}left out: {reason}", method.to_string()));
+    }
+    if table.intervals == 0 {
+        lines.push("Nothing moves: the start is at rest (give another with --speed).".to_owned());
     }
     lines.push(
         "Errors are relative: to the reach of the motion, its greatest speed, the energy dissipated."

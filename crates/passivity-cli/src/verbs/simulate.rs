@@ -1,11 +1,13 @@
 //! `passivity simulate`: the motion of a scene, with its energy ledger.
 
 use std::fs::File;
-use std::io::{BufWriter, Write as _};
+use std::io::{BufWriter, IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use passivity_core::BigRational;
 use passivity_plot::save;
+use passivity_scene::number;
 use passivity_sim::methods::{Detail, Line, NAMES, Simulated, simulate};
 use passivity_sim::plot::motion::{Motion, draw};
 use passivity_sim::trace::Table;
@@ -14,6 +16,7 @@ use serde_json::{Value, json};
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
+use crate::progress::Progress;
 
 /// Simulate a scene: the motion between samples in closed form, with the energy ledger.
 ///
@@ -29,9 +32,9 @@ use crate::output::{Format, emit, emit_json, read_scene};
   adaptive:1e-9   Dormand-Prince with events, this tolerance
 
 Examples:
-  passivity simulate scenes/re35.toml --plot motion.svg
-  passivity simulate scenes/re35.toml --method enclosure --out trace.csv
-  passivity simulate scenes/re35.toml --method reference:60 --format json")]
+  passivity simulate scenes/re35.toml --speed 5 --plot motion.svg
+  passivity simulate scenes/re35.toml --speed 5 --method enclosure --out trace.csv
+  passivity simulate scenes/dimensionless.toml --method reference:60 --format json")]
 pub(crate) struct Args {
     /// Scene file.
     #[arg(value_name = "SCENE")]
@@ -42,6 +45,9 @@ pub(crate) struct Args {
     /// How many intervals to run, instead of what the scene says.
     #[arg(long, value_name = "N")]
     intervals: Option<u64>,
+    /// Speed at the start in ticks per sample, instead of the scene's.
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    speed: Option<String>,
     /// Where to write the ledger, a CSV row per interval.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -63,6 +69,9 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     if let Some(intervals) = args.intervals {
         point.intervals = intervals;
     }
+    if let Some(text) = &args.speed {
+        point.start[1] = speed_at_start(text)?;
+    }
     let method = Method::parse(&args.method).map_err(Failure::input)?;
     debug_assert!(NAMES.contains(&method.name()));
     let of_scene = |error| Failure::input(format!("`{}`: {error}", args.scene.display()));
@@ -71,14 +80,23 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         Some(path) => Some(Trace::create(path, Table::new(&point, &plan, &method))?),
         None => None,
     };
-    let mut motion = Motion::default();
+    let mut motion = Motion::new(plan.start);
     let until = args.plot_until.unwrap_or(u64::MAX);
+    // Intervals between two looks at the clock.
+    const BETWEEN: u64 = 1 << 10;
+    let mut seen = 0_u64;
     let begin = Instant::now();
-    let watched = args.out.is_some() || args.plot.is_some();
+    let mut bar = Progress::new(point.intervals, "intervals");
+    let terminal = std::io::stderr().is_terminal();
+    let watched = args.out.is_some() || args.plot.is_some() || terminal;
     let run = if watched {
         let mut see = |line: &Line<'_>| {
             if args.plot.is_some() {
                 add_to(&mut motion, line, until);
+            }
+            seen += 1;
+            if terminal && seen % BETWEEN == 0 {
+                bar.advance(BETWEEN);
             }
             trace.as_mut().is_none_or(|trace| trace.take(line))
         };
@@ -88,6 +106,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     }
     .map_err(of_scene)?;
     let seconds = begin.elapsed().as_secs_f64();
+    drop(bar);
     if let Some(trace) = trace {
         trace.finish()?;
     }
@@ -108,6 +127,11 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         Exactly::AtRest => Exit::Holds,
         _ => Exit::Fails,
     })
+}
+
+/// A speed as it was typed, in ticks per sample.
+pub(crate) fn speed_at_start(text: &str) -> Result<BigRational, Failure> {
+    number::parse(text.trim()).map_err(|error| Failure::input(format!("--speed `{text}`: {error}")))
 }
 
 /// Adds an interval to a picture.
@@ -193,6 +217,10 @@ fn text(name: &str, plan: &Plan, method: &Method, run: &Simulated, seconds: f64)
         format!("{name}: {}{at}", end.outcome.exact.name().replace('_', " ")),
         format!("  {}", end.outcome.because),
         format!(
+            "  the start   ξ = {} ticks, ξ̇ = {} ticks/sample",
+            plan.start[0], plan.start[1]
+        ),
+        format!(
             "  by the paper's detector (|ξ̇| < 0.01 at the end): {}",
             end.outcome.paper.name().replace('_', " ")
         ),
@@ -227,6 +255,9 @@ fn text(name: &str, plan: &Plan, method: &Method, run: &Simulated, seconds: f64)
         "  energy      generated {:.6} (linear spring), {:.6} (quantized spring), dissipated {:.6} KΔ²",
         totals.generated_linear, totals.generated_quantized, totals.dissipated
     ));
+    if end.intervals == 0 && end.outcome.exact == Exactly::AtRest {
+        lines.push("  nothing moves: the start is at rest (give another with --speed)".to_owned());
+    }
     lines.push(format!(
         "  balance     (13) holds in every interval to {:.1e} KΔ²",
         totals.residual_max

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use indicatif::{ProgressBar, ProgressStyle};
 use passivity_plot::save;
 use passivity_sim::plot::sweep::draw;
 use passivity_sim::sweep::{Grid, Range, Row, open, run as sweep};
@@ -12,6 +11,7 @@ use serde_json::json;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
+use crate::progress::Progress;
 
 /// Simulate every point of a grid of (β, σ, speed at the start), on all cores (Fig. 5 of the paper).
 ///
@@ -28,10 +28,10 @@ pub(crate) struct Args {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Values of β.
-    #[arg(long, value_name = "RANGE")]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     beta: String,
     /// Values of σ.
-    #[arg(long, value_name = "RANGE")]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     sigma: String,
     /// Speeds at the start, in ticks per sample; the scene's when not given.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
@@ -39,7 +39,7 @@ pub(crate) struct Args {
     /// How many intervals to run, instead of what the scene says.
     #[arg(long, value_name = "N")]
     intervals: Option<u64>,
-    /// Where to write the outcomes, a CSV row per point.
+    /// Where to write the outcomes, a row per point: CSV, or Parquet when the name ends in .parquet.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Go on with what a sweep that was stopped has left in --out.
@@ -79,20 +79,20 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         }
         file = Some(opened.rows);
     }
-    let bar = progress(grid.len() as u64);
-    bar.inc(before as u64);
+    let mut bar = Progress::new(grid.len() as u64, "points");
+    bar.start_at(before as u64);
     let begin = Instant::now();
     let done: Vec<bool> = rows.iter().map(Option::is_some).collect();
     let swept = sweep(&point, &grid, &done, |index, row| {
         rows[index] = Some(row);
-        bar.inc(1);
+        bar.advance(1);
         match &mut file {
             Some(file) => file.add(&grid, index, &row),
             None => Ok(()),
         }
     });
     let seconds = begin.elapsed().as_secs_f64();
-    bar.finish_and_clear();
+    drop(bar);
     let written = match (swept, file) {
         (Ok(()), Some(file)) => file.finish(&grid, &rows),
         (result, _) => result,
@@ -148,14 +148,4 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         }))?,
     }
     Ok(Exit::Holds)
-}
-
-/// A bar on standard error, when that is a terminal.
-fn progress(points: u64) -> ProgressBar {
-    let bar = ProgressBar::new(points);
-    let style = ProgressStyle::with_template("{wide_bar} {pos}/{len} points, {eta} to go");
-    if let Ok(style) = style {
-        bar.set_style(style);
-    }
-    bar
 }

@@ -36,7 +36,33 @@ pub(crate) fn svg(
         draw(&root).map_err(|error| fail(&error))?;
         root.present().map_err(|error| fail(&error))?;
     }
-    Ok(text)
+    // Wide lines with sharp corners would have spikes, and dashes of whole pixels would be crooked.
+    let dashed = format!("opacity=\"{DASHED}\"");
+    Ok(text
+        .replace("<polyline ", "<polyline stroke-linejoin=\"round\" ")
+        .replace(&dashed, "opacity=\"1\" stroke-dasharray=\"7 4\""))
+}
+
+/// Opacity of a line that [`svg`] dashes: the drawing library has straight lines and dashed ones, but
+/// no straight dashed ones.
+pub(crate) const DASHED: f64 = 0.985;
+
+/// A label of an axis over `range`: no more digits than needed.
+pub(crate) fn label(x: f64, range: &std::ops::Range<f64>) -> String {
+    if x.abs() < 1e-9 * (range.end - range.start) {
+        return "0".to_owned(); // What rounding left of it.
+    }
+    let (text, exponent) = if (1e-4..1e6).contains(&x.abs()) {
+        (format!("{x:.7}"), None)
+    } else {
+        let text = format!("{x:.3e}");
+        match text.split_once('e') {
+            Some((digits, exponent)) => (digits.to_owned(), Some(exponent.to_owned())),
+            None => (text, None),
+        }
+    };
+    let digits = text.trim_end_matches('0').trim_end_matches('.');
+    exponent.map_or_else(|| digits.to_owned(), |e| format!("{digits}e{e}"))
 }
 
 /// A range with some air around it, never empty.
@@ -53,4 +79,25 @@ pub(crate) fn padded(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> 
         .max(1e-6 * high.abs().max(low.abs()))
         .max(1e-9);
     low - air..high + air
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label;
+
+    #[test]
+    fn labels_have_no_idle_digits() {
+        let wide = 0.0..50_000.0;
+        for (x, text) in [
+            (10_000.0, "10000"),
+            (0.5, "0.5"),
+            (0.1 + 0.2, "0.3"),
+            (-2.0, "-2"),
+        ] {
+            assert_eq!(label(x, &wide), text);
+        }
+        assert_eq!(label(1.4e-17, &(-1.0..1.0)), "0");
+        assert_eq!(label(1.5e-7, &(0.0..1e-6)), "1.5e-7");
+        assert_eq!(label(2e9, &(0.0..1e10)), "2e9");
+    }
 }

@@ -7,7 +7,7 @@ use passivity_plot::PlotError;
 use plotters::prelude::*;
 
 use crate::ledger::Entry;
-use crate::plot::{Area, COLOURS, Drawn, padded, svg};
+use crate::plot::{Area, COLOURS, Drawn, label, padded, svg};
 
 /// A sample of a motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -30,7 +30,6 @@ pub struct Motion {
     first: Vec<Sample>,
     last: VecDeque<Sample>,
     stretch: u64,
-    seen: u64,
     pending: Vec<Sample>,
     energies: [f64; 3],
 }
@@ -48,13 +47,13 @@ const BEGIN: usize = 4_000;
 const END: usize = 160;
 
 impl Default for Motion {
+    /// A motion that starts where its first interval does.
     fn default() -> Self {
         Self {
             samples: Vec::new(),
             first: Vec::new(),
             last: VecDeque::new(),
             stretch: 1,
-            seen: 0,
             pending: Vec::new(),
             energies: [0.0; 3],
         }
@@ -62,9 +61,24 @@ impl Default for Motion {
 }
 
 impl Motion {
+    /// A motion from a position in ticks and a velocity in ticks per sample, to be seen even if it has
+    /// no interval.
+    #[must_use]
+    pub fn new([xi, velocity]: [f64; 2]) -> Self {
+        let start = Sample {
+            xi,
+            velocity,
+            ..Sample::default()
+        };
+        Self {
+            samples: vec![start],
+            ..Self::default()
+        }
+    }
+
     /// Takes an interval.
     pub fn add(&mut self, entry: &Entry) {
-        if self.seen == 0 {
+        if self.samples.is_empty() && self.pending.is_empty() {
             self.samples.push(Sample {
                 time: entry.h as f64,
                 xi: entry.xi0,
@@ -94,7 +108,6 @@ impl Motion {
             self.last.pop_front();
         }
         self.last.push_back(sample);
-        self.seen += 1;
         if self.pending.len() as u64 >= self.stretch * 4 {
             self.settle();
         }
@@ -154,7 +167,10 @@ fn thin(group: &[Sample], stretch: u64, kept: &mut Vec<Sample>) {
 ///
 /// A motion that cannot be drawn.
 pub fn draw(title: &str, motion: Motion) -> Result<String, PlotError> {
-    let [samples, path, end] = motion.samples();
+    let [samples, path, mut end] = motion.samples();
+    if end.is_empty() {
+        end.clone_from(&path); // Nothing moved: the start is the end.
+    }
     svg((1200, 860), "motion", |root| {
         panels(root, title, [&samples, &path, &end])
     })
@@ -180,6 +196,8 @@ fn panels(root: &Area<'_>, title: &str, [samples, path, end]: [&[Sample]; 3]) ->
             .disable_mesh()
             .x_desc("time τ (sampling periods)")
             .y_desc(name)
+            .x_label_formatter(&|x| label(*x, &time))
+            .y_label_formatter(&|y| label(*y, &range))
             .axis_desc_style(("sans-serif", 15))
             .label_style(("sans-serif", 12))
             .draw()?;
@@ -204,20 +222,20 @@ fn panels(root: &Area<'_>, title: &str, [samples, path, end]: [&[Sample]; 3]) ->
         }
         let series: [(&str, Key, RGBColor); 3] = [
             ("generated, linear spring", |s| s.energies[0], COLOURS[1]),
-            ("generated, quantized spring", |s| s.energies[1], COLOURS[7]),
+            ("generated, quantized spring", |s| s.energies[1], BLACK),
             ("dissipated", |s| s.energies[2], COLOURS[0]),
         ];
-        for ((label, key, colour), width) in series.into_iter().zip([4, 2, 2]) {
+        for ((label, key, colour), width) in series.into_iter().zip([4, 1, 2]) {
             chart
                 .draw_series(LineSeries::new(points(key), colour.stroke_width(width)))?
                 .label(label)
                 .legend(move |(x, y)| {
-                    PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2))
+                    PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(width))
                 });
         }
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::LowerRight)
+            .position(SeriesLabelPosition::UpperRight)
             .background_style(WHITE.mix(0.8))
             .border_style(BLACK.mix(0.3))
             .label_font(("sans-serif", 13))
@@ -236,8 +254,10 @@ fn panels(root: &Area<'_>, title: &str, [samples, path, end]: [&[Sample]; 3]) ->
         padded(samples.iter().map(|s| s.velocity)),
         false,
     )?;
-    let energies = samples.iter().flat_map(|s| s.energies);
-    panel(energy, "energy so far (KΔ²)", padded(energies), false)?;
+    let energies = padded(samples.iter().flat_map(|s| s.energies));
+    // Room above the curves for what they are.
+    let high = energies.end + 0.55 * (energies.end - energies.start);
+    panel(energy, "energy so far (KΔ²)", energies.start..high, false)?;
     let (upper, lower) = right.split_vertically(500);
     phase_plane(&upper, path)?;
     the_end(&lower, end)
@@ -245,17 +265,20 @@ fn panels(root: &Area<'_>, title: &str, [samples, path, end]: [&[Sample]; 3]) ->
 
 fn phase_plane(area: &Area<'_>, samples: &[Sample]) -> Drawn {
     let range = padded(samples.iter().map(|s| s.xi));
+    let speeds = padded(samples.iter().map(|s| s.velocity));
     let mut chart = ChartBuilder::on(area)
         .margin(8)
-        .caption("phase plane", ("sans-serif", 16))
+        .caption("phase plane; green: start, red: end", ("sans-serif", 16))
         .x_label_area_size(38)
         .y_label_area_size(60)
-        .build_cartesian_2d(range.clone(), padded(samples.iter().map(|s| s.velocity)))?;
+        .build_cartesian_2d(range.clone(), speeds.clone())?;
     chart
         .configure_mesh()
         .disable_mesh()
         .x_desc("ξ (ticks)")
         .y_desc("ξ̇ (ticks/sample)")
+        .x_label_formatter(&|x| label(*x, &range))
+        .y_label_formatter(&|y| label(*y, &speeds))
         .axis_desc_style(("sans-serif", 15))
         .label_style(("sans-serif", 12))
         .draw()?;
@@ -285,6 +308,8 @@ fn the_end(area: &Area<'_>, samples: &[Sample]) -> Drawn {
         .x_labels(5)
         .x_desc("time τ (sampling periods)")
         .y_desc("ξ (ticks)")
+        .x_label_formatter(&|x| label(*x, &time))
+        .y_label_formatter(&|y| label(*y, &range))
         .axis_desc_style(("sans-serif", 15))
         .label_style(("sans-serif", 12))
         .draw()?;

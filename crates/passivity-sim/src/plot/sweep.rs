@@ -4,7 +4,7 @@ use passivity_plot::PlotError;
 use plotters::prelude::*;
 
 use crate::outcome::{Exactly, Paper};
-use crate::plot::{Area, COLOURS, Drawn, svg};
+use crate::plot::{Area, COLOURS, DASHED, Drawn, label, svg};
 use crate::sweep::{Grid, Row};
 
 /// Draws a sweep as SVG text: (a) growing, (b) never at rest, a shade for each speed from black for
@@ -97,6 +97,8 @@ fn panel(area: &Area<'_>, title: &str, grid: &Grid, rows: &[Option<Row>], shown:
         .disable_mesh()
         .x_desc("β = b/(KT)")
         .y_desc("σ = c/(KΔ)")
+        .x_label_formatter(&|x| label(*x, &width))
+        .y_label_formatter(&|y| label(*y, &height))
         .axis_desc_style(("sans-serif", 15))
         .label_style(("sans-serif", 12))
         .draw()?;
@@ -144,17 +146,16 @@ fn panel(area: &Area<'_>, title: &str, grid: &Grid, rows: &[Option<Row>], shown:
         [(0.5, height.start), (0.5, height.end)],
         [(width.start, 0.5), (width.end, 0.5)],
     ] {
-        let style = BLACK.mix(0.8).into();
-        chart.draw_series(DashedLineSeries::new(border, 10, 4, style))?;
+        chart.draw_series(LineSeries::new(border, BLACK.mix(DASHED)))?;
     }
     for (rank, (_, speed)) in speeds.iter().enumerate() {
         let colour = COLOURS[rank % COLOURS.len()];
         let Some(ends) = critical_line(*speed, &width, &height) else {
             continue;
         };
-        let style = colour.stroke_width(2);
+        let style = colour.mix(DASHED).stroke_width(2);
         chart
-            .draw_series(DashedLineSeries::new(ends, 6, 4, style))?
+            .draw_series(LineSeries::new(ends, style))?
             .label(format!("{speed} ticks/sample"))
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
     }

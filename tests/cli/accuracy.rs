@@ -1,0 +1,64 @@
+//! `passivity accuracy`.
+
+use crate::harness::Dir;
+
+#[test]
+fn every_method_has_its_error_and_its_time() {
+    let dir = Dir::new();
+    let scene = dir.write(
+        "scene.toml",
+        "[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n",
+    );
+    let run = dir.run(&[
+        "accuracy",
+        &scene,
+        "--speed",
+        "1",
+        "--intervals",
+        "40",
+        "--plot",
+        "cost.svg",
+        "--format",
+        "json",
+    ]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let document = run.json();
+    assert_eq!(document["intervals"], 40);
+    let rows = document["rows"].as_array().expect("a list");
+    let error = |method: &str, field: &str| {
+        let row = rows.iter().find(|row| row["method"] == method);
+        row.unwrap_or_else(|| panic!("{method}"))[field]
+            .as_f64()
+            .expect("a number")
+    };
+    for row in rows {
+        assert!(
+            row["nanoseconds_per_interval"]
+                .as_f64()
+                .is_some_and(|ns| ns > 0.0),
+            "{row}"
+        );
+        assert!(
+            row["same_outcome"].is_boolean() && row["outcome"].is_string(),
+            "{row}"
+        );
+    }
+    // 40 intervals of some 30 roundings, relative to the reach.
+    for field in ["position", "velocity", "energy"] {
+        assert!(
+            error("closed-form", field) < 40.0 * 30.0 * f64::EPSILON,
+            "{field}"
+        );
+    }
+    assert!(error("euler:1", "position") > error("euler:1000", "position"));
+    assert!(error("euler:1000", "position") > error("closed-form", "position"));
+    let left_out = document["left_out"].as_array().expect("a list");
+    assert!(
+        left_out.iter().any(|row| row["method"] == "exact"),
+        "{left_out:?}"
+    );
+    let svg = std::fs::read_to_string(dir.path("cost.svg")).expect("a picture");
+    for word in ["time per interval (ns)", "closed-form", "adaptive"] {
+        assert!(svg.contains(word), "{word}");
+    }
+}

@@ -1,0 +1,262 @@
+//! `passivity simulate`.
+
+use serde_json::Value;
+
+use crate::harness::{Dir, ratio, rational};
+
+/// A scene that comes to rest, without viscous friction so that every method can do it.
+fn gliding(dir: &Dir) -> String {
+    let scene = "[dimensionless]\nmu = \"50\"\nbeta = \"0\"\nsigma = \"3/5\"\n\
+                 [start]\nvelocity = \"1/8\"\n[run]\nintervals = 200\n";
+    dir.write("glide.toml", scene)
+}
+
+fn cycling(dir: &Dir) -> String {
+    let scene = "[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"2/5\"\n\
+                 [start]\nvelocity = \"2\"\n[run]\nintervals = 300\n";
+    dir.write("cycle.toml", scene)
+}
+
+#[test]
+fn every_method_finds_the_same_rest() {
+    let dir = Dir::new();
+    let scene = gliding(&dir);
+    let run = |method: &str| {
+        let run = dir.run(&["simulate", &scene, "--method", method, "--format", "json"]);
+        assert_eq!(run.code, 0, "{method}: {}", run.stderr);
+        run.json()
+    };
+    let exact = run("exact");
+    let state = &exact["final"]["exact"];
+    assert_eq!(rational(&state["velocity"]), ratio(0, 1));
+    let xi = exact["final"]["xi"].as_f64().expect("a number");
+    assert_eq!(exact["totals"]["residual_max"].as_f64(), Some(0.0));
+    for method in [
+        "closed-form",
+        "reference:30",
+        "enclosure",
+        "euler:1000",
+        "rk4:1000",
+        "adaptive:1e-10",
+    ] {
+        let document = run(method);
+        assert_eq!(document["method_parameter"], method);
+        let outcome = &document["outcome"];
+        assert_eq!(outcome["exact"], "at_rest", "{method}");
+        assert_eq!(outcome["paper"], "converged", "{method}");
+        let name = document["method"].as_str().expect("a word");
+        let off = (document["final"]["xi"].as_f64().expect("a number") - xi).abs();
+        if ["closed-form", "reference", "enclosure"].contains(&name) {
+            assert_eq!(outcome["at_interval"], exact["outcome"]["at_interval"]);
+            // Fewer than 200 intervals, 30 roundings each, of numbers below a tick.
+            assert!(off < 200.0 * 30.0 * f64::EPSILON, "{method}: {off:e}");
+        } else {
+            // Steps of 1/1000 miss the instant of rest by one: at most 1.1/50/1000 in velocity.
+            assert!(off < 200.0 * 1.1 / 50.0 / 1000.0, "{method}: {off:e}");
+        }
+    }
+    let range = &run("enclosure")["final"]["enclosure"]["xi"];
+    let [lo, hi] = ["lo", "hi"].map(|end| range[end].as_f64().expect("a number"));
+    assert!(lo <= xi && xi <= hi && hi - lo < 1e-10);
+}
+
+#[test]
+fn the_document_has_the_fields_that_are_promised() {
+    let dir = Dir::new();
+    let run = dir.run(&["simulate", &cycling(&dir), "--format", "json"]);
+    assert_eq!(run.code, 1, "a motion that does not rest");
+    let document = run.json();
+    assert_eq!(document["scene"], "cycle");
+    assert_eq!(document["intervals"], 300);
+    assert_eq!(document["outcome"]["exact"], "never_at_rest");
+    assert_eq!(document["outcome"]["at_interval"], Value::Null);
+    let effects: Vec<&str> = document["effects"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .filter_map(Value::as_str)
+        .collect();
+    assert_eq!(
+        effects.len(),
+        4,
+        "hold, two frictions, encoder: {effects:?}"
+    );
+    for field in [
+        "generated_linear",
+        "generated_quantized",
+        "dissipated",
+        "residual_max",
+    ] {
+        assert!(document["totals"][field].is_number(), "{field}");
+    }
+    for field in ["xi", "velocity"] {
+        assert!(document["final"][field].is_number(), "{field}");
+    }
+    assert!(
+        document["outcome"]["because"]
+            .as_str()
+            .is_some_and(|s| s.contains("0.4"))
+    );
+    assert!(document["seconds"].is_number());
+}
+
+#[test]
+fn a_trace_has_the_ledger_of_every_interval_and_can_be_audited() {
+    let dir = Dir::new();
+    let scene = cycling(&dir);
+    let run = dir.run(&["simulate", &scene, "--out", "trace.csv"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let trace = std::fs::read_to_string(dir.path("trace.csv")).expect("a trace");
+    let mut lines = trace.lines();
+    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    for column in [
+        "h",
+        "xi0",
+        "xi1",
+        "dtau",
+        "generated_linear",
+        "generated_quantized",
+        "bound_22",
+        "bound_quantized",
+        "dissipated_lower",
+        "net_linear",
+        "net_quantized",
+        "margin",
+        "criterion_holds",
+        "violates_linear",
+        "violates_quantized",
+        "v0",
+        "v1",
+        "dissipated",
+    ] {
+        assert!(header.contains(&column), "{column} in {header:?}");
+    }
+    let column = |name: &str| header.iter().position(|c| *c == name).expect("a column");
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 300);
+    for (h, pair) in rows.windows(2).enumerate() {
+        assert_eq!(pair[0][column("h")], h.to_string());
+        assert_eq!(pair[0][column("xi1")], pair[1][column("xi0")]);
+        let number = |name: &str| pair[0][column(name)].parse::<f64>().expect("a number");
+        // (26); equal when the speed is constant, so up to a rounding of the sum.
+        let rounding = 4.0 * f64::EPSILON * number("dissipated");
+        assert!(
+            number("dissipated_lower") <= number("dissipated") + rounding,
+            "{pair:?}"
+        );
+    }
+    let audit = dir.run(&["audit", "trace.csv", "--scene", &scene]);
+    assert!(audit.code < 2, "{}", audit.stderr);
+
+    let run = dir.run(&[
+        "simulate",
+        &gliding(&dir),
+        "--method",
+        "exact",
+        "--out",
+        "exact.csv",
+    ]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let text = std::fs::read_to_string(dir.path("exact.csv")).expect("a trace");
+    let first = text.lines().nth(1).expect("a row");
+    assert!(
+        first.contains('/') && !first.contains('.'),
+        "rationals: {first}"
+    );
+    let run = dir.run(&[
+        "simulate",
+        &scene,
+        "--method",
+        "enclosure",
+        "--out",
+        "bounds.csv",
+    ]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let text = std::fs::read_to_string(dir.path("bounds.csv")).expect("a trace");
+    assert!(
+        text.starts_with("h,xi0_lo,xi0_hi,xi1_lo,xi1_hi,dtau"),
+        "{text}"
+    );
+}
+
+#[test]
+fn pictures_name_their_axes() {
+    let dir = Dir::new();
+    let run = dir.run(&["simulate", &cycling(&dir), "--plot", "motion.svg"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("motion.svg")).expect("a picture");
+    for word in [
+        "position ξ (ticks)",
+        "velocity ξ̇",
+        "energy so far",
+        "phase plane",
+        "dissipated",
+    ] {
+        assert!(svg.contains(word), "{word}");
+    }
+    let run = dir.run(&["simulate", &cycling(&dir), "--plot", "motion.png"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let png = std::fs::read(dir.path("motion.png")).expect("a picture");
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n") && png.len() > 10_000);
+}
+
+#[test]
+fn a_start_at_rest_says_so_and_another_speed_can_be_given() {
+    let dir = Dir::new();
+    let scene = dir.write(
+        "still.toml",
+        "[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n",
+    );
+    let run = dir.run(&["simulate", &scene]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("--speed"), "{}", run.stdout);
+    let run = dir.run(&["simulate", &scene, "--speed", "-5/2", "--format", "json"]);
+    assert!(run.json()["intervals"].as_u64().is_some_and(|n| n > 10));
+    let run = dir.run(&["simulate", &scene, "--speed", "fast"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("--speed `fast`"), "{}", run.stderr);
+}
+
+#[test]
+fn what_cannot_be_done_is_said() {
+    let dir = Dir::new();
+    let scene = cycling(&dir);
+    let lagging = dir.write(
+        "lag.toml",
+        "[dimensionless]\nmu = \"50\"\nsigma = \"2/5\"\n[sampling]\nperiod = \"1 ms\"\n\
+         [amplifier]\ntime_constant = \"0.2 ms\"\n",
+    );
+    for (args, expected) in [
+        (
+            &["simulate", &scene, "--method", "exact"][..],
+            "device.viscous",
+        ),
+        (
+            &["simulate", &scene, "--method", "magic"],
+            "one of closed-form",
+        ),
+        (&["simulate", &scene, "--method", "euler:0"], "1 to 1000000"),
+        (&["simulate", &lagging, "--method", "enclosure"], "lag.toml"),
+        (
+            &["simulate", &scene, "--out", "no/such/folder.csv"],
+            "no/such/folder.csv",
+        ),
+    ] {
+        let run = dir.run(args);
+        assert_eq!(run.code, 2, "{args:?}");
+        assert!(run.stderr.contains(expected), "{args:?}: {}", run.stderr);
+    }
+    if cfg!(target_os = "linux") {
+        let run = dir.run(&["simulate", &scene, "--out", "/dev/full"]);
+        assert_eq!(run.code, 2);
+        assert!(run.stderr.contains("/dev/full"), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn the_plan_is_explained() {
+    let dir = Dir::new();
+    let run = dir.run(&["explain", &cycling(&dir)]);
+    assert!(run.stdout.contains("loop `plain`"), "{}", run.stdout);
+    assert!(!run.stdout.contains("actuator:"), "no saturation, no line");
+}

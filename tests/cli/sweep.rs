@@ -1,0 +1,158 @@
+//! `passivity sweep`.
+
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::harness::Dir;
+
+fn scene(dir: &Dir, intervals: u32) -> String {
+    let scene = format!(
+        "[dimensionless]\nmu = \"50\"\nbeta = \"1\"\nsigma = \"1\"\n[run]\nintervals = {intervals}\n"
+    );
+    dir.write("scene.toml", scene)
+}
+
+/// The start of a sweep's arguments, with ranges.
+fn args<'a>(scene: &'a str, beta: &'a str, sigma: &'a str) -> Vec<&'a str> {
+    vec![
+        "sweep", scene, "--beta", beta, "--sigma", sigma, "--speed", "1,2", "--format", "json",
+    ]
+}
+
+#[test]
+fn a_table_has_every_point_in_order() {
+    let dir = Dir::new();
+    let scene = scene(&dir, 2000);
+    let mut all = args(&scene, "0:1:5", "0:1.5:4");
+    all.extend(["--out", "grid.csv", "--plot", "grid.svg"]);
+    let run = dir.run(&all);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let document = run.json();
+    assert_eq!(
+        (&document["points"], &document["simulated"]),
+        (&40.into(), &40.into())
+    );
+    let table = std::fs::read_to_string(dir.path("grid.csv")).expect("a table");
+    let mut lines = table.lines();
+    assert_eq!(
+        lines.next(),
+        Some("beta,sigma,speed,paper,exact,at_interval,xi,velocity")
+    );
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 40);
+    assert_eq!(rows[1][..3], ["0.0", "0.0", "2.0"]);
+    assert_eq!(rows[39][..3], ["1.0", "1.5", "2.0"]);
+    assert_eq!(rows[39][4], "at_rest");
+    let rest = rows.iter().filter(|row| row[4] == "at_rest").count();
+    assert_eq!(document["exact"]["at_rest"], rest);
+    let svg = std::fs::read_to_string(dir.path("grid.svg")).expect("a picture");
+    for word in [
+        "(a) growing",
+        "(b) never at rest",
+        "ticks/sample",
+        "stroke-dasharray",
+    ] {
+        assert!(svg.contains(word), "{word}");
+    }
+    // The same as Parquet; taken up once more there is nothing to do.
+    let mut all = args(&scene, "0:1:5", "0:1.5:4");
+    all.extend(["--out", "grid.parquet"]);
+    assert_eq!(dir.run(&all).code, 0);
+    let bytes = std::fs::read(dir.path("grid.parquet")).expect("a table");
+    assert!(bytes.starts_with(b"PAR1") && bytes.ends_with(b"PAR1"));
+    all.push("--resume");
+    let again = dir.run(&all).json();
+    assert_eq!(again["simulated"], 0);
+    assert_eq!(again["exact"], document["exact"]);
+    assert_eq!(again["paper"], document["paper"]);
+}
+
+#[test]
+fn a_killed_sweep_goes_on_where_it_was() {
+    let dir = Dir::new();
+    // Points that keep moving: a second or more of work.
+    let scene = scene(&dir, 20_000);
+    for name in ["part.csv", "part.parquet"] {
+        let mut all = args(&scene, "0.6:1:24", "0:0.4:24");
+        all.extend(["--out", name]);
+        let mut child = Command::new(env!("CARGO_BIN_EXE_passivity"))
+            .args(&all)
+            .current_dir(dir.path(""))
+            .stdout(Stdio::null())
+            .spawn()
+            .expect("the command starts");
+        let journal = if name.ends_with("csv") {
+            name.to_owned()
+        } else {
+            format!("{name}.rows")
+        };
+        let lines = || {
+            let text = std::fs::read_to_string(dir.path(&journal)).unwrap_or_default();
+            text.matches('\n').count()
+        };
+        let begin = Instant::now();
+        while lines() < 40 && begin.elapsed() < Duration::from_secs(60) {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        child.kill().expect("killed");
+        child.wait().expect("gone");
+        let kept = lines() - 1;
+        assert!((30..2 * 24 * 24).contains(&kept), "{kept} rows");
+        all.push("--resume");
+        let run = dir.run(&all);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        assert_eq!(
+            run.json()["simulated"],
+            2 * 24 * 24 - kept,
+            "none redone, none lost"
+        );
+        assert!(!dir.path(&format!("{name}.run")).exists());
+    }
+    let mut all = args(&scene, "0.6:1:24", "0:0.4:24");
+    all.extend(["--out", "whole.csv"]);
+    assert_eq!(dir.run(&all).code, 0);
+    let read = |name| std::fs::read_to_string(dir.path(name)).expect("a table");
+    assert_eq!(read("part.csv"), read("whole.csv"));
+}
+
+#[test]
+fn what_cannot_be_taken_up_or_written_is_said() {
+    let dir = Dir::new();
+    let scene = scene(&dir, 50);
+    let mut all = args(&scene, "0:1:3", "0:1:3");
+    all.extend(["--out", "grid.csv", "--resume"]);
+    for (text, expected) in [
+        (&b"not a table\n1,2\n"[..], "line 1: expected the header"),
+        (
+            b"beta,sigma,speed,paper,exact,at_interval,xi,velocity\n0.0,\xff\xfe\n",
+            "line 2: expected a row of a sweep",
+        ),
+    ] {
+        dir.write("grid.csv", text);
+        let run = dir.run(&all);
+        assert_eq!(run.code, 2);
+        assert!(run.stderr.contains(expected), "{}", run.stderr);
+        assert_eq!(std::fs::read(dir.path("grid.csv")).expect("the file"), text);
+    }
+    for (args, expected) in [
+        (args(&scene, "1:0", "1"), "range `1:0`"),
+        (args(&scene, "-1", "1"), "β = -1"),
+    ] {
+        let run = dir.run(&args);
+        assert_eq!(run.code, 2);
+        assert!(run.stderr.contains(expected), "{}", run.stderr);
+    }
+    #[cfg(target_os = "linux")]
+    {
+        std::os::unix::fs::symlink("/dev/full", dir.path("full.csv")).expect("a link");
+        let mut all = self::args(&scene, "0:1:3", "0:1:3");
+        all.extend(["--out", "full.csv"]);
+        let run = dir.run(&all);
+        assert_eq!(run.code, 2);
+        assert!(
+            run.stderr.contains("0 of 18 points are kept"),
+            "{}",
+            run.stderr
+        );
+    }
+}
