@@ -8,18 +8,21 @@ FLAGS ?= --locked
 SOLVERS = target/smt
 BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
 
-.PHONY: help run test check fmt clippy doc bench figures prove prove-smt prove-kani prove-rocq prove-prusti mutate
+.PHONY: help setup run test check fmt clippy doc bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate
 
 help: ## list the targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
-run: ## check and explain the default scene: the main job
+setup:
+	@$(CARGO) --version >/dev/null 2>&1 || rustup toolchain install stable --profile minimal --component rustfmt,clippy
+
+run: setup ## check and explain the default scene: the main job
 	@echo "== passivity check $(SCENE)"
 	@$(BIN) check $(SCENE)
 	@echo "== passivity explain $(SCENE)"
 	@$(BIN) explain $(SCENE)
 
-test: ## run all tests, and ask the solvers every claim
+test: setup ## run all tests, and ask the solvers every claim
 	@echo "== cargo test --workspace"
 	$(CARGO) test $(FLAGS) --workspace
 	@$(MAKE) --no-print-directory prove-smt
@@ -50,6 +53,10 @@ figures: ## draw every figure of the documentation into target/figures
 prove: ## every engine on every claim; writes target/evidence.json
 	@echo "== proofs/prove: every engine that is here; the others are recorded as not run"
 	@CARGO="$(CARGO)" PASSIVITY_SMT="$(CURDIR)/$(SOLVERS)" proofs/prove
+
+case: ## write the safety case of the default scene into target/case
+	@echo "== passivity case $(SCENE) --out target/case"
+	@$(BIN) case $(SCENE) --out target/case
 
 prove-smt: ## z3 and cvc5 on every claim, for all real numbers
 	@echo "== z3 and cvc5 on proofs/smt/queries"
