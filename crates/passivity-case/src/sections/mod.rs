@@ -3,6 +3,7 @@
 mod claims;
 mod errata;
 mod hazards;
+mod levels;
 mod limits;
 mod reproduce;
 mod scene;
@@ -30,6 +31,7 @@ pub fn document(case: &Case) -> Document {
         scene::write(&mut document, case, study, argument);
     }
     hazards::write(&mut document, case);
+    levels::write(&mut document, case);
     claims::write(&mut document, case);
     errata::write(&mut document, case);
     limits::write(&mut document, case);
