@@ -203,13 +203,15 @@ const INTRODUCTION: &str = "\
 
 What the project claims, and what machines have shown of it. The words are: *proved for all reals*
 (both solvers, or the proof assistant), *proved for all inputs in* a bound (model checker), *exhausted on* a
-domain (every input was run), *sampled, N cases*, *not run here*. They are used in no other sense.
+domain (every input was run), *sampled, N cases*, *not run here*. They are used in no other sense. What
+is refuted as printed is refuted by a counterexample, which solvers and harnesses find and the kernel
+computes again.
 
 Every engine but Rocq runs the kernel's own functions, not a copy: `smt/` prints its questions from
 them, `kani/` calls them at a number type of bounded width, the tests at big rationals. Rocq proves
 the theorem about motions, and a generated file checks that its definitions are the kernel's.
 
 `make prove` runs all engines and writes `target/evidence.json`; `evidence.json` here is the last one
-that was committed. Each record is bound by SHA-256 to the text of its claim and to the sources of its
+that was committed (`proofs/prove --commit`). Each record is bound by SHA-256 to the text of its claim and to the sources of its
 code: `cargo run -p passivity-evidence -- stale` lists the records that no longer speak of what is there.
 ";
