@@ -6,6 +6,10 @@ use num_integer::Integer as _;
 use passivity_core::{BigRational, Fixed, Ordered, Scalar, Wide, rational};
 use passivity_scene::number::{NumberError, nearest_f64, parse};
 
+/// The widest numerator or denominator that is read from a trace or a request, in bits. Exact
+/// motions have at most as many, doubles need 1075; past it, arithmetic would take seconds a row.
+pub const MAX_BITS: u64 = 4096;
+
 /// An exact number, kept small when it can be.
 ///
 /// # Example
@@ -35,6 +39,15 @@ impl Number {
         match short(text.as_bytes()) {
             Some((n, d)) => Ok(Self::Small(n, d)),
             None => parse(text).map(Self::from),
+        }
+    }
+
+    /// Whether numerator and denominator have at most [`MAX_BITS`] bits.
+    #[must_use]
+    pub fn is_bounded(&self) -> bool {
+        match self {
+            Self::Small(..) => true,
+            Self::Big(x) => is_bounded(x),
         }
     }
 
@@ -173,6 +186,11 @@ pub(crate) fn short(text: &[u8]) -> Option<(i64, i64)> {
         return None;
     }
     Some((if negative { -value } else { value }, denominator))
+}
+
+/// Whether numerator and denominator have at most [`MAX_BITS`] bits.
+pub(crate) fn is_bounded(x: &BigRational) -> bool {
+    x.numer().bits().max(x.denom().bits()) <= MAX_BITS
 }
 
 /// A number that can be written in lowest terms.

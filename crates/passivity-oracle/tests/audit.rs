@@ -279,6 +279,12 @@ fn harmless_forms_are_read() {
         assert_eq!(audit.error(), None, "{csv:?}");
         assert_eq!(rows, expected, "{csv:?}");
     }
+    // A number without its line break is read as it stands, and may have lost digits.
+    for (csv, torn) in [("xi\n1\n23", true), ("xi\n1\n23\n", false), ("xi", false)] {
+        let (audit, _) = audited(csv.as_bytes(), &three_fifths(), 1, 0);
+        assert_eq!(audit.to_json()["last_row_unended"], torn, "{csv:?}");
+        assert_eq!(audit.to_text().contains("may be torn"), torn, "{csv:?}");
+    }
     let (empty, _) = audited(b"count\n", &three_fifths(), 1, 0);
     assert_eq!(empty.totals().intervals, 0);
     assert_eq!(empty.standing(), Standing::Holds);

@@ -147,6 +147,19 @@ fn every_mistake_has_a_kind_and_a_place() {
             Value::from("xi0"),
         ),
         (
+            interval(&format!(
+                r#""xi0":"{}","xi1":2,"beta":1,"sigma":1"#,
+                "7".repeat(2000)
+            )),
+            "number_too_long",
+            Value::from("xi0"),
+        ),
+        (
+            interval(r#""xi0":0,"xi1":2,"beta":{"lo":"1e-2000","hi":1},"sigma":1"#),
+            "number_too_long",
+            Value::from("beta"),
+        ),
+        (
             interval(r#""count0":1,"count1":2.5,"beta":1,"sigma":1"#),
             "bad_value",
             Value::from("count1"),

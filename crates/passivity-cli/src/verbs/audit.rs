@@ -50,6 +50,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
     let place = |what: &std::path::Path| what.display().to_string();
+    keep_the_trace(args)?;
     let mut rows = match &args.out {
         Some(path) => Some(BufWriter::new(
             File::create(path).map_err(|error| Failure::io(place(path), &error))?,
@@ -83,6 +84,25 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         Standing::NotCovered => Exit::NotCovered,
         Standing::Broken => Exit::BadInput,
     })
+}
+
+/// Refuses to write over what is to be read.
+fn keep_the_trace(args: &Args) -> Result<(), Failure> {
+    let outputs = [&args.out, &args.plot];
+    for output in outputs.into_iter().flatten() {
+        for input in [&args.trace, &args.scene] {
+            // What does not exist yet is no input.
+            let same = match (output.canonicalize(), input.canonicalize()) {
+                (Ok(output), Ok(input)) => output == input,
+                _ => false,
+            };
+            if same {
+                let message = "is read by this audit, and cannot be written by it";
+                return Err(Failure::input(format!("{}: {message}", output.display())));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// A point of the audit as the picture has it.

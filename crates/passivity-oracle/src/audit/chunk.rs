@@ -16,6 +16,8 @@ pub(crate) struct Chunk {
     pub(crate) forces: Vec<[f64; 2]>,
     /// Where the last row of a ledger ends.
     pub(crate) closing: Option<Sample>,
+    /// Whether the last row, a whole one as it stands, lacks its line break.
+    pub(crate) unended: bool,
     /// What is wrong with the row after the last sample.
     pub(crate) error: Option<TraceError>,
 }

@@ -7,7 +7,7 @@
 use std::io::Read;
 
 use crate::audit::chunk::{Chunk, Samples};
-use crate::audit::error::{TraceError, shown};
+use crate::audit::error::{self, TraceError, shown};
 use crate::audit::layout::{Form, Layout};
 use crate::ledger::Sample;
 use crate::number::{Number, short};
@@ -182,6 +182,7 @@ pub(crate) fn parse(block: &Block, layout: &Layout) -> Chunk {
             )),
             None => push(line, layout, &mut chunk),
         };
+        chunk.unended = torn && result.is_ok();
         if let Err(mut error) = result {
             if torn && error.kind != "blank_row" {
                 error
@@ -320,10 +321,7 @@ fn number(field: &[u8]) -> Result<Number, TraceError> {
     }
     let text = std::str::from_utf8(field)
         .map_err(|_| TraceError::new("number", format!("`{}` is no number", shown(field))))?;
-    Number::parse(text).map_err(|error| {
-        let message = format!("`{}`: {error}", shown(field));
-        TraceError::new(error.kind().name(), message)
-    })
+    error::number(text)
 }
 
 fn whole(field: &[u8]) -> Result<i64, TraceError> {

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::number::{MAX_BITS, Number};
+
 /// A mistake in a trace.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TraceError {
@@ -57,6 +59,18 @@ impl fmt::Display for TraceError {
 }
 
 impl std::error::Error for TraceError {}
+
+/// Reads an exact number of bounded width.
+pub(crate) fn number(literal: &str) -> Result<Number, TraceError> {
+    let place = || shown(literal.as_bytes());
+    let number = Number::parse(literal)
+        .map_err(|error| TraceError::new(error.kind().name(), format!("`{}`: {error}", place())))?;
+    if number.is_bounded() {
+        return Ok(number);
+    }
+    let message = format!("`{}`: a number of more than {MAX_BITS} bits", place());
+    Err(TraceError::new("number_too_long", message))
+}
 
 /// Foreign text as it may be shown: short, and without control characters.
 pub(crate) fn shown(text: &[u8]) -> String {

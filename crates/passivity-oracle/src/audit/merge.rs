@@ -40,6 +40,7 @@ pub(crate) struct Merge<'a, 'w> {
     /// The first samples, for the rows in the report.
     pub(crate) head: Vec<(Sample, Number)>,
     error: Option<TraceError>,
+    unended: bool,
     stride: u64,
 }
 
@@ -66,6 +67,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             force: task.layout.force.map(|_| ForceCheck::new(task.ledger)),
             head: Vec::new(),
             error: None,
+            unended: false,
             stride: 1,
         })
     }
@@ -96,6 +98,7 @@ impl<'a, 'w> Merge<'a, 'w> {
         self.time = chunk.times.pop().or(self.time.take());
         self.dtau = chunk.dtaus.pop().or(self.dtau.take());
         self.closing = chunk.closing.take();
+        self.unended = chunk.unended;
         let before = self.samples;
         self.samples += whole as u64;
         self.flush()?;
@@ -250,6 +253,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             self.force,
             self.head,
             self.error,
+            self.unended,
         ))
     }
 }

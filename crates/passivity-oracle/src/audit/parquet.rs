@@ -1,7 +1,9 @@
 //! Parquet traces: the same columns, read a stretch at a time.
 
+use std::cell::Cell;
 use std::fs::File;
 use std::path::Path;
+use std::sync::Once;
 
 use parquet::basic::Type as Physical;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
@@ -12,7 +14,7 @@ use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::schema::types::ColumnDescPtr;
 
 use crate::audit::chunk::{Chunk, Samples};
-use crate::audit::error::{TraceError, shown};
+use crate::audit::error::{self, TraceError};
 use crate::audit::layout::{Form, Layout};
 use crate::ledger::Sample;
 use crate::number::Number;
@@ -32,10 +34,28 @@ fn broken(error: &ParquetError) -> TraceError {
     TraceError::new("parquet", format!("cannot be read as Parquet: {error}"))
 }
 
-/// The library asserts on some corrupt files: what it says then is an error like any other.
+thread_local! {
+    /// Whether this thread is within [`guarded`].
+    static GUARDED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// The library asserts on some corrupt files: what it says then is an error like any other, and
+/// not said twice.
 fn guarded<T>(read: impl FnOnce() -> Result<T, TraceError>) -> Result<T, TraceError> {
+    static QUIET: Once = Once::new();
+    QUIET.call_once(|| {
+        let report = std::panic::take_hook();
+        std::panic::set_hook(Box::new(move |panic| {
+            if !GUARDED.get() {
+                report(panic);
+            }
+        }));
+    });
     let read = std::panic::AssertUnwindSafe(read);
-    std::panic::catch_unwind(read).unwrap_or_else(|_| {
+    GUARDED.set(true);
+    let outcome = std::panic::catch_unwind(read);
+    GUARDED.set(false);
+    outcome.unwrap_or_else(|_| {
         let message = "cannot be read as Parquet: its contents contradict each other";
         Err(TraceError::new("parquet", message))
     })
@@ -287,10 +307,7 @@ fn numbers(reader: &mut ColumnReader, rows: usize) -> Column<Number> {
             let Ok(literal) = std::str::from_utf8(text) else {
                 return Err(TraceError::new("number", "not UTF-8 text"));
             };
-            Number::parse(literal).map_err(|error| {
-                let message = format!("`{}`: {error}", shown(text));
-                TraceError::new(error.kind().name(), message)
-            })
+            error::number(literal)
         }),
         _ => Column::wrong(type_error(reader, "numbers")),
     }

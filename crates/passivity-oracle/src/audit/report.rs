@@ -64,6 +64,7 @@ pub struct Audit {
     force: Option<ForceCheck>,
     head: Vec<(Sample, Number)>,
     error: Option<TraceError>,
+    unended: bool,
 }
 
 impl Audit {
@@ -77,6 +78,7 @@ impl Audit {
         force: Option<ForceCheck>,
         head: Vec<(Sample, Number)>,
         error: Option<TraceError>,
+        unended: bool,
     ) -> Self {
         let mut figures = account.sums.each_ref().map(SpanSum::value);
         let counted = task.ledger.model().is_plain() && task.layout.form == super::Form::Count;
@@ -103,6 +105,7 @@ impl Audit {
             force,
             head,
             error,
+            unended,
         }
     }
 
@@ -245,6 +248,7 @@ impl Audit {
         put("timing", self.timing_json());
         put("force", self.force_json());
         put("rows", self.rows());
+        put("last_row_unended", json!(self.unended));
         put("error", error_json(self.error.as_ref()));
         Value::Object(fields)
     }
@@ -360,6 +364,12 @@ impl Audit {
         self.force_text(&mut line);
         if !self.nominal.is_empty() {
             line("at nominal value", &self.nominal.join(", "));
+        }
+        if self.unended {
+            line(
+                "last row",
+                &format!("row {} has no line break: it may be torn", self.samples),
+            );
         }
         if let Some(error) = &self.error {
             let _ = writeln!(out, "  The trace is broken there: {error}.");

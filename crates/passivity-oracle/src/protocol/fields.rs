@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 
 use super::{At, MAX_POSITIONS, Refusal};
 use crate::ledger::Sample;
-use crate::number::Number;
+use crate::number::{MAX_BITS, Number, is_bounded};
 
 /// What a request says.
 pub(super) struct Fields<'a> {
@@ -74,7 +74,8 @@ impl<'a> Fields<'a> {
 
     pub(super) fn rational(&self, name: &'static str) -> Result<BigRational, Refusal> {
         let value = self.map.get(name).ok_or_else(|| missing(name))?;
-        read_rational(value).map_err(|error| refused(&error, name.to_owned()))
+        let x = read_rational(value).map_err(|error| refused(&error, name.to_owned()))?;
+        bounded(x, name)
     }
 
     /// A number, or an interval of them, that is at least zero.
@@ -84,7 +85,10 @@ impl<'a> Fields<'a> {
         if range.lo().is_nonnegative() != Some(true) {
             return Err(out_of_range(name.to_owned(), "zero or a value above it"));
         }
-        Ok([range.lo().clone(), range.hi().clone()])
+        Ok([
+            bounded(range.lo().clone(), name)?,
+            bounded(range.hi().clone(), name)?,
+        ])
     }
 
     /// An optional number that is above zero, or at least zero.
@@ -97,6 +101,7 @@ impl<'a> Fields<'a> {
             return Ok(None);
         };
         let x = read_rational(value).map_err(|error| refused(&error, name.to_owned()))?;
+        let x = bounded(x, name)?;
         match (
             x.is_positive() == Some(true),
             x.is_nonnegative() == Some(true),
@@ -128,7 +133,25 @@ pub(super) fn number(value: &Value, place: impl Fn() -> String) -> Result<Number
         Value::Number(n) => Number::parse(n.as_str()),
         other => read_rational(other).map(Number::from),
     };
-    read.map_err(|error| refused(&error, place()))
+    let x = read.map_err(|error| refused(&error, place()))?;
+    if x.is_bounded() {
+        Ok(x)
+    } else {
+        Err(too_wide(place()))
+    }
+}
+
+fn bounded(x: BigRational, name: &str) -> Result<BigRational, Refusal> {
+    if is_bounded(&x) {
+        Ok(x)
+    } else {
+        Err(too_wide(name.to_owned()))
+    }
+}
+
+fn too_wide(place: String) -> Refusal {
+    let message = format!("a number of more than {MAX_BITS} bits");
+    Refusal::new("number_too_long", At::Field(place), message)
 }
 
 /// Δτ: a number above zero.

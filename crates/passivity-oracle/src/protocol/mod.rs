@@ -16,6 +16,10 @@ pub const PROTOCOL: u32 = 1;
 /// The most positions in a `run`.
 pub const MAX_POSITIONS: usize = 1_000_000;
 
+/// The longest answer, in bytes: that of a `run` of a million plain positions is shorter. Numbers
+/// with thousands of digits each would fill the memory.
+pub const MAX_ANSWER: usize = 512 << 20;
+
 /// Why a request has no result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {

@@ -5,7 +5,7 @@ use passivity_core::{BigRational, Friction};
 use passivity_scene::{Scene, check};
 
 use super::fields::{Fields, bad, duration, list, missing, sample};
-use super::{At, PROTOCOL, Refusal};
+use super::{At, MAX_ANSWER, PROTOCOL, Refusal};
 use crate::ledger::{Ledger, Sample};
 use crate::model::Model;
 use crate::motion::Piece;
@@ -115,6 +115,7 @@ fn sequence(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     };
     let ledger = Ledger::new(model(fields)?);
     let mut run = Run::new(&ledger);
+    let start = out.len();
     out.extend_from_slice(b"{\"rows\": [");
     for (i, sample) in samples.into_iter().enumerate() {
         let dtau = i.checked_sub(1).and_then(|h| durations.get(h));
@@ -124,6 +125,11 @@ fn sequence(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
                 out.extend_from_slice(b", ");
             }
             row.write_json(run.intervals() - 1, out);
+            if out.len() - start > MAX_ANSWER {
+                let message = format!("the rows take more than {MAX_ANSWER} bytes");
+                let at = At::Field(format!("{name}[{i}]"));
+                return Err(Refusal::new("answer_too_long", at, message));
+            }
         }
     }
     out.extend_from_slice(b"], \"totals\": ");
