@@ -58,12 +58,12 @@ fn grid() -> Grid {
 }
 
 /// Points that keep moving: σ < ½ < β.
-fn moving() -> Vec<Plain> {
+fn moving(mu: f64) -> Vec<Plain> {
     let mut points = Vec::new();
     for i in 0..8 {
         for j in 0..8 {
             points.push(Plain {
-                mu: 50.0,
+                mu,
                 beta: 0.55 + 0.05 * f64::from(i),
                 sigma: 0.05 + 0.05 * f64::from(j),
                 xi: 0.0,
@@ -78,7 +78,7 @@ fn moving() -> Vec<Plain> {
 fn main() {
     let begin = Instant::now();
     let intervals = 50_000;
-    let points = moving();
+    let points = moving(50.0);
     let start = clock(begin);
     let mut count = 0;
     for point in &points {
@@ -86,6 +86,16 @@ fn main() {
     }
     let scalar = (clock(begin) - start) / count as f64 * 1e9;
     println!("closed form, scalar, moving points      {scalar:8.2} ns an interval (at most 30)");
+
+    // λ from 0.09 to 0.15, where reversals take the longer series.
+    let light = moving(6.0);
+    let start = clock(begin);
+    let mut count = 0;
+    for point in &light {
+        count += run::outcome(&Plan::plain(point, intervals)).intervals;
+    }
+    let scalar = (clock(begin) - start) / count as f64 * 1e9;
+    println!("closed form, scalar, moving, μ = 6      {scalar:8.2} ns an interval (at most 30)");
 
     let widest = lanes::instructions();
     let sets = [
@@ -112,6 +122,16 @@ fn main() {
             "sweep, moving points, {name:<18}{lane:8.2} ns an interval and point (at most {most})"
         );
     }
+
+    let start = clock(begin);
+    let mut queue = light.iter().copied().enumerate();
+    let mut count = 0;
+    lanes::run(intervals, || queue.next(), |_, end| count += end.intervals);
+    let lane = (clock(begin) - start) / count as f64 * 1e9;
+    let most = if widest == "AVX-512" { 4.0 } else { 12.0 };
+    println!(
+        "sweep, moving, μ = 6, {widest:<18}{lane:8.2} ns an interval and point (at most {most})"
+    );
 
     let (point, grid) = (scene(intervals), grid());
     let wall = Instant::now();

@@ -5,8 +5,9 @@ use std::time::Instant;
 use passivity_scene::Point;
 
 use crate::error::SimError;
-use crate::methods::{Method, Simulated, simulate};
+use crate::methods::{Method, Simulated, planned, simulate};
 use crate::outcome::Exactly;
+use crate::plan::Plan;
 
 /// The reference that errors are measured against.
 pub const REFERENCE: Method = Method::Reference { digits: 50 };
@@ -89,6 +90,7 @@ pub fn measure(
     // A motion that never was anywhere has no scale: one tick, one tick a sample.
     let scale = |x: f64| if x > 0.0 { x } else { 1.0 };
     let scales = [scale(reach), scale(fastest), scale(truth.totals.dissipated)];
+    let plan = Plan::compile(&point)?;
     let mut table = Table {
         intervals: truth.end.intervals,
         reference: truth.end.outcome.exact,
@@ -97,7 +99,7 @@ pub fn measure(
     };
     for method in methods() {
         progress(&method);
-        match timed(&point, &method) {
+        match timed(&point, &plan, &method) {
             Ok((run, nanoseconds)) => {
                 table
                     .rows
@@ -109,17 +111,31 @@ pub fn measure(
     Ok(table)
 }
 
-/// A run and its time per interval: the least of several runs, as long as they take little time.
-fn timed(point: &Point, method: &Method) -> Result<(Simulated, f64), SimError> {
-    const ENOUGH_SECONDS: f64 = 0.3;
+/// A run and its time per interval, without that of setting it up: each the least of several runs, as
+/// long as they take little time.
+fn timed(point: &Point, plan: &Plan, method: &Method) -> Result<(Simulated, f64), SimError> {
+    let mut none = plan.clone();
+    none.intervals = 0;
+    let (_, setup) = least(point, &none, method, 0.05)?;
+    let (run, seconds) = least(point, plan, method, 0.3)?;
+    let nanoseconds = (seconds - setup).max(0.0) * 1e9 / run.end.intervals.max(1) as f64;
+    Ok((run, nanoseconds))
+}
+
+/// A run and the least time that it took, repeated for some seconds.
+fn least(
+    point: &Point,
+    plan: &Plan,
+    method: &Method,
+    enough: f64,
+) -> Result<(Simulated, f64), SimError> {
     let begin = Instant::now();
     let mut least = f64::INFINITY;
     loop {
         let start = Instant::now();
-        let run = simulate(point, method, None)?;
-        let seconds = start.elapsed().as_secs_f64();
-        least = least.min(seconds * 1e9 / run.end.intervals.max(1) as f64);
-        if begin.elapsed().as_secs_f64() > ENOUGH_SECONDS {
+        let run = planned(point, plan, method, None)?;
+        least = least.min(start.elapsed().as_secs_f64());
+        if begin.elapsed().as_secs_f64() > enough {
             return Ok((run, least));
         }
     }

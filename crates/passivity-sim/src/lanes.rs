@@ -5,7 +5,8 @@
 //! results are the same to the last bit. The compiler turns the loop over lanes into vector
 //! instructions, once for each of the instruction sets named below; which one runs is found out at
 //! run time. Lanes that have come to rest, are growing, or have run all their intervals are
-//! retired and refilled from the queue.
+//! retired and refilled from the queue. Points with λ ≤ 1/16 have a batch of their own: their series
+//! is the shorter one.
 
 use multiversion::multiversion;
 
@@ -113,17 +114,42 @@ pub enum Instructions {
     "aarch64+neon"
 ))]
 fn best(batch: &mut Batch, intervals: u32) {
-    stretch(batch, intervals);
+    stretch::<false>(batch, intervals);
+}
+
+#[multiversion(targets(
+    "x86_64+avx512f+avx512dq+avx512vl+avx512bw",
+    "x86_64+avx2",
+    "x86_64+sse4.1",
+    "aarch64+neon"
+))]
+fn best_medium(batch: &mut Batch, intervals: u32) {
+    stretch::<true>(batch, intervals);
 }
 
 #[multiversion(targets("x86_64+avx2"))]
 fn avx2(batch: &mut Batch, intervals: u32) {
-    stretch(batch, intervals);
+    stretch::<false>(batch, intervals);
+}
+
+#[multiversion(targets("x86_64+avx2"))]
+fn avx2_medium(batch: &mut Batch, intervals: u32) {
+    stretch::<true>(batch, intervals);
+}
+
+/// H for the points of a batch: [`phi::h_medium`] or [`phi::h_series`].
+#[inline(always)]
+fn h<const MEDIUM: bool>(x: f64) -> f64 {
+    if MEDIUM {
+        phi::h_medium(x)
+    } else {
+        phi::h_series(x)
+    }
 }
 
 /// Runs every busy lane for `intervals` intervals.
 #[inline(always)]
-fn stretch(batch: &mut Batch, intervals: u32) {
+fn stretch<const MEDIUM: bool>(batch: &mut Batch, intervals: u32) {
     for _ in 0..intervals {
         for i in 0..WIDTH {
             let (xi, v, sigma) = (batch.xi[i], batch.v[i], batch.sigma[i]);
@@ -146,8 +172,8 @@ fn stretch(batch: &mut Batch, intervals: u32) {
             let f = batch.phi1[i] - batch.decay[i] * r;
             let f = select(f > 0.0, f, 0.0);
             let onward = beyond * batch.inverse_mu[i];
-            let stopping = v * r * phi::h_series(-(lambda * r));
-            let then = onward * f * f * phi::h_series(lambda * f);
+            let stopping = v * r * h::<MEDIUM>(-(lambda * r));
+            let then = onward * f * f * h::<MEDIUM>(lambda * f);
 
             let new_xi = xi + select(keeps, d, stopping + then);
             let new_v = select(keeps, velocity, onward * f);
@@ -211,36 +237,99 @@ pub fn run_on(
     mut next: impl FnMut() -> Option<(usize, Plain)>,
     mut done: impl FnMut(usize, End),
 ) {
-    let mut batch = Batch::new();
-    let mut taken: Vec<Option<Taken>> = (0..WIDTH).map(|_| None).collect();
+    let mut teams = [Team::new(false), Team::new(true)];
+    let mut waiting = None;
     loop {
-        let mut at_work = false;
-        for (lane, slot) in taken.iter_mut().enumerate() {
-            while slot.is_none() {
-                let Some((index, plain)) = next() else { break };
-                let plan = Plan::plain(&plain, intervals);
-                if !fits(&plan) {
-                    done(index, run::outcome(&plan));
-                    continue;
-                }
-                batch.load(lane, &plain, &plan.constants, &plan.growth);
-                *slot = Some(Taken { index, plan });
+        // Fill until a point finds no free lane: it waits for one.
+        while let Some(point) = waiting
+            .take()
+            .or_else(|| Waiting::from(&mut next, intervals))
+        {
+            if !fits(&point.plan) {
+                done(point.index, run::outcome(&point.plan));
+                continue;
             }
-            at_work |= slot.is_some();
+            let team = &mut teams[usize::from(point.plan.constants.lambda > phi::SMALL_LAMBDA)];
+            if let Some(refused) = team.load(point) {
+                waiting = Some(refused);
+                break;
+            }
         }
-        if !at_work {
+        if teams.iter().all(|team| !team.is_at_work()) {
             return;
         }
-        let length = this_time(&batch, &taken, intervals);
-        match instructions {
-            Instructions::Best => best(&mut batch, length),
-            Instructions::Avx2 => avx2(&mut batch, length),
-            Instructions::Baseline => stretch(&mut batch, length),
+        for team in teams.iter_mut().filter(|team| team.is_at_work()) {
+            team.stretch(instructions, intervals);
+            team.retire(intervals, &mut done);
         }
-        for (lane, slot) in taken.iter_mut().enumerate() {
+    }
+}
+
+/// A point with its plan.
+struct Waiting {
+    index: usize,
+    plan: Plan,
+    plain: Plain,
+}
+
+impl Waiting {
+    fn from(next: &mut impl FnMut() -> Option<(usize, Plain)>, intervals: u64) -> Option<Self> {
+        let (index, plain) = next()?;
+        let plan = Plan::plain(&plain, intervals);
+        Some(Self { index, plan, plain })
+    }
+}
+
+/// A batch with who is in which lane.
+struct Team {
+    batch: Batch,
+    taken: Vec<Option<Taken>>,
+    medium: bool,
+}
+
+impl Team {
+    fn new(medium: bool) -> Self {
+        Self {
+            batch: Batch::new(),
+            taken: (0..WIDTH).map(|_| None).collect(),
+            medium,
+        }
+    }
+
+    fn is_at_work(&self) -> bool {
+        self.taken.iter().any(Option::is_some)
+    }
+
+    /// Takes a point into a free lane, or gives it back.
+    fn load(&mut self, point: Waiting) -> Option<Waiting> {
+        let Some(lane) = self.taken.iter().position(Option::is_none) else {
+            return Some(point);
+        };
+        let Waiting { index, plan, plain } = point;
+        self.batch.load(lane, &plain, &plan.constants, &plan.growth);
+        self.taken[lane] = Some(Taken { index, plan });
+        None
+    }
+
+    fn stretch(&mut self, instructions: Instructions, intervals: u64) {
+        let length = this_time(&self.batch, &self.taken, intervals);
+        let batch = &mut self.batch;
+        match (instructions, self.medium) {
+            (Instructions::Best, false) => best(batch, length),
+            (Instructions::Best, true) => best_medium(batch, length),
+            (Instructions::Avx2, false) => avx2(batch, length),
+            (Instructions::Avx2, true) => avx2_medium(batch, length),
+            (Instructions::Baseline, false) => stretch::<false>(batch, length),
+            (Instructions::Baseline, true) => stretch::<true>(batch, length),
+        }
+    }
+
+    fn retire(&mut self, intervals: u64, done: &mut impl FnMut(usize, End)) {
+        for (lane, slot) in self.taken.iter_mut().enumerate() {
+            let batch = &mut self.batch;
             let finished = batch.busy[lane] == 0.0 || batch.count[lane] >= intervals as f64;
             if let Some(taken) = slot.take_if(|_| finished) {
-                done(taken.index, taken.end(&batch, lane));
+                done(taken.index, taken.end(batch, lane));
                 batch.busy[lane] = 0.0;
             }
         }
@@ -249,7 +338,7 @@ pub fn run_on(
 
 /// Whether the lanes can do a point; the scalar loop does the others.
 ///
-/// With λ > 1/16 a reversal needs a logarithm, and positions must stay below 2⁵¹: an unforced stable
+/// With λ > ½ a reversal needs a logarithm, and positions must stay below 2⁵¹: an unforced stable
 /// motion does not get past its first energy by more than the ticks that TH-START leaves it, and a
 /// growing one ends at its radius.
 fn fits(plan: &Plan) -> bool {
@@ -261,7 +350,7 @@ fn fits(plan: &Plan) -> bool {
     } else {
         0.0
     };
-    plan.constants.lambda <= phi::SMALL_LAMBDA && reach < FAR && radius < FAR
+    plan.constants.lambda <= phi::MEDIUM_LAMBDA && reach < FAR && radius < FAR
 }
 
 /// A point at work in a lane.
@@ -342,8 +431,8 @@ mod tests {
 
     #[test]
     fn lanes_and_scalar_loop_agree_to_the_last_bit() {
-        // μ = 50 as in Fig. 5; μ = 8 takes λ past the series' limit for half of the points.
-        for (mu, intervals) in [(50.0, 5_000), (8.0, 777)] {
+        // μ = 50 as in Fig. 5; μ = 8 takes λ past 1/16 for half of the points, μ = 1 past ½.
+        for (mu, intervals) in [(50.0, 5_000), (8.0, 777), (1.0, 777)] {
             let points = grid(mu, &[0.5, 1.0, 2.0, 5.0]);
             for (point, end) in points.iter().zip(all(&points, intervals)) {
                 let scalar = run::outcome(&Plan::plain(point, intervals));
@@ -354,8 +443,21 @@ mod tests {
     }
 
     #[test]
+    fn points_of_every_kind_in_any_order_end_as_they_do_alone() {
+        let mut points = grid(8.0, &[2.0]);
+        points.extend(grid(0.7, &[1.0]));
+        points.extend(grid(50.0, &[5.0]));
+        // 7 and 1200 have no common divisor: every point once, kinds mixed.
+        let mixed: Vec<Plain> = (0..1200).map(|i| points[i * 7 % 1200]).collect();
+        for (point, end) in mixed.iter().zip(all(&mixed, 300)) {
+            assert_eq!(end, run::outcome(&Plan::plain(point, 300)), "{point:?}");
+        }
+    }
+
+    #[test]
     fn every_instruction_set_gives_the_same_bits() {
-        let points = grid(50.0, &[1.0, 5.0]);
+        let mut points = grid(50.0, &[1.0, 5.0]);
+        points.extend(grid(4.0, &[1.0]));
         let best = by(Instructions::Best, &points, 2_000);
         for instructions in [Instructions::Avx2, Instructions::Baseline] {
             let other = by(instructions, &points, 2_000);

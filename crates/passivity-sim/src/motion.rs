@@ -153,7 +153,7 @@ impl Constants {
             };
         }
         if self.lambda > phi::SMALL_LAMBDA {
-            return self.reverse_wide(xi, v, u, r);
+            return self.reverse_larger::<LEDGER>(xi, v, u, r);
         }
         let w = self.lambda * r;
         let f = (self.phi1 - self.decay * r).max(0.0);
@@ -169,6 +169,32 @@ impl Constants {
             xi: xi + (d + then),
             velocity: onward * f,
             path: if LEDGER { d.abs() + then.abs() } else { 0.0 },
+            square,
+        }
+    }
+
+    /// The same for λ > 1/16.
+    #[inline(never)]
+    fn reverse_larger<const LEDGER: bool>(&self, xi: f64, v: f64, u: f64, r: f64) -> Moved {
+        if self.lambda > phi::MEDIUM_LAMBDA {
+            // Past it the terms would be too many.
+            return self.reverse_wide(xi, v, u, r);
+        }
+        let onward = (u - u.clamp(-self.sigma, self.sigma)) * self.inverse_mu;
+        let w = self.lambda * r;
+        let f = (self.phi1 - self.decay * r).max(0.0);
+        let x = self.lambda * f;
+        let d = v * r * phi::h_medium(-w);
+        let then = onward * f * f * phi::h_medium(x);
+        let square = if LEDGER {
+            v * v * r * phi::k(-w) + onward * onward * f * f * f * phi::k(x)
+        } else {
+            0.0
+        };
+        Moved {
+            xi: xi + (d + then),
+            velocity: onward * f,
+            path: d.abs() + then.abs(),
             square,
         }
     }

@@ -14,6 +14,9 @@ pub const SERIES: f64 = 0.0645;
 /// Largest λ for which every argument of [`h`] is within [`SERIES`]: e^(1/16) − 1 < 0.0645.
 pub const SMALL_LAMBDA: f64 = 0.0625;
 
+/// Largest λ for which [`h_medium`] takes over: s = tanh(λ/2) < ¼ then, see there.
+pub const MEDIUM_LAMBDA: f64 = 0.5;
+
 /// φ₁(z) = (eᶻ − 1)/z, 1 at z = 0; relative error a few ulp.
 ///
 /// # Example
@@ -98,6 +101,27 @@ pub fn h_series(x: f64) -> f64 {
     (a + x4 * b) + x8 * (c + x4 * (1.0 / 14.0))
 }
 
+/// H(x) for 1 − √e ≤ x ≤ 1 − 1/√e, which is where it is wanted for λ ≤ ½; the same text in every lane.
+///
+/// With s = −x/(2 − x) the logarithm is −ln(1 − x) = −2·artanh(−s), and what cancels in H cancels by
+/// hand: H = ½(1 − s)(1 − s(1 − s)·A(s²)) with A(q) = Σ qⁿ/(2n + 3). For x at its ends |s| = tanh ¼
+/// < ¼, so the first term left out is s²⁶/29 < 2⁻⁵⁶.
+#[inline(always)]
+#[must_use]
+pub fn h_medium(x: f64) -> f64 {
+    let s = -x / (2.0 - x);
+    let q = s * s;
+    let q2 = q * q;
+    let q4 = q2 * q2;
+    let q8 = q4 * q4;
+    let a = (1.0 / 3.0 + q * (1.0 / 5.0)) + q2 * (1.0 / 7.0 + q * (1.0 / 9.0));
+    let b = (1.0 / 11.0 + q * (1.0 / 13.0)) + q2 * (1.0 / 15.0 + q * (1.0 / 17.0));
+    let c = (1.0 / 19.0 + q * (1.0 / 21.0)) + q2 * (1.0 / 23.0 + q * (1.0 / 25.0));
+    let sum = (a + q4 * b) + q8 * (c + q4 * (1.0 / 27.0));
+    let rest = 1.0 - s;
+    0.5 * rest * (1.0 - s * rest * sum)
+}
+
 /// K(x) = Σ xⁿ/(n + 3) for |x| ≤ [`SERIES`].
 #[inline(always)]
 #[must_use]
@@ -164,6 +188,18 @@ mod tests {
             assert!(h_error.abs() < 4e-15 * h(x), "H({x}) off by {h_error}");
             assert!(k_error.abs() < 2e-14 * k(x), "K({x}) off by {k_error}");
         }
+    }
+
+    #[test]
+    fn h_for_medium_lambda_is_h() {
+        // From λr to λf at their ends for λ = ½. A dozen roundings of numbers up to 1, each ½ε.
+        let ends = [-0.5_f64.exp_m1(), -(-0.5_f64).exp_m1()];
+        for i in 0..=1000 {
+            let x = ends[0] + (ends[1] - ends[0]) * f64::from(i) / 1000.0;
+            let error = h_medium(x) - exact_series(x, 2);
+            assert!(error.abs() < 6.0 * f64::EPSILON, "H({x}) off by {error:e}");
+        }
+        assert_eq!(h_medium(0.0), 0.5);
     }
 
     #[test]

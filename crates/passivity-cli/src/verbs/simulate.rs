@@ -95,7 +95,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
                 add_to(&mut motion, line, until);
             }
             seen += 1;
-            if terminal && seen % BETWEEN == 0 {
+            if terminal && seen.is_multiple_of(BETWEEN) {
                 bar.advance(BETWEEN);
             }
             trace.as_mut().is_none_or(|trace| trace.take(line))

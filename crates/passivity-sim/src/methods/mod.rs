@@ -237,7 +237,16 @@ pub fn simulate(
     method: &Method,
     each: Option<Each<'_>>,
 ) -> Result<Simulated, SimError> {
-    let plan = Plan::compile(point)?;
+    planned(point, &Plan::compile(point)?, method, each)
+}
+
+/// [`simulate`] with the plan of the point compiled before.
+pub(crate) fn planned(
+    point: &Point,
+    plan: &Plan,
+    method: &Method,
+    each: Option<Each<'_>>,
+) -> Result<Simulated, SimError> {
     let effects = method.unsupported(point);
     if !effects.is_empty() {
         return Err(SimError::Unsupported {
@@ -246,10 +255,10 @@ pub fn simulate(
         });
     }
     match method {
-        Method::Exact => general::exact(point, &plan, each),
-        Method::Reference { digits } => general::reference(point, &plan, *digits, each),
-        Method::Enclosure => general::enclosure(point, &plan, each),
-        _ => Ok(in_doubles(&plan, method, each)),
+        Method::Exact => general::exact(point, plan, each),
+        Method::Reference { digits } => general::reference(point, plan, *digits, each),
+        Method::Enclosure => general::enclosure(point, plan, each),
+        _ => Ok(in_doubles(plan, method, each)),
     }
 }
 

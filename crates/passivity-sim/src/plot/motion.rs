@@ -7,7 +7,7 @@ use passivity_plot::PlotError;
 use plotters::prelude::*;
 
 use crate::ledger::Entry;
-use crate::plot::{Area, COLOURS, Drawn, label, padded, svg};
+use crate::plot::{Area, COLOURS, DASHED, Drawn, label, padded, svg};
 
 /// A sample of a motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -42,6 +42,9 @@ const MOST: usize = 16_384;
 
 /// How many samples of the beginning are all kept, for the phase plane.
 const BEGIN: usize = 4_000;
+
+/// The colour of the encoder's edges.
+const TICK: RGBColor = RGBColor(150, 150, 150);
 
 /// How many samples the end of a motion has.
 const END: usize = 160;
@@ -203,9 +206,8 @@ fn panels(root: &Area<'_>, title: &str, [samples, path, end]: [&[Sample]; 3]) ->
             .draw()?;
         if ticks {
             for y in encoder_ticks(&range) {
-                let line = [(time.start, y), (time.end, y)].into_iter();
-                let style = BLACK.mix(0.35).into();
-                chart.draw_series(DashedLineSeries::new(line, 6, 5, style))?;
+                let line = [(time.start, y), (time.end, y)];
+                chart.draw_series(LineSeries::new(line, TICK.mix(DASHED)))?;
             }
             chart.draw_series(LineSeries::new(
                 points(|s| s.xi),
@@ -314,8 +316,8 @@ fn the_end(area: &Area<'_>, samples: &[Sample]) -> Drawn {
         .label_style(("sans-serif", 12))
         .draw()?;
     for y in encoder_ticks(&range) {
-        let line = [(time.start, y), (time.end, y)].into_iter();
-        chart.draw_series(DashedLineSeries::new(line, 6, 5, BLACK.mix(0.35).into()))?;
+        let line = [(time.start, y), (time.end, y)];
+        chart.draw_series(LineSeries::new(line, TICK.mix(DASHED)))?;
     }
     let path = samples.iter().map(|s| (s.time, s.xi));
     chart.draw_series(LineSeries::new(path, COLOURS[0].stroke_width(2)))?;
