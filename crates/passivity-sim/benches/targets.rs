@@ -201,13 +201,26 @@ fn precise(point: &Point, grid: &Grid, rows: &[Option<sweep::Row>]) {
         .end;
         let size = |xi: f64, v: f64| xi.hypot(50.0_f64.sqrt() * v);
         let off = size(row.xi - end.xi, row.velocity - end.velocity);
-        Some(if off == 0.0 {
+        let error = if off == 0.0 {
             0.0
         } else {
             off / size(end.xi, end.velocity)
-        })
+        };
+        let outcome = (row.exact, row.paper, row.at_interval);
+        let same = outcome
+            == (
+                end.outcome.exact,
+                end.outcome.paper,
+                end.outcome.at_interval,
+            );
+        Some((same, error))
     });
-    let worst = errors.iter().flatten().fold(0.0_f64, |m, e| m.max(*e));
+    let worst = errors.iter().flatten().fold(0.0_f64, |m, (_, e)| m.max(*e));
+    let same = errors.iter().flatten().filter(|(same, _)| *same).count();
+    println!(
+        "outcomes and interval as the reference's{same:8} of {} points (all)",
+        rows.len()
+    );
     println!(
         "state at the end against the reference  {worst:8.1e} of its magnitude (at most 1e-8), in {:.1} s",
         wall.elapsed().as_secs_f64()

@@ -75,6 +75,9 @@ pub(crate) fn padded(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> 
     if low > high {
         return -1.0..1.0;
     }
+    if low == high {
+        return low - 1.0..high + 1.0;
+    }
     let air = (0.06 * (high - low))
         .max(1e-6 * high.abs().max(low.abs()))
         .max(1e-9);
