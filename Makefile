@@ -75,6 +75,6 @@ prove-prusti: ## the contracts on the kernel, where `cargo prusti` is installed
 	@echo "== Prusti on crates/passivity-core"
 	@proofs/prusti
 
-mutate: ## change the kernel's formulas one by one; a test must notice each change (half an hour)
+mutate: ## change the kernel's formulas one by one; a test must notice each change (up to an hour)
 	@echo "== cargo mutants on crates/passivity-core"
 	@proofs/mutate

@@ -148,8 +148,8 @@ fn mutation(text: &mut String, mutation: Option<&Mutation>) {
     };
     let _ = writeln!(
         text,
-        "{} changed {} in {} places that compile; {} were noticed. Survivors, none of which changes \
-         what is computed:\n",
+        "{} changed {}, and no other file, in {} places so that they compile; the property tests noticed {}. \
+         Survivors, none of which changes what is computed:\n",
         mutation.tool,
         mutation
             .files
