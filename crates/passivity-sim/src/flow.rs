@@ -59,7 +59,8 @@ pub struct Flowed<R> {
     pub work: R,
 }
 
-/// The series of ξ on a piece: ξ(τ) = Σ c_n·(τ/h)ⁿ, and of the output likewise.
+/// The series of ξ on a piece: ξ(τ) = Σ c_n·(τ/h)ⁿ, and of the output likewise; without an amplifier
+/// the output is one constant.
 struct Series<R> {
     xi: Vec<R>,
     output: Vec<R>,
@@ -283,39 +284,57 @@ impl<R: Real> Flow<R> {
 
     /// The series of the motion from a state, on a piece of length `h`, against `friction`.
     fn series(&self, from: &State<R>, command: &R, force: &R, friction: &R, h: &R) -> Series<R> {
+        match (&self.rate, &self.arm) {
+            (Some(_), Some(_)) => self.series_with::<true, true>(from, command, force, friction, h),
+            (Some(_), None) => self.series_with::<true, false>(from, command, force, friction, h),
+            (None, Some(_)) => self.series_with::<false, true>(from, command, force, friction, h),
+            (None, None) => self.series_with::<false, false>(from, command, force, friction, h),
+        }
+    }
+
+    /// The terms of the series; what is not there, amplifier or arm, is not in the loop over them.
+    fn series_with<const LAG: bool, const ARM: bool>(
+        &self,
+        from: &State<R>,
+        command: &R,
+        force: &R,
+        friction: &R,
+        h: &R,
+    ) -> Series<R> {
         let count = terms(h.bits());
-        let inverse = h.one() / self.mass.clone();
         let damping = match &self.arm {
             Some([damping, _]) => self.beta.clone() + damping.clone(),
             None => self.beta.clone(),
         };
+        let per_mass = h.clone() / self.mass.clone();
+        let damped = damping * per_mass.clone();
+        let pulled = h.clone() * per_mass;
         let room = usize::try_from(count).unwrap_or(2);
-        let mut output = Vec::with_capacity(room);
+        let mut output = Vec::with_capacity(if LAG { room } else { 1 });
         output.push(from.output.clone());
         let mut excess = from.output.clone() - command.clone();
         let mut xi = Vec::with_capacity(room);
-        xi.extend([from.xi.clone(), from.velocity.clone() * h.clone()]);
+        let mut before = from.xi.clone(); // c_{n−2}
+        let mut latest = from.velocity.clone() * h.clone(); // c_{n−1}
+        xi.extend([before.clone(), latest.clone()]);
+        // y_{n−2}, with the constant forces where n = 2.
+        let mut pull = from.output.clone() + force.clone() - friction.clone();
         for n in 2..count {
             // c_n = h²/(n(n − 1))·(y_{n−2} + [F − σs] − kc_{n−2} − β′(n − 1)c_{n−1}/h)/M.
-            let index = usize::try_from(n).unwrap_or(2);
-            let mut pull = output[index - 2].clone();
-            if n == 2 {
-                pull = pull + force.clone() - friction.clone();
+            if ARM && let Some([_, stiffness]) = &self.arm {
+                pull = pull - stiffness.clone() * before;
             }
-            if let Some([_, stiffness]) = &self.arm {
-                pull = pull - stiffness.clone() * xi[index - 2].clone();
-            }
-            let drag = damping.clone() * h.clone() * xi[index - 1].clone() * h.ratio(n - 1, 1);
-            let over = h.ratio(1, n * (n - 1));
-            let next = (pull * h.clone() * h.clone() - drag) * inverse.clone() * over;
-            xi.push(next);
-            output.push(match &self.rate {
-                Some(rate) => {
-                    excess = -(excess * rate.clone() * h.clone()) * h.ratio(1, n - 1);
-                    excess.clone()
-                }
-                None => h.zero(),
-            });
+            let drag = damped.clone() * latest.clone() * h.ratio(n - 1, 1);
+            let next = (pull * pulled.clone() - drag) * h.ratio(1, n * (n - 1));
+            xi.push(next.clone());
+            before = std::mem::replace(&mut latest, next);
+            pull = if LAG && let Some(rate) = &self.rate {
+                excess = -(excess * rate.clone() * h.clone()) * h.ratio(1, n - 1);
+                output.push(excess.clone());
+                excess.clone()
+            } else {
+                h.zero()
+            };
         }
         Series {
             xi,
@@ -456,32 +475,42 @@ impl<R: Real> Series<R> {
 
     /// ∫ξ̇² and ∫yξ̇ from 0 to the fraction `s`: products of the series.
     fn integrals(&self, s: &R) -> (R, R) {
-        let count = self.xi.len();
         // Coefficients of ξ̇·h.
-        let mut rates = Vec::with_capacity(count);
+        let mut rates = Vec::with_capacity(self.xi.len());
         for (n, c) in self.xi.iter().enumerate().skip(1) {
             let n = i32::try_from(n).unwrap_or(i32::MAX);
             rates.push(c.clone() * s.ratio(n, 1));
         }
-        let integral = |a: &[R], b: &[R]| {
-            let mut power = s.clone();
+        // The coefficient of sⁿ⁺¹ in the integral of a product is that of sⁿ in it, over n + 1.
+        let integral = |coefficient: &dyn Fn(usize) -> R| {
             let mut sum = s.zero();
-            for n in 0..rates.len() {
-                let mut term = s.zero();
-                for i in 0..=n {
-                    if let (Some(x), Some(y)) = (a.get(i), b.get(n - i)) {
-                        term = term + x.clone() * y.clone();
-                    }
-                }
+            for n in (0..rates.len()).rev() {
                 let over = s.ratio(1, i32::try_from(n + 1).unwrap_or(i32::MAX));
-                sum = sum + term * over * power.clone();
-                power = power * s.clone();
+                sum = sum * s.clone() + coefficient(n) * over;
             }
-            sum
+            sum * s.clone()
         };
-        let square = integral(&rates, &rates) / self.h.clone();
-        let work = integral(&self.output, &rates);
-        (square, work)
+        let dot = |a: &[R], b: &[R]| {
+            let pairs = a.iter().zip(b.iter().rev());
+            pairs.fold(s.zero(), |sum, (x, y)| sum + x.clone() * y.clone())
+        };
+        let square = integral(&|n| {
+            // Every pair but that of the middle is there twice.
+            let half = n.div_ceil(2);
+            let pairs = dot(&rates[..half], &rates[n + 1 - half..=n]);
+            let twice = pairs.clone() + pairs;
+            if n % 2 == 0 {
+                twice + rates[half].clone() * rates[half].clone()
+            } else {
+                twice
+            }
+        });
+        let work = if let [constant] = self.output.as_slice() {
+            constant.clone() * (horner(&self.xi[1..], s) * s.clone())
+        } else {
+            integral(&|n| dot(&self.output[..=n], &rates[..=n]))
+        };
+        (square / self.h.clone(), work)
     }
 }
 
