@@ -1,4 +1,4 @@
-//! The guides under `docs/guides`: every command in them runs, and says what the guide shows.
+//! The guides under `docs/guides` and the pages beside them: every command in them runs, and says what the guide shows.
 //!
 //! In a block marked `console`, a line that starts with `$ ` is a command; the lines up to the next
 //! one are its output, in which `...` stands for any text, over any number of lines.
@@ -7,6 +7,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::harness::Dir;
+
+/// The pages outside the folder of guides that show commands.
+const PAGES: [&str; 2] = ["audit.md", "oracle.md"];
 
 struct Shown {
     command: String,
@@ -85,8 +88,12 @@ fn the_guides_show_what_the_commands_say() {
     let path = std::env::var("PATH").unwrap_or_default();
     let path = format!("{}:{path}", binary.parent().expect("a folder").display());
     let mut guides = 0;
-    for entry in std::fs::read_dir(root().join("docs/guides")).expect("the guides") {
-        let file = entry.expect("an entry").path();
+    let entries = std::fs::read_dir(root().join("docs/guides")).expect("the guides");
+    let mut files: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    files.extend(PAGES.map(|page| root().join("docs").join(page)));
+    for file in files {
         let guide = std::fs::read_to_string(&file).expect("a guide");
         let shown = commands(&guide);
         assert!(
@@ -121,5 +128,5 @@ fn the_guides_show_what_the_commands_say() {
         }
         guides += 1;
     }
-    assert_eq!(guides, 5);
+    assert_eq!(guides, 5 + PAGES.len());
 }

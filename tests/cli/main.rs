@@ -4,12 +4,15 @@
 //! binary under test is the one just built.
 
 mod accuracy;
+mod audit;
 mod case;
 mod check;
 mod explain;
 mod guides;
 mod harness;
+mod oracle;
 mod plane;
 mod simulate;
 mod sweep;
 mod usage;
+mod vectors;

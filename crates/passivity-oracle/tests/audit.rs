@@ -79,7 +79,11 @@ proptest! {
         text in scenes(),
         steps in prop::collection::vec(-3..4_i64, 1..60),
         far in prop::bool::weighted(0.1),
-        jitter in prop::option::of(prop::collection::vec(1..40_i64, 60)),
+        // Mostly one period, 20/20, as real logs have it.
+        jitter in prop::option::of(prop::collection::vec(
+            prop_oneof![4 => Just(20_i64), 1 => 1..40_i64],
+            60,
+        )),
         threads in 1..4_usize,
         block in 20..200_usize,
     ) {

@@ -189,6 +189,30 @@ impl Layout {
         positive.then(|| quotient(&dt, &self.per_period))
     }
 
+    /// How many of the intervals between these times, from the first on, last exactly one period.
+    pub(crate) fn even(&self, times: &[Number]) -> usize {
+        let Number::Small(n, d) = &self.per_period else {
+            return 0;
+        };
+        let (n, d) = (i128::from(*n), i128::from(*d));
+        let is_period = |from: &Number, to: &Number| {
+            let (Number::Small(a, b), Number::Small(p, q)) = (from, to) else {
+                return None;
+            };
+            let [a, b, p, q] = [*a, *b, *p, *q].map(i128::from);
+            // p/q − a/b = n/d
+            let (numerator, denominator): (i128, i128) = match b == q {
+                true => (p - a, b),
+                false => (p * b - a * q, b * q),
+            };
+            Some(numerator.checked_mul(d)? == n.checked_mul(denominator)?)
+        };
+        let pairs = times.iter().zip(times.iter().skip(1));
+        pairs
+            .take_while(|(from, to)| is_period(from, to) == Some(true))
+            .count()
+    }
+
     /// A position as a sample.
     pub(crate) fn sample(&self, x: Number) -> Result<Sample, TraceError> {
         match &self.scale {

@@ -6,7 +6,8 @@ use std::path::Path;
 use std::sync::Once;
 
 use parquet::basic::Type as Physical;
-use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use parquet::column::page::{Page, PageMetadata, PageReader};
+use parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
 use parquet::data_type::DataType;
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader as _, RowGroupReader};
@@ -195,10 +196,74 @@ fn open_group(
     ];
     let mut columns = Vec::new();
     for column in wanted.into_iter().flatten() {
-        let reader = group.get_column_reader(column).map_err(|e| broken(&e))?;
-        columns.push((column, reader));
+        let pages = group
+            .get_column_page_reader(column)
+            .map_err(|e| broken(&e))?;
+        let descriptor = group.metadata().column(column).column_descr_ptr();
+        let pages = Checked {
+            pages,
+            physical: descriptor.physical_type(),
+        };
+        columns.push((column, get_column_reader(descriptor, Box::new(pages))));
     }
     Ok((columns, rows))
+}
+
+/// Pages whose dictionaries hold the values that they claim: memory is set aside for the claim.
+struct Checked {
+    pages: Box<dyn PageReader>,
+    physical: Physical,
+}
+
+impl Checked {
+    fn check(&self, page: Option<Page>) -> Result<Option<Page>, ParquetError> {
+        let Some(Page::DictionaryPage {
+            buf, num_values, ..
+        }) = &page
+        else {
+            return Ok(page);
+        };
+        // What one value takes at the least; a text has its length in front.
+        let width = match self.physical {
+            Physical::BOOLEAN | Physical::FIXED_LEN_BYTE_ARRAY => 1,
+            Physical::INT32 | Physical::FLOAT | Physical::BYTE_ARRAY => 4,
+            Physical::INT64 | Physical::DOUBLE => 8,
+            Physical::INT96 => 12,
+        };
+        let most = buf.len() / width;
+        if usize::try_from(*num_values).is_ok_and(|claimed| claimed <= most) {
+            return Ok(page);
+        }
+        let message = format!("a dictionary of {num_values} values with room for {most}");
+        Err(ParquetError::General(message))
+    }
+}
+
+impl Iterator for Checked {
+    type Item = Result<Page, ParquetError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.get_next_page().transpose()
+    }
+}
+
+impl PageReader for Checked {
+    fn get_next_page(&mut self) -> Result<Option<Page>, ParquetError> {
+        let page = self.pages.get_next_page()?;
+        self.check(page)
+    }
+
+    fn peek_next_page(&mut self) -> Result<Option<PageMetadata>, ParquetError> {
+        self.pages.peek_next_page()
+    }
+
+    fn skip_next_page(&mut self) -> Result<(), ParquetError> {
+        self.pages.skip_next_page()
+    }
+
+    fn at_record_boundary(&mut self) -> Result<bool, ParquetError> {
+        self.pages.at_record_boundary()
+    }
 }
 
 /// The values of a column up to the first that is wrong.

@@ -84,20 +84,30 @@ impl Worker {
         let mut supply = Supply::default();
         let mut key = Vec::new();
         let mut i = from;
+        // Up to which sample they are known to come one period apart.
+        let mut even = if timed { i } else { last };
         while i < last {
             // Most traces: counts, one period apart, and nothing but the encoder.
             let quick = match &chunk.samples {
-                Samples::Counts(counts) if plain && !timed && task.rows.is_none() => self.quick(
-                    counts,
-                    i,
-                    from,
-                    task.points.then_some(stride),
-                    &mut account,
-                    &mut supply,
-                ),
+                Samples::Counts(counts) if plain && task.rows.is_none() => {
+                    if even <= i {
+                        even = i + task.layout.even(chunk.times.get(i..).unwrap_or_default());
+                    }
+                    self.quick(
+                        counts.get(..=even).unwrap_or(counts),
+                        i,
+                        from,
+                        task.points.then_some(stride),
+                        &mut account,
+                        &mut supply,
+                    )
+                }
                 _ => i,
             };
             if quick > i {
+                if timed {
+                    account.timing.add(&unit, account.intervals);
+                }
                 i = quick;
                 continue;
             }
