@@ -47,8 +47,12 @@ bench: ## measure: verdicts, ledger, motion, sweep
 
 figures: ## draw every figure of the documentation into target/figures
 	@mkdir -p target/figures
-	@echo "== passivity plane"
+	@echo "== passivity plane, simulate, sweep and accuracy"
 	@$(BIN) plane scenes/re35*.toml --plot target/figures/plane.svg
+	@$(BIN) simulate $(SCENE) --speed 4 --plot target/figures/motion.svg
+	@$(BIN) sweep scenes/dimensionless.toml --beta 0:1:41 --sigma 0:1.5:61 --speed 1/2,1,2,5 \
+	    --out target/figures/fig5.csv --plot target/figures/sweep.png
+	@$(BIN) accuracy $(SCENE) --speed 4 --plot target/figures/accuracy.svg
 
 prove: ## every engine on every claim; writes target/evidence.json
 	@echo "== proofs/prove: every engine that is here; the others are recorded as not run"
