@@ -18,6 +18,9 @@ pub struct Interval<R> {
     pub chi: R,
 }
 
+/// Halvings after which a number that is still above 1 has no end: an interval out to infinity.
+const MOST_HALVINGS: i32 = 100_000;
+
 /// The functions of a whole interval, for λ ≥ 0.
 pub fn interval<R: Real>(lambda: &R) -> Interval<R> {
     let (phi1, phi2) = phi(lambda);
@@ -45,7 +48,7 @@ pub fn interval<R: Real>(lambda: &R) -> Interval<R> {
 fn decaying<R: Real>(x: &R) -> R {
     let mut halvings = 0;
     let mut small = x.clone();
-    while small.approximate() > 1.0 {
+    while small.approximate() > 1.0 && halvings < MOST_HALVINGS {
         small = small.clone() * x.ratio(1, 2);
         halvings += 1;
     }
@@ -103,7 +106,8 @@ fn sum<R: Real>(first: &R, next: impl Fn(i32, &R) -> R) -> R {
         total = total + term.clone();
         n += 1;
         let size = term.approximate().abs();
-        if size <= least || size == 0.0 {
+        let endless = !size.is_finite(); // No series of such a number ends; its interval says so.
+        if size <= least || size == 0.0 || endless {
             // What follows is at most as much as the last term again.
             return total.widened(&term).widened(&smallest(&term));
         }
@@ -165,7 +169,7 @@ pub fn ln_1p<R: Real>(w: &R) -> R {
     let half = w.ratio(1, 2);
     let mut y = w.one() + w.clone();
     let mut doublings = 0;
-    while y.approximate() > 1.5 {
+    while y.approximate() > 1.5 && doublings < MOST_HALVINGS {
         y = y * half.clone();
         doublings += 1;
     }

@@ -188,6 +188,30 @@ fn enclosures_of_energies_hold_the_reference() {
 }
 
 #[test]
+fn enclosures_end_where_a_velocity_has_no_digits() {
+    // λ > ½ and a speed below every normal double: what the reversal's time is can hardly be told.
+    for speed in ["5e-324", "-5e-324", "1e-310"] {
+        for (xi, sigma) in [("-1", "1/2"), ("0", "1/2"), ("3", "3/10")] {
+            for beta in ["0", "1/100", "1/5", "3", "30"] {
+                let scene = point("1", beta, sigma, [xi, speed], 7);
+                let bound = simulate(&scene, &Method::Enclosure, None).unwrap();
+                let slow = simulate(&scene, &REFERENCE, None).unwrap();
+                let exact = bound.end.outcome.exact;
+                assert!(exact == slow.end.outcome.exact || exact == Exactly::Undecided);
+                let Detail::Enclosed {
+                    ends: [[lo, hi], _],
+                    ..
+                } = bound.detail
+                else {
+                    panic!()
+                };
+                assert!(lo <= slow.end.xi && slow.end.xi <= hi, "{lo} {hi} {slow:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn methods_of_steps_come_closer_with_more_steps() {
     // A swing without a reversal near a sample: nothing but the step size matters.
     let point = point("50", "3/5", "3/5", ["1/4", "2"], 4);
