@@ -1,12 +1,18 @@
-"""Runs cvc5 on an SMT-LIB file: run_cvc5.py SECONDS FILE, or run_cvc5.py --version."""
+"""Runs cvc5 on SMT-LIB files: run_cvc5.py SECONDS, or run_cvc5.py --version.
 
+Reads the names of files from standard input, a line each. What cvc5 says to a file is followed by the
+line "end". To load cvc5 takes longer than most answers do, so it is loaded once; each file has a
+process of its own, which may take SECONDS.
+"""
+
+import os
 import signal
 import sys
 
 import cvc5
 
 
-def run(seconds, path):
+def answer(seconds, path):
     # The solver runs outside of Python: only the signal's default action, the end, stops it.
     signal.signal(signal.SIGALRM, signal.SIG_DFL)
     signal.alarm(seconds)
@@ -19,7 +25,20 @@ def run(seconds, path):
         sys.stdout.flush()
 
 
+def serve(seconds):
+    for line in sys.stdin:
+        child = os.fork()
+        if child == 0:
+            try:
+                answer(seconds, line.rstrip("\n"))
+            except Exception as error:
+                print("error:", error, flush=True)
+            os._exit(0)
+        os.waitpid(child, 0)
+        print("end", flush=True)
+
+
 if sys.argv[1:] == ["--version"]:
     print("cvc5", cvc5.__version__)
 else:
-    run(int(sys.argv[1]), sys.argv[2])
+    serve(int(sys.argv[1]))

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use serde_json::json;
 
-use crate::solvers::{Outcome, Solver};
+use crate::solvers::{Outcome, Solver, Worker};
 use crate::{Query, Script, claims, replay};
 
 /// A statement, one of its scripts, and who is asked.
@@ -91,8 +91,9 @@ pub fn check(solvers: &Path, only: &str) -> Result<(), String> {
     std::thread::scope(|scope| {
         for _ in 0..WORKERS {
             scope.spawn(|| {
+                let mut worker = Worker::default();
                 while let Some(question) = questions.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    if let Err(fault) = ask(question, &scratch) {
+                    if let Err(fault) = ask(&mut worker, question, &scratch) {
                         faults
                             .lock()
                             .unwrap_or_else(PoisonError::into_inner)
@@ -121,10 +122,14 @@ pub fn check(solvers: &Path, only: &str) -> Result<(), String> {
 }
 
 /// Asks one solver one question.
-fn ask((query, script, solver): &Question<'_>, scratch: &Path) -> Result<(), String> {
+fn ask(
+    worker: &mut Worker,
+    (query, script, solver): &Question<'_>,
+    scratch: &Path,
+) -> Result<(), String> {
     let values = query.refuted && script.name == query.name();
-    let outcome = solver
-        .run(script, values, scratch)
+    let outcome = worker
+        .run(solver, script, values, scratch)
         .map_err(|e| format!("{}: {e}", solver.name))?;
     let fault = judge(query, script, &outcome, values);
     report(query, script, solver, &outcome, fault.as_deref())?;

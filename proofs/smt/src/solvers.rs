@@ -1,7 +1,8 @@
 //! Runs z3 and cvc5 on every script and compares their answers with the expected ones.
 
+use std::io::{BufRead as _, BufReader, Write as _};
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::Instant;
 
 use passivity_core::BigRational;
@@ -65,42 +66,62 @@ impl Solver {
         Some([z3, cvc5])
     }
 
-    /// Runs the solver on a script; `values` are variables whose values are wanted.
-    ///
-    /// # Errors
-    ///
-    /// When the solver cannot be started or the script not be written to `scratch`.
-    pub fn run(&self, script: &Script, values: bool, scratch: &Path) -> std::io::Result<Outcome> {
-        let mut text = script.text.clone();
-        if values {
-            text.push_str(&format!("(get-value ({}))\n", script.variables.join(" ")));
-        }
-        std::fs::create_dir_all(scratch)?;
-        let file = scratch.join(format!("{}.{}.smt2", script.name, self.name));
-        std::fs::write(&file, text)?;
-        let started = Instant::now();
+    fn command(&self) -> std::io::Result<Command> {
         let (program, rest) = self
             .command
             .split_first()
             .ok_or(std::io::ErrorKind::NotFound)?;
         let mut command = Command::new(program);
         command.args(rest);
-        match self.name {
-            "z3" => command.arg(format!("-T:{LIMIT}")).arg(&file),
-            _ => command.arg(LIMIT.to_string()).arg(&file),
+        Ok(command)
+    }
+}
+
+/// One worker's way to the solvers. z3 is started for each script; cvc5 once, for to load it takes
+/// longer than most answers do.
+#[derive(Default)]
+pub struct Worker {
+    cvc5: Option<Server>,
+}
+
+impl Worker {
+    /// Asks a solver a script; `values` are variables whose values are wanted.
+    ///
+    /// # Errors
+    ///
+    /// When the solver cannot be started or the script not be written to `scratch`.
+    pub fn run(
+        &mut self,
+        solver: &Solver,
+        script: &Script,
+        values: bool,
+        scratch: &Path,
+    ) -> std::io::Result<Outcome> {
+        let mut text = script.text.clone();
+        if values {
+            text.push_str(&format!("(get-value ({}))\n", script.variables.join(" ")));
+        }
+        std::fs::create_dir_all(scratch)?;
+        let file = scratch.join(format!("{}.{}.smt2", script.name, solver.name));
+        std::fs::write(&file, text)?;
+        let started = Instant::now();
+        let said = match solver.name {
+            "z3" => {
+                let mut command = solver.command()?;
+                let output = command.arg(format!("-T:{LIMIT}")).arg(&file).output()?;
+                String::from_utf8_lossy(&output.stdout).into_owned()
+            }
+            _ => match &mut self.cvc5 {
+                Some(server) => server.ask(&file)?,
+                none => none.insert(Server::start(solver)?).ask(&file)?,
+            },
         };
-        let output = command.output()?;
         let seconds = started.elapsed().as_secs_f64();
-        let said = String::from_utf8_lossy(&output.stdout);
         let (first, rest) = said.split_once('\n').unwrap_or((&said, ""));
         let answer = match first.trim() {
             "sat" => Ok(Answer::Sat),
             "unsat" => Ok(Answer::Unsat),
-            other => Err(
-                format!("{other} {}", String::from_utf8_lossy(&output.stderr))
-                    .trim()
-                    .to_owned(),
-            ),
+            other => Err(other.to_owned()),
         };
         let model = if values { model(rest) } else { Vec::new() };
         Ok(Outcome {
@@ -108,6 +129,55 @@ impl Solver {
             model,
             seconds,
         })
+    }
+}
+
+/// `run_cvc5.py`, to which names of files are written and which says what cvc5 said to each.
+struct Server {
+    child: Child,
+    said: BufReader<ChildStdout>,
+}
+
+impl Server {
+    fn start(solver: &Solver) -> std::io::Result<Self> {
+        let mut child = solver
+            .command()?
+            .arg(LIMIT.to_string())
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()?;
+        let said = child.stdout.take().ok_or(std::io::ErrorKind::BrokenPipe)?;
+        let said = BufReader::new(said);
+        Ok(Self { child, said })
+    }
+
+    /// All that cvc5 says to a file.
+    fn ask(&mut self, file: &Path) -> std::io::Result<String> {
+        let to = self.child.stdin.as_mut();
+        writeln!(
+            to.ok_or(std::io::ErrorKind::BrokenPipe)?,
+            "{}",
+            file.display()
+        )?;
+        let mut all = String::new();
+        loop {
+            let from = all.len();
+            if self.said.read_line(&mut all)? == 0 {
+                return Err(std::io::ErrorKind::UnexpectedEof.into());
+            }
+            if all[from..].trim_end() == "end" {
+                all.truncate(from);
+                return Ok(all);
+            }
+        }
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        // It ends where its input does.
+        drop(self.child.stdin.take());
+        let _ = self.child.wait();
     }
 }
 
