@@ -115,7 +115,7 @@ fn cell(record: Option<&Record>) -> String {
 
 fn engines(text: &mut String, evidence: &Evidence) {
     text.push_str(
-        "\n## What ran\n\n| engine | tool | parts | seconds |\n| --- | --- | --- | --- |\n",
+        "\n## What ran\n\n| engine | tool | parts | seconds, all parts |\n| --- | --- | --- | --- |\n",
     );
     for run in &evidence.runs {
         let name = run.engine.words();
