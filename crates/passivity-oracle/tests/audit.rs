@@ -65,10 +65,17 @@ fn scenes() -> impl Strategy<Value = String> {
         Just("[sampling]\ndelay = 2".to_owned()),
         Just("[sampling]\ndelay = 1\n[wall]\ndamping = \"1/4\"".to_owned()),
     ];
-    (1..20, 0..20, walls, prop::bool::weighted(0.2)).prop_map(|(b, s, wall, tolerance)| {
-        let tolerance = if tolerance { " ± 1/100" } else { "" };
-        format!("[dimensionless]\nbeta = \"{b}/10{tolerance}\"\nsigma = \"{s}/10\"\n{wall}\n")
-    })
+    // Large denominators, as π and data sheets give them: together more than 64 bits.
+    let denominators = prop_oneof![Just(("", "10")), Just(("00000000", "1000000007"))];
+    (1..20, 0..20, walls, prop::bool::weighted(0.2), denominators).prop_map(
+        |(b, s, wall, tolerance, (zeros, d))| {
+            let tolerance = if tolerance { " ± 1/100" } else { "" };
+            format!(
+                "[dimensionless]\nbeta = \"{b}{zeros}/{d}{tolerance}\"\nsigma = \"{s}{zeros}/{}\"\n{wall}\n",
+                if zeros.is_empty() { "10" } else { "998244353" },
+            )
+        },
+    )
 }
 
 proptest! {

@@ -63,9 +63,9 @@ impl Course {
         if self.denominator % d != 0 {
             let divisor = self.denominator.unsigned_abs().gcd(&d.unsigned_abs());
             let factor = d / i128::try_from(divisor).ok()?;
-            // Room is left for the sum to grow in.
+            // Room is left for the sum to grow in: past 10¹² KΔ².
             let larger = self.denominator.checked_mul(factor)?;
-            if larger > 1 << 62 {
+            if larger > 1 << 84 {
                 return None;
             }
             let now = self.now.checked_mul(factor)?;

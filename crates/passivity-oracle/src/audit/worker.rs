@@ -151,8 +151,6 @@ impl Worker {
         account: &mut Account,
         supply: &mut Supply,
     ) -> usize {
-        /// Positions below this keep all products within 128 bits.
-        const NEAR: i64 = 1 << 40;
         let (Some(denominator), Some(2)) = (
             account.net.denominator(),
             account
@@ -162,9 +160,13 @@ impl Worker {
         ) else {
             return i;
         };
-        if self.small.is_empty() || denominator > 1 << 40 {
+        if self.small.is_empty() {
             return i;
         }
+        // Positions below this keep the potential over the denominator, and the observer's steps,
+        // within 125 bits.
+        let near = ((1_i128 << 125) / denominator).isqrt().min(1 << 40);
+        let near = u64::try_from(near).unwrap_or(0).saturating_sub(2);
         let mut lowest = supply.twice_lowest(denominator);
         let start = i;
         let mut next_point = stride.map_or(usize::MAX, |stride| i + stride - (i - from) % stride);
@@ -176,10 +178,12 @@ impl Worker {
                 .and_then(|place| self.small.get(place));
             let known = slot.and_then(|id| self.known.get_mut(*id as usize));
             let Some(known) = known else { break };
-            if known.scaled.1 != denominator || now.unsigned_abs() > NEAR as u64 {
-                break;
-            }
-            if !account.net.add_scaled(known.scaled.0) {
+            if known.scaled.1 != denominator
+                || now.unsigned_abs() > near
+                || next.unsigned_abs() > near
+                || account.net.now().unsigned_abs() > 1 << 124
+                || !account.net.add_scaled(known.scaled.0)
+            {
                 break;
             }
             if known.hits == 0 {
