@@ -149,6 +149,10 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
     let needed = plan.controller.forgets_after();
     let [mut xi, mut v] = plan.start;
     let mut resting = 0;
+    // Driven by a force that friction just takes, the speed dwindles for ever and never is 0, but in
+    // doubles it underflows. That is no rest: `creep` is its direction, `last` what led to it.
+    let mut creep = 0.0;
+    let mut last = [0.0; 2];
     let mut h = 0;
     let stop = loop {
         if h == plan.intervals {
@@ -169,8 +173,15 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
             Some(forces) if FORCE => forces.at(h),
             _ => 0.0,
         };
+        let u = if FORCE { held + force } else { held };
         if v == 0.0 {
-            resting = if holds::<FORCE>(plan, held, h) {
+            let [before, pull] = last;
+            let vanished = before != 0.0 && pull == k.sigma.copysign(before);
+            if vanished {
+                creep = before;
+            }
+            let creeps = creep != 0.0 && u == k.sigma.copysign(creep);
+            resting = if !vanished && !creeps && holds::<FORCE>(plan, held, h) {
                 resting + 1
             } else {
                 0
@@ -179,9 +190,9 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
                 break Stop::Rest(h - needed);
             }
         } else {
-            resting = 0;
+            (resting, creep) = (0, 0.0);
         }
-        let u = if FORCE { held + force } else { held };
+        last = [v, u];
         let moved = advance::<VISCOUS, COULOMB, W>(&k, xi, v, u);
         if W::LEDGER {
             let applied = held * (moved.xi - xi);

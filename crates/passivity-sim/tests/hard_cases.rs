@@ -262,6 +262,38 @@ fn sigma_and_beta_at_one_half_and_an_ulp_either_side() {
 }
 
 #[test]
+fn a_speed_that_dwindles_for_ever_is_no_rest() {
+    // The force is σ to the last bit and drives the device on: friction takes it all, and what is left
+    // of the speed, e^(−λ) of it in each interval, is never 0, though soon below every double.
+    for (xi, speed, beta) in [
+        ("-1", "5e-324", "3"),
+        ("-1", "-0.4", "30"),
+        ("-1/2", "1e-3", "30"),
+        ("-1/2", "3", "1000"),
+    ] {
+        let run = holds("dwindling", &point("1", beta, "1/2", [xi, speed], 70));
+        assert_eq!(run.end.intervals, 70, "{xi} {speed}");
+        assert_eq!(run.end.outcome.exact, Exactly::Undecided);
+    }
+    // It stops where it gets to a tick whose force is against it, an interval later.
+    for (xi, speed, sigma) in [("0", "-3", "1/2"), ("1", "-3", "3/2")] {
+        let run = holds(
+            "dwindling, then stopped",
+            &point("1", "1000", sigma, [xi, speed], 70),
+        );
+        assert_eq!(run.end.outcome.at_interval, Some(2));
+    }
+    // Against the force it stops.
+    let run = holds("stopped", &point("1", "3", "1/2", ["0", "0.1"], 70));
+    assert_eq!(run.end.outcome.exact, Exactly::AtRest);
+    // Out of a one-sided wall nothing but viscous friction acts.
+    let mut scene = point("1", "30", "0", ["-1", "-1"], 70);
+    (scene.unilateral, scene.sigma) = (true, None);
+    let run = holds("gliding", &scene);
+    assert_eq!(run.end.outcome.exact, Exactly::Undecided);
+}
+
+#[test]
 fn subnormal_velocities() {
     for velocity in ["5e-324", "-5e-324", "1e-310", "-3e-308"] {
         for (sigma, exact) in [("3/5", Exactly::AtRest), ("2/5", Exactly::NeverAtRest)] {
