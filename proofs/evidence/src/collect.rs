@@ -154,7 +154,10 @@ fn words(parts: &[&Part]) -> String {
     }
     if of(Verdict::Sampled).next().is_some() {
         let cases: u64 = of(Verdict::Sampled).filter_map(|part| part.cases).sum();
-        words.push(format!("sampled, {cases} cases"));
+        words.push(format!(
+            "sampled, {cases} case{}",
+            if cases == 1 { "" } else { "s" }
+        ));
     }
     words.join("; ")
 }

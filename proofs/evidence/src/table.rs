@@ -146,24 +146,19 @@ fn mutation(text: &mut String, mutation: Option<&Mutation>) {
         text.push_str("`make mutate`: not run here.\n");
         return;
     };
+    let files: Vec<String> = mutation.files.iter().map(|f| format!("`{f}`")).collect();
     let _ = writeln!(
         text,
-        "{} changed {}, and no other file, in {} places so that they compile; the property tests noticed {}. \
-         Survivors, none of which changes what is computed:\n",
+        "{} changed {}, and no other file, in {} places so that they compile; the property tests noticed {}.",
         mutation.tool,
-        mutation
-            .files
-            .iter()
-            .map(|file| format!("`{file}`"))
-            .collect::<Vec<_>>()
-            .join(", "),
+        files.join(", "),
         mutation.mutants,
         mutation.caught,
     );
     if mutation.survivors.is_empty() {
-        text.push_str("none.\n");
         return;
     }
+    text.push_str("The others change nothing of what is computed:\n\n");
     text.push_str("| mutant | why no test can notice it |\n| --- | --- |\n");
     for survivor in &mutation.survivors {
         let _ = writeln!(
