@@ -246,6 +246,30 @@ fn line_breaks_and_byte_order_marks_make_no_difference() {
     assert!(ledgers.iter().all(|ledger| *ledger == ledgers[0]));
 }
 
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_a_trace() {
+    let dir = Dir::new();
+    dir.write("scene.toml", PLAIN);
+    for trace in ["-", "/dev/stdin"] {
+        let command = format!(
+            "printf 'xi\\n1\\n1/2\\n' | '{}' audit {trace} --scene scene.toml",
+            env!("CARGO_BIN_EXE_passivity")
+        );
+        let run = std::process::Command::new("sh")
+            .args(["-c", &command])
+            .current_dir(dir.path("."))
+            .output()
+            .expect("a shell");
+        let text = String::from_utf8(run.stdout).unwrap();
+        assert!(run.status.success(), "{trace}: {text}");
+        assert!(
+            text.contains("intervals                 1\n"),
+            "{trace}: {text}"
+        );
+    }
+}
+
 #[test]
 fn corrupt_parquet_gets_one_message_too() {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus/parquet/snappy");

@@ -69,16 +69,17 @@ pub fn audit(path: &Path, scene: &Scene, options: Options<'_>) -> Result<Audit, 
         return audit_csv(Box::new(std::io::stdin()), scene, options);
     }
     let mut file = File::open(path).map_err(|error| TraceError::io(&error))?;
-    let mut magic = [0; 4];
-    let is_parquet = file.read_exact(&mut magic).is_ok() && &magic == b"PAR1";
-    drop(file);
-    if is_parquet {
+    let mut start = Vec::new();
+    let read = (&mut file).take(4).read_to_end(&mut start);
+    read.map_err(|error| TraceError::io(&error))?;
+    if start == b"PAR1" {
         let table = parquet::Table::open(path)?;
         let layout = Layout::read(table.names(), scene)?;
         return run(Source::Parquet(Box::new(table)), &layout, scene, options);
     }
-    let file = File::open(path).map_err(|error| TraceError::io(&error))?;
-    audit_csv(Box::new(file), scene, options)
+    // What was read of a pipe cannot be read again.
+    let whole = std::io::Cursor::new(start).chain(file);
+    audit_csv(Box::new(whole), scene, options)
 }
 
 /// Audits a trace in CSV.
