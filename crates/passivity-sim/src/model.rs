@@ -1,6 +1,9 @@
 //! The motion and the controller for any [`Real`]: one text for rationals, numbers of any precision
 //! and rigorous intervals. [`crate::motion`] explains the formulas; here they are written plainly.
 
+mod interval;
+mod law;
+
 use std::cmp::Ordering;
 
 use passivity_core::BigRational;
@@ -10,6 +13,7 @@ use crate::flow::{Flow, State};
 use crate::plan::Plan;
 use crate::real::{Real, Undecided};
 use crate::series;
+use law::Law;
 
 /// A scene in the numbers of a method.
 #[derive(Clone, Debug)]
@@ -24,19 +28,6 @@ pub struct Model<R> {
     forces: Option<Forces<R>>,
     flow: Option<Flow<R>>,
     start: [R; 2],
-}
-
-/// The controller.
-#[derive(Clone, Debug)]
-struct Law<R> {
-    encoder: bool,
-    delay: usize,
-    unilateral: bool,
-    damping: Option<R>,
-    /// Numerator and denominator of δ: whole numbers, so that a force half-way between two steps is
-    /// seen as such by every kind of number.
-    step: Option<[R; 2]>,
-    limit: Option<R>,
 }
 
 /// The operator's force: one per interval, and the range of each with all that follow.
@@ -202,127 +193,6 @@ impl<R: Number> Model<R> {
             flow,
             start: [of(&point.start[0]), of(&point.start[1])],
         }
-    }
-
-    /// The motion over an interval under `u`, where the sign of `v` can be told.
-    pub(crate) fn advance(&self, xi: &R, v: &R, u: &R) -> Result<Moved<R>, Undecided> {
-        let Some(sigma) = &self.sigma else {
-            let a = u.clone() / self.mu.clone();
-            return Ok(self.straight(xi, v, &a));
-        };
-        let direction = v.sign()?;
-        let friction = if direction == Ordering::Less {
-            -sigma.clone()
-        } else {
-            sigma.clone()
-        };
-        let a = (u.clone() - friction) / self.mu.clone();
-        if direction == Ordering::Equal {
-            return self.turned(xi, v, u, &a, sigma);
-        }
-        let straight = self.straight(xi, v, &a);
-        match straight.velocity.sign() {
-            Ok(sign) if sign != direction.reverse() => Ok(straight),
-            Ok(_) => self.turned(xi, v, u, &a, sigma),
-            // It comes to rest at the sample, or not quite: both texts hold there.
-            Err(Undecided) => {
-                let turned = self.turned(xi, v, u, &a, sigma)?;
-                Ok(Moved {
-                    xi: straight.xi.join(turned.xi),
-                    velocity: straight.velocity.join(turned.velocity),
-                    dissipated: straight.dissipated.join(turned.dissipated),
-                })
-            }
-        }
-    }
-
-    /// No reversal, acceleration `a` at rest.
-    fn straight(&self, xi: &R, v: &R, a: &R) -> Moved<R> {
-        let k = &self.whole;
-        let d = k.phi1.clone() * v.clone() + k.phi2.clone() * a.clone();
-        let velocity = k.decay.clone() * v.clone() + k.phi1.clone() * a.clone();
-        let mut dissipated = match &self.sigma {
-            // The velocity keeps its sign, so the way is |d|; a sign that cannot be told is rounding.
-            Some(sigma) => sigma.clone() * d.magnitude().unwrap_or_else(|_| d.clone()),
-            None => xi.zero(),
-        };
-        if let Some(beta) = &self.beta {
-            let square = k.double.clone() * v.clone() * v.clone()
-                + k.phi1.clone() * k.phi1.clone() * v.clone() * a.clone()
-                + k.chi.clone() * a.clone() * a.clone();
-            dissipated = dissipated + beta.clone() * square;
-        }
-        Moved {
-            xi: xi.clone() + d,
-            velocity,
-            dissipated,
-        }
-    }
-
-    /// A reversal, or a stop, or a start from rest; `a` is the acceleration before it.
-    fn turned(&self, xi: &R, v: &R, u: &R, a: &R, sigma: &R) -> Result<Moved<R>, Undecided> {
-        let one = xi.one();
-        let at_rest = v.sign()? == Ordering::Equal;
-        let r = if at_rest {
-            xi.zero()
-        } else {
-            -(v.clone() / a.clone())
-        };
-        let onward = match u.magnitude()?.compare(sigma)? {
-            Ordering::Greater if u.sign()? == Ordering::Less => u.clone() + sigma.clone(),
-            Ordering::Greater => u.clone() - sigma.clone(),
-            _ => xi.zero(),
-        } / self.mu.clone();
-        let half = xi.ratio(1, 2);
-        let third = xi.ratio(1, 3);
-        // f, f²H, f³K of the way on, and rH, rK of the way to the stop.
-        let (f, second, cubed, first, stopping) = if self.beta.is_none() {
-            let f = one - r.clone();
-            let square = f.clone() * f.clone();
-            let cubed = square.clone() * f.clone() * third.clone();
-            (f, square * half.clone(), cubed, r.clone() * half, r * third)
-        } else {
-            self.ways(&r)
-        };
-        let d = v.clone() * first;
-        let then = onward.clone() * second;
-        let way = d.magnitude().unwrap_or_else(|_| d.clone())
-            + then.magnitude().unwrap_or_else(|_| then.clone());
-        let mut dissipated = sigma.clone() * way;
-        if let Some(beta) = &self.beta {
-            let square = v.clone() * v.clone() * stopping + onward.clone() * onward.clone() * cubed;
-            dissipated = dissipated + beta.clone() * square;
-        }
-        Ok(Moved {
-            xi: xi.clone() + d + then,
-            velocity: onward * f,
-            dissipated,
-        })
-    }
-
-    /// f, f²H(λf), f³K(λf), rH(−λr) and rK(−λr) for a stop after the time of r.
-    fn ways(&self, r: &R) -> (R, R, R, R, R) {
-        let lambda = &self.lambda;
-        let w = lambda.clone() * r.clone();
-        let minus = -w.clone();
-        let first = r.clone() * series::h(&minus);
-        let stopping = r.clone() * series::k(&minus);
-        let f = self.whole.phi1.clone() - self.whole.decay.clone() * r.clone();
-        let x = lambda.clone() * f.clone();
-        if x.approximate() <= 0.5 {
-            let square = f.clone() * f.clone();
-            let second = square.clone() * series::h(&x);
-            let cubed = square * f.clone() * series::k(&x);
-            return (f, second, cubed, first, stopping);
-        }
-        // λf near 1 leaves nothing of 1 − λf: go by the time that is left instead.
-        let rest = r.one() - series::ln_1p(&w) / lambda.clone();
-        let (phi1, phi2) = series::phi(&(lambda.clone() * rest.clone()));
-        let f = rest.clone() * phi1;
-        let second = rest.clone() * rest * phi2;
-        let half_square = f.clone() * f.clone() * r.ratio(1, 2);
-        let cubed = (second.clone() - half_square) / lambda.clone();
-        (f, second, cubed, first, stopping)
     }
 
     /// Runs the model for at most `intervals` intervals, numbers no longer than `longest` bits.
@@ -520,119 +390,4 @@ fn ended<R>(halt: Halt, intervals: u64, xi: R, velocity: R) -> Ended<R> {
         xi,
         velocity,
     }
-}
-
-impl<R: Real> Law<R> {
-    fn forgets_after(&self) -> u64 {
-        self.delay as u64 + u64::from(self.damping.is_some())
-    }
-
-    fn sample(&self, xi: &R) -> Result<R, Undecided> {
-        if self.encoder {
-            Ok(xi.floor()? + xi.ratio(1, 2))
-        } else {
-            Ok(xi.clone())
-        }
-    }
-
-    /// The law without its history: a sample's force, before it is negated.
-    fn clamped(&self, q: &R) -> Result<R, Undecided> {
-        let mut force = q.clone();
-        if self.unilateral && force.sign()? == Ordering::Less {
-            force = force.zero();
-        }
-        match &self.limit {
-            Some(limit) => clamp(&force, limit),
-            None => Ok(force),
-        }
-    }
-
-    fn held(&self, xi: &R, memory: &mut Memory<R>) -> Result<R, Undecided> {
-        memory.push_front(self.sample(xi)?);
-        let late = |index: usize| memory.get(index).cloned().unwrap_or_else(|| xi.zero());
-        let q = late(self.delay);
-        let mut force = q.clone();
-        if let Some(damping) = &self.damping {
-            force = force + damping.clone() * (q.clone() - late(self.delay + 1));
-        }
-        memory.truncate(self.delay + usize::from(self.damping.is_some()));
-        if self.unilateral && q.sign()? == Ordering::Less {
-            force = q.zero();
-        }
-        let mut held = -force;
-        if let Some([numerator, denominator]) = &self.step {
-            let steps = held * denominator.clone() / numerator.clone() + q.ratio(1, 2);
-            held = steps.floor()? * numerator.clone() / denominator.clone();
-        }
-        match &self.limit {
-            Some(limit) => clamp(&held, limit),
-            None => Ok(held),
-        }
-    }
-
-    /// The change of the linear and of the quantized counterpart's potential.
-    fn potentials(&self, from: &R, to: &R) -> Result<[R; 2], Undecided> {
-        let half = from.ratio(1, 2);
-        let free = !self.unilateral && self.limit.is_none();
-        let linear = if free {
-            let d = to.clone() - from.clone();
-            d.clone() * (from.clone() + d * half)
-        } else {
-            let potential = |xi: &R| -> Result<R, Undecided> {
-                let y = self.clamped(xi)?;
-                Ok(y.clone() * (xi.clone() - y * xi.ratio(1, 2)))
-            };
-            potential(to)? - potential(from)?
-        };
-        if !self.encoder {
-            return Ok([linear.clone(), linear]);
-        }
-        let quantized = self.steps(to)? - self.steps(from)?;
-        Ok([linear, quantized])
-    }
-
-    /// ∫f(⌊x⌋ + ½)dx from 0 to ξ.
-    fn steps(&self, xi: &R) -> Result<R, Undecided> {
-        let half = xi.ratio(1, 2);
-        let n = xi.floor()?;
-        let rest = xi.clone() - n.clone();
-        let free = !self.unilateral && self.limit.is_none();
-        if free {
-            // ½n² + (n + ½)ρ.
-            let whole = n.clone() * n.clone() * half.clone();
-            return Ok(whole + (n + half) * rest);
-        }
-        let below = n.sign()? == Ordering::Less;
-        if below && self.unilateral {
-            return Ok(xi.zero());
-        }
-        // Ticks from 0 to n whose middle is within the limit make ½k², the others the limit each.
-        let size = n.magnitude()?;
-        let whole = match &self.limit {
-            None => size.clone() * size.clone() * half.clone(),
-            Some(limit) => {
-                let within = -((half.clone() - limit.clone()).floor()?);
-                let within = if within.sign()? == Ordering::Less {
-                    xi.zero()
-                } else {
-                    within
-                };
-                let beyond = size.clone() - within.clone();
-                if beyond.sign()? == Ordering::Greater {
-                    within.clone() * within * half.clone() + beyond * limit.clone()
-                } else {
-                    size.clone() * size * half.clone()
-                }
-            }
-        };
-        Ok(whole + self.clamped(&(n + half))? * rest)
-    }
-}
-
-fn clamp<R: Real>(x: &R, limit: &R) -> Result<R, Undecided> {
-    Ok(match x.magnitude()?.compare(limit)? {
-        Ordering::Greater if x.sign()? == Ordering::Less => -limit.clone(),
-        Ordering::Greater => limit.clone(),
-        _ => x.clone(),
-    })
 }
