@@ -8,7 +8,7 @@ FLAGS ?= --locked
 SOLVERS = target/smt
 BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
 
-.PHONY: help setup run test check fmt clippy doc bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate
+.PHONY: help setup run test check fmt clippy doc bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate test-python fuzz
 
 help: ## list the targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -82,3 +82,11 @@ prove-prusti: ## the contracts on the kernel, where `cargo prusti` is installed
 mutate: ## change the kernel's formulas one by one; a test must notice each change (up to an hour)
 	@echo "== cargo mutants on crates/passivity-core"
 	@proofs/mutate
+
+test-python: ## build the Python wheel and test it from a fresh virtual environment
+	@echo "== the Python wheel"
+	@crates/passivity-python/test.sh
+
+fuzz: ## ten minutes of libFuzzer on each of five readers; needs cargo-fuzz and a nightly
+	@echo "== fuzz/run 600"
+	@fuzz/run 600

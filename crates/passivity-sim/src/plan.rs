@@ -67,7 +67,7 @@ pub struct Plan {
     pub intervals: u64,
     /// When divergence is certain.
     pub growth: Growth,
-    /// The margin of the criterion at speed v is `criterion[0]`·v + `criterion[1]`.
+    /// The criterion holds at speed v where `criterion[0]`·v + `criterion[1]` ≥ 0; over v this is the margin (8).
     pub criterion: [f64; 2],
 }
 

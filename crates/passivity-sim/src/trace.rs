@@ -158,7 +158,10 @@ impl Table {
         let [beta, sigma, at_speed, constant] = self.doubles;
         let d = entry.displacement();
         let lower = entry.dissipated_lower(beta, sigma);
-        let margin = (d != 0.0).then(|| at_speed * d.abs() + constant);
+        let speed = d.abs();
+        let moved = d != 0.0;
+        // At a speed that is almost nothing the quotient is beyond all doubles.
+        let quotient = (constant / speed).clamp(-f64::MAX, f64::MAX);
         let [linear, quantized] = [entry.generated_linear, entry.generated_quantized];
         Figures {
             figures: [
@@ -173,11 +176,11 @@ impl Table {
                 lower - quantized,
             ],
             truths: [
-                margin.map(|m| m >= 0.0),
+                moved.then_some(at_speed * speed + constant >= 0.0),
                 Some(lower < linear),
                 Some(lower < quantized),
             ],
-            margin,
+            margin: moved.then_some(at_speed + quotient),
             motion: [entry.v0, entry.v1, entry.dissipated],
         }
     }
@@ -190,7 +193,7 @@ impl Table {
         let speed = passivity_core::Scalar::abs(&step.displacement());
         let [at_speed, constant] = &self.criterion;
         let still = speed == BigRational::integer(0);
-        let margin = (!still).then(|| at_speed * &speed + constant);
+        let margin = (!still).then(|| at_speed + constant / &speed);
         let lower = kernel.dissipated_lower;
         let (linear, quantized) = (&row.generated_linear, &row.generated_quantized);
         let negative = |x: &BigRational| *x < BigRational::integer(0);
@@ -240,7 +243,10 @@ impl Table {
         let number = |x: &BigRational| Enclosed::double(x);
         let (beta, sigma) = (number(&self.friction.beta), number(&self.friction.sigma));
         let lower = size.clone() * (beta * size.clone() + sigma);
-        let margin = number(&self.criterion[0]) * size + number(&self.criterion[1]);
+        let [at_speed, constant] = [number(&self.criterion[0]), number(&self.criterion[1])];
+        let surplus = at_speed.clone() * size.clone() + constant.clone();
+        // A step that may be none has no margin to enclose.
+        let margin = (size.lo > 0.0).then(|| at_speed + constant / size);
         let nets = [
             lower.clone() - row.generated_linear.clone(),
             lower.clone() - row.generated_quantized.clone(),
@@ -255,7 +261,7 @@ impl Table {
             if still {
                 None
             } else {
-                negative(&margin).map(|n| !n)
+                negative(&surplus).map(|n| !n)
             },
             negative(&nets[0]),
             negative(&nets[1]),
@@ -273,7 +279,7 @@ impl Table {
                 net_linear,
                 net_quantized,
             ],
-            margin: (!still).then_some(margin),
+            margin,
             truths,
             motion: [
                 row.velocity[0].clone(),
