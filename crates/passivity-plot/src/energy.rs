@@ -61,9 +61,11 @@ pub fn draw(title: &str, course: &[Point]) -> Result<String, PlotError> {
         let mut chart = ChartBuilder::on(&root)
             .caption(title, ("sans-serif", 20))
             .margin(12)
+            .margin_right(28)
             .x_label_area_size(42)
             .y_label_area_size(80)
-            .build_cartesian_2d(0.0..last.interval.max(1.0), low - air..high + air)?;
+            // Room above for the legend, at the height of its two lines.
+            .build_cartesian_2d(0.0..last.interval.max(1.0), low - air..high + 3.5 * air)?;
         chart
             .configure_mesh()
             .light_line_style(TRANSPARENT)
