@@ -192,12 +192,8 @@ fn evidence_of(
         let domain = record.domain.join("; ");
         // What the solvers are asked of a false statement is that statement, and they answer with a model.
         let refuted = claim.refutes && engine == Engine::Smt;
-        let model = if refuted {
-            "refuted by a model, replayed on the kernel: "
-        } else {
-            ""
-        };
-        result = format!("{result} ({model}{domain})");
+        let refuted = if refuted { "refuted: " } else { "" };
+        result = format!("{result} ({refuted}{domain})");
     }
     Some(Evidence {
         id,
