@@ -74,6 +74,15 @@ fn moving(mu: f64) -> Vec<Plain> {
     points
 }
 
+/// The target in words, where there is one.
+fn limit(most: f64) -> String {
+    if most.is_finite() {
+        format!("at most {most}")
+    } else {
+        "to compare".to_owned()
+    }
+}
+
 #[expect(clippy::print_stdout, reason = "a bench prints its table")]
 fn main() {
     let begin = Instant::now();
@@ -119,7 +128,8 @@ fn main() {
         );
         let lane = (clock(begin) - start) / count as f64 * 1e9;
         println!(
-            "sweep, moving points, {name:<18}{lane:8.2} ns an interval and point (at most {most})"
+            "sweep, moving points, {name:<18}{lane:8.2} ns an interval and point ({})",
+            limit(most)
         );
     }
 

@@ -10,9 +10,9 @@ use crate::audit::chunk::Chunk;
 use crate::audit::error::TraceError;
 use crate::audit::force::ForceCheck;
 use crate::audit::report::Audit;
-use crate::audit::worker::{
-    Supply, Task, between, check_jump, duration, enter, plot, potential_range,
-};
+use crate::audit::step::{between, check_jump, duration};
+use crate::audit::supply::{Supply, potential_range};
+use crate::audit::worker::{Task, enter, plot};
 use crate::ledger::Sample;
 use crate::number::Number;
 

@@ -11,6 +11,8 @@ mod layout;
 mod merge;
 mod parquet;
 mod report;
+mod step;
+mod supply;
 mod worker;
 
 pub use account::Point;

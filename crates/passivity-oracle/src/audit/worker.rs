@@ -5,18 +5,16 @@
 
 use std::collections::HashMap;
 
-use passivity_core::{BigRational, Scalar, Truth, rational};
+use passivity_core::{BigRational, Truth};
 
-use crate::audit::account::{Account, Lowest, Point, Spot, kinds};
+use crate::audit::account::{Account, Point, Spot, kinds};
 use crate::audit::chunk::{Chunk, Samples};
-use crate::audit::course::near;
 use crate::audit::error::TraceError;
 use crate::audit::layout::Layout;
+use crate::audit::step::{duration, jump};
+use crate::audit::supply::{Supply, observed, potential};
 use crate::ledger::{Ledger, Row, Sample};
-use crate::number::{Number, Written as _};
-
-/// A count that jumps by this much in one interval is no motion.
-pub(crate) const MAX_JUMP: i64 = 1 << 31;
+use crate::number::Number;
 
 /// How many different rows are kept at once.
 const MAX_ROWS: usize = 1 << 15;
@@ -464,53 +462,6 @@ fn spot(ledger: &Ledger, samples: &Samples, i: usize, h: u64, dtau: &Number) -> 
     })
 }
 
-/// Δτ of the interval that starts at sample `i`; `None` when the trace does not say.
-pub(crate) fn duration(
-    layout: &Layout,
-    chunk: &Chunk,
-    i: usize,
-) -> Result<Option<Number>, TraceError> {
-    if let Some((from, to)) = chunk.times.get(i).zip(chunk.times.get(i + 1)) {
-        return between(layout, from, to).map(Some);
-    }
-    match chunk.dtaus.get(i) {
-        Some(dtau) if !crate::number::is_positive(dtau) => {
-            let message = "expected a duration above zero";
-            Err(TraceError::new("time", message).column("dtau"))
-        }
-        dtau => Ok(dtau.cloned()),
-    }
-}
-
-/// Δτ between two times.
-pub(crate) fn between(layout: &Layout, from: &Number, to: &Number) -> Result<Number, TraceError> {
-    layout.duration(from, to).ok_or_else(|| {
-        let name = layout.time.map_or("", |column| layout.name(column));
-        TraceError::new("time", format!("expected a time after {from}, found {to}")).column(name)
-    })
-}
-
-fn jump(samples: &Samples, i: usize) -> Result<(), TraceError> {
-    let Samples::Counts(counts) = samples else {
-        return Ok(());
-    };
-    match counts.get(i).zip(counts.get(i + 1)) {
-        Some((from, to)) => check_jump(*from, *to),
-        None => Ok(()),
-    }
-}
-
-/// Refuses a step that no device makes.
-pub(crate) fn check_jump(from: i64, to: i64) -> Result<(), TraceError> {
-    if from.abs_diff(to) < MAX_JUMP.unsigned_abs() {
-        return Ok(());
-    }
-    let message = format!(
-        "the count jumps from {from} to {to} in one interval: has a counter wrapped around?"
-    );
-    Err(TraceError::new("jump", message).column("count"))
-}
-
 /// Ends the chunk with the sample at `i`, for the row after it is wrong.
 fn cut(chunk: &mut Chunk, i: usize, error: TraceError) {
     let len = i + 1;
@@ -522,64 +473,6 @@ fn cut(chunk: &mut Chunk, i: usize, error: TraceError) {
     chunk.error = Some(error.row(len as u64));
 }
 
-/// −F·Δξ over an interval: what the observer adds. Of counts, Δξ is the difference in ticks.
-pub(crate) fn observed(
-    ledger: &Ledger,
-    back: &[Sample],
-    end: &Sample,
-) -> Result<(i128, i128), BigRational> {
-    let on_machine_integers = || {
-        let cells: Option<Vec<_>> = back.iter().map(Sample::to_fixed).collect();
-        let held = ledger.fixed()?.held_force(&cells?);
-        let seen = |sample: &Sample| {
-            let cell = sample.to_fixed()?;
-            Some(match sample {
-                Sample::Count(_) => cell.tick,
-                _ => cell.tick + *cell.residue.lo(),
-            })
-        };
-        let step = seen(end)? - seen(back.first()?)?;
-        (-(held * step)).to_reduced()
-    };
-    if let Some(work) = on_machine_integers() {
-        return Ok(work);
-    }
-    let cells: Vec<_> = back.iter().map(Sample::to_wide).collect();
-    let held = ledger.wide().held_force(&cells);
-    let seen = |sample: &Sample| {
-        let cell = sample.to_wide();
-        match sample {
-            Sample::Count(_) => cell.tick,
-            _ => cell.tick + cell.residue.lo().clone(),
-        }
-    };
-    let start = back.first().map_or_else(Scalar::zero, seen);
-    let work = -(held * (seen(end) - start));
-    Err(rational::from_wide(&work).unwrap_or_else(|| BigRational::integer(0)))
-}
-
-/// The least potential of the wall at a sample.
-fn potential(ledger: &Ledger, samples: &Samples, i: usize) -> Option<BigRational> {
-    let [least, _] = potential_range(ledger, &samples.get(i)?);
-    Some(least)
-}
-
-/// The least and the largest potential of the wall at a sample, in KΔ².
-pub(crate) fn potential_range(ledger: &Ledger, sample: &Sample) -> [BigRational; 2] {
-    let law = ledger.model().law();
-    let ends = match sample {
-        Sample::Exact(xi) => [xi.to_rational(), xi.to_rational()],
-        Sample::Count(n) => {
-            let n = BigRational::from_integer((*n).into());
-            [n.clone(), n + BigRational::one()]
-        }
-        Sample::Within(ends) => [ends.0.clone(), ends.1.clone()],
-    };
-    // The potential is convex with its least value at 0, which no cell has inside it.
-    let [a, b] = ends.map(|xi| law.potential(&xi));
-    if a < b { [a, b] } else { [b, a] }
-}
-
 /// Adds a point to the plot.
 pub(crate) fn plot(account: &mut Account) {
     account.points.push(Point {
@@ -587,67 +480,6 @@ pub(crate) fn plot(account: &mut Account) {
         net: account.net.near(),
         observer: account.observer.near(),
     });
-}
-
-/// The least of net energy plus potential, compared in doubles first.
-#[derive(Default)]
-pub(crate) struct Supply {
-    lowest: Option<(f64, Lowest)>,
-}
-
-impl Supply {
-    pub(crate) fn lower(&mut self, account: &Account, potential: &Option<BigRational>) {
-        let Some(potential) = potential else { return };
-        let now = account.net.near() + near(potential);
-        let slack = 1e-6 * (1.0 + now.abs() + account.net.near().abs());
-        if self
-            .lowest
-            .as_ref()
-            .is_some_and(|(lowest, _)| now > lowest + slack)
-        {
-            return;
-        }
-        let value = account.net.total() + potential;
-        if self
-            .lowest
-            .as_ref()
-            .is_none_or(|(_, lowest)| value < lowest.value)
-        {
-            let h = account.intervals;
-            self.lowest = Some((near(&value), Lowest { value, h }));
-        }
-    }
-
-    /// Twice the lowest value over a denominator, rounded up; and where.
-    fn twice_lowest(&self, denominator: i128) -> (i128, u64) {
-        use num_traits::ToPrimitive as _;
-        let twice = self.lowest.as_ref().and_then(|(_, lowest)| {
-            let scale = BigRational::from_integer((2 * denominator).into());
-            let twice = (&lowest.value * scale).ceil().to_integer().to_i128()?;
-            Some((twice, lowest.h))
-        });
-        twice.unwrap_or((i128::MAX, 0))
-    }
-
-    fn keep_twice(&mut self, (twice, h): (i128, u64), denominator: i128) {
-        if twice == i128::MAX {
-            return;
-        }
-        let value = BigRational::new(twice.into(), (2 * denominator).into());
-        if self
-            .lowest
-            .as_ref()
-            .is_none_or(|(_, lowest)| value < lowest.value)
-        {
-            self.lowest = Some((near(&value), Lowest { value, h }));
-        }
-    }
-
-    pub(crate) fn settle(self, account: &mut Account) {
-        if let Some((_, lowest)) = self.lowest {
-            account.lower_supply(lowest.value, lowest.h);
-        }
-    }
 }
 
 /// The two ends of an interval of counts as CSV, with the comma before Δτ left out.
