@@ -360,6 +360,8 @@ impl<R: Real> Flow<R> {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
     use crate::motion::Constants;
 
@@ -419,11 +421,11 @@ mod tests {
                 output: 0.0,
             };
             let got = flow.advance(&start, &0.0, &0.0, true).unwrap();
-            assert!((got.end.xi - omega.cos()).abs() < 1e-14);
-            assert!((got.end.velocity + omega * omega.sin()).abs() < 1e-13);
+            assert_abs_diff_eq!(got.end.xi, omega.cos(), epsilon = 1e-14);
+            assert_abs_diff_eq!(got.end.velocity, -omega * omega.sin(), epsilon = 1e-13);
             // ∫ω² sin²(ωt) dt over the interval.
             let square = omega * omega * (0.5 - (2.0 * omega).sin() / (4.0 * omega));
-            assert!((got.square - square).abs() < 1e-12, "{}", got.square);
+            assert_abs_diff_eq!(got.square, square, epsilon = 1e-12);
         }
     }
 
@@ -440,8 +442,8 @@ mod tests {
             output: 0.0,
         };
         let got = flow.advance(&start, &0.0, &0.0, true).unwrap();
-        assert!((got.end.xi - 1.5).abs() < 1e-13, "{}", got.end.xi);
-        assert!((got.path - 7.0).abs() < 1e-13, "{}", got.path);
+        assert_abs_diff_eq!(got.end.xi, 1.5, epsilon = 1e-13);
+        assert_abs_diff_eq!(got.path, 7.0, epsilon = 1e-13);
     }
 
     #[test]
@@ -458,8 +460,8 @@ mod tests {
         // y = 1 − e^(−2t) passes ½ at t₀ = ln 2/2; then v = ∫(y − ½) = (t − t₀)/2 − (½ − e^(−2t))/2.
         let (t0, e) = (0.5 * 2.0_f64.ln(), (-2.0_f64).exp());
         let velocity = 0.5 * (1.0 - t0) - 0.5 * (0.5 - e);
-        assert!((got.end.velocity - velocity).abs() < 1e-14, "{got:?}");
-        assert!((got.end.output - (1.0 - e)).abs() < 1e-15);
+        assert_abs_diff_eq!(got.end.velocity, velocity, epsilon = 1e-14);
+        assert_abs_diff_eq!(got.end.output, 1.0 - e, epsilon = 1e-15);
     }
 
     #[test]

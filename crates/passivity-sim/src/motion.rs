@@ -239,6 +239,8 @@ impl Constants {
 
 #[cfg(test)]
 mod tests {
+    use approx::assert_abs_diff_eq;
+
     use super::*;
 
     /// The motion by many short steps of the midpoint rule, stopping at reversals: an independent,
@@ -314,9 +316,9 @@ mod tests {
                 let series = k.reverse::<true, true>(0.0, v, u, a);
                 let wide = k.reverse_wide(0.0, v, u, -v / a);
                 // 1 − ln(1 + w)/λ loses 16 ulp of 1: 4e-15 of a way below 1.
-                assert!((series.xi - wide.xi).abs() < 1e-14, "{series:?} {wide:?}");
-                assert!((series.velocity - wide.velocity).abs() < 1e-14);
-                assert!((series.square - wide.square).abs() < 1e-14);
+                assert_abs_diff_eq!(series.xi, wide.xi, epsilon = 1e-14);
+                assert_abs_diff_eq!(series.velocity, wide.velocity, epsilon = 1e-14);
+                assert_abs_diff_eq!(series.square, wide.square, epsilon = 1e-14);
             }
         }
     }
