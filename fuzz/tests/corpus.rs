@@ -6,7 +6,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
-use passivity_fuzz::TARGETS;
+use passivity_fuzz::{Random, TARGETS};
 
 /// Mutated inputs of each reader; together they take some seconds.
 const MUTATIONS: usize = 2500;
@@ -56,24 +56,6 @@ fn corpus(name: &str) -> Vec<(PathBuf, Vec<u8>)> {
     files.into_iter().map(read).collect()
 }
 
-/// Random numbers from a seed (SplitMix64).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// A number below `n`, which is above zero.
-    fn below(&mut self, n: usize) -> usize {
-        usize::try_from(self.next() % n as u64).unwrap()
-    }
-}
-
 fn mutated(inputs: &[(PathBuf, Vec<u8>)], random: &mut Random) -> Vec<u8> {
     let mut bytes = inputs[random.below(inputs.len())].1.clone();
     for _ in 0..=random.below(4) {
@@ -83,7 +65,7 @@ fn mutated(inputs: &[(PathBuf, Vec<u8>)], random: &mut Random) -> Vec<u8> {
             0 if at < bytes.len() => bytes[at] ^= 1 << random.below(8),
             1 => bytes.truncate(at),
             2 => drop(bytes.drain(at..end)),
-            3 => drop(bytes.splice(at..at, WORDS[random.below(WORDS.len())].iter().copied())),
+            3 => drop(bytes.splice(at..at, random.pick(&WORDS).iter().copied())),
             4 => {
                 let other = &inputs[random.below(inputs.len())].1;
                 let from = random.below(other.len() + 1);
@@ -115,7 +97,7 @@ fn replay(name: &str) {
         holds(target.run, bytes, &path.display().to_string());
     }
     holds(target.run, b"", name);
-    let mut random = Random(name.len() as u64);
+    let mut random = Random::new(name.len() as u64);
     for i in 0..MUTATIONS {
         holds(
             target.run,

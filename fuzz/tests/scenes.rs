@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use passivity_fuzz::Random;
 use passivity_scene::Scene;
 use passivity_scene::check::check;
 
@@ -14,28 +15,6 @@ const CHECKED: u64 = 20;
 
 /// What no scene may take.
 const LIMIT: Duration = Duration::from_secs(1);
-
-/// SplitMix64: the same mutations everywhere.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// A number below `n`.
-    fn below(&mut self, n: usize) -> usize {
-        usize::try_from(self.next() % u64::try_from(n.max(1)).unwrap()).unwrap()
-    }
-
-    fn pick<'a, T: ?Sized>(&mut self, from: &[&'a T]) -> &'a T {
-        from[self.below(from.len())]
-    }
-}
 
 /// Pieces that a parser may trip over.
 const PIECES: [&[u8]; 24] = [
@@ -133,7 +112,7 @@ fn inflate(text: &mut Vec<u8>, random: &mut Random) {
 
 #[test]
 fn ten_thousand_mutated_scenes_are_read_or_refused() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
     let mut paths: Vec<_> = fs::read_dir(folder)
         .unwrap()
         .map(|f| f.unwrap().path())
@@ -143,7 +122,7 @@ fn ten_thousand_mutated_scenes_are_read_or_refused() {
     let scenes: Vec<Vec<u8>> = paths.iter().map(|path| fs::read(path).unwrap()).collect();
     assert!(scenes.len() >= 13);
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("mutated.toml");
-    let mut random = Random(2005);
+    let mut random = Random::new(2005);
     let (mut read, mut refused) = (0_u64, 0_u64);
     for case in 0..CASES {
         let text = mutate(&scenes, &mut random);
