@@ -365,8 +365,8 @@ impl<'a> Build<'a> {
             .evidence
             .iter()
             .map(|evidence| match evidence.standing() {
-                Standing::Shown => evidence.label().to_owned(),
-                standing => format!("{} ({})", evidence.label(), standing.words()),
+                Standing::Shown => evidence.engine.words().to_owned(),
+                standing => format!("{} ({})", evidence.engine.words(), standing.words()),
             })
             .collect();
         let text = if engines.is_empty() {

@@ -113,7 +113,7 @@ impl Case {
         let mut alike: BTreeMap<(&str, String), Vec<&str>> = BTreeMap::new();
         for (claim, evidence) in self.records.evidence() {
             if evidence.standing() != Standing::Shown {
-                let key = (evidence.label(), evidence.words());
+                let key = (evidence.engine.words(), evidence.words());
                 alike.entry(key).or_default().push(&claim.id);
             }
         }

@@ -164,7 +164,7 @@ fn evidence_of(
     let Some(record) = found.find(&claim.id, engine) else {
         return claim.evidence.contains(&engine).then(|| Evidence {
             id,
-            engine: engine.name().to_owned(),
+            engine,
             result: "not run here".to_owned(),
             tool: String::new(),
             sources: BTreeMap::new(),
@@ -191,13 +191,15 @@ fn evidence_of(
     if !record.domain.is_empty() && record.not_run.is_none() {
         let domain = record.domain.join("; ");
         // What the solvers are asked of a false statement is that statement, and they answer with a model.
-        let refuted = claim.refutes && engine == Engine::Smt;
-        let refuted = if refuted { "refuted: " } else { "" };
+        let refuted = match engine {
+            Engine::Smt if claim.refutes => "refuted: ",
+            _ => "",
+        };
         result = format!("{result} ({refuted}{domain})");
     }
     Some(Evidence {
         id,
-        engine: engine.name().to_owned(),
+        engine,
         result,
         tool: record.tool.clone(),
         sources: record.sources.clone(),

@@ -45,8 +45,8 @@ pub struct Assumption {
 pub struct Evidence {
     /// The claim's id and the engine, which name the record: `TH-LIN/smt`.
     pub id: String,
-    /// The engine: `smt`, `kani`, `rocq`, `tests` …
-    pub engine: String,
+    /// The engine.
+    pub engine: Engine,
     /// The result in the project's words, with the domain or the number of cases.
     pub result: String,
     /// The tool and its version.
@@ -71,13 +71,6 @@ pub enum Freshness {
 }
 
 impl Evidence {
-    /// What the engine is, for a reader.
-    #[must_use]
-    pub fn label(&self) -> &str {
-        let engine = Engine::ALL.iter().find(|e| e.name() == self.engine);
-        engine.map_or(&self.engine, |e| e.words())
-    }
-
     /// How it stands in the argument.
     #[must_use]
     pub const fn standing(&self) -> Standing {

@@ -7,6 +7,7 @@ use std::path::Path;
 use passivity_case::argument::argue;
 use passivity_case::records::{Assumption, Claim, Evidence, Freshness};
 use passivity_case::{Records, Study};
+use passivity_evidence::Engine;
 use saphyr::{LoadableYamlNode as _, Yaml};
 
 struct Element {
@@ -278,9 +279,9 @@ fn records() -> Records {
         "EQ-27",
         "TH-STIFF",
     ];
-    let evidence = |id: &str, engine: &str, freshness| Evidence {
+    let evidence = |id: &str, engine: Engine, freshness| Evidence {
         id: format!("{id}/{engine}"),
-        engine: engine.to_owned(),
+        engine,
         result: "proved for all reals".to_owned(),
         tool: String::new(),
         sources: BTreeMap::new(),
@@ -291,8 +292,8 @@ fn records() -> Records {
         sentence: format!("What {id} says: \"quoted\", with a colon: and # a hash."),
         assumptions: vec!["A-OPERATOR".to_owned(), format!("A-{id}")],
         evidence: vec![
-            evidence(id, "smt", Freshness::Fresh),
-            evidence(id, "kani", Freshness::NotRun("no checker".to_owned())),
+            evidence(id, Engine::Smt, Freshness::Fresh),
+            evidence(id, Engine::Kani, Freshness::NotRun("no checker".to_owned())),
         ],
         ..Claim::default()
     });

@@ -59,22 +59,17 @@ fn table(document: &mut Document, records: &Records) {
                 "" => String::new(),
                 tool => format!(", by {tool}"),
             };
+            let found = format!("{}{tool}", evidence.result);
             let (result, state) = match &evidence.freshness {
-                Freshness::NotRun(why) if !why.is_empty() => (format!("because {why}"), "not run"),
-                Freshness::NotRun(_) => (String::new(), "not run"),
-                Freshness::Fresh => (format!("{}{tool}", evidence.result), "fresh"),
-                Freshness::Stale(_) => (
-                    format!("{}{tool}; {}", evidence.result, evidence.words()),
-                    "stale",
-                ),
-                Freshness::Failed(_) => (
-                    format!("{}{tool}; {}", evidence.result, evidence.words()),
-                    "failed",
-                ),
+                Freshness::NotRun(why) if why.is_empty() => (String::new(), "not run"),
+                Freshness::NotRun(why) => (format!("because {why}"), "not run"),
+                Freshness::Fresh => (found, "fresh"),
+                Freshness::Stale(_) => (format!("{found}; {}", evidence.words()), "stale"),
+                Freshness::Failed(_) => (format!("{found}; {}", evidence.words()), "failed"),
             };
             [
                 to_claim(&claim.id),
-                evidence.label().into(),
+                evidence.engine.words().into(),
                 result.as_str().into(),
                 state.into(),
             ]

@@ -134,9 +134,7 @@ fn counted(records: &Records, engine: Engine) -> String {
         (Standing::Open, "failed"),
     ];
     let of = |standing| {
-        let records = records
-            .evidence()
-            .filter(|(_, e)| e.engine == engine.name());
+        let records = records.evidence().filter(|(_, e)| e.engine == engine);
         records.filter(|(_, e)| e.standing() == standing).count()
     };
     let counts: Vec<String> = kinds
@@ -162,7 +160,7 @@ mod tests {
     fn claim(engine: Engine, freshness: Freshness) -> Claim {
         let evidence = Evidence {
             id: format!("X/{engine}"),
-            engine: engine.name().to_owned(),
+            engine,
             result: String::new(),
             tool: String::new(),
             sources: BTreeMap::new(),

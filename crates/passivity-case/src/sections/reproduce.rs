@@ -72,8 +72,8 @@ fn tools(document: &mut Document, case: &Case) {
     let mut tools: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
     for (_, evidence) in case.records.evidence() {
         let engines = tools.entry(&evidence.tool).or_default();
-        if !engines.contains(&evidence.label()) {
-            engines.push(evidence.label());
+        if !engines.contains(&evidence.engine.words()) {
+            engines.push(evidence.engine.words());
         }
     }
     tools.remove("");

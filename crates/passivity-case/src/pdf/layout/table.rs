@@ -30,9 +30,9 @@ impl Layout<'_> {
                 .map(|(name, _)| Line::strong(*name))
                 .collect(),
         };
-        let mut head_row = self.row(&head, &widths, true, None);
         // Heads repeated on later pages are no further rows of the table.
-        let head_row = vec![Element::Group(Role::Row, std::mem::take(&mut head_row))];
+        let head_row = self.row(&head, &widths, true, None);
+        let head_row = vec![Element::Group(Role::Row, head_row)];
         let mut body = Vec::new();
         for row in &table.rows {
             let cells = self.row(row, &widths, false, Some(&head));
