@@ -6,7 +6,7 @@ use crate::scalar::Scalar;
 ///
 /// Dimensionless (8): `viscous` = β − ½, `coulomb` = σ − ½, v in ticks per sampling period.
 /// With units (11): `viscous` = b − KT/2, `coulomb` = c − KΔ/2, v in units of length per time.
-/// Effects of a scene lower them; see [`Rig::criterion`](crate::Rig::criterion).
+/// The effects of a loop lower them; see [`Loop::criterion`](crate::Loop::criterion).
 ///
 /// # Example
 ///

@@ -15,7 +15,7 @@ use num_traits::{One, Signed, Zero};
 use crate::scalar::{Ordered, Scalar};
 
 /// An integer type that fractions can be made of: every operation that may overflow is checked.
-pub trait Integer: Clone + Ord {
+pub trait Integer: Clone + PartialEq {
     /// The integer `n`.
     fn from_i32(n: i32) -> Self;
     /// The sum, or `None` on overflow.
@@ -26,10 +26,14 @@ pub trait Integer: Clone + Ord {
     fn mul(&self, other: &Self) -> Option<Self>;
     /// The quotient rounded down, or `None` unless `divisor` is above zero.
     fn div_floor(&self, divisor: &Self) -> Option<Self>;
-    /// How the value compares with zero.
-    fn signum(&self) -> Ordering;
+    /// How the value compares with zero, or `None` where that cannot be told.
+    fn signum(&self) -> Option<Ordering>;
     /// Half of the value when it is even.
     fn halved(&self) -> Option<Self>;
+    /// How the value compares with `other`, or `None` where that cannot be told.
+    fn compare(&self, other: &Self) -> Option<Ordering> {
+        self.sub(other)?.signum()
+    }
 }
 
 macro_rules! machine_integer {
@@ -52,8 +56,11 @@ macro_rules! machine_integer {
                 // With a positive divisor the Euclidean quotient is the floor.
                 if *divisor > 0 { self.checked_div_euclid(*divisor) } else { None }
             }
-            fn signum(&self) -> Ordering {
-                self.cmp(&0)
+            fn signum(&self) -> Option<Ordering> {
+                Some(self.cmp(&0))
+            }
+            fn compare(&self, other: &Self) -> Option<Ordering> {
+                Some(self.cmp(other))
             }
             #[cfg_attr(prusti, prusti_contracts::ensures(*self % 2 != 0 ==> result.is_none()))]
             fn halved(&self) -> Option<Self> {
@@ -82,8 +89,11 @@ impl Integer for BigInt {
             .is_positive()
             .then(|| num_integer::Integer::div_floor(self, divisor))
     }
-    fn signum(&self) -> Ordering {
-        self.cmp(&Self::zero())
+    fn signum(&self) -> Option<Ordering> {
+        Some(self.cmp(&Self::zero()))
+    }
+    fn compare(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
     }
     fn halved(&self) -> Option<Self> {
         self.is_even()
@@ -127,9 +137,9 @@ impl<I: Integer> Fraction<I> {
     pub fn new(numerator: I, denominator: I) -> Self {
         let zero = I::from_i32(0);
         let value = match denominator.signum() {
-            Ordering::Greater => Some((numerator, denominator)),
-            Ordering::Equal => None,
-            Ordering::Less => zero.sub(&numerator).zip(zero.sub(&denominator)),
+            Some(Ordering::Greater) => Some((numerator, denominator)),
+            Some(Ordering::Equal) | None => None,
+            Some(Ordering::Less) => zero.sub(&numerator).zip(zero.sub(&denominator)),
         };
         Self { value }
     }
@@ -162,6 +172,14 @@ impl<I: Integer> Fraction<I> {
         let ((n, d), (m, e)) = self.value.zip(other.value)?;
         if d == e {
             return f(&n, &m).map(|n| (n, d));
+        }
+        // Adding nothing makes no number longer.
+        let zero = I::from_i32(0);
+        if m == zero {
+            return Some((n, d));
+        }
+        if n == zero {
+            return f(&zero, &m).map(|m| (m, e));
         }
         let numerator = f(&n.mul(&e)?, &m.mul(&d)?)?;
         Some((numerator, d.mul(&e)?))
@@ -220,7 +238,8 @@ impl<I: Integer> Scalar for Fraction<I> {
     fn abs(&self) -> Self {
         match self.sign() {
             Some(Ordering::Less) => -self.clone(),
-            _ => self.clone(),
+            Some(_) => self.clone(),
+            None => Self::UNDEFINED,
         }
     }
 
@@ -250,17 +269,17 @@ impl<I: Integer> Scalar for Fraction<I> {
 }
 
 impl<I: Integer> Ordered for Fraction<I> {
-    #[cfg_attr(prusti, prusti_contracts::ensures(result.is_some() == self.is_defined()))]
+    #[cfg_attr(prusti, prusti_contracts::ensures(result.is_some() ==> self.is_defined()))]
     fn sign(&self) -> Option<Ordering> {
-        self.value.as_ref().map(|(n, _)| n.signum())
+        self.value.as_ref().and_then(|(n, _)| n.signum())
     }
 
     fn compare(&self, other: &Self) -> Option<Ordering> {
         let ((n, d), (m, e)) = self.value.as_ref().zip(other.value.as_ref())?;
         if d == e {
-            return Some(n.cmp(m));
+            return n.compare(m);
         }
-        Some(n.mul(e)?.cmp(&m.mul(d)?))
+        n.mul(e)?.compare(&m.mul(d)?)
     }
 }
 

@@ -19,6 +19,36 @@ pub struct Interval<S> {
     hi: S,
 }
 
+impl<S> Interval<S> {
+    /// The interval with both ends taken through `f`, which must keep their order.
+    pub fn map<U>(&self, f: impl Fn(&S) -> U) -> Interval<U> {
+        Interval {
+            lo: f(&self.lo),
+            hi: f(&self.hi),
+        }
+    }
+
+    /// The same, where `f` may give up: `None` then.
+    pub fn try_map<U>(&self, f: impl Fn(&S) -> Option<U>) -> Option<Interval<U>> {
+        Some(Interval {
+            lo: f(&self.lo)?,
+            hi: f(&self.hi)?,
+        })
+    }
+
+    /// The lower end.
+    #[must_use]
+    pub const fn lo(&self) -> &S {
+        &self.lo
+    }
+
+    /// The upper end.
+    #[must_use]
+    pub const fn hi(&self) -> &S {
+        &self.hi
+    }
+}
+
 impl<S: Ordered> Interval<S> {
     /// The interval [lo, hi]; `None` when lo > hi or an end is undefined.
     #[must_use]
@@ -44,26 +74,6 @@ impl<S: Ordered> Interval<S> {
             lo: a.clone().min(b.clone()),
             hi: a.max(b),
         }
-    }
-
-    /// The interval with both ends taken through `f`, which must keep their order.
-    pub fn map<U>(&self, f: impl Fn(&S) -> U) -> Interval<U> {
-        Interval {
-            lo: f(&self.lo),
-            hi: f(&self.hi),
-        }
-    }
-
-    /// The lower end.
-    #[must_use]
-    pub const fn lo(&self) -> &S {
-        &self.lo
-    }
-
-    /// The upper end.
-    #[must_use]
-    pub const fn hi(&self) -> &S {
-        &self.hi
     }
 
     /// Whether the interval holds one number only.

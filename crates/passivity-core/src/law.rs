@@ -84,6 +84,41 @@ impl<S: Scalar> Law<S> {
         xi.clone() * force.clone() - force.square().half()
     }
 
+    /// The potential of the quantized law, ∫f(⌊x⌋ + ½)dx from 0 to ξ, in KΔ² (16).
+    ///
+    /// For a law with `lower` ≤ 0 ≤ `upper`. With y = ⌊x⌋ + ½ the law is
+    /// f(y) = y − max(y − upper, 0) + max(lower − y, 0), and each part is summed over whole ticks.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_core::{Fixed, Law, Scalar};
+    ///
+    /// let wall = Law::bilateral().saturated(Fixed::integer(1));
+    /// // Ticks of force ½, then 1, then half a tick of 1.
+    /// assert_eq!(wall.quantized_potential(&Fixed::new(5, 2)), Fixed::integer(2));
+    /// ```
+    #[must_use]
+    pub fn quantized_potential(&self, xi: &S) -> S {
+        let Quantized { tick, residue } = Quantized::of(xi);
+        let mut potential = crate::spring::quantized_potential(xi);
+        if let Some(upper) = &self.upper {
+            potential = potential - beyond(upper, &tick, &residue);
+        }
+        if let Some(lower) = &self.lower {
+            // Seen from the other side, tick n is tick −1 − n, and what is left of it is 1 − ρ.
+            let mirrored = -(tick + S::one());
+            potential = potential - beyond(&-lower.clone(), &mirrored, &(S::one() - residue));
+        }
+        potential
+    }
+
+    /// Whether the law is the linear spring everywhere.
+    #[must_use]
+    pub const fn is_linear(&self) -> bool {
+        self.lower.is_none() && self.upper.is_none()
+    }
+
     /// The force held from a sample at ξ, −f(⌊ξ⌋ + ½), in KΔ.
     ///
     /// For the unilateral wall it is zero exactly when the sample is outside.
@@ -91,4 +126,15 @@ impl<S: Scalar> Law<S> {
     pub fn held_force(&self, xi: &S) -> S {
         -self.force(&Quantized::of(xi).measured())
     }
+}
+
+/// ∫max(⌊x⌋ + ½ − limit, 0)dx from 0 to n + ρ, for a limit of at least zero; zero for n < 0.
+///
+/// Tick j is beyond the limit when j ≥ m = max(⌈limit − ½⌉, 0). N = max(n − m, 0) whole ones make
+/// Σ (j + ½ − limit) = N(m − limit + N/2), and the last one a share ρ of its own.
+fn beyond<S: Scalar>(limit: &S, tick: &S, residue: &S) -> S {
+    let first = (-(S::one().half() - limit.clone()).floor()).max(S::zero());
+    let whole = (tick.clone() - first.clone()).max(S::zero());
+    let last = (tick.clone() + S::one().half() - limit.clone()).max(S::zero());
+    whole.clone() * (first - limit.clone() + whole.half()) + last * residue.clone()
 }

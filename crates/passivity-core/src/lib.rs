@@ -25,11 +25,11 @@
 //! The paper's bound (22) is false as printed; measured against the linear spring it is true.
 //!
 //! ```
-//! use passivity_core::{Fixed, Friction, Scalar, Step, ledger};
+//! use passivity_core::{Fixed, Friction, Loop, Scalar, Step, ledger};
 //!
 //! let step = Step::new(Fixed::integer(1), Fixed::new(1, 2));
-//! let friction = Friction::new(Fixed::new(3, 5), Fixed::new(3, 5));
-//! let row = ledger::row(&step, &friction, &Fixed::integer(1));
+//! let paper = Loop::plain(Friction::new(Fixed::new(3, 5), Fixed::new(3, 5)));
+//! let row = ledger::row(&paper, &ledger::HeldInterval::plain(step, Fixed::integer(1)));
 //! assert_eq!(row.generated_quantized, Fixed::new(1, 2)); // more than
 //! assert_eq!(row.bound_22, Fixed::new(3, 8)); // what (22) allows,
 //! assert_eq!(row.generated_linear, Fixed::new(3, 8)); // and yet within it here.
@@ -49,19 +49,22 @@
 
 extern crate alloc;
 
-pub mod bounds;
+pub mod control_loop;
+pub mod controller;
 pub mod criterion;
 pub mod dissipation;
-pub mod effects;
+pub mod effect;
+pub mod extra_storage;
 pub mod fraction;
 pub mod generation;
 pub mod interval;
 pub mod law;
 pub mod ledger;
+pub mod parameter;
+pub mod pi;
 pub mod quantizer;
 pub mod rational;
 pub mod region;
-pub mod rig;
 pub mod scalar;
 pub mod spring;
 pub mod start;
@@ -69,15 +72,19 @@ pub mod stiffness;
 pub mod verdict;
 pub mod witness;
 
+pub use control_loop::Cost;
+pub use controller::Controller;
 pub use criterion::Criterion;
 pub use dissipation::Friction;
+pub use effect::Effect;
 pub use fraction::{Fixed, Fraction, Wide};
 pub use generation::Step;
 pub use interval::{Interval, Truth};
 pub use law::Law;
 pub use num_rational::BigRational;
+pub use parameter::{Loop, Parameter};
+pub use pi::Exact;
 pub use quantizer::Quantized;
 pub use region::Region;
-pub use rig::Rig;
 pub use scalar::{Ordered, Scalar};
 pub use witness::Cycle;

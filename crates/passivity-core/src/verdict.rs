@@ -1,31 +1,34 @@
-//! From margins to a verdict, for a rig and for a box of rigs.
+//! From margins to a verdict, for a loop and for a box of loops.
 //!
-//! [`decide`] is generic; [`of_rig`] tries it on checked 128-bit fractions and falls back to big
-//! integers, so the answer is exact on any size and fast on the sizes of data sheets.
+//! A box is a [`Loop`] of intervals: every parameter anywhere in its own, independently of the
+//! others. Each parameter makes the criterion harder in one direction ([`Hurts`]), but for the
+//! sampling period: with an encoder and virtual damping a longer period costs viscous friction and
+//! a shorter one Coulomb friction, BΔ/T. What is said of a box is said of every loop in it:
+//! [`Truth::Holds`] when the criterion holds for all of them, [`Truth::Fails`] when for none.
 
 use num_rational::BigRational;
 
 use crate::criterion::Criterion;
 use crate::fraction::Wide;
 use crate::interval::{Interval, Truth};
+use crate::parameter::{Hurts, Loop, Parameter};
 use crate::rational::{to_fixed, to_wide};
 use crate::region::Region;
-use crate::rig::Rig;
-use crate::scalar::{Ordered, Scalar};
+use crate::scalar::Ordered;
 use crate::start;
 
-/// Up to which speed the criterion is asked to hold, in the units of the rig.
+/// Up to which speed the criterion is asked to hold, in the units of the loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Speeds<S> {
+pub enum Speeds<V> {
     /// At every speed.
     All,
     /// At every speed up to V > 0.
-    UpTo(S),
-    /// At every speed up to V, of which the square is known (TH-START).
-    UpToSquared(S),
+    UpTo(V),
+    /// At every speed up to V ≥ 0, of which the square is known (TH-START).
+    UpToSquared(V),
 }
 
-/// What the criterion says of one rig.
+/// What the criterion says of one loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Decision {
     /// The region of the (β, σ) plane, with the terms of the effects (TH-REGION).
@@ -47,35 +50,36 @@ pub fn decide<S: Ordered>(criterion: &Criterion<S>, speeds: &Speeds<S>) -> Optio
     Some(Decision { region, holds })
 }
 
-/// The decision for a rig of big rationals, exact whatever their size.
+/// The decision for a loop of big rationals, exact whatever their size.
 ///
-/// `None` only for a rig with a zero sampling period or stiffness.
+/// It is computed on fractions of 128-bit integers where they are wide enough, and on big integers
+/// where they are not. `None` only for a loop with a zero sampling period or stiffness.
 ///
 /// # Example
 ///
 /// ```
-/// use passivity_core::{BigRational, Friction, Rig, Scalar};
-/// use passivity_core::{effects::Effects, verdict::{self, Speeds}};
+/// use passivity_core::{BigRational, Friction, Loop, Scalar};
+/// use passivity_core::verdict::{self, Speeds};
 ///
 /// let half = BigRational::integer(1).half();
-/// let rig = Rig::dimensionless(Friction::new(half.clone(), half), Effects::encoder());
-/// assert!(verdict::of_rig(&rig, &Speeds::All).unwrap().holds); // equality is passive
+/// let corner = Loop::plain(Friction::new(half.clone(), half));
+/// assert!(verdict::of_loop(&corner, &Speeds::All).unwrap().holds); // equality is passive
 /// ```
 #[must_use]
-pub fn of_rig(rig: &Rig<BigRational>, speeds: &Speeds<BigRational>) -> Option<Decision> {
-    let fixed = rig.try_map(to_fixed).zip(speeds.try_map(to_fixed));
-    if let Some(decision) = fixed.and_then(|(rig, speeds)| decide(&rig.criterion(), &speeds)) {
+pub fn of_loop(the_loop: &Loop<BigRational>, speeds: &Speeds<BigRational>) -> Option<Decision> {
+    let fixed = the_loop
+        .try_map(|_, x| to_fixed(x))
+        .zip(speeds.try_map(to_fixed));
+    if let Some(decision) = fixed.and_then(|(fixed, speeds)| decide(&fixed.criterion(), &speeds)) {
         return Some(decision);
     }
-    let wide: (Rig<Wide>, Speeds<Wide>) = rig
-        .try_map(|x| Some(to_wide(x)))
-        .zip(speeds.try_map(|x| Some(to_wide(x))))?;
-    decide(&wide.0.criterion(), &wide.1)
+    let wide: Loop<Wide> = the_loop.map(|_, x| to_wide(x));
+    decide(&wide.criterion(), &speeds.try_map(|x| Some(to_wide(x)))?)
 }
 
-impl<S: Scalar> Speeds<S> {
-    /// The same speeds with the number taken through `f`.
-    pub fn try_map<U>(&self, f: impl Fn(&S) -> Option<U>) -> Option<Speeds<U>> {
+impl<V> Speeds<V> {
+    /// The same speeds with the number taken through `f`; `None` when `f` gives up on it.
+    pub fn try_map<U>(&self, f: impl Fn(&V) -> Option<U>) -> Option<Speeds<U>> {
         Some(match self {
             Self::All => Speeds::All,
             Self::UpTo(v) => Speeds::UpTo(f(v)?),
@@ -84,131 +88,216 @@ impl<S: Scalar> Speeds<S> {
     }
 }
 
-/// A box of rigs: every parameter anywhere in its interval, independently of the others.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RigBox<S = BigRational> {
-    /// b.
-    pub viscous: Interval<S>,
-    /// c.
-    pub coulomb: Interval<S>,
-    /// K.
-    pub stiffness: Interval<S>,
-    /// T.
-    pub period: Interval<S>,
-    /// Δ, or the unit of length without an encoder.
-    pub length: Interval<S>,
-    /// Whether an encoder quantizes the position.
-    pub encoder: bool,
-    /// Whole samples of delay.
-    pub delay: u16,
-    /// B.
-    pub damping: Option<Interval<S>>,
-    /// F.
-    pub force_step: Option<Interval<S>>,
+/// An end of the tolerances.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// Where the criterion is hardest to meet.
+    Hardest,
+    /// Where it is easiest to meet.
+    Easiest,
 }
 
-impl<S: Ordered> RigBox<S> {
-    /// The same box with every number taken through `f`, which must keep their order.
-    pub fn map<U: Ordered>(&self, f: impl Fn(&S) -> U) -> RigBox<U> {
-        let optional = |range: &Option<Interval<S>>| range.as_ref().map(|range| range.map(&f));
-        RigBox {
-            viscous: self.viscous.map(&f),
-            coulomb: self.coulomb.map(&f),
-            stiffness: self.stiffness.map(&f),
-            period: self.period.map(&f),
-            length: self.length.map(&f),
-            encoder: self.encoder,
-            delay: self.delay,
-            damping: optional(&self.damping),
-            force_step: optional(&self.force_step),
+impl End {
+    /// The end of a parameter's interval at which the criterion is hardest, or easiest, to meet.
+    ///
+    /// The upper end for a parameter that has no part in the criterion.
+    pub const fn of<S>(self, parameter: Parameter, interval: &Interval<S>) -> &S {
+        match (self, parameter.row().hurts) {
+            (Self::Hardest, Hurts::Less) | (Self::Easiest, Hurts::More) => interval.lo(),
+            (Self::Hardest, Hurts::More) | (Self::Easiest, Hurts::Less) => interval.hi(),
+            (_, Hurts::Neither) => interval.hi(),
+        }
+    }
+}
+
+impl<S: Ordered> Speeds<Interval<S>> {
+    /// The speeds at an end of their tolerance: the higher, the harder.
+    #[must_use]
+    pub fn at(&self, end: End) -> Speeds<S> {
+        let of = |v: &Interval<S>| match end {
+            End::Hardest => v.hi().clone(),
+            End::Easiest => v.lo().clone(),
+        };
+        match self {
+            Self::All => Speeds::All,
+            Self::UpTo(v) => Speeds::UpTo(of(v)),
+            Self::UpToSquared(v) => Speeds::UpToSquared(of(v)),
+        }
+    }
+}
+
+impl<S: Ordered> Loop<Interval<S>> {
+    /// The loop of the box at one end of every tolerance.
+    ///
+    /// The period is at the end that is hardest, or easiest, for viscous friction.
+    #[must_use]
+    pub fn at(&self, end: End) -> Loop<S> {
+        self.map(|parameter, interval| end.of(parameter, interval).clone())
+    }
+
+    /// Whether the sampling period pulls both ways: virtual damping behind an encoder.
+    #[must_use]
+    pub const fn period_pulls_both_ways(&self) -> bool {
+        self.damping.is_some() && self.resolution.is_some()
+    }
+
+    /// The loops of the box among which the criterion is hardest to meet, whatever is asked: all
+    /// tolerances at their hardest, with the longest and with the shortest period.
+    ///
+    /// At a given speed the margin is a concave function of the period, −KT(½ + k)v − BΔ/T and a
+    /// constant, so it is least at an end.
+    #[must_use]
+    pub fn hardest(&self) -> [Loop<S>; 2] {
+        let longest = self.at(End::Hardest);
+        let shortest = longest
+            .clone()
+            .with(Parameter::Period, self.period.lo().clone());
+        [longest, shortest]
+    }
+
+    /// Enclosure of the criterion (11) over the box, term by term: at its hardest and its easiest.
+    ///
+    /// Every loop of the box lies between the two, and each coefficient is reached.
+    #[must_use]
+    pub fn criteria(&self) -> [Criterion<S>; 2] {
+        let of = |end: End, period_for_coulomb: &S| {
+            let corner = self.at(end);
+            let other = corner
+                .clone()
+                .with(Parameter::Period, period_for_coulomb.clone());
+            Criterion {
+                viscous: corner.criterion().viscous,
+                // BΔ/T is largest at the shortest period.
+                coulomb: other.criterion().coulomb,
+            }
+        };
+        [
+            of(End::Hardest, self.period.lo()),
+            of(End::Easiest, self.period.hi()),
+        ]
+    }
+
+    /// Whether the criterion holds over the box at every speed asked for: for all of its loops, for
+    /// none, or for some. `None` when a number is undefined.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_core::{Fixed, Friction, Interval, Loop, Scalar, Truth, verdict::Speeds};
+    ///
+    /// let friction = Friction::new(Fixed::new(2, 5), Fixed::new(3, 5));
+    /// let point = Loop::plain(friction).map(|_, x| Interval::point(*x));
+    /// let up_to = |lo, hi| Speeds::UpTo(Interval::hull(Fixed::new(lo, 2), Fixed::new(hi, 2)));
+    /// assert_eq!(point.decide(&up_to(1, 2)), Some(Truth::Holds)); // the critical speed is 1
+    /// assert_eq!(point.decide(&up_to(1, 3)), Some(Truth::Depends));
+    /// assert_eq!(point.decide(&up_to(3, 4)), Some(Truth::Fails));
+    /// ```
+    #[must_use]
+    pub fn decide(&self, speeds: &Speeds<Interval<S>>) -> Option<Truth> {
+        let hardest = speeds.at(End::Hardest);
+        let mut holds = true;
+        for corner in self.hardest() {
+            holds &= decide(&corner.criterion(), &hardest)?.holds;
+        }
+        let easiest = speeds.at(End::Easiest);
+        Some(Truth::over(holds, self.some_loop_holds(&easiest)?))
+    }
+
+    /// Whether the criterion holds for a loop of the box, at the easiest end of every tolerance but
+    /// that of the period.
+    ///
+    /// For a bound of which only the square is known the answer may be `true` where no loop holds.
+    fn some_loop_holds(&self, speeds: &Speeds<S>) -> Option<bool> {
+        let easiest = self.at(End::Easiest);
+        let at = |period: &S| {
+            let corner = easiest.clone().with(Parameter::Period, period.clone());
+            Some(decide(&corner.criterion(), speeds)?.holds)
+        };
+        let (shortest, longest) = (self.period.lo(), self.period.hi());
+        if !self.period_pulls_both_ways() {
+            return at(shortest);
+        }
+        if at(shortest)? || at(longest)? {
+            return Some(true);
+        }
+        match speeds {
+            Speeds::UpToSquared(_) => {
+                let [_, best] = self.criteria();
+                Some(decide(&best, speeds)?.holds)
+            }
+            Speeds::All => self.some_period_holds(&easiest, None),
+            Speeds::UpTo(v) => self.some_period_holds(&easiest, Some(v)),
         }
     }
 
-    /// The corner where the criterion is hardest to meet: least friction, most of all else.
+    /// Whether a period of the interval meets the criterion with the rest of `corner`, where
+    /// neither end does: at every speed, or at every speed up to `bound`.
     ///
-    /// The one parameter that pulls both ways is T when there is virtual damping and an encoder
-    /// (BΔ/T), so the criterion of the box is taken term by term in [`criteria`](Self::criteria).
-    #[must_use]
-    pub fn worst(&self) -> Rig<S> {
-        self.corner(Interval::lo, Interval::hi)
-    }
-
-    /// The corner where the criterion is easiest to meet.
-    #[must_use]
-    pub fn best(&self) -> Rig<S> {
-        self.corner(Interval::hi, Interval::lo)
-    }
-
-    fn corner(&self, friction: fn(&Interval<S>) -> &S, load: fn(&Interval<S>) -> &S) -> Rig<S> {
-        Rig {
-            viscous: friction(&self.viscous).clone(),
-            coulomb: friction(&self.coulomb).clone(),
-            stiffness: load(&self.stiffness).clone(),
-            period: load(&self.period).clone(),
-            length: load(&self.length).clone(),
-            effects: crate::effects::Effects {
-                encoder: self.encoder,
-                delay: self.delay,
-                damping: self.damping.as_ref().map(|i| load(i).clone()),
-                force_step: self.force_step.as_ref().map(|i| load(i).clone()),
-            },
+    /// Near rest the criterion asks for T ≥ BΔ/s with s = c − KΔ/2 − F/2. At every speed it asks for
+    /// T ≤ (b − B)/(K(½ + k)) too. At a bound V the margin s + (b − B)V − K(½ + k)V·T − BΔ/T is
+    /// concave in T, and times T it is a parabola: so it is largest, and not negative anywhere
+    /// unless there, where the parabola's derivative vanishes or at an end.
+    fn some_period_holds(&self, corner: &Loop<S>, bound: Option<&S>) -> Option<bool> {
+        let undamped = Loop {
+            damping: None,
+            ..corner.clone().with(Parameter::Period, S::one())
+        };
+        let spare = undamped.criterion().coulomb;
+        let damping = corner.damping.clone().unwrap_or_else(S::zero);
+        let per_tick = damping.clone() * corner.length();
+        if !spare.is_nonnegative()? || !spare.is_positive()? && per_tick.is_positive()? {
+            return Some(false);
         }
+        let inside = |period: &S| {
+            let least = period.compare(self.period.lo())?;
+            let most = period.compare(self.period.hi())?;
+            Some(least.is_ge() && most.is_le())
+        };
+        let holds_at = |period: &S| {
+            let criterion = corner
+                .clone()
+                .with(Parameter::Period, period.clone())
+                .criterion();
+            let speeds = match bound {
+                Some(v) => Speeds::UpTo(v.clone()),
+                None => Speeds::All,
+            };
+            Some(inside(period)? && decide(&criterion, &speeds)?.holds)
+        };
+        // The shortest period that is enough near rest: the easiest of all for viscous friction.
+        let near_rest = per_tick.over(spare.clone());
+        if spare.is_positive()? && holds_at(&near_rest)? {
+            return Some(true);
+        }
+        let Some(v) = bound else {
+            return Some(false);
+        };
+        // The vertex of T·margin: T = (s + (b − B)V)/(2K(½ + k)V).
+        let free = corner.viscous_friction() - damping;
+        let per_period = undamped.cost().viscous * v.clone();
+        let vertex = (spare + free * v.clone()).over(per_period.double());
+        holds_at(&vertex)
     }
 
-    /// The criterion (11) at its hardest and at its easiest, term by term.
-    ///
-    /// Every rig of the box lies between the two. They are those of two corners, unless T, B and
-    /// an encoder pull both ways: then they enclose.
-    #[must_use]
-    pub fn criteria(&self) -> (Criterion<S>, Criterion<S>) {
-        let (worst, best) = (self.worst(), self.best());
-        // BΔ/T is largest at the shortest period.
-        let worst_coulomb = Rig {
-            period: self.period.lo().clone(),
-            ..worst.clone()
-        };
-        let best_coulomb = Rig {
-            period: self.period.hi().clone(),
-            ..best.clone()
-        };
-        let of = |viscous: &Rig<S>, coulomb: &Rig<S>| Criterion {
-            viscous: viscous.criterion().viscous,
-            coulomb: coulomb.criterion().coulomb,
-        };
-        (of(&worst, &worst_coulomb), of(&best, &best_coulomb))
-    }
-
-    /// Whether the criterion holds over the box at every speed asked for.
-    ///
-    /// The speed is given for the hardest and for the easiest end of its own interval.
-    #[must_use]
-    pub fn holds(&self, hardest: &Speeds<S>, easiest: &Speeds<S>) -> Option<Truth> {
-        let (worst, best) = self.criteria();
-        let at_worst = decide(&worst, hardest)?.holds;
-        let at_best = decide(&best, easiest)?.holds;
-        Some(Truth::over(at_worst, at_best))
-    }
-
-    /// The region of every rig of the box, or `None` when it depends.
+    /// The region of every loop of the box, or `None` when it depends or a number is undefined.
     #[must_use]
     pub fn region(&self) -> Option<Region> {
-        let (worst, best) = self.criteria();
-        let region = Region::of(&worst)?;
-        // The coefficients' signs grow with the rig, so equal ends have equal between only when
-        // the signs agree; a region is a product of sign ranges and hence convex in that order.
-        (Region::of(&best)? == region && same_signs(&worst, &best, region)).then_some(region)
+        let [worst, best] = self.criteria();
+        // The signs of the two coefficients over the box are those between its ends. All four
+        // mixtures of the ends agree exactly when no loop between them leaves the region.
+        let corners = [
+            (&worst, &worst),
+            (&worst, &best),
+            (&best, &worst),
+            (&best, &best),
+        ];
+        let mut regions = corners.into_iter().map(|(v, c)| {
+            Region::of(&Criterion {
+                viscous: v.viscous.clone(),
+                coulomb: c.coulomb.clone(),
+            })
+        });
+        let first = regions.next()??;
+        regions.all(|region| region == Some(first)).then_some(first)
     }
-}
-
-/// Whether no rig between the two criteria can leave `region`, which both are in.
-fn same_signs<S: Ordered>(worst: &Criterion<S>, best: &Criterion<S>, region: Region) -> bool {
-    // Mixed corners: the viscous term of one end with the coulomb term of the other.
-    let mixed = [(worst, best), (best, worst)];
-    mixed.iter().all(|(v, c)| {
-        let corner = Criterion {
-            viscous: v.viscous.clone(),
-            coulomb: c.coulomb.clone(),
-        };
-        Region::of(&corner) == Some(region)
-    })
 }

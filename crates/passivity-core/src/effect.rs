@@ -1,4 +1,4 @@
-//! The effects a scene can have.
+//! The effects that a loop can have.
 
 /// An effect of the device, the loop, the wall or the operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
