@@ -113,9 +113,9 @@ impl Effect {
             Self::Damping => Some("TH-DAMP"),
             Self::Saturation => Some("TH-LAW"),
             Self::ForceStep => Some("TH-DAC"),
-            // Passivity is a statement about every operator.
-            Self::Force => Some("TH-RUN"),
-            Self::Amplifier | Self::Arm => None,
+            // Passivity is a statement about every operator, and an arm is part of one.
+            Self::Force | Self::Arm => Some("TH-RUN"),
+            Self::Amplifier => None,
         }
     }
 }

@@ -76,6 +76,15 @@ impl<S: Ordered> Interval<S> {
         }
     }
 
+    /// The smallest interval that holds both intervals.
+    #[must_use]
+    pub fn joined(&self, other: &Self) -> Self {
+        Self {
+            lo: self.lo.clone().min(other.lo.clone()),
+            hi: self.hi.clone().max(other.hi.clone()),
+        }
+    }
+
     /// Whether the interval holds one number only.
     #[must_use]
     pub fn is_point(&self) -> bool {

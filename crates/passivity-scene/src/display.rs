@@ -1,5 +1,7 @@
 //! Exact numbers as people read them.
 
+use num_bigint::BigInt;
+use num_traits::Signed as _;
 use passivity_core::{BigRational, Interval};
 
 use crate::number::nearest_f64;
@@ -36,6 +38,72 @@ pub fn significant(x: f64) -> String {
         return trimmed(&format!("{x:.decimals$}"));
     }
     format!("{}e{exponent}", trimmed(mantissa))
+}
+
+/// To which side a figure is rounded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounding {
+    /// To the next one below: for what may be at most this.
+    Down,
+    /// To the next one above: for what must be at least this.
+    Up,
+}
+
+/// A number x ≥ 0 with that many significant digits, rounded to one side, plain between 10⁻⁴ and
+/// 10⁶ and with an exponent elsewhere.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::BigRational;
+/// use passivity_scene::display::{Rounding, rounded};
+///
+/// let two_thirds = BigRational::new(2.into(), 3.into());
+/// assert_eq!(rounded(&two_thirds, 5, Rounding::Down), "0.66666");
+/// assert_eq!(rounded(&two_thirds, 5, Rounding::Up), "0.66667");
+/// let small = BigRational::new(1.into(), 7_000_000.into());
+/// assert_eq!(rounded(&small, 3, Rounding::Up), "1.43e-7");
+/// assert_eq!(rounded(&BigRational::new(1.into(), 2.into()), 5, Rounding::Up), "0.5");
+/// ```
+#[must_use]
+pub fn rounded(x: &BigRational, digits: u32, to: Rounding) -> String {
+    if !x.is_positive() {
+        return "0".to_owned();
+    }
+    let ten = BigRational::from_integer(10.into());
+    // The exponent of the first digit: near the difference of the lengths, then put right.
+    let length = |n: &BigInt| i32::try_from(n.to_string().len()).unwrap_or(i32::MAX);
+    let mut exponent = length(x.numer()) - length(x.denom());
+    if *x < ten.pow(exponent) {
+        exponent -= 1;
+    }
+    let last = exponent + 1 - i32::try_from(digits).unwrap_or(i32::MAX);
+    let scaled = x / ten.pow(last);
+    let mantissa = match to {
+        Rounding::Down => scaled.floor(),
+        Rounding::Up => scaled.ceil(),
+    };
+    let mut figures = mantissa.to_integer().to_string();
+    if figures.len() > usize::try_from(digits).unwrap_or(usize::MAX) {
+        exponent += 1;
+    }
+    let kept = figures.trim_end_matches('0').len();
+    figures.truncate(kept);
+    if !(-4..6).contains(&exponent) {
+        let (first, rest) = figures.split_at(1);
+        let point = if rest.is_empty() { "" } else { "." };
+        return format!("{first}{point}{rest}e{exponent}");
+    }
+    if exponent < 0 {
+        let zeros = usize::try_from(-exponent - 1).unwrap_or(0);
+        return format!("0.{}{figures}", "0".repeat(zeros));
+    }
+    let whole = usize::try_from(exponent + 1).unwrap_or(1);
+    if figures.len() <= whole {
+        return format!("{figures}{}", "0".repeat(whole - figures.len()));
+    }
+    let (before, after) = figures.split_at(whole);
+    format!("{before}.{after}")
 }
 
 fn trimmed(decimal: &str) -> String {

@@ -2,16 +2,15 @@
 
 use std::fmt::Write as _;
 
-use passivity_core::BigRational;
-use serde_json::{Value, json};
+use passivity_core::{BigRational, Effect, Parameter};
+use serde::{Serialize, Serializer};
 
-use crate::check::{BoundSource, Report, Verdict, check};
+use crate::check::{Report, Verdict, check};
 use crate::display::{approx, range, wrapped};
-use crate::effect::Effect;
-use crate::scene::{Given, Motion, Scene};
+use crate::scene::{Motion, Scene};
 
 /// One line of the derivation: an equation of the paper or a claim, in general and in numbers.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Line {
     /// The paper's equation in brackets, or the id of a claim.
     pub id: &'static str,
@@ -21,21 +20,56 @@ pub struct Line {
     pub numbers: String,
 }
 
+/// A parameter as it was given.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GivenText {
+    /// Its key with the section.
+    pub key: &'static str,
+    /// Its text in the file.
+    pub text: String,
+}
+
+/// A theorem and what it says.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Theorem {
+    /// Its id in the table of claims.
+    pub id: &'static str,
+    /// What it says, in a sentence.
+    pub says: &'static str,
+}
+
 /// What `passivity explain` shows.
-#[derive(Clone, Debug, PartialEq)]
+///
+/// Serialised it is the JSON of `explain --format json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Explanation {
+    /// The scene's name.
+    pub scene: String,
     /// The effects in the scene.
+    #[serde(rename = "effects", serialize_with = "names")]
     pub present: Vec<Effect>,
     /// The effects that are not: nothing is computed for them.
+    #[serde(serialize_with = "names")]
     pub absent: Vec<Effect>,
     /// The parameters as they were given, with their keys.
-    pub given: Vec<(&'static str, String)>,
+    #[serde(serialize_with = "given_texts")]
+    pub given: Vec<GivenText>,
     /// The derivation, from the units to the verdict.
+    #[serde(rename = "derivation")]
     pub lines: Vec<Line>,
     /// The theorems used, each with what it says.
-    pub theorems: Vec<(&'static str, &'static str)>,
+    pub theorems: Vec<Theorem>,
     /// The check that the derivation ends in.
+    #[serde(rename = "check")]
     pub report: Report,
+}
+
+fn names<S: Serializer>(effects: &[Effect], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(effects.iter().map(|effect| effect.name()))
+}
+
+fn given_texts<S: Serializer>(given: &[GivenText], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(given.iter().map(|given| (given.key, &given.text)))
 }
 
 /// Explains a scene.
@@ -57,19 +91,20 @@ pub fn explain(scene: &Scene) -> Explanation {
         .into_iter()
         .filter(|effect| !present.contains(effect))
         .collect();
-    let given = scene
-        .parameters()
-        .into_iter()
-        .filter(|g| !g.text.is_empty());
+    let given = scene.parameters().map(|(_, given)| GivenText {
+        key: given.key,
+        text: given.text.clone(),
+    });
+    let theorem = |id: &&'static str| Theorem {
+        id,
+        says: sentence(id),
+    };
     Explanation {
+        scene: scene.name.clone(),
         absent,
-        given: given.map(|g| (g.key, g.text.clone())).collect(),
+        given: given.collect(),
         lines: lines(scene, &report),
-        theorems: report
-            .because
-            .iter()
-            .map(|id| (*id, sentence(id)))
-            .collect(),
+        theorems: report.because.iter().map(theorem).collect(),
         present,
         report,
     }
@@ -85,14 +120,13 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
         });
     };
     let point = scene.point();
-    let number = |x: &Option<BigRational>| x.as_ref().map_or_else(|| "0".to_owned(), readable);
     if scene.motion != Motion::Dimensionless {
         push(
             "(7)",
             "β = b/(KT)".to_owned(),
             units_text(scene, report, 'β'),
         );
-        if scene.resolution.is_some() {
+        if scene.given.has_encoder() {
             push(
                 "(7)",
                 "σ = c/(KΔ)".to_owned(),
@@ -123,7 +157,8 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
         (false, false) => "E_d ≥ 0: the device has no friction",
     };
     push("(26)", friction.to_owned(), String::new());
-    let (beta, sigma) = (number(&point.beta), number(&point.sigma));
+    let beta = readable(&point.at.viscous_friction());
+    let sigma = readable(&point.at.coulomb_friction());
     push(
         "(8)",
         format!(
@@ -144,15 +179,15 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
         );
     }
     if let Some(v) = &report.speed_bound {
-        let (id, formula) = match report.bound_source {
-            Some(BoundSource::Start) => ("TH-START", "V² = ξ̇(0)² + ξ(0)²/μ"),
-            _ => ("TH-RUN", "speeds up to the operator's bound V"),
-        };
         let mut numbers = format!("V = {} ticks/sample", range(v));
         if let Some(margin) = &report.margin_at_speed_bound {
-            let _ = write!(numbers, ", margin there {}", range(margin));
+            let _ = write!(numbers, ", margin (8) there {}", range(margin));
         }
-        push(id, formula.to_owned(), numbers);
+        push(
+            "TH-RUN",
+            "speeds up to the operator's bound V".to_owned(),
+            numbers,
+        );
     }
     if let Some(witness) = &report.witness {
         push(
@@ -169,32 +204,34 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
 
 /// β or σ with the scene's own figures.
 fn units_text(scene: &Scene, report: &Report, which: char) -> String {
-    let nominal = |given: &Option<Given>| {
-        given
-            .as_ref()
-            .map_or_else(|| "0".to_owned(), |g| approx(&g.nominal.middle()))
+    let nominal = |parameter: Parameter| match scene.given.get(parameter) {
+        Some(given) => given
+            .nominal
+            .enclosure(64)
+            .map_or_else(|| given.text.clone(), |x| approx(x.lo())),
+        None => "0".to_owned(),
     };
-    let of = |given: &Given| approx(&given.nominal.middle());
-    let stiffness = of(&scene.stiffness);
-    match (which, &report.sigma) {
-        ('σ', Some(sigma)) => format!(
-            "σ = {}/({stiffness} · {}) = {}",
-            nominal(&scene.coulomb),
-            nominal(&scene.resolution),
-            range(sigma)
-        ),
-        _ => format!(
-            "β = {}/({stiffness} · {}) = {}",
-            nominal(&scene.viscous),
-            of(&scene.period),
-            range(&report.beta)
-        ),
-    }
+    let stiffness = nominal(Parameter::Stiffness);
+    let (friction, unit, value) = match (which, &report.sigma) {
+        ('σ', Some(sigma)) => (Parameter::Coulomb, Parameter::Resolution, sigma),
+        _ => (Parameter::Viscous, Parameter::Period, &report.beta),
+    };
+    let which = if friction == Parameter::Coulomb {
+        'σ'
+    } else {
+        'β'
+    };
+    format!(
+        "{which} = {}/({stiffness} · {}) = {}",
+        nominal(friction),
+        nominal(unit),
+        range(value)
+    )
 }
 
 /// The force that is held, with exactly the scene's effects.
 fn held_force(scene: &Scene) -> (String, &'static str) {
-    let late = scene.delay.unwrap_or(0);
+    let late = scene.given.delay;
     let sample = if late == 0 {
         "h".to_owned()
     } else {
@@ -202,7 +239,7 @@ fn held_force(scene: &Scene) -> (String, &'static str) {
     };
     let before = format!("h−{}", u32::from(late) + 1);
     let mut id = "(5)";
-    let mut force = if scene.resolution.is_some() {
+    let mut force = if scene.given.has_encoder() {
         format!("⌊ξ_{sample}⌋ + ½")
     } else {
         id = "TH-SMOOTH";
@@ -211,24 +248,24 @@ fn held_force(scene: &Scene) -> (String, &'static str) {
     if late > 0 {
         id = "TH-DELAY";
     }
-    if scene.damping.is_some() {
+    if scene.has(Effect::Damping) {
         id = "TH-DAMP";
-        let velocity = if scene.resolution.is_some() {
+        let velocity = if scene.given.has_encoder() {
             format!("(⌊ξ_{sample}⌋ − ⌊ξ_{before}⌋)")
         } else {
             format!("(ξ_{sample} − ξ_{before})")
         };
         force = format!("{force} + B·{velocity}");
     }
-    if scene.max_force.is_some() {
-        id = "TH-LAW";
-        force = format!("sat({force})");
-    }
-    if scene.force_step.is_some() {
+    if scene.has(Effect::ForceStep) {
         id = "TH-DAC";
         force = format!("δ·⌊({force})/δ + ½⌋");
     }
-    let side = if scene.unilateral {
+    if scene.has(Effect::Saturation) {
+        id = "TH-LAW";
+        force = format!("sat({force})");
+    }
+    let side = if scene.given.unilateral {
         ", and 0 when that sample is below 0"
     } else {
         ""
@@ -239,13 +276,13 @@ fn held_force(scene: &Scene) -> (String, &'static str) {
 /// The equation of motion, with exactly the scene's effects.
 fn motion(scene: &Scene) -> String {
     let mut left = vec!["μ·ξ̈"];
-    if scene.viscous.is_some() {
+    if scene.has(Effect::Viscous) {
         left.push("β·ξ̇");
     }
-    if scene.coulomb.is_some() {
+    if scene.has(Effect::Coulomb) {
         left.push("σ·sgn(ξ̇)");
     }
-    let wall = if scene.amplifier.is_some() {
+    let wall = if scene.has(Effect::Amplifier) {
         "the lagged φ_V"
     } else {
         "φ_V"
@@ -265,34 +302,32 @@ struct Cost {
 
 impl Cost {
     fn of(scene: &Scene) -> Self {
-        let point = scene.point();
-        let delay = scene.delay.unwrap_or(0);
-        let cost = passivity_core::effects::Effects {
-            encoder: point.encoder,
-            delay,
-            damping: point.damping.clone(),
-            force_step: point.force_step.clone(),
-        }
-        .cost();
+        let at = scene.point().at;
+        let delay = at.delay;
+        let cost = at.cost();
         let mut viscous = vec!["½".to_owned()];
         let mut coulomb = Vec::new();
-        let mut id = if point.encoder { "TH-LIN" } else { "TH-SMOOTH" };
+        let mut id = if at.has_encoder() {
+            "TH-LIN"
+        } else {
+            "TH-SMOOTH"
+        };
         if delay > 0 {
             viscous.push(delay.to_string());
             id = "TH-DELAY";
         }
-        match (point.encoder, point.force_step.is_some()) {
+        match (at.has_encoder(), at.force_step.is_some()) {
             (true, true) => coulomb.push("½(1 + δ)".to_owned()),
             (true, false) => coulomb.push("½".to_owned()),
             (false, true) => coulomb.push("½δ".to_owned()),
             (false, false) => {}
         }
-        if point.force_step.is_some() {
+        if at.force_step.is_some() {
             id = "TH-DAC";
         }
-        if point.damping.is_some() {
+        if at.damping.is_some() {
             viscous.push("B".to_owned());
-            if point.encoder {
+            if at.has_encoder() {
                 coulomb.push("B".to_owned());
             }
             id = "TH-DAMP";
@@ -302,7 +337,7 @@ impl Cost {
             [one] => one.clone(),
             many => format!("({})", many.join(" + ")),
         };
-        let stored = delay > 0 || point.damping.is_some();
+        let stored = delay > 0 || at.damping.is_some();
         Self {
             viscous: sum(&viscous),
             viscous_number: readable(&cost.viscous),
@@ -361,7 +396,7 @@ impl Explanation {
         }
         if !self.given.is_empty() {
             out.push_str("\nGiven\n");
-            for (key, text) in &self.given {
+            for GivenText { key, text } in &self.given {
                 let _ = writeln!(out, "  {key:<32}{text}");
             }
         }
@@ -374,8 +409,8 @@ impl Explanation {
         }
         if !self.theorems.is_empty() {
             out.push_str("\nTheorems used\n");
-            for (id, sentence) in &self.theorems {
-                let _ = writeln!(out, "  {id:<12}{}", wrapped(sentence, 14));
+            for Theorem { id, says } in &self.theorems {
+                let _ = writeln!(out, "  {id:<12}{}", wrapped(says, 14));
             }
         }
         let absent: Vec<&str> = self.absent.iter().map(|effect| effect.words()).collect();
@@ -391,27 +426,5 @@ impl Explanation {
         }
         let _ = write!(out, "\nVerdict\n  {}\n", self.report.headline());
         out
-    }
-
-    /// The explanation for programs.
-    #[must_use]
-    pub fn to_json(&self) -> Value {
-        let names = |effects: &[Effect]| -> Value { effects.iter().map(|e| e.name()).collect() };
-        let given: serde_json::Map<String, Value> = self
-            .given
-            .iter()
-            .map(|(key, text)| ((*key).to_owned(), json!(text)))
-            .collect();
-        let line = |line: &Line| json!({ "id": line.id, "formula": line.formula, "numbers": line.numbers });
-        let theorem = |(id, says): &(&str, &str)| json!({ "id": id, "says": says });
-        json!({
-            "scene": self.report.scene,
-            "effects": names(&self.present),
-            "absent": names(&self.absent),
-            "given": given,
-            "derivation": self.lines.iter().map(line).collect::<Value>(),
-            "theorems": self.theorems.iter().map(theorem).collect::<Value>(),
-            "check": self.report.to_json(),
-        })
     }
 }

@@ -1,6 +1,7 @@
 //! Exact numbers in JSON: rationals as strings in lowest terms, intervals as `lo`, `hi`, `approx`.
 
 use passivity_core::{BigRational, Interval, Scalar};
+use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use crate::number::{self, NumberError, NumberErrorKind, nearest_f64};
@@ -48,6 +49,39 @@ pub fn interval(x: &Interval<BigRational>) -> Value {
 pub fn approx(x: &BigRational) -> Value {
     // `from_f64` refuses infinities.
     serde_json::Number::from_f64(nearest_f64(x)).map_or(Value::Null, Value::Number)
+}
+
+/// Writes an interval as [`interval`] does: for `#[serde(serialize_with = …)]`.
+///
+/// # Errors
+///
+/// Those of the serializer.
+pub fn write_interval<S: Serializer>(
+    x: &Interval<BigRational>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    interval(x).serialize(serializer)
+}
+
+/// Writes an interval as [`interval`] does, or null.
+///
+/// # Errors
+///
+/// Those of the serializer.
+pub fn write_optional_interval<S: Serializer>(
+    x: &Option<Interval<BigRational>>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    x.as_ref().map(interval).serialize(serializer)
+}
+
+/// Writes a rational as a string in lowest terms.
+///
+/// # Errors
+///
+/// Those of the serializer.
+pub fn write_rational<S: Serializer>(x: &BigRational, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(x)
 }
 
 /// Reads a rational: a string such as `"3/8"` or `"3.75e-1"`, or a JSON number, which is taken as

@@ -1,46 +1,22 @@
-//! The dimensionless point of a scene (3), (7): what verdict, motion and ledger work with.
+//! The dimensionless point of a scene (3), (7): what motion and ledger work with.
 
-use passivity_core::verdict::RigBox;
-use passivity_core::{BigRational, Friction, Interval, Scalar};
+use passivity_core::{BigRational, Effect, Exact, Loop, Scalar};
 
-use crate::exact::Exact;
-use crate::scene::{Force, Given, Scene};
+use crate::scene::Scene;
 
 /// A scene in ticks, sampling periods and KΔ, at the nominal value of every parameter.
 ///
-/// Without an encoder the unit of length is 1 in SI units. A value with π in it is rational to
-/// more digits than a double has.
+/// Without an encoder the unit of length is 1 in SI units. A value with a π in it that does not
+/// cancel is rational to more digits than a double has.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    /// μ, when the scene has an inertia.
-    pub mu: Option<BigRational>,
-    /// β, when the scene has viscous friction.
-    pub beta: Option<BigRational>,
-    /// σ, when the scene has Coulomb friction.
-    pub sigma: Option<BigRational>,
-    /// Whether an encoder quantizes the position.
-    pub encoder: bool,
-    /// k, whole samples of delay; 0 without.
-    pub delay: u16,
-    /// Whether the wall is ξ ≥ 0 only.
-    pub unilateral: bool,
-    /// B in KT.
-    pub damping: Option<BigRational>,
-    /// The largest force, in KΔ.
-    pub max_force: Option<BigRational>,
-    /// δ in KΔ.
-    pub force_step: Option<BigRational>,
-    /// The amplifier's time constant in sampling periods.
-    pub amplifier: Option<BigRational>,
-    /// The operator's force, in KΔ: the last value stays.
-    pub force: Option<Vec<BigRational>>,
-    /// The operator's arm: mass in KT², damping in KT, stiffness in K.
-    pub arm: Option<[BigRational; 3]>,
-    /// ξ(0) and ξ̇(0), in ticks and ticks per sample; zero when the scene does not say.
-    pub start: [BigRational; 2],
+    /// The dimensionless loop.
+    pub at: Loop<BigRational>,
+    /// The operator's force in KΔ, one per sampling interval: the last value stays.
+    pub forces: Option<Vec<BigRational>>,
     /// How many sampling intervals a simulation runs.
     pub intervals: u64,
-    /// T and Δ in SI units, to show figures in the scene's units.
+    /// T, Δ and K in SI units, to show figures in the scene's units.
     pub units: Units,
 }
 
@@ -55,102 +31,61 @@ pub struct Units {
     pub stiffness: BigRational,
 }
 
+/// Bits of a value whose π does not cancel: past those of a double by far.
+const BITS: u32 = 200;
+
+/// A number as a rational: itself, or near the middle of an enclosure where it has π in it.
+///
+/// # Panics
+///
+/// Never for a number of a scene: an undefined one is refused when the scene is read.
+fn rational(x: &Exact) -> BigRational {
+    match x.enclosure(BITS) {
+        Some(bounds) => (bounds.lo() + bounds.hi()).half(),
+        None => unreachable!("a scene's numbers are defined: its units are above zero"),
+    }
+}
+
 impl Point {
-    /// β and σ, with 0 for an absent friction.
+    /// ξ(0) and ξ̇(0), in ticks and ticks per sample; zero when the scene does not say.
     #[must_use]
-    pub fn friction(&self) -> Friction<BigRational> {
+    pub fn start(&self) -> [BigRational; 2] {
         let or_zero = |x: &Option<BigRational>| x.clone().unwrap_or_else(BigRational::zero);
-        Friction::new(or_zero(&self.beta), or_zero(&self.sigma))
+        [
+            or_zero(&self.at.start_position),
+            or_zero(&self.at.start_velocity),
+        ]
+    }
+
+    /// Whether an effect is in the scene.
+    #[must_use]
+    pub const fn has(&self, effect: Effect) -> bool {
+        self.at.has(effect) || matches!((effect, &self.forces), (Effect::Force, Some(_)))
     }
 }
 
 impl Scene {
-    /// The scene as a box of rigs, with π enclosed at `pi_level`: what verdicts are made of.
-    #[must_use]
-    pub fn rig_box(&self, pi_level: usize) -> RigBox {
-        let or_zero = |given: &Option<Given>| match given {
-            Some(given) => given.value.enclosure(pi_level),
-            None => Interval::point(BigRational::zero()),
-        };
-        let optional = |given: &Option<Given>| given.as_ref().map(|g| g.value.enclosure(pi_level));
-        RigBox {
-            viscous: or_zero(&self.viscous),
-            coulomb: or_zero(&self.coulomb),
-            stiffness: self.stiffness.value.enclosure(pi_level),
-            period: self.period.value.enclosure(pi_level),
-            length: self.unit_length(pi_level),
-            encoder: self.resolution.is_some(),
-            delay: self.delay.unwrap_or(0),
-            damping: optional(&self.damping),
-            force_step: optional(&self.force_step),
-        }
-    }
-
     /// The scene in dimensionless form, at its nominal values.
     #[must_use]
     pub fn point(&self) -> Point {
-        let nominal = |given: &Given| given.nominal.middle();
+        let nominal = self.given.map(|_, given| given.nominal.clone());
         let units = Units {
-            period: nominal(&self.period),
-            length: self
-                .resolution
-                .as_ref()
-                .map_or_else(BigRational::one, nominal),
-            stiffness: nominal(&self.stiffness),
+            period: rational(&nominal.period),
+            length: rational(&nominal.length()),
+            stiffness: rational(&nominal.stiffness),
         };
-        let viscous_unit = &units.stiffness * &units.period;
-        let force_unit = &units.stiffness * &units.length;
-        let inertia_unit = &viscous_unit * &units.period;
-        let speed_unit = &units.length / &units.period;
-        let scaled = |given: &Option<Given>, unit: &BigRational| {
-            given.as_ref().map(|given| nominal(given) / unit)
-        };
-        let force = self.force.as_ref().map(|force| match force {
-            Force::Constant(given) => vec![nominal(given) / &force_unit],
-            Force::Samples { values, .. } => values.iter().map(|f| f / &force_unit).collect(),
-        });
-        let start = match &self.start {
-            Some(start) => [
-                nominal(&start.position) / &units.length,
-                nominal(&start.velocity) / &speed_unit,
-            ],
-            None => [BigRational::zero(), BigRational::zero()],
-        };
+        let force_unit = rational(&nominal.force_unit());
+        let at = nominal.dimensionless().map(|_, x| rational(x));
+        let constant = at.operator_force.clone().map(|force| vec![force]);
+        let samples = self
+            .forces
+            .as_ref()
+            .map(|forces| forces.values.iter().map(|f| f / &force_unit).collect());
         Point {
-            mu: scaled(&self.inertia, &inertia_unit),
-            beta: scaled(&self.viscous, &viscous_unit),
-            sigma: scaled(&self.coulomb, &force_unit),
-            encoder: self.resolution.is_some(),
-            delay: self.delay.unwrap_or(0),
-            unilateral: self.unilateral,
-            damping: scaled(&self.damping, &viscous_unit),
-            max_force: scaled(&self.max_force, &force_unit),
-            force_step: scaled(&self.force_step, &force_unit),
-            amplifier: scaled(&self.amplifier, &units.period),
-            force,
-            arm: self.arm.as_ref().map(|arm| {
-                [
-                    nominal(&arm.mass) / &inertia_unit,
-                    nominal(&arm.damping) / &viscous_unit,
-                    nominal(&arm.stiffness) / &units.stiffness,
-                ]
-            }),
-            start,
+            at,
+            forces: samples.or(constant),
             intervals: self.intervals,
             units,
         }
-    }
-}
-
-/// The value `x` as a parameter that nobody gave: for defaults.
-#[must_use]
-pub fn default_given(key: &'static str, x: BigRational) -> Given {
-    let value = Exact::point(x);
-    Given {
-        key,
-        nominal: value.clone(),
-        value,
-        text: String::new(),
-        span: 0..0,
     }
 }

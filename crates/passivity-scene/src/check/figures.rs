@@ -1,145 +1,176 @@
-//! The figures of a box of rigs, as enclosures that are exact where nothing has a tolerance.
+//! The figures of a box of loops: the least and the largest that each takes over the tolerances.
 
-use passivity_core::effects::Effects;
-use passivity_core::verdict::RigBox;
-use passivity_core::{Interval, Ordered, Region, Rig, Scalar, Truth, Wide, region};
+use passivity_core::verdict::End;
+use passivity_core::{Criterion, Interval, Loop, Ordered, Parameter, Region, Truth, region};
 
-/// A box of rigs whose figures are asked for.
-pub(super) struct Figures<'a> {
-    pub(super) rigs: &'a RigBox<Wide>,
+/// A box of loops whose figures are asked for.
+pub(super) struct Figures<'a, S> {
+    pub(super) bounds: &'a Loop<Interval<S>>,
 }
 
-impl Figures<'_> {
-    /// μ for an inertia.
-    pub(super) fn mu(&self, inertia: &Interval<Wide>) -> Interval<Wide> {
-        let rigs = self.rigs;
-        Interval::hull(rigs.worst().mu(inertia.lo()), rigs.best().mu(inertia.hi()))
+impl<S: Ordered> Figures<'_, S> {
+    /// A figure that the hardest and the easiest end of the tolerances bound.
+    pub(super) fn between(&self, figure: impl Fn(&Loop<S>) -> S) -> Interval<S> {
+        let [a, b] = [End::Hardest, End::Easiest].map(|end| figure(&self.bounds.at(end)));
+        Interval::hull(a, b)
     }
 
-    /// The critical speed in SI units, where the region has one.
-    pub(super) fn critical_speed(&self, region: Option<Region>) -> Option<Interval<Wide>> {
-        let (worst, best) = self.rigs.criteria();
-        let speed = region::critical_speed::<Wide>;
+    /// μ = m/(KT²), when there is an inertia.
+    pub(super) fn mu(&self) -> Option<Interval<S>> {
+        let inertia = self.bounds.inertia.as_ref()?;
+        let unit = |end: End| {
+            let corner = self.bounds.at(end);
+            corner.viscous_unit() * corner.period.clone()
+        };
+        Some(Interval::hull(
+            inertia.lo().clone().over(unit(End::Hardest)),
+            inertia.hi().clone().over(unit(End::Easiest)),
+        ))
+    }
+
+    /// What the effects ask of β and σ: the cost of the dimensionless loop.
+    pub(super) fn cost(&self) -> [Interval<S>; 2] {
+        let frictionless = |corner: &Loop<S>| {
+            let corner = corner.clone().with(Parameter::Viscous, S::zero());
+            corner
+                .with(Parameter::Coulomb, S::zero())
+                .dimensionless_criterion()
+        };
+        [
+            self.over_corners(|corner| -frictionless(corner).viscous),
+            self.over_corners(|corner| -frictionless(corner).coulomb),
+        ]
+    }
+
+    /// The coefficients of the dimensionless criterion: what β and σ have to spare at every speed.
+    pub(super) fn spare(&self) -> [Interval<S>; 2] {
+        [
+            self.over_corners(|corner| corner.dimensionless_criterion().viscous),
+            self.over_corners(|corner| corner.dimensionless_criterion().coulomb),
+        ]
+    }
+
+    /// The critical speed in the units of the loop, where the region has one.
+    pub(super) fn critical_speed(&self, region: Option<Region>) -> Option<Interval<S>> {
         match region? {
             Region::LocallyStable | Region::LimitCycles => {
-                Some(Interval::hull(speed(&worst), speed(&best)))
+                let [a, b] = self
+                    .bounds
+                    .criteria()
+                    .map(|c: Criterion<S>| region::critical_speed(&c));
+                Some(Interval::hull(a, b))
             }
             Region::GloballyStable | Region::Unstable => None,
         }
     }
 
-    /// What friction has to spare when the wall itself takes none, b − B and c − F/2 − BΔ/T.
-    fn spare(&self) -> (Interval<Wide>, Interval<Wide>) {
-        let without_wall = RigBox {
-            stiffness: Interval::point(Wide::zero()),
-            ..self.rigs.clone()
+    /// A speed as ticks per sampling period (4).
+    pub(super) fn in_ticks(&self, speed: &Interval<S>) -> Interval<S> {
+        let bounds = self.bounds;
+        let end = |v: &S, period: &S, length: Option<&S>| {
+            let way = v.clone() * period.clone();
+            way.over(length.cloned().unwrap_or_else(S::one))
         };
-        let (worst, best) = without_wall.criteria();
-        (
-            Interval::hull(worst.viscous, best.viscous),
-            Interval::hull(worst.coulomb, best.coulomb),
-        )
-    }
-
-    /// What the wall takes, in KT and KΔ: ½ + k, and ½ with an encoder.
-    fn taken(&self) -> (Wide, Wide) {
-        let wall = Effects {
-            encoder: self.rigs.encoder,
-            delay: self.rigs.delay,
-            damping: None,
-            force_step: None,
-        };
-        let cost = wall.cost();
-        (cost.viscous, cost.coulomb)
-    }
-
-    /// The coefficients of the dimensionless criterion, β − ½ and σ − ½ less the effects'.
-    fn coefficients(&self) -> (Interval<Wide>, Interval<Wide>) {
-        let (viscous, coulomb) = self.spare();
-        let (viscous_taken, coulomb_taken) = self.taken();
-        let viscous_unit = product(&self.rigs.stiffness, &self.rigs.period);
-        let force_unit = product(&self.rigs.stiffness, &self.rigs.length);
-        (
-            quotient(&viscous, &viscous_unit).map(|x| x.clone() - viscous_taken.clone()),
-            quotient(&coulomb, &force_unit).map(|x| x.clone() - coulomb_taken.clone()),
-        )
-    }
-
-    /// The smaller coefficient of the dimensionless criterion.
-    pub(super) fn margin_at_all_speeds(&self) -> Interval<Wide> {
-        let (viscous, coulomb) = self.coefficients();
+        let resolution = bounds.resolution.as_ref();
         Interval::hull(
-            viscous.lo().clone().min(coulomb.lo().clone()),
-            viscous.hi().clone().min(coulomb.hi().clone()),
+            end(speed.lo(), bounds.period.lo(), resolution.map(Interval::hi)),
+            end(speed.hi(), bounds.period.hi(), resolution.map(Interval::lo)),
         )
     }
 
-    /// The margin of (8), (β − ½) + (σ − ½)/v, at a speed in SI units; `None` where that may be 0.
-    pub(super) fn margin_at(&self, speed: &Interval<Wide>) -> Option<Interval<Wide>> {
-        let ticks = super::bounds::in_ticks(speed, self.rigs);
-        if ticks.lo().is_positive() != Some(true) {
+    /// The margin of (8), (β − ½) + (σ − ½)/v with the terms of the effects, at a speed v > 0 in the
+    /// units of the loop.
+    pub(super) fn margin_at(&self, speed: &Interval<S>) -> Interval<S> {
+        let [a, b] = [speed.lo(), speed.hi()].map(|v| {
+            let margin = |corner: &Loop<S>| {
+                // (11) over KTv is (8).
+                let unit = corner.viscous_unit() * v.clone();
+                corner.criterion().margin(v).over(unit)
+            };
+            let range = self.over_corners(margin);
+            match self.best_period(v) {
+                Some(period) => {
+                    let inner = self
+                        .bounds
+                        .clone()
+                        .with(Parameter::Period, Interval::point(period));
+                    range.joined(&Figures { bounds: &inner }.over_corners(margin))
+                }
+                None => range,
+            }
+        });
+        a.joined(&b)
+    }
+
+    /// The sampling period inside its tolerance at which the margin at a speed is largest, where
+    /// one pulls both ways: the margin is then p/T − q/T² and a constant, largest at T = 2q/p.
+    fn best_period(&self, v: &S) -> Option<S> {
+        if !self.bounds.period_pulls_both_ways() {
             return None;
         }
-        let (viscous, coulomb) = self.coefficients();
-        let coulomb = quotient(&coulomb, &ticks);
-        Some(Interval::hull(
-            viscous.lo().clone() + coulomb.lo().clone(),
-            viscous.hi().clone() + coulomb.hi().clone(),
-        ))
+        let easiest = self.bounds.at(End::Easiest);
+        // With T = 1 and without damping, the margin is p − ½ − k in units of K and v.
+        let damping = easiest.damping.clone()?;
+        let undamped = Loop {
+            damping: None,
+            ..easiest.clone().with(Parameter::Period, S::one())
+        };
+        let p = easiest.viscous_friction() * v.clone() - damping.clone() * v.clone()
+            + undamped.criterion().coulomb;
+        let best = (damping * easiest.length()).double().over(p);
+        let after = best.compare(self.bounds.period.lo())?.is_gt();
+        let before = best.compare(self.bounds.period.hi())?.is_lt();
+        (after && before).then_some(best)
     }
 
-    /// b ≥ KT/2 + B.
-    pub(super) fn colgate(&self) -> Truth {
-        self.over(|rig| {
-            let damping = rig.effects.damping.clone().unwrap_or_else(Wide::zero);
-            rig.viscous.clone() - rig.viscous_unit().half() - damping
-        })
+    /// The least and the largest value of a figure that is monotone in each of K, T and Δ while the
+    /// others stay, with friction and the other effects at either end.
+    fn over_corners(&self, figure: impl Fn(&Loop<S>) -> S) -> Interval<S> {
+        let bounds = self.bounds;
+        let mut corners: Vec<Loop<S>> = vec![bounds.at(End::Hardest), bounds.at(End::Easiest)];
+        for parameter in [
+            Parameter::Stiffness,
+            Parameter::Period,
+            Parameter::Resolution,
+        ] {
+            if let Some(range) = bounds.get(parameter).filter(|range| !range.is_point()) {
+                let both = |corner: Loop<S>| {
+                    [range.lo(), range.hi()].map(|x| corner.clone().with(parameter, x.clone()))
+                };
+                corners = corners.into_iter().flat_map(both).collect();
+            }
+        }
+        let values = corners.iter().map(|corner| Interval::point(figure(corner)));
+        let all = values.reduce(|all, value| all.joined(&value));
+        all.unwrap_or_else(|| unreachable!("a box has corners"))
     }
 
-    /// K ≤ min(2b/T, 2c/Δ); without an encoder K ≤ 2b/T.
-    pub(super) fn abbott_okamura(&self) -> Truth {
-        self.over(|rig| {
-            let viscous = rig.viscous.clone() - rig.viscous_unit().half();
-            let coulomb = rig.coulomb.clone() - rig.force_unit().half();
+    /// b ≥ KT/2 + B, for comparison; `None` where it does not apply because of a delay.
+    pub(super) fn colgate(&self) -> Option<Truth> {
+        let margin = |corner: &Loop<S>| {
+            let damping = corner.damping.clone().unwrap_or_else(S::zero);
+            corner.viscous_friction() - corner.viscous_unit().half() - damping
+        };
+        (self.bounds.delay == 0)
+            .then(|| self.between(margin))?
+            .is_nonnegative()
+    }
+
+    /// K ≤ min(2b/T, 2c/Δ), for comparison; without an encoder K ≤ 2b/T, and `None` where it does
+    /// not apply because of a delay.
+    pub(super) fn abbott_okamura(&self) -> Option<Truth> {
+        let margin = |corner: &Loop<S>| {
+            let viscous = corner.viscous_friction() - corner.viscous_unit().half();
+            let coulomb = corner.coulomb_friction() - corner.force_unit().half();
             // Both in one number: only its sign is used.
-            if rig.effects.encoder {
+            if corner.has_encoder() {
                 viscous.min(coulomb)
             } else {
                 viscous
             }
-        })
+        };
+        (self.bounds.delay == 0)
+            .then(|| self.between(margin))?
+            .is_nonnegative()
     }
-
-    /// Whether a margin that friction raises and all else lowers is at least zero over the box.
-    fn over(&self, margin: impl Fn(&Rig<Wide>) -> Wide) -> Truth {
-        let holds = |rig: &Rig<Wide>| margin(rig).is_nonnegative() == Some(true);
-        Truth::over(holds(&self.rigs.worst()), holds(&self.rigs.best()))
-    }
-}
-
-/// The products of two intervals of non-negative numbers.
-fn product(a: &Interval<Wide>, b: &Interval<Wide>) -> Interval<Wide> {
-    Interval::hull(
-        a.lo().clone() * b.lo().clone(),
-        a.hi().clone() * b.hi().clone(),
-    )
-}
-
-/// The quotients of an interval by one of positive numbers.
-fn quotient(a: &Interval<Wide>, by: &Interval<Wide>) -> Interval<Wide> {
-    let nonnegative = |x: &Wide| x.is_nonnegative() == Some(true);
-    let least = if nonnegative(a.lo()) {
-        by.hi()
-    } else {
-        by.lo()
-    };
-    let most = if nonnegative(a.hi()) {
-        by.lo()
-    } else {
-        by.hi()
-    };
-    Interval::hull(
-        a.lo().clone().over(least.clone()),
-        a.hi().clone().over(most.clone()),
-    )
 }

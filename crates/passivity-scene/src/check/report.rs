@@ -1,87 +1,133 @@
-//! Every figure of a check, exact or exactly enclosed.
+//! Every figure of a check, exact or exactly enclosed: one type for programs and people.
 
-use passivity_core::{BigRational, Interval, Region, Scalar, Truth, Wide, rational, stiffness};
+use passivity_core::verdict::Speeds;
+use passivity_core::{BigRational, Effect, Interval, Loop, Parameter, Region, Scalar, Truth, Wide};
+use serde::Serialize;
+use serde::ser::{SerializeStruct as _, Serializer};
 
-use super::bounds::{PRINTED, SpeedBound, in_ticks};
-use super::changes::{self, Change};
 use super::decide::{self, Verdict};
 use super::figures::Figures;
-use super::stiffest::stiffness_limit;
-use crate::effect::Effect;
+use super::limits::{self, Limit};
+use super::unforced::{StartSpeed, Unforced};
+use super::{BITS, Number, figure};
+use crate::json::{
+    write_interval as interval, write_optional_interval as optional_interval, write_rational,
+};
 use crate::scene::{Motion, Scene};
 
-/// Where the speed bound of a verdict comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum BoundSource {
-    /// `operator.max_speed`.
-    MaxSpeed,
-    /// The start of an unforced motion (TH-START).
-    Start,
-}
-
-/// A cycle that draws energy from the display (TH-ACTIVE).
-#[derive(Clone, Debug, PartialEq)]
+/// A cycle that draws energy from the display (TH-ACTIVE): ticks, or the unit of length without an
+/// encoder.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Witness {
-    /// Where the cycle starts and ends, in ticks, or in SI units without an encoder.
+    /// Where it starts and ends.
+    #[serde(serialize_with = "write_rational")]
     pub from: BigRational,
     /// Where it turns.
+    #[serde(serialize_with = "write_rational")]
     pub to: BigRational,
-    /// Energy gained each time round, in KΔ²: at least this, whatever the tolerances.
+    /// What the operator gains at least each time round, in KΔ².
+    #[serde(serialize_with = "write_rational")]
     pub gain_per_cycle: BigRational,
 }
 
-/// What `passivity check` says of a scene. Lengths are in ticks, speeds in ticks per sampling
-/// period, unless the name says SI.
-#[derive(Clone, Debug, PartialEq)]
+/// What the effects of a scene ask of β and σ.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Costs {
+    /// Of effective viscous friction: ½ + k + B.
+    #[serde(serialize_with = "interval")]
+    pub viscous: Interval<BigRational>,
+    /// Of effective Coulomb friction: ½(1 + δ) + B; without an encoder ½δ.
+    #[serde(serialize_with = "interval")]
+    pub coulomb: Interval<BigRational>,
+}
+
+/// What friction has to spare beyond the cost of the effects: at every speed the criterion holds
+/// exactly when neither is negative.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Spare {
+    /// β less its cost.
+    #[serde(serialize_with = "interval")]
+    pub viscous: Interval<BigRational>,
+    /// σ less its cost.
+    #[serde(serialize_with = "interval")]
+    pub coulomb: Interval<BigRational>,
+}
+
+/// What a check found out about a scene.
+///
+/// Serialised it is one of the `scenes` of `check --format json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// The scene's name.
     pub scene: String,
-    /// How the device moves.
+    /// How the device moves: it fixes the units of people's text.
+    #[serde(skip)]
     pub motion: Motion,
-    /// The effects in the scene.
-    pub effects: Vec<Effect>,
-    /// The region of the (β, σ) plane, with the terms of the effects; `None` when it depends.
+    /// The region of the (β, σ) plane; `None` when it depends on tolerances.
+    #[serde(serialize_with = "region")]
     pub region: Option<Region>,
-    /// The verdict.
+    /// The verdict, about any operator.
     pub verdict: Verdict,
-    /// Ids of the theorems that give it.
+    /// Whether the criterion holds at every speed, also where a bound on the speed is given.
+    pub at_every_speed: bool,
+    /// The ids of the theorems that the verdict rests on.
     pub because: Vec<&'static str>,
-    /// Effects that no theorem covers.
+    /// The effects in the scene.
+    #[serde(serialize_with = "effects")]
+    pub effects: Vec<Effect>,
+    /// The effects that no theorem covers.
+    #[serde(serialize_with = "effects")]
     pub not_covered: Vec<Effect>,
     /// μ, when the scene has an inertia.
+    #[serde(serialize_with = "optional_interval")]
     pub mu: Option<Interval<BigRational>>,
     /// β; 0 without viscous friction.
+    #[serde(serialize_with = "interval")]
     pub beta: Interval<BigRational>,
-    /// σ; `None` without an encoder, 0 without Coulomb friction.
+    /// σ; 0 without Coulomb friction, `None` without an encoder.
+    #[serde(serialize_with = "optional_interval")]
     pub sigma: Option<Interval<BigRational>>,
-    /// Where the criterion meets equality; `None` when no single speed does.
+    /// What the effects ask of β and σ.
+    pub cost: Costs,
+    /// What β and σ have to spare.
+    pub spare: Spare,
+    /// Where the criterion meets equality, in ticks per sample; `None` when no single speed does.
+    #[serde(serialize_with = "optional_interval")]
     pub critical_speed: Option<Interval<BigRational>>,
     /// The same in m/s or rad/s; `None` for a dimensionless scene.
+    #[serde(serialize_with = "optional_interval")]
     pub critical_speed_si: Option<Interval<BigRational>>,
-    /// The smaller of the two coefficients of the criterion, β − ½ and σ − ½ less the effects'.
-    pub margin_at_all_speeds: Interval<BigRational>,
-    /// V, up to which the verdict was asked.
+    /// V of `operator.max_speed`, up to which the verdict is asked, in ticks per sample.
+    #[serde(serialize_with = "optional_interval")]
     pub speed_bound: Option<Interval<BigRational>>,
     /// V in SI units; `None` for a dimensionless scene.
+    #[serde(serialize_with = "optional_interval")]
     pub speed_bound_si: Option<Interval<BigRational>>,
-    /// Where V comes from.
-    pub bound_source: Option<BoundSource>,
-    /// The margin of (8) at V, (β − ½) + (σ − ½)/V less the effects'; `None` at V = 0.
+    /// The margin of (8) at V, (β − ½) + (σ − ½)/V with the costs of the effects.
+    #[serde(serialize_with = "optional_interval")]
     pub margin_at_speed_bound: Option<Interval<BigRational>>,
-    /// The stiffest wall at every speed, SI; at most 0 when there is none.
+    /// The stiffest wall at every speed, SI; 0 when there is none.
+    #[serde(serialize_with = "optional_interval")]
     pub max_stiffness_all_speeds: Option<Interval<BigRational>>,
     /// The stiffest wall at every speed up to V, SI.
+    #[serde(serialize_with = "optional_interval")]
     pub max_stiffness_at_speed_bound: Option<Interval<BigRational>>,
-    /// Colgate's b ≥ KT/2 + B, for comparison: no quantization, no Coulomb friction.
-    pub colgate: Truth,
-    /// Abbott and Okamura's K ≤ min(2b/T, 2c/Δ), for comparison.
-    pub abbott_okamura: Truth,
-    /// An exact cycle that draws energy.
+    /// Colgate's b ≥ KT/2 + B, for comparison: no quantization, no Coulomb friction. `None` with a
+    /// delay, to which it does not apply.
+    #[serde(serialize_with = "truth")]
+    pub colgate: Option<Truth>,
+    /// Abbott and Okamura's K ≤ min(2b/T, 2c/Δ), for comparison. `None` with a delay.
+    #[serde(serialize_with = "truth")]
+    pub abbott_okamura: Option<Truth>,
+    /// A cycle that draws energy, where the verdict is that the wall is not passive.
     pub witness: Option<Witness>,
-    /// The parameters whose tolerance decides, when the verdict depends.
+    /// What holds of the device left alone at the scene's start; `None` without one, or when its
+    /// speed needs an inertia that is not given.
+    pub unforced: Option<Unforced>,
+    /// The keys of the parameters whose tolerance decides, when the verdict depends.
     pub decided_by: Vec<&'static str>,
-    /// How far each parameter can go, or has to go.
-    pub changes: Vec<Change>,
+    /// How far each parameter can go, or has to go, at the speeds that the headline speaks of.
+    pub limits: Vec<Limit>,
 }
 
 /// Checks a scene.
@@ -95,131 +141,144 @@ pub struct Report {
 /// let scene = Scene::from_toml("corner", text).unwrap();
 /// let report = check(&scene);
 /// assert_eq!(report.verdict, Verdict::Passive); // equality is passive
-/// assert_eq!(report.margin_at_all_speeds.lo().to_string(), "0");
+/// assert_eq!(report.spare.viscous.lo().to_string(), "0");
 /// ```
 #[must_use]
 pub fn check(scene: &Scene) -> Report {
-    let decided = decide::decide(scene);
+    let bounds = scene.bounds();
+    // Where there is no π, plain fractions do, and faster.
+    let rational = bounds.try_map(|_, range| range.try_map(Wide::of));
+    let report = match rational {
+        Some(rational) => checked(scene, &rational),
+        None => checked(scene, &bounds),
+    };
+    report.unwrap_or_else(|| {
+        unreachable!("the figures of a scene are defined: its units are above zero")
+    })
+}
+
+/// The report, or `None` where a figure is undefined.
+fn checked<S: Number>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Report> {
+    let figures = Figures { bounds };
+    let asked = decide::speeds(bounds);
+    let at_every_speed = bounds.decide(&Speeds::All)? == Truth::Holds;
+    let truth = if at_every_speed {
+        Truth::Holds
+    } else {
+        bounds.decide(&asked)?
+    };
     let not_covered = scene.not_covered();
-    let bound = SpeedBound::of(scene, PRINTED);
-    let rigs = decide::wide(&scene.rig_box(PRINTED));
-    let figures = Figures { rigs: &rigs };
-    let verdict = match decided.truth {
+    let cycle = match truth {
+        Truth::Fails if not_covered.is_empty() => decide::find_witness(scene, bounds),
+        _ => None,
+    };
+    let verdict = match truth {
         _ if !not_covered.is_empty() => Verdict::NotCovered,
         Truth::Holds => Verdict::Passive,
         Truth::Depends => Verdict::Depends,
-        Truth::Fails if decided.witness.is_some() => Verdict::NotPassive,
+        Truth::Fails if cycle.is_some() => Verdict::NotPassive,
         Truth::Fails => Verdict::NotGuaranteed,
     };
+    let region = bounds.region();
     let has_units = scene.motion != Motion::Dimensionless;
-    let si = |x: &Interval<Wide>| has_units.then(|| exact(x));
-    let critical_si = figures.critical_speed(decided.region);
-    let speed = bound.as_ref().map(SpeedBound::speed);
-    let stiffest = bound
-        .as_ref()
-        .map(|bound| stiffness_limit(scene, &rigs, bound));
-    let friction = (rigs.worst().friction(), rigs.best().friction());
-    Report {
+    let optional = |range: Option<Interval<S>>| match range {
+        Some(range) => figure(&range).map(Some),
+        None => Some(None),
+    };
+    let si = |range: &Option<Interval<S>>| optional(range.clone().filter(|_| has_units));
+    let critical = figures.critical_speed(region);
+    let [viscous_cost, coulomb_cost] = figures.cost();
+    let [viscous_spare, coulomb_spare] = figures.spare();
+    let stiffest = |speeds: &Speeds<Interval<S>>| {
+        let limit = limits::limit(Parameter::Stiffness, bounds, speeds);
+        let none = || Interval::point(Scalar::zero());
+        has_units.then(|| limit.map_or_else(none, |limit| limit.border))
+    };
+    let bounded = bounds.max_speed.as_ref();
+    let of_limits = if at_every_speed { &Speeds::All } else { &asked };
+    Some(Report {
         scene: scene.name.clone(),
         motion: scene.motion,
         effects: scene.effects(),
-        region: decided.region,
+        region,
         verdict,
-        because: because(scene, verdict, decided.at_all_speeds, bound.as_ref()),
-        mu: scene
-            .inertia
-            .as_ref()
-            .map(|m| exact(&figures.mu(&m.value.enclosure(PRINTED).map(rational::to_wide)))),
-        beta: exact(&Interval::hull(friction.0.beta, friction.1.beta)),
-        sigma: rigs
-            .encoder
-            .then(|| exact(&Interval::hull(friction.0.sigma, friction.1.sigma))),
-        critical_speed: critical_si.as_ref().map(|v| exact(&in_ticks(v, &rigs))),
-        critical_speed_si: critical_si.as_ref().and_then(si),
-        margin_at_all_speeds: exact(&figures.margin_at_all_speeds()),
-        speed_bound: speed.as_ref().map(|v| exact(&in_ticks(v, &rigs))),
-        speed_bound_si: speed.as_ref().and_then(si),
-        bound_source: bound.as_ref().map(|bound| bound.source),
-        margin_at_speed_bound: speed
-            .as_ref()
-            .and_then(|v| figures.margin_at(v))
-            .map(|m| exact(&m)),
-        max_stiffness_all_speeds: has_units.then(|| {
-            non_negative(
-                &stiffness::limit_at_all_speeds(&rigs.worst()),
-                &stiffness::limit_at_all_speeds(&rigs.best()),
-            )
-        }),
-        max_stiffness_at_speed_bound: stiffest
-            .as_ref()
-            .filter(|_| has_units)
-            .map(|k| non_negative(k.lo(), k.hi())),
+        at_every_speed,
+        because: because(scene, verdict),
+        mu: optional(figures.mu())?,
+        beta: figure(&figures.between(|corner| corner.friction().beta))?,
+        sigma: optional(
+            scene
+                .given
+                .has_encoder()
+                .then(|| figures.between(|corner| corner.friction().sigma)),
+        )?,
+        cost: Costs {
+            viscous: figure(&viscous_cost)?,
+            coulomb: figure(&coulomb_cost)?,
+        },
+        spare: Spare {
+            viscous: figure(&viscous_spare)?,
+            coulomb: figure(&coulomb_spare)?,
+        },
+        critical_speed_si: si(&critical)?,
+        critical_speed: optional(critical.map(|v| figures.in_ticks(&v)))?,
+        speed_bound: optional(bounded.map(|v| figures.in_ticks(v)))?,
+        speed_bound_si: si(&bounds.max_speed)?,
+        margin_at_speed_bound: optional(bounded.map(|v| figures.margin_at(v)))?,
+        max_stiffness_all_speeds: stiffest(&Speeds::All),
+        max_stiffness_at_speed_bound: bounded.and_then(|_| stiffest(&asked)),
         colgate: figures.colgate(),
         abbott_okamura: figures.abbott_okamura(),
         decided_by: match verdict {
-            Verdict::Depends => decide::deciding(scene),
+            Verdict::Depends => decide::deciding(scene, bounds),
             _ => Vec::new(),
         },
-        changes: changes::changes(
-            scene,
-            &rigs,
-            speed.as_ref(),
-            stiffest
-                .as_ref()
-                .filter(|_| bound.as_ref().is_some_and(SpeedBound::is_root)),
-        ),
-        witness: decided
-            .witness
-            .filter(|_| verdict == Verdict::NotPassive)
-            .map(|cycle| Witness {
-                from: cycle.from,
-                to: cycle.to,
-                gain_per_cycle: cycle.gain,
-            }),
+        limits: limits::limits(bounds, of_limits),
+        witness: cycle.map(|cycle| Witness {
+            from: cycle.from,
+            to: cycle.to,
+            gain_per_cycle: cycle.gain,
+        }),
+        unforced: unforced(scene, bounds, &not_covered)?,
         not_covered,
-    }
+    })
 }
 
-/// A number in lowest terms; zero for an undefined one, which no scene that was read can give.
-pub(super) fn reduced(x: &Wide) -> BigRational {
-    rational::from_wide(x).unwrap_or_else(BigRational::zero)
-}
-
-/// An enclosure in lowest terms.
-pub(super) fn exact(range: &Interval<Wide>) -> Interval<BigRational> {
-    if range.is_point() {
-        return Interval::point(reduced(range.lo()));
-    }
-    range.map(reduced)
-}
-
-/// The interval between two values, both taken as at least zero.
-pub(super) fn non_negative(a: &Wide, b: &Wide) -> Interval<BigRational> {
-    let clamp = |x: &Wide| x.clone().max(Wide::zero());
-    exact(&Interval::hull(clamp(a), clamp(b)))
-}
-
-/// The theorems a verdict rests on.
-fn because(
+/// What TH-START says of the scene's start.
+fn unforced<S: Number>(
     scene: &Scene,
-    verdict: Verdict,
-    at_all_speeds: bool,
-    bound: Option<&SpeedBound>,
-) -> Vec<&'static str> {
+    bounds: &Loop<Interval<S>>,
+    not_covered: &[Effect],
+) -> Option<Option<Unforced>> {
+    let Some(start) = StartSpeed::of(scene, bounds) else {
+        return Some(None);
+    };
+    let holds = if not_covered.is_empty() {
+        bounds.decide(&start.speeds())?
+    } else {
+        Truth::Depends
+    };
+    let speed = start.enclosure(BITS)?;
+    let factor = Figures { bounds }.in_ticks(&Interval::point(Scalar::one()));
+    let factor = figure(&factor)?;
+    let ticks = Interval::hull(speed.lo() * factor.lo(), speed.hi() * factor.hi());
+    Some(Some(Unforced {
+        holds,
+        speed: ticks,
+        speed_si: (scene.motion != Motion::Dimensionless).then_some(speed),
+    }))
+}
+
+/// The theorems that a verdict rests on.
+fn because(scene: &Scene, verdict: Verdict) -> Vec<&'static str> {
     let mut ids = Vec::new();
     match verdict {
         Verdict::NotCovered => return ids,
-        Verdict::NotPassive if scene.resolution.is_some() => ids.push("TH-ACTIVE"),
-        Verdict::NotPassive => ids.push("TH-SMOOTH"),
-        _ => {
-            ids.extend(["TH-REGION", "TH-INTERVAL", "TH-RUN"]);
-            if !at_all_speeds && bound.is_some_and(|b| b.source == BoundSource::Start) {
-                ids.push("TH-START");
-            }
-            if scene.resolution.is_none() {
-                ids.push("TH-SMOOTH");
-            }
-        }
+        Verdict::NotPassive => ids.push("TH-ACTIVE"),
+        _ => ids.extend(["TH-REGION", "TH-INTERVAL", "TH-RUN"]),
+    }
+    if !scene.given.has_encoder() {
+        ids.push("TH-SMOOTH");
     }
     // A cycle that gains energy is no matter of what an interval generates at most.
     let beside = (verdict == Verdict::NotPassive).then_some("TH-INTERVAL");
@@ -229,4 +288,58 @@ fn because(
         }
     }
     ids
+}
+
+fn region<S: Serializer>(region: &Option<Region>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(region.map_or("depends", Region::name))
+}
+
+fn effects<S: Serializer>(effects: &[Effect], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(effects.iter().map(|effect| effect.name()))
+}
+
+fn truth<S: Serializer>(truth: &Option<Truth>, serializer: S) -> Result<S::Ok, S::Error> {
+    truth.map(Truth::name).serialize(serializer)
+}
+
+impl Serialize for Unforced {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        // `true`, `false`, and null where it depends.
+        let holds = match self.holds {
+            Truth::Holds => Some(true),
+            Truth::Fails => Some(false),
+            Truth::Depends => None,
+        };
+        let speed_si = self.speed_si.as_ref().map(crate::json::interval);
+        let mut object = serializer.serialize_struct("Unforced", 4)?;
+        object.serialize_field("holds", &holds)?;
+        object.serialize_field("speed", &crate::json::interval(&self.speed))?;
+        object.serialize_field("speed_si", &speed_si)?;
+        object.serialize_field("assumes", super::unforced::ASSUMES)?;
+        object.end()
+    }
+}
+
+impl Serialize for Limit {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut object = serializer.serialize_struct("Limit", 6)?;
+        object.serialize_field("parameter", self.parameter.row().key)?;
+        object.serialize_field("now", &crate::json::interval(&self.now))?;
+        object.serialize_field("border", &crate::json::interval(&self.border))?;
+        object.serialize_field("holds", &self.side)?;
+        object.serialize_field("suffices", &self.suffices)?;
+        object.serialize_field("printed", &self.printed)?;
+        object.end()
+    }
+}
+
+impl Report {
+    /// The report as a JSON object, one of the `scenes` of `check --format json`.
+    #[must_use]
+    pub fn to_json(&self) -> serde_json::Value {
+        match serde_json::to_value(self) {
+            Ok(value) => value,
+            Err(error) => unreachable!("a report has nothing that JSON cannot hold: {error}"),
+        }
+    }
 }

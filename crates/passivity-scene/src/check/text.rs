@@ -2,13 +2,12 @@
 
 use std::fmt::Write as _;
 
-use passivity_core::{BigRational, Interval, Region};
+use passivity_core::{BigRational, Effect, Interval, Parameter, Region, Truth};
 
-use super::changes::{Change, Direction};
 use super::decide::Verdict;
-use super::report::{BoundSource, Report};
-use crate::display::{approx, range, wrapped};
-use crate::effect::Effect;
+use super::limits::{Limit, Side};
+use super::report::Report;
+use crate::display::{Rounding, approx, range, rounded, wrapped};
 use crate::scene::Motion;
 
 impl Report {
@@ -20,7 +19,7 @@ impl Report {
             // Writing to a string cannot fail.
             let _ = writeln!(out, "  {label:<26}{}", wrapped(value, 28));
         };
-        line("region", &self.region_text());
+        line("region", self.region_text());
         line("β = b/(KT)", &range(&self.beta));
         match &self.sigma {
             Some(sigma) => line("σ = c/(KΔ)", &range(sigma)),
@@ -29,61 +28,54 @@ impl Report {
         if let Some(mu) = &self.mu {
             line("μ = m/(KT²)", &range(mu));
         }
-        line("margin at every speed", &range(&self.margin_at_all_speeds));
+        let cost = &self.cost;
+        line(
+            "cost of the effects",
+            &format!("β: {}, σ: {}", range(&cost.viscous), range(&cost.coulomb)),
+        );
+        let spare = &self.spare;
+        line(
+            "to spare at every speed",
+            &format!("β: {}, σ: {}", range(&spare.viscous), range(&spare.coulomb)),
+        );
         if let Some(margin) = &self.margin_at_speed_bound {
-            line(&format!("margin at {}", self.bound_text()), &range(margin));
+            line(
+                &format!("margin (8) at {}", self.bound_text()),
+                &range(margin),
+            );
         }
         if let Some(ticks) = &self.critical_speed {
-            line(
-                "critical speed",
-                &self.speed_text(self.critical_speed_si.as_ref(), ticks),
-            );
+            line("critical speed", &self.critical_text(ticks));
         }
-        let unit = stiffness_unit(self.motion);
-        if let Some(k) = &self.max_stiffness_all_speeds {
-            line(
-                "stiffest wall",
-                &format!("{} {unit} at every speed", range(k)),
-            );
-        }
-        if let Some(k) = &self.max_stiffness_at_speed_bound {
-            line(
-                "",
-                &format!("{} {unit} up to {}", range(k), self.bound_text()),
-            );
-        }
-        line("Colgate, b ≥ KT/2", self.colgate.name());
-        line("Abbott and Okamura", self.abbott_okamura.name());
+        self.stiffness_lines(&mut line);
+        let applies = |truth: Option<Truth>| truth.map_or("does not apply to a delay", Truth::name);
+        line("Colgate, b ≥ KT/2", applies(self.colgate));
+        line("Abbott and Okamura", applies(self.abbott_okamura));
         line("effects", &words(&self.effects));
         if !self.because.is_empty() {
             line("because", &self.because.join(", "));
         }
+        if let Some(text) = self.unforced_text() {
+            line("left alone at the start", &text);
+        }
         let mut text = format!("{}: {}\n{out}", self.scene, self.headline());
         text.push_str(&self.witness_text());
-        text.push_str(&self.changes_text());
+        text.push_str(&self.limits_text());
         text
     }
 
     /// The verdict in one line.
     #[must_use]
     pub fn headline(&self) -> String {
-        let bound = || match (
-            &self.speed_bound,
-            self.margin_at_all_speeds.is_nonnegative(),
-        ) {
-            (_, Some(passivity_core::Truth::Holds)) | (None, _) => "at every speed".to_owned(),
-            (Some(_), _) => match self.bound_source {
-                Some(BoundSource::Start) => {
-                    format!("from its start, at speeds up to {}", self.bound_text())
-                }
-                _ => format!("at every speed up to {}", self.bound_text()),
-            },
-        };
         match self.verdict {
-            Verdict::Passive => format!("PASSIVE {}", bound()),
+            Verdict::Passive => format!("PASSIVE {}", self.speeds_text()),
             Verdict::NotPassive => "NOT PASSIVE: a cycle draws energy from it".to_owned(),
             Verdict::NotGuaranteed => {
-                format!("NOT GUARANTEED passive {}: the criterion fails", bound())
+                let speeds = self.speeds_text();
+                format!("NOT GUARANTEED passive {speeds}: the criterion fails")
+            }
+            Verdict::Depends if self.decided_by.is_empty() => {
+                "DEPENDS on digits of π beyond those that were looked at".to_owned()
             }
             Verdict::Depends => {
                 format!("DEPENDS on the tolerance of {}", self.decided_by.join(", "))
@@ -94,15 +86,27 @@ impl Report {
         }
     }
 
-    fn region_text(&self) -> String {
-        let words = match self.region {
+    /// The speeds that the headline and the limits speak of.
+    fn speeds_text(&self) -> String {
+        if self.at_every_speed || self.speed_bound.is_none() {
+            "at every speed".to_owned()
+        } else {
+            format!("at every speed up to {}", self.bound_text())
+        }
+    }
+
+    const fn region_text(&self) -> &'static str {
+        match self.region {
             None => "depends on the tolerances",
-            Some(Region::GloballyStable) => "globally stable: passive at every speed",
-            Some(Region::LocallyStable) => "locally stable: passive up to the critical speed",
-            Some(Region::LimitCycles) => "limit cycles: not passive below the critical speed",
-            Some(Region::Unstable) => "unstable: passive at no speed",
-        };
-        words.to_owned()
+            Some(Region::GloballyStable) => "globally stable: the criterion holds at every speed",
+            Some(Region::LocallyStable) => {
+                "locally stable: the criterion holds up to the critical speed"
+            }
+            Some(Region::LimitCycles) => {
+                "limit cycles: the criterion fails below the critical speed"
+            }
+            Some(Region::Unstable) => "unstable: the criterion holds at no speed",
+        }
     }
 
     fn bound_text(&self) -> String {
@@ -113,108 +117,139 @@ impl Report {
         }
     }
 
-    fn speed_text(
-        &self,
-        si: Option<&Interval<BigRational>>,
-        ticks: &Interval<BigRational>,
-    ) -> String {
-        match si {
+    /// The critical speed, on the side of it on which the criterion holds over all tolerances.
+    fn critical_text(&self, ticks: &Interval<BigRational>) -> String {
+        let safe = |v: &Interval<BigRational>| match self.region {
+            Some(Region::LimitCycles) => rounded(v.hi(), 5, Rounding::Up),
+            _ => rounded(v.lo(), 5, Rounding::Down),
+        };
+        match &self.critical_speed_si {
             Some(v) => {
-                format!(
-                    "{} {} ({} ticks/sample)",
-                    range(v),
-                    speed_unit(self.motion),
-                    range(ticks)
-                )
+                let unit = speed_unit(self.motion);
+                format!("{} {unit} ({} ticks/sample)", safe(v), safe(ticks))
             }
-            None => format!("{} ticks/sample", range(ticks)),
+            None => format!("{} ticks/sample", safe(ticks)),
         }
+    }
+
+    fn stiffness_lines(&self, line: &mut impl FnMut(&str, &str)) {
+        let unit = stiffness_unit(self.motion);
+        let safe = |k: &Interval<BigRational>| rounded(k.lo(), 5, Rounding::Down);
+        let bound = self.bound_text();
+        let rows = [
+            (&self.max_stiffness_all_speeds, "at every speed".to_owned()),
+            (&self.max_stiffness_at_speed_bound, format!("up to {bound}")),
+        ];
+        let mut label = "stiffest wall";
+        for (k, speeds) in rows {
+            if let Some(k) = k {
+                line(label, &format!("{} {unit} {speeds}", safe(k)));
+                label = "";
+            }
+        }
+    }
+
+    fn unforced_text(&self) -> Option<String> {
+        let unforced = self.unforced.as_ref()?;
+        let v = |x: &Interval<BigRational>| rounded(x.hi(), 5, Rounding::Up);
+        let speed = match &unforced.speed_si {
+            Some(si) => format!("{} {}", v(si), speed_unit(self.motion)),
+            None => format!("{} ticks/sample", v(&unforced.speed)),
+        };
+        Some(match unforced.holds {
+            Truth::Holds => format!(
+                "never faster than {speed} (TH-START), if {}",
+                super::unforced::ASSUMES
+            ),
+            Truth::Fails => format!("the criterion fails at the speed of its start, {speed}"),
+            Truth::Depends => "not shown".to_owned(),
+        })
     }
 
     fn witness_text(&self) -> String {
         let Some(witness) = &self.witness else {
             return String::new();
         };
-        let unit = match (&self.sigma, self.motion) {
-            (Some(_), _) => "ticks",
-            (None, Motion::Linear) => "m",
-            (None, _) => "rad",
-        };
-        let energy = if self.sigma.is_some() {
-            "KΔ²"
-        } else {
-            "K times that unit squared"
+        let (unit, energy) = match (&self.sigma, self.motion) {
+            (Some(_), _) => ("ticks", "KΔ²"),
+            (None, Motion::Linear) => ("m", "K·m²"),
+            (None, _) => ("rad", "K·rad²"),
         };
         format!(
             "  Witness: move from {} to {} {unit} and back, each way at constant speed within one\n  \
-             sampling interval. Every round gains at least {} {energy}.\n",
+             sampling interval. Each round trip draws at least {} {energy},\n  \
+             if friction is no more than the scene allows.\n",
             short(&witness.from),
             short(&witness.to),
             with_size(&witness.gain_per_cycle),
         )
     }
 
-    fn changes_text(&self) -> String {
+    fn limits_text(&self) -> String {
         // What is not covered is not mended by a parameter.
-        if self.changes.is_empty() || self.verdict == Verdict::NotCovered {
+        if self.limits.is_empty() || self.verdict == Verdict::NotCovered {
             return String::new();
         }
         let passive = self.verdict == Verdict::Passive;
+        let speeds = self.speeds_text();
         let mut out = if passive {
-            String::from("  How far each could go alone, and the wall stay passive:\n")
+            format!("  Limits, one parameter at a time, to stay passive {speeds}:\n")
         } else {
-            String::from("  What each would have to be for the criterion to hold:\n")
+            format!("  What each parameter would have to be for the criterion to hold {speeds}:\n")
         };
-        for change in &self.changes {
-            let _ = writeln!(out, "    {}", change_text(change, passive));
+        for limit in &self.limits {
+            let _ = writeln!(out, "    {}", self.limit_text(limit));
         }
         out
     }
+
+    fn limit_text(&self, limit: &Limit) -> String {
+        let (relation, rounding) = match limit.side {
+            Side::AtLeast => ("at least", Rounding::Up),
+            Side::AtMost => ("at most", Rounding::Down),
+        };
+        let unit = unit_of(limit.parameter, self.motion);
+        let figure = match &limit.printed {
+            Some(printed) => printed.clone(),
+            None => rounded(limit.hardest(), 5, rounding),
+        };
+        let enough = if limit.printed.is_some() {
+            ""
+        } else {
+            ", and it is not enough alone"
+        };
+        format!(
+            "{}: {relation} {figure}{unit} (now {}{unit}){enough}",
+            label(limit.parameter, self.motion),
+            range(&limit.now),
+        )
+    }
 }
 
-fn change_text(change: &Change, passive: bool) -> String {
-    let relation = match change.direction {
-        Direction::AtLeast => "at least",
-        Direction::AtMost => "at most",
-    };
-    // What is promised is the worst end over the tolerances.
-    let border = match change.direction {
-        Direction::AtLeast => change.border.hi(),
-        Direction::AtMost => change.border.lo(),
-    };
-    let unit = if change.unit.is_empty() {
-        String::new()
-    } else {
-        format!(" {}", change.unit)
-    };
-    let enough = if passive || change.suffices {
-        ""
-    } else {
-        ", and it is not enough alone"
-    };
-    format!(
-        "{}: {relation} {}{unit} (now {}{unit}){enough}",
-        change.name,
-        approx(border),
-        range(&change.now),
-    )
+/// A parameter in words and with its letter.
+fn label(parameter: Parameter, motion: Motion) -> String {
+    let row = parameter.row();
+    if motion != Motion::Dimensionless {
+        return format!("{} {}", row.name, row.symbol);
+    }
+    match row.dimensionless_symbol {
+        Some(symbol) => format!("effective {} {symbol}", row.name),
+        None => format!("{}, as a factor of what it is", row.name),
+    }
 }
 
 fn words(effects: &[Effect]) -> String {
-    effects
-        .iter()
-        .map(|effect| effect.words())
-        .collect::<Vec<_>>()
-        .join("; ")
+    let words: Vec<&str> = effects.iter().map(|effect| effect.words()).collect();
+    words.join("; ")
 }
 
 /// A rational with its size in decimals, unless it is too long to read.
 fn with_size(x: &BigRational) -> String {
-    let (exact, rounded) = (short(x), approx(x));
-    if exact == rounded || exact.starts_with("about") {
+    let (exact, decimals) = (short(x), approx(x));
+    if exact == decimals || exact.starts_with("about") {
         return exact;
     }
-    format!("{exact} (≈ {rounded})")
+    format!("{exact} (≈ {decimals})")
 }
 
 /// A rational as it is when that is short enough to read, else rounded.
@@ -224,6 +259,26 @@ fn short(x: &BigRational) -> String {
         exact
     } else {
         format!("about {}", approx(x))
+    }
+}
+
+/// A parameter's SI unit after a space; empty for a dimensionless scene.
+#[must_use]
+pub(crate) fn unit_of(parameter: Parameter, motion: Motion) -> String {
+    use passivity_core::parameter::Unit;
+    let [linear, rotary] = match parameter.row().unit {
+        Unit::INERTIA => ["kg", "kg m²"],
+        Unit::VISCOUS => ["N s/m", "N m s/rad"],
+        Unit::FORCE => ["N", "N m"],
+        Unit::TIME => ["s", "s"],
+        Unit::POSITION => ["m", "rad"],
+        Unit::SPEED => ["m/s", "rad/s"],
+        _ => ["N/m", "N m/rad"],
+    };
+    match motion {
+        Motion::Linear => format!(" {linear}"),
+        Motion::Rotary => format!(" {rotary}"),
+        Motion::Dimensionless => String::new(),
     }
 }
 

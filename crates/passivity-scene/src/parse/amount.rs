@@ -2,11 +2,10 @@
 
 use std::ops::Range;
 
-use num_traits::{One, Signed, Zero};
-use passivity_core::{BigRational, Interval};
+use num_traits::{Signed, Zero};
+use passivity_core::{BigRational, Exact, Interval, Scalar, pi};
 
 use crate::diagnostic::Kind;
-use crate::exact::Exact;
 use crate::number::{Limits, NumberError, parse_prefix};
 use crate::units::{Unit, UnitError};
 
@@ -112,10 +111,10 @@ impl Amount {
         };
         let mut tolerance = match &tail {
             Some(tail) if tail.percent => {
-                nominal.abs() * &tail.number / BigRational::from_integer(100.into())
+                Signed::abs(&nominal) * &tail.number / BigRational::from_integer(100.into())
             }
             Some(tail) => tail.number.clone(),
-            None => BigRational::zero(),
+            None => <BigRational as Zero>::zero(),
         };
         if let (Some(_), Some(own)) = (&unit_piece, &tail_unit) {
             let own_unit = own.read(&read_unit)?;
@@ -140,27 +139,32 @@ impl Amount {
     }
 
     /// The values in SI units, with the tolerance and without.
-    pub(super) fn exact(&self) -> (Exact, Exact) {
-        let scale = self.unit.scale();
-        let pi = self.unit.pi_power();
-        let lo = (&self.nominal - &self.tolerance) * scale;
-        let hi = (&self.nominal + &self.tolerance) * scale;
-        let nominal = Interval::point(&self.nominal * scale);
-        (
-            Exact::new(Interval::hull(lo, hi), pi),
-            Exact::new(nominal, pi),
-        )
+    pub(super) fn exact(&self) -> (Interval<Exact>, Exact) {
+        let unit = Exact::of(self.unit.scale()) * power_of_pi(self.unit.pi_power());
+        let of = |x: &BigRational| Exact::of(x) * unit.clone();
+        let lo = of(&(&self.nominal - &self.tolerance));
+        let hi = of(&(&self.nominal + &self.tolerance));
+        (Interval::hull(lo, hi), of(&self.nominal))
     }
 
     /// The reciprocals in SI units, with the tolerance and without; every value must be above 0.
-    pub(super) fn exact_reciprocal(&self) -> (Exact, Exact) {
+    pub(super) fn exact_reciprocal(&self) -> (Interval<Exact>, Exact) {
         let (value, nominal) = self.exact();
-        let flip = |x: &Exact| {
-            let one = BigRational::one();
-            let range = Interval::hull(&one / x.range().hi(), &one / x.range().lo());
-            Exact::new(range, -x.pi_power())
-        };
-        (flip(&value), flip(&nominal))
+        let flip = |x: &Exact| Exact::one().over(x.clone());
+        (
+            Interval::hull(flip(value.hi()), flip(value.lo())),
+            flip(&nominal),
+        )
+    }
+}
+
+/// π to a power.
+fn power_of_pi(power: i8) -> Exact {
+    let size = (0..power.unsigned_abs()).fold(Exact::one(), |x, _| x * pi::pi());
+    if power < 0 {
+        Exact::one().over(size)
+    } else {
+        size
     }
 }
 

@@ -1,18 +1,16 @@
 //! From the tree to the scene: which keys there are and what each of them means.
 
+use std::collections::BTreeMap;
+
 use num_bigint::BigInt;
-use passivity_core::bounds::Quantity;
-use passivity_core::{BigRational, Interval, Scalar};
+use passivity_core::{BigRational, Exact, Interval, Loop, Parameter, pi};
 
 use crate::diagnostic::{Diagnostic, Kind};
-use crate::exact::Exact;
 use crate::parse::keys::{sections, shorten, wrong_key, wrong_section};
-use crate::parse::measure::Measure;
 use crate::parse::node::{Content, Entry};
 use crate::parse::operator;
-use crate::parse::reader::{Reader, Section, Spec, Told};
-use crate::point::default_given;
-use crate::scene::{DEFAULT_INTERVALS, Given, Motion, Scene, Start};
+use crate::parse::reader::{Reader, Section, Spec, UnitNote};
+use crate::scene::{DEFAULT_INTERVALS, Given, Motion, Scene};
 
 /// The most intervals that a scene may ask a simulation for.
 pub const MAX_INTERVALS: u64 = 1_000_000_000;
@@ -33,39 +31,111 @@ impl Sections {
     }
 }
 
+/// The parameters read so far.
+#[derive(Default)]
+pub(super) struct Parameters(BTreeMap<Parameter, Given>);
+
+impl Parameters {
+    /// Notes what was read; nothing where it could not be.
+    pub(super) fn insert(&mut self, parameter: Parameter, given: Option<Given>) {
+        if let Some(given) = given {
+            self.0.insert(parameter, given);
+        }
+    }
+
+    /// Takes a parameter from a section, by whichever of its keys stands there; whether one does.
+    pub(super) fn read(
+        &mut self,
+        parameter: Parameter,
+        section: &mut Section,
+        reader: &mut Reader<'_>,
+    ) -> bool {
+        let row = parameter.row();
+        let key = match row.dimensionless_key {
+            Some(key) if section.name == "dimensionless" => key,
+            _ => row.key,
+        };
+        let other = row.other_keys.first().copied().filter(|_| key == row.key);
+        let found = match other {
+            Some(other) => reader.either(section, [key, other]),
+            None => [section.take(key), None],
+        };
+        let is_there = found.iter().any(Option::is_some);
+        for (key, entry) in [key].into_iter().chain(other).zip(found) {
+            let given = entry.and_then(|entry| match key {
+                "sampling.rate" => reader.reciprocal(entry, &Spec::new(parameter, key)),
+                "encoder.counts_per_revolution" => counts_per_revolution(&entry, key, reader),
+                _ => reader.quantity(entry, &Spec::new(parameter, key)),
+            });
+            self.insert(parameter, given);
+        }
+        is_there
+    }
+
+    /// The loop of what was read; `None` where a required parameter is missing.
+    fn assembled(mut self, dimensionless: bool) -> Option<Loop<Given>> {
+        let mut required = |parameter| {
+            let unit = || dimensionless.then(|| Given::unit(parameter));
+            self.0.remove(&parameter).or_else(unit)
+        };
+        let stiffness = required(Parameter::Stiffness)?;
+        let mut given = Loop::new(stiffness, required(Parameter::Period)?);
+        if dimensionless {
+            given.resolution = Some(Given::unit(Parameter::Resolution));
+        }
+        // Damping of zero is no damping: the loop without it is the same.
+        self.0
+            .retain(|parameter, given| *parameter != Parameter::Damping || !given.is_zero());
+        let rest = self.0.into_iter();
+        Some(rest.fold(given, |given, (parameter, value)| {
+            given.with(parameter, value)
+        }))
+    }
+}
+
 /// Builds the scene; on a mistake the reader holds what is wrong.
 pub(super) fn scene(name: &str, entries: Vec<Entry>, reader: &mut Reader<'_>) -> Option<Scene> {
     let (given_name, mut sections) = split(entries, reader);
+    let mut parameters = Parameters::default();
     let point = sections.take("dimensionless");
     reader.dimensionless = point.is_some();
     // The wall comes first: its stiffness tells what units to expect of the others.
-    let wall = sections.take("wall");
-    let wall = read_wall(wall, reader);
-    let device = match point {
-        Some(point) => {
-            refuse_beside_point(&mut sections, reader);
-            read_point(point, reader)
-        }
-        None => read_device(sections.take("device"), reader),
-    };
-    let resolution = read_encoder(sections.take("encoder"), reader);
-    let (period, delay) = read_sampling(sections.take("sampling"), reader);
-    let amplifier = sections.take("amplifier").and_then(|mut section| {
-        let spec = Spec::new(
-            "amplifier.time_constant",
-            Measure::Time,
-            Quantity::TimeConstant,
+    let unilateral = read_wall(sections.take("wall"), &mut parameters, reader);
+    if point.is_some() {
+        refuse_beside_point(&mut sections, reader);
+    }
+    for section in [point, sections.take("device")].into_iter().flatten() {
+        let of_device = [Parameter::Inertia, Parameter::Viscous, Parameter::Coulomb];
+        read_section(section, &of_device, None, &mut parameters, reader);
+    }
+    if let Some(section) = sections.take("encoder") {
+        let what = Some("`counts_per_revolution` or `resolution`");
+        read_section(
+            section,
+            &[Parameter::Resolution],
+            what,
+            &mut parameters,
+            reader,
         );
-        let entry = section.take(spec.key);
-        if entry.is_none() {
-            reader.missing(Some(&section), "amplifier", "`time_constant`");
-        }
-        let given = entry.and_then(|entry| reader.quantity(entry, &spec));
-        reader.leftovers(section);
-        given
-    });
-    let operator = operator::read(sections.take("operator"), reader);
-    let start = read_start(sections.take("start"), reader);
+    }
+    let delay = read_sampling(sections.take("sampling"), &mut parameters, reader);
+    if let Some(section) = sections.take("amplifier") {
+        let what = Some("`time_constant`");
+        read_section(
+            section,
+            &[Parameter::TimeConstant],
+            what,
+            &mut parameters,
+            reader,
+        );
+    }
+    let operator = sections.take("operator");
+    let forces = operator.and_then(|section| operator::read(section, &mut parameters, reader));
+    if let Some(section) = sections.take("start") {
+        let start = [Parameter::StartPosition, Parameter::StartVelocity];
+        let what = Some("`position` or `velocity`");
+        read_section(section, &start, what, &mut parameters, reader);
+    }
     let intervals = read_run(sections.take("run"), reader);
     check_motion(reader);
     if !reader.problems.is_empty() {
@@ -76,29 +146,35 @@ pub(super) fn scene(name: &str, entries: Vec<Entry>, reader: &mut Reader<'_>) ->
     } else {
         reader.motion().unwrap_or(Motion::Linear)
     };
-    let unit = |key| default_given(key, BigRational::one());
-    let by_default = |key| reader.dimensionless.then(|| unit(key));
+    let mut given = parameters.assembled(reader.dimensionless)?;
+    given.delay = delay;
+    given.unilateral = unilateral;
     Some(Scene {
         name: given_name.unwrap_or_else(|| name.to_owned()),
         motion,
-        inertia: device.inertia,
-        viscous: device.viscous,
-        coulomb: device.coulomb,
-        period: period.or_else(|| by_default("sampling.period"))?,
-        delay,
-        resolution: resolution.or_else(|| by_default("encoder.resolution")),
-        stiffness: wall.stiffness.or_else(|| by_default("wall.stiffness"))?,
-        unilateral: wall.unilateral,
-        damping: wall.damping,
-        max_force: wall.max_force,
-        force_step: wall.force_step,
-        amplifier,
-        max_speed: operator.max_speed,
-        force: operator.force,
-        arm: operator.arm,
-        start,
+        given,
+        forces,
         intervals: intervals.unwrap_or(DEFAULT_INTERVALS),
     })
+}
+
+/// Reads the parameters of a section that has nothing else. One that needs one of them says so in
+/// `needed`.
+fn read_section(
+    mut section: Section,
+    of_section: &[Parameter],
+    needed: Option<&str>,
+    parameters: &mut Parameters,
+    reader: &mut Reader<'_>,
+) {
+    let mut found = false;
+    for parameter in of_section {
+        found |= parameters.read(*parameter, &mut section, reader);
+    }
+    if let (Some(what), false) = (needed, found) {
+        reader.missing(Some(&section), section.name, what);
+    }
+    reader.leftovers(section);
 }
 
 /// The name and the sections; what is neither is reported.
@@ -154,47 +230,6 @@ fn read_name(text: &str) -> Option<String> {
     (fits && !name.chars().any(char::is_control)).then(|| name.to_owned())
 }
 
-/// m, b and c, or their dimensionless counterparts.
-#[derive(Default)]
-struct Device {
-    inertia: Option<Given>,
-    viscous: Option<Given>,
-    coulomb: Option<Given>,
-}
-
-fn read_device(section: Option<Section>, reader: &mut Reader<'_>) -> Device {
-    let Some(mut section) = section else {
-        return Device::default();
-    };
-    let inertia = Spec::new("device.inertia", Measure::Inertia, Quantity::Inertia);
-    let mass = Spec::new("device.mass", Measure::Mass, Quantity::Inertia);
-    let viscous = Spec::new("device.viscous", Measure::Viscous, Quantity::Viscous);
-    let coulomb = Spec::new("device.coulomb", Measure::Force, Quantity::Coulomb);
-    let [by_inertia, by_mass] = reader.either(&mut section, [inertia.key, mass.key]);
-    let by_inertia = by_inertia.and_then(|entry| reader.quantity(entry, &inertia));
-    let by_mass = by_mass.and_then(|entry| reader.quantity(entry, &mass));
-    let device = Device {
-        inertia: by_inertia.or(by_mass),
-        viscous: optional(&mut section, reader, &viscous),
-        coulomb: optional(&mut section, reader, &coulomb),
-    };
-    reader.leftovers(section);
-    device
-}
-
-fn read_point(mut section: Section, reader: &mut Reader<'_>) -> Device {
-    let mu = Spec::new("dimensionless.mu", Measure::Inertia, Quantity::Inertia);
-    let beta = Spec::new("dimensionless.beta", Measure::Viscous, Quantity::Viscous);
-    let sigma = Spec::new("dimensionless.sigma", Measure::Force, Quantity::Coulomb);
-    let device = Device {
-        inertia: optional(&mut section, reader, &mu),
-        viscous: optional(&mut section, reader, &beta),
-        coulomb: optional(&mut section, reader, &sigma),
-    };
-    reader.leftovers(section);
-    device
-}
-
 /// A dimensionless scene says in β, σ and μ what these sections say in units.
 fn refuse_beside_point(sections: &mut Sections, reader: &mut Reader<'_>) {
     for name in ["device", "encoder"] {
@@ -219,152 +254,109 @@ fn refuse_unit(entry: &Entry, key: &str, reader: &mut Reader<'_>) {
     reader.report(diagnostic);
 }
 
-fn optional(section: &mut Section, reader: &mut Reader<'_>, spec: &Spec) -> Option<Given> {
-    let entry = section.take(spec.key)?;
-    reader.quantity(entry, spec)
-}
-
-#[derive(Default)]
-struct Wall {
-    stiffness: Option<Given>,
-    unilateral: bool,
-    damping: Option<Given>,
-    max_force: Option<Given>,
-    force_step: Option<Given>,
-}
-
-fn read_wall(section: Option<Section>, reader: &mut Reader<'_>) -> Wall {
+/// The wall; whether it is one-sided.
+fn read_wall(
+    section: Option<Section>,
+    parameters: &mut Parameters,
+    reader: &mut Reader<'_>,
+) -> bool {
     let Some(mut section) = section else {
         if !reader.dimensionless {
             reader.missing(None, "wall", "`stiffness`");
         }
-        return Wall::default();
+        return false;
     };
-    let spec = Spec::new("wall.stiffness", Measure::Stiffness, Quantity::Stiffness);
-    let stiffness = match section.take(spec.key) {
-        Some(entry) if reader.dimensionless => {
-            refuse_unit(&entry, spec.key, reader);
-            None
-        }
-        Some(entry) => reader.quantity(entry, &spec),
-        None if reader.dimensionless => None,
-        None => {
-            reader.missing(Some(&section), "wall", "`stiffness`");
-            None
-        }
-    };
-    let damping = Spec::new("wall.damping", Measure::Viscous, Quantity::Damping);
-    let max_force = Spec::new("wall.max_force", Measure::Force, Quantity::MaxForce);
-    let force_step = Spec::new("wall.force_step", Measure::Force, Quantity::ForceStep);
+    read_unit(
+        Parameter::Stiffness,
+        "`stiffness`",
+        &mut section,
+        parameters,
+        reader,
+    );
+    let rest = [
+        Parameter::Damping,
+        Parameter::MaxForce,
+        Parameter::ForceStep,
+    ];
+    for parameter in rest {
+        parameters.read(parameter, &mut section, reader);
+    }
     let unilateral = section.take("unilateral");
-    let wall = Wall {
-        stiffness,
-        unilateral: unilateral
-            .and_then(|entry| reader.flag(&entry, "wall.unilateral"))
-            .unwrap_or(false),
-        damping: optional(&mut section, reader, &damping),
-        max_force: optional(&mut section, reader, &max_force),
-        force_step: optional(&mut section, reader, &force_step),
-    };
+    let unilateral = unilateral.and_then(|entry| reader.flag(&entry, "wall.unilateral"));
     reader.leftovers(section);
-    wall
+    unilateral.unwrap_or(false)
 }
 
-/// Δ: given, or 2π/N of N counts per revolution.
-fn read_encoder(section: Option<Section>, reader: &mut Reader<'_>) -> Option<Given> {
-    const COUNTS: &str = "encoder.counts_per_revolution";
-    let mut section = section?;
-    let spec = Spec::new(
-        "encoder.resolution",
-        Measure::Position,
-        Quantity::Resolution,
-    );
-    let [by_counts, by_resolution] = reader.either(&mut section, [COUNTS, spec.key]);
-    if by_counts.is_none() && by_resolution.is_none() {
-        let what = "`counts_per_revolution` or `resolution`";
-        reader.missing(Some(&section), "encoder", what);
+/// Reads a parameter that every scene with units has and that is a unit of a dimensionless one.
+fn read_unit(
+    parameter: Parameter,
+    what: &str,
+    section: &mut Section,
+    parameters: &mut Parameters,
+    reader: &mut Reader<'_>,
+) {
+    if reader.dimensionless {
+        let row = parameter.row();
+        for key in [row.key].into_iter().chain(row.other_keys.iter().copied()) {
+            if let Some(entry) = section.take(key) {
+                refuse_unit(&entry, key, reader);
+            }
+        }
+    } else if !parameters.read(parameter, section, reader) {
+        reader.missing(Some(section), section.name, what);
     }
-    reader.leftovers(section);
-    let by_resolution = by_resolution.and_then(|entry| reader.quantity(entry, &spec));
-    let Some(entry) = by_counts else {
-        return by_resolution;
-    };
-    let counts = reader.whole(&entry, COUNTS, (1, MAX_COUNTS))?;
-    reader.told.push(Told {
-        key: COUNTS,
+}
+
+/// Δ = 2π/N of N counts per revolution.
+fn counts_per_revolution(
+    entry: &Entry,
+    key: &'static str,
+    reader: &mut Reader<'_>,
+) -> Option<Given> {
+    let counts = reader.whole(entry, key, (1, MAX_COUNTS))?;
+    reader.unit_notes.push(UnitNote {
+        key,
         measure: None,
         motion: Motion::Rotary,
         unit: "counts per revolution".to_owned(),
         span: entry.node.span.clone(),
     });
     let turn = BigRational::new(BigInt::from(2), BigInt::from(counts));
-    let value = Exact::new(Interval::point(turn), 1);
-    let by_counts = Given {
-        key: COUNTS,
-        nominal: value.clone(),
-        value,
+    let nominal = Exact::of(&turn) * pi::pi();
+    Some(Given {
+        key,
+        value: Interval::point(nominal.clone()),
+        nominal,
         text: counts.to_string(),
-        span: entry.node.span,
-    };
-    by_resolution.or(Some(by_counts))
+        span: entry.node.span.clone(),
+    })
 }
 
-/// T and the delay.
+/// T; the delay in samples.
 fn read_sampling(
     section: Option<Section>,
+    parameters: &mut Parameters,
     reader: &mut Reader<'_>,
-) -> (Option<Given>, Option<u16>) {
+) -> u16 {
     let Some(mut section) = section else {
         if !reader.dimensionless {
             reader.missing(None, "sampling", "`period` or `rate`");
         }
-        return (None, None);
+        return 0;
     };
-    let period = Spec::new("sampling.period", Measure::Time, Quantity::Period);
-    let rate = Spec::new("sampling.rate", Measure::Rate, Quantity::Period);
-    let [by_period, by_rate] = reader.either(&mut section, [period.key, rate.key]);
-    let given = if reader.dimensionless {
-        for (entry, key) in [(&by_period, period.key), (&by_rate, rate.key)] {
-            if let Some(entry) = entry {
-                refuse_unit(entry, key, reader);
-            }
-        }
-        None
-    } else {
-        if by_period.is_none() && by_rate.is_none() {
-            reader.missing(Some(&section), "sampling", "`period` or `rate`");
-        }
-        let by_period = by_period.and_then(|entry| reader.quantity(entry, &period));
-        let by_rate = by_rate.and_then(|entry| reader.reciprocal(entry, &rate));
-        by_period.or(by_rate)
-    };
+    read_unit(
+        Parameter::Period,
+        "`period` or `rate`",
+        &mut section,
+        parameters,
+        reader,
+    );
     let delay = section.take("delay").and_then(|entry| {
         let whole = reader.whole(&entry, "sampling.delay", (0, u16::MAX.into()))?;
         u16::try_from(whole).ok()
     });
     reader.leftovers(section);
-    (given, delay)
-}
-
-fn read_start(section: Option<Section>, reader: &mut Reader<'_>) -> Option<Start> {
-    let mut section = section?;
-    let position = Spec::any_sign("start.position", Measure::Position);
-    let velocity = Spec::any_sign("start.velocity", Measure::Speed);
-    let entries = [section.take(position.key), section.take(velocity.key)];
-    if entries.iter().all(Option::is_none) {
-        reader.missing(Some(&section), "start", "`position` or `velocity`");
-    }
-    reader.leftovers(section);
-    let [at, with] = entries;
-    let mut read = |entry: Option<Entry>, spec: &Spec| match entry {
-        Some(entry) => reader.quantity(entry, spec),
-        None => Some(default_given(spec.key, BigRational::zero())),
-    };
-    let (position, velocity) = (read(at, &position), read(with, &velocity));
-    Some(Start {
-        position: position?,
-        velocity: velocity?,
-    })
+    delay.unwrap_or(0)
 }
 
 fn read_run(section: Option<Section>, reader: &mut Reader<'_>) -> Option<u64> {
@@ -378,9 +370,9 @@ fn read_run(section: Option<Section>, reader: &mut Reader<'_>) -> Option<u64> {
 fn check_motion(reader: &mut Reader<'_>) {
     let count = |motion| {
         reader
-            .told
+            .unit_notes
             .iter()
-            .filter(|told| told.motion == motion)
+            .filter(|note| note.motion == motion)
             .count()
     };
     let (linear, rotary) = (count(Motion::Linear), count(Motion::Rotary));
@@ -392,34 +384,34 @@ fn check_motion(reader: &mut Reader<'_>) {
         std::cmp::Ordering::Greater => Motion::Linear,
         std::cmp::Ordering::Equal => reader.motion().unwrap_or(Motion::Linear),
     };
-    let Some(anchor) = reader.told.iter().find(|told| told.motion == kept) else {
+    let Some(anchor) = reader.unit_notes.iter().find(|note| note.motion == kept) else {
         return;
     };
     let word = |motion| match motion {
         Motion::Rotary => "rotary",
         _ => "linear",
     };
-    let others = reader.told.iter().filter(|told| told.motion != kept);
+    let others = reader.unit_notes.iter().filter(|note| note.motion != kept);
     let mixed: Vec<Diagnostic> = others
-        .map(|told| {
+        .map(|note| {
             let message = format!(
                 "`{}` is {} (`{}`), but `{}` is {} (`{}`)",
-                told.key,
-                word(told.motion),
-                told.unit,
+                note.key,
+                word(note.motion),
+                note.unit,
                 anchor.key,
                 word(kept),
                 anchor.unit
             );
-            let expected = told.measure.map_or_else(
+            let expected = note.measure.map_or_else(
                 || "`resolution`, a length".to_owned(),
                 |measure| measure.expected(Some(kept)),
             );
             Diagnostic::new(Kind::MixedMotion, message)
-                .at(told.span.clone())
-                .key(told.key)
+                .at(note.span.clone())
+                .key(note.key)
                 .expected(expected)
-                .found(format!("`{}`", told.unit))
+                .found(format!("`{}`", note.unit))
         })
         .collect();
     reader.problems.extend(mixed);

@@ -1,30 +1,43 @@
 //! The sections and keys of a scene file, and what a wrong one may have meant.
 
+use passivity_core::Parameter;
+
 use crate::diagnostic::{Diagnostic, Kind};
 
-/// Every section with its keys; the first holds what stands before any section.
-pub(super) const SECTIONS: [(&str, &[&str]); 11] = [
-    ("", &["name"]),
-    ("device", &["inertia", "mass", "viscous", "coulomb"]),
-    ("sampling", &["period", "rate", "delay"]),
-    ("encoder", &["counts_per_revolution", "resolution"]),
-    (
-        "wall",
-        &[
-            "stiffness",
-            "unilateral",
-            "damping",
-            "max_force",
-            "force_step",
-        ],
-    ),
-    ("amplifier", &["time_constant"]),
-    ("operator", &["max_speed", "force", "arm"]),
-    ("operator.arm", &["mass", "damping", "stiffness"]),
-    ("start", &["position", "velocity"]),
-    ("run", &["intervals"]),
-    ("dimensionless", &["mu", "beta", "sigma"]),
+/// The sections of a scene file, in the order in which they are listed; the first holds what
+/// stands before any section.
+const SECTIONS: [&str; 11] = [
+    "",
+    "device",
+    "sampling",
+    "encoder",
+    "wall",
+    "amplifier",
+    "operator",
+    "operator.arm",
+    "start",
+    "run",
+    "dimensionless",
 ];
+
+/// The keys that are no parameters, with their sections.
+const OTHER_KEYS: [&str; 5] = [
+    ".name",
+    "sampling.delay",
+    "wall.unilateral",
+    "operator.arm",
+    "run.intervals",
+];
+
+/// Every key with its section, `section.key`: those of the parameters and the others.
+pub(super) fn all_keys() -> impl Iterator<Item = &'static str> {
+    let of_parameters = Parameter::ALL.iter().flat_map(|parameter| {
+        let row = parameter.row();
+        let keys = [row.key].into_iter().chain(row.other_keys.iter().copied());
+        keys.chain(row.dimensionless_key)
+    });
+    of_parameters.chain(OTHER_KEYS)
+}
 
 /// Words that people use for a key, with its section.
 const SYNONYMS: [(&str, &str); 27] = [
@@ -63,14 +76,18 @@ const ALIKE: f64 = 0.8;
 /// The longest key that is compared with known ones.
 const MAX_KEY: usize = 64;
 
-fn known(section: &str) -> &'static [&'static str] {
-    let found = SECTIONS.iter().find(|(name, _)| *name == section);
-    found.map_or(&[], |(_, keys)| keys)
+/// The keys of a section, without its name.
+fn known(section: &str) -> Vec<&'static str> {
+    let in_section = |key: &'static str| {
+        let (home, name) = key.rsplit_once('.')?;
+        (home == section).then_some(name)
+    };
+    all_keys().filter_map(in_section).collect()
 }
 
 /// The names of sections: those of the file's top level.
 pub(super) fn sections() -> impl Iterator<Item = &'static str> {
-    let named = SECTIONS.iter().map(|(name, _)| *name);
+    let named = SECTIONS.into_iter();
     named.filter(|name| !name.is_empty() && !name.contains('.'))
 }
 
@@ -88,8 +105,10 @@ fn closest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<
 
 /// The sections that have this key, as `[wall]`.
 fn homes(key: &str) -> Vec<String> {
-    let having = SECTIONS.iter().filter(|(_, keys)| keys.contains(&key));
-    having.map(|(section, _)| heading(section)).collect()
+    let having = SECTIONS
+        .iter()
+        .filter(|section| known(section).contains(&key));
+    having.map(|section| heading(section)).collect()
 }
 
 fn heading(section: &str) -> String {
@@ -115,7 +134,8 @@ pub(super) fn wrong_key(section: &str, key: &str) -> Diagnostic {
     } else {
         format!("`{shown}` is not a key of [{section}]")
     };
-    let expected = match known(section) {
+    let keys = known(section);
+    let expected = match keys.as_slice() {
         [only] => format!("`{only}`"),
         keys => format!("one of {}", list(keys.iter().copied())),
     };
@@ -129,7 +149,7 @@ pub(super) fn wrong_key(section: &str, key: &str) -> Diagnostic {
     let synonym = SYNONYMS
         .iter()
         .find(|(word, _)| *word == key.to_lowercase());
-    let help = match (closest(key, known(section).iter().copied()), synonym) {
+    let help = match (closest(key, keys.into_iter()), synonym) {
         (_, Some((_, meant))) => Some(format!("did you mean `{meant}`?")),
         (Some(meant), None) => Some(format!("did you mean `{meant}`?")),
         (None, None) => None,

@@ -1,5 +1,7 @@
 //! What each key measures: its units, for a linear and for a rotary device.
 
+use passivity_core::parameter::Unit;
+
 use crate::scene::Motion;
 use crate::units::Dimension;
 
@@ -38,6 +40,20 @@ struct Row {
 }
 
 impl Measure {
+    /// What a parameter with this unit measures.
+    pub(super) fn of(unit: Unit) -> Self {
+        match unit {
+            Unit::INERTIA => Self::Inertia,
+            Unit::VISCOUS => Self::Viscous,
+            Unit::FORCE => Self::Force,
+            Unit::POSITION => Self::Position,
+            Unit::SPEED => Self::Speed,
+            Unit::TIME => Self::Time,
+            // No parameter has another unit; a test looks at each.
+            _ => Self::Stiffness,
+        }
+    }
+
     const fn row(self) -> Row {
         match self {
             Self::Inertia => Row {

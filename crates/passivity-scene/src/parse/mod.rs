@@ -71,7 +71,7 @@ impl Scene {
     /// "#;
     /// let scene = Scene::from_toml("spring", text).unwrap();
     /// assert_eq!(scene.motion, Motion::Linear);
-    /// assert_eq!(scene.stiffness.value.range().lo().to_string(), "1900");
+    /// assert_eq!(scene.given.stiffness.value.lo().to_rational().unwrap().to_string(), "1900");
     /// ```
     pub fn from_toml(name: &str, text: &str) -> Result<Self, SceneError> {
         if u64::try_from(text.len()).unwrap_or(u64::MAX) > MAX_BYTES {
@@ -94,7 +94,7 @@ impl Scene {
     ///
     /// let value = serde_json::json!({"dimensionless": {"beta": "3/5", "sigma": 0.6}});
     /// let scene = Scene::from_json(&value).unwrap();
-    /// assert_eq!(scene.point().friction().sigma.to_string(), "3/5");
+    /// assert_eq!(scene.point().at.friction().sigma.to_string(), "3/5");
     /// ```
     pub fn from_json(value: &Value) -> Result<Self, SceneError> {
         const NAME: &str = "scene";
@@ -121,7 +121,7 @@ fn parse(shown: &str, name: &str, text: &str, folder: Option<&Path>) -> Result<S
 fn build(name: &str, entries: Vec<Entry>, folder: Option<&Path>) -> Result<Scene, Vec<Diagnostic>> {
     let mut reader = Reader {
         problems: Vec::new(),
-        told: Vec::new(),
+        unit_notes: Vec::new(),
         dimensionless: false,
         folder,
     };

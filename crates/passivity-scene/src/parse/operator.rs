@@ -1,42 +1,37 @@
 //! The operator: a bound on the speed, a force, an arm.
 
-use passivity_core::bounds::Quantity;
-use passivity_core::{BigRational, Scalar};
+use passivity_core::Parameter;
 
 use crate::diagnostic::{Diagnostic, Kind};
+use crate::parse::build::Parameters;
 use crate::parse::measure::Measure;
 use crate::parse::node::{Content, Entry};
-use crate::parse::reader::{Reader, Section, Spec, Told};
+use crate::parse::reader::{Reader, Section, Spec, UnitNote};
 use crate::parse::samples;
-use crate::point::default_given;
-use crate::scene::{Arm, Force, Given};
+use crate::scene::ForceSamples;
 
-#[derive(Default)]
-pub(super) struct Operator {
-    pub(super) max_speed: Option<Given>,
-    pub(super) force: Option<Force>,
-    pub(super) arm: Option<Arm>,
-}
-
-pub(super) fn read(section: Option<Section>, reader: &mut Reader<'_>) -> Operator {
-    let Some(mut section) = section else {
-        return Operator::default();
-    };
-    let speed = Spec::new("operator.max_speed", Measure::Speed, Quantity::MaxSpeed);
-    let max_speed = section.take(speed.key);
+/// Reads the section; what it says of parameters goes to `parameters`.
+pub(super) fn read(
+    mut section: Section,
+    parameters: &mut Parameters,
+    reader: &mut Reader<'_>,
+) -> Option<ForceSamples> {
+    parameters.read(Parameter::MaxSpeed, &mut section, reader);
     let force = section.take("force");
     let arm = section.take("arm");
-    let operator = Operator {
-        max_speed: max_speed.and_then(|entry| reader.quantity(entry, &speed)),
-        force: force.and_then(|entry| read_force(entry, reader)),
-        arm: arm.and_then(|entry| read_arm(entry, reader)),
-    };
+    let samples = force.and_then(|entry| read_force(entry, parameters, reader));
+    if let Some(entry) = arm {
+        read_arm(entry, parameters, reader);
+    }
     reader.leftovers(section);
-    operator
+    samples
 }
 
-fn read_force(entry: Entry, reader: &mut Reader<'_>) -> Option<Force> {
-    const KEY: &str = "operator.force";
+fn read_force(
+    entry: Entry,
+    parameters: &mut Parameters,
+    reader: &mut Reader<'_>,
+) -> Option<ForceSamples> {
     let is_path = |text: &str| text.trim_end().to_lowercase().ends_with(".csv");
     match &entry.node.content {
         Content::Text(text, _) if is_path(text) => {
@@ -48,9 +43,10 @@ fn read_force(entry: Entry, reader: &mut Reader<'_>) -> Option<Force> {
             read_samples(&entry, &path, column.as_deref(), reader)
         }
         _ => {
-            let spec = Spec::any_sign(KEY, Measure::Force);
-            let given = reader.quantity(entry, &spec)?;
-            Some(Force::Constant(Box::new(given)))
+            let parameter = Parameter::OperatorForce;
+            let spec = Spec::new(parameter, parameter.row().key);
+            parameters.insert(parameter, reader.quantity(entry, &spec));
+            None
         }
     }
 }
@@ -95,7 +91,7 @@ fn read_samples(
     path: &str,
     column: Option<&str>,
     reader: &mut Reader<'_>,
-) -> Option<Force> {
+) -> Option<ForceSamples> {
     let read = match reader.folder {
         Some(folder) => samples::read(&folder.join(path), column, reader.dimensionless),
         None => Err("only a scene that is a file itself can name one".to_owned()),
@@ -103,7 +99,7 @@ fn read_samples(
     match read {
         Ok(samples) => {
             if let Some(motion) = samples.motion {
-                reader.told.push(Told {
+                reader.unit_notes.push(UnitNote {
                     key: "operator.force",
                     measure: Some(Measure::Force),
                     motion,
@@ -111,7 +107,7 @@ fn read_samples(
                     span: entry.node.span.clone(),
                 });
             }
-            Some(Force::Samples {
+            Some(ForceSamples {
                 path: path.to_owned(),
                 values: samples.values,
             })
@@ -128,16 +124,7 @@ fn read_samples(
     }
 }
 
-fn read_arm(entry: Entry, reader: &mut Reader<'_>) -> Option<Arm> {
-    let specs = [
-        Spec::of_arm("operator.arm.mass", Measure::Inertia, Quantity::Inertia),
-        Spec::of_arm("operator.arm.damping", Measure::Viscous, Quantity::Viscous),
-        Spec::of_arm(
-            "operator.arm.stiffness",
-            Measure::Stiffness,
-            Quantity::Stiffness,
-        ),
-    ];
+fn read_arm(entry: Entry, parameters: &mut Parameters, reader: &mut Reader<'_>) {
     let Content::Table(entries) = entry.node.content else {
         let words = entry.node.words();
         let diagnostic = Diagnostic::new(Kind::WrongType, format!("`operator.arm` is {words}"))
@@ -146,27 +133,22 @@ fn read_arm(entry: Entry, reader: &mut Reader<'_>) -> Option<Arm> {
             .expected("`{ mass = \"…\", damping = \"…\", stiffness = \"…\" }`")
             .found(words);
         reader.report(diagnostic);
-        return None;
+        return;
     };
     let mut section = Section {
         name: "operator.arm",
         span: entry.key_span,
         entries,
     };
-    let found = specs.map(|spec| (spec, section.take(spec.key)));
-    if found.iter().all(|(_, entry)| entry.is_none()) {
+    let arm = [
+        Parameter::ArmMass,
+        Parameter::ArmDamping,
+        Parameter::ArmStiffness,
+    ];
+    let found = arm.map(|parameter| parameters.read(parameter, &mut section, reader));
+    if found == [false; 3] {
         let what = "`mass`, `damping` or `stiffness`";
         reader.missing(Some(&section), "operator.arm", what);
     }
     reader.leftovers(section);
-    // What an arm has not is zero.
-    let [mass, damping, stiffness] = found.map(|(spec, entry)| match entry {
-        Some(entry) => reader.quantity(entry, &spec),
-        None => Some(default_given(spec.key, BigRational::zero())),
-    });
-    Some(Arm {
-        mass: mass?,
-        damping: damping?,
-        stiffness: stiffness?,
-    })
 }

@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::path::Path;
 
 use num_traits::ToPrimitive;
-use passivity_core::bounds::{Bound, Quantity};
-use passivity_core::{BigRational, Ordered};
+use passivity_core::parameter::Values;
+use passivity_core::{BigRational, Ordered, Parameter};
 
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::number;
@@ -32,48 +32,33 @@ impl Section {
     }
 }
 
-/// How a key is read: its full name, what it measures and which signs it may have.
+/// How a key is read: its full name, what it measures and which values it may have.
 #[derive(Clone, Copy)]
 pub(super) struct Spec {
     pub(super) key: &'static str,
     pub(super) measure: Measure,
-    /// `None` when every sign is allowed.
-    pub(super) bound: Option<Bound>,
+    pub(super) values: Values,
 }
 
 impl Spec {
-    pub(super) fn new(key: &'static str, measure: Measure, quantity: Quantity) -> Self {
-        Self {
-            key,
-            measure,
-            bound: Some(quantity.bound()),
-        }
-    }
-
-    pub(super) const fn any_sign(key: &'static str, measure: Measure) -> Self {
-        Self {
-            key,
-            measure,
-            bound: None,
-        }
-    }
-
-    /// A property of the operator's arm: zero or above, of the same kind as `quantity`.
-    pub(super) fn of_arm(key: &'static str, measure: Measure, quantity: Quantity) -> Self {
-        let bound = Bound {
-            zero_allowed: true,
-            ..quantity.bound()
+    /// How `key`, one of a parameter's, is read.
+    pub(super) fn new(parameter: Parameter, key: &'static str) -> Self {
+        let row = parameter.row();
+        let measure = match key {
+            "device.mass" => Measure::Mass,
+            "sampling.rate" => Measure::Rate,
+            _ => Measure::of(row.unit),
         };
         Self {
             key,
             measure,
-            bound: Some(bound),
+            values: row.values,
         }
     }
 }
 
 /// A key whose unit tells how the device moves.
-pub(super) struct Told {
+pub(super) struct UnitNote {
     pub(super) key: &'static str,
     pub(super) measure: Option<Measure>,
     pub(super) motion: Motion,
@@ -84,7 +69,7 @@ pub(super) struct Told {
 /// What was read so far beside the values: mistakes, and units that tell of a motion.
 pub(super) struct Reader<'a> {
     pub(super) problems: Vec<Diagnostic>,
-    pub(super) told: Vec<Told>,
+    pub(super) unit_notes: Vec<UnitNote>,
     pub(super) dimensionless: bool,
     /// Where files that the scene names are looked for; `None` when it may name none.
     pub(super) folder: Option<&'a Path>,
@@ -97,7 +82,7 @@ impl Reader<'_> {
 
     /// The motion that the units read so far tell of.
     pub(super) fn motion(&self) -> Option<Motion> {
-        self.told.first().map(|told| told.motion)
+        self.unit_notes.first().map(|note| note.motion)
     }
 
     /// Reads a quantity; what is wrong with it goes to the problems.
@@ -212,7 +197,7 @@ impl Reader<'_> {
             });
         };
         if let Some(motion) = motion {
-            self.told.push(Told {
+            self.unit_notes.push(UnitNote {
                 key: spec.key,
                 measure: Some(spec.measure),
                 motion,
@@ -232,37 +217,39 @@ impl Reader<'_> {
         reciprocal: bool,
     ) -> Option<Given> {
         // The unit's place was noted within the text: now it is known where the text stands.
-        if let Some(told) = self.told.last_mut().filter(|told| told.key == spec.key) {
-            told.span = node.part(told.span.clone());
+        if let Some(note) = self
+            .unit_notes
+            .last_mut()
+            .filter(|note| note.key == spec.key)
+        {
+            note.span = node.part(note.span.clone());
         }
         let text = match &node.content {
             Content::Text(text, _) | Content::Number(text) => text.clone(),
             _ => String::new(),
         };
-        if let Some(bound) = spec.bound {
-            let least = &amount.nominal - &amount.tolerance;
-            let allowed = |x: &BigRational| x.sign().is_some_and(|sign| bound.allows(sign));
-            let fault = if !allowed(&amount.nominal) {
-                let message = format!("`{}` cannot be `{}`", spec.key, shorten(&text));
-                Some((Kind::OutOfBounds, message))
-            } else if !allowed(&least) {
-                let unit = amount.unit_text.as_ref().map_or("", |(unit, _)| unit);
-                let least = format!("{} {}", crate::display::approx(&least), shorten(unit));
-                let least = least.trim_end();
-                let message = format!("the tolerance lets `{}` be as low as {least}", spec.key);
-                Some((Kind::ToleranceOutOfBounds, message))
-            } else {
-                None
-            };
-            if let Some((kind, message)) = fault {
-                let diagnostic = Diagnostic::new(kind, message)
-                    .at(node.span.clone())
-                    .key(spec.key)
-                    .expected(bound.expected())
-                    .found(format!("`{}`", shorten(&text)));
-                self.report(diagnostic);
-                return None;
-            }
+        let least = &amount.nominal - &amount.tolerance;
+        let allowed = |x: &BigRational| x.sign().is_some_and(|sign| spec.values.allow(sign));
+        let fault = if !allowed(&amount.nominal) {
+            let message = format!("`{}` cannot be `{}`", spec.key, shorten(&text));
+            Some((Kind::OutOfBounds, message))
+        } else if !allowed(&least) {
+            let unit = amount.unit_text.as_ref().map_or("", |(unit, _)| unit);
+            let least = format!("{} {}", crate::display::approx(&least), shorten(unit));
+            let least = least.trim_end();
+            let message = format!("the tolerance lets `{}` be as low as {least}", spec.key);
+            Some((Kind::ToleranceOutOfBounds, message))
+        } else {
+            None
+        };
+        if let Some((kind, message)) = fault {
+            let diagnostic = Diagnostic::new(kind, message)
+                .at(node.span.clone())
+                .key(spec.key)
+                .expected(spec.values.expected())
+                .found(format!("`{}`", shorten(&text)));
+            self.report(diagnostic);
+            return None;
         }
         let (value, nominal) = if reciprocal {
             amount.exact_reciprocal()

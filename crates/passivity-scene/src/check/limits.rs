@@ -1,0 +1,222 @@
+//! How far each parameter can go, or has to go: the limit of the criterion in each alone.
+
+use passivity_core::parameter::Hurts;
+use passivity_core::verdict::{End, Speeds};
+use passivity_core::{BigRational, Exact, Interval, Loop, Parameter, Truth, stiffness};
+use serde::Serialize;
+
+use super::{Number, figure};
+use crate::display::{self, Rounding};
+
+/// On which side of a limit the criterion holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Side {
+    /// At the limit and above it: friction.
+    AtLeast,
+    /// At the limit and below it: stiffness, sampling period, encoder resolution.
+    AtMost,
+}
+
+/// The limit of one parameter, all others as they are: what to change, and by how much.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// The parameter.
+    pub parameter: Parameter,
+    /// What it is now.
+    pub now: Interval<BigRational>,
+    /// Where the criterion is met with equality, over the tolerances of the others, at the speeds
+    /// that the limits are for.
+    pub border: Interval<BigRational>,
+    /// On which side of the border the criterion holds.
+    pub side: Side,
+    /// Whether the parameter alone, moved to the hardest end of `border`, is enough.
+    pub suffices: bool,
+    /// The hardest end of `border` with five digits or a few more, rounded to the side on which the
+    /// criterion holds: typed into the scene, it passes. `None` where the parameter alone is not
+    /// enough.
+    pub printed: Option<String>,
+}
+
+impl Limit {
+    /// The end of the border that is safe over all tolerances.
+    #[must_use]
+    pub const fn hardest(&self) -> &BigRational {
+        match self.side {
+            Side::AtLeast => self.border.hi(),
+            Side::AtMost => self.border.lo(),
+        }
+    }
+}
+
+/// The parameters that limits are computed of.
+const LIMITED: [Parameter; 5] = [
+    Parameter::Viscous,
+    Parameter::Coulomb,
+    Parameter::Stiffness,
+    Parameter::Period,
+    Parameter::Resolution,
+];
+
+/// The limits of every parameter that the criterion limits, at the speeds asked for.
+pub(super) fn limits<S: Number>(
+    bounds: &Loop<Interval<S>>,
+    speeds: &Speeds<Interval<S>>,
+) -> Vec<Limit> {
+    let of = |parameter| limit(parameter, bounds, speeds);
+    LIMITED.into_iter().filter_map(of).collect()
+}
+
+/// The limit of one parameter; `None` where the criterion does not limit it, or where no value of
+/// it is enough.
+pub(super) fn limit<S: Number>(
+    parameter: Parameter,
+    bounds: &Loop<Interval<S>>,
+    speeds: &Speeds<Interval<S>>,
+) -> Option<Limit> {
+    let side = match parameter.row().hurts {
+        Hurts::Less => Side::AtLeast,
+        Hurts::More => Side::AtMost,
+        Hurts::Neither => return None,
+    };
+    let both_ways = bounds.period_pulls_both_ways();
+    let border = if parameter == Parameter::Period && both_ways {
+        longest_period(bounds, speeds)?
+    } else {
+        border(parameter, side, bounds, speeds)?
+    };
+    let clamped = |x: &S| x.clone().max(S::zero());
+    let border = border.map(clamped);
+    let hardest = match side {
+        Side::AtLeast => border.hi(),
+        Side::AtMost => border.lo(),
+    };
+    if side == Side::AtMost && hardest.is_positive() != Some(true) {
+        return None;
+    }
+    let suffices = |x: &S| {
+        let moved = bounds.clone().with(parameter, Interval::point(x.clone()));
+        moved.decide(speeds) == Some(Truth::Holds)
+    };
+    let (border_figure, now) = (figure(&border)?, now(parameter, bounds)?);
+    let limit = Limit {
+        parameter,
+        now: figure(&now)?,
+        suffices: suffices(hardest),
+        border: border_figure,
+        side,
+        printed: None,
+    };
+    let rounding = match side {
+        Side::AtLeast => Rounding::Up,
+        Side::AtMost => Rounding::Down,
+    };
+    let passes = |text: &String| {
+        let typed = crate::number::parse(text).ok()?;
+        S::of(&Exact::of(&typed)).map(|x| suffices(&x))
+    };
+    let texts = (5..20).map(|digits| display::rounded(limit.hardest(), digits, rounding));
+    let printed = texts.into_iter().find(|text| passes(text) == Some(true));
+    Some(Limit { printed, ..limit })
+}
+
+/// What the parameter is now; zero for an absent friction.
+fn now<S: Number>(parameter: Parameter, bounds: &Loop<Interval<S>>) -> Option<Interval<S>> {
+    let default = || Some(Interval::point(S::integer(parameter.row().default?)));
+    bounds.get(parameter).cloned().or_else(default)
+}
+
+/// The border of a parameter, from that at the hardest to that at the easiest end of the others.
+fn border<S: Number>(
+    parameter: Parameter,
+    side: Side,
+    bounds: &Loop<Interval<S>>,
+    speeds: &Speeds<Interval<S>>,
+) -> Option<Interval<S>> {
+    let [longest, shortest] = bounds.hardest();
+    let at_end = |corner: &Loop<S>, end: End| at(parameter, corner, &speeds.at(end));
+    let hardest = at_end(&longest, End::Hardest)?;
+    let other = at_end(&shortest, End::Hardest)?;
+    let hardest = match side {
+        Side::AtLeast => hardest.max(other),
+        Side::AtMost => hardest.min(other),
+    };
+    let easiest = at_end(&bounds.at(End::Easiest), End::Easiest)?;
+    Some(Interval::hull(hardest, easiest))
+}
+
+/// Where a loop meets the criterion with equality, at every speed or at every speed up to a bound.
+fn at<S: Number>(parameter: Parameter, corner: &Loop<S>, speeds: &Speeds<S>) -> Option<S> {
+    let bound = match speeds {
+        Speeds::All => None,
+        Speeds::UpTo(v) => Some(v),
+        Speeds::UpToSquared(_) => return None,
+    };
+    match (parameter, bound) {
+        (Parameter::Viscous, None) => Some(stiffness::viscous_needed(corner)),
+        (Parameter::Viscous, Some(v)) => Some(stiffness::viscous_needed_at_speed(corner, v)),
+        (Parameter::Coulomb, None) => Some(stiffness::coulomb_needed(corner)),
+        (Parameter::Coulomb, Some(v)) => Some(stiffness::coulomb_needed_up_to_speed(corner, v)),
+        (Parameter::Stiffness, None) => Some(stiffness::limit_at_all_speeds(corner)),
+        (Parameter::Stiffness, Some(v)) => Some(stiffness::limit_up_to_speed(corner, v)),
+        (Parameter::Period, None) => Some(stiffness::longest_period(corner)),
+        (Parameter::Period, Some(v)) => Some(stiffness::longest_period_at_speed(corner, v)),
+        (Parameter::Resolution, None) => stiffness::coarsest_resolution(corner),
+        (Parameter::Resolution, Some(v)) => stiffness::coarsest_resolution_up_to_speed(corner, v),
+        _ => None,
+    }
+}
+
+/// The longest period where a shorter one costs Coulomb friction as well, bracketed.
+///
+/// The periods that pass are an interval, because the margin is concave in the period. It starts at
+/// or before the shortest period near rest and the period of the largest margin, whichever is
+/// longer, and ends before the longest that viscous friction allows without BΔ/T.
+fn longest_period<S: Number>(
+    bounds: &Loop<Interval<S>>,
+    speeds: &Speeds<Interval<S>>,
+) -> Option<Interval<S>> {
+    let corner = bounds.at(End::Hardest);
+    let near_rest = stiffness::shortest_period(&corner)?;
+    let passes = |period: &S| {
+        let at = Interval::point(period.clone());
+        bounds.clone().with(Parameter::Period, at).decide(speeds) == Some(Truth::Holds)
+    };
+    let (passing, failing) = match speeds.at(End::Hardest) {
+        Speeds::All => {
+            let longest = stiffness::longest_period(&corner);
+            return passes(&longest).then(|| Interval::point(longest));
+        }
+        Speeds::UpTo(v) => {
+            // Without damping behind the encoder, but with what damping costs of viscous friction.
+            let damping = corner.damping.clone()?;
+            let less = corner.viscous_friction() - damping;
+            let undamped = Loop {
+                damping: None,
+                viscous: Some(less),
+                ..corner.clone().with(Parameter::Period, S::one())
+            };
+            let longest = stiffness::longest_period_at_speed(&undamped, &v);
+            (longest.clone().half().max(near_rest), longest)
+        }
+        Speeds::UpToSquared(_) => return None,
+    };
+    if !passes(&passing) {
+        return None;
+    }
+    // Bisection over k/2^STEPS of the way from one to the other.
+    const STEPS: u32 = 48;
+    let width = failing - passing.clone();
+    let at = |k: u64| {
+        let share = BigRational::new(k.into(), (1_u64 << STEPS).into());
+        Some(passing.clone() + width.clone() * S::of(&Exact::of(&share))?)
+    };
+    let mut k = 0;
+    for step in (0..STEPS).rev() {
+        let further = k + (1 << step);
+        if passes(&at(further)?) {
+            k = further;
+        }
+    }
+    Some(Interval::hull(at(k)?, at(k + 1)?))
+}

@@ -1,0 +1,133 @@
+//! The question "left alone from here?": how fast an unforced motion can ever get (TH-START).
+
+use std::cmp::Ordering;
+
+use num_bigint::BigInt;
+use passivity_core::verdict::Speeds;
+use passivity_core::{BigRational, Interval, Loop, Ordered, Scalar, Truth, start};
+
+use super::Number;
+use crate::scene::Scene;
+
+/// What TH-START assumes of the controller's memory, in words.
+pub(super) const ASSUMES: &str =
+    "before its start the device had rested there for as long as the controller remembers";
+
+/// What holds of the device when the hand lets go of it at the scene's start.
+///
+/// It is assumed that before its start the device had rested there for as long as the controller
+/// remembers, so that delay and damping have stored nothing yet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unforced {
+    /// Whether it never gets faster than `speed`, and generates no more than friction takes.
+    pub holds: Truth,
+    /// V, ticks per sample.
+    pub speed: Interval<BigRational>,
+    /// V in SI units; `None` for a dimensionless scene.
+    pub speed_si: Option<Interval<BigRational>>,
+}
+
+/// The bound V of TH-START in the units of the loop: V² = ẋ(0)² + (K/m)·x(0)².
+pub(super) struct StartSpeed<S> {
+    /// The values of V²; exact.
+    squared: Interval<S>,
+    /// The values of V where x(0) is zero, so that no root is needed.
+    known: Option<Interval<S>>,
+}
+
+impl<S: Number> StartSpeed<S> {
+    /// The bound of a scene with a start; `None` without one, or when the inertia is needed and not
+    /// given.
+    pub(super) fn of(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Self> {
+        if !scene.has_start() {
+            return None;
+        }
+        let zero = || Interval::point(S::zero());
+        let of = |range: &Option<Interval<S>>| magnitude(&range.clone().unwrap_or_else(zero));
+        let velocity = of(&bounds.start_velocity);
+        let position = of(&bounds.start_position);
+        if position.hi().is_positive() == Some(false) {
+            return Some(Self {
+                squared: velocity.map(Scalar::square),
+                known: Some(velocity),
+            });
+        }
+        let inertia = bounds.inertia.as_ref()?;
+        let square =
+            |v: &S, x: &S, k: &S, m: &S| start::speed_squared(&m.clone().over(k.clone()), x, v);
+        let stiffness = &bounds.stiffness;
+        Some(Self {
+            squared: Interval::hull(
+                square(velocity.lo(), position.lo(), stiffness.lo(), inertia.hi()),
+                square(velocity.hi(), position.hi(), stiffness.hi(), inertia.lo()),
+            ),
+            known: None,
+        })
+    }
+
+    /// The speeds that the criterion has to hold at.
+    pub(super) fn speeds(&self) -> Speeds<Interval<S>> {
+        Speeds::UpToSquared(self.squared.clone())
+    }
+
+    /// An enclosure of V.
+    pub(super) fn enclosure(&self, bits: u32) -> Option<Interval<BigRational>> {
+        if let Some(known) = &self.known {
+            let (lo, hi) = (known.lo().enclosed(bits)?, known.hi().enclosed(bits)?);
+            return Some(Interval::hull(lo.lo().clone(), hi.hi().clone()));
+        }
+        let (lo, hi) = (
+            self.squared.lo().enclosed(bits)?,
+            self.squared.hi().enclosed(bits)?,
+        );
+        Some(Interval::hull(root(lo.lo(), false), root(hi.hi(), true)))
+    }
+}
+
+/// The magnitudes of the numbers of an interval.
+fn magnitude<S: Ordered>(range: &Interval<S>) -> Interval<S> {
+    let ends = Interval::hull(range.lo().abs(), range.hi().abs());
+    match (range.lo().sign(), range.hi().sign()) {
+        (Some(Ordering::Less), Some(Ordering::Greater)) => {
+            Interval::hull(S::zero(), ends.hi().clone())
+        }
+        _ => ends,
+    }
+}
+
+/// A rational root of x ≥ 0, off by less than 2⁻²⁰⁰ of its size: rounded down, or up; exact for
+/// the square of a rational.
+fn root(x: &BigRational, up: bool) -> BigRational {
+    const BITS: u32 = 200;
+    let (n, d) = (x.numer(), x.denom());
+    let (root_n, root_d) = (n.sqrt(), d.sqrt());
+    if &root_n * &root_n == *n && &root_d * &root_d == *d {
+        return BigRational::new(root_n, root_d);
+    }
+    // √(n/d) = √(n·d)/d, and the whole number n·d is at least 1: these bits are all past its point.
+    let whole = ((n * d) << (2 * BITS)).sqrt();
+    let whole = if up { whole + BigInt::from(1) } else { whole };
+    BigRational::new(whole, d << BITS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roots_enclose_and_are_exact_for_squares() {
+        let ratio = |n: i64, d: i64| BigRational::new(n.into(), d.into());
+        assert_eq!(root(&ratio(9, 16), false), ratio(3, 4));
+        for x in [
+            ratio(2, 1),
+            ratio(1, 3),
+            ratio(1, i64::MAX),
+            ratio(i64::MAX, 7),
+        ] {
+            let (lo, hi) = (root(&x, false), root(&x, true));
+            assert!(&lo * &lo < x && x < &hi * &hi);
+            let width = (&hi - &lo) / lo;
+            assert!(width < BigRational::new(1.into(), BigInt::from(1) << 199));
+        }
+    }
+}
