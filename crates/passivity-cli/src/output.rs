@@ -27,8 +27,9 @@ pub(crate) fn emit(text: &str) -> Result<(), Failure> {
 }
 
 /// Writes a JSON document to standard output.
-pub(crate) fn emit_json(document: &serde_json::Value) -> Result<(), Failure> {
-    emit(&format!("{document:#}"))
+pub(crate) fn emit_json(document: &impl serde::Serialize) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(document);
+    emit(&text.map_err(|error| Failure::input(format!("this result cannot be JSON: {error}")))?)
 }
 
 /// Reads a scene file, with every diagnostic when it cannot be read.

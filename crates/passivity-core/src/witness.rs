@@ -53,7 +53,7 @@ pub fn gain_formula<S: Scalar>(m: &S, a: &S, friction: &Friction<S>) -> S {
 }
 
 /// A cycle that gains energy from a sampled and quantized wall, within the wall ξ ≥ 0; `None`
-/// when β ≥ ½ and σ ≥ ½, when no such cycle keeps to `speed_bound` (ticks per sample), or when
+/// when β ≥ ½ and σ ≥ ½, when no such cycle stays below `speed_bound` (ticks per sample), or when
 /// a number is undefined.
 ///
 /// Without a bound it finds one whenever β < ½ or σ < ½ (TH-ACTIVE).
@@ -82,7 +82,14 @@ pub fn quantized<S: Ordered>(friction: &Friction<S>, speed_bound: Option<&S>) ->
         return None;
     }
     // Rounded down to a unit fraction, at least half of it: the same gain or less, and readable.
-    let pieces = -(-(one.clone().over(a))).floor();
+    let mut pieces = -(-(one.clone().over(a))).floor();
+    if let Some(bound) = speed_bound {
+        // Strictly below the bound: a hand that turns round within it is faster in between.
+        let at_bound = m.clone() + one.clone().over(pieces.clone());
+        if !(bound.clone() - at_bound).is_positive()? {
+            pieces = pieces + one.clone();
+        }
+    }
     let a = one.clone().over(pieces);
     // From 1 − a ≥ 0 to 1 + m, so that a wall on one side only has the cycle as well (TH-UNI).
     let from = one.clone() - a;
@@ -109,7 +116,8 @@ pub fn smooth<S: Ordered>(friction: &Friction<S>, speed_bound: Option<&S>) -> Op
         S::one()
     };
     if let Some(bound) = speed_bound {
-        d = d.min(bound.clone());
+        // Strictly below the bound: a hand that turns round within it is faster in between.
+        d = d.min((least.max(S::zero()) + bound.clone()).half());
     }
     let gain = (d.clone() * (spare * d.clone() - friction.sigma.clone())).double();
     gain.is_positive()?.then_some(Cycle {

@@ -84,6 +84,18 @@ pub fn write_rational<S: Serializer>(x: &BigRational, serializer: S) -> Result<S
     serializer.collect_str(x)
 }
 
+/// Writes a rational as a string in lowest terms, or null.
+///
+/// # Errors
+///
+/// Those of the serializer.
+pub fn write_optional_rational<S: Serializer>(
+    x: &Option<BigRational>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    x.as_ref().map(ToString::to_string).serialize(serializer)
+}
+
 /// Reads a rational: a string such as `"3/8"` or `"3.75e-1"`, or a JSON number, which is taken as
 /// the decimal it spells and not as a double.
 ///

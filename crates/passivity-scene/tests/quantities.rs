@@ -1,6 +1,6 @@
 //! Units and tolerances as they become exact values of a scene.
 
-use passivity_core::{BigRational, Interval};
+use passivity_core::{BigRational, Effect, Exact, Interval, Parameter, Scalar as _, pi};
 use passivity_scene::number::parse;
 use passivity_scene::{Given, Motion, Scene, SceneError};
 
@@ -10,6 +10,21 @@ fn number(text: &str) -> BigRational {
 
 fn interval(lo: &str, hi: &str) -> Interval<BigRational> {
     Interval::new(number(lo), number(hi)).unwrap()
+}
+
+/// The rational values of an interval, over a power of π.
+fn over_pi(range: &Interval<Exact>, power: i8) -> Interval<BigRational> {
+    let pi_to = |n: i8| (0..n).fold(Exact::one(), |x, _| x * pi::pi());
+    let rational = |x: &Exact| {
+        let x = x.clone().over(pi_to(power)) * pi_to(-power);
+        x.to_rational().expect("no π is left")
+    };
+    range.map(rational)
+}
+
+/// The rational values of an interval in which there is no π.
+fn rational(range: &Interval<Exact>) -> Interval<BigRational> {
+    over_pi(range, 0)
 }
 
 /// A rotary scene with one more line in one section.
@@ -43,7 +58,11 @@ fn rotary(section: &str, line: &str) -> Result<Scene, SceneError> {
 
 fn viscous(text: &str) -> Given {
     let scene = rotary("device", &format!("viscous = \"{text}\""));
-    scene.unwrap_or_else(|e| panic!("{e}")).viscous.unwrap()
+    scene
+        .unwrap_or_else(|e| panic!("{e}"))
+        .given
+        .viscous
+        .unwrap()
 }
 
 #[test]
@@ -69,22 +88,21 @@ fn a_tolerance_is_a_closed_interval() {
     ];
     for (text, lo, hi) in cases {
         let given = viscous(text);
-        assert_eq!(*given.value.range(), interval(lo, hi), "{text}");
-        assert_eq!(given.value.pi_power(), 0);
+        assert_eq!(rational(&given.value), interval(lo, hi), "{text}");
         assert_eq!(given.has_tolerance(), lo != hi, "{text}");
         assert_eq!(given.text, text);
     }
     assert_eq!(
-        *viscous("9e-6 N m s/rad ± 10%").nominal.range(),
-        interval("9e-6", "9e-6")
+        viscous("9e-6 N m s/rad ± 10%").nominal.to_rational(),
+        Some(number("9e-6"))
     );
 }
 
 #[test]
 fn a_negative_value_keeps_its_tolerance_the_right_way_round() {
     let scene = rotary("start", "velocity = \"-10 rad/s ± 10%\"").unwrap();
-    let velocity = scene.start.unwrap().velocity;
-    assert_eq!(*velocity.value.range(), interval("-11", "-9"));
+    let velocity = scene.given.start_velocity.unwrap();
+    assert_eq!(rational(&velocity.value), interval("-11", "-9"));
 }
 
 #[test]
@@ -100,11 +118,9 @@ fn turns_and_degrees_carry_their_power_of_pi() {
     for (section, line, value, pi) in cases {
         let scene = rotary(section, line).unwrap_or_else(|e| panic!("{e}"));
         let key = line.split(' ').next().unwrap();
-        let all = scene.parameters();
-        let given = all.iter().find(|g| g.key.ends_with(key)).unwrap();
-        assert_eq!(*given.value.range(), interval(value, value), "{line}");
-        assert_eq!(given.value.pi_power(), pi, "{line}");
-        assert!(scene.involves_pi());
+        let mut all = scene.parameters();
+        let (_, given) = all.find(|(_, g)| g.key.ends_with(key)).unwrap();
+        assert_eq!(over_pi(&given.value, pi), interval(value, value), "{line}");
     }
 }
 
@@ -117,23 +133,23 @@ fn a_rate_is_the_reciprocal_of_a_period() {
         ("period = \"1 ms ± 20%\"", "8e-4", "12e-4"),
     ];
     for (line, lo, hi) in cases {
-        let period = rotary("sampling", line).unwrap().period;
-        assert_eq!(*period.value.range(), interval(lo, hi), "{line}");
+        let period = rotary("sampling", line).unwrap().given.period;
+        assert_eq!(rational(&period.value), interval(lo, hi), "{line}");
     }
     let nominal = rotary("sampling", "rate = \"1 kHz ± 20%\"")
         .unwrap()
+        .given
         .period
         .nominal;
-    assert_eq!(*nominal.range(), interval("1e-3", "1e-3"));
+    assert_eq!(nominal.to_rational(), Some(number("1e-3")));
 }
 
 #[test]
 fn counts_give_the_resolution_with_pi() {
     let scene = rotary("encoder", "counts_per_revolution = 8_192").unwrap();
-    let resolution = scene.resolution.unwrap();
+    let resolution = scene.given.resolution.unwrap();
     assert_eq!(resolution.key, "encoder.counts_per_revolution");
-    assert_eq!(resolution.value.pi_power(), 1);
-    assert_eq!(*resolution.value.range(), interval("1/4096", "1/4096"));
+    assert_eq!(over_pi(&resolution.value, 1), interval("1/4096", "1/4096"));
 }
 
 #[test]
@@ -163,10 +179,19 @@ fn the_usual_lenience_about_radians_is_granted() {
 #[test]
 fn an_arm_has_zero_for_what_it_does_not_say() {
     let line = "arm = { mass = \"1 g cm^2\", stiffness = \"2 N m/rad\" }";
-    let arm = rotary("operator", line).unwrap().arm.unwrap();
-    assert_eq!(*arm.mass.value.range(), interval("1e-7", "1e-7"));
-    assert_eq!(*arm.damping.value.range(), interval("0", "0"));
-    assert_eq!(*arm.stiffness.value.range(), interval("2", "2"));
+    let scene = rotary("operator", line).unwrap();
+    assert!(scene.has(Effect::Arm) && scene.given.arm_damping.is_none());
+    let loop_of_scene = scene.given.map(|_, given| given.nominal.clone());
+    let value = |parameter| {
+        loop_of_scene
+            .value(parameter)
+            .unwrap()
+            .to_rational()
+            .unwrap()
+    };
+    assert_eq!(value(Parameter::ArmMass), number("1e-7"));
+    assert_eq!(value(Parameter::ArmDamping), number("0"));
+    assert_eq!(value(Parameter::ArmStiffness), number("2"));
 }
 
 #[test]
@@ -198,32 +223,39 @@ fn dimensionless_scenes_take_plain_numbers_and_ticks() {
     let scene = Scene::from_toml("point", text).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(scene.motion, Motion::Dimensionless);
     let point = scene.point();
-    assert_eq!(point.mu, Some(number("50")));
+    assert_eq!(point.at.inertia, Some(number("50")));
     // 0.6 is three fifths, not the double next to it.
-    assert_eq!(point.beta, Some(number("3/5")));
+    assert_eq!(point.at.viscous, Some(number("3/5")));
     assert_eq!(
-        *scene.coulomb.unwrap().value.range(),
+        rational(&scene.given.coulomb.unwrap().value),
         interval("27/50", "33/50")
     );
-    assert!(point.encoder && point.unilateral);
-    assert_eq!((point.delay, point.intervals), (2, 7));
-    assert_eq!(point.damping, Some(number("1/10")));
-    assert_eq!(point.max_force, Some(number("1000")));
-    assert_eq!(point.force_step, Some(number("1/4")));
-    assert_eq!(point.amplifier, Some(number("1/5")));
-    assert_eq!(point.force, Some(vec![number("-1/2")]));
-    assert_eq!(point.arm, Some([number("1"), number("2"), number("1/3")]));
-    assert_eq!(point.start, [number("-3"), number("10")]);
-    assert_eq!(*scene.max_speed.unwrap().value.range(), interval("2", "2"));
+    assert!(point.at.has_encoder() && point.at.unilateral);
+    assert_eq!((point.at.delay, point.intervals), (2, 7));
+    assert_eq!(point.at.damping, Some(number("1/10")));
+    assert_eq!(point.at.max_force, Some(number("1000")));
+    assert_eq!(point.at.force_step, Some(number("1/4")));
+    assert_eq!(point.at.time_constant, Some(number("1/5")));
+    assert_eq!(point.forces, Some(vec![number("-1/2")]));
+    let arm = [
+        &point.at.arm_mass,
+        &point.at.arm_damping,
+        &point.at.arm_stiffness,
+    ];
+    assert_eq!(arm, ["1", "2", "1/3"].map(|x| Some(number(x))).each_ref());
+    assert_eq!(point.start(), [number("-3"), number("10")]);
+    let bound = scene.given.max_speed.unwrap();
+    assert_eq!(rational(&bound.value), interval("2", "2"));
 }
 
 #[test]
 fn an_absent_key_is_an_absent_effect() {
     let scene = Scene::from_toml("bare", "[dimensionless]\nbeta = 1\n").unwrap();
-    assert!(scene.coulomb.is_none() && scene.inertia.is_none() && scene.force.is_none());
-    assert!(scene.delay.is_none() && !scene.unilateral && scene.start.is_none());
+    let expected = [Effect::Hold, Effect::Viscous, Effect::Encoder];
+    assert_eq!(scene.effects(), expected);
+    assert!(scene.given.inertia.is_none() && scene.forces.is_none() && !scene.has_start());
     let scene = rotary("wall", "unilateral = false").unwrap();
-    assert!(scene.resolution.is_none() && !scene.unilateral && scene.viscous.is_none());
+    assert_eq!(scene.effects(), [Effect::Hold]);
     assert_eq!(scene.name, "test");
 }
 
@@ -233,7 +265,7 @@ fn a_text_written_with_escapes_means_the_same() {
     let escaped = viscous("9e-6 N\\u00b7m s\\u002frad");
     assert_eq!(plain.value, escaped.value);
     let scene = rotary("device", "viscous = '9e-6 N·m s/rad'").unwrap();
-    assert_eq!(scene.viscous.unwrap().value, plain.value);
+    assert_eq!(scene.given.viscous.unwrap().value, plain.value);
 }
 
 #[test]

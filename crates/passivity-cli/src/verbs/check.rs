@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use passivity_scene::Scene;
 use passivity_scene::check::{Report, Verdict, check};
-use serde_json::json;
+use serde::Serialize;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json};
@@ -31,11 +31,22 @@ pub(crate) struct Args {
     format: Format,
 }
 
+/// What `check --format json` prints.
+#[derive(Serialize)]
+struct Document {
+    scenes: Vec<Report>,
+    /// What is wrong with the files that could not be read; left out when all could.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    errors: Vec<serde_json::Value>,
+}
+
 /// Checks each scene; one that cannot be read does not keep the others from being checked.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let mut exit = Exit::Holds;
-    let mut reports = Vec::new();
-    let mut errors = Vec::new();
+    let mut document = Document {
+        scenes: Vec::new(),
+        errors: Vec::new(),
+    };
     for path in &args.scenes {
         match Scene::read(path) {
             Ok(scene) => {
@@ -44,7 +55,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
                 if args.format == Format::Text {
                     emit(&report.to_text())?;
                 }
-                reports.push(report.to_json());
+                document.scenes.push(report);
             }
             Err(error) => {
                 exit = exit.and(Exit::BadInput);
@@ -52,15 +63,11 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
                     "{}",
                     error.render(std::io::stderr().is_terminal()).trim_end()
                 );
-                errors.push(error.to_json());
+                document.errors.push(error.to_json());
             }
         }
     }
     if args.format == Format::Json {
-        let mut document = json!({ "scenes": reports });
-        if !errors.is_empty() {
-            document["errors"] = json!(errors);
-        }
         emit_json(&document)?;
     }
     Ok(exit)

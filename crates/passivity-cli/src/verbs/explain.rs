@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use passivity_scene::explain::explain;
+use passivity_scene::explain::{Explanation, explain};
+use serde::Serialize;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
@@ -22,6 +23,15 @@ pub(crate) struct Args {
     format: Format,
 }
 
+/// What `explain --format json` prints.
+#[derive(Serialize)]
+struct Document {
+    #[serde(flatten)]
+    explanation: Explanation,
+    /// What `simulate` computes in each interval, a line for each step.
+    plan: Vec<String>,
+}
+
 /// Explains the scene.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
@@ -36,11 +46,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             }
             emit(&text)?;
         }
-        Format::Json => {
-            let mut document = explanation.to_json();
-            document["plan"] = plan.into();
-            emit_json(&document)?;
-        }
+        Format::Json => emit_json(&Document { explanation, plan })?,
     }
     Ok(Exit::Holds)
 }

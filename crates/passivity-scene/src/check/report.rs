@@ -1,7 +1,9 @@
 //! Every figure of a check, exact or exactly enclosed: one type for programs and people.
 
 use passivity_core::verdict::Speeds;
-use passivity_core::{BigRational, Effect, Interval, Loop, Parameter, Region, Scalar, Truth, Wide};
+use passivity_core::{
+    BigRational, Cycle, Effect, Interval, Loop, Parameter, Region, Scalar, Truth, Wide,
+};
 use serde::Serialize;
 use serde::ser::{SerializeStruct as _, Serializer};
 
@@ -11,7 +13,8 @@ use super::limits::{self, Limit};
 use super::unforced::{StartSpeed, Unforced};
 use super::{BITS, Number, figure};
 use crate::json::{
-    write_interval as interval, write_optional_interval as optional_interval, write_rational,
+    write_interval as interval, write_optional_interval as optional_interval,
+    write_optional_rational, write_rational,
 };
 use crate::scene::{Motion, Scene};
 
@@ -28,6 +31,10 @@ pub struct Witness {
     /// What the operator gains at least each time round, in KΔ².
     #[serde(serialize_with = "write_rational")]
     pub gain_per_cycle: BigRational,
+    /// The same in joules, with the softest wall and the finest encoder that the tolerances allow;
+    /// `None` for a dimensionless scene.
+    #[serde(serialize_with = "write_optional_rational")]
+    pub gain_per_cycle_joules: Option<BigRational>,
 }
 
 /// What the effects of a scene ask of β and σ.
@@ -234,13 +241,28 @@ fn checked<S: Number>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Repor
             _ => Vec::new(),
         },
         limits: limits::limits(bounds, of_limits),
-        witness: cycle.map(|cycle| Witness {
-            from: cycle.from,
-            to: cycle.to,
-            gain_per_cycle: cycle.gain,
-        }),
+        witness: match cycle {
+            Some(cycle) => Some(witness(cycle, bounds, has_units)?),
+            None => None,
+        },
         unforced: unforced(scene, bounds, &not_covered)?,
         not_covered,
+    })
+}
+
+/// A cycle as it is reported.
+fn witness<S: Number>(
+    cycle: Cycle<BigRational>,
+    bounds: &Loop<Interval<S>>,
+    has_units: bool,
+) -> Option<Witness> {
+    let least = bounds.map(|_, x| x.lo().clone());
+    let energy_unit = (least.force_unit() * least.length()).enclosed(BITS)?;
+    Some(Witness {
+        gain_per_cycle_joules: has_units.then(|| &cycle.gain * energy_unit.lo()),
+        from: cycle.from,
+        to: cycle.to,
+        gain_per_cycle: cycle.gain,
     })
 }
 

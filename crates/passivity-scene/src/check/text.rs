@@ -170,18 +170,26 @@ impl Report {
         let Some(witness) = &self.witness else {
             return String::new();
         };
-        let (unit, energy) = match (&self.sigma, self.motion) {
-            (Some(_), _) => ("ticks", "KΔ²"),
-            (None, Motion::Linear) => ("m", "K·m²"),
-            (None, _) => ("rad", "K·rad²"),
+        let unit = match (&self.sigma, self.motion) {
+            (Some(_), _) => "ticks",
+            (None, Motion::Linear) => "m",
+            (None, _) => "rad",
+        };
+        let least = |x: &BigRational| rounded(x, 5, Rounding::Down);
+        let energy = match (&witness.gain_per_cycle_joules, &self.sigma) {
+            (Some(joules), Some(_)) => {
+                let gain = least(&witness.gain_per_cycle);
+                format!("{} J ({gain} KΔ²)", least(joules))
+            }
+            (Some(joules), None) => format!("{} J", least(joules)),
+            (None, _) => format!("{} KΔ²", least(&witness.gain_per_cycle)),
         };
         format!(
             "  Witness: move from {} to {} {unit} and back, each way at constant speed within one\n  \
-             sampling interval. Each round trip draws at least {} {energy},\n  \
+             sampling interval. Each round trip draws at least {energy},\n  \
              if friction is no more than the scene allows.\n",
             short(&witness.from),
             short(&witness.to),
-            with_size(&witness.gain_per_cycle),
         )
     }
 
@@ -241,15 +249,6 @@ fn label(parameter: Parameter, motion: Motion) -> String {
 fn words(effects: &[Effect]) -> String {
     let words: Vec<&str> = effects.iter().map(|effect| effect.words()).collect();
     words.join("; ")
-}
-
-/// A rational with its size in decimals, unless it is too long to read.
-fn with_size(x: &BigRational) -> String {
-    let (exact, decimals) = (short(x), approx(x));
-    if exact == decimals || exact.starts_with("about") {
-        return exact;
-    }
-    format!("{exact} (≈ {decimals})")
 }
 
 /// A rational as it is when that is short enough to read, else rounded.
