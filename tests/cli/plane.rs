@@ -59,3 +59,22 @@ fn says_what_it_cannot_draw_or_write() {
         run.stderr
     );
 }
+
+#[test]
+fn a_scene_that_is_not_passive_does_not_stand_in_the_green() {
+    let dir = Dir::new();
+    let scene = "[dimensionless]\nbeta = \"3/5 ± 10%\"\nsigma = \"3/5\"\n[sampling]\ndelay = 1\n\
+                 [wall]\ndamping = \"1/10\"\n";
+    let late = dir.write("late.toml", scene);
+    let run = dir.run(&["plane", &late, "--plot", "plane.svg", "--format", "json"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let placed = &run.json()["scenes"][0];
+    assert_eq!(placed["verdict"], "not_guaranteed");
+    let ends = |key: &str| [0, 1].map(|end| placed[key][end].as_f64().expect("a number"));
+    // ½ + k + B of β and ½ + B of σ are spent, the first ½ of each by the wall itself.
+    let [least, most] = ends("beta_less_cost");
+    assert!((least - (0.54 - 1.1)).abs() < 1e-15 && (most - (0.66 - 1.1)).abs() < 1e-15);
+    assert_eq!(ends("sigma_less_cost"), [0.5, 0.5]);
+    let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
+    assert!(svg.contains("less what further effects cost"));
+}

@@ -1,23 +1,69 @@
 //! The (β, σ) plane of Figs. 3 and 4: regions, critical lines, and where each scene sits.
 
+use passivity_core::{BigRational, Interval, Scalar as _};
+use passivity_scene::Scene;
+use passivity_scene::check::Report;
+use passivity_scene::display::range;
+use passivity_scene::number::nearest_f64;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use crate::PlotError;
 
 /// A scene in the plane.
+///
+/// It stands at β and σ less what its effects cost beyond the ½ of sampling and the ½ of
+/// quantization, so that the borders of the regions are its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// What the legend calls it.
     pub name: String,
-    /// β.
-    pub beta: f64,
-    /// σ.
-    pub sigma: f64,
+    /// The least and the largest β less the cost, over the tolerances.
+    pub beta: [f64; 2],
+    /// The least and the largest σ less the cost.
+    pub sigma: [f64; 2],
+    /// k, samples of delay: what β less the cost tends to for a stiff wall is −k.
+    pub delay: f64,
+    /// B in KT: virtual damping, which a tick costs of σ.
+    pub damping: f64,
+    /// Whether effects beyond sampling and quantization cost anything.
+    pub has_costs: bool,
     /// The speed of its critical line (9), in ticks per sample, and what the legend calls it.
     pub speed: Option<(f64, String)>,
     /// The verdict, for the legend.
     pub verdict: String,
+}
+
+impl Mark {
+    /// A scene and its report as a mark; `None` without an encoder, because σ needs one.
+    #[must_use]
+    pub fn of(scene: &Scene, report: &Report) -> Option<Self> {
+        report.sigma.as_ref()?;
+        let half = BigRational::one().half();
+        let ends = |spare: &Interval<BigRational>| {
+            [spare.lo(), spare.hi()].map(|x| nearest_f64(&(x + &half)))
+        };
+        let middle = |x: &Interval<BigRational>| nearest_f64(&(x.lo() + x.hi()).half());
+        let bound = report.speed_bound.as_ref();
+        let bound = bound.map(|v| (middle(v), format!("{} ticks/sample", range(v))));
+        let at = scene.point().at;
+        Some(Self {
+            name: report.scene.clone(),
+            beta: ends(&report.spare.viscous),
+            sigma: ends(&report.spare.coulomb),
+            delay: at.delay.into(),
+            damping: at.damping.as_ref().map_or(0.0, nearest_f64),
+            has_costs: !at.is_plain(),
+            speed: bound.filter(|(v, _)| *v > 0.0),
+            verdict: report.verdict.name().replace('_', " "),
+        })
+    }
+
+    /// The middle of the tolerances.
+    fn middle(&self) -> (f64, f64) {
+        let [a, b] = [self.beta, self.sigma].map(|[lo, hi]| 0.5 * (lo + hi));
+        (a, b)
+    }
 }
 
 const WIDTH: u32 = 1000;
@@ -51,7 +97,7 @@ const RED: RGBColor = RGBColor(246, 214, 214);
 pub fn draw(marks: &[Mark]) -> Result<String, PlotError> {
     if marks
         .iter()
-        .any(|mark| !(mark.beta.is_finite() && mark.sigma.is_finite()))
+        .any(|mark| !mark.beta.iter().chain(&mark.sigma).all(|x| x.is_finite()))
     {
         return Err(PlotError::new(
             "plane: a scene lies too far out to be drawn",
@@ -75,42 +121,64 @@ fn draw_on(root: &Area<'_>, marks: &[Mark]) -> Drawn {
     let (left, right) = root.split_horizontally(PLOT_WIDTH);
     let reach = |of: fn(&Mark) -> f64| marks.iter().map(of).fold(0.0_f64, f64::max);
     // At least the paper's window; room for the arrows to 2β and 2σ unless they lead far out.
-    let width = (reach(|m| m.beta) * 1.25).max(1.25);
-    let height = (reach(|m| m.sigma) * 1.25).max(1.25);
+    let width = (reach(|m| m.beta[1]) * 1.25).max(1.25);
+    let height = (reach(|m| m.sigma[1]) * 1.25).max(1.25);
+    // Effects may cost more than all the friction there is.
+    let left_end = -reach(|m| -m.beta[0]) * 1.1;
+    let low_end = -reach(|m| -m.sigma[0]) * 1.1;
+    let window = Window {
+        x: (left_end, width),
+        y: (low_end, height),
+    };
     let mut chart = ChartBuilder::on(&left)
         .margin(16)
         .x_label_area_size(46)
         .y_label_area_size(60)
-        .build_cartesian_2d(0.0..width, 0.0..height)?;
+        .build_cartesian_2d(left_end..width, low_end..height)?;
     let regions = [
         ((0.5, 0.5), (width, height), GREEN),
-        ((0.0, 0.5), (0.5, height), YELLOW),
-        ((0.5, 0.0), (width, 0.5), ORANGE),
-        ((0.0, 0.0), (0.5, 0.5), RED),
+        ((left_end, 0.5), (0.5, height), YELLOW),
+        ((0.5, low_end), (width, 0.5), ORANGE),
+        ((left_end, low_end), (0.5, 0.5), RED),
     ];
     chart.draw_series(regions.map(|(a, b, colour)| Rectangle::new([a, b], colour.filled())))?;
+    let costs = marks.iter().any(|mark| mark.has_costs);
+    let less = if costs {
+        ", less what further effects cost"
+    } else {
+        ""
+    };
     chart
         .configure_mesh()
         .disable_mesh()
-        .x_desc("β = b/(KT)")
-        .y_desc("σ = c/(KΔ)")
+        .x_desc(format!("β = b/(KT){less}"))
+        .y_desc(format!("σ = c/(KΔ){less}"))
         .axis_desc_style(("sans-serif", 16))
         .label_style(("sans-serif", 13))
         .draw()?;
     let border = BLACK.mix(0.6).stroke_width(1);
-    chart.draw_series(LineSeries::new([(0.5, 0.0), (0.5, height)], border))?;
-    chart.draw_series(LineSeries::new([(0.0, 0.5), (width, 0.5)], border))?;
+    chart.draw_series(LineSeries::new([(0.5, low_end), (0.5, height)], border))?;
+    chart.draw_series(LineSeries::new([(left_end, 0.5), (width, 0.5)], border))?;
     for (mark, colour) in marks.iter().zip(COLOURS.iter().cycle()) {
-        draw_ways(&mut chart, mark, *colour, (width, height))?;
+        draw_ways(&mut chart, mark, *colour, window)?;
         if let Some((speed, _)) = &mark.speed {
-            let line = critical_line(*speed, (width, height));
+            let line = critical_line(*speed, window);
             chart.draw_series(LineSeries::new(line, colour.stroke_width(2)))?;
+        }
+        let ([left, right], [low, high]) = (mark.beta, mark.sigma);
+        if left < right || low < high {
+            let corners = [(left, low), (right, high)];
+            chart.draw_series([
+                Rectangle::new(corners, colour.mix(0.25).filled()),
+                Rectangle::new(corners, colour.stroke_width(1)),
+            ])?;
         }
     }
     let to_pixel = |x: f64, y: f64| chart.backend_coord(&(x, y));
     let mut spots = Vec::new();
     for (number, (mark, colour)) in marks.iter().zip(COLOURS.iter().cycle()).enumerate() {
-        let place = to_pixel(mark.beta, mark.sigma);
+        let (beta, sigma) = mark.middle();
+        let place = to_pixel(beta, sigma);
         root.draw(&Circle::new(place, 5, colour.filled()))?;
         let label = (number + 1).to_string();
         let spot = free_spot(&spots, place);
@@ -148,21 +216,29 @@ fn free_spot(taken: &[(i32, i32)], place: (i32, i32)) -> (i32, i32) {
         .unwrap_or(moved[0])
 }
 
+/// What the picture shows of the plane: from and to.
+#[derive(Clone, Copy, Debug)]
+struct Window {
+    x: (f64, f64),
+    y: (f64, f64),
+}
+
 /// The critical line (9), σ = ½ − v(β − ½), within the window.
-fn critical_line(speed: f64, (width, height): (f64, f64)) -> Vec<(f64, f64)> {
+fn critical_line(speed: f64, window: Window) -> Vec<(f64, f64)> {
     let sigma = |beta: f64| 0.5 - speed * (beta - 0.5);
     let beta = |sigma: f64| 0.5 + (0.5 - sigma) / speed;
+    let ((left, right), (low, high)) = (window.x, window.y);
     // Through (½, ½), falling: it enters by the left or the upper edge and leaves by the right or
     // the lower one.
-    let start = if sigma(0.0) <= height {
-        (0.0, sigma(0.0))
+    let start = if sigma(left) <= high {
+        (left, sigma(left))
     } else {
-        (beta(height), height)
+        (beta(high), high)
     };
-    let end = if sigma(width) >= 0.0 {
-        (width, sigma(width))
+    let end = if sigma(right) >= low {
+        (right, sigma(right))
     } else {
-        (beta(0.0), 0.0)
+        (beta(low), low)
     };
     vec![start, end]
 }
@@ -174,34 +250,47 @@ type Chart<'a, 'b> = ChartContext<
 >;
 
 /// Where stiffness, sampling period and resolution move a mark (Fig. 4).
-fn draw_ways(
-    chart: &mut Chart<'_, '_>,
-    mark: &Mark,
-    colour: RGBColor,
-    (width, height): (f64, f64),
-) -> Drawn {
+///
+/// With k samples of delay and virtual damping B: another stiffness moves it along the line through
+/// (−k, 0), half the period to twice β + k and B less of σ, half the resolution to twice σ + B.
+fn draw_ways(chart: &mut Chart<'_, '_>, mark: &Mark, colour: RGBColor, window: Window) -> Drawn {
     let thin = colour.mix(0.55).stroke_width(1);
-    // Softer walls lie further out on the line through the origin.
-    let out = [width / mark.beta, height / mark.sigma]
-        .into_iter()
-        .filter(|x| x.is_finite())
-        .fold(f64::INFINITY, f64::min);
-    if out.is_finite() {
-        let far = (mark.beta * out, mark.sigma * out);
-        let dashes = DashedLineSeries::new([(0.0, 0.0), far], 3, 4, thin);
+    let (beta, sigma) = mark.middle();
+    let (width, height) = (window.x.1, window.y.1);
+    // Softer walls lie further out on the line through the limit of stiff ones.
+    let origin = (-mark.delay, 0.0);
+    let (dx, dy) = (beta - origin.0, sigma - origin.1);
+    let reach = |toward: f64, way: f64| {
+        if way > 0.0 {
+            toward / way
+        } else {
+            f64::INFINITY
+        }
+    };
+    let out = reach(width - origin.0, dx).min(reach(height - origin.1, dy));
+    let inside = if dx > 0.0 {
+        ((window.x.0 - origin.0) / dx).max(0.0)
+    } else {
+        0.0
+    };
+    if out.is_finite() && inside < out {
+        let at = |f: f64| (origin.0 + f * dx, origin.1 + f * dy);
+        let dashes = DashedLineSeries::new([at(inside), at(out)], 3, 4, thin);
         chart.draw_series(dashes)?;
     }
-    let right = (mark.beta * 2.0).min(width);
-    let up = (mark.sigma * 2.0).min(height);
-    chart.draw_series(LineSeries::new(
-        [(mark.beta, mark.sigma), (right, mark.sigma)],
-        thin,
-    ))?;
-    chart.draw_series(LineSeries::new(
-        [(mark.beta, mark.sigma), (mark.beta, up)],
-        thin,
-    ))?;
-    for ((x, y), (dx, dy)) in [((right, mark.sigma), (-1, 0)), ((mark.beta, up), (0, 1))] {
+    let faster = (2.0 * beta + mark.delay, sigma - mark.damping);
+    let finer = (beta, (2.0 * sigma + mark.damping).min(height));
+    let right = faster.0.min(width);
+    // Where it leads out of the picture, the way there is drawn as far as the edge.
+    let share = if faster.0 > beta {
+        (right - beta) / (faster.0 - beta)
+    } else {
+        1.0
+    };
+    let faster = (right, (sigma + share * (faster.1 - sigma)).max(window.y.0));
+    chart.draw_series(LineSeries::new([(beta, sigma), faster], thin))?;
+    chart.draw_series(LineSeries::new([(beta, sigma), finer], thin))?;
+    for ((x, y), (dx, dy)) in [(faster, (-1, 0)), (finer, (0, 1))] {
         let head = EmptyElement::at((x, y))
             + Polygon::new(
                 [
@@ -286,9 +375,9 @@ fn legend(area: &Area<'_>, marks: &[Mark]) -> Drawn {
             30,
             y,
             format!(
-                "β = {}, σ = {}: {}",
-                five(mark.beta),
-                five(mark.sigma),
+                "({}, {}): {}",
+                five(mark.middle().0),
+                five(mark.middle().1),
                 mark.verdict
             ),
             12,
@@ -333,14 +422,18 @@ mod tests {
     #[test]
     fn critical_lines_pass_through_the_corner_and_stay_in_the_window() {
         for speed in [0.01, 0.5, 1.0, 3.0, 100.0] {
-            let window = (1.5, 1.25);
+            let window = Window {
+                x: (-0.5, 1.5),
+                y: (-0.25, 1.25),
+            };
             let line = critical_line(speed, window);
             let ((x0, y0), (x1, y1)) = (line[0], line[1]);
             // Collinear with (½, ½): a cross product of numbers below 2, so rounding is < 1e-14.
             let cross = (x1 - x0) * (0.5 - y0) - (y1 - y0) * (0.5 - x0);
             assert!(cross.abs() < 1e-14, "{speed}: {cross}");
             for (x, y) in line {
-                assert!((0.0..=window.0).contains(&x) && (0.0..=window.1).contains(&y));
+                assert!(x >= window.x.0 && x <= window.x.1);
+                assert!(y >= window.y.0 && y <= window.y.1);
             }
         }
     }
@@ -349,8 +442,11 @@ mod tests {
     fn a_point_too_far_out_is_an_error() {
         let mark = Mark {
             name: "far".to_owned(),
-            beta: f64::INFINITY,
-            sigma: 1.0,
+            beta: [0.0, f64::INFINITY],
+            sigma: [1.0; 2],
+            delay: 0.0,
+            damping: 0.0,
+            has_costs: false,
             speed: None,
             verdict: String::new(),
         };

@@ -4,10 +4,9 @@ use std::path::PathBuf;
 
 use passivity_core::{BigRational, Interval, Scalar as _};
 use passivity_plot::plane::{Mark, draw};
-use passivity_scene::check::check;
-use passivity_scene::display::range;
+use passivity_scene::check::{Verdict, check};
 use passivity_scene::number::nearest_f64;
-use serde_json::json;
+use serde::Serialize;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
@@ -32,6 +31,27 @@ pub(crate) struct Args {
     format: Format,
 }
 
+/// What `plane --format json` prints.
+#[derive(Serialize)]
+struct Document {
+    plot: String,
+    scenes: Vec<Placed>,
+}
+
+/// Where a scene stands.
+#[derive(Serialize)]
+struct Placed {
+    scene: String,
+    /// β and σ in the middle of their tolerances.
+    beta: f64,
+    sigma: Option<f64>,
+    /// From the least to the largest, less what effects cost beyond ½: where it is drawn.
+    beta_less_cost: [f64; 2],
+    sigma_less_cost: [f64; 2],
+    speed: Option<f64>,
+    verdict: Verdict,
+}
+
 /// Draws the scenes.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let mut marks = Vec::new();
@@ -39,37 +59,37 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     for path in &args.scenes {
         let scene = read_scene(path)?;
         let report = check(&scene);
-        let middle = |x: &Interval<BigRational>| nearest_f64(&(x.lo() + x.hi()).half());
-        let Some(sigma) = &report.sigma else {
+        let Some(mark) = Mark::of(&scene, &report) else {
             return Err(Failure::input(format!(
                 "`{}`: the plane needs an encoder, and `{}` has none",
                 path.display(),
                 report.scene
             )));
         };
-        let bound = report
-            .speed_bound
-            .as_ref()
-            .map(|v| (middle(v), format!("{} ticks/sample", range(v))));
-        let mark = Mark {
-            name: report.scene.clone(),
+        let middle = |x: &Interval<BigRational>| nearest_f64(&(x.lo() + x.hi()).half());
+        documents.push(Placed {
+            scene: report.scene.clone(),
             beta: middle(&report.beta),
-            sigma: middle(sigma),
-            speed: bound.filter(|(v, _)| *v > 0.0),
-            verdict: report.verdict.name().replace('_', " "),
-        };
-        documents.push(
-            json!({ "scene": mark.name, "beta": mark.beta, "sigma": mark.sigma,
-            "speed": mark.speed.as_ref().map(|(v, _)| v), "verdict": report.verdict.name() }),
-        );
+            sigma: report.sigma.as_ref().map(middle),
+            beta_less_cost: mark.beta,
+            sigma_less_cost: mark.sigma,
+            speed: mark.speed.as_ref().map(|(v, _)| *v),
+            verdict: report.verdict,
+        });
         marks.push(mark);
     }
     let svg = draw(&marks).map_err(Failure::input)?;
     passivity_plot::save(&svg, &args.plot).map_err(Failure::input)?;
     let name = args.plot.display();
     match args.format {
-        Format::Text => emit(&format!("{} scenes drawn in {name}", marks.len()))?,
-        Format::Json => emit_json(&json!({ "plot": name.to_string(), "scenes": documents }))?,
+        Format::Text => {
+            let scenes = if marks.len() == 1 { "scene" } else { "scenes" };
+            emit(&format!("{} {scenes} drawn in {name}", marks.len()))?;
+        }
+        Format::Json => emit_json(&Document {
+            plot: name.to_string(),
+            scenes: documents,
+        })?,
     }
     Ok(Exit::Holds)
 }
