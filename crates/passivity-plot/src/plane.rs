@@ -406,8 +406,8 @@ fn clipped(name: &str, most: usize) -> String {
 
 /// About four significant digits.
 fn five(x: f64) -> String {
-    if x == 0.0 || (1e-3..1e5).contains(&x) {
-        let digits = if x >= 100.0 { 1 } else { 4 };
+    if x == 0.0 || (1e-3..1e5).contains(&x.abs()) {
+        let digits = if x.abs() >= 100.0 { 1 } else { 4 };
         let text = format!("{x:.digits$}");
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
