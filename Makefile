@@ -67,9 +67,18 @@ prove-smt: ## z3 and cvc5 on every claim, for all real numbers
 	@proofs/smt/install $(SOLVERS)
 	$(CARGO) run --quiet --release $(FLAGS) -p passivity-smt -- check $(SOLVERS)
 
+# REPORT=FILE COMMIT=HASH takes a report made elsewhere, of the sources of that commit, into the
+# evidence; CBMC=VERSION and SOLVER=NAME say what the report does not.
 prove-kani: ## the model checker on every harness, where `cargo kani` is installed
+ifeq ($(REPORT)$(COMMIT),)
 	@echo "== cargo kani on proofs/kani"
 	$(CARGO) run --quiet $(FLAGS) -p passivity-prove-kani
+else
+	@echo "== the report $(REPORT) of commit $(COMMIT)"
+	$(CARGO) run --quiet $(FLAGS) -p passivity-prove-kani -- --report "$(REPORT)" --commit "$(COMMIT)" \
+	    $(if $(CBMC),--cbmc "$(CBMC)") $(if $(SOLVER),--solver "$(SOLVER)")
+	$(CARGO) run --quiet $(FLAGS) -p passivity-evidence -- import
+endif
 
 prove-rocq: ## the whole theorem in Rocq, installing it where apt-get can
 	@echo "== Rocq on proofs/rocq"

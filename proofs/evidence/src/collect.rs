@@ -11,22 +11,23 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use crate::claims::{Claim, Claims};
+use crate::imported::Imported;
 use crate::record::{Engine, Evidence, Mutation, Record, Run};
 
 /// One harness, query, test or list of theorems, of one claim.
-struct Part {
-    claims: Vec<String>,
-    name: String,
-    verdict: Verdict,
-    domain: Option<String>,
-    cases: Option<u64>,
-    seconds: f64,
-    failure: Option<String>,
+pub(crate) struct Part {
+    pub(crate) claims: Vec<String>,
+    pub(crate) name: String,
+    pub(crate) verdict: Verdict,
+    pub(crate) domain: Option<String>,
+    pub(crate) cases: Option<u64>,
+    pub(crate) seconds: f64,
+    pub(crate) failure: Option<String>,
 }
 
 /// What a part shows when it passes.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Verdict {
+pub(crate) enum Verdict {
     AllReals,
     AllInputs,
     Exhausted,
@@ -34,11 +35,11 @@ enum Verdict {
 }
 
 /// All that an engine left.
-struct Report {
-    engine: Engine,
-    tool: String,
-    parts: Vec<Part>,
-    not_run: Option<String>,
+pub(crate) struct Report {
+    pub(crate) engine: Engine,
+    pub(crate) tool: String,
+    pub(crate) parts: Vec<Part>,
+    pub(crate) not_run: Option<String>,
 }
 
 /// Gathers what the engines left in a folder; `mutation` is the last mutation run.
@@ -48,10 +49,16 @@ struct Report {
 /// A sentence, when a file is not what its engine writes, or speaks of an unknown claim.
 pub fn collect(root: &Path, folder: &Path, claims: &Claims) -> Result<Evidence, String> {
     let mut evidence = Evidence::default();
+    // What Kani said elsewhere counts where it does not run.
+    let mut kani = kani(folder)?;
+    let elsewhere = Imported::read(root)?.filter(|_| kani.not_run.is_some());
+    if let Some(imported) = &elsewhere {
+        kani = imported.report(claims);
+    }
     let reports = [
         smt(folder)?,
         rocq(root, folder)?,
-        kani(folder)?,
+        kani,
         stand_in(folder)?,
         tests(folder, claims)?,
         prusti(folder),
@@ -62,17 +69,14 @@ pub fn collect(root: &Path, folder: &Path, claims: &Claims) -> Result<Evidence, 
                 return Err(format!("{}: unknown claim `{id}`", report.engine));
             }
         }
-        evidence.runs.push(Run {
-            engine: report.engine,
-            tool: report.tool.clone(),
-            parts: u64::try_from(report.parts.len()).unwrap_or(u64::MAX),
-            seconds: round(report.parts.iter().map(|part| part.seconds).sum()),
-            not_run: report.not_run.clone(),
-        });
+        evidence.runs.push(run(report));
     }
     for claim in &claims.claims {
         for report in &reports {
-            evidence.records.extend(record(root, claim, report)?);
+            let imported = elsewhere.as_ref().filter(|_| report.engine == Engine::Kani);
+            evidence
+                .records
+                .extend(record(root, claim, report, imported)?);
         }
     }
     let mutation = root.join("proofs/mutants/last.json");
@@ -84,8 +88,25 @@ pub fn collect(root: &Path, folder: &Path, claims: &Claims) -> Result<Evidence, 
     Ok(evidence)
 }
 
-/// What an engine says of a claim; `None` when it has nothing to say and was not asked to.
-fn record(root: &Path, claim: &Claim, report: &Report) -> Result<Option<Record>, String> {
+/// What an engine did.
+pub(crate) fn run(report: &Report) -> Run {
+    Run {
+        engine: report.engine,
+        tool: report.tool.clone(),
+        parts: u64::try_from(report.parts.len()).unwrap_or(u64::MAX),
+        seconds: round(report.parts.iter().map(|part| part.seconds).sum()),
+        not_run: report.not_run.clone(),
+    }
+}
+
+/// What an engine says of a claim, here or, as `imported` has it, elsewhere; `None` when it has
+/// nothing to say and was not asked to.
+pub(crate) fn record(
+    root: &Path,
+    claim: &Claim,
+    report: &Report,
+    imported: Option<&Imported>,
+) -> Result<Option<Record>, String> {
     let parts: Vec<&Part> = report
         .parts
         .iter()
@@ -113,7 +134,7 @@ fn record(root: &Path, claim: &Claim, report: &Report) -> Result<Option<Record>,
         .filter_map(|part| part.domain.clone())
         .collect();
     domain.dedup();
-    Ok(Some(Record {
+    let mut record = Record {
         claim: claim.id.clone(),
         engine: report.engine,
         tool: report.tool.clone(),
@@ -127,7 +148,11 @@ fn record(root: &Path, claim: &Claim, report: &Report) -> Result<Option<Record>,
         not_run,
         claim_sha256: claim.sha256(),
         sources: claim.sources(root)?,
-    }))
+    };
+    if let Some(imported) = imported {
+        imported.bind(&mut record);
+    }
+    Ok(Some(record))
 }
 
 /// The result in the project's words, and no more than the parts show.

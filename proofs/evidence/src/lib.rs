@@ -8,6 +8,7 @@
 
 mod claims;
 mod collect;
+pub mod imported;
 pub mod mutants;
 mod record;
 mod table;

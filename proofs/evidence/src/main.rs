@@ -4,9 +4,10 @@
 use std::path::Path;
 use std::process::ExitCode;
 
+use passivity_evidence::imported::Imported;
 use passivity_evidence::{Claims, Evidence, collect, mutants, root, table};
 
-const USAGE: &str = "usage: passivity-evidence collect FOLDER OUT | commit EVIDENCE | mutants FOLDER... | table | stale";
+const USAGE: &str = "usage: passivity-evidence collect FOLDER OUT | commit EVIDENCE | mutants FOLDER... | import | table | stale";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -15,6 +16,7 @@ fn main() -> ExitCode {
         ["collect", folder, out] => gather(Path::new(folder), Path::new(out)),
         ["commit", evidence] => commit(Path::new(evidence)),
         ["mutants", folders @ ..] if !folders.is_empty() => judge_mutants(folders),
+        ["import"] => import(),
         ["table"] => write_table(),
         ["stale"] => stale(),
         _ => Err(USAGE.to_owned()),
@@ -76,6 +78,21 @@ fn commit(evidence: &Path) -> Result<(), String> {
     write_table()
 }
 
+/// Puts what the model checker said elsewhere into the committed evidence, and makes the table.
+fn import() -> Result<(), String> {
+    let (root, path) = (root(), root().join("proofs/evidence.json"));
+    let imported =
+        Imported::read(&root)?.ok_or("`make prove-kani REPORT=… COMMIT=…` comes first")?;
+    let mut evidence = Evidence::read(&path)?;
+    imported.put_into(&root, &Claims::read(&root)?, &mut evidence)?;
+    write(&path, &evidence.text()?)?;
+    println!(
+        "{} is in proofs/evidence.json and proofs/README.md",
+        imported.words()
+    );
+    write_table()
+}
+
 fn write_table() -> Result<(), String> {
     let evidence = Evidence::read(&root().join("proofs/evidence.json"))?;
     write(
@@ -109,12 +126,16 @@ fn judge_mutants(folders: &[&str]) -> Result<(), String> {
 fn stale() -> Result<(), String> {
     let claims = Claims::read(&root())?;
     let evidence = Evidence::read(&root().join("proofs/evidence.json"))?;
+    let imported = Imported::read(&root())?;
     let mut stale = 0;
     for record in &evidence.records {
-        let changed = match claims.find(&record.claim) {
+        let mut changed = match claims.find(&record.claim) {
             Some(claim) => record.stale(&claim.sha256(), &claim.sources(&root())?),
             None => vec!["the claim is gone".to_owned()],
         };
+        if let Some(imported) = &imported {
+            changed.extend(imported.changed(&root(), record)?);
+        }
         if !changed.is_empty() {
             stale += 1;
             println!(

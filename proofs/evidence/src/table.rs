@@ -107,8 +107,13 @@ fn cell(record: Option<&Record>) -> String {
         .scope
         .as_ref()
         .map_or_else(String::new, |part| format!(" for *{part}*"));
+    // The model checker may have run elsewhere, at a commit: its records say so.
+    let tool = match record.engine {
+        Engine::Kani => format!("; {}", record.tool),
+        _ => String::new(),
+    };
     format!(
-        "{result}{scope} ({count} {})",
+        "{result}{scope} ({count} {}{tool})",
         if count == 1 { one } else { many }
     )
 }

@@ -17,6 +17,7 @@
 
 mod explore;
 pub mod list;
+pub mod mutate;
 mod record;
 mod run;
 mod value;

@@ -38,7 +38,16 @@ pub struct Entry {
 pub fn read(folder: &Path) -> Result<List, String> {
     let path = folder.join("harnesses.toml");
     let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
-    toml::from_str(&text).map_err(|e| format!("{}: {e}", path.display()))
+    parse(&text).map_err(|e| format!("{}: {e}", path.display()))
+}
+
+/// Reads the text of a `harnesses.toml`.
+///
+/// # Errors
+///
+/// A sentence, when the text is not such a list.
+pub fn parse(text: &str) -> Result<List, String> {
+    toml::from_str(text).map_err(|e| e.to_string())
 }
 
 impl List {

@@ -1,30 +1,57 @@
 //! What `cargo kani` printed, harness by harness.
 //!
-//! Understands the terse format, of one thread or of several ("Thread 1: Checking harness …"),
-//! and skips what the regular format has in addition.
+//! Understands the regular format, which names every check, and the terse one, which counts them,
+//! of one thread or of several ("Thread 1: Checking harness …").
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What was printed by one run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Run {
+    /// The version of Kani, from its first line.
+    pub(crate) kani: Option<String>,
+    /// The versions of CBMC, where the format says them: `6.8.0`.
+    pub(crate) cbmc: BTreeSet<String>,
+    /// The solvers, where the format says them: `CaDiCaL 2.0.0`.
+    pub(crate) solvers: BTreeSet<String>,
+    /// The commit that the harnesses were taken from, where `prove-kani` has noted it.
+    pub(crate) commit: Option<String>,
+    /// The reports by name of harness.
+    pub(crate) harnesses: BTreeMap<String, Report>,
+}
 
 /// The report on one harness.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Report {
     /// What follows `VERIFICATION:-`, or nothing when the run did not get there.
     pub(crate) verdict: Option<String>,
-    /// Covers that are satisfied, and all of them.
-    pub(crate) covers: (usize, usize),
+    /// What became of its covers.
+    pub(crate) covers: Covers,
     /// The messages of the checks that failed.
     pub(crate) failed: Vec<String>,
     /// What Kani took, in seconds.
     pub(crate) seconds: Option<f64>,
+    /// Whether the check that is being read is a cover, and whether it is satisfied.
+    reading: (bool, bool),
 }
 
-/// The reports by name of harness. A name that is reported twice is an error.
+/// What became of the covers of a harness. The compiler may copy a cover, and of the copies some
+/// may be out of reach.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Covers {
+    /// Copies that are satisfied, and all copies, as the summary counts them.
+    pub(crate) counted: (usize, usize),
+    /// For each message whether any copy of it is satisfied; empty in the terse format.
+    pub(crate) satisfied: BTreeMap<String, bool>,
+}
+
+/// Reads what was printed. A harness that is reported twice is an error.
 ///
 /// # Errors
 ///
 /// A sentence about the line that does not fit.
-pub(crate) fn read(output: &str) -> Result<BTreeMap<String, Report>, String> {
-    let mut reports: BTreeMap<String, Report> = BTreeMap::new();
+pub(crate) fn read(output: &str) -> Result<Run, String> {
+    let mut run = Run::default();
     // Which harness each thread is at; without threads, all is thread 0.
     let mut at: BTreeMap<u32, String> = BTreeMap::new();
     let mut thread = 0;
@@ -40,7 +67,11 @@ pub(crate) fn read(output: &str) -> Result<BTreeMap<String, Report>, String> {
                 .strip_prefix("passivity_kani::")
                 .unwrap_or(name)
                 .to_string();
-            if reports.insert(name.clone(), Report::default()).is_some() {
+            if run
+                .harnesses
+                .insert(name.clone(), Report::default())
+                .is_some()
+            {
                 return Err(format!("harness `{name}` is reported twice"));
             }
             at.insert(thread, name);
@@ -49,24 +80,64 @@ pub(crate) fn read(output: &str) -> Result<BTreeMap<String, Report>, String> {
         if line.starts_with("Manual Harness Summary:") || line.starts_with("Complete - ") {
             break;
         }
-        let Some(report) = at.get(&thread).and_then(|name| reports.get_mut(name)) else {
+        if run.read_tool(line) {
             continue;
-        };
-        if let Some(verdict) = line.strip_prefix("VERIFICATION:- ") {
-            if report.verdict.replace(verdict.to_string()).is_some() {
-                return Err(format!("a harness has two verdicts: `{raw}`"));
-            }
-        } else if let Some(message) = line.strip_prefix("Failed Checks: ") {
-            report.failed.push(message.to_string());
-        } else if let Some(time) = between(line, "Verification Time: ", "s") {
-            report.seconds = time.parse().ok();
-        } else if let Some(counts) = cover_counts(line) {
-            report.covers = counts;
+        }
+        if let Some(report) = at.get(&thread).and_then(|name| run.harnesses.get_mut(name)) {
+            report.read(line).map_err(|why| format!("{why}: `{raw}`"))?;
         }
     }
-    Ok(reports)
+    Ok(run)
 }
 
+impl Run {
+    /// Reads a line that speaks of the tools, or says that it is no such line.
+    fn read_tool(&mut self, line: &str) -> bool {
+        let first = |text: &str| text.split_whitespace().next().map(str::to_string);
+        if let Some(rest) = line.strip_prefix("Kani Rust Verifier ") {
+            self.kani = first(rest);
+        } else if let Some(rest) = line.strip_prefix("CBMC version ") {
+            self.cbmc.extend(first(rest));
+        } else if let Some(solver) = line.strip_prefix("Solving with ") {
+            let solver = solver.strip_suffix(" with simplifier").unwrap_or(solver);
+            self.solvers.insert(solver.to_string());
+        } else if let Some(commit) = line.strip_prefix("Commit: ") {
+            self.commit = Some(commit.to_string());
+        } else {
+            return false;
+        }
+        true
+    }
+}
+
+impl Report {
+    /// Reads a line of a harness; a line of which nothing is wanted is left alone.
+    fn read(&mut self, line: &str) -> Result<(), &'static str> {
+        if let Some(verdict) = line.strip_prefix("VERIFICATION:- ") {
+            if self.verdict.replace(verdict.to_string()).is_some() {
+                return Err("a harness has two verdicts");
+            }
+        } else if let Some(message) = line.strip_prefix("Failed Checks: ") {
+            self.failed.push(message.to_string());
+        } else if let Some(time) = between(line, "Verification Time: ", "s") {
+            let seconds = time.parse().map_err(|_| "the time is not a number")?;
+            self.seconds = Some(seconds);
+        } else if let Some(counts) = cover_counts(line) {
+            self.covers.counted = counts;
+        } else if line.starts_with("Check ") {
+            // `Check 3: module::harness.cover.2`
+            self.reading = (line.rsplit('.').nth(1) == Some("cover"), false);
+        } else if let Some(status) = line.strip_prefix("- Status: ") {
+            self.reading.1 = status == "SATISFIED";
+        } else if let (true, Some(message)) =
+            (self.reading.0, between(line, "- Description: \"", "\""))
+        {
+            let satisfied = self.covers.satisfied.entry(message.to_string());
+            *satisfied.or_default() |= self.reading.1;
+        }
+        Ok(())
+    }
+}
 /// `** 2 of 3 cover properties satisfied (1 unreachable)`.
 fn cover_counts(line: &str) -> Option<(usize, usize)> {
     let (counts, _) = line

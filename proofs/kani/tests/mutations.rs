@@ -1,0 +1,182 @@
+//! Each harness notices the change of the kernel that `harnesses.toml` lists with it.
+//!
+//! The kernel, the harnesses and their stand-in are copied into `target/kani-mutants`, the copy of
+//! the kernel with all changes in it, each with a switch. One build of it then runs every
+//! harness with its change on, and all of them with none.
+
+use std::collections::BTreeMap;
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use passivity_standin::list::{self, List};
+use passivity_standin::mutate::{Edit, SWITCH, VARIABLE, with_switches};
+
+const KERNEL: &str = "crates/passivity-core";
+
+/// The members of the copy.
+const MEMBERS: [&str; 4] = [
+    KERNEL,
+    "proofs/kani",
+    "proofs/standin",
+    "proofs/standin/macros",
+];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The changes, numbered from 1, with the harnesses that must notice each.
+fn mutations(list: &List) -> BTreeMap<&[String; 3], (u32, Vec<&str>)> {
+    let mut found: BTreeMap<_, (u32, Vec<&str>)> = BTreeMap::new();
+    for entry in &list.harness {
+        let mutation = entry
+            .mutation
+            .as_ref()
+            .expect("each harness has a mutation");
+        let next = u32::try_from(found.len()).expect("few") + 1;
+        let (_, harnesses) = found.entry(mutation).or_insert((next, Vec::new()));
+        harnesses.push(&entry.name);
+    }
+    found
+}
+
+/// Writes a file, unless it says that already: what stays the same is not built again.
+fn write(path: &Path, text: &[u8]) {
+    if fs::read(path).is_ok_and(|there| there == text) {
+        return;
+    }
+    fs::create_dir_all(path.parent().expect("a folder")).expect("folders can be made");
+    fs::write(path, text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+}
+
+/// Copies the manifest and the sources of a folder; `change` may change a source.
+fn copy(from: &Path, to: &Path, change: &impl Fn(&Path, String) -> String) {
+    for entry in fs::read_dir(from).expect("the folder can be read") {
+        let path = entry.expect("the folder can be read").path();
+        let name = path.file_name().expect("a name");
+        if path.is_dir() {
+            copy(&path, &to.join(name), change);
+        } else if ["rs", "toml"]
+            .map(OsStr::new)
+            .contains(&path.extension().unwrap_or_default())
+        {
+            let text = fs::read_to_string(&path).expect("sources are text");
+            write(&to.join(name), change(&path, text).as_bytes());
+        }
+    }
+}
+
+/// Makes the copy, with a switch for each change of the kernel.
+fn copied(list: &List) -> PathBuf {
+    let (root, copy_of) = (root(), root().join("target/kani-mutants"));
+    let mut edits: BTreeMap<&str, Vec<Edit>> = BTreeMap::new();
+    for ([file, old, new], (number, _)) in mutations(list) {
+        edits.entry(file).or_default().push((number, old, new));
+    }
+    let kernel = root.join(KERNEL).join("src");
+    for member in MEMBERS {
+        copy(&root.join(member), &copy_of.join(member), &|path, text| {
+            let file = path.strip_prefix(&kernel).ok().and_then(Path::to_str);
+            match file {
+                Some("lib.rs") => format!("{text}\nmod mutation;\n"),
+                Some(file) => {
+                    let edits = edits.get(file).map_or(&[][..], Vec::as_slice);
+                    with_switches(&text, edits).unwrap_or_else(|e| panic!("{file}: {e}"))
+                }
+                None => text,
+            }
+        });
+    }
+    write(
+        &copy_of.join(KERNEL).join("src/mutation.rs"),
+        SWITCH.as_bytes(),
+    );
+    let workspace = fs::read_to_string(root.join("Cargo.toml")).expect("the workspace's manifest");
+    let (head, rest) = workspace.split_once("members = [").expect("members");
+    let (_, tail) = rest
+        .split_once("[workspace.package]")
+        .expect("what members share");
+    let members = MEMBERS.map(|member| format!("{member:?}")).join(", ");
+    let workspace = format!("{head}members = [{members}]\n[workspace.package]{tail}");
+    write(&copy_of.join("Cargo.toml"), workspace.as_bytes());
+    // Cargo takes out of the lock file what the copy does not have, so what was copied is kept aside.
+    let lock = fs::read(root.join("Cargo.lock")).expect("the lock file");
+    let kept = copy_of.join("Cargo.lock.copied");
+    if fs::read(&kept).ok().as_ref() != Some(&lock) {
+        write(&copy_of.join("Cargo.lock"), &lock);
+        write(&kept, &lock);
+    }
+    copy_of
+}
+
+/// Builds the tests of the copied harnesses and finds the binary.
+fn build(copy_of: &Path) -> PathBuf {
+    let output = Command::new(env!("CARGO"))
+        .args([
+            "test",
+            "--offline",
+            "-p",
+            "passivity-kani",
+            "--lib",
+            "--no-run",
+        ])
+        .current_dir(copy_of)
+        .env("CARGO_TARGET_DIR", "target")
+        .output()
+        .expect("cargo runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        output.status.success(),
+        "the copy does not compile:\n{said}"
+    );
+    let line = said
+        .lines()
+        .find_map(|line| line.trim().strip_prefix("Executable "));
+    let (_, binary) = line
+        .and_then(|line| line.split_once('('))
+        .expect("a binary");
+    copy_of.join(binary.trim_end_matches(')'))
+}
+
+/// Runs harnesses with a change on, and says which of them fail.
+fn failed<'a>(binary: &Path, mutation: u32, harnesses: &[&'a str]) -> Vec<&'a str> {
+    let output = Command::new(binary)
+        .args(harnesses.iter().map(|name| format!("{name}::stand_in")))
+        .args(["--exact"])
+        .env(VARIABLE, mutation.to_string())
+        .env_remove("PASSIVITY_EVIDENCE_DIR")
+        .env("RUST_BACKTRACE", "0")
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .expect("the binary runs");
+    let said = String::from_utf8_lossy(&output.stdout);
+    let outcome =
+        |name: &str, word: &str| said.contains(&format!("test {name}::stand_in ... {word}\n"));
+    let ran = |name: &&str| outcome(name, "ok") || outcome(name, "FAILED");
+    assert!(harnesses.iter().all(ran), "mutation {mutation}: {said}");
+    let failed = harnesses.iter().filter(|name| outcome(name, "FAILED"));
+    failed.copied().collect()
+}
+
+#[test]
+fn each_harness_notices_its_mutation_and_passes_without() {
+    let list = list::read(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the list is well-formed");
+    let binary = build(&copied(&list));
+    let all: Vec<&str> = list
+        .harness
+        .iter()
+        .map(|entry| entry.name.as_str())
+        .collect();
+    let none = failed(&binary, 0, &all);
+    assert!(none.is_empty(), "without a change these fail: {none:?}");
+    let mut silent = Vec::new();
+    for ([file, old, new], (number, harnesses)) in mutations(&list) {
+        let noticed = failed(&binary, number, &harnesses);
+        for name in harnesses.iter().filter(|name| !noticed.contains(name)) {
+            silent.push(format!("{name}: {file}: `{old}` → `{new}`"));
+        }
+    }
+    assert!(silent.is_empty(), "not noticed:\n{}", silent.join("\n"));
+}
