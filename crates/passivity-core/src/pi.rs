@@ -322,6 +322,7 @@ fn arctan_inverse(one: &BigInt, n: u32) -> BigInt {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::{Ordered as _, Scalar as _};
 
     fn ratio(n: i64, d: i64) -> Exact {
         Exact::of(&BigRational::new(n.into(), d.into()))
@@ -378,7 +379,7 @@ mod tests {
             let found = x.enclosure(100).unwrap();
             assert!(Exact::of(found.lo()) <= x && x <= Exact::of(found.hi()));
             let width = found.hi() - found.lo();
-            assert!(width * BigRational::from_integer(BigInt::one() << 95) < BigRational::one());
+            assert!(width < BigRational::new(1.into(), BigInt::one() << 95));
         }
     }
 }
