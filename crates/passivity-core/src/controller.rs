@@ -62,7 +62,7 @@ impl<S: Scalar> Filter<S> {
 
     /// How many samples before the present one the output depends on.
     #[must_use]
-    pub const fn order(&self) -> usize {
+    pub fn order(&self) -> usize {
         self.tails.len()
     }
 
@@ -140,7 +140,7 @@ impl<S: Scalar> Controller<S> {
 
     /// How many samples before the present one the held force depends on.
     #[must_use]
-    pub const fn memory(&self) -> usize {
+    pub fn memory(&self) -> usize {
         self.delay.saturating_add(self.filter.order())
     }
 

@@ -175,6 +175,26 @@ fn num_exact_pi_division_by_zero_is_undefined() {
 }
 
 #[test]
+fn num_exact_pi_has_the_tabulated_digits() {
+    // The first 60 decimals of π as tabulated, as two neighbours.
+    let digits = "3141592653589793238462643383279502884197169399375105820974944";
+    let digits: BigInt = digits.parse().unwrap();
+    let scale = BigInt::from(10).pow(60);
+    let below = BigRational::new(digits.clone(), scale.clone());
+    let above = BigRational::new(digits + 1, scale);
+    assert!(below < *PI && *PI < above);
+    assert!(Exact::of(&below) < pi() && pi() < Exact::of(&above));
+    // An enclosure is about as tight as was asked for.
+    for digits in [1, 64, 256, 1024] {
+        let found = pi().enclosure(digits).unwrap();
+        assert!(*found.lo() < *PI && *PI < *found.hi());
+        let width =
+            (found.hi() - found.lo()) * BigRational::from_integer(BigInt::from(1) << digits);
+        assert!(width <= q(4, 1));
+    }
+}
+
+#[test]
 fn num_exact_pi_operations_of_polynomials() {
     let [zero, two, seven] = [0, 2, 7].map(Polynomial::from_i32);
     let (x, square) = (Polynomial::power(1), Polynomial::power(2));
