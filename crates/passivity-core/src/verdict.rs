@@ -148,11 +148,21 @@ impl<S: Ordered> Loop<Interval<S>> {
     /// constant, so it is least at an end.
     #[must_use]
     pub fn hardest(&self) -> [Loop<S>; 2] {
-        let longest = self.at(End::Hardest);
-        let shortest = longest
-            .clone()
-            .with(Parameter::Period, self.period.lo().clone());
-        [longest, shortest]
+        self.with_either_period(End::Hardest)
+    }
+
+    /// The loops of the box among which the criterion is easiest to meet at the ends of the period:
+    /// all other tolerances at their easiest. With another period it may be easier still.
+    #[must_use]
+    pub fn easiest(&self) -> [Loop<S>; 2] {
+        self.with_either_period(End::Easiest)
+    }
+
+    /// The loop at one end of every tolerance, with the longest and with the shortest period.
+    fn with_either_period(&self, end: End) -> [Loop<S>; 2] {
+        let corner = self.at(end);
+        [self.period.hi(), self.period.lo()]
+            .map(|period| corner.clone().with(Parameter::Period, period.clone()))
     }
 
     /// Enclosure of the criterion (11) over the box, term by term: at its hardest and its easiest.
@@ -208,18 +218,14 @@ impl<S: Ordered> Loop<Interval<S>> {
     ///
     /// For a bound of which only the square is known the answer may be `true` where no loop holds.
     fn some_loop_holds(&self, speeds: &Speeds<S>) -> Option<bool> {
+        let mut holds = false;
+        for corner in self.easiest() {
+            holds |= decide(&corner.criterion(), speeds)?.holds;
+        }
+        if holds || !self.period_pulls_both_ways() {
+            return Some(holds);
+        }
         let easiest = self.at(End::Easiest);
-        let at = |period: &S| {
-            let corner = easiest.clone().with(Parameter::Period, period.clone());
-            Some(decide(&corner.criterion(), speeds)?.holds)
-        };
-        let (shortest, longest) = (self.period.lo(), self.period.hi());
-        if !self.period_pulls_both_ways() {
-            return at(shortest);
-        }
-        if at(shortest)? || at(longest)? {
-            return Some(true);
-        }
         match speeds {
             Speeds::UpToSquared(_) => {
                 let [_, best] = self.criteria();
@@ -280,23 +286,13 @@ impl<S: Ordered> Loop<Interval<S>> {
     }
 
     /// The region of every loop of the box, or `None` when it depends or a number is undefined.
+    ///
+    /// The hardest loops have the least of either coefficient and the easiest ones the most. So
+    /// where all four are in one region, no loop between them has a coefficient of another sign.
     #[must_use]
     pub fn region(&self) -> Option<Region> {
-        let [worst, best] = self.criteria();
-        // The signs of the two coefficients over the box are those between its ends. All four
-        // mixtures of the ends agree exactly when no loop between them leaves the region.
-        let corners = [
-            (&worst, &worst),
-            (&worst, &best),
-            (&best, &worst),
-            (&best, &best),
-        ];
-        let mut regions = corners.into_iter().map(|(v, c)| {
-            Region::of(&Criterion {
-                viscous: v.viscous.clone(),
-                coulomb: c.coulomb.clone(),
-            })
-        });
+        let corners = self.hardest().into_iter().chain(self.easiest());
+        let mut regions = corners.map(|corner| Region::of(&corner.criterion()));
         let first = regions.next()??;
         regions.all(|region| region == Some(first)).then_some(first)
     }

@@ -1,25 +1,42 @@
 //! The instances agree: big rationals, unreduced big fractions, and 128-bit fractions where defined.
 
-use passivity_core::effects::{self, Effects};
+use passivity_core::controller::{Controller, rounded};
+use passivity_core::ledger::HeldInterval;
 use passivity_core::rational::{from_fixed, from_wide, to_fixed, to_wide};
 use passivity_core::verdict::{self, Speeds, decide};
 use passivity_core::{
-    BigRational, Criterion, Fixed, Friction, Interval, Law, Ordered, Region, Rig, Scalar, Step,
-    Wide, dissipation, generation, ledger, quantizer, region, spring, start, stiffness, witness,
+    BigRational, Criterion, Fixed, Friction, Interval, Law, Loop, Ordered, Region, Scalar, Step,
+    Wide, dissipation, extra_storage, generation, ledger, quantizer, region, spring, start,
+    stiffness, witness,
 };
 use proptest::prelude::*;
 
-use crate::common::{coefficient, number, position, positive, q, rig, sampled, zero};
+use crate::common::{a_loop, coefficient, number, position, positive, q, sampled, zero};
 
 /// Every function of the kernel that gives a number, at the same inputs.
-fn battery<S: Ordered>(a: &S, b: &S, friction: &Friction<S>, dtau: &S, rig: &Rig<S>) -> Vec<S> {
+fn battery<S: Ordered>(
+    a: &S,
+    b: &S,
+    friction: &Friction<S>,
+    dtau: &S,
+    the_loop: &Loop<S>,
+) -> Vec<S> {
     let step = Step::new(a.clone(), b.clone());
     let d = step.displacement();
     let speed = dissipation::mean_speed(&d, dtau);
-    let row = ledger::row(&step, friction, dtau);
-    let criterion = rig.criterion();
-    let dimensionless = rig.dimensionless_criterion();
-    let law = Law::unilateral().saturated(rig.coulomb.clone());
+    let plain = HeldInterval::plain(step.clone(), dtau.clone());
+    let row = ledger::row(&Loop::plain(friction.clone()), &plain);
+    let foreign = HeldInterval {
+        force: dtau.clone(),
+        extra_storage: Some(b.clone()),
+        ..plain
+    };
+    let other = ledger::row(&the_loop.dimensionless(), &foreign);
+    let controller = Controller::of(&the_loop.dimensionless());
+    let mut memory = controller.at_rest(a);
+    let criterion = the_loop.criterion();
+    let dimensionless = the_loop.dimensionless_criterion();
+    let law = Law::unilateral().saturated(the_loop.period.clone());
     let mut all = vec![
         quantizer::held_force(a),
         spring::quantized_potential(a),
@@ -40,25 +57,30 @@ fn battery<S: Ordered>(a: &S, b: &S, friction: &Friction<S>, dtau: &S, rig: &Rig
         criterion.margin_up_to(&speed),
         dimensionless.viscous,
         dimensionless.coulomb,
-        rig.mu(dtau),
-        rig.dimensionless_speed(a),
+        the_loop.dimensionless_speed(a),
         region::critical_speed(&criterion),
         start::speed_squared(dtau, a, b),
         start::margin_of_squares(&criterion, &speed),
-        stiffness::limit_at_all_speeds(rig),
-        stiffness::limit_up_to_speed(rig, dtau),
-        stiffness::viscous_needed_at_speed(rig, dtau),
-        stiffness::coulomb_needed_up_to_speed(rig, dtau),
-        stiffness::longest_period(rig),
-        stiffness::longest_period_at_speed(rig, dtau),
-        effects::rounded_force(a, dtau),
-        effects::generated_by_damping(a, b, dtau),
-        effects::delay_storage(&[a.clone(), b.clone(), dtau.clone()]),
-        effects::damping_storage(dtau, &[a.clone(), b.clone()]),
-        effects::generated_by_delay(&[a.clone(), b.clone()], dtau),
-        rig.effects.cost().bound(&d),
+        stiffness::limit_at_all_speeds(the_loop),
+        stiffness::limit_up_to_speed(the_loop, dtau),
+        stiffness::viscous_needed_at_speed(the_loop, dtau),
+        stiffness::coulomb_needed_up_to_speed(the_loop, dtau),
+        stiffness::longest_period(the_loop),
+        stiffness::longest_period_at_speed(the_loop, dtau),
+        rounded(a, dtau, &S::integer(3)),
+        controller.sample(&mut memory, b),
+        controller.sample(&mut memory, dtau),
+        extra_storage::generated_by_damping(a, b, dtau),
+        extra_storage::delay_storage(&[a.clone(), b.clone(), dtau.clone()]),
+        extra_storage::damping_storage(dtau, &[a.clone(), b.clone()]),
+        extra_storage::generated_by_delay(&[a.clone(), b.clone()], dtau),
+        the_loop.cost().bound(&d),
         law.force(a),
         law.potential(a),
+        law.quantized_potential(a),
+        other.net_linear,
+        other.net_quantized,
+        other.margin,
         law.held_force(b),
         witness::gain(a, b, friction),
         witness::gain_formula(a, dtau, friction),
@@ -70,9 +92,10 @@ fn battery<S: Ordered>(a: &S, b: &S, friction: &Friction<S>, dtau: &S, rig: &Rig
         row.dissipated_lower,
     ];
     let optional = [
-        stiffness::coulomb_limit(rig),
-        stiffness::coarsest_resolution(rig),
-        stiffness::coarsest_resolution_up_to_speed(rig, dtau),
+        stiffness::coulomb_limit(the_loop),
+        stiffness::shortest_period(the_loop),
+        stiffness::coarsest_resolution(the_loop),
+        stiffness::coarsest_resolution_up_to_speed(the_loop, dtau),
     ];
     all.extend(optional.into_iter().flatten());
     for cycle in [
@@ -105,7 +128,7 @@ fn fixed_battery(
     b: &BigRational,
     friction: &Friction<BigRational>,
     dtau: &BigRational,
-    rig: &Rig<BigRational>,
+    the_loop: &Loop<BigRational>,
 ) -> Option<Vec<Fixed>> {
     let friction = friction_of(friction, to_fixed)?;
     Some(battery(
@@ -113,7 +136,7 @@ fn fixed_battery(
         &to_fixed(b)?,
         &friction,
         &to_fixed(dtau)?,
-        &rig.try_map(to_fixed)?,
+        &the_loop.try_map(|_, x| to_fixed(x))?,
     ))
 }
 
@@ -122,48 +145,41 @@ fn small() -> impl Strategy<Value = BigRational> {
     (1i64..100, 1i64..20).prop_map(|(n, d)| q(n, d))
 }
 
-fn small_rig() -> impl Strategy<Value = Rig<BigRational>> {
-    (
+fn small_loop() -> impl Strategy<Value = Loop<BigRational>> {
+    let numbers = (
         small(),
         small(),
         small(),
         small(),
-        small(),
-        any::<bool>(),
-        0u16..3,
+        prop::option::of(small()),
+    );
+    (numbers, 0u16..3).prop_map(
+        |((viscous, coulomb, stiffness, period, resolution), delay)| Loop {
+            viscous: Some(viscous),
+            coulomb: Some(coulomb),
+            resolution,
+            delay,
+            ..Loop::new(stiffness, period)
+        },
     )
-        .prop_map(
-            |(viscous, coulomb, stiffness, period, length, encoder, delay)| Rig {
-                viscous,
-                coulomb,
-                stiffness,
-                period,
-                length,
-                effects: Effects {
-                    delay,
-                    encoder,
-                    ..Effects::encoder()
-                },
-            },
-        )
 }
 
 sampled! {
     fn num_exact_instances_agree_on_numbers_of_any_size(
         a in position(), b in position(), beta in coefficient(), sigma in coefficient(),
-        dtau in positive(), rig in rig()
+        dtau in positive(), the_loop in a_loop()
     ) {
         let friction = Friction::new(beta, sigma);
         // The quotient by a viscous coefficient of zero is undefined in one type and zero in the other.
-        prop_assume!(rig.criterion().viscous != zero());
-        let exact = battery(&a, &b, &friction, &dtau, &rig);
+        prop_assume!(the_loop.criterion().viscous != zero());
+        let exact = battery(&a, &b, &friction, &dtau, &the_loop);
         let wide_friction = friction_of(&friction, in_wide).unwrap();
         let wide = battery(
-            &to_wide(&a), &to_wide(&b), &wide_friction, &to_wide(&dtau), &rig.try_map(in_wide).unwrap(),
+            &to_wide(&a), &to_wide(&b), &wide_friction, &to_wide(&dtau), &the_loop.map(|_, x| to_wide(x)),
         );
         let read: Option<Vec<_>> = wide.iter().map(from_wide).collect();
         prop_assert_eq!(read.as_ref(), Some(&exact));
-        if let Some(fixed) = fixed_battery(&a, &b, &friction, &dtau, &rig) {
+        if let Some(fixed) = fixed_battery(&a, &b, &friction, &dtau, &the_loop) {
             if fixed.len() == exact.len() {
                 for (fixed, exact) in fixed.iter().zip(&exact).filter(|(fixed, _)| fixed.is_defined()) {
                     prop_assert!(from_fixed(fixed).as_ref() == Some(exact));
@@ -173,12 +189,12 @@ sampled! {
     }
 
     fn num_exact_instances_agree_on_numbers_of_data_sheets(
-        a in small(), b in small(), beta in small(), sigma in small(), dtau in small(), rig in small_rig()
+        a in small(), b in small(), beta in small(), sigma in small(), dtau in small(), the_loop in small_loop()
     ) {
         let friction = Friction::new(beta, sigma);
-        prop_assume!(rig.criterion().viscous != zero());
-        let exact = battery(&a, &b, &friction, &dtau, &rig);
-        let fixed = fixed_battery(&a, &b, &friction, &dtau, &rig).unwrap();
+        prop_assume!(the_loop.criterion().viscous != zero());
+        let exact = battery(&a, &b, &friction, &dtau, &the_loop);
+        let fixed = fixed_battery(&a, &b, &friction, &dtau, &the_loop).unwrap();
         prop_assert_eq!(fixed.len(), exact.len());
         for (fixed, exact) in fixed.iter().zip(&exact) {
             prop_assert!(fixed.is_defined());
@@ -186,12 +202,12 @@ sampled! {
         }
     }
 
-    fn num_exact_instances_agree_on_verdicts(rig in rig(), v in positive(), squared in any::<bool>()) {
+    fn num_exact_instances_agree_on_verdicts(the_loop in a_loop(), v in positive(), squared in any::<bool>()) {
         let speeds = if squared { Speeds::UpToSquared(v) } else { Speeds::UpTo(v) };
         for speeds in [speeds, Speeds::All] {
-            let expected = decide(&rig.criterion(), &speeds);
+            let expected = decide(&the_loop.criterion(), &speeds);
             prop_assert!(expected.is_some());
-            prop_assert_eq!(verdict::of_rig(&rig, &speeds), expected);
+            prop_assert_eq!(verdict::of_loop(&the_loop, &speeds), expected);
         }
     }
 

@@ -8,8 +8,7 @@ use std::time::Instant;
 
 use num_bigint::{BigInt, Sign};
 use num_traits::Zero as _;
-use passivity_core::effects::Effects;
-use passivity_core::{BigRational, Friction, Rig};
+use passivity_core::{BigRational, Friction, Loop};
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, TestRunner};
 
@@ -120,39 +119,49 @@ pub(crate) fn friction() -> impl Strategy<Value = Friction<BigRational>> {
     (coefficient(), coefficient()).prop_map(|(beta, sigma)| Friction::new(beta, sigma))
 }
 
-/// Effects of every combination.
-pub(crate) fn effects() -> impl Strategy<Value = Effects<BigRational>> {
+/// A loop with effects of every combination, in any units.
+pub(crate) fn a_loop() -> impl Strategy<Value = Loop<BigRational>> {
+    let option = |x: BoxedStrategy<BigRational>| prop::option::of(x);
     (
-        any::<bool>(),
-        0u16..4,
-        prop::option::of(coefficient()),
-        prop::option::of(positive()),
-    )
-        .prop_map(|(encoder, delay, damping, force_step)| Effects {
-            encoder,
-            delay,
-            damping,
-            force_step,
-        })
-}
-
-/// A rig with any effects, in any units.
-pub(crate) fn rig() -> impl Strategy<Value = Rig<BigRational>> {
-    (
-        (nonnegative(), nonnegative()),
-        (positive(), positive(), positive()),
-        effects(),
+        (positive(), positive(), option(positive().boxed())),
+        (
+            option(nonnegative().boxed()),
+            option(nonnegative().boxed()),
+            option(coefficient().boxed()),
+        ),
+        (option(positive().boxed()), option(positive().boxed())),
+        (0u16..4, any::<bool>()),
     )
         .prop_map(
-            |((viscous, coulomb), (stiffness, period, length), effects)| Rig {
+            |(
+                (stiffness, period, resolution),
+                (viscous, coulomb, damping),
+                (force_step, max_force),
+                (delay, unilateral),
+            )| Loop {
+                resolution,
                 viscous,
                 coulomb,
-                stiffness,
-                period,
-                length,
-                effects,
+                damping,
+                force_step,
+                max_force,
+                delay,
+                unilateral,
+                ..Loop::new(stiffness, period)
             },
         )
+}
+
+/// A dimensionless loop with effects of every combination.
+pub(crate) fn dimensionless() -> impl Strategy<Value = Loop<BigRational>> {
+    (a_loop(), friction()).prop_map(|(the_loop, friction)| Loop {
+        stiffness: q(1, 1),
+        period: q(1, 1),
+        resolution: the_loop.resolution.map(|_| q(1, 1)),
+        viscous: Some(friction.beta),
+        coulomb: Some(friction.sigma),
+        ..the_loop
+    })
 }
 
 /// Declares tests that are run on many inputs.

@@ -4,7 +4,7 @@ use passivity_core::generation::{
     bound_22, generated, generated_as_in_19, generated_linear, generated_quantized,
 };
 use passivity_core::quantizer::held_force;
-use passivity_core::{Criterion, Fixed, Friction, Scalar, Step, ledger, spring};
+use passivity_core::{Criterion, Fixed, Friction, Loop, Scalar, Step, ledger, spring};
 
 use crate::common::{half, q, squared};
 
@@ -57,7 +57,8 @@ fn err_27_counterexample() {
     assert_eq!(criterion.margin(&half()) / half(), q(1, 10) + q(2, 10));
     assert_eq!(friction.dissipated_lower(&d, &half()), q(9, 20));
     assert_eq!(generated_quantized(&step), q(1, 2));
-    let row = ledger::row(&step, &friction, &q(1, 1));
+    let interval = ledger::HeldInterval::plain(step, q(1, 1));
+    let row = ledger::row(&Loop::plain(friction), &interval);
     assert_eq!(row.net_quantized, q(-1, 20));
     assert_eq!(row.net_linear, q(3, 40));
     assert_eq!(row.violates_quantized(), Some(true));

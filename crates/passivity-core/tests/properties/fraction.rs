@@ -138,7 +138,7 @@ fn edges<I: Integer + core::fmt::Debug>(least: I, most: I) {
     );
     assert_eq!(
         (n(-2).signum(), n(0).signum(), n(2).signum()),
-        (Less, Equal, Greater)
+        (Some(Less), Some(Equal), Some(Greater))
     );
     // The fraction over it: an overflow is undefined for good.
     let one = Fraction::new(n(1), n(1));
@@ -205,7 +205,7 @@ fn num_exact_fraction_of_big_integers_never_overflows() {
             Integer::signum(&n(0)),
             Integer::signum(&n(2))
         ),
-        (Less, Equal, Greater)
+        (Some(Less), Some(Equal), Some(Greater))
     );
     assert_eq!(
         (

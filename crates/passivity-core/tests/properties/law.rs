@@ -4,7 +4,8 @@ use passivity_core::generation::bound_22;
 use passivity_core::{BigRational, Law};
 use proptest::prelude::*;
 
-use crate::common::{half, magnitude, nonnegative, position, q, sampled, squared, zero};
+use crate::common::{half, magnitude, nonnegative, position, q, sampled, squared, unit, zero};
+use crate::spring::staircase_integral;
 
 pub(crate) fn law() -> impl Strategy<Value = Law<BigRational>> {
     let limit = || prop::option::of(nonnegative());
@@ -24,9 +25,30 @@ fn force_by_cases(law: &Law<BigRational>, xi: &BigRational) -> BigRational {
 }
 
 /// ∫₀^ξ f: a parabola up to where the force stops growing, a straight line from there on.
-fn potential_by_cases(law: &Law<BigRational>, xi: &BigRational) -> BigRational {
+pub(crate) fn potential_by_cases(law: &Law<BigRational>, xi: &BigRational) -> BigRational {
     let f = force_by_cases(law, xi);
     half() * squared(&f) + &f * (xi - &f)
+}
+
+/// ∫₀^ξ f(⌊x⌋ + ½)dx by cases: whole ticks up to the limit, whole ticks at it, and the last one.
+pub(crate) fn quantized_integral(law: &Law<BigRational>, xi: &BigRational) -> BigRational {
+    // Below zero the law is that of the other side, seen in a mirror.
+    let (limit, xi) = if *xi < zero() {
+        (law.lower.as_ref().map(|lower| -lower), -xi)
+    } else {
+        (law.upper.clone(), xi.clone())
+    };
+    let (ticks, rest) = (xi.floor(), &xi - xi.floor());
+    let Some(limit) = limit else {
+        return half() * squared(&ticks) + (&ticks + half()) * rest;
+    };
+    // The ticks whose middle is not beyond the limit.
+    let free = (&limit + half()).floor();
+    if free > ticks {
+        half() * squared(&ticks) + (ticks + half()) * rest
+    } else {
+        half() * squared(&free) + (ticks - free + rest) * limit
+    }
 }
 
 sampled! {
@@ -34,6 +56,40 @@ sampled! {
         prop_assert_eq!(law.force(&xi), force_by_cases(&law, &xi));
         prop_assert_eq!(law.potential(&xi), potential_by_cases(&law, &xi));
         prop_assert_eq!(law.held_force(&xi), -force_by_cases(&law, &(xi.floor() + half())));
+    }
+
+    /// The staircase of the law summed tick by tick, from 0 to ξ.
+    fn th_law_quantized_potential_is_the_sum_of_its_ticks(
+        law in law(), ticks in -40i64..40, rest in unit()
+    ) {
+        let at_tick = |n: i64| force_by_cases(&law, &(q(n, 1) + half()));
+        let whole = if ticks < 0 {
+            -(ticks..0).fold(zero(), |sum, n| sum + at_tick(n))
+        } else {
+            (0..ticks).fold(zero(), |sum, n| sum + at_tick(n))
+        };
+        // Up to the next tick, where the staircases on either side meet.
+        let xi = q(ticks, 1) + &rest;
+        let sum = whole + at_tick(ticks) * rest;
+        prop_assert_eq!(law.quantized_potential(&xi), sum.clone());
+        prop_assert_eq!(quantized_integral(&law, &xi), sum);
+    }
+
+    /// However far from zero, it starts at nothing and rises by f(n + ½) a tick.
+    fn th_law_quantized_potential_rises_by_the_force(law in law(), xi in position(), rest in unit()) {
+        let n = xi.floor();
+        let rise = law.quantized_potential(&(&n + &rest)) - law.quantized_potential(&n);
+        prop_assert_eq!(rise, force_by_cases(&law, &(n + half())) * rest);
+        prop_assert_eq!(law.quantized_potential(&zero()), zero());
+        prop_assert_eq!(law.quantized_potential(&xi), quantized_integral(&law, &xi));
+    }
+
+    fn th_law_quantized_potential_of_the_spring(xi in position()) {
+        let wall: Law<BigRational> = Law::bilateral();
+        prop_assert_eq!(wall.quantized_potential(&xi), staircase_integral(&xi));
+        prop_assert!(wall.is_linear());
+        prop_assert!(!Law::<BigRational>::unilateral().is_linear());
+        prop_assert!(!wall.saturated(magnitude(&xi)).is_linear());
     }
 
     fn th_law_is_never_stiffer_than_the_wall(law in law(), a in position(), b in position()) {

@@ -1,18 +1,46 @@
 //! TH-INTERVAL, TH-RUN, TH-JITTER: one row an interval, and the sum of them.
 
 use passivity_core::generation::bound_22;
-use passivity_core::{Friction, Step, ledger};
+use passivity_core::ledger::{self, HeldInterval, Row};
+use passivity_core::{BigRational, Friction, Loop, Step};
 use proptest::prelude::*;
 
 use crate::common::{
-    coefficient, friction, half, magnitude, nonnegative, number, position, positive, q, sampled,
-    squared, unit, zero,
+    coefficient, dimensionless, friction, half, magnitude, nonnegative, number, position, positive,
+    q, sampled, squared, unit, zero,
 };
+use crate::law::{potential_by_cases, quantized_integral};
 use crate::spring::staircase_integral;
+
+/// The row of the paper's loop, over the step from `a` to `b`.
+fn plain(
+    a: &BigRational,
+    b: &BigRational,
+    friction: &Friction<BigRational>,
+    dtau: &BigRational,
+) -> Row<BigRational> {
+    let step = Step::new(a.clone(), b.clone());
+    let interval = HeldInterval::plain(step, dtau.clone());
+    ledger::row(&Loop::plain(friction.clone()), &interval)
+}
+
+/// V(ξ) of the wall of a dimensionless loop, by cases.
+pub(crate) fn potential(the_loop: &Loop<BigRational>, xi: &BigRational) -> BigRational {
+    potential_by_cases(&the_loop.law(), xi)
+}
+
+/// The integral of the wall's force over the ticks, by cases; V(ξ) without an encoder.
+pub(crate) fn quantized_potential(the_loop: &Loop<BigRational>, xi: &BigRational) -> BigRational {
+    if the_loop.resolution.is_some() {
+        quantized_integral(&the_loop.law(), xi)
+    } else {
+        potential(the_loop, xi)
+    }
+}
 
 sampled! {
     fn th_interval_row_by_formula(a in position(), b in position(), friction in friction(), dtau in positive()) {
-        let row = ledger::row(&Step::new(a.clone(), b.clone()), &friction, &dtau);
+        let row = plain(&a, &b, &friction, &dtau);
         let d = &b - &a;
         let size = magnitude(&d);
         let work = -(a.floor() + half()) * &d;
@@ -30,16 +58,53 @@ sampled! {
         prop_assert_eq!(&row.net_quantized, &(&dissipated - &quantized));
         let margin = (&friction.beta - half()) * size / dtau + &friction.sigma - half();
         prop_assert_eq!(&row.margin, &margin);
-        let row = ledger::row(&Step::new(a, b), &friction, &q(1, 1));
+        let row = plain(&a, &b, &friction, &q(1, 1));
         prop_assert_eq!(row.violates_linear(), Some(row.net_linear < zero()));
         prop_assert_eq!(row.violates_quantized(), Some(row.net_quantized < zero()));
+    }
+
+    /// Any loop under any force, as it was logged: the account is of that force.
+    fn th_interval_row_of_any_force(
+        the_loop in dimensionless(), a in position(), b in position(), force in number(),
+        dtau in positive(), extra_storage in prop::option::of(number())
+    ) {
+        let interval = HeldInterval {
+            step: Step::new(a.clone(), b.clone()),
+            force: force.clone(),
+            dtau: dtau.clone(),
+            extra_storage: extra_storage.clone(),
+        };
+        let row = ledger::row(&the_loop, &interval);
+        let (d, stored) = (&b - &a, extra_storage.unwrap_or_else(zero));
+        let size = magnitude(&d);
+        let change = |at: fn(&Loop<BigRational>, &BigRational) -> BigRational| {
+            &force * &d + at(&the_loop, &b) - at(&the_loop, &a)
+        };
+        prop_assert_eq!(&row.generated_linear, &change(potential));
+        prop_assert_eq!(&row.generated_quantized, &change(quantized_potential));
+        let Friction { beta, sigma } = the_loop.friction();
+        let dissipated = beta * squared(&d) / &dtau + sigma * &size;
+        prop_assert_eq!(&row.dissipated_lower, &dissipated);
+        prop_assert_eq!(&row.net_linear, &(&dissipated - &row.generated_linear - &stored));
+        prop_assert_eq!(&row.net_quantized, &(&dissipated - &row.generated_quantized - &stored));
+        let criterion = crate::control_loop::criterion_written_out(&the_loop);
+        prop_assert_eq!(&row.margin, &(criterion.viscous * &size / &dtau + criterion.coulomb));
+        let f = &size - size.floor();
+        let half_square = half() * squared(&d);
+        let (bound_22, bound_quantized) = if the_loop.resolution.is_some() {
+            let printed = &half_square + half() * &size;
+            (printed.clone(), printed + half() * &f * (q(1, 1) - &f))
+        } else {
+            (half_square.clone(), half_square)
+        };
+        prop_assert_eq!((&row.bound_22, &row.bound_quantized), (&bound_22, &bound_quantized));
     }
 
     /// The central claim: where (8) holds, friction pays for what sampling generates.
     fn th_interval_criterion_implies_no_net_energy(
         a in position(), b in position(), friction in friction(), dtau in unit()
     ) {
-        let row = ledger::row(&Step::new(a.clone(), b.clone()), &friction, &dtau);
+        let row = plain(&a, &b, &friction, &dtau);
         if row.margin >= zero() {
             prop_assert!(row.generated_linear <= bound_22(&(b - a)));
             prop_assert!(row.bound_22 <= row.dissipated_lower);
@@ -52,13 +117,13 @@ sampled! {
         let speed = magnitude(&(&b - &a)) / &dtau;
         let sigma = half() - speed * (&beta - half());
         prop_assume!(sigma >= zero());
-        let row = ledger::row(&Step::new(a, b), &Friction::new(beta, sigma), &dtau);
+        let row = plain(&a, &b, &Friction::new(beta, sigma), &dtau);
         prop_assert_eq!(row.margin, zero());
         prop_assert!(row.net_linear >= zero());
     }
 
     fn th_jitter_bound(a in position(), b in position(), friction in friction(), dtau in positive()) {
-        let (d, row) = (&b - &a, ledger::row(&Step::new(a, b), &friction, &dtau));
+        let (d, row) = (&b - &a, plain(&a, &b, &friction, &dtau));
         let size = magnitude(&d);
         let expected = (&friction.beta / &dtau - half()) * squared(&d)
             + (&friction.sigma - half()) * &size;
@@ -79,7 +144,7 @@ sampled! {
         let mut stored = &kinetic.0 + half() * squared(&start);
         let (first, mut drawn, mut here) = (stored.clone(), zero(), start);
         for (next, dtau, lost) in moves {
-            let row = ledger::row(&Step::new(here, next.clone()), &friction, &dtau);
+            let row = plain(&here, &next, &friction, &dtau);
             let after = &kinetic.1 + half() * squared(&next);
             // Friction loses the bound at the least, and `lost` more when the speed varies.
             let dissipated = row.dissipated_lower + lost;

@@ -5,20 +5,23 @@
 //! paper's or the theory's formula, not by the kernel's own functions.
 
 mod agreement;
-mod bounds;
+mod boxes;
 mod common;
+mod control_loop;
+mod controller;
 mod criterion;
 mod dissipation;
-mod effects;
 mod errata;
+mod exact;
+mod extra_storage;
 mod fraction;
 mod generation;
 mod interval;
 mod law;
 mod ledger;
+mod parameter;
 mod quantizer;
 mod region;
-mod rig;
 mod smooth;
 mod spring;
 mod start;

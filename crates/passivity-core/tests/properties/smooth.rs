@@ -1,7 +1,6 @@
 //! TH-SMOOTH: without an encoder the ½ of quantization goes.
 
-use passivity_core::effects::Effects;
-use passivity_core::{Friction, Region, Rig, witness};
+use passivity_core::{Friction, Loop, Region, witness};
 use proptest::prelude::*;
 
 use crate::common::{
@@ -14,23 +13,21 @@ sampled! {
         let d = &b - &a;
         let generated = -&a * &d + half() * (squared(&b) - squared(&a));
         prop_assert_eq!(generated.clone(), half() * squared(&d));
-        prop_assert_eq!(generated, Effects::smooth().cost().bound(&d));
+        let smooth = Loop::smooth(Friction::new(zero(), zero()));
+        prop_assert_eq!(generated, smooth.cost().bound(&d));
     }
 
     fn th_smooth_criterion(friction in friction()) {
-        let criterion = Rig::dimensionless(friction.clone(), Effects::smooth()).criterion();
+        let criterion = Loop::smooth(friction.clone()).criterion();
         prop_assert_eq!(criterion.viscous, &friction.beta - half());
         prop_assert_eq!(criterion.coulomb, friction.sigma);
     }
 
     fn th_smooth_without_coulomb_friction_is_colgate(
-        b in positive(), k in positive(), t in positive(), length in positive()
+        b in positive(), k in positive(), t in positive()
     ) {
-        let rig = Rig {
-            viscous: b.clone(), coulomb: zero(), stiffness: k.clone(), period: t.clone(), length,
-            effects: Effects::smooth(),
-        };
-        let globally = Region::of(&rig.criterion()) == Some(Region::GloballyStable);
+        let smooth = Loop { viscous: Some(b.clone()), ..Loop::new(k.clone(), t.clone()) };
+        let globally = Region::of(&smooth.criterion()) == Some(Region::GloballyStable);
         prop_assert_eq!(globally, b >= k * t * half());
     }
 
@@ -59,10 +56,11 @@ sampled! {
         beta in coefficient(), sigma in coefficient(), damping in coefficient(), step in positive(),
         v in number()
     ) {
-        let effects = Effects {
-            encoder: false, delay: 2, damping: Some(damping.clone()), force_step: Some(step.clone()),
+        let the_loop = Loop {
+            delay: 2, damping: Some(damping.clone()), force_step: Some(step.clone()),
+            ..Loop::smooth(Friction::new(beta.clone(), sigma.clone()))
         };
-        let criterion = Rig::dimensionless(Friction::new(beta.clone(), sigma.clone()), effects).criterion();
+        let criterion = the_loop.criterion();
         let v = magnitude(&v);
         let margin = (beta - half() - q(2, 1) - damping) * &v + sigma - half() * step;
         prop_assert_eq!(criterion.margin(&v), margin);

@@ -1,14 +1,14 @@
-//! The effects of a loop: what each costs a step, and what it stores.
+//! What effects with memory add to a step, and what they store; rounding to whole force steps.
 
 use passivity_core::BigRational;
-use passivity_core::effects::{
-    Cost, Effects, damping_storage, delay_storage, generated_by_damping, generated_by_delay,
-    rounded_force,
+use passivity_core::controller::rounded;
+use passivity_core::extra_storage::{
+    damping_storage, delay_storage, generated_by_damping, generated_by_delay,
 };
 use proptest::prelude::*;
 
 use crate::common::{
-    coefficient, effects, half, magnitude, number, position, positive, q, sampled, squared, zero,
+    coefficient, half, magnitude, number, position, positive, q, sampled, squared, zero,
 };
 
 fn past() -> impl Strategy<Value = Vec<BigRational>> {
@@ -24,18 +24,6 @@ fn after(past: &[BigRational], d: &BigRational) -> Vec<BigRational> {
 }
 
 sampled! {
-    fn th_dac_th_delay_th_damp_cost(effects in effects(), d in number()) {
-        let cost = effects.cost();
-        let damping = effects.damping.clone().unwrap_or_else(zero);
-        let step = effects.force_step.clone().unwrap_or_else(zero);
-        let viscous = half() + q(i64::from(effects.delay), 1) + &damping;
-        let quantization = if effects.encoder { half() + damping } else { zero() };
-        let coulomb = quantization + half() * step;
-        prop_assert_eq!(&cost, &Cost { viscous: viscous.clone(), coulomb: coulomb.clone() });
-        let bound = viscous * squared(&d) + coulomb * magnitude(&d);
-        prop_assert_eq!(cost.bound(&d), bound);
-    }
-
     fn th_delay_generated_and_stored(past in past(), d in number()) {
         let sum = past.iter().fold(zero(), |sum, x| sum + x);
         let generated = generated_by_delay(&past, &d);
@@ -91,8 +79,11 @@ sampled! {
         prop_assert_eq!(damping_storage(&damping, &[-&d]), damping_storage(&damping, &[d]));
     }
 
-    fn th_dac_rounds_to_the_nearest_step(force in number(), step in positive(), d in number()) {
-        let rounded = rounded_force(&force, &step);
+    fn th_dac_rounds_to_the_nearest_step(
+        force in number(), step in positive(), scale in positive(), d in number()
+    ) {
+        // The step is a quotient, in lowest terms or not.
+        let rounded = rounded(&force, &(&step * &scale), &scale);
         prop_assert!((&rounded / &step).is_integer());
         let error = &rounded - &force;
         // Ties go up: the error is in (−½δ, ½δ].
@@ -103,37 +94,15 @@ sampled! {
 
 #[test]
 fn th_dac_values() {
-    for (force, rounded) in [
+    let whole = |n: i64| q(n, 1);
+    for (force, nearest) in [
         (q(7, 4), 2),
         (q(3, 2), 2),
         (q(-3, 2), -1),
         (q(-8, 5), -2),
         (q(1, 4), 0),
     ] {
-        assert_eq!(rounded_force(&force, &q(1, 1)), q(rounded, 1));
+        assert_eq!(rounded(&force, &whole(1), &whole(1)), whole(nearest));
     }
-    assert_eq!(rounded_force(&q(7, 16), &q(1, 8)), q(1, 2));
-}
-
-#[test]
-fn th_smooth_plain_loops() {
-    let plain = [Effects::<BigRational>::encoder(), Effects::smooth()];
-    assert!(plain.iter().all(Effects::is_plain));
-    assert!(plain[0].encoder && !plain[1].encoder);
-    let e = Effects::encoder;
-    assert!(!Effects { delay: 1, ..e() }.is_plain());
-    assert!(
-        !Effects {
-            damping: Some(zero()),
-            ..e()
-        }
-        .is_plain()
-    );
-    assert!(
-        !Effects {
-            force_step: Some(half()),
-            ..e()
-        }
-        .is_plain()
-    );
+    assert_eq!(rounded(&q(7, 16), &whole(1), &whole(8)), q(1, 2));
 }
