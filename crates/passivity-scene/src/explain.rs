@@ -91,7 +91,7 @@ pub fn explain(scene: &Scene) -> Explanation {
         .into_iter()
         .filter(|effect| !present.contains(effect))
         .collect();
-    let given = scene.parameters().map(|(_, given)| GivenText {
+    let given = scene.parameters().into_iter().map(|(_, given)| GivenText {
         key: given.key,
         text: given.text.clone(),
     });
@@ -175,7 +175,7 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
         push(
             "TH-REGION",
             formula,
-            format!("v_c = {} ticks/sample", range(v)),
+            format!("v_c = {} ticks/sample", report.safe_critical_speed(v)),
         );
     }
     if let Some(v) = &report.speed_bound {
@@ -257,20 +257,22 @@ fn held_force(scene: &Scene) -> (String, &'static str) {
         };
         force = format!("{force} + B·{velocity}");
     }
-    if scene.has(Effect::ForceStep) {
-        id = "TH-DAC";
-        force = format!("δ·⌊({force})/δ + ½⌋");
-    }
-    if scene.has(Effect::Saturation) {
-        id = "TH-LAW";
-        force = format!("sat({force})");
-    }
     let side = if scene.given.unilateral {
-        ", and 0 when that sample is below 0"
+        ", and the bracket is 0 when that sample is below 0"
     } else {
         ""
     };
-    (format!("φ_V = −({force}) over [h, h+1){side}"), id)
+    // Gated first, then negated, rounded and limited, as the controller does.
+    let mut held = format!("−({force})");
+    if scene.has(Effect::ForceStep) {
+        id = "TH-DAC";
+        held = format!("δ·⌊{held}/δ + ½⌋");
+    }
+    if scene.has(Effect::Saturation) {
+        id = "TH-LAW";
+        held = format!("sat({held})");
+    }
+    (format!("φ_V = {held} over [h, h+1){side}"), id)
 }
 
 /// The equation of motion, with exactly the scene's effects.

@@ -130,10 +130,12 @@ impl Scene {
         self.given.map(|_, given| given.value.clone())
     }
 
-    /// The parameters that a person gave, in the order of the table.
-    pub fn parameters(&self) -> impl Iterator<Item = (Parameter, &Given)> + '_ {
-        self.given
-            .given()
-            .filter(|(_, given)| !given.text.is_empty())
+    /// The parameters that a person gave, in the order of the file.
+    #[must_use]
+    pub fn parameters(&self) -> Vec<(Parameter, &Given)> {
+        let given = self.given.given();
+        let mut given: Vec<_> = given.filter(|(_, given)| !given.text.is_empty()).collect();
+        given.sort_by_key(|(_, given)| given.span.start);
+        given
     }
 }

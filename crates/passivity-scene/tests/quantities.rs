@@ -118,8 +118,8 @@ fn turns_and_degrees_carry_their_power_of_pi() {
     for (section, line, value, pi) in cases {
         let scene = rotary(section, line).unwrap_or_else(|e| panic!("{e}"));
         let key = line.split(' ').next().unwrap();
-        let mut all = scene.parameters();
-        let (_, given) = all.find(|(_, g)| g.key.ends_with(key)).unwrap();
+        let all = scene.parameters();
+        let (_, given) = all.iter().find(|(_, g)| g.key.ends_with(key)).unwrap();
         assert_eq!(over_pi(&given.value, pi), interval(value, value), "{line}");
     }
 }

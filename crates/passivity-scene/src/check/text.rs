@@ -119,16 +119,21 @@ impl Report {
 
     /// The critical speed, on the side of it on which the criterion holds over all tolerances.
     fn critical_text(&self, ticks: &Interval<BigRational>) -> String {
-        let safe = |v: &Interval<BigRational>| match self.region {
-            Some(Region::LimitCycles) => rounded(v.hi(), 5, Rounding::Up),
-            _ => rounded(v.lo(), 5, Rounding::Down),
-        };
+        let safe = |v: &Interval<BigRational>| self.safe_critical_speed(v);
         match &self.critical_speed_si {
             Some(v) => {
                 let unit = speed_unit(self.motion);
                 format!("{} {unit} ({} ticks/sample)", safe(v), safe(ticks))
             }
             None => format!("{} ticks/sample", safe(ticks)),
+        }
+    }
+
+    /// A critical speed, rounded to the side of it on which the criterion holds.
+    pub(crate) fn safe_critical_speed(&self, v: &Interval<BigRational>) -> String {
+        match self.region {
+            Some(Region::LimitCycles) => rounded(v.hi(), 5, Rounding::Up),
+            _ => rounded(v.lo(), 5, Rounding::Down),
         }
     }
 
