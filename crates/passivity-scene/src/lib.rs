@@ -6,6 +6,16 @@
 //!
 //! An effect is in a [`Scene`] exactly when its key is in the file.
 
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing
+    )
+)]
+
 pub mod check;
 pub mod diagnostic;
 pub mod display;
