@@ -7,8 +7,15 @@ SCENE ?= scenes/re35.toml
 FLAGS ?= --locked
 SOLVERS = target/smt
 BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
+# What `check` and `explain` need, built in a hurry: no pictures, no Parquet, no safety case.
+QUICK = $(CARGO) run --quiet --profile quick $(FLAGS) -p passivity-cli --no-default-features --features simulate --
+# Builds that leave something out.
+LEAN = "passivity-cli" "passivity-cli --features simulate" "passivity-cli --features audit,oracle,vectors" \
+    "passivity-cli --features audit,plot,simulate" passivity-capi passivity-oracle passivity-plot passivity-sim
+# The crates that are published, each after those that it needs.
+PUBLISHED = core scene oracle vectors plot sim capi
 
-.PHONY: help setup run test check fmt clippy doc bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate test-python fuzz
+.PHONY: help setup run test check fmt clippy doc features package bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate test-python fuzz
 
 help: ## list the targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -16,11 +23,11 @@ help: ## list the targets
 setup:
 	@$(CARGO) --version >/dev/null 2>&1 || rustup toolchain install stable --profile minimal --component rustfmt,clippy
 
-run: setup ## check and explain the default scene: the main job
+run: setup ## check and explain the default scene: the main job, by the smallest build that can
 	@echo "== passivity check $(SCENE)"
-	@$(BIN) check $(SCENE)
+	@$(QUICK) check $(SCENE)
 	@echo "== passivity explain $(SCENE)"
-	@$(BIN) explain $(SCENE)
+	@$(QUICK) explain $(SCENE)
 
 test: setup ## run all tests, and ask the solvers every claim
 	@echo "== cargo test --workspace"
@@ -40,6 +47,18 @@ clippy:
 doc:
 	@echo "== cargo doc, warnings denied"
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc $(FLAGS) --workspace --no-deps
+
+features: ## lint and test the builds that leave something out: no pictures, no Parquet, no simulator …
+	@set -e; for build in $(LEAN); do \
+	    echo "== cargo clippy --no-default-features -p $$build, warnings denied"; \
+	    $(CARGO) clippy --quiet $(FLAGS) --no-default-features -p $$build -- -D warnings; \
+	done
+	@echo "== cargo test: what is left out says which feature has it"
+	$(CARGO) test --quiet $(FLAGS) --no-default-features --features simulate -p passivity-cli --bins
+
+package: ## pack every crate that is published, and build each from its package
+	@echo "== cargo package: $(PUBLISHED)"
+	$(CARGO) package $(FLAGS) $(PUBLISHED:%=-p passivity-%)
 
 bench: ## measure: verdicts, ledger, motion, sweep
 	@echo "== cargo bench"

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use astro_float::{BigFloat, Consts, Radix, RoundingMode, Sign};
+use astro_float_num::{BigFloat, Consts, Radix, RoundingMode, Sign};
 use num_bigint::BigInt;
 use passivity_core::BigRational;
 

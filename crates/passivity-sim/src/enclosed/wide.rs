@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use astro_float::{BigFloat, RoundingMode};
+use astro_float_num::{BigFloat, RoundingMode};
 use passivity_core::BigRational;
 
 use crate::big;
