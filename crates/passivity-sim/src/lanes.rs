@@ -88,7 +88,7 @@ fn select(which: bool, a: f64, b: f64) -> f64 {
     if which { a } else { b }
 }
 
-/// [`crate::law::floor`] for |x| < 2⁵¹, without its branch: see [`fits`].
+/// [`crate::number::floor`] for |x| < 2⁵¹, without its branch: see [`fits`].
 #[inline(always)]
 fn floor_lane(x: f64) -> f64 {
     const MAGIC: f64 = 6_755_399_441_055_744.0;
@@ -379,7 +379,7 @@ impl Taken {
         let [_, velocity] = self.plan.start;
         let forces = self.plan.constants.sigma + 0.5; // held forces are ½ off whole numbers
         velocity != 0.0
-            && end.outcome.exact == crate::outcome::Exactly::AtRest
+            && end.outcome.exact == crate::outcome::ExactOutcome::AtRest
             && forces == forces.floor()
     }
 

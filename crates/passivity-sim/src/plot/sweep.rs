@@ -3,7 +3,7 @@
 use passivity_plot::PlotError;
 use plotters::prelude::*;
 
-use crate::outcome::{Exactly, Paper};
+use crate::outcome::{ExactOutcome, PaperOutcome};
 use crate::plot::{Area, COLOURS, DASHED, Drawn, label, svg};
 use crate::sweep::{Grid, Row};
 
@@ -21,20 +21,20 @@ pub fn draw(grid: &Grid, rows: &[Option<Row>]) -> Result<String, PlotError> {
             ("sans-serif", 18),
         )?;
         let (a, b) = root.split_horizontally(640);
-        panel(&a, "(a) growing", grid, rows, Exactly::Growing)?;
+        panel(&a, "(a) growing", grid, rows, ExactOutcome::Growing)?;
         panel(
             &b,
             "(b) never at rest; dots: |ξ̇| ≥ 0.01 at the end",
             grid,
             rows,
-            Exactly::NeverAtRest,
+            ExactOutcome::NeverAtRest,
         )
     })
 }
 
 /// The indices of the speeds, the slowest first.
 fn by_speed(grid: &Grid) -> Vec<(usize, f64)> {
-    let speeds = grid.speed.iter().map(|v| crate::plan::to_double(v).abs());
+    let speeds = grid.speed.iter().map(|v| crate::number::to_double(v).abs());
     let mut order: Vec<(usize, f64)> = speeds.enumerate().collect();
     order.sort_by(|a, b| a.1.total_cmp(&b.1));
     order
@@ -64,12 +64,18 @@ fn cells(values: &[f64]) -> Vec<(f64, f64)> {
         .collect()
 }
 
-fn panel(area: &Area<'_>, title: &str, grid: &Grid, rows: &[Option<Row>], shown: Exactly) -> Drawn {
+fn panel(
+    area: &Area<'_>,
+    title: &str,
+    grid: &Grid,
+    rows: &[Option<Row>],
+    shown: ExactOutcome,
+) -> Drawn {
     let order = |values: &[passivity_core::BigRational]| {
         let mut all: Vec<(f64, usize)> = values
             .iter()
             .enumerate()
-            .map(|(i, x)| (crate::plan::to_double(x), i))
+            .map(|(i, x)| (crate::number::to_double(x), i))
             .collect();
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
         all
@@ -123,7 +129,7 @@ fn panel(area: &Area<'_>, title: &str, grid: &Grid, rows: &[Option<Row>], shown:
             }
         }
     }
-    if shown == Exactly::NeverAtRest {
+    if shown == ExactOutcome::NeverAtRest {
         let middle = |(low, high): (f64, f64)| 0.5 * (low + high);
         for ((_, i), column) in beta.iter().zip(&columns) {
             for ((_, j), line) in sigma.iter().zip(&lines) {
@@ -134,7 +140,7 @@ fn panel(area: &Area<'_>, title: &str, grid: &Grid, rows: &[Option<Row>], shown:
                 if all
                     .iter()
                     .flatten()
-                    .any(|row| row.paper == Paper::LimitCycle)
+                    .any(|row| row.paper == PaperOutcome::LimitCycle)
                 {
                     let place = (middle(*column), middle(*line));
                     chart.draw_series([Circle::new(place, 2, COLOURS[7].filled())])?;

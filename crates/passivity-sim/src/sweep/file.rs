@@ -16,18 +16,16 @@ use std::path::{Path, PathBuf};
 use passivity_scene::Point;
 
 use crate::error::SimError;
-use crate::outcome::{Exactly, Paper};
+use crate::outcome::{ExactOutcome, PaperOutcome};
 use crate::plan::Plan;
 use crate::run;
+use crate::sweep::grid::Grid;
 #[cfg(feature = "parquet")]
 use crate::sweep::parquet;
-use crate::sweep::{Grid, Row};
+use crate::sweep::row::{Found, Row};
 
 /// The header of a sweep's file.
 const HEADER: &str = "beta,sigma,speed,paper,exact,at_interval,xi,velocity";
-
-/// A row with its values of β, σ and the speed.
-pub(super) type Found = ([f64; 3], Row);
 
 /// How the rows of a finished sweep are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,8 +96,7 @@ fn marker(path: &Path) -> PathBuf {
 fn fingerprint(scene: &Point, grid: &Grid) -> String {
     let mut scene = scene.clone();
     // These are the grid's.
-    (scene.beta, scene.sigma) = (None, None);
-    scene.start[1] = scene.start[0].clone();
+    (scene.at.viscous, scene.at.coulomb, scene.at.start_velocity) = (None, None, None);
     format!("passivity sweep 1\n{scene:?}\n{grid:?}\n")
 }
 
@@ -277,8 +274,8 @@ fn parse(line: &str) -> Option<Found> {
     };
     let number = |cell: &str| cell.parse::<f64>().ok();
     let row = Row {
-        paper: Paper::named(paper)?,
-        exact: Exactly::named(exact)?,
+        paper: PaperOutcome::named(paper)?,
+        exact: ExactOutcome::named(exact)?,
         at_interval: if at.is_empty() {
             None
         } else {
