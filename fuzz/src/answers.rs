@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use passivity_oracle::vectors::{Group, Judge, all};
+use passivity_vectors::{Group, Judge, all};
 
 /// A few tests of every group, numbered from 1.
 fn groups() -> &'static [Group] {

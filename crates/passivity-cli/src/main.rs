@@ -3,6 +3,9 @@
 mod args;
 mod exit;
 mod output;
+#[cfg(any(feature = "audit", feature = "simulate"))]
+mod picture;
+#[cfg(feature = "simulate")]
 mod progress;
 mod verbs;
 

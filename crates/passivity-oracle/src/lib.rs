@@ -1,5 +1,4 @@
-//! Exact energy ledgers of recorded traces, test vectors, and a line protocol for other
-//! implementations.
+//! Exact energy ledgers of recorded traces, and a line protocol for other implementations.
 //!
 //! A trace of true positions gives every figure of the ledger exactly. A trace of encoder counts
 //! gives only ξ in [n, n + 1): then every figure is an exact enclosure and every verdict has three
@@ -19,7 +18,6 @@ pub mod row;
 pub mod run;
 pub mod span;
 pub mod sum;
-pub mod vectors;
 
 pub use cell::Cell;
 pub use entry::{Entry, Margin, entry};

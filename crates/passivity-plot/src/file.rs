@@ -2,9 +2,6 @@
 
 use std::fmt;
 use std::path::Path;
-use std::sync::Arc;
-
-use resvg::{tiny_skia, usvg};
 
 /// Why a picture could not be drawn or written.
 #[derive(Debug)]
@@ -49,7 +46,13 @@ pub fn save(svg: &str, path: &Path) -> Result<(), PlotError> {
         .map(str::to_ascii_lowercase);
     let bytes = match extension.as_deref() {
         Some("svg") => svg.as_bytes().to_vec(),
-        Some("png") => to_png(svg)?,
+        #[cfg(feature = "png")]
+        Some("png") => crate::to_png(svg)?,
+        #[cfg(not(feature = "png"))]
+        Some("png") => {
+            let message = "PNG files are not in this build: build it with the feature `png`";
+            return Err(PlotError::new(message));
+        }
         _ => {
             let name = path.display();
             return Err(PlotError::new(format!(
@@ -59,34 +62,4 @@ pub fn save(svg: &str, path: &Path) -> Result<(), PlotError> {
     };
     std::fs::write(path, bytes)
         .map_err(|error| PlotError::new(format!("`{}`: {error}", path.display())))
-}
-
-/// The picture as the bytes of a PNG file, at twice the size, with the font DejaVu Sans.
-///
-/// # Errors
-///
-/// Text that is no SVG, or a picture too large for memory.
-pub fn to_png(svg: &str) -> Result<Vec<u8>, PlotError> {
-    const SCALE: f32 = 2.0;
-    let mut fonts = usvg::fontdb::Database::new();
-    fonts.load_font_data(dejavu::sans::regular().to_vec());
-    fonts.load_font_data(dejavu::sans::bold().to_vec());
-    fonts.set_sans_serif_family("DejaVu Sans");
-    let options = usvg::Options {
-        font_family: "DejaVu Sans".to_owned(),
-        fontdb: Arc::new(fonts),
-        ..usvg::Options::default()
-    };
-    let tree = usvg::Tree::from_str(svg, &options)
-        .map_err(|error| PlotError::new(format!("picture: {error}")))?;
-    let size = tree.size().to_int_size().scale_by(SCALE);
-    let too_large = || PlotError::new("picture: too large");
-    let size = size.ok_or_else(too_large)?;
-    let mut pixels = tiny_skia::Pixmap::new(size.width(), size.height()).ok_or_else(too_large)?;
-    pixels.fill(tiny_skia::Color::WHITE);
-    let transform = tiny_skia::Transform::from_scale(SCALE, SCALE);
-    resvg::render(&tree, transform, &mut pixels.as_mut());
-    pixels
-        .encode_png()
-        .map_err(|error| PlotError::new(format!("picture: {error}")))
 }

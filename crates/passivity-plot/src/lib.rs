@@ -7,5 +7,9 @@
 pub mod energy;
 mod file;
 pub mod plane;
+#[cfg(feature = "png")]
+mod png;
 
-pub use file::{PlotError, save, to_png};
+pub use file::{PlotError, save};
+#[cfg(feature = "png")]
+pub use png::to_png;

@@ -50,6 +50,13 @@ pub enum SimError {
         /// The bound, in bits.
         bits: u64,
     },
+    /// The build leaves out what was asked for.
+    NotBuiltIn {
+        /// What was asked for.
+        what: &'static str,
+        /// The feature of the crate that has it.
+        feature: &'static str,
+    },
     /// The method's parameter is out of its range.
     Method(String),
     /// A file that could not be read or written.
@@ -84,6 +91,10 @@ impl fmt::Display for SimError {
                 f,
                 "the exact position needs more than {bits} bits at interval {interval}: simulate \
                  fewer intervals, or use `--method enclosure`"
+            ),
+            Self::NotBuiltIn { what, feature } => write!(
+                f,
+                "{what} not in this build: build it with the feature `{feature}`"
             ),
             Self::Method(message) | Self::File(message) => f.write_str(message),
         }

@@ -25,6 +25,7 @@
 #![cfg_attr(not(test), deny(clippy::unwrap_used))]
 
 pub mod accuracy;
+#[cfg(feature = "multiprecision")]
 pub mod big;
 pub mod enclosed;
 pub mod error;
@@ -39,6 +40,7 @@ pub mod motion;
 pub mod outcome;
 pub mod phi;
 pub mod plan;
+#[cfg(feature = "plot")]
 pub mod plot;
 pub mod real;
 pub mod run;

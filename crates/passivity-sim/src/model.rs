@@ -112,6 +112,7 @@ pub trait Number: Real {
 
 impl Number for f64 {}
 impl Number for BigRational {}
+#[cfg(feature = "multiprecision")]
 impl Number for crate::big::Big {}
 
 impl<T: crate::enclosed::Directed> Number for crate::enclosed::Enclosed<T> {

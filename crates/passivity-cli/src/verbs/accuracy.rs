@@ -2,8 +2,10 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "plot")]
 use passivity_plot::save;
 use passivity_sim::accuracy::{Table, measure, methods};
+#[cfg(feature = "plot")]
 use passivity_sim::plot::accuracy::draw;
 use serde_json::{Value, json};
 
@@ -28,7 +30,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
     /// Where to draw error against time: a name that ends in .svg or .png.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
     /// For people or for programs.
     #[arg(long, value_enum, default_value_t)]
@@ -50,6 +52,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     drop(bar);
     let table =
         measured.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
+    #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
         let title = format!(
             "{}: error and time, {} intervals",

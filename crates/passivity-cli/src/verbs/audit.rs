@@ -4,8 +4,10 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 
-use passivity_oracle::audit::{self, Options, Standing, audit};
+use passivity_oracle::audit::{Options, Standing, audit};
+#[cfg(feature = "plot")]
 use passivity_plot::energy::{Point, draw};
+#[cfg(feature = "plot")]
 use passivity_plot::save;
 
 use crate::exit::{Exit, Failure};
@@ -36,7 +38,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Draw energy against time, as SVG or PNG.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
     /// How many cores to use; 0 for all.
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -65,6 +67,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     };
     let report = audit(&args.trace, &scene, options)
         .map_err(|error| Failure::input(format!("{}: {error}", place(&args.trace))))?;
+    #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
         let course: Vec<Point> = report.points().iter().map(point).collect();
         let title = format!("{} in {}", place(&args.trace), scene.name);
@@ -106,8 +109,9 @@ fn keep_the_trace(args: &Args) -> Result<(), Failure> {
 }
 
 /// A point of the audit as the picture has it.
+#[cfg(feature = "plot")]
 #[allow(clippy::cast_precision_loss)] // for a picture
-fn point(point: &audit::Point) -> Point {
+fn point(point: &passivity_oracle::audit::Point) -> Point {
     Point {
         interval: point.h as f64,
         net: point.net,

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use passivity_scene::explain::explain;
-use passivity_sim::Plan;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
@@ -27,11 +26,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
     let explanation = explain(&scene);
-    // What `simulate` computes in each interval, or why it cannot.
-    let plan = match Plan::compile(&scene.point()) {
-        Ok(plan) => plan.describe(),
-        Err(error) => vec![format!("none: {error}")],
-    };
+    let plan = plan(&scene);
     match args.format {
         Format::Text => {
             let mut text = explanation.to_text();
@@ -48,4 +43,19 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         }
     }
     Ok(Exit::Holds)
+}
+
+/// What `simulate` computes in each interval, or why it cannot.
+#[cfg(feature = "simulate")]
+fn plan(scene: &passivity_scene::Scene) -> Vec<String> {
+    match passivity_sim::Plan::compile(&scene.point()) {
+        Ok(plan) => plan.describe(),
+        Err(error) => vec![format!("none: {error}")],
+    }
+}
+
+#[cfg(not(feature = "simulate"))]
+fn plan(_: &passivity_scene::Scene) -> Vec<String> {
+    let reason = "the simulator is not in this build: build it with the feature `simulate`";
+    vec![format!("none: {reason}")]
 }

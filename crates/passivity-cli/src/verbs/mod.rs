@@ -1,17 +1,30 @@
 //! One file per verb.
 
+#[cfg(not(feature = "full"))]
+mod absent;
+#[cfg(feature = "simulate")]
 pub(crate) mod accuracy;
+#[cfg(feature = "audit")]
 pub(crate) mod audit;
+#[cfg(feature = "case")]
 pub(crate) mod case;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod explain;
 pub(crate) mod man;
+#[cfg(feature = "oracle")]
 pub(crate) mod oracle;
+#[cfg(feature = "plot")]
 pub(crate) mod plane;
+#[cfg(feature = "simulate")]
 pub(crate) mod simulate;
+#[cfg(feature = "simulate")]
 pub(crate) mod sweep;
+#[cfg(feature = "vectors")]
 pub(crate) mod vectors;
+
+#[cfg(not(feature = "full"))]
+pub(crate) use absent::*;
 
 use crate::args::Command;
 use crate::exit::{Exit, Failure};

@@ -6,12 +6,14 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use passivity_core::BigRational;
+#[cfg(feature = "plot")]
 use passivity_plot::save;
 use passivity_scene::number;
 use passivity_sim::methods::{Detail, Line, NAMES, Simulated, simulate};
+#[cfg(feature = "plot")]
 use passivity_sim::plot::motion::{Motion, draw};
 use passivity_sim::trace::Table;
-use passivity_sim::{Entry, Exactly, Method, Plan};
+use passivity_sim::{Exactly, Method, Plan};
 use serde_json::{Value, json};
 
 use crate::exit::{Exit, Failure};
@@ -52,7 +54,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Where to draw the motion: a name that ends in .svg or .png.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
     /// How many intervals to draw; all of them when not given.
     #[arg(long, value_name = "N", requires = "plot")]
@@ -80,7 +82,9 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         Some(path) => Some(Trace::create(path, Table::new(&point, &plan, &method))?),
         None => None,
     };
+    #[cfg(feature = "plot")]
     let mut motion = Motion::new(plan.start);
+    #[cfg(feature = "plot")]
     let until = args.plot_until.unwrap_or(u64::MAX);
     // Intervals between two looks at the clock.
     const BETWEEN: u64 = 1 << 10;
@@ -91,6 +95,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let watched = args.out.is_some() || args.plot.is_some() || terminal;
     let run = if watched {
         let mut see = |line: &Line<'_>| {
+            #[cfg(feature = "plot")]
             if args.plot.is_some() {
                 add_to(&mut motion, line, until);
             }
@@ -110,6 +115,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     if let Some(trace) = trace {
         trace.finish()?;
     }
+    #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
         let title = format!(
             "{}: {}",
@@ -135,7 +141,9 @@ pub(crate) fn speed_at_start(text: &str) -> Result<BigRational, Failure> {
 }
 
 /// Adds an interval to a picture.
+#[cfg(feature = "plot")]
 fn add_to(motion: &mut Motion, line: &Line<'_>, until: u64) {
+    use passivity_sim::Entry;
     use passivity_sim::real::Real;
     fn near<R: Real>(row: &passivity_sim::model::Row<R>) -> Entry {
         Entry {

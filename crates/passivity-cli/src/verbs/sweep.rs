@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+#[cfg(feature = "plot")]
 use passivity_plot::save;
+#[cfg(feature = "plot")]
 use passivity_sim::plot::sweep::draw;
 use passivity_sim::sweep::{Grid, Range, Row, open, run as sweep};
 use passivity_sim::{Exactly, Paper};
@@ -46,7 +48,7 @@ pub(crate) struct Args {
     #[arg(long, requires = "out")]
     resume: bool,
     /// Where to draw Fig. 5: a name that ends in .svg or .png.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
     /// For people or for programs.
     #[arg(long, value_enum, default_value_t)]
@@ -98,6 +100,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         (result, _) => result,
     };
     written.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
+    #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
         let picture = draw(&grid, &rows).map_err(Failure::input)?;
         save(&picture, path).map_err(Failure::input)?;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use passivity_oracle::vectors::{SCHEMA, against::against, all};
+use passivity_vectors::{SCHEMA, against, all};
 use serde_json::json;
 
 use crate::exit::{Exit, Failure};

@@ -9,6 +9,7 @@ mod error;
 mod force;
 mod layout;
 mod merge;
+#[cfg(feature = "parquet")]
 mod parquet;
 mod report;
 mod step;
@@ -55,6 +56,7 @@ pub struct Options<'a> {
 /// Where the samples come from.
 enum Source {
     Csv(Lines<Box<dyn Read>>),
+    #[cfg(feature = "parquet")]
     Parquet(Box<parquet::Table>),
     /// In memory, the last chunk first.
     Memory(Vec<Chunk>),
@@ -75,13 +77,24 @@ pub fn audit(path: &Path, scene: &Scene, options: Options<'_>) -> Result<Audit, 
     let read = (&mut file).take(4).read_to_end(&mut start);
     read.map_err(|error| TraceError::io(&error))?;
     if start == b"PAR1" {
-        let table = parquet::Table::open(path)?;
-        let layout = Layout::read(table.names(), scene)?;
-        return run(Source::Parquet(Box::new(table)), &layout, scene, options);
+        return audit_parquet(path, scene, options);
     }
     // What was read of a pipe cannot be read again.
     let whole = std::io::Cursor::new(start).chain(file);
     audit_csv(Box::new(whole), scene, options)
+}
+
+#[cfg(feature = "parquet")]
+fn audit_parquet(path: &Path, scene: &Scene, options: Options<'_>) -> Result<Audit, TraceError> {
+    let table = parquet::Table::open(path)?;
+    let layout = Layout::read(table.names(), scene)?;
+    run(Source::Parquet(Box::new(table)), &layout, scene, options)
+}
+
+#[cfg(not(feature = "parquet"))]
+fn audit_parquet(_: &Path, _: &Scene, _: Options<'_>) -> Result<Audit, TraceError> {
+    let message = "Parquet files are not in this build: build it with the feature `parquet`";
+    Err(TraceError::new("not_built_in", message))
 }
 
 /// Audits a trace in CSV.
@@ -151,6 +164,7 @@ fn run(
         while work.len() < threads {
             let next = match &mut source {
                 Source::Csv(lines) => lines.next_block().map(Work::Parse),
+                #[cfg(feature = "parquet")]
                 Source::Parquet(table) => table.next_chunk(layout).map(Work::Account),
                 Source::Memory(chunks) => chunks.pop().map(Work::Account),
             };

@@ -106,7 +106,7 @@ pub(super) fn steps(
                 } else {
                     1.0 - t
                 };
-                s[2] = held + (s[2] - held) * (-rates.lag() * step).exp();
+                s[2] = held + (s[2] - held) * (-rates.rate * step).exp();
                 t += step;
                 continue;
             }

@@ -1,8 +1,11 @@
 //! The methods of simulation: the closed form, its exact, rigorous and very precise relatives, and
 //! what people use today, to compare with.
 
+#[cfg(feature = "adaptive")]
 mod adaptive;
 mod general;
+#[cfg(feature = "multiprecision")]
+mod precise;
 mod steps;
 
 use std::fmt;
@@ -254,28 +257,42 @@ pub(crate) fn planned(
             effects,
         });
     }
-    match method {
-        Method::Exact => general::exact(point, plan, each),
-        Method::Reference { digits } => general::reference(point, plan, *digits, each),
-        Method::Enclosure => general::enclosure(point, plan, each),
-        _ => Ok(in_doubles(plan, method, each)),
-    }
-}
-
-fn in_doubles(plan: &Plan, method: &Method, mut each: Option<Each<'_>>) -> Simulated {
-    let see = |entry: &Entry| match &mut each {
-        Some(each) => each(&Line::Double(entry)),
-        None => true,
-    };
     let (end, totals) = match *method {
-        Method::Euler { substeps } => run::stepped(plan, steps::euler(plan, substeps), see),
-        Method::Rk4 { substeps } => run::stepped(plan, steps::rk4(plan, substeps), see),
-        Method::Adaptive { tolerance } => run::stepped(plan, adaptive::steps(plan, tolerance), see),
-        _ => run::ledger(plan, see),
+        Method::ClosedForm => run::ledger(plan, see(each)),
+        Method::Euler { substeps } => run::stepped(plan, steps::euler(plan, substeps), see(each)),
+        Method::Rk4 { substeps } => run::stepped(plan, steps::rk4(plan, substeps), see(each)),
+        #[cfg(feature = "adaptive")]
+        Method::Adaptive { tolerance } => {
+            run::stepped(plan, adaptive::steps(plan, tolerance), see(each))
+        }
+        Method::Exact => return general::exact(point, plan, each),
+        #[cfg(feature = "multiprecision")]
+        Method::Reference { digits } => return precise::reference(point, plan, digits, each),
+        #[cfg(feature = "multiprecision")]
+        Method::Enclosure => return precise::enclosure(point, plan, each),
+        #[cfg(not(feature = "adaptive"))]
+        Method::Adaptive { .. } => {
+            return Err(SimError::NotBuiltIn {
+                what: "the method `adaptive` is",
+                feature: "adaptive",
+            });
+        }
+        #[cfg(not(feature = "multiprecision"))]
+        Method::Reference { .. } | Method::Enclosure => {
+            return Err(SimError::NotBuiltIn {
+                what: "the methods `reference` and `enclosure` are",
+                feature: "multiprecision",
+            });
+        }
     };
-    Simulated {
+    Ok(Simulated {
         end,
         totals,
         detail: Detail::None,
-    }
+    })
+}
+
+/// Shows intervals in doubles to who sees them, if anyone does.
+fn see(mut each: Option<Each<'_>>) -> impl FnMut(&Entry) -> bool {
+    move |entry| each.as_mut().is_none_or(|each| each(&Line::Double(entry)))
 }

@@ -13,7 +13,8 @@ pub(super) struct Rates {
     inverse_mass: f64,
     drag: f64,
     stiffness: f64,
-    rate: f64,
+    /// κ, 0 without an amplifier's lag.
+    pub(super) rate: f64,
     pub(super) lags: bool,
     pub(super) sigma: f64,
 }
@@ -42,11 +43,6 @@ impl Rates {
     /// ξ̈ against friction of sign `sign`.
     pub(super) fn acceleration(&self, xi: f64, v: f64, output: f64, force: f64, sign: f64) -> f64 {
         (self.pull(xi, v, output, force) - self.sigma * sign) * self.inverse_mass
-    }
-
-    /// κ, 0 without an amplifier's lag.
-    pub(super) const fn lag(&self) -> f64 {
-        self.rate
     }
 
     /// ẏ.

@@ -19,16 +19,49 @@ use crate::error::SimError;
 use crate::outcome::{Exactly, Paper};
 use crate::plan::Plan;
 use crate::run;
-use crate::sweep::{Grid, Row, parquet};
+#[cfg(feature = "parquet")]
+use crate::sweep::parquet;
+use crate::sweep::{Grid, Row};
 
 /// The header of a sweep's file.
 const HEADER: &str = "beta,sigma,speed,paper,exact,at_interval,xi,velocity";
+
+/// A row with its values of β, σ and the speed.
+pub(super) type Found = ([f64; 3], Row);
+
+/// How the rows of a finished sweep are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    Csv,
+    #[cfg(feature = "parquet")]
+    Parquet,
+}
+
+impl Form {
+    /// The form that the name of a file asks for.
+    fn of(path: &Path) -> Result<Self, SimError> {
+        let parquet = path
+            .extension()
+            .is_some_and(|end| end.eq_ignore_ascii_case("parquet"));
+        if !parquet {
+            return Ok(Self::Csv);
+        }
+        #[cfg(feature = "parquet")]
+        return Ok(Self::Parquet);
+        #[cfg(not(feature = "parquet"))]
+        Err(SimError::NotBuiltIn {
+            what: "Parquet files are",
+            feature: "parquet",
+        })
+    }
+}
 
 /// A file that rows can be added to.
 #[derive(Debug)]
 pub struct Rows {
     /// What was asked for.
     path: PathBuf,
+    form: Form,
     /// Where rows go as they finish: the same, except for Parquet.
     journal: PathBuf,
     /// `None` when the sweep was finished before.
@@ -80,10 +113,11 @@ fn fingerprint(scene: &Point, grid: &Grid) -> String {
 /// `resume`, one that was left unfinished.
 pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Opened, SimError> {
     let mark = marker(path);
-    let journal = if parquet::is_meant(path) {
-        with_suffix(path, ".rows")
-    } else {
-        path.to_owned()
+    let form = Form::of(path)?;
+    let journal = match form {
+        Form::Csv => path.to_owned(),
+        #[cfg(feature = "parquet")]
+        Form::Parquet => with_suffix(path, ".rows"),
     };
     let print = fingerprint(scene, grid);
     let unfinished = mark.exists() && journal.exists();
@@ -96,6 +130,7 @@ pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Ope
     }
     let mut rows = Rows {
         path: path.to_owned(),
+        form,
         journal,
         file: None,
         buffer: String::new(),
@@ -103,7 +138,7 @@ pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Ope
         total: grid.len(),
     };
     if resume && !unfinished && path.exists() {
-        let found = finished(path, scene, grid)?;
+        let found = finished(path, form, scene, grid)?;
         rows.written = found.len();
         return Ok(Opened { rows, found });
     }
@@ -141,14 +176,21 @@ pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Ope
 }
 
 /// The rows of a sweep that was finished, once it is plain that they are of this one.
-fn finished(path: &Path, scene: &Point, grid: &Grid) -> Result<Vec<(usize, Row)>, SimError> {
-    let found = if parquet::is_meant(path) {
-        let rows = parquet::read(path).map_err(|error| failed(path, &error))?;
-        place(rows.into_iter(), grid, &|number, what| {
-            failed(path, &format!("row {}: {what}", number + 1))
-        })?
-    } else {
-        read(path, grid)?.0
+fn finished(
+    path: &Path,
+    form: Form,
+    scene: &Point,
+    grid: &Grid,
+) -> Result<Vec<(usize, Row)>, SimError> {
+    let found = match form {
+        Form::Csv => read(path, grid)?.0,
+        #[cfg(feature = "parquet")]
+        Form::Parquet => {
+            let rows = parquet::read(path).map_err(|error| failed(path, &error))?;
+            place(rows.into_iter(), grid, &|number, what| {
+                failed(path, &format!("row {}: {what}", number + 1))
+            })?
+        }
     };
     let refuse = |why: &str| {
         failed(
@@ -206,7 +248,7 @@ fn read(path: &Path, grid: &Grid) -> Result<(Vec<(usize, Row)>, u64), SimError> 
 
 /// The rows with the indices of their points in the grid.
 fn place(
-    rows: impl Iterator<Item = parquet::Found>,
+    rows: impl Iterator<Item = Found>,
     grid: &Grid,
     at: &dyn Fn(usize, &str) -> SimError,
 ) -> Result<Vec<(usize, Row)>, SimError> {
@@ -228,7 +270,7 @@ fn place(
     Ok(found)
 }
 
-fn parse(line: &str) -> Option<([f64; 3], Row)> {
+fn parse(line: &str) -> Option<Found> {
     let cells: Vec<&str> = line.split(',').collect();
     let [beta, sigma, speed, paper, exact, at, xi, velocity] = cells.as_slice() else {
         return None;
@@ -300,10 +342,14 @@ impl Rows {
             return Ok(()); // It was finished before.
         }
         let ordered = with_suffix(&self.path, ".tmp");
-        let written = if parquet::is_meant(&self.path) {
-            parquet::write(&ordered, grid, rows).map_err(|error| failed(&self.path, &error))
-        } else {
-            write_ordered(&ordered, grid, rows).map_err(|error| failed(&self.path, &error))
+        let written = match self.form {
+            Form::Csv => {
+                write_ordered(&ordered, grid, rows).map_err(|error| failed(&self.path, &error))
+            }
+            #[cfg(feature = "parquet")]
+            Form::Parquet => {
+                parquet::write(&ordered, grid, rows).map_err(|error| failed(&self.path, &error))
+            }
         };
         let placed = written.and_then(|()| {
             fs::rename(&ordered, &self.path).map_err(|error| failed(&self.path, &error))

@@ -2,6 +2,7 @@
 
 mod file;
 mod grid;
+#[cfg(feature = "parquet")]
 mod parquet;
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

@@ -16,6 +16,7 @@ use parquet::record::RowAccessor as _;
 use parquet::schema::parser::parse_message_type;
 
 use crate::outcome::{Exactly, Paper};
+use crate::sweep::file::Found;
 use crate::sweep::{Grid, Row};
 
 /// The columns, in the order of the CSV.
@@ -32,12 +33,6 @@ const SCHEMA: &str = "message sweep {
 
 /// Rows that are encoded at once.
 const GROUP: usize = 1 << 18;
-
-/// Whether a file is to be Parquet, by its name.
-pub(super) fn is_meant(path: &Path) -> bool {
-    path.extension()
-        .is_some_and(|end| end.eq_ignore_ascii_case("parquet"))
-}
 
 /// Writes the rows that are there, in the order of the grid, and has them reach the disk.
 pub(super) fn write(path: &Path, grid: &Grid, rows: &[Option<Row>]) -> Result<(), ParquetError> {
@@ -98,9 +93,6 @@ fn column<T: DataType>(
     column.typed::<T>().write_batch(values, levels, None)?;
     column.close()
 }
-
-/// A row with its values of β, σ and the speed.
-pub(super) type Found = ([f64; 3], Row);
 
 /// Reads a file of [`write`]; the reason in words when it is none.
 pub(super) fn read(path: &Path) -> Result<Vec<Found>, String> {

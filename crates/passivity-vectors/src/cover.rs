@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::Group;
-use super::build::{Dice, check, ratio, test};
+use crate::Group;
+use crate::build::{Dice, check, ratio, test};
 
 pub(super) fn regions() -> Group {
     let values = [

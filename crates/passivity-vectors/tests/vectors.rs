@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use passivity_oracle::vectors::{Outcome, SCHEMA, against::against, all};
+use passivity_vectors::{Outcome, SCHEMA, against, all};
 use serde_json::Value;
 
 fn root() -> PathBuf {

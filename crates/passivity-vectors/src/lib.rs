@@ -4,16 +4,17 @@
 //! assigns. Generated from the kernel, the same bytes every time; see `schema.json` beside them for
 //! their form, and [`against`] for driving another implementation through them.
 
-pub mod against;
+mod against;
 mod build;
 mod cover;
 mod groups;
-mod schema;
 
-pub use against::{Difference, Judge, Outcome};
-pub use schema::SCHEMA;
+pub use against::{Difference, Judge, Outcome, against};
 
 use serde_json::{Map, Value, json};
+
+/// JSON Schema (draft 2020-12) of a vector file.
+pub const SCHEMA: &str = include_str!("schema.json");
 
 /// The version of the form of the files.
 pub const FORM: u32 = 1;
@@ -55,7 +56,7 @@ pub struct Group {
 /// # Example
 ///
 /// ```
-/// let groups = passivity_oracle::vectors::all();
+/// let groups = passivity_vectors::all();
 /// let tests: usize = groups.iter().map(|group| group.tests.len()).sum();
 /// assert!(tests >= 2000);
 /// ```

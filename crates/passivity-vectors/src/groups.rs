@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::build::{Dice, counts, interval, ratio, test};
-use super::{Group, Test, cover};
+use crate::build::{Dice, counts, interval, ratio, test};
+use crate::{Group, Test, cover};
 
 /// Every group, in the order of their numbers.
 pub(super) fn all() -> Vec<Group> {
@@ -89,8 +89,7 @@ fn intervals() -> Group {
     ];
     let mut tests = Vec::new();
     for from in [-2_i64, 0, 1] {
-        for to in -3_i64..=3 {
-            let (beta, sigma) = frictions[usize::try_from(to + 3).unwrap_or(0) % frictions.len()];
+        for (to, (beta, sigma)) in (-3..=3).zip(frictions.iter().cycle()) {
             let request = interval(&ratio(from, 1), &ratio(to, 1), beta, sigma, "1");
             tests.push(test("whole ticks", &["WholeTicks"], request));
         }
@@ -422,6 +421,6 @@ fn effects() -> Group {
 
 /// The sum of two fractions as text.
 fn sum(a: &str, b: &str) -> String {
-    let parse = |text: &str| passivity_scene::number::parse(text).unwrap_or_default();
+    let parse = |text| passivity_scene::number::parse(text).expect("a fraction of this file");
     (parse(a) + parse(b)).to_string()
 }

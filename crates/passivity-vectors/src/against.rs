@@ -11,7 +11,7 @@ use passivity_scene::json::read_rational;
 use passivity_scene::number::nearest_f64;
 use serde_json::Value;
 
-use super::{Group, Test};
+use crate::{Group, Test};
 
 /// How long to wait for the next answer.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -114,7 +114,7 @@ fn read_line(input: &mut impl BufRead) -> std::io::Result<Option<Vec<u8>>> {
 /// # Example
 ///
 /// ```
-/// use passivity_oracle::vectors::{against::Judge, all};
+/// use passivity_vectors::{Judge, all};
 ///
 /// let groups = all();
 /// let mut judge = Judge::new(&groups);
