@@ -37,7 +37,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             emit(&text)?;
         }
         Format::Json => {
-            let mut document = explanation.to_json();
+            let mut document = serde_json::to_value(&explanation).expect("JSON");
             document["plan"] = plan.into();
             emit_json(&document)?;
         }
