@@ -66,6 +66,7 @@ pub mod quantizer;
 pub mod rational;
 pub mod region;
 pub mod scalar;
+pub mod sources;
 pub mod spring;
 pub mod start;
 pub mod stiffness;

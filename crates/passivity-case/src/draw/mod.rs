@@ -134,7 +134,6 @@ fn draw_shape(svg: &mut String, shape: &Shape<'_>) {
         x,
         y,
         w,
-        h,
         body,
         folded,
         ..
@@ -190,26 +189,7 @@ fn draw_shape(svg: &mut String, shape: &Shape<'_>) {
         }
     };
     if node.is_undeveloped() || *folded {
-        let (top, bottom) = (y + body, y + h - 4.0);
-        let middle = f64::midpoint(top, bottom);
-        let half = layout::DIAMOND / 2.0;
-        if *folded {
-            // Not a sign of GSN: three dots say that the support is in a drawing of its own.
-            for dx in [-7.0, 0.0, 7.0] {
-                let _ = write!(
-                    svg,
-                    r#"<circle cx="{:.1}" cy="{middle:.1}" r="2" fill="{stroke}"/>"#,
-                    cx + dx
-                );
-            }
-        } else {
-            let _ = write!(
-                svg,
-                r##"<polygon points="{cx:.1},{top:.1} {:.1},{middle:.1} {cx:.1},{bottom:.1} {:.1},{middle:.1}" fill="#ffffff" stroke="{stroke}" stroke-width="1.3"><title>undeveloped</title></polygon>"##,
-                cx + half,
-                cx - half,
-            );
-        }
+        draw_below(svg, shape, stroke);
     }
     if node.is_defeated() {
         let (right, bottom) = (x + w, y + body);
@@ -219,6 +199,32 @@ fn draw_shape(svg: &mut String, shape: &Shape<'_>) {
         );
     }
     draw_text(svg, shape, (cx, cy), stroke);
+}
+
+/// The diamond under an element that nothing supports, or the dots under one whose support is in a
+/// drawing of its own.
+fn draw_below(svg: &mut String, shape: &Shape<'_>, stroke: &str) {
+    let cx = shape.x + shape.w / 2.0;
+    let (top, bottom) = (shape.y + shape.body, shape.y + shape.h - 4.0);
+    let middle = f64::midpoint(top, bottom);
+    let half = layout::DIAMOND / 2.0;
+    if shape.folded {
+        // Not a sign of GSN: three dots say that the support is in a drawing of its own.
+        for dx in [-7.0, 0.0, 7.0] {
+            let _ = write!(
+                svg,
+                r#"<circle cx="{:.1}" cy="{middle:.1}" r="2" fill="{stroke}"/>"#,
+                cx + dx
+            );
+        }
+    } else {
+        let _ = write!(
+            svg,
+            r##"<polygon points="{cx:.1},{top:.1} {:.1},{middle:.1} {cx:.1},{bottom:.1} {:.1},{middle:.1}" fill="#ffffff" stroke="{stroke}" stroke-width="1.3"><title>undeveloped</title></polygon>"##,
+            cx + half,
+            cx - half,
+        );
+    }
 }
 
 fn draw_text(svg: &mut String, shape: &Shape<'_>, (cx, cy): (f64, f64), colour: &str) {
@@ -253,11 +259,7 @@ fn draw_text(svg: &mut String, shape: &Shape<'_>, (cx, cy): (f64, f64), colour: 
 fn draw_edge(svg: &mut String, edge: &Edge) {
     let mut points = edge.points.clone();
     points.dedup();
-    let Some(((x1, y1), (x0, y0))) = points
-        .last()
-        .copied()
-        .zip(points.len().checked_sub(2).map(|i| points[i]))
-    else {
+    let [.., (x0, y0), (x1, y1)] = points[..] else {
         return;
     };
     let (colour, dashes) = match edge.relation {
@@ -335,7 +337,7 @@ mod tests {
     fn no_two_elements_overlap_and_every_element_is_drawn_within_the_picture() {
         let argument = crowded();
         let block = Layout::new(&argument, &[]).under(argument.top());
-        assert_eq!(block.shapes.len(), argument.nodes().len());
+        assert_eq!(block.shapes.len(), argument.nodes().count());
         for (index, a) in block.shapes.iter().enumerate() {
             assert!(a.x >= 0.0 && a.y >= 0.0, "{}", a.node.id);
             assert!(
@@ -378,14 +380,13 @@ mod tests {
     #[test]
     fn text_fits_into_its_element() {
         let argument = crowded();
-        let letters = text::Letters::new();
         let block = Layout::new(&argument, &[]).under(argument.top());
         for shape in &block.shapes {
             let rows =
                 shape.id.len() + shape.lines.len() + usize::from(shape.node.standing.is_some());
             let (h, body) = (rows as f64 * LINE, shape.body);
             for line in &shape.lines {
-                let w = letters.width(line);
+                let w = text::width(line);
                 let fits = match shape.node.kind {
                     Kind::Solution | Kind::CounterSolution => w.hypot(h) <= body,
                     // Within the ellipse: (w/2a)² + (h/2b)² ≤ 1.
