@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use passivity_scene::Effect;
-use passivity_scene::check::{BoundSource, Report, Verdict};
+use passivity_scene::check::{Report, Verdict};
 use passivity_scene::display::{approx, range};
 use passivity_scene::explain::Step;
 
@@ -101,7 +101,7 @@ impl<'a> Builder<'a> {
 
     fn surroundings(&mut self) {
         let study = self.study;
-        let stiffness = match study.scene.stiffness.text.as_str() {
+        let stiffness = match study.scene.given.stiffness.text.as_str() {
             "" => "stiffness 1 in its own units".to_owned(),
             text => format!("stiffness {text}"),
         };
@@ -174,10 +174,7 @@ impl<'a> Builder<'a> {
 
     /// From one interval to a whole motion.
     fn sum(&mut self) {
-        let mut ids = vec!["TH-INTERVAL", "TH-RUN"];
-        if self.report().bound_source == Some(BoundSource::Start) {
-            ids.push("TH-START");
-        }
+        let ids = ["TH-INTERVAL", "TH-RUN"];
         let text = "Where the criterion holds at the speed of every interval, no interval gains \
                     energy, and over any number of them the hand draws no more than was stored.";
         self.claims_goal(SUM, text, &ids);
@@ -197,14 +194,15 @@ impl<'a> Builder<'a> {
         self.argument.hang(STRATEGY, goal);
         let margin = report.margin_at_speed_bound.as_ref();
         let margin = margin.filter(|_| report.speed_bound.is_some() && !self.at_all_speeds());
-        let (margin, at) = match margin {
-            Some(margin) => (margin, "at the speed bound, in KΔ"),
-            None => (&report.margin_at_all_speeds, "at every speed"),
+        let figure = match margin {
+            Some(margin) => format!("Margin (8) at the speed bound {}", range(margin)),
+            None => format!(
+                "To spare at every speed: {} of β and {} of σ",
+                range(&report.spare.viscous),
+                range(&report.spare.coulomb)
+            ),
         };
-        let figure = format!(
-            "Margin {} {at}: exact arithmetic, done for this case.",
-            range(margin)
-        );
+        let figure = format!("{figure}: exact arithmetic, done for this case.");
         match verdict {
             Verdict::Passive => {
                 let solution = Node::new(Kind::Solution, "Sn-margin", figure)
@@ -232,7 +230,7 @@ impl<'a> Builder<'a> {
     }
 
     fn at_all_speeds(&self) -> bool {
-        !num_traits::Signed::is_negative(self.report().margin_at_all_speeds.lo())
+        self.report().at_every_speed
     }
 
     /// Why the figures can be relied on.
@@ -255,10 +253,7 @@ impl<'a> Builder<'a> {
         self.argument.hang(STRATEGY, goal);
         let mut at_head = Vec::new();
         let mut open = Vec::new();
-        for given in self.study.scene.parameters() {
-            if given.text.is_empty() {
-                continue;
-            }
+        for (_, given) in self.study.scene.parameters() {
             match self.study.source(given) {
                 Source::Comment(comment) => {
                     let text = format!("{}: {}", given.key, clipped(&comment, 90));

@@ -1,8 +1,8 @@
 //! The criterion with the numbers of a scene, at both ends of its tolerances.
 
-use passivity_core::{BigRational, Interval, criterion};
+use passivity_core::{BigRational, Exact, Interval};
+use passivity_scene::check::enclosure;
 use passivity_scene::display::range;
-use passivity_scene::pi::PRINT_LEVEL;
 use passivity_scene::{Motion, Scene};
 
 /// The criterion (11), (b − …)·v + (c − …) ≥ 0, in SI units: every rig within the tolerances lies
@@ -20,11 +20,14 @@ impl Criterion {
     /// The criterion of a scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
-        let (hardest, easiest): (criterion::Criterion<_>, _) =
-            scene.rig_box(PRINT_LEVEL).criteria();
+        let [hardest, easiest] = scene.bounds().criteria();
+        let range = |a: Exact, b: Exact| match enclosure(&Interval::hull(a, b)) {
+            Some(range) => range,
+            None => unreachable!("the numbers of a scene are defined"),
+        };
         Self {
-            viscous: Interval::hull(hardest.viscous, easiest.viscous),
-            coulomb: Interval::hull(hardest.coulomb, easiest.coulomb),
+            viscous: range(hardest.viscous, easiest.viscous),
+            coulomb: range(hardest.coulomb, easiest.coulomb),
             motion: scene.motion,
         }
     }

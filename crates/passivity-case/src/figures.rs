@@ -1,13 +1,14 @@
 //! Pictures of a scene: its place in the plane, its motion with the energy ledger, and what accuracy
 //! costs.
 
-use passivity_core::{BigRational, Interval, Scalar as _};
+use passivity_core::BigRational;
+use passivity_core::parameter::Hurts;
+use passivity_core::verdict::End;
 use passivity_plot::plane::{self, Mark};
 use passivity_scene::display::range;
-use passivity_scene::number::nearest_f64;
-use passivity_scene::{Exact, Given, Point, Scene};
+use passivity_scene::{Point, Scene};
 use passivity_sim::plot::motion::{self, Motion};
-use passivity_sim::{Exactly, Plan, accuracy, plot, run};
+use passivity_sim::{ExactOutcome, Plan, accuracy, plot, run};
 
 use crate::document::{Block, Figure, Line};
 use crate::study::Study;
@@ -27,38 +28,27 @@ fn say(text: impl Into<String>) -> Vec<Block> {
 #[must_use]
 pub fn of_plane(study: &Study) -> Vec<Block> {
     let report = study.report();
-    let Some(sigma) = &report.sigma else {
+    let (Some(sigma), Some(mark)) = (&report.sigma, Mark::of(&study.scene, report)) else {
         return say(
             "Without an encoder the scene has no place in the (β, σ) plane: σ needs a resolution Δ.",
         );
     };
-    let ends = |x: &Interval<BigRational>| (nearest_f64(x.lo()), nearest_f64(x.hi()));
-    let middle = |x: &Interval<BigRational>| nearest_f64(&(x.lo() + x.hi()).half());
-    // Enclosures of π are no tolerance.
-    let parameters = study.scene.parameters();
-    let has_tolerance = parameters.iter().any(|given| given.has_tolerance());
-    // The critical line of the largest speed within the bound is the one to stay above.
-    let speed = report.speed_bound.as_ref();
-    let speed = speed.map(|v| (nearest_f64(v.hi()), format!("{} ticks/sample", range(v))));
-    let mark = Mark {
-        name: study.name().to_owned(),
-        beta: middle(&report.beta),
-        sigma: middle(sigma),
-        tolerance: has_tolerance.then(|| [ends(&report.beta), ends(sigma)]),
-        speed: speed.filter(|(v, _)| *v > 0.0),
-        verdict: report.verdict.name().replace('_', " "),
-    };
+    let has_tolerance = mark.beta[0] < mark.beta[1] || mark.sigma[0] < mark.sigma[1];
+    let has_costs = mark.has_costs;
     let at = format!("β = {}, σ = {}", range(&report.beta), range(sigma));
     let alt = format!(
         "The plane of effective viscous friction β and effective Coulomb friction σ, with the lines \
          β = ½ and σ = ½ that part the regions. The scene is at {at}: {}.",
         mark.verdict
     );
-    let place = if has_tolerance {
-        "The rectangle holds every value within the tolerances. "
-    } else {
-        ""
-    };
+    let mut place = String::new();
+    if has_tolerance {
+        place += "The rectangle holds every value within the tolerances. ";
+    }
+    if has_costs {
+        place += "It is drawn at β and σ less what its effects cost beyond the two halves of \
+                  sampling and quantization. ";
+    }
     match plane::draw(&[mark]) {
         Ok(svg) => vec![Block::Figure(Figure {
             id: study.anchor("plane"),
@@ -75,34 +65,20 @@ pub fn of_plane(study: &Study) -> Vec<Block> {
     }
 }
 
-/// The scene with each parameter that decides at the end of its tolerance at which the criterion is
-/// hardest to meet, and whether that is another scene.
+/// The scene with each parameter at the end of its tolerance at which the criterion is hardest to
+/// meet, and whether that is another scene.
 fn at_hardest_end(scene: &Scene) -> (Scene, bool) {
     let mut scene = scene.clone();
     let mut moved = false;
-    let mut pin = |given: &mut Given, end: fn(&Interval<BigRational>) -> &BigRational| {
-        moved |= given.has_tolerance();
-        let value = end(given.value.range()).clone();
-        given.nominal = Exact::new(Interval::point(value), given.value.pi_power());
-    };
-    for given in [&mut scene.viscous, &mut scene.coulomb]
-        .into_iter()
-        .flatten()
-    {
-        pin(given, Interval::lo);
-    }
-    let others = [
-        &mut scene.resolution,
-        &mut scene.damping,
-        &mut scene.force_step,
-        &mut scene.max_speed,
-    ];
-    for given in others.into_iter().flatten() {
-        pin(given, Interval::hi);
-    }
-    for given in [&mut scene.stiffness, &mut scene.period] {
-        pin(given, Interval::hi);
-    }
+    scene.given = scene.given.map(|parameter, given| {
+        let mut given = given.clone();
+        // What has no part in the criterion stays as it is.
+        if parameter.row().hurts != Hurts::Neither {
+            moved |= given.has_tolerance();
+            given.nominal = End::Hardest.of(parameter, &given.value).clone();
+        }
+        given
+    });
     (scene, moved)
 }
 
@@ -111,11 +87,11 @@ fn at_hardest_end(scene: &Scene) -> (Scene, bool) {
 fn to_simulate(study: &Study) -> Option<(Point, String)> {
     let (scene, moved) = at_hardest_end(&study.scene);
     let mut point = scene.point();
-    let mut from = if scene.start.is_some() {
+    let mut from = if scene.has_start() {
         "from the start in the scene".to_owned()
     } else {
-        let bound = scene.max_speed.as_ref()?;
-        let speed = bound.nominal.middle() * &point.units.period / &point.units.length;
+        let bound = scene.given.max_speed.as_ref()?;
+        let speed = point.at.max_speed.clone()?;
         from_surface(&mut point, speed);
         format!(
             "from the surface of the wall at the speed bound, {}",
@@ -129,13 +105,14 @@ fn to_simulate(study: &Study) -> Option<(Point, String)> {
 }
 
 fn from_surface(point: &mut Point, speed: BigRational) {
-    point.start = [BigRational::integer(0), speed];
+    point.at.start_position = None;
+    point.at.start_velocity = Some(speed);
 }
 
 /// The motion of a scene and its energy ledger; a paragraph that says why not, where there is none.
 #[must_use]
 pub fn of_motion(study: &Study) -> Vec<Block> {
-    if study.scene.inertia.is_none() {
+    if study.scene.given.inertia.is_none() {
         return say("No motion is shown: the scene has no inertia.");
     }
     let Some((mut point, from)) = to_simulate(study) else {
@@ -152,13 +129,13 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
         true
     });
     let outcome = match end.outcome.exact {
-        Exactly::AtRest => format!("comes to exact rest after {} intervals", end.intervals),
-        Exactly::Growing => format!(
+        ExactOutcome::AtRest => format!("comes to exact rest after {} intervals", end.intervals),
+        ExactOutcome::Growing => format!(
             "grows without end, which is certain after {} intervals",
             end.intervals
         ),
-        Exactly::NeverAtRest => "never comes to rest".to_owned(),
-        Exactly::Undecided => format!("is undecided after {} intervals", end.intervals),
+        ExactOutcome::NeverAtRest => "never comes to rest".to_owned(),
+        ExactOutcome::Undecided => format!("is undecided after {} intervals", end.intervals),
     };
     let caption = format!(
         "One motion of «{}», {from}, simulated in double precision: it {outcome}. The lowest panel \
@@ -186,7 +163,7 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
 /// What accuracy costs in time: measured now, so different at every run.
 #[must_use]
 pub fn of_accuracy(study: &Study) -> Vec<Block> {
-    let simulated = to_simulate(study).filter(|_| study.scene.inertia.is_some());
+    let simulated = to_simulate(study).filter(|_| study.scene.given.inertia.is_some());
     let Some((point, _)) = simulated else {
         return Vec::new();
     };

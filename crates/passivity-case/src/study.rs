@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use passivity_core::{BigRational, Interval};
 use passivity_evidence::Sha256;
-use passivity_scene::check::{BoundSource, Report, Verdict};
+use passivity_scene::check::{Report, Verdict};
 use passivity_scene::display::range;
 use passivity_scene::explain::{Explanation, explain};
 use passivity_scene::{Given, Motion, Scene};
@@ -93,8 +93,7 @@ impl Study {
     #[must_use]
     pub fn has_speed_limit(&self) -> bool {
         let report = self.report();
-        let holds_always = !num_traits::Signed::is_negative(report.margin_at_all_speeds.lo());
-        report.speed_bound.is_some() && !holds_always
+        report.speed_bound.is_some() && !report.at_every_speed
     }
 
     /// At which speeds the verdict was asked: `at every speed`, or up to a bound.
@@ -112,12 +111,7 @@ impl Study {
             Some(si) => format!("{} {}", range(si), speed_unit(self.scene.motion)),
             None => format!("{} ticks/sample", range(ticks)),
         };
-        match report.bound_source {
-            Some(BoundSource::Start) => {
-                format!("in the unforced motion from its start, which never passes {bound}")
-            }
-            _ => format!("at every speed up to {bound}"),
-        }
+        format!("at every speed up to {bound}")
     }
 
     /// The criterion with the numbers of the scene, over the tolerances.
@@ -196,14 +190,10 @@ impl Study {
     /// The parameters of which the file says no source.
     #[must_use]
     pub fn unsourced(&self) -> Vec<&'static str> {
-        let parameters = self
-            .scene
-            .parameters()
-            .into_iter()
-            .filter(|g| !g.text.is_empty());
+        let parameters = self.scene.parameters().into_iter();
         parameters
-            .filter(|g| self.source(g) == Source::None)
-            .map(|g| g.key)
+            .filter(|(_, given)| self.source(given) == Source::None)
+            .map(|(_, given)| given.key)
             .collect()
     }
 }

@@ -49,7 +49,7 @@ pub fn collect(root: &Path, folder: &Path, claims: &Claims) -> Result<Evidence, 
     Ok(evidence)
 }
 
-fn run(report: Report, files: BTreeMap<String, Sha256>) -> Result<Run, EvidenceError> {
+pub(crate) fn run(report: Report, files: BTreeMap<String, Sha256>) -> Result<Run, EvidenceError> {
     let engine = report.engine;
     let (tools, commit, outcome) = match report.ran {
         Ran::No(why) => (Vec::new(), None, RunOutcome::NotRun(why)),
@@ -69,9 +69,9 @@ fn run(report: Report, files: BTreeMap<String, Sha256>) -> Result<Run, EvidenceE
     })
 }
 
-/// What an engine says of a claim; `None` when it has nothing to say and was not asked to. The sums
+/// What an engine says of a claim, here or elsewhere; `None` when it has nothing to say and was not asked to. The sums
 /// of what it rests on are added to `files`.
-fn record(
+pub(crate) fn record(
     root: &Path,
     claims: &Claims,
     claim: &Claim,
@@ -87,12 +87,29 @@ fn record(
     if parts.is_empty() && !claim.evidence.contains(&engine) {
         return Ok(None);
     }
-    let (outcome, statement, sources) = match &report.ran {
+    let scope = claim.scope.get(&engine).cloned();
+    let (outcome, scope, statement, sources) = match &report.ran {
         Ran::No(why) => (
             Outcome::NotRun(why.clone()),
+            scope,
             claims.statement(claim, engine)?,
             BTreeSet::new(),
         ),
+        Ran::Yes(
+            done @ Done {
+                imported: Some(imported),
+                ..
+            },
+        ) => {
+            let (scope, statement, sums) = match imported.bound(&claim.id, rested_on(done, &parts))
+            {
+                Some((then, sums)) => (then.scope.clone(), then.statement, sums),
+                None => (scope, claims.statement(claim, engine)?, BTreeMap::new()),
+            };
+            let sources = sums.keys().cloned().collect();
+            files.extend(sums);
+            (outcome(&parts)?, scope, statement, sources)
+        }
         Ran::Yes(done) => {
             let tree = Sources::new(root, done.commit.clone());
             let sources = bound(claim, done, &parts);
@@ -103,6 +120,7 @@ fn record(
             }
             (
                 outcome(&parts)?,
+                scope,
                 statement(&tree, claims, claim, done, report)?,
                 sources,
             )
@@ -118,7 +136,7 @@ fn record(
         claim: claim.id.clone(),
         engine,
         outcome,
-        scope: claim.scope.get(&engine).cloned(),
+        scope,
         domains,
         cases: (cases > 0).then_some(cases),
         seconds: seconds(parts.iter().copied()),
@@ -149,9 +167,14 @@ fn statement(
 /// The files that a record rests on: the claim's code, and what its parts were read from.
 fn bound(claim: &Claim, done: &Done, parts: &[&Part]) -> BTreeSet<String> {
     let mut files = claim.files();
-    files.extend(done.shared.iter().cloned());
-    files.extend(parts.iter().flat_map(|part| part.files.iter().cloned()));
+    files.extend(rested_on(done, parts).cloned());
     files
+}
+
+/// The files that parts were read from.
+fn rested_on<'a>(done: &'a Done, parts: &'a [&Part]) -> impl Iterator<Item = &'a String> {
+    let own = parts.iter().flat_map(|part| &part.files);
+    done.shared.iter().chain(own)
 }
 
 /// What the parts show together, and no more than they do.

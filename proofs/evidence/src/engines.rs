@@ -16,6 +16,7 @@ use passivity_evidence::{Claims, Engine, EvidenceError, Shown, Tool, read};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
+use crate::imported::Imported;
 use crate::sources::Sources;
 
 /// One harness, query, test or theorem, and the claims that it speaks of.
@@ -46,6 +47,8 @@ pub(crate) struct Done {
     pub(crate) shared: BTreeSet<String>,
     /// The commit, when the run was made elsewhere.
     pub(crate) commit: Option<String>,
+    /// What was recorded of that run, when it is that.
+    pub(crate) imported: Option<Imported>,
 }
 
 /// Whether an engine ran.
@@ -62,7 +65,7 @@ impl Report {
         }
     }
 
-    fn done(engine: Engine, done: Done) -> Self {
+    pub(crate) fn done(engine: Engine, done: Done) -> Self {
         Self {
             engine,
             ran: Ran::Yes(done),
@@ -84,10 +87,15 @@ pub(crate) fn reports(
     folder: &Path,
     claims: &Claims,
 ) -> Result<Vec<Report>, EvidenceError> {
+    // What Kani said elsewhere counts where it does not run.
+    let mut kani = harnesses::kani(root, folder)?;
+    if let (Ran::No(_), Some(imported)) = (&kani.ran, Imported::read(root)?) {
+        kani = imported.report(claims)?;
+    }
     Ok(vec![
         smt::report(&Sources::new(root, None), folder)?,
         rocq::report(&Sources::new(root, None), folder)?,
-        harnesses::kani(root, folder)?,
+        kani,
         harnesses::stand_in(root, folder)?,
         tests::report(&Sources::new(root, None), folder, claims)?,
         prusti(folder)?,
@@ -141,20 +149,25 @@ fn lines<T: DeserializeOwned>(path: &Path) -> Result<Option<Vec<T>>, EvidenceErr
 
 /// The files of a Rust test crate that hold the module of a part such as `region::th_region_x`, and
 /// those that hold no part and so are shared by all.
-struct Modules {
+pub(crate) struct Modules {
     files: BTreeSet<String>,
     folder: String,
 }
 
 impl Modules {
     fn new(sources: &Sources, folder: &str) -> Result<Self, EvidenceError> {
-        Ok(Self {
-            files: sources.under(folder)?,
-            folder: folder.to_owned(),
-        })
+        Ok(Self::of_files(sources.under(folder)?, folder))
     }
 
-    fn of(&self, part: &str) -> Result<BTreeSet<String>, EvidenceError> {
+    /// The modules in the files of a folder.
+    pub(crate) fn of_files(files: BTreeSet<String>, folder: &str) -> Self {
+        Self {
+            files,
+            folder: folder.to_owned(),
+        }
+    }
+
+    pub(crate) fn of(&self, part: &str) -> Result<BTreeSet<String>, EvidenceError> {
         let module = part.split("::").next();
         let file = module.map(|module| format!("{}/{module}.rs", self.folder));
         let within = module.map(|module| format!("{}/{module}/", self.folder));
@@ -169,7 +182,7 @@ impl Modules {
         Ok(files)
     }
 
-    fn shared(&self, parts: &[Part]) -> BTreeSet<String> {
+    pub(crate) fn shared(&self, parts: &[Part]) -> BTreeSet<String> {
         let own: BTreeSet<&String> = parts.iter().flat_map(|part| &part.files).collect();
         let shared = self.files.iter().filter(|file| !own.contains(file));
         shared.cloned().collect()

@@ -6,11 +6,14 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use passivity_evidence::{Claims, Engine, Evidence, EvidenceError, Sha256, Shown, Tool, read};
 use serde::{Deserialize, Serialize};
 
-use crate::claims::Claims;
-use crate::collect::{self, Part, Report, Verdict};
-use crate::record::{Engine, Evidence, Record, sha256};
+use crate::collect::{record, run};
+use crate::engines::{Done, Modules, Part, Report};
+
+/// Where the harnesses are, from the root of the workspace.
+pub const HARNESSES: &str = "proofs/kani/src";
 
 /// Where it is, from the root of the workspace.
 pub const FILE: &str = "proofs/kani/imported.json";
@@ -20,19 +23,19 @@ pub const FILE: &str = "proofs/kani/imported.json";
 #[serde(deny_unknown_fields)]
 pub struct Imported {
     /// The tool and its version: `Kani 0.67.0`.
-    pub tool: String,
+    pub tool: Tool,
     /// What works under it: `CBMC 6.6.0` and the solver.
     pub below: Vec<String>,
     /// The commit whose sources were checked, all digits.
     pub commit: String,
     /// SHA-256 of the report.
-    pub report_sha256: String,
+    pub report_sha256: Sha256,
     /// The harnesses of that commit, all of which were proved.
     pub harnesses: Vec<Harness>,
     /// What the harnesses of a claim speak of, by its id.
     pub claims: BTreeMap<String, Bound>,
     /// SHA-256 of each source of the harnesses at that commit.
-    pub harness_files: BTreeMap<String, String>,
+    pub harness_files: BTreeMap<String, Sha256>,
 }
 
 /// A harness that was proved.
@@ -55,10 +58,10 @@ pub struct Harness {
 pub struct Bound {
     /// What part of the claim the harnesses spoke of.
     pub scope: Option<String>,
-    /// SHA-256 of the claim's text.
-    pub claim_sha256: String,
+    /// [`Claims::statement`], of the claims at that commit.
+    pub statement: Sha256,
     /// SHA-256 of each source file of the claim's code.
-    pub sources: BTreeMap<String, String>,
+    pub sources: BTreeMap<String, Sha256>,
 }
 
 /// The claims that harnesses speak of, from the text of `claims.toml` and the sources at a commit.
@@ -69,24 +72,23 @@ pub struct Bound {
 pub fn bind(
     claims: &str,
     harnesses: &[Harness],
-    read: impl Fn(&str) -> Result<String, String>,
-) -> Result<BTreeMap<String, Bound>, String> {
-    let claims: Claims =
-        toml::from_str(claims).map_err(|e| format!("`claims.toml` of that commit: {e}"))?;
+    read: impl Fn(&str) -> Result<String, EvidenceError>,
+) -> Result<BTreeMap<String, Bound>, EvidenceError> {
+    let claims = Claims::parse("claims.toml of that commit", claims)?;
     let mut bound = BTreeMap::new();
     for harness in harnesses {
         for id in &harness.claims {
-            let claim = claims
-                .find(id)
-                .ok_or_else(|| format!("{}: unknown claim `{id}`", harness.name))?;
+            let claim = claims.find(id).ok_or_else(|| {
+                EvidenceError::new(format!("{}: unknown claim `{id}`", harness.name))
+            })?;
             let hash = |file: String| {
                 let text = read(&file)?;
-                Ok((file, sha256(text.as_bytes())))
+                Ok((file, Sha256::of(text.as_bytes())))
             };
-            let sources: Result<_, String> = claim.files().into_iter().map(hash).collect();
+            let sources: Result<_, EvidenceError> = claim.files().into_iter().map(hash).collect();
             let entry = Bound {
                 scope: claim.scope.get(&Engine::Kani).cloned(),
-                claim_sha256: claim.sha256(),
+                statement: claims.statement(claim, Engine::Kani)?,
                 sources: sources?,
             };
             bound.insert(id.clone(), entry);
@@ -101,14 +103,14 @@ impl Imported {
     /// # Errors
     ///
     /// A sentence, when the file can't be read or is no such record.
-    pub fn read(root: &Path) -> Result<Option<Self>, String> {
+    pub fn read(root: &Path) -> Result<Option<Self>, EvidenceError> {
         let path = root.join(FILE);
         if !path.exists() {
             return Ok(None);
         }
-        let read = serde_json::from_str(&crate::read(&path)?);
+        let read = serde_json::from_str(&read(&path)?);
         read.map(Some)
-            .map_err(|e| format!("{}: {e}", path.display()))
+            .map_err(|error| EvidenceError::within(FILE, error))
     }
 
     /// Records it in the tree at `root`.
@@ -116,10 +118,11 @@ impl Imported {
     /// # Errors
     ///
     /// A sentence, when the file can't be written.
-    pub fn write(&self, root: &Path) -> Result<(), String> {
+    pub fn write(&self, root: &Path) -> Result<(), EvidenceError> {
         let path = root.join(FILE);
-        let text = serde_json::to_string_pretty(self).map_err(|e| e.to_string())?;
-        std::fs::write(&path, format!("{text}\n")).map_err(|e| format!("{}: {e}", path.display()))
+        let text = serde_json::to_string_pretty(self)
+            .map_err(|error| EvidenceError::within(FILE, error))?;
+        std::fs::write(&path, format!("{text}\n")).map_err(|error| EvidenceError::io(&path, &error))
     }
 
     /// The tool and the commit, and no more than these: `Kani 0.67.0, at commit 5cb3f4e2695e`.
@@ -136,100 +139,80 @@ impl Imported {
         self.harnesses.iter().max_by(order)
     }
 
-    /// The sources of a record's harnesses that have changed since: the files that they stand in,
-    /// and those of the same crate in which no harness stands. None for a record of another run.
-    ///
-    /// # Errors
-    ///
-    /// A sentence, when a file can't be read.
-    pub fn changed(&self, root: &Path, record: &Record) -> Result<Vec<String>, String> {
-        if record.engine != Engine::Kani || record.tool != self.words() {
-            return Ok(Vec::new());
-        }
-        let all: Vec<&String> = self.harnesses.iter().map(|h| &h.name).collect();
-        let own: Vec<&String> = record.parts.iter().collect();
-        let mut changed = Vec::new();
-        for (file, hash) in &self.harness_files {
-            let concerns = has_one_of(file, &own) || !has_one_of(file, &all);
-            let path = root.join(file);
-            if concerns && (!path.exists() || sha256(crate::read(&path)?.as_bytes()) != *hash) {
-                changed.push(file.clone());
-            }
-        }
-        Ok(changed)
-    }
-
     /// What was said, in the form that all engines report in; of the claims that are still there.
-    pub(crate) fn report(&self, claims: &Claims) -> Report {
-        let part = |harness: &Harness| Part {
-            claims: harness
-                .claims
-                .iter()
-                .filter(|id| claims.find(id).is_some())
-                .cloned()
-                .collect(),
-            name: harness.name.clone(),
-            verdict: Verdict::AllInputs,
-            domain: Some(harness.domain.clone()),
-            cases: None,
-            seconds: harness.seconds,
-            failure: None,
+    pub(crate) fn report(self, claims: &Claims) -> Result<Report, EvidenceError> {
+        let files = self.harness_files.keys().cloned().collect();
+        let modules = Modules::of_files(files, HARNESSES);
+        let part = |harness: &Harness| {
+            let known = |id: &&String| claims.find(id).is_some();
+            Ok(Part {
+                claims: harness.claims.iter().filter(known).cloned().collect(),
+                name: harness.name.clone(),
+                shows: Shown::AllInputs { domains: 1 },
+                domain: Some(harness.domain.clone()),
+                cases: None,
+                seconds: harness.seconds,
+                failure: None,
+                files: modules.of(&harness.name)?,
+            })
         };
-        Report {
-            engine: Engine::Kani,
-            tool: self.words(),
-            parts: self.harnesses.iter().map(part).collect(),
-            not_run: None,
-        }
+        let parts: Vec<Part> = self
+            .harnesses
+            .iter()
+            .map(part)
+            .collect::<Result<_, EvidenceError>>()?;
+        Ok(Report::done(
+            Engine::Kani,
+            Done {
+                tools: vec![self.tool.clone()],
+                shared: modules.shared(&parts),
+                parts,
+                commit: Some(self.commit.clone()),
+                imported: Some(self),
+            },
+        ))
     }
 
-    /// Binds a record to the claim and the sources as they were at the commit.
-    pub(crate) fn bind(&self, record: &mut Record) {
-        if let Some(bound) = self.claims.get(&record.claim) {
-            record.scope.clone_from(&bound.scope);
-            record.claim_sha256.clone_from(&bound.claim_sha256);
-            record.sources.clone_from(&bound.sources);
-        }
+    /// A claim as it was at the commit, and the sums that `files` (those of its harnesses) and the
+    /// files of its code had there; `None` when no harness spoke of it.
+    pub(crate) fn bound<'a>(
+        &self,
+        claim: &str,
+        files: impl Iterator<Item = &'a String>,
+    ) -> Option<(&Bound, BTreeMap<String, Sha256>)> {
+        let bound = self.claims.get(claim)?;
+        let mut sums = bound.sources.clone();
+        sums.extend(files.filter_map(|file| Some((file.clone(), *self.harness_files.get(file)?))));
+        Some((bound, sums))
     }
 
     /// Puts its records into recorded evidence, in the place of what the model checker said before.
     ///
     /// # Errors
     ///
-    /// A sentence, when a source of a claim can't be read.
+    /// A harness without a source, and a claim that refers to what is not there.
     pub fn put_into(
         &self,
         root: &Path,
         claims: &Claims,
         evidence: &mut Evidence,
-    ) -> Result<(), String> {
-        let report = self.report(claims);
-        if let Some(run) = evidence
-            .runs
-            .iter_mut()
-            .find(|run| run.engine == Engine::Kani)
-        {
-            *run = collect::run(&report);
-        }
-        let mut records = Vec::new();
+    ) -> Result<(), EvidenceError> {
+        let report = self.clone().report(claims)?;
+        let (mut records, mut files) = (Vec::new(), BTreeMap::new());
         for claim in &claims.claims {
             for engine in evidence.runs.iter().map(|run| run.engine) {
-                let kept = || evidence.find(&claim.id, engine).cloned();
-                let record = match engine {
-                    Engine::Kani => collect::record(root, claim, &report, Some(self))?,
-                    _ => kept(),
-                };
-                records.extend(record);
+                records.extend(match engine {
+                    Engine::Kani => record(root, claims, claim, &report, &mut files)?,
+                    _ => evidence.find(&claim.id, engine).cloned(),
+                });
             }
         }
         evidence.records = records;
+        let new = run(report, files)?;
+        let mut runs = evidence.runs.iter_mut();
+        if let Some(old) = runs.find(|run| run.engine == Engine::Kani) {
+            *old = new;
+        }
         Ok(())
     }
-}
-
-/// Whether one of the harnesses stands in a file: `generation::th_lin_bound` in `generation.rs`.
-fn has_one_of(file: &str, harnesses: &[&String]) -> bool {
-    let stem = Path::new(file).file_stem().and_then(|stem| stem.to_str());
-    let module = |name: &&String| name.split("::").next() == stem;
-    harnesses.iter().any(module)
 }

@@ -2,11 +2,12 @@
 //!
 //! [`collect()`] reads what the engines left and makes `evidence.json` of it, [`table()`] makes
 //! `proofs/README.md`, [`mutants`] judges mutation runs, and [`trace`] finds the ids of claims in
-//! sources. Nothing here proves anything: it gathers what engines have said, in the words that they
+//! sources. [`imported`] is what the model checker said elsewhere. Nothing here proves anything: it gathers what engines have said, in the words that they
 //! are entitled to. The types are those of `passivity-evidence`.
 
 mod collect;
 mod engines;
+pub mod imported;
 pub mod mutants;
 mod sources;
 mod table;
@@ -15,7 +16,7 @@ pub mod trace;
 use std::path::{Path, PathBuf};
 
 pub use collect::collect;
-pub use table::table;
+pub use table::{table, tools};
 
 /// The last evidence that was committed, from the root of the workspace.
 pub const COMMITTED: &str = "proofs/evidence.json";

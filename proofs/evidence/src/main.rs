@@ -4,12 +4,13 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use passivity_collect::{COMMITTED, collect, mutants, root, table};
+use passivity_collect::imported::Imported;
+use passivity_collect::{COMMITTED, collect, mutants, root, table, tools};
 use passivity_evidence::{
     Claims, Evidence, EvidenceError, Freshness, Outcome, RunOutcome, assess, in_tree, read,
 };
 
-const USAGE: &str = "usage: passivity-collect collect FOLDER OUT | commit EVIDENCE | mutants FOLDER... | table | stale";
+const USAGE: &str = "usage: passivity-collect collect FOLDER OUT | commit EVIDENCE | mutants FOLDER... | import | table | stale";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -18,6 +19,7 @@ fn main() -> ExitCode {
         ["collect", folder, out] => gather(Path::new(folder), Path::new(out)),
         ["commit", evidence] => commit(Path::new(evidence)),
         ["mutants", folders @ ..] if !folders.is_empty() => judge_mutants(folders),
+        ["import"] => import(),
         ["table"] => write_table(),
         ["stale"] => stale(),
         _ => Err(EvidenceError::new(USAGE)),
@@ -60,10 +62,9 @@ fn gather(folder: &Path, out: &Path) -> Result<(), EvidenceError> {
         match &run.outcome {
             RunOutcome::NotRun(why) => println!("{engine:<20} not run here: {why}"),
             RunOutcome::Ran { parts, seconds } => {
-                let tools: Vec<String> = run.tools.iter().map(ToString::to_string).collect();
                 println!(
                     "{engine:<20} {parts} parts, {seconds:.0} s ({})",
-                    tools.join(", ")
+                    tools(run)
                 );
             }
         }
@@ -85,6 +86,21 @@ fn commit(path: &Path) -> Result<(), EvidenceError> {
         return Err(EvidenceError::new(failures.join("\n")));
     }
     write(&root().join(COMMITTED), &evidence.to_text()?)?;
+    write_table()
+}
+
+/// Puts what the model checker said elsewhere into the committed evidence, and makes the table.
+fn import() -> Result<(), EvidenceError> {
+    let path = root().join(COMMITTED);
+    let imported = Imported::read(&root())?
+        .ok_or_else(|| EvidenceError::new("`make prove-kani REPORT=… COMMIT=…` comes first"))?;
+    let mut evidence = evidence_in(&path)?;
+    imported.put_into(&root(), &Claims::read(&root())?, &mut evidence)?;
+    write(&path, &evidence.to_text()?)?;
+    println!(
+        "{} is in {COMMITTED} and proofs/README.md",
+        imported.words()
+    );
     write_table()
 }
 

@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use passivity_evidence::{Claim, Claims, Engine, Evidence, Mutation, Outcome, Record, RunOutcome};
+use passivity_evidence::{
+    Claim, Claims, Engine, Evidence, Mutation, Outcome, Record, Run, RunOutcome,
+};
 
 /// The engines that count as evidence, a column each.
 const COLUMNS: [Engine; 5] = [
@@ -48,7 +50,11 @@ pub fn table(claims: &Claims, evidence: &Evidence) -> String {
     for claim in &claims.claims {
         let _ = write!(text, "| {} |", claim.id);
         for engine in COLUMNS {
-            let _ = write!(text, " {} |", cell(evidence.find(&claim.id, engine)));
+            let _ = write!(
+                text,
+                " {} |",
+                cell(evidence, evidence.find(&claim.id, engine))
+            );
         }
         let _ = writeln!(
             text,
@@ -77,7 +83,7 @@ pub fn table(claims: &Claims, evidence: &Evidence) -> String {
 }
 
 /// What an engine says of a claim, and by how many parts.
-fn cell(record: Option<&Record>) -> String {
+fn cell(evidence: &Evidence, record: Option<&Record>) -> String {
     let Some(record) = record else {
         return "–".to_owned();
     };
@@ -93,10 +99,25 @@ fn cell(record: Option<&Record>) -> String {
         .scope
         .as_ref()
         .map_or_else(String::new, |part| format!(" for *{part}*"));
+    // The model checker may have run elsewhere, at a commit: its records say so.
+    let tool = match evidence.run(record.engine) {
+        Some(run) if run.engine == Engine::Kani => format!("; {}", tools(run)),
+        _ => String::new(),
+    };
     format!(
-        "{words}{scope} ({count} {})",
+        "{words}{scope} ({count} {}{tool})",
         if count == 1 { one } else { many }
     )
+}
+
+/// The tools of a run and, when it was made elsewhere, its commit: `Kani 0.67.0, at commit 5cb3f4e2695e`.
+#[must_use]
+pub fn tools(run: &Run) -> String {
+    let mut words: Vec<String> = run.tools.iter().map(ToString::to_string).collect();
+    if let Some(commit) = &run.commit {
+        words.push(format!("at commit {}", commit.get(..12).unwrap_or(commit)));
+    }
+    words.join(", ")
 }
 
 fn engines(text: &mut String, evidence: &Evidence) {
@@ -105,11 +126,6 @@ fn engines(text: &mut String, evidence: &Evidence) {
     );
     for run in &evidence.runs {
         let name = run.engine.words();
-        let tools: Vec<String> = run.tools.iter().map(ToString::to_string).collect();
-        let at = run
-            .commit
-            .as_ref()
-            .map_or_else(String::new, |commit| format!(", at commit {commit}"));
         let _ = match &run.outcome {
             RunOutcome::NotRun(why) => writeln!(
                 text,
@@ -118,8 +134,8 @@ fn engines(text: &mut String, evidence: &Evidence) {
             ),
             RunOutcome::Ran { parts, seconds } => writeln!(
                 text,
-                "| {name} | {}{at} | {parts} | {seconds:.0} |",
-                escaped(&tools.join(", ")),
+                "| {name} | {} | {parts} | {seconds:.0} |",
+                escaped(&tools(run)),
             ),
         };
     }

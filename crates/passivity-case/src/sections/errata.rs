@@ -1,6 +1,7 @@
 //! What the paper got wrong, computed by the kernel, and why its conclusion stands.
 
-use passivity_core::{BigRational, Friction, Scalar as _, Step, ledger};
+use passivity_core::ledger::{self, HeldInterval};
+use passivity_core::{BigRational, Friction, Loop, Scalar as _, Step};
 
 use crate::case::Case;
 use crate::document::{Document, Line, Row};
@@ -22,7 +23,8 @@ pub(super) fn write(document: &mut Document, case: &Case) {
     let ratio = |n: i32, d: i32| BigRational::integer(n) / BigRational::integer(d);
     let step = Step::new(ratio(1, 1), ratio(1, 2));
     let friction = Friction::new(ratio(3, 5), ratio(3, 5));
-    let row = ledger::row(&step, &friction, &BigRational::integer(1));
+    let interval = HeldInterval::plain(step, BigRational::integer(1));
+    let row = ledger::row(&Loop::plain(friction), &interval);
     let line = |name: &str, value: &BigRational, says: &str| -> Row {
         [name.into(), Line::code(value.to_string()), says.into()].into()
     };

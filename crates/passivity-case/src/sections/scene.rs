@@ -1,10 +1,9 @@
 //! One scene: its verdict and figures, its parameters, the derivation, and its pictures.
 
-use passivity_core::Interval;
-use passivity_scene::check::Direction;
-use passivity_scene::display::{approx, range};
+use passivity_scene::check::enclosure;
+use passivity_core::Truth;
+use passivity_scene::display::{Rounding, range, rounded};
 use passivity_scene::explain::{self, Step};
-use passivity_scene::pi::PRINT_LEVEL;
 
 use crate::case::Case;
 use crate::document::{Block, Document, Line, Row};
@@ -50,7 +49,15 @@ fn verdict(document: &mut Document, study: &Study) {
     if let Some(mu) = &report.mu {
         row("μ = m/(KT²), effective inertia", range(mu));
     }
-    row("Margin at every speed", range(&report.margin_at_all_speeds));
+    let pair = |viscous, coulomb| format!("{} of β, {} of σ", range(viscous), range(coulomb));
+    row(
+        "What the effects cost",
+        pair(&report.cost.viscous, &report.cost.coulomb),
+    );
+    row(
+        "To spare at every speed",
+        pair(&report.spare.viscous, &report.spare.coulomb),
+    );
     let unit = speed_unit(study.scene.motion);
     if let (Some(margin), Some(v)) = (&report.margin_at_speed_bound, &report.speed_bound) {
         let si = report.speed_bound_si.as_ref();
@@ -58,20 +65,25 @@ fn verdict(document: &mut Document, study: &Study) {
             || format!("{} ticks/sample", range(v)),
             |si| with_unit(si, unit),
         );
-        row(&format!("Margin at {v}"), range(margin));
+        row(&format!("Margin (8) at {v}"), range(margin));
     }
     if let Some(v) = &report.critical_speed {
+        let safe = |v| report.safe_critical_speed(v);
         let si = report.critical_speed_si.as_ref();
-        let si = si.map_or(String::new(), |si| format!("{} = ", with_unit(si, unit)));
-        row("Critical speed", format!("{si}{} ticks/sample", range(v)));
+        let si = si.map_or(String::new(), |si| format!("{} {unit} = ", safe(si)));
+        row("Critical speed", format!("{si}{} ticks/sample", safe(v)));
     }
+    let applies = |truth: Option<Truth>| match truth {
+        Some(truth) => truth.name().to_owned(),
+        None => "does not apply to a loop with a delay".to_owned(),
+    };
     row(
         "Colgate's condition b ≥ KT/2, for comparison",
-        report.colgate.name().to_owned(),
+        applies(report.colgate),
     );
     row(
         "The condition of Abbott and Okamura, for comparison",
-        report.abbott_okamura.name().to_owned(),
+        applies(report.abbott_okamura),
     );
     let caption = format!(
         "Figures of «{}», exact or exactly enclosed over the tolerances, printed to five digits",
@@ -87,11 +99,11 @@ fn verdict(document: &mut Document, study: &Study) {
         };
         document.say(format!(
             "Witness: moving from {} to {} {unit} and back, each way at constant speed within one \
-             sampling interval, gains at least {} (about {}) KΔ² in each round.",
+             sampling interval, draws at least {} KΔ² in each round trip, if friction is no more \
+             than the scene allows.",
             witness.from,
             witness.to,
-            witness.gain_per_cycle,
-            approx(&witness.gain_per_cycle)
+            rounded(&witness.gain_per_cycle, 5, Rounding::Down)
         ));
     }
     if !report.decided_by.is_empty() {
@@ -102,21 +114,17 @@ fn verdict(document: &mut Document, study: &Study) {
 
 /// How far each parameter can go, all others as they are.
 fn limits(document: &mut Document, study: &Study) {
-    let rows = study.report().changes.iter().map(|change| {
-        let (relation, border) = match change.direction {
-            Direction::AtLeast => ("at least", change.border.hi()),
-            Direction::AtMost => ("at most", change.border.lo()),
-        };
-        let alone = if change.suffices {
+    let motion = study.scene.motion;
+    let rows = study.report().limits.iter().map(|limit| {
+        let alone = if limit.printed.is_some() {
             ""
         } else {
             ", which is not enough alone"
         };
-        let border = with_unit(&Interval::point(border.clone()), change.unit);
         [
-            change.name.into(),
-            with_unit(&change.now, change.unit).into(),
-            format!("{relation} {border}{alone}").into(),
+            limit.name(motion).into(),
+            limit.now(motion).into(),
+            format!("{}{alone}", limit.promise(motion)).into(),
         ]
         .into()
     });
@@ -132,22 +140,18 @@ fn parameters(document: &mut Document, study: &Study) {
         document.say(Line::text("The scene file says: ").and(paragraph.into()));
     }
     let mut rows: Vec<Row> = Vec::new();
-    for given in study.scene.parameters() {
-        let si = range(&given.value.enclosure(PRINT_LEVEL));
-        let (text, source) = if given.text.is_empty() {
-            let default = "not in the scene file: the default";
-            ("–".into(), default.to_owned())
-        } else {
-            let source = match study.source(given) {
-                Source::Comment(comment) => comment,
-                Source::Head => "head of the scene file".to_owned(),
-                Source::None => "open: the scene file names no source".to_owned(),
-            };
-            (Line::code(&given.text), source)
+    for (_, given) in study.scene.parameters() {
+        let si = enclosure(&given.value).map_or_else(|| "undefined".to_owned(), |x| range(&x));
+        let source = match study.source(given) {
+            Source::Comment(comment) => comment,
+            Source::Head => "head of the scene file".to_owned(),
+            Source::None => "open: the scene file names no source".to_owned(),
         };
+        let text = Line::code(&given.text);
         rows.push([Line::code(given.key), text, si.into(), source.into()].into());
     }
-    if let Some(delay) = study.scene.delay {
+    let delay = study.scene.given.delay;
+    if delay > 0 {
         let text = format!("{delay} whole samples");
         let key = Line::code("sampling.delay");
         let none = Line::text("–");

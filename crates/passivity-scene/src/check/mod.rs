@@ -49,6 +49,12 @@ impl Number for Exact {
     }
 }
 
+/// An exact range as a close enclosure in rationals; `None` for an undefined number.
+#[must_use]
+pub fn enclosure(range: &Interval<Exact>) -> Option<Interval<BigRational>> {
+    figure(range)
+}
+
 /// A figure as it is reported: from the lower bound of one end to the upper bound of the other.
 fn figure<S: Number>(range: &Interval<S>) -> Option<Interval<BigRational>> {
     let (lo, hi) = (range.lo().enclosed(BITS)?, range.hi().enclosed(BITS)?);

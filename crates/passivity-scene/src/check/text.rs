@@ -130,7 +130,8 @@ impl Report {
     }
 
     /// A critical speed, rounded to the side of it on which the criterion holds.
-    pub(crate) fn safe_critical_speed(&self, v: &Interval<BigRational>) -> String {
+    #[must_use]
+    pub fn safe_critical_speed(&self, v: &Interval<BigRational>) -> String {
         match self.region {
             Some(Region::LimitCycles) => rounded(v.hi(), 5, Rounding::Up),
             _ => rounded(v.lo(), 5, Rounding::Down),
@@ -211,43 +212,52 @@ impl Report {
             format!("  What each parameter would have to be for the criterion to hold {speeds}:\n")
         };
         for limit in &self.limits {
-            let _ = writeln!(out, "    {}", self.limit_text(limit));
+            let name = limit.name(self.motion);
+            let now = limit.now(self.motion);
+            let enough = if limit.printed.is_some() {
+                ""
+            } else {
+                ", and it is not enough alone"
+            };
+            let promise = limit.promise(self.motion);
+            let _ = writeln!(out, "    {name}: {promise} (now {now}){enough}");
         }
         out
     }
+}
 
-    fn limit_text(&self, limit: &Limit) -> String {
-        let (relation, rounding) = match limit.side {
+impl Limit {
+    /// The parameter in words and with its letter.
+    #[must_use]
+    pub fn name(&self, motion: Motion) -> String {
+        let row = self.parameter.row();
+        if motion != Motion::Dimensionless {
+            return format!("{} {}", row.name, row.symbol);
+        }
+        match row.dimensionless_symbol {
+            Some(symbol) => format!("effective {} {symbol}", row.name),
+            None => format!("{}, as a factor of what it is", row.name),
+        }
+    }
+
+    /// What the parameter is now, with its unit.
+    #[must_use]
+    pub fn now(&self, motion: Motion) -> String {
+        format!("{}{}", range(&self.now), unit_of(self.parameter, motion))
+    }
+
+    /// What the parameter has to be, rounded to the safe side, with its unit: `at most 1.07 N/m`.
+    #[must_use]
+    pub fn promise(&self, motion: Motion) -> String {
+        let (relation, rounding) = match self.side {
             Side::AtLeast => ("at least", Rounding::Up),
             Side::AtMost => ("at most", Rounding::Down),
         };
-        let unit = unit_of(limit.parameter, self.motion);
-        let figure = match &limit.printed {
+        let figure = match &self.printed {
             Some(printed) => printed.clone(),
-            None => rounded(limit.hardest(), 5, rounding),
+            None => rounded(self.hardest(), 5, rounding),
         };
-        let enough = if limit.printed.is_some() {
-            ""
-        } else {
-            ", and it is not enough alone"
-        };
-        format!(
-            "{}: {relation} {figure}{unit} (now {}{unit}){enough}",
-            label(limit.parameter, self.motion),
-            range(&limit.now),
-        )
-    }
-}
-
-/// A parameter in words and with its letter.
-fn label(parameter: Parameter, motion: Motion) -> String {
-    let row = parameter.row();
-    if motion != Motion::Dimensionless {
-        return format!("{} {}", row.name, row.symbol);
-    }
-    match row.dimensionless_symbol {
-        Some(symbol) => format!("effective {} {symbol}", row.name),
-        None => format!("{}, as a factor of what it is", row.name),
+        format!("{relation} {figure}{}", unit_of(self.parameter, motion))
     }
 }
 

@@ -6,10 +6,8 @@ use passivity_evidence::{Engine, EvidenceError, Shown};
 use serde::Deserialize;
 
 use super::{Done, Modules, Part, Report, lines, tool};
+use crate::imported::HARNESSES;
 use crate::sources::Sources;
-
-/// The harnesses, from the root of the workspace.
-const HARNESSES: &str = "proofs/kani/src";
 
 /// What runs them as tests.
 const STAND_IN: &str = "proofs/standin/src";
@@ -99,6 +97,7 @@ pub(super) fn kani(root: &Path, folder: &Path) -> Result<Report, EvidenceError> 
             shared: modules.shared(&parts),
             parts,
             commit,
+            imported: None,
         },
     ))
 }
@@ -137,6 +136,7 @@ pub(super) fn stand_in(root: &Path, folder: &Path) -> Result<Report, EvidenceErr
             shared,
             parts,
             commit: None,
+            imported: None,
         },
     ))
 }

@@ -97,6 +97,7 @@ pub(super) fn report(sources: &Sources, folder: &Path) -> Result<Report, Evidenc
             parts: claims.into_iter().map(part).collect(),
             shared: files.into_iter().filter(of_the_development).collect(),
             commit: None,
+            imported: None,
         },
     ))
 }

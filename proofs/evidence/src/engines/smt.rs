@@ -56,6 +56,7 @@ pub(super) fn report(sources: &Sources, folder: &Path) -> Result<Report, Evidenc
                 .collect(),
             shared: BTreeSet::new(),
             commit: None,
+            imported: None,
         },
     ))
 }

@@ -79,6 +79,7 @@ pub(super) fn report(
             shared: modules.shared(&parts),
             parts,
             commit: None,
+            imported: None,
         },
     ))
 }

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_evidence::imported::{self, Imported};
-use passivity_evidence::sha256;
+use passivity_collect::imported::{self, HARNESSES, Imported};
+use passivity_evidence::{Claims, EvidenceError, Sha256, Tool};
 use passivity_standin::list::{self, List};
 
 use crate::judge;
@@ -11,10 +11,8 @@ use crate::report::{self, Run};
 use crate::sources::Sources;
 use crate::{Stop, USAGE};
 
-/// Where the harnesses and their list are in the tree.
-const HARNESSES: &str = "proofs/kani/src";
+/// Where the list of harnesses is in the tree.
 const LIST: &str = "proofs/kani/harnesses.toml";
-const CLAIMS: &str = "proofs/claims.toml";
 
 /// What was asked for.
 #[derive(Debug, Default, PartialEq)]
@@ -76,7 +74,13 @@ pub(crate) fn take(root: &Path, arguments: &Arguments) -> Result<(), Stop> {
     if !wrong.is_empty() {
         return Err(format!("{path} shows nothing:\n{}", wrong.join("\n")).into());
     }
-    let imported = bound(&run, arguments, &list, &sources, sha256(text.as_bytes()))?;
+    let imported = bound(
+        &run,
+        arguments,
+        &list,
+        &sources,
+        Sha256::of(text.as_bytes()),
+    )?;
     imported.write(root)?;
     println!(
         "{} harnesses proved by {} ({}), in {:.0} s; the slowest, {}, took {:.0} s",
@@ -97,12 +101,12 @@ fn bound(
     arguments: &Arguments,
     list: &List,
     sources: &Sources,
-    report_sha256: String,
-) -> Result<Imported, String> {
+    report_sha256: Sha256,
+) -> Result<Imported, Stop> {
     let version = run
         .kani
         .as_ref()
-        .ok_or("the report does not say which Kani made it")?;
+        .ok_or_else(|| "the report does not say which Kani made it".to_owned())?;
     let cbmc = said(run.cbmc.iter(), arguments.cbmc.as_ref(), "CBMC")?;
     let solver = said(run.solvers.iter(), arguments.solver.as_ref(), "SOLVER")?;
     let harness = |entry: &list::Entry| {
@@ -123,12 +127,15 @@ fn bound(
         .map(harness)
         .collect::<Result<_, String>>()?;
     Ok(Imported {
-        tool: format!("Kani {version}"),
+        tool: Tool {
+            name: "Kani".into(),
+            version: Some(version.clone()),
+        },
         below: vec![format!("CBMC {cbmc}"), solver],
         commit: sources.commit.clone(),
         report_sha256,
-        claims: imported::bind(&sources.read(CLAIMS)?, &harnesses, |path| {
-            sources.read(path)
+        claims: imported::bind(&sources.read(Claims::PATH)?, &harnesses, |path| {
+            sources.read(path).map_err(EvidenceError::new)
         })?,
         harnesses,
         harness_files: sources.hashes(HARNESSES)?,
@@ -160,7 +167,12 @@ mod tests {
     use std::fs;
     use std::process::Command;
 
-    use passivity_evidence::{Claims, Engine, Evidence, Run as EngineRun};
+    use std::collections::BTreeMap;
+
+    use passivity_collect::tools;
+    use passivity_evidence::{
+        Engine, Evidence, FORMAT, Freshness, Run as EngineRun, RunOutcome, assess, in_tree,
+    };
 
     use super::*;
 
@@ -201,7 +213,7 @@ mod tests {
                 entry("generation::th_quant_bound", "[\"crossing\"]", ""),
             ];
             here.write(LIST, &list.concat());
-            here.write(CLAIMS, CLAIM);
+            here.write(Claims::PATH, CLAIM);
             here.write(
                 "crates/passivity-core/src/generation.rs",
                 "fn bound_22() {}",
@@ -247,30 +259,43 @@ mod tests {
             Imported::read(&self.0).expect("what was written can be read")
         }
 
-        /// What the recorded evidence says after the import, and what has changed since.
-        fn record(&self) -> (passivity_evidence::Record, Vec<String>) {
+        /// The recorded evidence after the import, read again, and what has changed since.
+        fn evidence(&self) -> (Evidence, Vec<String>) {
             let claims = Claims::read(&self.0).expect("claims");
-            let mut evidence = Evidence::default();
-            evidence.runs.push(EngineRun {
-                engine: Engine::Kani,
-                tool: String::new(),
-                parts: 0,
-                seconds: 0.0,
-                not_run: Some("not here".into()),
-            });
+            let mut evidence = Evidence {
+                format: FORMAT,
+                runs: vec![EngineRun {
+                    engine: Engine::Kani,
+                    tools: Vec::new(),
+                    commit: None,
+                    outcome: RunOutcome::NotRun("not here".into()),
+                    files: BTreeMap::new(),
+                }],
+                records: Vec::new(),
+                mutation: None,
+            };
             let imported = self.imported().expect("a record");
             imported
                 .put_into(&self.0, &claims, &mut evidence)
                 .expect("sources");
-            let record = evidence
-                .find("TH-LIN", Engine::Kani)
-                .expect("a record")
-                .clone();
-            let claim = claims.find("TH-LIN").expect("the claim");
-            let mut changed =
-                record.stale(&claim.sha256(), &claim.sources(&self.0).expect("sources"));
-            changed.extend(imported.changed(&self.0, &record).expect("sources"));
-            (record, changed)
+            let text = evidence.to_text().expect("a text");
+            let evidence = Evidence::parse("evidence", &text).expect("no contradiction");
+            let now = |path: &str| in_tree(&self.0, path);
+            let assessed = assess(&claims, &evidence, now).expect("sources");
+            let [of_claim] = assessed.as_slice() else {
+                panic!("{assessed:?}");
+            };
+            let changed = match &of_claim.freshness {
+                Freshness::Fresh => Vec::new(),
+                Freshness::Stale(changes) => changes.iter().map(ToString::to_string).collect(),
+                other => panic!("{other}"),
+            };
+            (evidence, changed)
+        }
+
+        /// What has changed since the import.
+        fn changed(&self) -> Vec<String> {
+            self.evidence().1
         }
     }
 
@@ -287,21 +312,22 @@ mod tests {
         here.write("crates/passivity-core/src/generation.rs", "changed");
         here.write(LIST, "changed");
         here.take(REPORT).expect("all is proved");
-        let (record, changed) = here.record();
+        let (evidence, changed) = here.evidence();
         let commit = here.imported().expect("a record").commit;
-        assert_eq!(
-            record.tool,
-            format!("Kani 0.68.0, at commit {}", &commit[..12])
-        );
-        assert_eq!(
-            record.result.as_deref(),
-            Some("proved for all inputs in 3 domains")
-        );
+        let run = evidence.run(Engine::Kani).expect("a run");
+        let words = format!("Kani 0.68.0, at commit {}", &commit[..12]);
+        assert_eq!(tools(run), words);
+        let record = evidence.find("TH-LIN", Engine::Kani).expect("a record");
+        assert_eq!(record.outcome.words(), "proved for all inputs in 3 domains");
         assert_eq!(record.scope.as_deref(), Some("a part"));
         assert_eq!(
-            record.sources["crates/passivity-core/src/generation.rs"],
-            sha256(b"fn bound_22() {}")
+            run.files["crates/passivity-core/src/generation.rs"],
+            Sha256::of(b"fn bound_22() {}")
         );
+        let claims = Claims::read(&here.0).expect("claims");
+        let table = passivity_collect::table(&claims, &evidence);
+        let cell = "proved for all inputs in 3 domains for *a part* (3 harnesses";
+        assert!(table.contains(&format!("{cell}; {words})")), "{table}");
         assert_eq!(changed, ["crates/passivity-core/src/generation.rs"]);
     }
 
@@ -309,12 +335,12 @@ mod tests {
     fn a_record_is_stale_when_its_claim_its_code_or_its_harnesses_change() {
         let here = Repository::new("stale");
         here.take(REPORT).expect("all is proved");
-        assert_eq!(here.record().1, Vec::<String>::new());
+        assert_eq!(here.changed(), Vec::<String>::new());
         here.write(&format!("{HARNESSES}/domain.rs"), "// a wider domain");
-        assert_eq!(here.record().1, ["proofs/kani/src/domain.rs"]);
+        assert_eq!(here.changed(), ["proofs/kani/src/domain.rs"]);
         here.write(&format!("{HARNESSES}/domain.rs"), "// harnesses");
-        here.write(CLAIMS, &CLAIM.replace("One.", "Two."));
-        assert_eq!(here.record().1, ["claim text"]);
+        here.write(Claims::PATH, &CLAIM.replace("One.", "Two."));
+        assert_eq!(here.changed(), ["claim text"]);
     }
 
     #[test]

@@ -17,6 +17,8 @@ mod tests;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use passivity_evidence::EvidenceError;
+
 const USAGE: &str =
     "usage: prove-kani [--report FILE --commit HASH [--cbmc VERSION] [--solver NAME]]";
 
@@ -46,6 +48,12 @@ struct Stop {
 impl From<String> for Stop {
     fn from(message: String) -> Self {
         Self { message, code: 1 }
+    }
+}
+
+impl From<EvidenceError> for Stop {
+    fn from(error: EvidenceError) -> Self {
+        error.to_string().into()
     }
 }
 

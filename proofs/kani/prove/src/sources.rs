@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
-use passivity_evidence::sha256;
+use passivity_evidence::Sha256;
 
 /// The sources of a commit.
 pub(crate) struct Sources<'a> {
@@ -38,7 +38,7 @@ impl<'a> Sources<'a> {
     }
 
     /// SHA-256 of each file under a folder.
-    pub(crate) fn hashes(&self, folder: &str) -> Result<BTreeMap<String, String>, String> {
+    pub(crate) fn hashes(&self, folder: &str) -> Result<BTreeMap<String, Sha256>, String> {
         let listed = git(
             self.root,
             &[
@@ -50,7 +50,7 @@ impl<'a> Sources<'a> {
                 folder,
             ],
         )?;
-        let hash = |path: &str| Ok((path.to_string(), sha256(self.read(path)?.as_bytes())));
+        let hash = |path: &str| Ok((path.to_string(), Sha256::of(self.read(path)?.as_bytes())));
         listed.lines().map(hash).collect()
     }
 }
