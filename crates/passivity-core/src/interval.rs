@@ -20,6 +20,12 @@ pub struct Interval<S> {
 }
 
 impl<S> Interval<S> {
+    /// The interval [lo, hi], without a look at whether lo ≤ hi: that is the caller's word.
+    #[must_use]
+    pub const fn new_unchecked(lo: S, hi: S) -> Self {
+        Self { lo, hi }
+    }
+
     /// The interval with both ends taken through `f`, which must keep their order.
     pub fn map<U>(&self, f: impl Fn(&S) -> U) -> Interval<U> {
         Interval {

@@ -85,29 +85,48 @@ pub struct Row<S> {
 /// ```
 #[must_use]
 pub fn row<S: Scalar>(dimensionless: &Loop<S>, interval: &HeldInterval<S>) -> Row<S> {
-    let HeldInterval { step, dtau, .. } = interval;
+    let row = row_of(
+        dimensionless,
+        &interval.step,
+        &interval.dtau,
+        generated(dimensionless, interval),
+    );
+    match &interval.extra_storage {
+        Some(gain) => Row {
+            net_linear: row.net_linear.clone() - gain.clone(),
+            net_quantized: row.net_quantized.clone() - gain.clone(),
+            ..row
+        },
+        None => row,
+    }
+}
+
+/// The row of a step that took Δτ, where it is known what was [`generated`] over it: against the
+/// linear spring or law, and against its quantized form.
+#[must_use]
+pub fn row_of<S: Scalar>(
+    dimensionless: &Loop<S>,
+    step: &Step<S>,
+    dtau: &S,
+    [generated_linear, generated_quantized]: [S; 2],
+) -> Row<S> {
     let d = step.displacement();
     let speed = mean_speed(&d, dtau);
     let friction = Friction::new(
         dimensionless.viscous_friction(),
         dimensionless.coulomb_friction(),
     );
-    let [generated_linear, generated_quantized] = generated(dimensionless, interval);
     let (bound_22, bound_quantized) = if dimensionless.has_encoder() {
         (generation::bound_22(&d), generation::bound_quantized(&d))
     } else {
         (d.square().half(), d.square().half())
     };
     let dissipated_lower = friction.dissipated_lower(&d, &speed);
-    let stored = |net: S| match &interval.extra_storage {
-        Some(gain) => net - gain.clone(),
-        None => net,
-    };
     Row {
         bound_22,
         bound_quantized,
-        net_linear: stored(dissipated_lower.clone() - generated_linear.clone()),
-        net_quantized: stored(dissipated_lower.clone() - generated_quantized.clone()),
+        net_linear: dissipated_lower.clone() - generated_linear.clone(),
+        net_quantized: dissipated_lower.clone() - generated_quantized.clone(),
         margin: dimensionless.criterion().margin(&speed),
         generated_linear,
         generated_quantized,
@@ -119,7 +138,8 @@ pub fn row<S: Scalar>(dimensionless: &Loop<S>, interval: &HeldInterval<S>) -> Ro
 ///
 /// Of a linear wall the part of its own force is that of the equations, in numbers that stay small;
 /// what another force adds is the work of the difference.
-fn generated<S: Scalar>(dimensionless: &Loop<S>, interval: &HeldInterval<S>) -> [S; 2] {
+#[must_use]
+pub fn generated<S: Scalar>(dimensionless: &Loop<S>, interval: &HeldInterval<S>) -> [S; 2] {
     let HeldInterval { step, force, .. } = interval;
     let d = step.displacement();
     let law = dimensionless.law();

@@ -1,33 +1,26 @@
-//! Instructions per interval for scenes with no effect, one, … all, counted by callgrind.
+//! Instructions per interval for scenes with no effect, one, … all, and of the methods that have more
+//! than doubles, counted by callgrind.
 //!
 //! `cargo bench -p passivity-sim --bench instructions` runs itself under valgrind, for 1000 and for
 //! 3000 intervals of each scene; the difference over 2000 is what an interval costs.
 
 use std::process::Command;
 
-use passivity_core::{BigRational, Scalar};
+use passivity_core::{BigRational, Loop, Scalar};
 use passivity_scene::Point;
 use passivity_scene::point::Units;
-use passivity_sim::growth::Growth;
-use passivity_sim::{Plan, run};
+use passivity_sim::{Method, Plan, run, simulate};
 
-/// A heavy device that keeps moving through every scene: nothing rests, nothing grows.
+/// A heavy device that keeps moving through every scene: nothing rests, and nothing grows by a tick.
 fn base(intervals: u64) -> Point {
-    let one = BigRational::integer(1);
+    let one = BigRational::one();
     Point {
-        mu: Some(BigRational::integer(1_000_000)),
-        beta: None,
-        sigma: None,
-        encoder: false,
-        delay: 0,
-        unilateral: false,
-        damping: None,
-        max_force: None,
-        force_step: None,
-        amplifier: None,
-        force: None,
-        arm: None,
-        start: [BigRational::integer(0), BigRational::integer(2)],
+        at: Loop {
+            inertia: Some(BigRational::integer(1_000_000)),
+            start_velocity: Some(BigRational::integer(2)),
+            ..Loop::new(one.clone(), one.clone())
+        },
+        forces: None,
         intervals,
         units: Units {
             period: one.clone(),
@@ -42,67 +35,125 @@ type Change = fn(&mut Point);
 /// The effects in the order in which they are added.
 fn effects() -> Vec<(&'static str, Change)> {
     fn tenth() -> BigRational {
-        BigRational::integer(1).over(BigRational::integer(10))
+        BigRational::one().over(BigRational::integer(10))
     }
     vec![
-        ("encoder", |p| p.encoder = true),
-        ("viscous friction", |p| p.beta = Some(tenth())),
-        ("Coulomb friction", |p| p.sigma = Some(tenth())),
-        ("delay", |p| p.delay = 1),
-        ("one-sided wall", |p| p.unilateral = true),
-        ("virtual damping", |p| p.damping = Some(tenth())),
-        ("D/A converter", |p| p.force_step = Some(tenth())),
+        ("encoder", |p| p.at.resolution = Some(BigRational::one())),
+        ("viscous friction", |p| p.at.viscous = Some(tenth())),
+        ("Coulomb friction", |p| p.at.coulomb = Some(tenth())),
+        ("delay", |p| p.at.delay = 1),
+        ("one-sided wall", |p| p.at.unilateral = true),
+        ("virtual damping", |p| p.at.damping = Some(tenth())),
+        ("D/A converter", |p| p.at.force_step = Some(tenth())),
         ("saturation", |p| {
-            p.max_force = Some(BigRational::integer(10_000))
+            p.at.max_force = Some(BigRational::integer(10_000));
         }),
-        ("operator's force", |p| p.force = Some(vec![tenth()])),
+        ("operator's force", |p| p.forces = Some(vec![tenth()])),
         ("amplifier", |p| {
-            p.amplifier = Some(tenth() * BigRational::integer(5))
+            p.at.time_constant = Some(tenth() * BigRational::integer(5));
         }),
-        ("arm", |p| p.arm = Some([tenth(), tenth(), tenth()])),
+        ("arm", |p| {
+            p.at.arm_mass = Some(tenth());
+            p.at.arm_damping = Some(tenth());
+            p.at.arm_stiffness = Some(tenth());
+        }),
     ]
 }
 
-/// The scenes: each effect by itself, then one more at a time.
-fn scenes(intervals: u64) -> Vec<(String, Point)> {
-    let mut scenes = vec![("hold only".to_owned(), base(intervals))];
-    for (name, change) in effects() {
-        let mut point = base(intervals);
-        change(&mut point);
-        scenes.push((format!("{name} alone"), point));
+/// What is counted.
+struct Task {
+    name: String,
+    point: Point,
+    /// The closed form without a ledger, or a method with one.
+    method: Option<Method>,
+}
+
+impl Task {
+    fn run(&self, intervals: u64) {
+        let mut point = self.point.clone();
+        point.intervals = intervals;
+        let ran = match &self.method {
+            // A frictionless loop grows from the start: let it, the interval costs the same.
+            None => Plan::compile(&point).map(|plan| run::outcome(&plan.past_growth()).intervals),
+            Some(method) => simulate(&point, method, None).map(|run| run.end.intervals),
+        };
+        assert_eq!(ran, Ok(intervals), "{}", self.name);
     }
-    let mut point = base(intervals);
+
+    fn what(&self) -> String {
+        match (&self.method, Plan::compile(&self.point)) {
+            (Some(method), _) => format!("method `{method}`"),
+            (None, Ok(plan)) => format!("loop `{}`", plan.loop_name()),
+            (None, Err(error)) => error.to_string(),
+        }
+    }
+}
+
+/// The scenes: each effect by itself, then one more at a time, then other methods.
+fn tasks() -> Vec<Task> {
+    let task = |name: String, point: &Point, method| Task {
+        name,
+        point: point.clone(),
+        method,
+    };
+    let mut tasks = vec![task("hold only".to_owned(), &base(1), None)];
+    for (name, change) in effects() {
+        let mut point = base(1);
+        change(&mut point);
+        tasks.push(task(format!("{name} alone"), &point, None));
+    }
+    let mut point = base(1);
     for (count, (name, change)) in effects().into_iter().enumerate() {
         change(&mut point);
-        scenes.push((format!("{} effects: … + {name}", count + 1), point.clone()));
+        let name = format!("{} effects: … + {name}", count + 1);
+        tasks.push(task(name, &point, None));
     }
-    scenes
+    for (encoder_only, method) in [
+        (false, Method::ClosedForm),
+        (true, Method::Exact),
+        (false, Method::Enclosure),
+        (false, Method::Reference { digits: 20 }),
+    ] {
+        let mut plain = base(1);
+        let mut controlled = base(1);
+        for (index, (_, change)) in effects().into_iter().enumerate() {
+            if encoder_only && index == 1 {
+                continue; // viscous friction
+            }
+            if index < 3 {
+                change(&mut plain);
+            }
+            if index < 9 {
+                change(&mut controlled);
+            }
+        }
+        tasks.push(task(
+            "encoder and friction".to_owned(),
+            &plain,
+            Some(method),
+        ));
+        tasks.push(task("9 effects".to_owned(), &controlled, Some(method)));
+    }
+    tasks
 }
 
 #[expect(clippy::print_stdout, reason = "a bench prints its table")]
 fn main() {
+    let tasks = tasks();
     let args: Vec<String> = std::env::args().collect();
-    if let [_, word, scene, intervals] = args.as_slice()
+    if let [_, word, index, intervals] = args.as_slice()
         && word == "run"
     {
-        let intervals: u64 = intervals.parse().unwrap_or(0);
-        let index: usize = scene.parse().unwrap_or(0);
-        let scenes = scenes(intervals);
-        let Some((name, point)) = scenes.get(index) else {
-            return;
-        };
-        let mut plan = Plan::compile(point).unwrap_or_else(|error| panic!("{name}: {error}"));
-        // A frictionless loop grows from the start: let it, the interval costs the same.
-        plan.growth = Growth::never();
-        let end = run::outcome(&plan);
-        assert_eq!(end.intervals, intervals, "{name}: {end:?}");
+        let [index, intervals] = [index, intervals].map(|text| {
+            text.parse::<usize>()
+                .unwrap_or_else(|error| panic!("`{text}`: {error}"))
+        });
+        tasks[index].run(intervals as u64);
         return;
     }
-    let Ok(program) = std::env::current_exe() else {
-        return;
-    };
-    println!("| scene | loop | instructions an interval |\n| --- | --- | --- |");
-    for (index, (name, point)) in scenes(1).into_iter().enumerate() {
+    let program = std::env::current_exe().unwrap_or_else(|error| panic!("{error}"));
+    println!("| scene | what | instructions an interval |\n| --- | --- | --- |");
+    for (index, task) in tasks.iter().enumerate() {
         let count = |intervals: u64| -> Option<u64> {
             let output = Command::new("valgrind")
                 .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
@@ -111,7 +162,7 @@ fn main() {
                 .output()
                 .ok()?;
             let text = String::from_utf8_lossy(&output.stderr).into_owned();
-            assert!(output.status.success(), "{name}: {text}");
+            assert!(output.status.success(), "{}: {text}", task.name);
             let line = text.lines().find(|line| line.contains("Collected"))?;
             line.rsplit(' ').next()?.parse().ok()
         };
@@ -120,7 +171,6 @@ fn main() {
             return;
         };
         let each = (many - few) as f64 / 2000.0;
-        let plan = Plan::compile(&point).map_or("-", |plan| plan.loop_name());
-        println!("| {name} | `{plan}` | {each:.0} |");
+        println!("| {} | {} | {each:.0} |", task.name, task.what());
     }
 }

@@ -6,12 +6,11 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use passivity_core::{BigRational, Scalar};
+use passivity_core::{BigRational, Friction, Loop, Scalar};
 use passivity_scene::Point;
 use passivity_scene::point::Units;
-use passivity_sim::methods::{Detail, simulate};
 use passivity_sim::sweep::{self, Grid, Range};
-use passivity_sim::{Exactly, Method, Plain, Plan, lanes, run};
+use passivity_sim::{Detail, ExactOutcome, Method, Plain, Plan, lanes, run, simulate};
 
 /// Seconds of processor time of this process so far, or of the wall clock.
 fn clock(begin: Instant) -> f64 {
@@ -22,21 +21,14 @@ fn clock(begin: Instant) -> f64 {
 
 /// The paper's scene with μ = 50.
 fn scene(intervals: u64) -> Point {
-    let one = BigRational::integer(1);
+    let one = BigRational::one();
     Point {
-        mu: Some(BigRational::integer(50)),
-        beta: Some(one.clone()),
-        sigma: Some(one.clone()),
-        encoder: true,
-        delay: 0,
-        unilateral: false,
-        damping: None,
-        max_force: None,
-        force_step: None,
-        amplifier: None,
-        force: None,
-        arm: None,
-        start: [BigRational::integer(0), one.clone()],
+        at: Loop {
+            inertia: Some(BigRational::integer(50)),
+            start_velocity: Some(one.clone()),
+            ..Loop::plain(Friction::new(one.clone(), one.clone()))
+        },
+        forces: None,
         intervals,
         units: Units {
             period: one.clone(),
@@ -179,7 +171,7 @@ fn rigorous(point: &Point, grid: &Grid, rows: &[Option<sweep::Row>]) {
         let holds = |x: f64, [lo, hi]: [f64; 2]| (x - lo).abs().max((x - hi).abs());
         let off = holds(row.xi, xi).hypot(50.0_f64.sqrt() * holds(row.velocity, v));
         let same = outcome.exact == row.exact && outcome.at_interval == row.at_interval;
-        (outcome.exact != Exactly::Undecided).then_some((same, off))
+        (outcome.exact != ExactOutcome::Undecided).then_some((same, off))
     });
     let decided = checks.iter().flatten().count();
     let same = checks.iter().flatten().filter(|(same, _)| *same).count();

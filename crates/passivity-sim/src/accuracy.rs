@@ -5,9 +5,11 @@ use std::time::Instant;
 use passivity_scene::Point;
 
 use crate::error::SimError;
-use crate::methods::{Method, Simulated, planned, simulate};
-use crate::outcome::Exactly;
+use crate::method::Method;
+use crate::methods::{planned, simulate};
+use crate::outcome::ExactOutcome;
 use crate::plan::Plan;
+use crate::simulated::{Line, Simulated};
 
 /// The reference that errors are measured against.
 pub const REFERENCE: Method = Method::Reference { digits: 50 };
@@ -24,7 +26,7 @@ pub struct Measured {
     /// The largest difference in the sums of E_gᴸ, E_g and E_d, over the energy dissipated.
     pub energy: f64,
     /// The outcome.
-    pub exact: Exactly,
+    pub exact: ExactOutcome,
     /// Whether it is the reference's, by the paper's detector too.
     pub same_outcome: bool,
     /// How many intervals too late (or, below 0, too early) rest or growth was found.
@@ -39,7 +41,7 @@ pub struct Table {
     /// Intervals that were compared: until rest or certain growth, and at most the caller's bound.
     pub intervals: u64,
     /// The reference's outcome.
-    pub reference: Exactly,
+    pub reference: ExactOutcome,
     /// A row for each method that can do the scene.
     pub rows: Vec<Measured>,
     /// The methods that cannot, with the reason.
@@ -79,8 +81,8 @@ pub fn measure(
     let mut reach = 0.0_f64;
     let mut fastest = 0.0_f64;
     progress(&REFERENCE);
-    let mut watch = |line: &crate::methods::Line<'_>| {
-        if let crate::methods::Line::Double(entry) = line {
+    let mut watch = |line: &Line<'_>| {
+        if let Line::Double(entry) = line {
             reach = reach.max(entry.xi0.abs()).max(entry.xi1.abs());
             fastest = fastest.max(entry.v0.abs()).max(entry.v1.abs());
         }
@@ -114,9 +116,7 @@ pub fn measure(
 /// A run and its time per interval, without that of setting it up: each the least of several runs, as
 /// long as they take little time.
 fn timed(point: &Point, plan: &Plan, method: &Method) -> Result<(Simulated, f64), SimError> {
-    let mut none = plan.clone();
-    none.intervals = 0;
-    let (_, setup) = least(point, &none, method, 0.05)?;
+    let (_, setup) = least(point, &plan.with_intervals(0), method, 0.05)?;
     let (run, seconds) = least(point, plan, method, 0.3)?;
     let nanoseconds = (seconds - setup).max(0.0) * 1e9 / run.end.intervals.max(1) as f64;
     Ok((run, nanoseconds))

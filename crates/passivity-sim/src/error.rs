@@ -9,7 +9,7 @@ use passivity_scene::Effect;
 /// # Example
 ///
 /// ```
-/// use passivity_scene::Effect;
+/// use passivity_core::Effect;
 /// use passivity_sim::SimError;
 ///
 /// let error = SimError::Unsupported { method: "enclosure", effects: vec![Effect::Arm] };
@@ -31,7 +31,7 @@ pub enum SimError {
     },
     /// A parameter that is no finite double, or rounds to 0 or below where it must not.
     OutOfRange {
-        /// The parameter's letter.
+        /// The parameter's name.
         parameter: &'static str,
         /// What was expected.
         expected: &'static str,
@@ -49,6 +49,15 @@ pub enum SimError {
         interval: u64,
         /// The bound, in bits.
         bits: u64,
+    },
+    /// A digital filter that no inner loop has: neither a wall nor virtual damping.
+    Filter,
+    /// A number that has overflowed, or a figure that has no finite value.
+    NotFinite {
+        /// The interval in which it did.
+        interval: u64,
+        /// What the figure is.
+        figure: &'static str,
     },
     /// The build leaves out what was asked for.
     NotBuiltIn {
@@ -92,6 +101,13 @@ impl fmt::Display for SimError {
                 "the exact position needs more than {bits} bits at interval {interval}: simulate \
                  fewer intervals, or use `--method enclosure`"
             ),
+            Self::Filter => f.write_str(
+                "the controller's digital filter cannot be simulated: expected the wall alone or \
+                 the wall with virtual damping",
+            ),
+            Self::NotFinite { interval, figure } => {
+                write!(f, "`{figure}` has no finite value in interval {interval}")
+            }
             Self::NotBuiltIn { what, feature } => write!(
                 f,
                 "{what} not in this build: build it with the feature `{feature}`"

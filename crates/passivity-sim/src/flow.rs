@@ -11,19 +11,18 @@ mod power;
 
 use std::cmp::Ordering;
 
-use passivity_scene::Point;
+use passivity_core::{Effect, Loop};
 
 use crate::error::SimError;
-use crate::plan::to_double;
-use crate::real::{Real, Undecided};
+use crate::number::{Double, Real, Undecided};
 use power::{Series, horner, terms};
 
 /// The largest rate, per sampling period, that is simulated.
-pub const FASTEST: f64 = 4096.0;
+pub(crate) const FASTEST: f64 = 4096.0;
 
 /// The linear motion between reversals.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Flow<R> {
+pub(crate) struct Flow<R> {
     /// M = μ + the arm's mass.
     pub mass: R,
     /// β.
@@ -40,7 +39,7 @@ pub struct Flow<R> {
 
 /// The state that is carried from piece to piece.
 #[derive(Clone, Debug, PartialEq)]
-pub struct State<R> {
+pub(crate) struct State<R> {
     /// ξ.
     pub xi: R,
     /// ξ̇.
@@ -51,7 +50,7 @@ pub struct State<R> {
 
 /// What happened over an interval.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Flowed<R> {
+pub(crate) struct Flowed<R> {
     /// The state at its end.
     pub end: State<R>,
     /// ∫|ξ̇|dτ.
@@ -62,47 +61,31 @@ pub struct Flowed<R> {
     pub work: R,
 }
 
-impl Flow<f64> {
+impl Flow<Double> {
     /// The flow of a scene with an amplifier or an arm; `None` without either.
     ///
     /// # Errors
     ///
     /// A rate above [`FASTEST`].
-    pub fn compile(
-        point: &Point,
-        mass: f64,
-        beta: f64,
-        sigma: f64,
-    ) -> Result<Option<Self>, SimError> {
-        if point.amplifier.is_none() && point.arm.is_none() {
+    pub(crate) fn compile(the_loop: &Loop<Double>, mass: Double) -> Result<Option<Self>, SimError> {
+        let flow = Self::of(the_loop, mass, 1);
+        if flow.rate.is_none() && flow.arm.is_none() {
             return Ok(None);
         }
-        let arm = point
-            .arm
-            .as_ref()
-            .map(|arm| [0, 1, 2].map(|i| to_double(&arm[i])));
-        let flow = Self {
-            mass: mass + arm.map_or(0.0, |arm| arm[0]),
-            beta,
-            sigma: point.sigma.as_ref().map(|_| sigma),
-            rate: point.amplifier.as_ref().map(|time| 1.0 / to_double(time)),
-            arm: arm.map(|arm| [arm[1], arm[2]]),
-            pieces: 1,
-        };
         let pieces = flow.pieces_needed()?;
         Ok(Some(Self { pieces, ..flow }))
     }
 
     /// How many pieces make rate × piece ≤ ½.
     fn pieces_needed(&self) -> Result<u32, SimError> {
-        let [damping, stiffness] = self.arm.unwrap_or([0.0; 2]);
+        let [damping, stiffness] = self.arm.map_or([0.0; 2], |arm| arm.map(|x| x.0));
         let rates = [
-            self.rate.unwrap_or(0.0),
-            (self.beta + damping) / self.mass,
-            (stiffness / self.mass).sqrt(),
+            self.rate.map_or(0.0, |rate| rate.0),
+            (self.beta.0 + damping) / self.mass.0,
+            (stiffness / self.mass.0).sqrt(),
         ];
         let rate = rates.into_iter().fold(0.0, f64::max);
-        if rate > FASTEST || rate.is_nan() {
+        if !rates.iter().all(|rate| *rate <= FASTEST) {
             return Err(SimError::TooFast {
                 rate,
                 limit: FASTEST,
@@ -114,31 +97,81 @@ impl Flow<f64> {
 
     /// For the plan: what is in the motion.
     #[must_use]
-    pub fn describe(&self) -> String {
+    pub(crate) fn describe(&self) -> String {
         let mut text = String::new();
-        if let Some(rate) = self.rate {
+        if let Some(Double(rate)) = self.rate {
             text += &format!(", amplifier ẏ = {rate}·(u − y)");
         }
-        if let Some([damping, stiffness]) = self.arm {
+        if let Some([Double(damping), Double(stiffness)]) = self.arm {
             text += &format!(
                 ", arm −{damping}·ξ̇ − {stiffness}·ξ, moving mass {}",
-                self.mass
+                self.mass.0
             );
         }
         text + &format!(", {} pieces an interval", self.pieces)
     }
+
+    /// [`advance`](Self::advance) in bare doubles; `None` when they have overflowed.
+    pub(crate) fn advance_doubles(
+        &self,
+        start: &State<f64>,
+        command: f64,
+        force: f64,
+        ledger: bool,
+    ) -> Option<Flowed<f64>> {
+        let start = start.map(|x| Double(*x));
+        let flowed = self.advance(&start, &Double(command), &Double(force), ledger);
+        let flowed = flowed.ok()?;
+        Some(Flowed {
+            end: flowed.end.map(|x| x.0),
+            path: flowed.path.0,
+            square: flowed.square.0,
+            work: flowed.work.0,
+        })
+    }
+}
+
+impl<R> State<R> {
+    /// The same state in other numbers.
+    pub(crate) fn map<U>(&self, f: impl Fn(&R) -> U) -> State<U> {
+        State {
+            xi: f(&self.xi),
+            velocity: f(&self.velocity),
+            output: f(&self.output),
+        }
+    }
 }
 
 impl<R: Real> Flow<R> {
+    /// The flow of a dimensionless loop whose device has this mass, on so many pieces an interval.
+    pub(crate) fn of(the_loop: &Loop<R>, mass: R, pieces: u32) -> Self {
+        let or_zero = |x: &Option<R>| x.clone().unwrap_or_else(R::zero);
+        let has_arm = the_loop.has(Effect::Arm);
+        Self {
+            mass: match &the_loop.arm_mass {
+                Some(arm) => mass + arm.clone(),
+                None => mass,
+            },
+            beta: the_loop.viscous_friction(),
+            sigma: the_loop.coulomb.clone(),
+            rate: the_loop
+                .time_constant
+                .as_ref()
+                .map(|time| time.whole(1).over(time.clone())),
+            arm: has_arm.then(|| [&the_loop.arm_damping, &the_loop.arm_stiffness].map(or_zero)),
+            pieces,
+        }
+    }
+
     /// Whether the operator's arm holds the device.
     #[must_use]
-    pub const fn has_arm(&self) -> bool {
+    pub(crate) const fn has_arm(&self) -> bool {
         self.arm.is_some()
     }
 
     /// What acts on the device at rest: y + F − kξ.
     #[must_use]
-    pub fn net(&self, state: &State<R>, force: &R) -> R {
+    pub(crate) fn net(&self, state: &State<R>, force: &R) -> R {
         let pull = state.output.clone() + force.clone();
         match &self.arm {
             Some([_, stiffness]) => pull - stiffness.clone() * state.xi.clone(),
@@ -152,21 +185,21 @@ impl<R: Real> Flow<R> {
     /// # Errors
     ///
     /// [`Undecided`] when the numbers cannot tell a sign.
-    pub fn advance(
+    pub(crate) fn advance(
         &self,
         start: &State<R>,
         command: &R,
         force: &R,
         ledger: bool,
     ) -> Result<Flowed<R>, Undecided> {
-        let zero = command.zero();
+        // At most 2·FASTEST of them.
         let pieces = i32::try_from(self.pieces).unwrap_or(i32::MAX);
-        let piece = zero.ratio(1, pieces);
+        let piece = self.mass.ratio(1, pieces);
         let mut flowed = Flowed {
             end: start.clone(),
-            path: zero.clone(),
-            square: zero.clone(),
-            work: zero.clone(),
+            path: R::zero(),
+            square: R::zero(),
+            work: R::zero(),
         };
         if self.rate.is_none() {
             flowed.end.output = command.clone();
@@ -191,17 +224,17 @@ impl<R: Real> Flow<R> {
         const MOST_STOPS: u32 = 16;
         let mut left = piece.clone();
         let Some(sigma) = &self.sigma else {
-            let series = self.series(&flowed.end, command, force, &command.zero(), &left);
-            self.take(flowed, &series, &left.one(), ledger);
+            let series = self.series(&flowed.end, command, force, &R::zero(), &left);
+            self.take(flowed, &series, &left.whole(1), ledger);
             return Ok(());
         };
         for _ in 0..MOST_STOPS {
-            let mut direction = flowed.end.velocity.sign()?;
+            let mut direction = flowed.end.velocity.sign().ok_or(Undecided)?;
             if direction == Ordering::Equal {
                 let wait = self.rest(flowed, command, force, sigma, &left)?;
                 let Some(wait) = wait else { return Ok(()) };
                 left = left - wait;
-                direction = self.net(&flowed.end, force).sign()?;
+                direction = self.net(&flowed.end, force).sign().ok_or(Undecided)?;
             }
             let friction = match direction {
                 Ordering::Less => -sigma.clone(),
@@ -209,15 +242,15 @@ impl<R: Real> Flow<R> {
             };
             let series = self.series(&flowed.end, command, force, &friction, &left);
             let Some(at) = series.stop(direction)? else {
-                self.take(flowed, &series, &left.one(), ledger);
+                self.take(flowed, &series, &left.whole(1), ledger);
                 return Ok(());
             };
             self.take(flowed, &series, &at, ledger);
-            flowed.end.velocity = left.zero();
+            flowed.end.velocity = R::zero();
             left = left.clone() - left * at;
         }
         self.idle(flowed, command, &left);
-        flowed.end.velocity = left.zero();
+        flowed.end.velocity = R::zero();
         Ok(())
     }
 
@@ -230,24 +263,27 @@ impl<R: Real> Flow<R> {
         sigma: &R,
         left: &R,
     ) -> Result<Option<R>, Undecided> {
-        let net = self.net(&flowed.end, force);
-        if net.magnitude()?.compare(sigma)? == Ordering::Greater {
-            return Ok(Some(left.zero()));
+        let lets_go = |state: &State<R>| {
+            let net = self.net(state, force).abs();
+            Ok(net.compare(sigma).ok_or(Undecided)?.is_gt())
+        };
+        if lets_go(&flowed.end)? {
+            return Ok(Some(R::zero()));
         }
-        let mut later = flowed.end.clone();
-        later.output = self.output_after(&flowed.end.output, command, left);
-        let net_later = self.net(&later, force);
-        if net_later.magnitude()?.compare(sigma)? != Ordering::Greater {
+        let after = |time: &R| State {
+            output: self.output_after(&flowed.end.output, command, time),
+            ..flowed.end.clone()
+        };
+        let later = after(left);
+        if !lets_go(&later)? {
             flowed.end = later;
             return Ok(None);
         }
         // The output is monotone: the time at which it lets go is bracketed by 0 and `left`.
-        let (mut low, mut high) = (left.zero(), left.clone());
+        let (mut low, mut high) = (R::zero(), left.clone());
         for _ in 0..left.bits() + 4 {
-            let middle = (low.clone() + high.clone()) * left.ratio(1, 2);
-            let mut state = flowed.end.clone();
-            state.output = self.output_after(&flowed.end.output, command, &middle);
-            if self.net(&state, force).magnitude()?.compare(sigma)? == Ordering::Greater {
+            let middle = (low.clone() + high.clone()).half();
+            if lets_go(&after(&middle))? {
                 high = middle;
             } else {
                 low = middle;
@@ -270,8 +306,8 @@ impl<R: Real> Flow<R> {
         let x = -(rate.clone() * time.clone());
         let mut term = output.clone() - command.clone();
         let mut sum = command.clone() + term.clone();
-        for n in 1..terms(output.bits()) {
-            term = term * x.clone() * output.ratio(1, n);
+        for n in 1..terms(self.mass.bits()) {
+            term = term * x.clone() * self.mass.ratio(1, n);
             sum = sum + term.clone();
         }
         sum
@@ -301,7 +337,7 @@ impl<R: Real> Flow<R> {
             Some([damping, _]) => self.beta.clone() + damping.clone(),
             None => self.beta.clone(),
         };
-        let per_mass = h.clone() / self.mass.clone();
+        let per_mass = h.clone().over(self.mass.clone());
         let damped = damping * per_mass.clone();
         let pulled = h.clone() * per_mass;
         let room = usize::try_from(count).unwrap_or(2);
@@ -319,7 +355,7 @@ impl<R: Real> Flow<R> {
             if ARM && let Some([_, stiffness]) = &self.arm {
                 pull = pull - stiffness.clone() * before;
             }
-            let drag = damped.clone() * latest.clone() * h.ratio(n - 1, 1);
+            let drag = damped.clone() * latest.clone() * R::integer(n - 1);
             let next = (pull * pulled.clone() - drag) * h.ratio(1, n * (n - 1));
             xi.push(next.clone());
             before = std::mem::replace(&mut latest, next);
@@ -328,7 +364,7 @@ impl<R: Real> Flow<R> {
                 output.push(excess.clone());
                 excess.clone()
             } else {
-                h.zero()
+                R::zero()
             };
         }
         Series {
@@ -346,15 +382,13 @@ impl<R: Real> Flow<R> {
             flowed.square = flowed.square.clone() + square;
             flowed.work = flowed.work.clone() + work;
         }
-        flowed.end.xi = horner(&series.xi, s);
+        flowed.end.xi = horner(series.xi.iter(), s);
         flowed.end.velocity = series.velocity(s);
         if self.rate.is_some() {
-            flowed.end.output = horner(&series.output, s);
+            flowed.end.output = horner(series.output.iter(), s);
         }
         let d = flowed.end.xi.clone() - from;
-        // A displacement whose sign cannot be told is as good as 0 to the path.
-        let way = d.magnitude().unwrap_or(d);
-        flowed.path = flowed.path.clone() + way;
+        flowed.path = flowed.path.clone() + d.abs();
     }
 }
 
@@ -365,11 +399,11 @@ mod tests {
     use super::*;
     use crate::motion::Constants;
 
-    fn plain(mass: f64, beta: f64, sigma: f64) -> Flow<f64> {
+    fn plain(mass: f64, beta: f64, sigma: f64) -> Flow<Double> {
         let mut flow = Flow {
-            mass,
-            beta,
-            sigma: Some(sigma),
+            mass: Double(mass),
+            beta: Double(beta),
+            sigma: Some(Double(sigma)),
             rate: None,
             arm: None,
             pieces: 1,
@@ -389,7 +423,7 @@ mod tests {
                         velocity: v,
                         output: 0.0,
                     };
-                    let got = flow.advance(&start, &u, &0.0, true).unwrap();
+                    let got = flow.advance_doubles(&start, u, 0.0, true).unwrap();
                     let want = k.advance::<true, true, true>(0.25, v, u);
                     // A few ulp of the numbers at hand, all below 3, a piece.
                     let tolerance = 1e-15 * f64::from(flow.pieces + 4);
@@ -411,16 +445,16 @@ mod tests {
     fn a_swing_on_an_arm_is_a_cosine_and_loses_nothing() {
         let mut flow = plain(1.0, 0.0, 0.0);
         let omega: f64 = 7.0;
-        flow.arm = Some([0.0, omega * omega]);
+        flow.arm = Some([0.0, omega * omega].map(Double));
         flow.pieces = flow.pieces_needed().unwrap();
-        for sigma in [None, Some(0.0)] {
+        for sigma in [None, Some(Double(0.0))] {
             flow.sigma = sigma;
             let start = State {
                 xi: 1.0,
                 velocity: 0.0,
                 output: 0.0,
             };
-            let got = flow.advance(&start, &0.0, &0.0, true).unwrap();
+            let got = flow.advance_doubles(&start, 0.0, 0.0, true).unwrap();
             assert_abs_diff_eq!(got.end.xi, omega.cos(), epsilon = 1e-14);
             assert_abs_diff_eq!(got.end.velocity, -omega * omega.sin(), epsilon = 1e-13);
             // ∫ω² sin²(ωt) dt over the interval.
@@ -434,14 +468,14 @@ mod tests {
         // ω = 2π, k = 1 ⇒ the turning points of a free swing lose 2σ/k each half period.
         let omega = 2.0 * std::f64::consts::PI;
         let mut flow = plain(1.0 / (omega * omega), 0.0, 0.125);
-        flow.arm = Some([0.0, 1.0]);
+        flow.arm = Some([0.0, 1.0].map(Double));
         flow.pieces = flow.pieces_needed().unwrap();
         let start = State {
             xi: 2.0,
             velocity: 0.0,
             output: 0.0,
         };
-        let got = flow.advance(&start, &0.0, &0.0, true).unwrap();
+        let got = flow.advance_doubles(&start, 0.0, 0.0, true).unwrap();
         assert_abs_diff_eq!(got.end.xi, 1.5, epsilon = 1e-13);
         assert_abs_diff_eq!(got.path, 7.0, epsilon = 1e-13);
     }
@@ -449,14 +483,14 @@ mod tests {
     #[test]
     fn an_amplifier_lets_go_when_its_output_passes_friction() {
         let mut flow = plain(1.0, 0.0, 0.5);
-        flow.rate = Some(2.0);
+        flow.rate = Some(Double(2.0));
         flow.pieces = flow.pieces_needed().unwrap();
         let start = State {
             xi: 0.0,
             velocity: 0.0,
             output: 0.0,
         };
-        let got = flow.advance(&start, &1.0, &0.0, true).unwrap();
+        let got = flow.advance_doubles(&start, 1.0, 0.0, true).unwrap();
         // y = 1 − e^(−2t) passes ½ at t₀ = ln 2/2; then v = ∫(y − ½) = (t − t₀)/2 − (½ − e^(−2t))/2.
         let (t0, e) = (0.5 * 2.0_f64.ln(), (-2.0_f64).exp());
         let velocity = 0.5 * (1.0 - t0) - 0.5 * (0.5 - e);
@@ -467,7 +501,7 @@ mod tests {
     #[test]
     fn too_fast_an_amplifier_is_refused() {
         let mut flow = plain(1.0, 0.0, 0.5);
-        flow.rate = Some(5000.0);
+        flow.rate = Some(Double(5000.0));
         assert_eq!(
             flow.pieces_needed(),
             Err(SimError::TooFast {

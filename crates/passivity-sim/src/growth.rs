@@ -17,13 +17,14 @@
 
 use std::cmp::Ordering;
 
-use crate::flow::State;
-use crate::law;
+use passivity_core::{Controller, controller::Filter};
+
+use crate::flow::{Flow, State};
 use crate::motion::Constants;
-use crate::plan::Plan;
+use crate::number::Double;
 
 /// The magnitude of ξ or ξ̇ at which any scene is called growing.
-pub const OVERFLOW: f64 = 1e140;
+pub(crate) const OVERFLOW: f64 = 1e140;
 
 /// |z| − 1 below this is rounding: no growth is claimed.
 const LEAST_EXCESS: f64 = 1e-12;
@@ -34,9 +35,23 @@ const WIDENED: f64 = 1.0 + 1e-6;
 /// More samples of history than this and no radius is computed.
 const MOST_HISTORY: usize = 64;
 
+/// What growth depends on: the loop that is linear but for quantization and Coulomb friction, and what
+/// drives it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct System<'a> {
+    /// The controller.
+    pub(crate) controller: &'a Controller<Double>,
+    /// The motion under a constant force.
+    pub(crate) constants: &'a Constants,
+    /// The motion with an amplifier's lag or an arm, when there is one.
+    pub(crate) flow: Option<&'a Flow<Double>>,
+    /// The largest force of the operator, when there is one.
+    pub(crate) largest_force: Option<f64>,
+}
+
 /// When divergence is certain.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Growth {
+pub(crate) struct Growth {
     /// ℓ over (ξ, ξ̇), scaled to 1 at ξ: |ℓx|² = (ξ + c·ξ̇)² + (s·ξ̇)².
     pub c: f64,
     /// See `c`.
@@ -60,7 +75,7 @@ struct Mode {
 impl Growth {
     /// No mode grows, or none is known to: only numbers near overflow count.
     #[must_use]
-    pub const fn never() -> Self {
+    pub(crate) const fn never() -> Self {
         Self {
             c: 0.0,
             s: 1.0,
@@ -72,17 +87,8 @@ impl Growth {
 
     /// The growth of the paper's own scene; the held force is off by at most `error`, ½ with an
     /// encoder and 0 without.
-    ///
-    /// # Example
-    ///
-    /// ```
-    /// use passivity_sim::{growth::Growth, motion::Constants};
-    ///
-    /// assert!(Growth::plain(&Constants::new(50.0, 0.4, 0.6), 0.5).is_possible());
-    /// assert!(!Growth::plain(&Constants::new(50.0, 0.6, 0.6), 0.5).is_possible());
-    /// ```
     #[must_use]
-    pub fn plain(k: &Constants, error: f64) -> Self {
+    pub(crate) fn plain(k: &Constants, error: f64) -> Self {
         let (phi1, phi2) = (k.phi1 * k.inverse_mu, k.phi2 * k.inverse_mu);
         // det A − 1, without the cancellation of det A itself: e^(−λ) − 1 = −λφ₁ = −βφ₁/μ.
         let excess = k.inverse_mu * (k.phi1 * k.phi1 - k.beta * k.phi1 - k.decay * k.phi2);
@@ -117,32 +123,31 @@ impl Growth {
     }
 
     /// The growth of any scene.
-    #[must_use]
-    pub fn of(plan: &Plan) -> Self {
-        let law = &plan.controller;
-        let clamped = law.has(law::UNILATERAL) || law.has(law::SATURATION);
-        let history = usize::try_from(law.forgets_after()).unwrap_or(usize::MAX);
-        if clamped || history > MOST_HISTORY {
+    pub(crate) fn of(system: &System<'_>) -> Self {
+        let controller = system.controller;
+        let clamped = controller.unilateral || controller.max_force.is_some();
+        if clamped || controller.memory() > MOST_HISTORY {
             return Self::never();
         }
-        let error = if law.has(law::ENCODER) { 0.5 } else { 0.0 };
-        let simple = [law::ENCODER, 0].contains(&law.effects);
-        if simple && plan.forces.is_none() && plan.flow.is_none() {
-            return Self::plain(&plan.constants, error);
+        let plain = controller.memory() == 0
+            && controller.filter == Filter::wall()
+            && controller.force_step.is_none();
+        if plain && system.largest_force.is_none() && system.flow.is_none() {
+            return Self::plain(system.constants, system.error());
         }
-        Self::general(plan, history, error).unwrap_or_else(Self::never)
+        Self::general(system).unwrap_or_else(Self::never)
     }
 
     /// Whether a mode is known to grow.
     #[must_use]
-    pub const fn is_possible(&self) -> bool {
+    pub(crate) const fn is_possible(&self) -> bool {
         self.factor.is_some()
     }
 
     /// Whether the state (ξ, ξ̇) calls for a closer look; for the paper's own scene, whether it grows.
     #[inline(always)]
     #[must_use]
-    pub fn exceeds(&self, xi: f64, v: f64) -> bool {
+    pub(crate) fn exceeds(&self, xi: f64, v: f64) -> bool {
         let real = xi + self.c * v;
         let imaginary = self.s * v;
         let square = real * real + imaginary * imaginary;
@@ -156,7 +161,7 @@ impl Growth {
     /// Whether divergence is certain from this state on; `samples` are those that the controller
     /// remembers, the latest first.
     #[must_use]
-    pub fn certain(&self, state: &State<f64>, samples: impl Iterator<Item = f64>) -> bool {
+    pub(crate) fn certain(&self, state: &State<f64>, samples: impl Iterator<Item = f64>) -> bool {
         if !self.exceeds(state.xi, state.velocity) {
             return false;
         }
@@ -181,7 +186,7 @@ impl Growth {
 
     /// The radius in words.
     #[must_use]
-    pub fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         match self.factor {
             Some(factor) if self.square < OVERFLOW * OVERFLOW => format!(
                 "the radius {:.6} ticks of the growing mode (a factor of {factor:.9} a sample): \
@@ -193,52 +198,33 @@ impl Growth {
     }
 
     /// The growth of a scene with history, an amplifier, an arm or a force.
-    fn general(plan: &Plan, history: usize, error: f64) -> Option<Self> {
-        let law = &plan.controller;
-        let lagging = plan.flow.as_ref().is_some_and(|flow| flow.rate.is_some());
-        let own = if lagging { 3 } else { 2 };
-        let size = own + history;
-        let mut matrix = vec![vec![0.0; size]; size];
-        for column in 0..size {
-            let mut state = vec![0.0; size];
-            state[column] = 1.0;
-            for (row, x) in linear_step(plan, &state, own)?.into_iter().enumerate() {
-                matrix[row][column] = x;
-            }
-        }
-        let (left, factor) = dominant_left(&matrix)?;
+    fn general(system: &System<'_>) -> Option<Self> {
+        let own = system.own();
+        let size = own + system.controller.memory();
+        // The rows of the transpose: where each unit vector leads.
+        let columns: Option<Vec<Vec<f64>>> = (0..size)
+            .map(|column| {
+                let unit = (0..size).map(|row| f64::from(u8::from(row == column)));
+                system.linear_step(&unit.collect::<Vec<_>>())
+            })
+            .collect();
+        let (left, factor) = dominant_left(&transposed(&columns?))?;
         if factor - 1.0 < LEAST_EXCESS.max(1e-9) {
             return None;
         }
-        let damping = if law.has(law::DAMPING) {
-            law.damping
-        } else {
-            0.0
-        };
-        let step = if law.has(law::FORCE_STEP) {
-            0.5 * law.force_step[0] / law.force_step[1]
-        } else {
-            0.0
-        };
-        let commanded = error * (1.0 + 2.0 * damping) + step;
-        let operator = plan.forces.as_ref().map_or(0.0, |forces| forces.largest());
-        let on_device = commanded + operator + plan.constants.sigma;
-        let size_of = |i: usize| left.get(i).map_or(0.0, |[re, im]| re.hypot(*im));
-        let mass = plan
-            .flow
-            .as_ref()
-            .map_or(plan.constants.mu, |flow| flow.mass);
+        let mut sizes = left.iter().map(|[re, im]| re.hypot(*im));
+        let [xi, velocity] = [sizes.next()?, sizes.next()?];
+        let output = if system.lags() { sizes.next()? } else { 0.0 };
+        let remembered: f64 = sizes.sum();
         // An impulse of force moves ξ̇ by at most 1/M and ξ by at most t/M, arm and friction or not.
-        let mut disturbance = on_device * (0.5 * size_of(0) + size_of(1)) / mass;
-        if lagging {
-            disturbance += commanded * size_of(2);
-        }
+        let on_device =
+            system.commanded_error() + system.largest_force.unwrap_or(0.0) + system.constants.sigma;
+        let disturbance =
+            on_device * (0.5 * xi + velocity) / system.mass() + system.commanded_error() * output;
         // What the controller remembers are samples, each off by at most ½ from the position.
-        let remembered: f64 = (own..size).map(size_of).sum();
-        let radius = (disturbance / (factor - 1.0) + error * remembered) * WIDENED;
-        let norm: f64 = (0..size).map(size_of).sum();
+        let radius = (disturbance / (factor - 1.0) + system.error() * remembered) * WIDENED;
         // |ℓx| > R needs some |x_i| > R/Σ|ℓ_i|: look once ξ or ξ̇ is that large.
-        let look = radius / norm;
+        let look = radius / (xi + velocity + output + remembered);
         Some(Self {
             c: 0.0,
             s: 1.0,
@@ -247,65 +233,94 @@ impl Growth {
             mode: Some(Mode {
                 left,
                 radius,
-                lagging,
+                lagging: system.lags(),
             }),
         })
     }
 }
 
-/// One sampling interval of the loop without quantization and Coulomb friction.
-///
-/// The state is ξ, ξ̇, the amplifier's output if there is one, and past positions, latest first.
-fn linear_step(plan: &Plan, state: &[f64], own: usize) -> Option<Vec<f64>> {
-    let law = &plan.controller;
-    let delay = if law.has(law::DELAY) { law.delay } else { 0 };
-    let sampled = |late: usize| {
-        if late == 0 {
-            state.first()
-        } else {
-            state.get(own + late - 1)
-        }
-        .copied()
-    };
-    let q = sampled(delay)?;
-    let mut command = -q;
-    if law.has(law::DAMPING) {
-        command -= law.damping * (q - sampled(delay + 1)?);
+impl System<'_> {
+    /// How far a sample may be from the position.
+    fn error(&self) -> f64 {
+        if self.controller.encoder { 0.5 } else { 0.0 }
     }
-    let [xi, velocity] = [*state.first()?, *state.get(1)?];
-    let mut next = match &plan.flow {
-        Some(flow) => {
-            let smooth = crate::flow::Flow {
-                sigma: None,
-                ..flow.clone()
-            };
-            let output = if own == 3 { *state.get(2)? } else { command };
-            let start = State {
-                xi,
-                velocity,
-                output,
-            };
-            let end = smooth.advance(&start, &command, &0.0, false).ok()?.end;
-            let mut next = vec![end.xi, end.velocity];
-            if own == 3 {
-                next.push(end.output);
+
+    /// Whether the amplifier's output is part of the state.
+    fn lags(&self) -> bool {
+        self.flow.is_some_and(|flow| flow.rate.is_some())
+    }
+
+    /// How many numbers the state has beside past positions: ξ, ξ̇ and an amplifier's output.
+    fn own(&self) -> usize {
+        2 + usize::from(self.lags())
+    }
+
+    /// The mass that moves.
+    fn mass(&self) -> f64 {
+        self.flow.map_or(self.constants.mu, |flow| flow.mass.0)
+    }
+
+    /// How far the commanded force may be from that of the linear filter: each sample is off by the
+    /// encoder's error, the D/A converter by half a step.
+    fn commanded_error(&self) -> f64 {
+        let filter = &self.controller.filter;
+        // cⱼ = gⱼ − gⱼ₊₁, with g₀ = H(1).
+        let sums = || {
+            std::iter::once(&filter.sum)
+                .chain(&filter.tails)
+                .map(|g| g.0)
+        };
+        let next = sums().skip(1).chain([0.0]);
+        let gain: f64 = sums().zip(next).map(|(g, next)| (g - next).abs()).sum();
+        let step = match self.controller.force_step {
+            Some([Double(numerator), Double(denominator)]) => 0.5 * numerator / denominator,
+            None => 0.0,
+        };
+        self.error() * gain + step
+    }
+
+    /// One sampling interval of the loop without quantization and Coulomb friction; `None` when
+    /// numbers overflow.
+    ///
+    /// The state is ξ, ξ̇, the amplifier's output if there is one, and past positions, latest first.
+    fn linear_step(&self, state: &[f64]) -> Option<Vec<f64>> {
+        let (own, past) = state.split_at_checked(self.own())?;
+        let [xi, velocity] = [*own.first()?, *own.get(1)?];
+        let positions: Vec<Double> = std::iter::once(xi)
+            .chain(past.iter().copied())
+            .map(Double)
+            .collect();
+        let linear = Controller {
+            encoder: false,
+            force_step: None,
+            ..self.controller.clone()
+        };
+        let Double(command) = linear.held_force(&positions);
+        let mut next = match self.flow {
+            Some(flow) => {
+                let smooth = Flow {
+                    sigma: None,
+                    ..flow.clone()
+                };
+                let start = State {
+                    xi,
+                    velocity,
+                    output: own.get(2).copied().unwrap_or(command),
+                };
+                let end = smooth.advance_doubles(&start, command, 0.0, false)?.end;
+                let output = self.lags().then_some(end.output);
+                [end.xi, end.velocity].into_iter().chain(output).collect()
             }
-            next
-        }
-        None => {
-            let moved = plan
-                .constants
-                .advance::<true, false, false>(xi, velocity, command);
-            vec![moved.xi, moved.velocity]
-        }
-    };
-    let history = state.len() - own;
-    next.extend(
-        [xi].into_iter()
-            .chain(state.iter().skip(own).copied())
-            .take(history),
-    );
-    Some(next)
+            None => {
+                let moved = self
+                    .constants
+                    .advance::<true, false, false>(xi, velocity, command);
+                vec![moved.xi, moved.velocity]
+            }
+        };
+        next.extend(positions.iter().map(|x| x.0).take(past.len()));
+        Some(next)
+    }
 }
 
 /// The dominant eigenvalue's magnitude and its left eigenvector, by repeated squaring.
@@ -329,57 +344,54 @@ fn dominant_left(matrix: &[Vec<f64>]) -> Option<(Vec<[f64; 2]>, f64)> {
         .max_by(|a, b| norm(a).total_cmp(&norm(b)))?
         .clone();
     let once = times(&row, matrix);
-    let twice = times(&once, matrix);
-    // Least squares for twice = trace·once − det·row.
-    let (aa, ab, bb) = (dot(&once, &once), dot(&once, &row), dot(&row, &row));
-    let (ya, yb) = (dot(&twice, &once), dot(&twice, &row));
-    let gram = aa * bb - ab * ab;
-    let (real, imaginary) = if gram < 1e-18 * aa * bb {
-        (ab / bb, 0.0)
+    // ℓ = row·A − z̄·row for a complex pair, or row itself when row·A = z·row already.
+    let (value, pair) = eigenvalue(&row, &once, &times(&once, matrix));
+    let [real, imaginary] = value;
+    let (re, im): (Vec<f64>, Vec<f64>) = if pair {
+        let parts = row.iter().zip(&once);
+        parts.map(|(r, o)| (o - real * r, imaginary * r)).unzip()
     } else {
-        let trace = (ya * bb - yb * ab) / gram;
-        let det = (ya * ab - yb * aa) / gram;
-        let discriminant = 0.25 * trace * trace - det;
-        if discriminant < 0.0 {
-            (0.5 * trace, (-discriminant).sqrt())
-        } else {
-            (0.5 * trace + discriminant.sqrt().copysign(trace), 0.0)
-        }
+        (row.clone(), vec![0.0; row.len()])
     };
-    // ℓ = row·A − z̄·row, or row itself when row·A = z·row already.
-    let parallel = gram < 1e-18 * aa * bb;
-    let other = if parallel { 0.0 } else { 1.0 };
-    let left: Vec<[f64; 2]> = row
-        .iter()
-        .zip(&once)
-        .map(|(r, o)| {
-            if parallel {
-                [*r, 0.0]
-            } else {
-                [o - real * r, other * imaginary * r]
-            }
-        })
-        .collect();
-    let part = |i: usize| left.iter().map(|l| l[i]).collect::<Vec<f64>>();
-    let (re, im) = (part(0), part(1));
     let (re_next, im_next) = (times(&re, matrix), times(&im, matrix));
     let size = dot(&re, &re) + dot(&im, &im);
-    let mut off = 0.0;
-    for i in 0..left.len() {
-        let e = re_next[i] - (real * re[i] - imaginary * im[i]);
-        let f = im_next[i] - (real * im[i] + imaginary * re[i]);
-        off += e * e + f * f;
-    }
-    let small = off.sqrt() <= 1e-9 * size.sqrt();
-    if !small {
+    let left = re.iter().zip(&im);
+    let next = re_next.iter().zip(&im_next);
+    let off: f64 = left
+        .clone()
+        .zip(next)
+        .map(|((re, im), (re_next, im_next))| {
+            let e = re_next - (real * re - imaginary * im);
+            let f = im_next - (real * im + imaginary * re);
+            e * e + f * f
+        })
+        .sum();
+    let scale = size.sqrt();
+    if off.sqrt() > 1e-9 * scale || off.is_nan() {
         return None;
     }
-    let scale = size.sqrt();
-    let left = left
-        .into_iter()
-        .map(|[a, b]| [a / scale, b / scale])
-        .collect();
-    Some((left, real.hypot(imaginary)))
+    let left = left.map(|(re, im)| [re / scale, im / scale]);
+    Some((left.collect(), real.hypot(imaginary)))
+}
+
+/// The eigenvalue of a pair of rows `row`, `once` = row·A that span an invariant subspace, by least
+/// squares for `twice` = trace·once − det·row; and whether they do span two dimensions.
+fn eigenvalue(row: &[f64], once: &[f64], twice: &[f64]) -> ([f64; 2], bool) {
+    let (aa, ab, bb) = (dot(once, once), dot(once, row), dot(row, row));
+    let gram = aa * bb - ab * ab;
+    if gram < 1e-18 * aa * bb {
+        return ([ab / bb, 0.0], false);
+    }
+    let (ya, yb) = (dot(twice, once), dot(twice, row));
+    let trace = (ya * bb - yb * ab) / gram;
+    let det = (ya * ab - yb * aa) / gram;
+    let discriminant = 0.25 * trace * trace - det;
+    let value = if discriminant < 0.0 {
+        [0.5 * trace, (-discriminant).sqrt()]
+    } else {
+        [0.5 * trace + discriminant.sqrt().copysign(trace), 0.0]
+    };
+    (value, true)
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -401,9 +413,26 @@ fn product(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
     a.iter().map(|row| times(row, b)).collect()
 }
 
+fn transposed(columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let row = |index: usize| {
+        columns
+            .iter()
+            .filter_map(move |column| column.get(index).copied())
+    };
+    (0..columns.len())
+        .map(|index| row(index).collect())
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn too_little_viscous_friction_lets_the_motion_grow() {
+        let grows = |beta| Growth::plain(&Constants::new(50.0, beta, 0.6), 0.5).is_possible();
+        assert!(grows(0.4) && !grows(0.6));
+    }
 
     #[test]
     fn general_and_closed_form_agree_on_the_papers_scene() {

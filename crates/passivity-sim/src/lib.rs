@@ -14,42 +14,57 @@
 //! # Example
 //!
 //! ```
-//! use passivity_sim::{Exactly, Plan, Plain, run};
+//! use passivity_sim::{ExactOutcome, Plain, Plan, run};
 //!
 //! // (0.6, 0.6) is globally stable: the device comes to exact rest.
 //! let plan = Plan::plain(&Plain { mu: 50.0, beta: 0.6, sigma: 0.6, xi: 0.0, velocity: 1.0 }, 50_000);
 //! let end = run::outcome(&plan);
-//! assert_eq!(end.outcome.exact, Exactly::AtRest);
+//! assert_eq!(end.outcome.exact, ExactOutcome::AtRest);
 //! assert!(end.intervals < 2_000);
 //! ```
-#![cfg_attr(not(test), deny(clippy::unwrap_used))]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing
+    )
+)]
 
 pub mod accuracy;
-#[cfg(feature = "multiprecision")]
-pub mod big;
-pub mod enclosed;
-pub mod error;
-pub mod flow;
-pub mod growth;
 pub mod lanes;
-pub mod law;
-pub mod ledger;
-pub mod methods;
-pub mod model;
-pub mod motion;
-pub mod outcome;
-pub mod phi;
-pub mod plan;
 #[cfg(feature = "plot")]
 pub mod plot;
-pub mod real;
 pub mod run;
-pub mod series;
 pub mod sweep;
 pub mod trace;
 
+mod error;
+mod flow;
+mod growth;
+mod law;
+mod ledger;
+mod method;
+mod methods;
+mod model;
+mod motion;
+mod number;
+mod outcome;
+mod phi;
+mod plan;
+mod series;
+mod simulated;
+
+#[cfg(test)]
+mod differential;
+
 pub use error::SimError;
 pub use ledger::{Entry, Totals};
-pub use methods::Method;
-pub use outcome::{Exactly, Outcome, Paper};
+pub use method::{Method, NAMES};
+pub use methods::simulate;
+pub use model::IntervalRow;
+pub use number::{Double, Enclosed};
+pub use outcome::{End, ExactOutcome, Outcome, PaperOutcome};
 pub use plan::{Plain, Plan};
+pub use simulated::{Detail, Each, Line, Simulated};

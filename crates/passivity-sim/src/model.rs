@@ -1,30 +1,29 @@
-//! The motion and the controller for any [`Real`]: one text for rationals, numbers of any precision
-//! and rigorous intervals. [`crate::motion`] explains the formulas; here they are written plainly.
+//! The motion under the kernel's controller with the kernel's account, for any [`Real`]: one text for
+//! rationals, numbers of any precision and rigorous intervals.
 
-mod interval;
-mod law;
+mod motion;
 
 use std::cmp::Ordering;
 
-use passivity_core::BigRational;
+use passivity_core::controller::Memory;
+use passivity_core::ledger::{self, HeldInterval};
+use passivity_core::{BigRational, Controller, Loop, Step};
 use passivity_scene::Point;
 
+use crate::error::SimError;
 use crate::flow::{Flow, State};
+use crate::law;
+use crate::ledger::Entry;
+use crate::number::{Real, Undecided};
 use crate::plan::Plan;
-use crate::real::{Real, Undecided};
-use crate::series;
-use law::Law;
+use motion::Motion;
 
 /// A scene in the numbers of a method.
 #[derive(Clone, Debug)]
-pub struct Model<R> {
-    mu: R,
-    /// β, when there is viscous friction and it is not zero.
-    beta: Option<R>,
-    sigma: Option<R>,
-    lambda: R,
-    whole: series::Interval<R>,
-    law: Law<R>,
+pub(crate) struct Model<R> {
+    dimensionless: Loop<R>,
+    controller: Controller<R>,
+    motion: Motion<R>,
     forces: Option<Forces<R>>,
     flow: Option<Flow<R>>,
     start: [R; 2],
@@ -37,42 +36,62 @@ struct Forces<R> {
     from_here: Vec<[R; 2]>,
 }
 
-/// What the controller remembers: samples, the latest first.
-pub type Memory<R> = std::collections::VecDeque<R>;
-
-/// Where an interval led.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Moved<R> {
-    /// ξ at the end.
-    pub xi: R,
-    /// ξ̇ at the end.
-    pub velocity: R,
-    /// E_d.
-    pub dissipated: R,
-}
-
 /// An interval of a run; energies in KΔ².
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row<R> {
+pub struct IntervalRow<R> {
     /// The interval.
     pub h: u64,
     /// ξ at its start and end.
-    pub xi: [R; 2],
+    pub step: Step<R>,
     /// ξ̇ at its start and end.
     pub velocity: [R; 2],
-    /// E_gᴸ.
-    pub generated_linear: R,
-    /// E_g.
-    pub generated_quantized: R,
+    /// E_gᴸ and E_g.
+    pub generated: [R; 2],
     /// E_d.
     pub dissipated: R,
     /// What the balance (13) is off by.
     pub residual: R,
 }
 
+impl<R> IntervalRow<R> {
+    /// The same row in other numbers.
+    pub(crate) fn map<U>(&self, f: impl Fn(&R) -> U) -> IntervalRow<U> {
+        IntervalRow {
+            h: self.h,
+            step: Step {
+                start: f(&self.step.start),
+                end: f(&self.step.end),
+            },
+            velocity: self.velocity.each_ref().map(&f),
+            generated: self.generated.each_ref().map(&f),
+            dissipated: f(&self.dissipated),
+            residual: f(&self.residual),
+        }
+    }
+}
+
+impl<R: Real> IntervalRow<R> {
+    /// The row in doubles.
+    pub(crate) fn entry(&self) -> Entry {
+        let near = self.map(Real::approximate);
+        let ([v0, v1], [generated_linear, generated_quantized]) = (near.velocity, near.generated);
+        Entry {
+            h: near.h,
+            xi0: near.step.start,
+            xi1: near.step.end,
+            v0,
+            v1,
+            generated_linear,
+            generated_quantized,
+            dissipated: near.dissipated,
+            residual: near.residual,
+        }
+    }
+}
+
 /// How a run of a model stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Halt {
+pub(crate) enum Halt {
     /// At rest for ever from this interval on.
     Rest(u64),
     /// Divergence is certain from this interval on.
@@ -87,271 +106,246 @@ pub enum Halt {
 
 /// The state at the end of a run.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ended<R> {
+pub(crate) struct Ended<R> {
     /// How it stopped.
-    pub halt: Halt,
+    pub(crate) halt: Halt,
     /// How many intervals were run.
-    pub intervals: u64,
+    pub(crate) intervals: u64,
     /// ξ.
-    pub xi: R,
+    pub(crate) xi: R,
     /// ξ̇.
-    pub velocity: R,
+    pub(crate) velocity: R,
 }
 
-/// A [`Real`] with its way over an interval.
-pub trait Number: Real {
-    /// The motion over an interval under the force `u`.
+/// What acts on the device over an interval.
+struct Acting<R> {
+    held: R,
+    /// The operator's.
+    force: R,
+}
+
+/// What the motion over an interval was.
+struct Way<R> {
+    end: State<R>,
+    /// E_d.
+    dissipated: R,
+    /// The work of the force that acted for the held one: behind an amplifier it lags.
+    work: R,
+    /// The work against the operator's arm.
+    arm: R,
+}
+
+impl<R: Real> Model<R> {
+    /// A scene's point in the numbers that `of` makes; the point has been compiled to `plan` before.
     ///
     /// # Errors
     ///
-    /// [`Undecided`] when the number cannot tell whether the device moves.
-    fn over(model: &Model<Self>, xi: &Self, v: &Self, u: &Self) -> Result<Moved<Self>, Undecided> {
-        model.advance(xi, v, u)
-    }
-}
-
-impl Number for f64 {}
-impl Number for BigRational {}
-#[cfg(feature = "multiprecision")]
-impl Number for crate::big::Big {}
-
-impl<T: crate::enclosed::Directed> Number for crate::enclosed::Enclosed<T> {
-    /// ξ and ξ̇ at the end grow with ξ̇ at the start, because motions under the same force do not
-    /// cross: the ends of the interval lead to the ends of what comes out. So each is followed by
-    /// itself, where every sign is known, and nothing widens but by rounding and by the motion.
-    fn over(model: &Model<Self>, xi: &Self, v: &Self, u: &Self) -> Result<Moved<Self>, Undecided> {
-        if v.is_thin() {
-            return model.advance(xi, v, u);
-        }
-        let [low, high] = [&v.lo, &v.hi].map(|end| model.advance(&xi.zero(), &Self::thin(end), u));
-        let (low, high) = (low?, high?);
-        let d = low.xi.hull(high.xi);
-        let velocity = low.velocity.hull(high.velocity);
-        // What friction took is not monotone, but it is what the balance leaves over.
-        let squares = velocity.clone() * velocity.clone() - v.clone() * v.clone();
-        let kinetic = model.mu.clone() * squares * u.ratio(1, 2);
-        Ok(Moved {
-            dissipated: u.clone() * d.clone() - kinetic,
-            xi: xi.clone() + d,
-            velocity,
+    /// A scene without inertia.
+    pub(crate) fn new(
+        point: &Point,
+        plan: &Plan,
+        of: impl Fn(&BigRational) -> R,
+    ) -> Result<Self, SimError> {
+        let dimensionless = point.at.map(|_, x| of(x));
+        let mass = dimensionless.inertia.clone().ok_or(SimError::NoInertia)?;
+        let flow = plan
+            .flow
+            .as_ref()
+            .map(|fast| Flow::of(&dimensionless, mass.clone(), fast.pieces));
+        Ok(Self {
+            controller: law::controller(&point.at, &of),
+            motion: Motion::new(mass, &dimensionless),
+            forces: point.forces.as_ref().map(|forces| Forces::new(forces, &of)),
+            flow,
+            start: point.start().map(|x| of(&x)),
+            dimensionless,
         })
     }
-}
 
-impl<R: Number> Model<R> {
-    /// A scene's point in the numbers that `of` makes; the point has been compiled to `plan` before.
-    pub fn new(point: &Point, plan: &Plan, of: impl Fn(&BigRational) -> R) -> Self {
-        let zero = of(&BigRational::from_integer(0.into()));
-        let number = |x: &Option<BigRational>| x.as_ref().map(&of);
-        let mu = number(&point.mu).unwrap_or_else(|| zero.one());
-        let beta = number(&point.beta).filter(|beta| beta.sign() != Ok(Ordering::Equal));
-        let lambda = match &beta {
-            Some(beta) => beta.clone() / mu.clone(),
-            None => zero.clone(),
-        };
-        let whole = if beta.is_some() {
-            series::interval(&lambda)
-        } else {
-            series::Interval {
-                decay: zero.one(),
-                phi1: zero.one(),
-                phi2: zero.ratio(1, 2),
-                double: zero.one(),
-                chi: zero.ratio(1, 3),
-            }
-        };
-        let flow = plan.flow.as_ref().map(|fast| Flow {
-            mass: match &point.arm {
-                Some([mass, ..]) => mu.clone() + of(mass),
-                None => mu.clone(),
-            },
-            beta: beta.clone().unwrap_or_else(|| zero.clone()),
-            sigma: number(&point.sigma),
-            rate: point.amplifier.as_ref().map(|time| zero.one() / of(time)),
-            arm: point
-                .arm
-                .as_ref()
-                .map(|[_, damping, stiffness]| [of(damping), of(stiffness)]),
-            pieces: fast.pieces,
-        });
-        Self {
-            mu,
-            beta,
-            sigma: number(&point.sigma),
-            lambda,
-            whole,
-            law: Law {
-                encoder: point.encoder,
-                delay: usize::from(point.delay),
-                unilateral: point.unilateral,
-                damping: number(&point.damping),
-                step: point.force_step.as_ref().map(|step| {
-                    [step.numer(), step.denom()].map(|n| of(&BigRational::from_integer(n.clone())))
-                }),
-                limit: number(&point.max_force),
-            },
-            forces: point.force.as_ref().map(|forces| Forces::new(forces, &of)),
-            flow,
-            start: [of(&point.start[0]), of(&point.start[1])],
-        }
+    /// How many bits its numbers have.
+    #[cfg(feature = "multiprecision")]
+    pub(crate) fn bits(&self) -> u32 {
+        self.motion.mass().bits()
     }
 
     /// Runs the model for at most `intervals` intervals, numbers no longer than `longest` bits.
     ///
     /// `growing` says from which state on divergence is certain; `each` sees every interval, and stops
     /// the run by saying `false`.
-    pub fn run(
+    pub(crate) fn run(
         &self,
         intervals: u64,
         longest: u64,
         mut growing: impl FnMut(&State<R>, &Memory<R>) -> Result<bool, Undecided>,
-        mut each: impl FnMut(&Row<R>) -> bool,
+        mut each: impl FnMut(&IntervalRow<R>) -> bool,
     ) -> Ended<R> {
-        let [mut xi, mut v] = self.start.clone();
-        let (mut memory, mut output) = match self.settle() {
-            Ok(settled) => settled,
-            Err(Undecided) => return ended(Halt::Undecided(0), 0, xi, v),
+        let [xi, velocity] = self.start.clone();
+        let mut memory = self.controller.at_rest(&xi);
+        let mut state = State {
+            // The amplifier has settled on what the controller commanded before the start.
+            output: self.controller.settled(&self.controller.measured(&xi)),
+            xi,
+            velocity,
         };
-        let needed = self.law.forgets_after();
+        let needed = self.controller.memory() as u64;
         let mut resting = 0;
         for h in 0..intervals {
-            let step = self.interval(h, [&xi, &v], &mut memory, &mut output, &mut growing);
-            let (rests, row) = match step {
-                Ok(Some(step)) => step,
-                Ok(None) => return ended(Halt::Growing(h), h, xi, v),
-                Err(Undecided) => return ended(Halt::Undecided(h), h, xi, v),
+            match growing(&state, &memory) {
+                Ok(false) => {}
+                Ok(true) => return state.ended(Halt::Growing(h), h),
+                Err(Undecided) => return state.ended(Halt::Undecided(h), h),
+            }
+            let Ok((rests, output, row)) = self.interval(h, &state, &mut memory) else {
+                return state.ended(Halt::Undecided(h), h);
             };
             resting = if rests { resting + 1 } else { 0 };
             if resting > needed {
-                return ended(Halt::Rest(h - needed), h, xi, v);
+                return state.ended(Halt::Rest(h - needed), h);
             }
             let go_on = each(&row);
-            let ([_, next], [_, speed]) = (row.xi, row.velocity);
-            (xi, v) = (next, speed);
-            if xi.length() > longest {
-                return ended(Halt::TooLong(h), h + 1, xi, v);
+            let [_, velocity] = row.velocity;
+            state = State {
+                xi: row.step.end,
+                velocity,
+                output,
+            };
+            if state.xi.length() > longest {
+                return state.ended(Halt::TooLong(h), h + 1);
             }
             if !go_on {
-                return ended(Halt::Ran(h + 1), h + 1, xi, v);
+                return state.ended(Halt::Ran(h + 1), h + 1);
             }
         }
-        ended(Halt::Ran(intervals), intervals, xi, v)
+        state.ended(Halt::Ran(intervals), intervals)
     }
 
-    /// The controller's memory and the amplifier's output when the device has been at the start for ever.
-    fn settle(&self) -> Result<(Memory<R>, R), Undecided> {
-        let sample = self.law.sample(&self.start[0])?;
-        let history = self.law.delay + usize::from(self.law.damping.is_some());
-        let memory: Memory<R> = std::iter::repeat_n(sample, history).collect();
-        let output = self.law.held(&self.start[0], &mut memory.clone())?;
-        Ok((memory, output))
-    }
-
-    /// One interval: whether the device rests in it for good as far as it goes, and its account;
-    /// `None` when divergence is certain.
+    /// One interval: whether the device rests in it for good as far as it goes, the amplifier's output
+    /// at its end, and its account.
     fn interval(
         &self,
         h: u64,
-        [xi, v]: [&R; 2],
+        state: &State<R>,
         memory: &mut Memory<R>,
-        output: &mut R,
-        growing: &mut impl FnMut(&State<R>, &Memory<R>) -> Result<bool, Undecided>,
-    ) -> Result<Option<(bool, Row<R>)>, Undecided> {
-        let state = State {
-            xi: xi.clone(),
-            velocity: v.clone(),
-            output: output.clone(),
+    ) -> Result<(bool, R, IntervalRow<R>), Undecided> {
+        let acting = Acting {
+            held: self.controller.sample(memory, &state.xi).decided()?,
+            force: self.force(h),
         };
-        if growing(&state, memory)? {
-            return Ok(None);
+        if !memory.front().is_none_or(Real::is_defined) {
+            return Err(Undecided); // A sample that a delayed force will ask for.
         }
-        let held = self.law.held(xi, memory)?;
-        let force = self.force(h, xi);
-        let at_rest = match v.sign() {
-            Ok(sign) => sign == Ordering::Equal,
+        let rests = match state.velocity.sign() {
+            Some(sign) => sign == Ordering::Equal && self.rests(h, state, &acting.held)?,
             // Resting or not quite: what comes is the same, but when it began is not known.
-            Err(Undecided) if self.rests(h, xi, &held, output)? => return Err(Undecided),
-            Err(Undecided) => false,
+            None if self.rests(h, state, &acting.held)? => return Err(Undecided),
+            None => false,
         };
-        let rests = at_rest && self.rests(h, xi, &held, output)?;
-        let (end, speed, dissipated, work, arm) = match &self.flow {
-            None => {
-                let u = held.clone() + force.clone();
-                let moved = R::over(self, xi, v, &u)?;
-                let work = held.clone() * (moved.xi.clone() - xi.clone());
-                (moved.xi, moved.velocity, moved.dissipated, work, xi.zero())
-            }
-            Some(flow) => {
-                let flowed = flow.advance(&state, &held, &force, true)?;
-                *output = flowed.end.output;
-                let sigma = flow.sigma.clone().unwrap_or_else(|| xi.zero());
-                let dissipated = flow.beta.clone() * flowed.square.clone() + sigma * flowed.path;
-                let d = flowed.end.xi.clone() - xi.clone();
-                let arm = match &flow.arm {
-                    Some([damping, stiffness]) => {
-                        let middle = xi.clone() + d.clone() * xi.ratio(1, 2);
-                        damping.clone() * flowed.square + stiffness.clone() * d * middle
-                    }
-                    None => xi.zero(),
-                };
-                (
-                    flowed.end.xi,
-                    flowed.end.velocity,
-                    dissipated,
-                    flowed.work,
-                    arm,
-                )
-            }
+        let way = self.way(state, &acting)?;
+        let row = self.account(h, state, &acting, &way)?;
+        Ok((rests, way.end.output, row))
+    }
+
+    /// The motion over an interval.
+    fn way(&self, state: &State<R>, acting: &Acting<R>) -> Result<Way<R>, Undecided> {
+        let Some(flow) = &self.flow else {
+            let u = acting.held.clone() + acting.force.clone();
+            let moved = self.motion.over(&state.xi, &state.velocity, &u)?;
+            return Ok(Way {
+                work: acting.held.clone() * (moved.xi.clone() - state.xi.clone()),
+                end: State {
+                    xi: moved.xi.decided()?,
+                    velocity: moved.velocity.decided()?,
+                    output: acting.held.clone(),
+                },
+                dissipated: moved.dissipated,
+                arm: R::zero(),
+            });
         };
+        let flowed = flow.advance(state, &acting.held, &acting.force, true)?;
+        let sigma = flow.sigma.clone().unwrap_or_else(R::zero);
+        let arm = match &flow.arm {
+            Some([damping, stiffness]) => {
+                let d = flowed.end.xi.clone() - state.xi.clone();
+                let middle = state.xi.clone() + d.clone().half();
+                damping.clone() * flowed.square.clone() + stiffness.clone() * d * middle
+            }
+            None => R::zero(),
+        };
+        Ok(Way {
+            end: flowed.end,
+            dissipated: flow.beta.clone() * flowed.square + sigma * flowed.path,
+            work: flowed.work,
+            arm,
+        })
+    }
+
+    /// The account of an interval: what was generated is the kernel's, by the force that acted.
+    fn account(
+        &self,
+        h: u64,
+        state: &State<R>,
+        acting: &Acting<R>,
+        way: &Way<R>,
+    ) -> Result<IntervalRow<R>, Undecided> {
+        let step = Step::new(state.xi.clone(), way.end.xi.clone());
+        let d = step.displacement();
+        let interval = HeldInterval {
+            step,
+            force: acting.held.clone(),
+            dtau: R::one(),
+            extra_storage: None,
+        };
+        let mut generated = ledger::generated(&self.dimensionless, &interval);
+        if self.flow.as_ref().is_some_and(|flow| flow.rate.is_some()) {
+            // Behind an amplifier another force acted than the one that was held.
+            let difference = way.work.clone() - acting.held.clone() * d.clone();
+            generated = generated.map(|energy| energy + difference.clone());
+        }
+        let [linear, quantized] = generated;
         let mass = self
             .flow
             .as_ref()
-            .map_or(&self.mu, |flow| &flow.mass)
-            .clone();
-        let squares = speed.clone() * speed.clone() - v.clone() * v.clone();
-        let kinetic = mass * squares * xi.ratio(1, 2);
-        let by_operator = force * (end.clone() - xi.clone());
-        let [linear, quantized] = self.law.potentials(xi, &end)?;
-        let row = Row {
+            .map_or(self.motion.mass(), |flow| &flow.mass);
+        let squares = way.end.velocity.square() - state.velocity.square();
+        let kinetic = (mass.clone() * squares).half();
+        let by_operator = acting.force.clone() * d;
+        let residual =
+            kinetic + way.dissipated.clone() + way.arm.clone() - way.work.clone() - by_operator;
+        Ok(IntervalRow {
             h,
-            generated_linear: work.clone() + linear,
-            generated_quantized: work.clone() + quantized,
-            residual: kinetic + dissipated.clone() + arm - work - by_operator,
-            dissipated,
-            xi: [xi.clone(), end],
-            velocity: [v.clone(), speed],
-        };
-        Ok(Some((rests, row)))
+            step: interval.step,
+            velocity: [state.velocity.clone(), way.end.velocity.clone()],
+            generated: [linear.decided()?, quantized.decided()?],
+            dissipated: way.dissipated.clone().decided()?,
+            residual: residual.decided()?,
+        })
     }
 
-    fn force(&self, h: u64, like: &R) -> R {
-        let at = self
-            .forces
-            .as_ref()
-            .and_then(|forces| at(&forces.samples, h));
-        at.cloned().unwrap_or_else(|| like.zero())
+    /// The operator's force over interval h.
+    fn force(&self, h: u64) -> R {
+        let forces = self.forces.as_ref();
+        let force = forces.and_then(|forces| of_interval(&forces.samples, h));
+        force.cloned().unwrap_or_else(R::zero)
     }
 
     /// Whether friction takes the held force now, and with every force of the operator to come.
-    fn rests(&self, h: u64, xi: &R, held: &R, output: &R) -> Result<bool, Undecided> {
-        let sigma = self.sigma.clone().unwrap_or_else(|| xi.zero());
+    fn rests(&self, h: u64, state: &State<R>, held: &R) -> Result<bool, Undecided> {
+        let sigma = self.dimensionless.coulomb_friction();
         let now = match &self.flow {
-            Some(flow) if flow.rate.is_some() => output,
+            Some(flow) if flow.rate.is_some() => &state.output,
             _ => held,
         };
         let arm = self.flow.as_ref().and_then(|flow| flow.arm.as_ref());
-        let range = self
-            .forces
-            .as_ref()
-            .and_then(|forces| at(&forces.from_here, h));
-        let range = range.cloned().unwrap_or_else(|| [xi.zero(), xi.zero()]);
+        let forces = self.forces.as_ref();
+        let range = forces.and_then(|forces| of_interval(&forces.from_here, h));
+        let range = range.cloned().unwrap_or_else(|| [R::zero(), R::zero()]);
         for acting in [now, held] {
             for force in &range {
                 let mut net = acting.clone() + force.clone();
                 if let Some([_, stiffness]) = arm {
-                    net = net - stiffness.clone() * xi.clone();
+                    net = net - stiffness.clone() * state.xi.clone();
                 }
-                if net.magnitude()?.compare(&sigma)? == Ordering::Greater {
+                if net.abs().compare(&sigma).ok_or(Undecided)?.is_gt() {
                     return Ok(false);
                 }
             }
@@ -361,9 +355,9 @@ impl<R: Number> Model<R> {
 }
 
 /// The item of interval h; the last one stays.
-fn at<T>(items: &[T], h: u64) -> Option<&T> {
-    let index = usize::try_from(h).unwrap_or(usize::MAX);
-    items.get(index).or(items.last())
+fn of_interval<T>(items: &[T], h: u64) -> Option<&T> {
+    let index = usize::try_from(h).ok();
+    index.and_then(|index| items.get(index)).or(items.last())
 }
 
 impl<R> Forces<R> {
@@ -384,11 +378,14 @@ impl<R> Forces<R> {
     }
 }
 
-fn ended<R>(halt: Halt, intervals: u64, xi: R, velocity: R) -> Ended<R> {
-    Ended {
-        halt,
-        intervals,
-        xi,
-        velocity,
+impl<R> State<R> {
+    /// The end of a run in this state.
+    fn ended(self, halt: Halt, intervals: u64) -> Ended<R> {
+        Ended {
+            halt,
+            intervals,
+            xi: self.xi,
+            velocity: self.velocity,
+        }
     }
 }

@@ -17,7 +17,7 @@ use crate::phi;
 
 /// The constants of a whole interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Constants {
+pub(crate) struct Constants {
     /// μ, with the arm's mass.
     pub mu: f64,
     /// 1/μ.
@@ -40,7 +40,7 @@ pub struct Constants {
 
 /// Where the device is at the end of an interval, and what friction saw of the way there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moved {
+pub(crate) struct Moved {
     /// ξ at the end.
     pub xi: f64,
     /// ξ̇ at the end.
@@ -54,7 +54,7 @@ pub struct Moved {
 impl Constants {
     /// The constants for μ > 0, β ≥ 0, σ ≥ 0.
     #[must_use]
-    pub fn new(mu: f64, beta: f64, sigma: f64) -> Self {
+    pub(crate) fn new(mu: f64, beta: f64, sigma: f64) -> Self {
         let lambda = beta / mu;
         Self {
             mu,
@@ -73,20 +73,9 @@ impl Constants {
     ///
     /// `VISCOUS` and `COULOMB` say which frictions there are, `LEDGER` whether `path` and `square`
     /// are wanted (else they are 0): what is not there is not computed.
-    ///
-    /// # Example
-    ///
-    /// Without friction, from rest under a force μ, the device goes half a tick.
-    ///
-    /// ```
-    /// use passivity_sim::motion::Constants;
-    ///
-    /// let moved = Constants::new(50.0, 0.0, 0.0).advance::<false, false, true>(0.0, 0.0, 50.0);
-    /// assert_eq!((moved.xi, moved.velocity, moved.path), (0.5, 1.0, 0.5));
-    /// ```
     #[inline(always)]
     #[must_use]
-    pub fn advance<const VISCOUS: bool, const COULOMB: bool, const LEDGER: bool>(
+    pub(crate) fn advance<const VISCOUS: bool, const COULOMB: bool, const LEDGER: bool>(
         &self,
         xi: f64,
         v: f64,
@@ -321,6 +310,12 @@ mod tests {
                 assert_abs_diff_eq!(series.square, wide.square, epsilon = 1e-14);
             }
         }
+    }
+
+    #[test]
+    fn without_friction_a_force_of_mu_leads_half_a_tick_on() {
+        let moved = Constants::new(50.0, 0.0, 0.0).advance::<false, false, true>(0.0, 0.0, 50.0);
+        assert_eq!((moved.xi, moved.velocity, moved.path), (0.5, 1.0, 0.5));
     }
 
     #[test]

@@ -5,11 +5,11 @@
 //! exact words are only said when they are certain.
 
 /// The paper's threshold, in ticks per sample.
-pub const PAPER_THRESHOLD: f64 = 0.01;
+pub(crate) const PAPER_THRESHOLD: f64 = 0.01;
 
 /// The outcome by the paper's detector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Paper {
+pub enum PaperOutcome {
     /// |ξ̇| < 0.01 at the end.
     Converged,
     /// Neither converged nor unstable.
@@ -20,7 +20,7 @@ pub enum Paper {
 
 /// The outcome as far as it is certain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Exactly {
+pub enum ExactOutcome {
     /// ξ̇ = 0 and |u| ≤ σ, for ever.
     AtRest,
     /// Unforced, and no tick's force is small enough to hold the device.
@@ -35,9 +35,9 @@ pub enum Exactly {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
     /// By the paper's detector.
-    pub paper: Paper,
+    pub paper: PaperOutcome,
     /// As far as it is certain.
-    pub exact: Exactly,
+    pub exact: ExactOutcome,
     /// The interval at which rest began or divergence became certain.
     pub at_interval: Option<u64>,
     /// The reason for `exact`, a sentence for people.
@@ -57,7 +57,7 @@ pub struct End {
     pub outcome: Outcome,
 }
 
-impl Paper {
+impl PaperOutcome {
     /// The name used in machine-readable output.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -77,7 +77,7 @@ impl Paper {
     }
 }
 
-impl Exactly {
+impl ExactOutcome {
     /// The name used in machine-readable output.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -105,7 +105,7 @@ impl Exactly {
 
 /// What the words for an outcome depend on beside the state at the end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Facts {
+pub(crate) struct Facts {
     /// μ, with the arm's mass.
     pub mu: f64,
     /// σ.
@@ -120,7 +120,7 @@ pub struct Facts {
 
 /// How a run stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stop {
+pub(crate) enum Stop {
     /// At rest from this interval on.
     Rest(u64),
     /// Growing, noticed at this interval.
@@ -131,32 +131,32 @@ pub enum Stop {
 
 impl Facts {
     /// The words for a run that stopped with this state; `growing` says past what, if it did.
-    #[must_use]
-    pub fn judge(&self, stop: Stop, xi: f64, velocity: f64, growing: &str) -> Outcome {
-        let exact = match stop {
-            Stop::Rest(_) => Exactly::AtRest,
-            Stop::Growing(_) => Exactly::Growing,
+    pub(crate) fn judge(&self, stop: Stop, xi: f64, velocity: f64, growing: &str) -> Outcome {
+        let (exact, at_interval, because) = match stop {
+            Stop::Rest(h) => (
+                ExactOutcome::AtRest,
+                Some(h),
+                format!(
+                    "ξ̇ = 0 and |u| ≤ σ = {}, so nothing moves it any more",
+                    self.sigma
+                ),
+            ),
+            Stop::Growing(h) => (ExactOutcome::Growing, Some(h), format!("past {growing}")),
             Stop::Ran(_) => match self.least_holding_force {
-                Some(least) if least > self.sigma => Exactly::NeverAtRest,
-                _ => Exactly::Undecided,
+                Some(least) if least > self.sigma => (
+                    ExactOutcome::NeverAtRest,
+                    None,
+                    format!(
+                        "unforced, and the least force held at rest, {least}, is above σ = {}",
+                        self.sigma
+                    ),
+                ),
+                _ => (
+                    ExactOutcome::Undecided,
+                    None,
+                    "neither rest nor certain growth within the intervals".to_owned(),
+                ),
             },
-        };
-        let at_interval = match stop {
-            Stop::Rest(h) | Stop::Growing(h) => Some(h),
-            Stop::Ran(_) => None,
-        };
-        let because = match exact {
-            Exactly::AtRest => format!(
-                "ξ̇ = 0 and |u| ≤ σ = {}, so nothing moves it any more",
-                self.sigma
-            ),
-            Exactly::NeverAtRest => format!(
-                "unforced, and the least force held at rest, {}, is above σ = {}",
-                self.least_holding_force.unwrap_or(0.0),
-                self.sigma
-            ),
-            Exactly::Growing => format!("past {growing}"),
-            Exactly::Undecided => "neither rest nor certain growth within the intervals".to_owned(),
         };
         Outcome {
             paper: self.paper(exact, xi, velocity),
@@ -166,19 +166,20 @@ impl Facts {
         }
     }
 
-    fn paper(&self, exact: Exactly, xi: f64, velocity: f64) -> Paper {
+    fn paper(&self, exact: ExactOutcome, xi: f64, velocity: f64) -> PaperOutcome {
         let energy = |xi: f64, v: f64| self.mu * v * v + xi * xi;
+        let [xi_0, velocity_0] = self.start;
         // A start at rest at the origin has no energy to compare with: one tick has some.
-        let at_start = energy(self.start[0], self.start[1]).max(1.0);
+        let at_start = energy(xi_0, velocity_0).max(1.0);
         let grown = self.may_grow && energy(xi, velocity) > at_start;
-        if exact == Exactly::Growing {
-            Paper::Unstable
+        if exact == ExactOutcome::Growing {
+            PaperOutcome::Unstable
         } else if velocity.abs() < PAPER_THRESHOLD {
-            Paper::Converged
+            PaperOutcome::Converged
         } else if grown {
-            Paper::Unstable
+            PaperOutcome::Unstable
         } else {
-            Paper::LimitCycle
+            PaperOutcome::LimitCycle
         }
     }
 }

@@ -9,27 +9,17 @@
 /// Largest |x| for which [`h`] and [`k`] are the series alone; x < 1/15.5 holds for λ ≤ 1/16.
 ///
 /// The first term left out is x¹³/15, below 2⁻⁵⁵ of the sum.
-pub const SERIES: f64 = 0.0645;
+pub(crate) const SERIES: f64 = 0.0645;
 
 /// Largest λ for which every argument of [`h`] is within [`SERIES`]: e^(1/16) − 1 < 0.0645.
-pub const SMALL_LAMBDA: f64 = 0.0625;
+pub(crate) const SMALL_LAMBDA: f64 = 0.0625;
 
 /// Largest λ for which [`h_medium`] takes over: s = tanh(λ/2) < ¼ then, see there.
-pub const MEDIUM_LAMBDA: f64 = 0.5;
+pub(crate) const MEDIUM_LAMBDA: f64 = 0.5;
 
 /// φ₁(z) = (eᶻ − 1)/z, 1 at z = 0; relative error a few ulp.
-///
-/// # Example
-///
-/// ```
-/// use passivity_sim::phi::phi1;
-///
-/// assert_eq!(phi1(0.0), 1.0);
-/// assert_eq!(phi1(-1e-300), 1.0);
-/// assert_eq!(phi1(f64::NEG_INFINITY), 0.0);
-/// ```
 #[must_use]
-pub fn phi1(z: f64) -> f64 {
+pub(crate) fn phi1(z: f64) -> f64 {
     if z == 0.0 {
         return 1.0; // 0/0 otherwise; every other z, however small, takes the formula.
     }
@@ -37,17 +27,8 @@ pub fn phi1(z: f64) -> f64 {
 }
 
 /// φ₂(z) = (eᶻ − 1 − z)/z², ½ at z = 0; relative error a few ulp for z ≤ 1.
-///
-/// # Example
-///
-/// ```
-/// use passivity_sim::phi::phi2;
-///
-/// assert_eq!(phi2(0.0), 0.5);
-/// assert!((phi2(-2.0) - (1.0 + (-2.0_f64).exp()) / 4.0).abs() < 1e-16);
-/// ```
 #[must_use]
-pub fn phi2(z: f64) -> f64 {
+pub(crate) fn phi2(z: f64) -> f64 {
     if z.abs() > 1.0 {
         // −z ≥ 1 dominates |eᶻ − 1| < 1: nothing cancels.
         return (z.exp_m1() - z) / z / z;
@@ -58,7 +39,7 @@ pub fn phi2(z: f64) -> f64 {
 
 /// χ(z) = ∫₀¹ (sφ₁(zs))² ds = (1 − 2φ₁(z) + φ₁(2z))/z², ⅓ at z = 0.
 #[must_use]
-pub fn chi(z: f64) -> f64 {
+pub(crate) fn chi(z: f64) -> f64 {
     if z.abs() > 1.0 {
         return (1.0 - 2.0 * phi1(z) + phi1(2.0 * z)) / z / z;
     }
@@ -91,7 +72,7 @@ fn series(z: f64, terms: i32, ratio: impl Fn(i32) -> f64) -> f64 {
 /// processor gives the same bits.
 #[inline(always)]
 #[must_use]
-pub fn h_series(x: f64) -> f64 {
+pub(crate) fn h_series(x: f64) -> f64 {
     let x2 = x * x;
     let x4 = x2 * x2;
     let x8 = x4 * x4;
@@ -108,7 +89,7 @@ pub fn h_series(x: f64) -> f64 {
 /// < ¼, so the first term left out is s²⁶/29 < 2⁻⁵⁶.
 #[inline(always)]
 #[must_use]
-pub fn h_medium(x: f64) -> f64 {
+pub(crate) fn h_medium(x: f64) -> f64 {
     let s = -x / (2.0 - x);
     let q = s * s;
     let q2 = q * q;
@@ -125,7 +106,7 @@ pub fn h_medium(x: f64) -> f64 {
 /// K(x) = Σ xⁿ/(n + 3) for |x| ≤ [`SERIES`].
 #[inline(always)]
 #[must_use]
-pub fn k_series(x: f64) -> f64 {
+pub(crate) fn k_series(x: f64) -> f64 {
     let x2 = x * x;
     let x4 = x2 * x2;
     let x8 = x4 * x4;
@@ -137,7 +118,7 @@ pub fn k_series(x: f64) -> f64 {
 
 /// H(x) for every x < 1.
 #[must_use]
-pub fn h(x: f64) -> f64 {
+pub(crate) fn h(x: f64) -> f64 {
     if x.abs() <= SERIES {
         return h_series(x);
     }
@@ -149,7 +130,7 @@ pub fn h(x: f64) -> f64 {
 
 /// K(x) for every x < 1.
 #[must_use]
-pub fn k(x: f64) -> f64 {
+pub(crate) fn k(x: f64) -> f64 {
     if x.abs() <= SERIES {
         return k_series(x);
     }
@@ -204,6 +185,9 @@ mod tests {
 
     #[test]
     fn phi_functions_have_no_seam() {
+        assert_eq!([phi1(0.0), phi1(-1e-300), phi2(0.0)], [1.0, 1.0, 0.5]);
+        assert_eq!(phi1(f64::NEG_INFINITY), 0.0);
+        assert!((phi2(-2.0) - (1.0 + (-2.0_f64).exp()) / 4.0).abs() < 1e-16);
         for edge in [-1.0_f64, 1.0] {
             let (inside, outside) = (edge, edge * (1.0 + 2.0 * f64::EPSILON));
             assert!((phi2(inside) - phi2(outside)).abs() < 4e-16);

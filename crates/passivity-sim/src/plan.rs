@@ -1,14 +1,15 @@
 //! A scene compiled for simulation: exactly its effects, and the loop that runs them.
 
-use num_traits::Zero;
-use passivity_core::{BigRational, Rig, Scalar, effects::Effects};
-use passivity_scene::{Effect, Point};
+use passivity_core::parameter::Values;
+use passivity_core::{BigRational, Effect, Loop, Parameter};
+use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::flow::Flow;
-use crate::growth::Growth;
-use crate::law::{self, Controller};
+use crate::growth::{Growth, System};
+use crate::law::{self, HeldForce, controller_in_doubles};
 use crate::motion::Constants;
+use crate::number::{Double, to_double};
 
 /// The parameters of the paper's own scene: an encoder, a hold, and both frictions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,11 +28,11 @@ pub struct Plain {
 
 /// The operator's force.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Forces {
-    /// One per interval, in KΔ; the last one stays.
-    pub samples: Vec<f64>,
+pub(crate) struct Forces {
+    /// One per interval, in KΔ; the last one stays. At least one.
+    samples: Vec<f64>,
     /// The least and the largest of each sample and all that follow it.
-    pub from_here: Vec<[f64; 2]>,
+    from_here: Vec<[f64; 2]>,
 }
 
 /// A scene compiled for the `closed-form` method, in doubles.
@@ -43,101 +44,62 @@ pub struct Forces {
 ///
 /// let plan = Plan::plain(&Plain { mu: 50.0, beta: 0.6, sigma: 0.4, xi: 0.0, velocity: 1.0 }, 100);
 /// assert_eq!(plan.loop_name(), "plain");
-/// assert_eq!(plan.effects.len(), 4);
+/// assert_eq!(plan.effects().len(), 4);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// The effects of the scene, in the order in which they are listed everywhere.
-    pub effects: Vec<Effect>,
+    effects: Vec<Effect>,
     /// Whether there is viscous friction.
-    pub viscous: bool,
+    pub(crate) viscous: bool,
     /// Whether there is Coulomb friction.
-    pub coulomb: bool,
+    pub(crate) coulomb: bool,
     /// The constants of the motion.
-    pub constants: Constants,
+    pub(crate) constants: Constants,
     /// The controller.
-    pub controller: Controller,
+    pub(crate) law: HeldForce,
     /// The operator's force, when there is one.
-    pub forces: Option<Forces>,
+    pub(crate) forces: Option<Forces>,
     /// The motion with an amplifier's lag or an arm, when there is one.
-    pub flow: Option<Flow<f64>>,
+    pub(crate) flow: Option<Flow<Double>>,
     /// ξ(0) and ξ̇(0).
-    pub start: [f64; 2],
+    pub(crate) start: [f64; 2],
     /// How many intervals are run.
-    pub intervals: u64,
+    pub(crate) intervals: u64,
     /// When divergence is certain.
-    pub growth: Growth,
-    /// The criterion holds at speed v where `criterion[0]`·v + `criterion[1]` ≥ 0; over v this is the margin (8).
-    pub criterion: [f64; 2],
-}
-
-/// The nearest double, infinite when out of range.
-///
-/// # Example
-///
-/// ```
-/// use passivity_core::{BigRational, Scalar};
-///
-/// assert_eq!(passivity_sim::plan::to_double(&BigRational::integer(3).half()), 1.5);
-/// ```
-#[must_use]
-pub fn to_double(x: &BigRational) -> f64 {
-    passivity_scene::number::nearest_f64(x)
-}
-
-/// A parameter as a double, or an error when it is out of a double's range.
-fn finite(x: &BigRational, parameter: &'static str) -> Result<f64, SimError> {
-    let double = to_double(x);
-    if double.is_finite() && double.abs() <= LARGEST {
-        Ok(double)
-    } else {
-        Err(SimError::OutOfRange {
-            parameter,
-            expected: "a magnitude up to 1e120",
-        })
-    }
+    pub(crate) growth: Growth,
 }
 
 /// The largest parameter: squares of it, times an inertia, stay doubles.
 const LARGEST: f64 = 1e120;
 
-fn positive(x: &BigRational, parameter: &'static str) -> Result<f64, SimError> {
-    let double = finite(x, parameter)?;
-    if double >= 1.0 / LARGEST {
-        Ok(double)
+/// A parameter as a double, or an error when it is out of the range that is simulated.
+pub(crate) fn in_range(x: &BigRational, parameter: Parameter) -> Result<f64, SimError> {
+    let row = parameter.row();
+    let double = to_double(x);
+    let fail = |expected| SimError::OutOfRange {
+        parameter: row.name,
+        expected,
+    };
+    if !double.is_finite() || double.abs() > LARGEST {
+        Err(fail("a magnitude up to 1e120"))
+    } else if row.values == Values::Positive && double < 1.0 / LARGEST {
+        Err(fail("a value of at least 1e-120"))
     } else {
-        Err(SimError::OutOfRange {
-            parameter,
-            expected: "a value of at least 1e-120",
-        })
+        Ok(double)
     }
 }
 
-/// The effects of a point, in the order in which they are listed everywhere.
-#[must_use]
-pub fn effects_of(point: &Point) -> Vec<Effect> {
-    let has = |effect: &Effect| match effect {
-        Effect::Hold => true,
-        Effect::Viscous => point.beta.is_some(),
-        Effect::Coulomb => point.sigma.is_some(),
-        Effect::Encoder => point.encoder,
-        Effect::Delay => point.delay > 0,
-        Effect::Unilateral => point.unilateral,
-        Effect::Damping => point.damping.is_some(),
-        Effect::Saturation => point.max_force.is_some(),
-        Effect::ForceStep => point.force_step.is_some(),
-        Effect::Amplifier => point.amplifier.is_some(),
-        Effect::Force => point.force.is_some(),
-        Effect::Arm => point.arm.is_some(),
+/// What of a dimensionless loop has a part in the motion, in doubles.
+fn in_doubles(point: &Point) -> Result<Loop<Double>, SimError> {
+    let moving = Loop {
+        max_speed: None,
+        operator_force: None,
+        ..point.at.clone()
     };
-    Effect::ALL.into_iter().filter(has).collect()
-}
-
-/// Whether nothing but the wall acts on the device.
-#[must_use]
-pub fn is_unforced(point: &Point) -> bool {
-    let no_force = point.force.iter().flatten().all(Zero::is_zero);
-    no_force && point.arm.is_none()
+    for (parameter, x) in moving.given() {
+        in_range(x, parameter)?;
+    }
+    Ok(moving.map(|_, x| Double::from(x)))
 }
 
 impl Plan {
@@ -155,13 +117,12 @@ impl Plan {
             viscous: true,
             coulomb: true,
             constants,
-            controller: Controller::encoder(),
+            law: HeldForce::encoder(),
             forces: None,
             flow: None,
             start: [plain.xi, plain.velocity],
             intervals,
             growth: Growth::plain(&constants, 0.5),
-            criterion: [plain.beta - 0.5, plain.sigma - 0.5],
         }
     }
 
@@ -172,90 +133,83 @@ impl Plan {
     /// A scene without inertia, a parameter out of the range of doubles, or a motion within the
     /// interval that is too fast for the power series.
     pub fn compile(point: &Point) -> Result<Self, SimError> {
-        let mass = positive(point.mu.as_ref().ok_or(SimError::NoInertia)?, "μ")?;
-        let optional = |x: &Option<BigRational>, name| match x {
-            Some(x) => finite(x, name),
-            None => Ok(0.0),
-        };
-        let beta = optional(&point.beta, "β")?;
-        let sigma = optional(&point.sigma, "σ")?;
-        let controller = Self::controller(point)?;
-        let forces = match &point.force {
+        let doubles = in_doubles(point)?;
+        let mass = doubles.inertia.ok_or(SimError::NoInertia)?;
+        let or_zero = |x: Option<Double>| x.map_or(0.0, |x| x.0);
+        let constants = Constants::new(mass.0, or_zero(doubles.viscous), or_zero(doubles.coulomb));
+        let controller = controller_in_doubles(&point.at);
+        let forces = match &point.forces {
             Some(samples) => Some(Forces::new(samples)?),
             None => None,
         };
-        let flow = Flow::compile(point, mass, beta, sigma)?;
-        let constants = Constants::new(mass, beta, sigma);
-        let rig = Rig::dimensionless(
-            point.friction(),
-            Effects {
-                encoder: point.encoder,
-                delay: point.delay,
-                damping: point.damping.clone(),
-                force_step: point.force_step.clone(),
-            },
-        );
-        let criterion = rig.dimensionless_criterion();
-        let mut plan = Self {
-            effects: effects_of(point),
-            viscous: point.beta.is_some(),
-            coulomb: point.sigma.is_some(),
+        let flow = Flow::compile(&doubles, mass)?;
+        let growth = Growth::of(&System {
+            controller: &controller,
+            constants: &constants,
+            flow: flow.as_ref(),
+            largest_force: forces.as_ref().map(Forces::largest),
+        });
+        let effects = Effect::ALL.into_iter();
+        Ok(Self {
+            effects: effects.filter(|effect| point.has(*effect)).collect(),
+            viscous: doubles.viscous.is_some(),
+            coulomb: doubles.coulomb.is_some(),
             constants,
-            controller,
+            law: HeldForce::compile(&controller)?,
             forces,
             flow,
-            start: [
-                finite(&point.start[0], "ξ(0)")?,
-                finite(&point.start[1], "ξ̇(0)")?,
-            ],
+            start: [doubles.start_position, doubles.start_velocity].map(or_zero),
             intervals: point.intervals,
-            growth: Growth::never(),
-            criterion: [to_double(&criterion.viscous), to_double(&criterion.coulomb)],
-        };
-        plan.growth = Growth::of(&plan);
-        Ok(plan)
-    }
-
-    fn controller(point: &Point) -> Result<Controller, SimError> {
-        let bits = [
-            (point.encoder, law::ENCODER),
-            (point.delay > 0, law::DELAY),
-            (point.damping.is_some(), law::DAMPING),
-            (point.unilateral, law::UNILATERAL),
-            (point.force_step.is_some(), law::FORCE_STEP),
-            (point.max_force.is_some(), law::SATURATION),
-        ];
-        let present = bits.iter().filter(|(there, _)| *there);
-        let zero = BigRational::integer(0);
-        if let Some(step) = &point.force_step {
-            positive(step, "the force step δ")?;
-        }
-        Ok(Controller {
-            effects: present.fold(0, |set, (_, bit)| set | bit),
-            delay: usize::from(point.delay),
-            damping: finite(point.damping.as_ref().unwrap_or(&zero), "B")?,
-            force_step: point
-                .force_step
-                .as_ref()
-                .map_or([0.0, 1.0], Controller::step_of),
-            max_force: finite(
-                point.max_force.as_ref().unwrap_or(&zero),
-                "the largest force",
-            )?,
+            growth,
         })
     }
 
-    /// Whether this is the paper's own scene: encoder, hold, frictions, and nothing else.
+    /// The effects of the scene, in the order in which they are listed everywhere.
     #[must_use]
-    pub fn is_plain(&self) -> bool {
-        self.controller.effects == law::ENCODER && self.forces.is_none() && self.flow.is_none()
+    pub fn effects(&self) -> &[Effect] {
+        &self.effects
+    }
+
+    /// ξ(0) in ticks and ξ̇(0) in ticks per sample.
+    #[must_use]
+    pub const fn start(&self) -> [f64; 2] {
+        self.start
+    }
+
+    /// The same plan, to be run on where divergence is certain, to the end of all numbers.
+    #[must_use]
+    pub fn past_growth(self) -> Self {
+        Self {
+            growth: Growth::never(),
+            ..self
+        }
+    }
+
+    /// The same plan for so many intervals.
+    #[must_use]
+    pub(crate) fn with_intervals(&self, intervals: u64) -> Self {
+        Self {
+            intervals,
+            ..self.clone()
+        }
+    }
+
+    /// The mass that moves: μ, with the arm's.
+    pub(crate) fn mass(&self) -> f64 {
+        self.flow
+            .as_ref()
+            .map_or(self.constants.mu, |flow| flow.mass.0)
+    }
+
+    /// Whether this is the paper's own scene: encoder, hold, frictions, and nothing else.
+    pub(crate) fn is_plain(&self) -> bool {
+        self.law.effects == law::ENCODER && self.forces.is_none() && self.flow.is_none()
     }
 
     /// Whether nothing but the wall acts on the device.
-    #[must_use]
-    pub fn is_unforced(&self) -> bool {
-        let zero = |forces: &Forces| forces.samples.iter().all(|f| *f == 0.0);
-        self.forces.as_ref().is_none_or(zero) && !self.flow.as_ref().is_some_and(Flow::has_arm)
+    pub(crate) fn is_unforced(&self) -> bool {
+        self.forces.as_ref().is_none_or(Forces::is_zero)
+            && !self.flow.as_ref().is_some_and(Flow::has_arm)
     }
 
     /// The inner loop that runs this plan: `plain`, `law` or `flow`.
@@ -274,12 +228,11 @@ impl Plan {
     ///
     /// With an encoder it is that of the tick at the origin, ½ unless a D/A converter or saturation
     /// changes it; 0 for a one-sided wall, and without an encoder.
-    #[must_use]
-    pub fn least_holding_force(&self) -> f64 {
-        if !self.controller.has(law::ENCODER) {
+    pub(crate) fn least_holding_force(&self) -> f64 {
+        if !self.law.has(law::ENCODER) {
             return 0.0;
         }
-        let at = |sample: f64| self.controller.settled(sample).abs();
+        let at = |xi: f64| self.law.settled(xi).abs();
         // Sampled in the tick [0, 1) and in [−1, 0); the law is monotone, so no other is less.
         at(0.5).min(at(-0.5))
     }
@@ -300,7 +253,7 @@ impl Plan {
             "plain" => "loop `plain`: law and motion in one loop, specialised".to_owned(),
             "law" => format!(
                 "loop `law`: law {} of 64, motion specialised to the scene's frictions",
-                self.controller.effects
+                self.law.effects
             ),
             _ => "loop `flow`: power series of the linear motion between reversals".to_owned(),
         }];
@@ -316,7 +269,7 @@ impl Plan {
     }
 
     fn describe_law(&self) -> Vec<String> {
-        let law = &self.controller;
+        let law = &self.law;
         let mut lines = vec![if law.has(law::ENCODER) {
             "sample: q ← ⌊ξ⌋ + ½".to_owned()
         } else {
@@ -360,45 +313,50 @@ impl Plan {
 }
 
 impl Forces {
+    /// The operator's forces; none at all is a force of zero.
     fn new(samples: &[BigRational]) -> Result<Self, SimError> {
-        let mut doubles = Vec::with_capacity(samples.len().max(1));
-        for sample in samples {
-            doubles.push(finite(sample, "the operator's force")?);
+        let force = |x| in_range(x, Parameter::OperatorForce);
+        let mut samples: Vec<f64> = samples.iter().map(force).collect::<Result<_, _>>()?;
+        if samples.is_empty() {
+            samples.push(0.0);
         }
-        if doubles.is_empty() {
-            doubles.push(0.0);
-        }
-        let mut from_here = vec![[0.0; 2]; doubles.len()];
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-        for (force, slot) in doubles.iter().zip(&mut from_here).rev() {
+        let mut from_here: Vec<[f64; 2]> = Vec::with_capacity(samples.len());
+        for force in samples.iter().rev() {
             range = [range[0].min(*force), range[1].max(*force)];
-            *slot = range;
+            from_here.push(range);
         }
-        Ok(Self {
-            samples: doubles,
-            from_here,
-        })
+        from_here.reverse();
+        Ok(Self { samples, from_here })
     }
 
     /// The force of interval h.
     #[inline(always)]
-    #[must_use]
-    pub fn at(&self, h: u64) -> f64 {
-        let last = self.samples.len() - 1;
-        self.samples[usize::try_from(h).map_or(last, |h| h.min(last))]
+    pub(crate) fn at(&self, h: u64) -> f64 {
+        of_interval(&self.samples, h)
     }
 
     /// The least and the largest force from interval h on.
-    #[must_use]
-    pub fn range_from(&self, h: u64) -> [f64; 2] {
-        let last = self.samples.len() - 1;
-        self.from_here[usize::try_from(h).map_or(last, |h| h.min(last))]
+    pub(crate) fn range_from(&self, h: u64) -> [f64; 2] {
+        of_interval(&self.from_here, h)
     }
 
     /// The largest magnitude of any force.
-    #[must_use]
-    pub fn largest(&self) -> f64 {
-        let [least, most] = self.from_here[0];
+    pub(crate) fn largest(&self) -> f64 {
+        let [least, most] = self.range_from(0);
         least.abs().max(most.abs())
     }
+
+    /// Whether no force acts at all.
+    fn is_zero(&self) -> bool {
+        self.samples.iter().all(|force| *force == 0.0)
+    }
+}
+
+/// The item of interval h; the last one stays.
+#[inline(always)]
+#[expect(clippy::indexing_slicing, reason = "the index is below the length")]
+fn of_interval<T: Copy>(items: &[T], h: u64) -> T {
+    let last = items.len() - 1;
+    items[usize::try_from(h).map_or(last, |h| h.min(last))]
 }

@@ -1,9 +1,10 @@
 //! Running a plan: the inner loops of the `closed-form` method.
 
 use crate::flow::{Flowed, State};
-use crate::law::{Controller, LawFn, Memory, floor};
+use crate::law::{HeldForce, Law, Memory};
 use crate::ledger::{Entry, Totals, potential_change};
 use crate::motion::{Constants, Moved};
+use crate::number::floor;
 use crate::outcome::{End, Facts, Stop};
 use crate::plan::Plan;
 
@@ -14,21 +15,21 @@ trait Watch {
     fn see(&mut self, entry: &Entry) -> bool;
 }
 
-struct Nothing;
+struct WithoutLedger;
 
-impl Watch for Nothing {
+impl Watch for WithoutLedger {
     const LEDGER: bool = false;
     fn see(&mut self, _: &Entry) -> bool {
         true
     }
 }
 
-struct Book<F> {
+struct WithLedger<F> {
     totals: Totals,
     each: F,
 }
 
-impl<F: FnMut(&Entry) -> bool> Watch for Book<F> {
+impl<F: FnMut(&Entry) -> bool> Watch for WithLedger<F> {
     const LEDGER: bool = true;
     fn see(&mut self, entry: &Entry) -> bool {
         self.totals.add(entry);
@@ -37,21 +38,32 @@ impl<F: FnMut(&Entry) -> bool> Watch for Book<F> {
 }
 
 /// The controller as the loop sees it: a function of 64, or the paper's own in line.
-trait Law {
+trait Control {
     fn held(&mut self, xi: f64) -> f64;
     fn memory(&self) -> &Memory;
 }
 
-struct Table<'a> {
-    law: LawFn,
-    controller: &'a Controller,
+struct Compiled<'a> {
+    law: Law,
+    parameters: &'a HeldForce,
     memory: Memory,
 }
 
-impl Law for Table<'_> {
+impl<'a> Compiled<'a> {
+    fn new(plan: &'a Plan) -> Self {
+        let [xi, _] = plan.start;
+        Self {
+            law: plan.law.law(),
+            parameters: &plan.law,
+            memory: plan.law.memory(xi),
+        }
+    }
+}
+
+impl Control for Compiled<'_> {
     #[inline(always)]
     fn held(&mut self, xi: f64) -> f64 {
-        (self.law)(self.controller, &mut self.memory, xi)
+        (self.law)(self.parameters, &mut self.memory, xi)
     }
     fn memory(&self) -> &Memory {
         &self.memory
@@ -60,7 +72,7 @@ impl Law for Table<'_> {
 
 struct Encoder(Memory);
 
-impl Law for Encoder {
+impl Control for Encoder {
     #[inline(always)]
     fn held(&mut self, xi: f64) -> f64 {
         -(floor(xi) + 0.5)
@@ -75,14 +87,14 @@ impl Law for Encoder {
 /// # Example
 ///
 /// ```
-/// use passivity_sim::{Exactly, Plain, Plan, run};
+/// use passivity_sim::{ExactOutcome, Plain, Plan, run};
 ///
 /// let plan = Plan::plain(&Plain { mu: 50.0, beta: 0.4, sigma: 0.6, xi: 0.0, velocity: 10.0 }, 50_000);
-/// assert_eq!(run::outcome(&plan).outcome.exact, Exactly::Growing);
+/// assert_eq!(run::outcome(&plan).outcome.exact, ExactOutcome::Growing);
 /// ```
 #[must_use]
 pub fn outcome(plan: &Plan) -> End {
-    watched(plan, &mut Nothing)
+    watched(plan, &mut WithoutLedger)
 }
 
 /// Runs a plan with its ledger; `each` sees every interval, and stops the run by saying `false`.
@@ -99,27 +111,23 @@ pub fn outcome(plan: &Plan) -> End {
 /// assert!((25.0 - left + totals.generated_linear - totals.dissipated).abs() < 1e-12);
 /// ```
 pub fn ledger(plan: &Plan, each: impl FnMut(&Entry) -> bool) -> (End, Totals) {
-    let mut book = Book {
+    let mut watch = WithLedger {
         totals: Totals::default(),
         each,
     };
-    let end = watched(plan, &mut book);
-    (end, book.totals.settled())
+    let end = watched(plan, &mut watch);
+    (end, watch.totals.settled())
 }
 
 fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
-    let memory = plan.controller.memory(plan.start[0]);
     if plan.is_plain() {
-        return by_friction::<false, W, _>(plan, Encoder(memory), watch);
+        let [xi, _] = plan.start;
+        return by_friction::<false, W, _>(plan, Encoder(plan.law.memory(xi)), watch);
     }
-    let law = Table {
-        law: plan.controller.law(),
-        controller: &plan.controller,
-        memory,
-    };
+    let law = Compiled::new(plan);
     if let Some(flow) = &plan.flow {
         let advance =
-            |state: &State<f64>, held, force| flow.advance(state, &held, &force, W::LEDGER).ok();
+            |state: &State<f64>, held, force| flow.advance_doubles(state, held, force, W::LEDGER);
         return stepping(plan, law, advance, watch);
     }
     if plan.forces.is_some() {
@@ -129,7 +137,7 @@ fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
     }
 }
 
-fn by_friction<const FORCE: bool, W: Watch, L: Law>(plan: &Plan, law: L, watch: &mut W) -> End {
+fn by_friction<const FORCE: bool, W: Watch, L: Control>(plan: &Plan, law: L, watch: &mut W) -> End {
     match (plan.viscous, plan.coulomb) {
         (true, true) => rigid::<true, true, FORCE, W, L>(plan, law, watch),
         (true, false) => rigid::<true, false, FORCE, W, L>(plan, law, watch),
@@ -139,14 +147,14 @@ fn by_friction<const FORCE: bool, W: Watch, L: Law>(plan: &Plan, law: L, watch: 
 }
 
 /// The loop of a force that is constant over the interval.
-fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, L: Law>(
+fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, L: Control>(
     plan: &Plan,
     mut law: L,
     watch: &mut W,
 ) -> End {
     let k = plan.constants;
     let growth = plan.growth.clone();
-    let needed = plan.controller.forgets_after();
+    let needed = plan.law.forgets_after();
     let [mut xi, mut v] = plan.start;
     let mut resting = 0;
     // Driven by a force that friction just takes, the speed dwindles for ever and never is 0, but in
@@ -196,7 +204,7 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
         let moved = advance::<VISCOUS, COULOMB, W>(&k, xi, v, u);
         if W::LEDGER {
             let applied = held * (moved.xi - xi);
-            let entry = entry(plan, h, [xi, v], &moved, [held, force], applied);
+            let entry = entry(plan, h, [xi, v], &moved, force, applied);
             if !watch.see(&entry) {
                 (xi, v) = (moved.xi, moved.velocity);
                 break Stop::Ran(h + 1);
@@ -240,35 +248,30 @@ fn holds<const FORCE: bool>(plan: &Plan, held: f64, h: u64) -> bool {
 ///
 /// `advance` leads over an interval from a state, a held force and the operator's force; `None` says
 /// that it could not, because numbers have overflowed.
-pub fn stepped(
+pub(crate) fn stepped(
     plan: &Plan,
     advance: impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
     each: impl FnMut(&Entry) -> bool,
 ) -> (End, Totals) {
-    let law = Table {
-        law: plan.controller.law(),
-        controller: &plan.controller,
-        memory: plan.controller.memory(plan.start[0]),
-    };
-    let mut book = Book {
+    let mut watch = WithLedger {
         totals: Totals::default(),
         each,
     };
-    let end = stepping(plan, law, advance, &mut book);
-    (end, book.totals.settled())
+    let end = stepping(plan, Compiled::new(plan), advance, &mut watch);
+    (end, watch.totals.settled())
 }
 
 /// The loop of a scene with an amplifier or an arm, and of every method of steps.
 fn stepping<W: Watch>(
     plan: &Plan,
-    mut law: Table<'_>,
+    mut law: Compiled<'_>,
     mut advance: impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
     watch: &mut W,
 ) -> End {
-    let needed = plan.controller.forgets_after();
+    let needed = plan.law.forgets_after();
     let [xi, velocity] = plan.start;
     // The amplifier has settled on what the controller commanded before the start.
-    let output = plan.controller.settled(plan.controller.sample(xi));
+    let output = plan.law.settled(xi);
     let mut state = State {
         xi,
         velocity,
@@ -303,7 +306,7 @@ fn stepping<W: Watch>(
                 square: flowed.square,
             };
             let start = [state.xi, state.velocity];
-            watch.see(&entry(plan, h, start, &moved, [held, force], flowed.work))
+            watch.see(&entry(plan, h, start, &moved, force, flowed.work))
         } else {
             true
         };
@@ -324,7 +327,10 @@ fn rests(plan: &Plan, state: &State<f64>, held: f64, h: u64) -> bool {
         .map_or([0.0; 2], |forces| forces.range_from(h));
     let sigma = plan.constants.sigma;
     let (lags, stiffness) = match &plan.flow {
-        Some(flow) => (flow.rate.is_some(), flow.arm.map_or(0.0, |arm| arm[1])),
+        Some(flow) => (
+            flow.rate.is_some(),
+            flow.arm.map_or(0.0, |[_, stiffness]| stiffness.0),
+        ),
         None => (false, 0.0),
     };
     let now = if lags { state.output } else { held };
@@ -336,24 +342,17 @@ fn rests(plan: &Plan, state: &State<f64>, held: f64, h: u64) -> bool {
 
 /// The account of an interval; `applied` is the work of the force that acted.
 #[inline]
-fn entry(
-    plan: &Plan,
-    h: u64,
-    start: [f64; 2],
-    moved: &Moved,
-    [held, force]: [f64; 2],
-    applied: f64,
-) -> Entry {
+fn entry(plan: &Plan, h: u64, start: [f64; 2], moved: &Moved, force: f64, applied: f64) -> Entry {
     let k = &plan.constants;
     let [xi0, v0] = start;
     let d = moved.xi - xi0;
-    let [linear, quantized] = potential_change(&plan.controller, xi0, moved.xi);
+    let [linear, quantized] = potential_change(&plan.law, xi0, moved.xi);
     let dissipated = k.beta * moved.square + k.sigma * moved.path;
     let (mass, arm) = match &plan.flow {
         Some(flow) => {
-            let [damping, stiffness] = flow.arm.unwrap_or([0.0; 2]);
+            let [damping, stiffness] = flow.arm.map_or([0.0; 2], |arm| arm.map(|x| x.0));
             let arm = damping * moved.square + stiffness * d * (xi0 + 0.5 * d);
-            (flow.mass, arm)
+            (flow.mass.0, arm)
         }
         None => (k.mu, 0.0),
     };
@@ -364,8 +363,6 @@ fn entry(
         xi1: moved.xi,
         v0,
         v1: moved.velocity,
-        held,
-        force,
         generated_linear: applied + linear,
         generated_quantized: applied + quantized,
         dissipated,
@@ -374,13 +371,9 @@ fn entry(
 }
 
 /// The facts of a plan that its outcome is judged by.
-#[must_use]
-pub fn facts(plan: &Plan) -> Facts {
+pub(crate) fn facts(plan: &Plan) -> Facts {
     Facts {
-        mu: plan
-            .flow
-            .as_ref()
-            .map_or(plan.constants.mu, |flow| flow.mass),
+        mu: plan.mass(),
         sigma: plan.constants.sigma,
         least_holding_force: plan.is_unforced().then(|| plan.least_holding_force()),
         may_grow: plan.growth.is_possible(),

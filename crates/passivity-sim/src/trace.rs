@@ -3,18 +3,17 @@
 use std::cmp::Ordering;
 use std::fmt::Write as _;
 
-use passivity_core::{BigRational, Friction, Scalar as _, Step, ledger};
+use passivity_core::{BigRational, Criterion, Loop, Step, ledger};
 use passivity_scene::Point;
 
-use crate::enclosed::Enclosed;
-use crate::ledger::Entry;
-use crate::methods::{Line, Method};
-use crate::model::Row;
-use crate::plan::Plan;
-use crate::real::{Real, Undecided};
+use crate::error::SimError;
+use crate::method::Method;
+use crate::model::IntervalRow;
+use crate::number::{Double, Enclosed, Real};
+use crate::simulated::Line;
 
-/// The columns of figures, in the order of the interface; `h`, `dtau` and truths stand between.
-const FIGURES: [&str; 13] = [
+/// The columns of the kernel's row, in the order of the interface; `dtau` stands after the positions.
+const ROW: [&str; 10] = [
     "xi0",
     "xi1",
     "generated_linear",
@@ -25,281 +24,220 @@ const FIGURES: [&str; 13] = [
     "net_linear",
     "net_quantized",
     "margin",
-    "v0",
-    "v1",
-    "dissipated",
 ];
+
+/// The columns of what the kernel's row says of each interval.
+const TRUTHS: [&str; 3] = ["criterion_holds", "violates_linear", "violates_quantized"];
+
+/// The columns of the motion.
+const MOTION: [&str; 3] = ["v0", "v1", "dissipated"];
 
 /// What the rows of a run need beside the run.
 #[derive(Clone, Debug)]
 pub struct Table {
-    friction: Friction<BigRational>,
-    criterion: [BigRational; 2],
-    doubles: [f64; 4],
-    enclosures: bool,
+    doubles: Account<Double>,
+    rationals: Account<BigRational>,
+    enclosures: Account<Enclosed<Double>>,
+    encloses: bool,
 }
 
-/// The figures of a row in some kind of number.
-struct Figures<T> {
-    figures: [T; 9],
-    margin: Option<T>,
+/// What the kernel's account of an interval depends on, in some kind of number.
+#[derive(Clone, Debug)]
+struct Account<R> {
+    dimensionless: Loop<R>,
+    /// Computed exactly and rounded once.
+    criterion: Criterion<R>,
+}
+
+/// A row of the table.
+struct Figures<R> {
+    row: [R; 9],
+    /// At the mean speed; `None` where there is none.
+    margin: Option<R>,
     truths: [Option<bool>; 3],
-    motion: [T; 3],
+    motion: [R; 3],
 }
 
 impl Table {
     /// The table of a scene's point by a method.
     #[must_use]
-    pub fn new(point: &Point, plan: &Plan, method: &Method) -> Self {
-        let effects = passivity_core::effects::Effects {
-            encoder: point.encoder,
-            delay: point.delay,
-            damping: point.damping.clone(),
-            force_step: point.force_step.clone(),
-        };
-        let rig = passivity_core::Rig::dimensionless(point.friction(), effects);
-        let criterion = rig.dimensionless_criterion();
-        let [at_speed, constant] = plan.criterion;
+    pub fn new(point: &Point, method: &Method) -> Self {
         Self {
-            friction: point.friction(),
-            criterion: [criterion.viscous, criterion.coulomb],
-            doubles: [
-                plan.constants.beta,
-                plan.constants.sigma,
-                at_speed,
-                constant,
-            ],
-            enclosures: *method == Method::Enclosure,
+            doubles: Account::new(point, |x| Double::from(x)),
+            rationals: Account::new(point, BigRational::clone),
+            enclosures: Account::new(point, |x| Enclosed::from(x)),
+            encloses: *method == Method::Enclosure,
         }
     }
 
     /// The header, without a line break.
     ///
-    /// The last column, `xi`, is the position at the sample once more, as `passivity audit` reads it.
+    /// The last column, `xi`, is the position at the sample once more, as `passivity audit` reads it;
+    /// enclosures have none.
     #[must_use]
     pub fn header(&self) -> String {
-        let names = |from: usize, to: usize| {
-            let columns = FIGURES[from..to].iter().map(|name| {
-                if self.enclosures {
-                    format!("{name}_lo,{name}_hi")
+        let figures = |names: &'static [&'static str]| {
+            names.iter().flat_map(|name| {
+                if self.encloses {
+                    vec![format!("{name}_lo"), format!("{name}_hi")]
                 } else {
-                    (*name).to_owned()
+                    vec![(*name).to_owned()]
                 }
-            });
-            columns.collect::<Vec<_>>().join(",")
+            })
         };
-        let truths = "criterion_holds,violates_linear,violates_quantized";
-        let sample = if self.enclosures { "" } else { ",xi" };
-        format!(
-            "h,{},dtau,{},{truths},{}{sample}",
-            names(0, 2),
-            names(2, 10),
-            names(10, 13)
-        )
+        let plain = |names: &'static [&'static str]| names.iter().map(|name| (*name).to_owned());
+        let (positions, energies) = ROW.split_at(2);
+        let columns = plain(&["h"])
+            .chain(figures(positions))
+            .chain(plain(&["dtau"]))
+            .chain(figures(energies))
+            .chain(plain(&TRUTHS))
+            .chain(figures(&MOTION))
+            .chain(plain(if self.encloses { &[] } else { &["xi"] }));
+        columns.collect::<Vec<_>>().join(",")
     }
 
     /// Appends a row with its line break.
-    pub fn write(&self, line: &Line<'_>, out: &mut String) {
+    ///
+    /// # Errors
+    ///
+    /// A figure that is undefined.
+    pub fn write(&self, line: &Line<'_>, out: &mut String) -> Result<(), SimError> {
         match line {
             Line::Double(entry) => {
-                let row = self.of_doubles(entry);
-                self.put(entry.h, &row, out, |x, out| {
-                    // Shortest decimals that read back as the same double.
-                    let _ = write!(out, "{x:?}");
-                });
+                let row = IntervalRow {
+                    h: entry.h,
+                    step: Step {
+                        start: entry.xi0,
+                        end: entry.xi1,
+                    },
+                    velocity: [entry.v0, entry.v1],
+                    generated: [entry.generated_linear, entry.generated_quantized],
+                    dissipated: entry.dissipated,
+                    residual: entry.residual,
+                };
+                let figures = self.doubles.figures(&row.map(|x| Double(*x)));
+                // Shortest decimals that read back as the same double. At a speed that is almost
+                // nothing the margin is beyond all doubles.
+                let shown = |x: &Double| format!("{:?}", x.0.clamp(f64::MIN, f64::MAX));
+                self.put(entry.h, &figures, out, shown)?;
                 let _ = writeln!(out, ",{:?}", entry.xi0);
             }
             Line::Exact(row) => {
-                let figures = self.of_rationals(row);
-                self.put(row.h, &figures, out, |x, out| {
-                    let _ = write!(out, "{x}");
-                });
-                let _ = writeln!(out, ",{}", row.xi[0]);
+                let figures = self.rationals.figures(row);
+                self.put(row.h, &figures, out, BigRational::to_string)?;
+                let _ = writeln!(out, ",{}", row.step.start);
             }
             Line::Enclosed(row) => {
-                let figures = self.of_enclosures(row);
-                self.put(row.h, &figures, out, |x, out| {
-                    let _ = write!(out, "{:?},{:?}", x.lo, x.hi);
-                });
+                let figures = self.enclosures.figures(row);
+                self.put(row.h, &figures, out, |x| {
+                    let [lo, hi] = x.bounds();
+                    format!("{lo:?},{hi:?}")
+                })?;
                 out.push('\n');
             }
         }
+        Ok(())
     }
 
-    fn put<T>(&self, h: u64, row: &Figures<T>, out: &mut String, figure: impl Fn(&T, &mut String)) {
+    fn put<R: Real>(
+        &self,
+        h: u64,
+        figures: &Figures<R>,
+        out: &mut String,
+        shown: impl Fn(&R) -> String,
+    ) -> Result<(), SimError> {
+        let shown = |x: &R, figure| {
+            if x.is_defined() {
+                Ok(shown(x))
+            } else {
+                Err(SimError::NotFinite {
+                    interval: h,
+                    figure,
+                })
+            }
+        };
+        // Writing to a string does not fail.
         let _ = write!(out, "{h}");
-        for (index, x) in row.figures.iter().enumerate() {
-            out.push(',');
-            figure(x, out);
-            if index == 1 {
-                out.push_str(",1");
+        for (name, x) in ROW.into_iter().zip(&figures.row) {
+            let _ = write!(out, ",{}", shown(x, name)?);
+            if name == "xi1" {
+                out.push_str(",1"); // Δτ
             }
         }
         out.push(',');
-        match &row.margin {
-            Some(margin) => figure(margin, out),
-            None if self.enclosures => out.push(','),
+        match &figures.margin {
+            Some(margin) => out.push_str(&shown(margin, "margin")?),
+            None if self.encloses => out.push(','),
             None => {}
         }
-        for truth in row.truths {
-            out.push_str(match truth {
-                Some(true) => ",true",
-                Some(false) => ",false",
-                None => ",",
-            });
+        for truth in figures.truths {
+            let _ = match truth {
+                Some(truth) => write!(out, ",{truth}"),
+                None => write!(out, ","),
+            };
         }
-        for x in &row.motion {
-            out.push(',');
-            figure(x, out);
+        for (name, x) in MOTION.into_iter().zip(&figures.motion) {
+            let _ = write!(out, ",{}", shown(x, name)?);
         }
-    }
-
-    fn of_doubles(&self, entry: &Entry) -> Figures<f64> {
-        let [beta, sigma, at_speed, constant] = self.doubles;
-        let d = entry.displacement();
-        let lower = entry.dissipated_lower(beta, sigma);
-        let speed = d.abs();
-        let moved = d != 0.0;
-        // At a speed that is almost nothing the quotient is beyond all doubles.
-        let quotient = (constant / speed).clamp(-f64::MAX, f64::MAX);
-        let [linear, quantized] = [entry.generated_linear, entry.generated_quantized];
-        Figures {
-            figures: [
-                entry.xi0,
-                entry.xi1,
-                linear,
-                quantized,
-                entry.bound_22(),
-                entry.bound_quantized(),
-                lower,
-                lower - linear,
-                lower - quantized,
-            ],
-            truths: [
-                moved.then_some(at_speed * speed + constant >= 0.0),
-                Some(lower < linear),
-                Some(lower < quantized),
-            ],
-            margin: moved.then_some(at_speed + quotient),
-            motion: [entry.v0, entry.v1, entry.dissipated],
-        }
-    }
-
-    fn of_rationals(&self, row: &Row<BigRational>) -> Figures<BigRational> {
-        let step = Step::new(row.xi[0].clone(), row.xi[1].clone());
-        let one = BigRational::integer(1);
-        // Bounds by the kernel; what was generated is the simulation's, which knows every effect.
-        let kernel = ledger::row(&step, &self.friction, &one);
-        let speed = passivity_core::Scalar::abs(&step.displacement());
-        let [at_speed, constant] = &self.criterion;
-        let still = speed == BigRational::integer(0);
-        let margin = (!still).then(|| at_speed + constant / &speed);
-        let lower = kernel.dissipated_lower;
-        let (linear, quantized) = (&row.generated_linear, &row.generated_quantized);
-        let negative = |x: &BigRational| *x < BigRational::integer(0);
-        let nets = [&lower - linear, &lower - quantized];
-        Figures {
-            truths: [
-                margin.as_ref().map(|m| !negative(m)),
-                Some(negative(&nets[0])),
-                Some(negative(&nets[1])),
-            ],
-            margin,
-            figures: {
-                let [net_linear, net_quantized] = nets;
-                [
-                    step.start,
-                    step.end,
-                    linear.clone(),
-                    quantized.clone(),
-                    kernel.bound_22,
-                    kernel.bound_quantized,
-                    lower,
-                    net_linear,
-                    net_quantized,
-                ]
-            },
-            motion: [
-                row.velocity[0].clone(),
-                row.velocity[1].clone(),
-                row.dissipated.clone(),
-            ],
-        }
-    }
-
-    fn of_enclosures(&self, row: &Row<Enclosed<f64>>) -> Figures<Enclosed<f64>> {
-        let d = row.xi[1].clone() - row.xi[0].clone();
-        let size = magnitude(&d);
-        let half = size.ratio(1, 2);
-        let bound = half.clone() * size.clone() * (size.clone() + size.one());
-        let bump = match size.floor() {
-            Ok(whole) => {
-                let rest = size.clone() - whole;
-                half * rest.clone() * (rest.one() - rest)
-            }
-            // Both sides of a whole tick: between 0 and 1/8.
-            Err(Undecided) => Enclosed { lo: 0.0, hi: 0.125 },
-        };
-        let number = |x: &BigRational| Enclosed::double(x);
-        let (beta, sigma) = (number(&self.friction.beta), number(&self.friction.sigma));
-        let lower = size.clone() * (beta * size.clone() + sigma);
-        let [at_speed, constant] = [number(&self.criterion[0]), number(&self.criterion[1])];
-        let surplus = at_speed.clone() * size.clone() + constant.clone();
-        // A step that may be none has no margin to enclose.
-        let margin = (size.lo > 0.0).then(|| at_speed + constant / size);
-        let nets = [
-            lower.clone() - row.generated_linear.clone(),
-            lower.clone() - row.generated_quantized.clone(),
-        ];
-        let negative = |x: &Enclosed<f64>| match x.sign() {
-            Ok(sign) => Some(sign == Ordering::Less),
-            Err(Undecided) if x.lo >= 0.0 => Some(false),
-            Err(Undecided) => None,
-        };
-        let still = d.sign() == Ok(Ordering::Equal);
-        let truths = [
-            if still {
-                None
-            } else {
-                negative(&surplus).map(|n| !n)
-            },
-            negative(&nets[0]),
-            negative(&nets[1]),
-        ];
-        let [net_linear, net_quantized] = nets;
-        Figures {
-            figures: [
-                row.xi[0].clone(),
-                row.xi[1].clone(),
-                row.generated_linear.clone(),
-                row.generated_quantized.clone(),
-                bound.clone(),
-                bound + bump,
-                lower,
-                net_linear,
-                net_quantized,
-            ],
-            margin,
-            truths,
-            motion: [
-                row.velocity[0].clone(),
-                row.velocity[1].clone(),
-                row.dissipated.clone(),
-            ],
-        }
+        Ok(())
     }
 }
 
-/// |x| of an interval that may hold 0.
-fn magnitude(x: &Enclosed<f64>) -> Enclosed<f64> {
-    if x.lo >= 0.0 {
-        x.clone()
-    } else if x.hi <= 0.0 {
-        -x.clone()
-    } else {
-        Enclosed {
-            lo: 0.0,
-            hi: x.hi.max(-x.lo),
+impl<R: Real> Account<R> {
+    fn new(point: &Point, of: impl Fn(&BigRational) -> R) -> Self {
+        let criterion = point.at.dimensionless_criterion();
+        Self {
+            dimensionless: point.at.map(|_, x| of(x)),
+            criterion: Criterion {
+                viscous: of(&criterion.viscous),
+                coulomb: of(&criterion.coulomb),
+            },
+        }
+    }
+
+    /// The kernel's row of an interval of a run, which knows what was generated.
+    fn figures(&self, interval: &IntervalRow<R>) -> Figures<R> {
+        let step = &interval.step;
+        let row = ledger::row_of(
+            &self.dimensionless,
+            step,
+            &R::one(),
+            interval.generated.clone(),
+        );
+        let speed = step.displacement().abs();
+        let still = speed.sign() == Some(Ordering::Equal);
+        let at_speed = self.criterion.margin(&speed);
+        // Where a step may be none, its mean speed has no margin.
+        let moved = speed.is_positive() == Some(true);
+        let over_speed = || self.criterion.coulomb.clone().over(speed);
+        let bound_quantized = if row.bound_quantized.is_defined() {
+            row.bound_quantized.clone()
+        } else {
+            // A way that may be a whole tick: between 0 and 1/8 more.
+            let eighth = R::one().half().half().half();
+            row.bound_22.clone() + R::zero().join(eighth)
+        };
+        let [v0, v1] = interval.velocity.clone();
+        Figures {
+            margin: moved.then(|| self.criterion.viscous.clone() + over_speed()),
+            truths: [
+                at_speed.is_nonnegative().filter(|_| !still),
+                row.violates_linear(),
+                row.violates_quantized(),
+            ],
+            row: [
+                step.start.clone(),
+                step.end.clone(),
+                row.generated_linear,
+                row.generated_quantized,
+                row.bound_22,
+                bound_quantized,
+                row.dissipated_lower,
+                row.net_linear,
+                row.net_quantized,
+            ],
+            motion: [v0, v1, interval.dissipated.clone()],
         }
     }
 }

@@ -5,8 +5,7 @@
 mod common;
 
 use common::paper;
-use passivity_sim::methods::{Detail, simulate};
-use passivity_sim::{Exactly, Method};
+use passivity_sim::{Detail, ExactOutcome, Method, simulate};
 
 #[test]
 fn closed_form_is_within_the_enclosure_and_its_outcome_is_the_same() {
@@ -27,7 +26,7 @@ fn closed_form_is_within_the_enclosure_and_its_outcome_is_the_same() {
             let fast = simulate(&point, &Method::ClosedForm, None).unwrap();
             let bound = simulate(&point, &Method::Enclosure, None).unwrap();
             points += 1;
-            if bound.end.outcome.exact == Exactly::Undecided {
+            if bound.end.outcome.exact == ExactOutcome::Undecided {
                 continue;
             }
             decided += 1;

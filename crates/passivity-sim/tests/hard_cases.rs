@@ -12,8 +12,7 @@ mod common;
 
 use common::{paper, point, q};
 use passivity_scene::Point;
-use passivity_sim::methods::{Line, Simulated, simulate};
-use passivity_sim::{Exactly, Method};
+use passivity_sim::{ExactOutcome, Line, Method, Simulated, simulate};
 
 const REFERENCE: Method = Method::Reference { digits: 60 };
 
@@ -53,20 +52,26 @@ fn holds(name: &str, point: &Point) -> Simulated {
     );
     assert_eq!(got.outcome.paper, want.outcome.paper, "{name}");
     assert_eq!(got.intervals, want.intervals, "{name}");
-    let passivity_scene::Point { mu, sigma, .. } = point;
-    let of = |x: &Option<_>| x.as_ref().map_or(0.0, passivity_sim::plan::to_double);
+    let (mu, sigma) = (&point.at.inertia, &point.at.coulomb);
+    let of = |x: &Option<_>| x.as_ref().map_or(0.0, common::double);
     let pull = reach
         + 1.0
         + of(sigma)
         + point
-            .force
+            .forces
             .iter()
             .flatten()
-            .map(passivity_sim::plan::to_double)
+            .map(common::double)
             .fold(0.0, f64::max);
     let n = got.intervals.max(1) as f64;
     let least = f64::MIN_POSITIVE; // below it ε is no longer relative
-    let mean = passivity_sim::phi::phi1(-of(&point.beta) / of(mu));
+    // φ₁(−λ) = (1 − e^(−λ))/λ, 1 without viscous friction.
+    let lambda = of(&point.at.viscous) / of(mu);
+    let mean = if lambda == 0.0 {
+        1.0
+    } else {
+        -(-lambda).exp_m1() / lambda
+    };
     let velocity = 16.0 * n * f64::EPSILON * (speed + mean * pull / of(mu)) + n * least;
     let position = n * velocity + 16.0 * n * f64::EPSILON * reach;
     let off = [
@@ -135,7 +140,7 @@ fn samples_exactly_on_encoder_edges() {
     ] {
         let mut scene = point("4", "0", sigma, start, 12);
         let fast = holds("on edges", &scene);
-        scene.beta = None;
+        scene.at.viscous = None;
         let exact = simulate(&scene, &Method::Exact, None).unwrap();
         assert_eq!(fast.end.outcome, exact.end.outcome);
     }
@@ -148,7 +153,7 @@ fn one_ulp_on_either_side_of_an_edge() {
         .into_iter()
         .map(|xi| {
             let mut scene = paper("3/5", "3/5", "0", 1);
-            scene.start[0] = passivity_core::BigRational::from_float(xi).unwrap();
+            scene.at.start_position = Some(passivity_core::BigRational::from_float(xi).unwrap());
             holds("an ulp of an edge", &scene).end.velocity
         })
         .collect();
@@ -167,10 +172,10 @@ fn a_reversal_exactly_at_a_sample() {
     scene.intervals = 40;
     holds("goes on from there", &scene);
     // And it rests there when friction takes the force.
-    scene.sigma = Some(q("1/2"));
-    scene.start[1] = q("1/4");
+    scene.at.coulomb = Some(q("1/2"));
+    scene.at.start_velocity = Some(q("1/4"));
     let run = holds("rests at the sample", &scene);
-    assert_eq!(run.end.outcome.exact, Exactly::AtRest);
+    assert_eq!(run.end.outcome.exact, ExactOutcome::AtRest);
     assert_eq!(run.end.outcome.at_interval, Some(1));
 }
 
@@ -180,8 +185,7 @@ fn grazing_an_edge() {
     for start in [["29/32", "3/16"], ["125/128", "3/32"]] {
         let scene = point("4", "0", "1/4", start, 30);
         // From ξ₀ the device goes v²/(2·3/16): to 1 in both cases, wherever it starts.
-        let v = passivity_sim::plan::to_double(&scene.start[1]);
-        let xi = passivity_sim::plan::to_double(&scene.start[0]);
+        let [xi, v] = scene.start().map(|x| common::double(&x));
         assert!(xi + v * v / 0.375 <= 1.0);
         holds("grazing", &scene);
     }
@@ -193,7 +197,7 @@ fn a_reversal_within_an_ulp_of_an_edge() {
     let start = 1.0_f64 - 0.09375;
     let next = [start.next_down(), start, start.next_up()].map(|xi| {
         let mut scene = point("4", "0", "1/4", ["0", "3/16"], 2);
-        scene.start[0] = passivity_core::BigRational::from_float(xi).unwrap();
+        scene.at.start_position = Some(passivity_core::BigRational::from_float(xi).unwrap());
         let run = holds("turns an ulp from an edge", &scene);
         scene.intervals = 40;
         holds("goes on from there", &scene);
@@ -204,7 +208,7 @@ fn a_reversal_within_an_ulp_of_an_edge() {
     // Between samples the edge means nothing: the motion is that of the exact turning point.
     for xi in [125.0 / 128.0, (125.0_f64 / 128.0).next_down()] {
         let mut scene = point("4", "0", "1/4", ["0", "3/32"], 30);
-        scene.start[0] = passivity_core::BigRational::from_float(xi).unwrap();
+        scene.at.start_position = Some(passivity_core::BigRational::from_float(xi).unwrap());
         holds("turns an ulp from an edge, between samples", &scene);
     }
 }
@@ -218,14 +222,14 @@ fn twenty_thousand_intervals_of_a_cycle() {
 #[test]
 fn at_rest_at_the_start_where_friction_just_holds() {
     for (xi, sigma, exact) in [
-        ("0", "1/2", Exactly::AtRest),
-        ("-1/2", "1/2", Exactly::AtRest),
-        ("3", "7/2", Exactly::AtRest),
-        ("4", "7/2", Exactly::AtRest), // it slides first
+        ("0", "1/2", ExactOutcome::AtRest),
+        ("-1/2", "1/2", ExactOutcome::AtRest),
+        ("3", "7/2", ExactOutcome::AtRest),
+        ("4", "7/2", ExactOutcome::AtRest), // it slides first
         (
             "0",
             "4999999999999999/10000000000000000",
-            Exactly::NeverAtRest,
+            ExactOutcome::NeverAtRest,
         ),
     ] {
         let run = holds(
@@ -235,7 +239,7 @@ fn at_rest_at_the_start_where_friction_just_holds() {
         assert_eq!(run.end.outcome.exact, exact, "ξ = {xi}, σ = {sigma}");
         assert_eq!(
             run.end.intervals == 0,
-            exact == Exactly::AtRest && xi != "4"
+            exact == ExactOutcome::AtRest && xi != "4"
         );
     }
 }
@@ -247,14 +251,14 @@ fn sigma_and_beta_at_one_half_and_an_ulp_either_side() {
     for sigma in [half.next_down(), half, half.next_up()] {
         for beta in [half.next_down(), half, half.next_up()] {
             let mut scene = paper("1/2", "1/2", "1", 400);
-            (scene.beta, scene.sigma) = (exact(beta), exact(sigma));
+            (scene.at.viscous, scene.at.coulomb) = (exact(beta), exact(sigma));
             let run = holds(&format!("β = {beta:?}, σ = {sigma:?}"), &scene);
             if sigma < half {
-                assert_eq!(run.end.outcome.exact, Exactly::NeverAtRest);
+                assert_eq!(run.end.outcome.exact, ExactOutcome::NeverAtRest);
             }
             assert_ne!(
                 run.end.outcome.exact,
-                Exactly::Growing,
+                ExactOutcome::Growing,
                 "an ulp is not growth that is certain"
             );
         }
@@ -273,7 +277,7 @@ fn a_speed_that_dwindles_for_ever_is_no_rest() {
     ] {
         let run = holds("dwindling", &point("1", beta, "1/2", [xi, speed], 70));
         assert_eq!(run.end.intervals, 70, "{xi} {speed}");
-        assert_eq!(run.end.outcome.exact, Exactly::Undecided);
+        assert_eq!(run.end.outcome.exact, ExactOutcome::Undecided);
     }
     // It stops where it gets to a tick whose force is against it, an interval later.
     for (xi, speed, sigma) in [("0", "-3", "1/2"), ("1", "-3", "3/2")] {
@@ -285,18 +289,21 @@ fn a_speed_that_dwindles_for_ever_is_no_rest() {
     }
     // Against the force it stops.
     let run = holds("stopped", &point("1", "3", "1/2", ["0", "0.1"], 70));
-    assert_eq!(run.end.outcome.exact, Exactly::AtRest);
+    assert_eq!(run.end.outcome.exact, ExactOutcome::AtRest);
     // Out of a one-sided wall nothing but viscous friction acts.
     let mut scene = point("1", "30", "0", ["-1", "-1"], 70);
-    (scene.unilateral, scene.sigma) = (true, None);
+    (scene.at.unilateral, scene.at.coulomb) = (true, None);
     let run = holds("gliding", &scene);
-    assert_eq!(run.end.outcome.exact, Exactly::Undecided);
+    assert_eq!(run.end.outcome.exact, ExactOutcome::Undecided);
 }
 
 #[test]
 fn subnormal_velocities() {
     for velocity in ["5e-324", "-5e-324", "1e-310", "-3e-308"] {
-        for (sigma, exact) in [("3/5", Exactly::AtRest), ("2/5", Exactly::NeverAtRest)] {
+        for (sigma, exact) in [
+            ("3/5", ExactOutcome::AtRest),
+            ("2/5", ExactOutcome::NeverAtRest),
+        ] {
             let run = holds("subnormal", &paper("3/5", sigma, velocity, 50));
             assert_eq!(run.end.outcome.exact, exact);
         }
@@ -307,7 +314,7 @@ fn subnormal_velocities() {
 fn a_force_that_is_huge_against_friction() {
     for force in ["1e6", "-1e12", "1e15"] {
         let mut scene = paper("3/5", "1e-3", "0", 60);
-        scene.force = Some(vec![q(force), q(force), q("0")]);
+        scene.forces = Some(vec![q(force), q(force), q("0")]);
         holds(&format!("force {force}"), &scene);
     }
 }
@@ -331,16 +338,16 @@ fn parameters_that_span_fifteen_orders() {
 fn growth_past_every_radius_is_reported_and_no_nan() {
     // No radius is derived for so long a delay: the motion grows until numbers end.
     let mut scene = point("50", "0", "0", ["0", "1"], 1_000_000);
-    scene.delay = 100;
+    scene.at.delay = 100;
     let run = simulate(&scene, &Method::ClosedForm, None).unwrap();
-    assert_eq!(run.end.outcome.exact, Exactly::Growing);
+    assert_eq!(run.end.outcome.exact, ExactOutcome::Growing);
     assert!(run.end.xi.is_finite() && run.end.velocity.is_finite());
     assert!(run.totals.dissipated.is_finite() && run.totals.residual_max.is_finite());
     assert!(run.end.intervals < 1_000_000);
     // With a radius it ends long before.
-    scene.delay = 3;
+    scene.at.delay = 3;
     let run = simulate(&scene, &Method::ClosedForm, None).unwrap();
-    assert_eq!(run.end.outcome.exact, Exactly::Growing);
+    assert_eq!(run.end.outcome.exact, ExactOutcome::Growing);
     assert!(run.end.xi.abs() < 1e6, "{:?}", run.end);
     assert_eq!(
         simulate(&scene, &Method::Reference { digits: 30 }, None)
@@ -358,7 +365,7 @@ fn a_hundred_million_intervals() {
     let (end, totals) = (&run.end, &run.totals);
     assert_eq!(
         (end.intervals, end.outcome.exact),
-        (100_000_000, Exactly::NeverAtRest)
+        (100_000_000, ExactOutcome::NeverAtRest)
     );
     // (13) summed: S at the end = S at the start + ΣE_g − ΣE_d. Each interval leaves a residual of
     // rounding, bounded by its largest; the sums themselves are compensated, and good to 2ε.

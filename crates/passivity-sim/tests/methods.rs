@@ -4,8 +4,7 @@ mod common;
 
 use common::{paper, point, q};
 use passivity_scene::{Effect, Point};
-use passivity_sim::methods::{Detail, Line, simulate};
-use passivity_sim::{Exactly, Method, SimError};
+use passivity_sim::{Detail, ExactOutcome, Line, Method, SimError, simulate};
 
 const REFERENCE: Method = Method::Reference { digits: 30 };
 
@@ -18,37 +17,45 @@ fn scenes(intervals: u64) -> Vec<(&'static str, Point)> {
         change(&mut point);
         scenes.push((name, point));
     };
-    with("no viscous friction", &|p| p.beta = None);
-    with("no Coulomb friction", &|p| p.sigma = None);
-    with("no friction", &|p| (p.beta, p.sigma) = (None, None));
-    with("no encoder", &|p| p.encoder = false);
-    with("delay", &|p| (p.delay, p.beta) = (2, Some(q("3"))));
-    with("unilateral", &|p| p.unilateral = true);
+    with("no viscous friction", &|p| p.at.viscous = None);
+    with("no Coulomb friction", &|p| p.at.coulomb = None);
+    with("no friction", &|p| {
+        (p.at.viscous, p.at.coulomb) = (None, None)
+    });
+    with("no encoder", &|p| p.at.resolution = None);
+    with("delay", &|p| (p.at.delay, p.at.viscous) = (2, Some(q("3"))));
+    with("unilateral", &|p| p.at.unilateral = true);
     with("damping", &|p| {
-        (p.damping, p.beta) = (Some(q("1/3")), Some(q("1")))
+        (p.at.damping, p.at.viscous) = (Some(q("1/3")), Some(q("1")))
     });
-    with("saturation", &|p| p.max_force = Some(q("7/3")));
-    with("D/A converter", &|p| p.force_step = Some(q("1/3")));
-    with("amplifier", &|p| p.amplifier = Some(q("1/5")));
-    with("fast amplifier", &|p| p.amplifier = Some(q("1/100")));
-    with("constant force", &|p| p.force = Some(vec![q("5/4")]));
+    with("saturation", &|p| p.at.max_force = Some(q("7/3")));
+    with("D/A converter", &|p| p.at.force_step = Some(q("1/3")));
+    with("amplifier", &|p| p.at.time_constant = Some(q("1/5")));
+    with("fast amplifier", &|p| p.at.time_constant = Some(q("1/100")));
+    with("constant force", &|p| p.forces = Some(vec![q("5/4")]));
     with("forces", &|p| {
-        p.force = Some((0..40).map(|i| q(&format!("{}/7", i % 9))).collect())
+        p.forces = Some((0..40).map(|i| q(&format!("{}/7", i % 9))).collect())
     });
-    with("arm", &|p| p.arm = Some([q("10"), q("1/5"), q("2")]));
+    let arm = |p: &mut Point, mass: &str, damping: &str, stiffness: &str| {
+        p.at.arm_mass = Some(q(mass));
+        p.at.arm_damping = Some(q(damping));
+        p.at.arm_stiffness = Some(q(stiffness));
+    };
+    with("arm", &|p| arm(p, "10", "1/5", "2"));
     with("stiff arm, no Coulomb friction", &|p| {
-        (p.arm, p.sigma) = (Some([q("1"), q("1/5"), q("400")]), None);
+        arm(p, "1", "1/5", "400");
+        p.at.coulomb = None;
     });
     with("everything", &|p| {
-        p.beta = Some(q("4"));
-        p.delay = 1;
-        p.unilateral = true;
-        p.damping = Some(q("1/4"));
-        p.max_force = Some(q("25/2"));
-        p.force_step = Some(q("1/10"));
-        p.amplifier = Some(q("1/5"));
-        p.force = Some(vec![q("-3"), q("1")]);
-        p.arm = Some([q("5"), q("1/5"), q("1/10")]);
+        p.at.viscous = Some(q("4"));
+        p.at.delay = 1;
+        p.at.unilateral = true;
+        p.at.damping = Some(q("1/4"));
+        p.at.max_force = Some(q("25/2"));
+        p.at.force_step = Some(q("1/10"));
+        p.at.time_constant = Some(q("1/5"));
+        p.forces = Some(vec![q("-3"), q("1")]);
+        arm(p, "5", "1/5", "1/10");
     });
     scenes
 }
@@ -56,7 +63,7 @@ fn scenes(intervals: u64) -> Vec<(&'static str, Point)> {
 #[test]
 fn closed_form_is_the_reference_with_every_effect() {
     for (name, mut point) in scenes(400) {
-        if point.amplifier.is_some() || point.arm.is_some() {
+        if point.has(Effect::Amplifier) || point.has(Effect::Arm) {
             point.intervals = 60; // the power series takes milliseconds an interval
         }
         let fast = simulate(&point, &Method::ClosedForm, None).unwrap();
@@ -101,7 +108,7 @@ fn closed_form_is_the_reference_with_every_effect() {
 #[test]
 fn exact_method_and_closed_form_agree_without_viscous_friction() {
     for (name, mut point) in scenes(60) {
-        point.beta = None;
+        point.at.viscous = None;
         if !Method::Exact.unsupported(&point).is_empty() {
             continue;
         }
@@ -173,14 +180,15 @@ fn enclosures_of_energies_hold_the_reference() {
         };
         index += 1;
         for (x, range) in [
-            (entry.xi1, &row.xi[1]),
+            (entry.xi1, &row.step.end),
             (entry.v1, &row.velocity[1]),
-            (entry.generated_linear, &row.generated_linear),
-            (entry.generated_quantized, &row.generated_quantized),
+            (entry.generated_linear, &row.generated[0]),
+            (entry.generated_quantized, &row.generated[1]),
             (entry.dissipated, &row.dissipated),
             (0.0, &row.residual),
         ] {
-            assert!(range.lo <= x && x <= range.hi, "{entry:?} {row:?}");
+            let [lo, hi] = range.bounds();
+            assert!(lo <= x && x <= hi, "{entry:?} {row:?}");
         }
         true
     };
@@ -197,7 +205,7 @@ fn enclosures_end_where_a_velocity_has_no_digits() {
                 let bound = simulate(&scene, &Method::Enclosure, None).unwrap();
                 let slow = simulate(&scene, &REFERENCE, None).unwrap();
                 let exact = bound.end.outcome.exact;
-                assert!(exact == slow.end.outcome.exact || exact == Exactly::Undecided);
+                assert!(exact == slow.end.outcome.exact || exact == ExactOutcome::Undecided);
                 let Detail::Enclosed {
                     ends: [[lo, hi], _],
                     ..
@@ -250,7 +258,7 @@ fn other_methods_run_every_effect() {
 #[test]
 fn a_method_that_cannot_says_which_effect() {
     let mut point = paper("3/5", "3/5", "2", 10);
-    point.amplifier = Some(q("1/5"));
+    point.at.time_constant = Some(q("1/5"));
     let error = simulate(&point, &Method::Exact, None).unwrap_err();
     assert_eq!(
         error,
@@ -259,7 +267,7 @@ fn a_method_that_cannot_says_which_effect() {
             effects: vec![Effect::Viscous, Effect::Amplifier]
         }
     );
-    point.mu = None;
+    point.at.inertia = None;
     assert_eq!(
         simulate(&point, &Method::ClosedForm, None).unwrap_err(),
         SimError::NoInertia
@@ -279,10 +287,10 @@ fn the_facts_of_the_papers_plane() {
         end.outcome.exact
     };
     for speed in ["1/2", "1", "2", "5", "10", "50"] {
-        assert_eq!(exact("3/5", "3/5", speed), Exactly::AtRest);
+        assert_eq!(exact("3/5", "3/5", speed), ExactOutcome::AtRest);
     }
-    assert_eq!(exact("2/5", "3/5", "5"), Exactly::AtRest);
-    assert_eq!(exact("2/5", "3/5", "10"), Exactly::Growing);
-    assert_eq!(exact("3/5", "2/5", "5"), Exactly::NeverAtRest);
-    assert_eq!(exact("1", "1/10", "5"), Exactly::NeverAtRest);
+    assert_eq!(exact("2/5", "3/5", "5"), ExactOutcome::AtRest);
+    assert_eq!(exact("2/5", "3/5", "10"), ExactOutcome::Growing);
+    assert_eq!(exact("3/5", "2/5", "5"), ExactOutcome::NeverAtRest);
+    assert_eq!(exact("1", "1/10", "5"), ExactOutcome::NeverAtRest);
 }

@@ -7,9 +7,8 @@ use std::path::{Path, PathBuf};
 
 use common::paper;
 use passivity_scene::Point;
-use passivity_sim::methods::simulate;
 use passivity_sim::sweep::{Grid, Range, Row, open, run};
-use passivity_sim::{Method, SimError};
+use passivity_sim::{Method, SimError, simulate};
 
 fn grid(beta: &str, sigma: &str, speed: &str) -> Grid {
     let range = |text| Range::parse(text).unwrap();
@@ -61,7 +60,7 @@ fn sweep(
 fn a_sweep_has_the_outcome_of_every_point() {
     let grid = grid("0:1:6", "0:1.5:6", "1/2,2");
     let mut delayed = paper("1", "1", "1", 2_000);
-    delayed.delay = 1;
+    delayed.at.delay = 1;
     for scene in [paper("1", "1", "1", 2_000), delayed] {
         let mut rows: Vec<Option<Row>> = vec![None; grid.len()];
         run(&scene, &grid, &[], |index, row| {

@@ -2,20 +2,21 @@
 //! kinds of numbers.
 
 use passivity_core::BigRational;
+use passivity_core::controller::Memory;
 use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::flow::State;
 use crate::ledger::Totals;
-use crate::methods::{Detail, Each, Line, Simulated};
-use crate::model::{Ended, Halt, Memory, Model, Number, Row};
-use crate::outcome::{End, Exactly, Stop};
+use crate::model::{Ended, Halt, Model};
+use crate::number::{Real, Undecided};
+use crate::outcome::{End, ExactOutcome, Stop};
 use crate::plan::Plan;
-use crate::real::{Real, Undecided};
 use crate::run;
+use crate::simulated::{Detail, Each, Line, Simulated};
 
 /// The longest exact position, numerator and denominator together.
-pub(super) const LONGEST: u64 = 4096;
+const LONGEST: u64 = 4096;
 
 /// The whole motion in rational numbers.
 pub(super) fn exact(
@@ -23,14 +24,15 @@ pub(super) fn exact(
     plan: &Plan,
     mut each: Option<Each<'_>>,
 ) -> Result<Simulated, SimError> {
-    let model = Model::new(point, plan, BigRational::clone);
-    let mut totals = Totals::default();
+    let model = Model::new(point, plan, BigRational::clone)?;
+    let mut residual_max = 0.0_f64;
     let mut sums: [BigRational; 3] = Default::default();
     let ended = model.run(plan.intervals, LONGEST, grows(plan), |row| {
-        for (sum, term) in sums.iter_mut().zip(energies(row)) {
+        let terms = row.generated.iter().chain([&row.dissipated]);
+        for (sum, term) in sums.iter_mut().zip(terms) {
             *sum += term;
         }
-        totals.residual_max = totals.residual_max.max(row.residual.approximate().abs());
+        residual_max = residual_max.max(row.residual.approximate().abs());
         each.as_mut().is_none_or(|each| each(&Line::Exact(row)))
     });
     if let Halt::TooLong(interval) = ended.halt {
@@ -39,11 +41,7 @@ pub(super) fn exact(
             bits: LONGEST,
         });
     }
-    [
-        totals.generated_linear,
-        totals.generated_quantized,
-        totals.dissipated,
-    ] = sums.map(|sum| sum.approximate());
+    let totals = Totals::of(sums.map(|sum| sum.approximate()), residual_max);
     let detail = Detail::Exact([ended.xi.to_string(), ended.velocity.to_string()]);
     Ok(simulated(plan, &ended, totals, detail))
 }
@@ -53,26 +51,14 @@ pub(super) fn grows<R: Real>(
     plan: &Plan,
 ) -> impl FnMut(&State<R>, &Memory<R>) -> Result<bool, Undecided> {
     |state, memory| {
-        let near = State {
-            xi: state.xi.approximate(),
-            velocity: state.velocity.approximate(),
-            output: state.output.approximate(),
-        };
+        let near = state.map(Real::approximate);
         Ok(plan
             .growth
             .certain(&near, memory.iter().map(Real::approximate)))
     }
 }
 
-pub(super) fn energies<R: Clone>(row: &Row<R>) -> [R; 3] {
-    [
-        row.generated_linear.clone(),
-        row.generated_quantized.clone(),
-        row.dissipated.clone(),
-    ]
-}
-
-pub(super) fn simulated<R: Number>(
+pub(super) fn simulated<R: Real>(
     plan: &Plan,
     ended: &Ended<R>,
     totals: Totals,
@@ -86,7 +72,7 @@ pub(super) fn simulated<R: Number>(
     };
     let mut outcome = run::facts(plan).judge(stop, xi, velocity, &plan.growth.words());
     if let Halt::Undecided(h) = ended.halt {
-        outcome.exact = Exactly::Undecided;
+        outcome.exact = ExactOutcome::Undecided;
         outcome.at_interval = Some(h);
         outcome.because = format!(
             "in interval {h} an enclosure holds both sides of an encoder edge or of a stop, with the \

@@ -21,15 +21,15 @@ pub(super) struct Rates {
 
 impl Rates {
     pub(super) fn new(plan: &Plan) -> Self {
-        let (mass, arm, rate) = match &plan.flow {
-            Some(flow) => (flow.mass, flow.arm.unwrap_or([0.0; 2]), flow.rate),
-            None => (plan.constants.mu, [0.0; 2], None),
-        };
+        let flow = plan.flow.as_ref();
+        let arm = flow.and_then(|flow| flow.arm);
+        let [damping, stiffness] = arm.map_or([0.0; 2], |arm| arm.map(|x| x.0));
+        let rate = flow.and_then(|flow| flow.rate);
         Self {
-            inverse_mass: 1.0 / mass,
-            drag: plan.constants.beta + arm[0],
-            stiffness: arm[1],
-            rate: rate.unwrap_or(0.0),
+            inverse_mass: 1.0 / plan.mass(),
+            drag: plan.constants.beta + damping,
+            stiffness,
+            rate: rate.map_or(0.0, |rate| rate.0),
             lags: rate.is_some(),
             sigma: plan.constants.sigma,
         }
@@ -78,7 +78,7 @@ impl Walk {
         }
     }
 
-    /// Books a step to `next` by the trapezoidal rule.
+    /// Adds a step to `next` by the trapezoidal rule.
     fn to(&mut self, next: State<f64>, dt: f64) {
         let d = next.xi - self.state.xi;
         self.path += d.abs();
@@ -160,8 +160,8 @@ pub(super) fn rk4(
                 let k2 = slope(plus(s, k1, 0.5 * dt));
                 let k3 = slope(plus(s, k2, 0.5 * dt));
                 let k4 = slope(plus(s, k3, dt));
-                let mean = [0, 1, 2].map(|i| (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]) / 6.0);
-                let mut next = plus(s, mean, dt);
+                let sum = plus(plus(k1, plus(k2, k3, 1.0), 2.0), k4, 1.0);
+                let mut next = plus(s, sum.map(|k| k / 6.0), dt);
                 if s[1] * next[1] < 0.0 && sticks {
                     next[1] = 0.0;
                 }

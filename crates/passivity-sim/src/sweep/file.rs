@@ -7,7 +7,7 @@
 //! line, and refuses rows that are not of this sweep. A sweep that was finished has no `.run` file any
 //! more: some of its points are then simulated again, and must be the same to the last bit.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::fmt::Write as _;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
@@ -16,18 +16,16 @@ use std::path::{Path, PathBuf};
 use passivity_scene::Point;
 
 use crate::error::SimError;
-use crate::outcome::{Exactly, Paper};
+use crate::outcome::{ExactOutcome, PaperOutcome};
 use crate::plan::Plan;
 use crate::run;
+use crate::sweep::grid::Grid;
 #[cfg(feature = "parquet")]
 use crate::sweep::parquet;
-use crate::sweep::{Grid, Row};
+use crate::sweep::row::{Found, Row};
 
 /// The header of a sweep's file.
 const HEADER: &str = "beta,sigma,speed,paper,exact,at_interval,xi,velocity";
-
-/// A row with its values of β, σ and the speed.
-pub(super) type Found = ([f64; 3], Row);
 
 /// How the rows of a finished sweep are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,8 +96,7 @@ fn marker(path: &Path) -> PathBuf {
 fn fingerprint(scene: &Point, grid: &Grid) -> String {
     let mut scene = scene.clone();
     // These are the grid's.
-    (scene.beta, scene.sigma) = (None, None);
-    scene.start[1] = scene.start[0].clone();
+    (scene.at.viscous, scene.at.coulomb, scene.at.start_velocity) = (None, None, None);
     format!("passivity sweep 1\n{scene:?}\n{grid:?}\n")
 }
 
@@ -225,8 +222,9 @@ fn read(path: &Path, grid: &Grid) -> Result<(Vec<(usize, Row)>, u64), SimError> 
         .iter()
         .rposition(|b| *b == b'\n')
         .map_or(0, |end| end + 1);
+    let (lines, _torn) = bytes.split_at(whole);
     // What is no text becomes a line that is no row.
-    let text = String::from_utf8_lossy(&bytes[..whole]);
+    let text = String::from_utf8_lossy(lines);
     let at = |number: usize, what: &str| failed(path, &format!("line {}: {what}", number + 2));
     let mut lines = text.lines();
     match lines.next() {
@@ -257,12 +255,12 @@ fn place(
         places.insert(grid.doubles(index).map(f64::to_bits), index);
     }
     let mut found = Vec::new();
-    let mut seen = vec![false; grid.len()];
+    let mut seen = HashSet::new();
     for (number, (values, row)) in rows.enumerate() {
         let index = places
             .get(&values.map(f64::to_bits))
             .ok_or_else(|| at(number, "a point that is not in these ranges"))?;
-        if std::mem::replace(&mut seen[*index], true) {
+        if !seen.insert(*index) {
             return Err(at(number, "a point that was there before"));
         }
         found.push((*index, row));
@@ -277,8 +275,8 @@ fn parse(line: &str) -> Option<Found> {
     };
     let number = |cell: &str| cell.parse::<f64>().ok();
     let row = Row {
-        paper: Paper::named(paper)?,
-        exact: Exactly::named(exact)?,
+        paper: PaperOutcome::named(paper)?,
+        exact: ExactOutcome::named(exact)?,
         at_interval: if at.is_empty() {
             None
         } else {

@@ -1,12 +1,12 @@
 //! The points of a sweep: ranges of β, σ and the speed at the start.
 
-use num_traits::ToPrimitive as _;
-use passivity_core::{BigRational, Scalar as _};
+use passivity_core::{BigRational, Parameter, Scalar as _};
 use passivity_scene::Point;
 use passivity_scene::number;
 
 use crate::error::SimError;
-use crate::plan::to_double;
+use crate::number::to_double;
+use crate::plan::in_range;
 
 /// The most values of a range, and the most points of a grid.
 pub const MOST_POINTS: usize = 100_000_000;
@@ -97,11 +97,11 @@ impl Grid {
                 )));
             }
         }
-        let sizes = [&beta, &sigma, &speed].map(|range| range.values.len().to_u128().unwrap_or(0));
-        if sizes.iter().product::<u128>() > MOST_POINTS as u128 {
+        let [a, b, c] = [&beta, &sigma, &speed].map(|range| range.values.len());
+        let size = a.checked_mul(b).and_then(|size| size.checked_mul(c));
+        if size.is_none_or(|size| size > MOST_POINTS) {
             return Err(SimError::Method(format!(
-                "a grid of {} × {} × {} points: expected at most {MOST_POINTS}",
-                sizes[0], sizes[1], sizes[2]
+                "a grid of {a} × {b} × {c} points: expected at most {MOST_POINTS}"
             )));
         }
         Ok(Self {
@@ -109,6 +109,20 @@ impl Grid {
             sigma: sigma.values,
             speed: speed.values,
         })
+    }
+
+    /// Whether every value can be simulated.
+    pub(super) fn check(&self) -> Result<(), SimError> {
+        for (parameter, values) in [
+            (Parameter::Viscous, &self.beta),
+            (Parameter::Coulomb, &self.sigma),
+            (Parameter::StartVelocity, &self.speed),
+        ] {
+            for x in values {
+                in_range(x, parameter)?;
+            }
+        }
+        Ok(())
     }
 
     /// How many points there are.
@@ -123,12 +137,19 @@ impl Grid {
         self.len() == 0
     }
 
+    /// The index of a point that has these values of β, σ and the speed, counted from 0.
+    #[cfg(feature = "plot")]
+    pub(crate) const fn index(&self, [beta, sigma, speed]: [usize; 3]) -> usize {
+        (beta * self.sigma.len() + sigma) * self.speed.len() + speed
+    }
+
     /// The values of a point.
     ///
     /// # Panics
     ///
     /// When `index` is not below [`Self::len`].
     #[must_use]
+    #[expect(clippy::indexing_slicing, reason = "a panic that is announced")]
     pub fn values(&self, index: usize) -> [&BigRational; 3] {
         let (rest, speed) = (index / self.speed.len(), index % self.speed.len());
         let (beta, sigma) = (rest / self.sigma.len(), rest % self.sigma.len());
@@ -145,11 +166,10 @@ impl Grid {
     #[must_use]
     pub fn point(&self, scene: &Point, index: usize) -> Point {
         let [beta, sigma, speed] = self.values(index);
-        Point {
-            beta: Some(beta.clone()),
-            sigma: Some(sigma.clone()),
-            start: [scene.start[0].clone(), speed.clone()],
-            ..scene.clone()
-        }
+        let mut point = scene.clone();
+        point.at.viscous = Some(beta.clone());
+        point.at.coulomb = Some(sigma.clone());
+        point.at.start_velocity = Some(speed.clone());
+        point
     }
 }

@@ -4,6 +4,7 @@ mod file;
 mod grid;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod row;
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -12,39 +13,12 @@ use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::lanes;
-use crate::outcome::{End, Exactly, Paper};
-use crate::plan::{Plain, Plan, to_double};
+use crate::plan::{Plain, Plan};
 use crate::run;
 
 pub use file::{Opened, Rows, open};
 pub use grid::{Grid, MOST_POINTS, Range};
-
-/// The outcome of a point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row {
-    /// By the paper's detector.
-    pub paper: Paper,
-    /// As far as it is certain.
-    pub exact: Exactly,
-    /// The interval of rest or of certain growth.
-    pub at_interval: Option<u64>,
-    /// ξ at the end.
-    pub xi: f64,
-    /// ξ̇ at the end.
-    pub velocity: f64,
-}
-
-impl Row {
-    fn of(end: &End) -> Self {
-        Self {
-            paper: end.outcome.paper,
-            exact: end.outcome.exact,
-            at_interval: end.outcome.at_interval,
-            xi: end.xi,
-            velocity: end.velocity,
-        }
-    }
-}
+pub use row::Row;
 
 /// Runs the points of a grid that are not `done` yet; `sink` takes each in the order in which they
 /// end, with its index, and its error stops the sweep.
@@ -60,7 +34,7 @@ impl Row {
 ///
 /// ```
 /// use passivity_scene::Scene;
-/// use passivity_sim::Exactly;
+/// use passivity_sim::ExactOutcome;
 /// use passivity_sim::sweep::{Grid, Range, run};
 ///
 /// let scene = "[dimensionless]\nmu = \"50\"\nbeta = \"1\"\nsigma = \"1\"\n[run]\nintervals = 3000";
@@ -73,8 +47,8 @@ impl Row {
 ///     Ok(())
 /// })
 /// .unwrap();
-/// assert_eq!(rows[0].unwrap().exact, Exactly::NeverAtRest);
-/// assert_eq!(rows[2].unwrap().exact, Exactly::AtRest);
+/// assert_eq!(rows[0].unwrap().exact, ExactOutcome::NeverAtRest);
+/// assert_eq!(rows[2].unwrap().exact, ExactOutcome::AtRest);
 /// ```
 pub fn run(
     scene: &Point,
@@ -87,6 +61,7 @@ pub fn run(
     }
     // One point compiled stands for all: they differ in β, σ and speed alone.
     let first = Plan::compile(&grid.point(scene, 0))?;
+    grid.check()?;
     let next = AtomicUsize::new(0);
     let cancelled = AtomicBool::new(false);
     let take = || {
@@ -98,7 +73,7 @@ pub fn run(
             if index >= grid.len() {
                 return None;
             }
-            if !done.get(index).copied().unwrap_or(false) {
+            if done.get(index) != Some(&true) {
                 return Some(index);
             }
         }
@@ -111,7 +86,7 @@ pub fn run(
             }
         };
         if first.is_plain() {
-            let (mu, xi) = (first.constants.mu, to_double(&scene.start[0]));
+            let (mu, [xi, _]) = (first.constants.mu, first.start);
             let point = || {
                 let index = take()?;
                 let [beta, sigma, velocity] = grid.doubles(index);

@@ -15,9 +15,9 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::record::RowAccessor as _;
 use parquet::schema::parser::parse_message_type;
 
-use crate::outcome::{Exactly, Paper};
-use crate::sweep::file::Found;
-use crate::sweep::{Grid, Row};
+use crate::outcome::{ExactOutcome, PaperOutcome};
+use crate::sweep::grid::Grid;
+use crate::sweep::row::{Found, Row};
 
 /// The columns, in the order of the CSV.
 const SCHEMA: &str = "message sweep {
@@ -49,24 +49,21 @@ pub(super) fn write(path: &Path, grid: &Grid, rows: &[Option<Row>]) -> Result<()
         .collect();
     for rows in all.chunks(GROUP) {
         let mut group = writer.next_row_group()?;
-        for axis in 0..3 {
-            let value = |(index, _): &(usize, Row)| grid.doubles(*index)[axis];
-            column::<DoubleType>(
-                &mut group,
-                &rows.iter().map(value).collect::<Vec<_>>(),
-                None,
-            )?;
+        let axes: [fn([f64; 3]) -> f64; 3] = [|[x, _, _]| x, |[_, x, _]| x, |[_, _, x]| x];
+        for axis in axes {
+            let values = rows.iter().map(|(index, _)| axis(grid.doubles(*index)));
+            column::<DoubleType>(&mut group, &values.collect::<Vec<_>>(), None)?;
         }
         let words: [fn(&Row) -> &'static str; 2] = [|row| row.paper.name(), |row| row.exact.name()];
         for word in words {
             let texts: Vec<ByteArray> = rows.iter().map(|(_, row)| word(row).into()).collect();
             column::<ByteArrayType>(&mut group, &texts, None)?;
         }
-        let at = |row: &Row| {
-            row.at_interval
-                .map(|h| i64::try_from(h).unwrap_or(i64::MAX))
-        };
-        let there: Vec<i64> = rows.iter().filter_map(|(_, row)| at(row)).collect();
+        let intervals = rows.iter().filter_map(|(_, row)| row.at_interval);
+        let there: Vec<i64> = intervals
+            .map(i64::try_from)
+            .collect::<Result<_, _>>()
+            .map_err(|error| ParquetError::General(error.to_string()))?;
         let levels: Vec<i16> = rows
             .iter()
             .map(|(_, row)| i16::from(row.at_interval.is_some()))
@@ -115,12 +112,12 @@ fn rows_of(path: &Path) -> Result<Vec<Found>, ParquetError> {
         let (paper, exact) = (row.get_string(3)?, row.get_string(4)?);
         let values = [row.get_double(0)?, row.get_double(1)?, row.get_double(2)?];
         let at_interval = match row.get_long(5) {
-            Ok(h) => u64::try_from(h).ok(),
+            Ok(h) => Some(u64::try_from(h).map_err(|_| word(&h.to_string()))?),
             Err(_) => None, // null
         };
         let outcome = Row {
-            paper: Paper::named(paper).ok_or_else(|| word(paper))?,
-            exact: Exactly::named(exact).ok_or_else(|| word(exact))?,
+            paper: PaperOutcome::named(paper).ok_or_else(|| word(paper))?,
+            exact: ExactOutcome::named(exact).ok_or_else(|| word(exact))?,
             at_interval,
             xi: row.get_double(6)?,
             velocity: row.get_double(7)?,

@@ -2,9 +2,9 @@
 
 #![allow(dead_code, unreachable_pub)]
 
-use passivity_core::{BigRational, Scalar};
+use passivity_core::{BigRational, Friction, Loop, Scalar};
 use passivity_scene::Point;
-use passivity_scene::number::parse;
+use passivity_scene::number::{nearest_f64, parse};
 use passivity_scene::point::Units;
 
 /// The number that a text spells.
@@ -12,23 +12,23 @@ pub fn q(text: &str) -> BigRational {
     parse(text).unwrap_or_else(|error| panic!("{text}: {error}"))
 }
 
+/// The nearest double.
+pub fn double(x: &BigRational) -> f64 {
+    nearest_f64(x)
+}
+
 /// The paper's own scene.
 pub fn point(mu: &str, beta: &str, sigma: &str, start: [&str; 2], intervals: u64) -> Point {
-    let one = BigRational::integer(1);
+    let one = BigRational::one();
+    let [position, velocity] = start.map(q);
     Point {
-        mu: Some(q(mu)),
-        beta: Some(q(beta)),
-        sigma: Some(q(sigma)),
-        encoder: true,
-        delay: 0,
-        unilateral: false,
-        damping: None,
-        max_force: None,
-        force_step: None,
-        amplifier: None,
-        force: None,
-        arm: None,
-        start: start.map(q),
+        at: Loop {
+            inertia: Some(q(mu)),
+            start_position: Some(position),
+            start_velocity: Some(velocity),
+            ..Loop::plain(Friction::new(q(beta), q(sigma)))
+        },
+        forces: None,
         intervals,
         units: Units {
             period: one.clone(),

@@ -1,0 +1,33 @@
+//! The outcome of a point of a sweep.
+
+use crate::outcome::{End, ExactOutcome, PaperOutcome};
+
+/// The outcome of a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// By the paper's detector.
+    pub paper: PaperOutcome,
+    /// As far as it is certain.
+    pub exact: ExactOutcome,
+    /// The interval of rest or of certain growth.
+    pub at_interval: Option<u64>,
+    /// ξ at the end.
+    pub xi: f64,
+    /// ξ̇ at the end.
+    pub velocity: f64,
+}
+
+impl Row {
+    pub(super) fn of(end: &End) -> Self {
+        Self {
+            paper: end.outcome.paper,
+            exact: end.outcome.exact,
+            at_interval: end.outcome.at_interval,
+            xi: end.xi,
+            velocity: end.velocity,
+        }
+    }
+}
+
+/// A row as a file has it, with its values of β, σ and the speed.
+pub(super) type Found = ([f64; 3], Row);
