@@ -7,12 +7,14 @@
 //! run time. Lanes that have come to rest, are growing, or have run all their intervals are
 //! retired and refilled from the queue. Points with λ ≤ 1/16 have a batch of their own: their series
 //! is the shorter one.
+#![expect(
+    clippy::indexing_slicing,
+    reason = "every index is that of a lane, below the length of every array"
+)]
 
 use multiversion::multiversion;
 
-use crate::growth::Growth;
-use crate::motion::Constants;
-use crate::outcome::{End, Facts, Stop};
+use crate::outcome::{End, ExactOutcome, Stop};
 use crate::phi;
 use crate::plan::{Plain, Plan};
 use crate::run;
@@ -65,9 +67,9 @@ impl Batch {
         }
     }
 
-    fn load(&mut self, lane: usize, plain: &Plain, k: &Constants, growth: &Growth) {
-        self.xi[lane] = plain.xi;
-        self.v[lane] = plain.velocity;
+    fn load(&mut self, lane: usize, plan: &Plan) {
+        let (k, growth) = (&plan.constants, &plan.growth);
+        [self.xi[lane], self.v[lane]] = plan.start;
         self.busy[lane] = 1.0;
         self.count[lane] = 0.0;
         self.inverse_mu[lane] = k.inverse_mu;
@@ -79,6 +81,25 @@ impl Batch {
         self.growth_c[lane] = growth.c;
         self.growth_s[lane] = growth.s;
         self.growth_square[lane] = growth.square;
+    }
+
+    /// How the point of this plan ended in a lane.
+    fn end(&self, lane: usize, plan: &Plan) -> End {
+        let (xi, velocity) = (self.xi[lane], self.v[lane]);
+        let count = self.count[lane] as u64;
+        let stop = if self.busy[lane] > 0.0 {
+            Stop::Ran(count)
+        } else if plan.growth.exceeds(xi, velocity) {
+            Stop::Growing(count)
+        } else {
+            Stop::Rest(count)
+        };
+        End {
+            intervals: count,
+            xi,
+            velocity,
+            outcome: run::facts(plan).judge(stop, xi, velocity, &plan.growth.words()),
+        }
     }
 }
 
@@ -237,82 +258,99 @@ pub fn run_on(
     mut next: impl FnMut() -> Option<(usize, Plain)>,
     mut done: impl FnMut(usize, End),
 ) {
-    let mut teams = [Team::new(false), Team::new(true)];
+    let [mut small, mut medium] = [Lanes::new(false), Lanes::new(true)];
     let mut waiting = None;
     loop {
         // Fill until a point finds no free lane: it waits for one.
-        while let Some(point) = waiting
-            .take()
-            .or_else(|| Waiting::from(&mut next, intervals))
-        {
+        while let Some(point) = waiting.take().or_else(|| Point::from(&mut next, intervals)) {
             if !fits(&point.plan) {
                 done(point.index, run::outcome(&point.plan));
                 continue;
             }
-            let team = &mut teams[usize::from(point.plan.constants.lambda > phi::SMALL_LAMBDA)];
-            if let Some(refused) = team.load(point) {
-                waiting = Some(refused);
+            let lanes = if point.plan.constants.lambda > phi::SMALL_LAMBDA {
+                &mut medium
+            } else {
+                &mut small
+            };
+            waiting = lanes.load(point);
+            if waiting.is_some() {
                 break;
             }
         }
-        if teams.iter().all(|team| !team.is_at_work()) {
+        let [small, medium] = [&mut small, &mut medium];
+        if !small.is_at_work() && !medium.is_at_work() {
             return;
         }
-        for team in teams.iter_mut().filter(|team| team.is_at_work()) {
-            team.stretch(instructions, intervals);
-            team.retire(intervals, &mut done);
+        for lanes in [small, medium] {
+            lanes.stretch(instructions, intervals);
+            lanes.retire(intervals, &mut done);
         }
     }
 }
 
-/// A point with its plan.
-struct Waiting {
+/// A point of the queue with its plan.
+struct Point {
     index: usize,
     plan: Plan,
-    plain: Plain,
 }
 
-impl Waiting {
+impl Point {
     fn from(next: &mut impl FnMut() -> Option<(usize, Plain)>, intervals: u64) -> Option<Self> {
         let (index, plain) = next()?;
         let plan = Plan::plain(&plain, intervals);
-        Some(Self { index, plan, plain })
+        Some(Self { index, plan })
+    }
+
+    /// Whether friction may have taken the force to the last bit: then only the scalar loop tells rest
+    /// from a speed that has underflowed.
+    fn may_creep(&self, end: &End) -> bool {
+        let [_, velocity] = self.plan.start;
+        let forces = self.plan.constants.sigma + 0.5; // held forces are ½ off whole numbers
+        velocity != 0.0 && end.outcome.exact == ExactOutcome::AtRest && forces == forces.floor()
     }
 }
 
-/// A batch with who is in which lane.
-struct Team {
+/// A batch with the point in each lane.
+struct Lanes {
     batch: Batch,
-    taken: Vec<Option<Taken>>,
+    points: [Option<Point>; WIDTH],
+    /// Whether its points take the longer series.
     medium: bool,
 }
 
-impl Team {
+impl Lanes {
     fn new(medium: bool) -> Self {
         Self {
             batch: Batch::new(),
-            taken: (0..WIDTH).map(|_| None).collect(),
+            points: [const { None }; WIDTH],
             medium,
         }
     }
 
     fn is_at_work(&self) -> bool {
-        self.taken.iter().any(Option::is_some)
+        self.points.iter().any(Option::is_some)
     }
 
     /// Takes a point into a free lane, or gives it back.
-    fn load(&mut self, point: Waiting) -> Option<Waiting> {
-        let Some(lane) = self.taken.iter().position(Option::is_none) else {
+    fn load(&mut self, point: Point) -> Option<Point> {
+        let Some(lane) = self.points.iter().position(Option::is_none) else {
             return Some(point);
         };
-        let Waiting { index, plan, plain } = point;
-        self.batch.load(lane, &plain, &plan.constants, &plan.growth);
-        self.taken[lane] = Some(Taken { index, plan });
+        self.batch.load(lane, &point.plan);
+        self.points[lane] = Some(point);
         None
     }
 
+    /// Runs every busy lane for some intervals, none past its end.
     fn stretch(&mut self, instructions: Instructions, intervals: u64) {
-        let length = this_time(&self.batch, &self.taken, intervals);
+        let busy = self.points.iter().zip(&self.batch.count);
+        let busy = busy.filter(|(point, _)| point.is_some());
+        // Counts are whole numbers far below 2⁵³.
+        let left = busy.map(|(_, count)| intervals - *count as u64);
+        let Some(least) = left.min() else {
+            return;
+        };
+        let length = u32::try_from(least).map_or(STRETCH, |least| least.min(STRETCH));
         let batch = &mut self.batch;
         match (instructions, self.medium) {
             (Instructions::Best, false) => best(batch, length),
@@ -324,16 +362,17 @@ impl Team {
         }
     }
 
+    /// Hands over the ends of the points that are done, and frees their lanes.
     fn retire(&mut self, intervals: u64, done: &mut impl FnMut(usize, End)) {
-        for (lane, slot) in self.taken.iter_mut().enumerate() {
+        for (lane, slot) in self.points.iter_mut().enumerate() {
             let batch = &mut self.batch;
             let finished = batch.busy[lane] == 0.0 || batch.count[lane] >= intervals as f64;
-            if let Some(taken) = slot.take_if(|_| finished) {
-                let mut end = taken.end(batch, lane);
-                if taken.may_creep(&end) {
-                    end = run::outcome(&taken.plan);
+            if let Some(point) = slot.take_if(|_| finished) {
+                let mut end = batch.end(lane, &point.plan);
+                if point.may_creep(&end) {
+                    end = run::outcome(&point.plan);
                 }
-                done(taken.index, end);
+                done(point.index, end);
                 batch.busy[lane] = 0.0;
             }
         }
@@ -355,52 +394,6 @@ fn fits(plan: &Plan) -> bool {
         0.0
     };
     plan.constants.lambda <= phi::MEDIUM_LAMBDA && reach < FAR && radius < FAR
-}
-
-/// A point at work in a lane.
-struct Taken {
-    index: usize,
-    plan: Plan,
-}
-
-/// How long the next stretch is: no lane runs past its end.
-fn this_time(batch: &Batch, taken: &[Option<Taken>], intervals: u64) -> u32 {
-    let busy = taken.iter().zip(&batch.count).filter(|(t, _)| t.is_some());
-    // Counts are whole numbers far below 2⁵³.
-    let left = busy.map(|(_, count)| intervals - *count as u64);
-    let least = left.min().unwrap_or(0);
-    u32::try_from(least).unwrap_or(STRETCH).min(STRETCH)
-}
-
-impl Taken {
-    /// Whether friction may have taken the force to the last bit: then only the scalar loop tells rest
-    /// from a speed that has underflowed.
-    fn may_creep(&self, end: &End) -> bool {
-        let [_, velocity] = self.plan.start;
-        let forces = self.plan.constants.sigma + 0.5; // held forces are ½ off whole numbers
-        velocity != 0.0
-            && end.outcome.exact == crate::outcome::ExactOutcome::AtRest
-            && forces == forces.floor()
-    }
-
-    fn end(&self, batch: &Batch, lane: usize) -> End {
-        let (xi, velocity) = (batch.xi[lane], batch.v[lane]);
-        let count = batch.count[lane] as u64;
-        let stop = if batch.busy[lane] > 0.0 {
-            Stop::Ran(count)
-        } else if self.plan.growth.exceeds(xi, velocity) {
-            Stop::Growing(count)
-        } else {
-            Stop::Rest(count)
-        };
-        let facts: Facts = run::facts(&self.plan);
-        End {
-            intervals: count,
-            xi,
-            velocity,
-            outcome: facts.judge(stop, xi, velocity, &self.plan.growth.words()),
-        }
-    }
 }
 
 #[cfg(test)]

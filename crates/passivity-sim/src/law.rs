@@ -169,6 +169,7 @@ impl HeldForce {
     }
 
     /// The function that computes the law.
+    #[expect(clippy::indexing_slicing, reason = "six bits are below 64")]
     pub(crate) fn law(&self) -> Law {
         TABLE[usize::from(self.effects & 63)]
     }

@@ -160,8 +160,8 @@ pub(super) fn rk4(
                 let k2 = slope(plus(s, k1, 0.5 * dt));
                 let k3 = slope(plus(s, k2, 0.5 * dt));
                 let k4 = slope(plus(s, k3, dt));
-                let mean = [0, 1, 2].map(|i| (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]) / 6.0);
-                let mut next = plus(s, mean, dt);
+                let sum = plus(plus(k1, plus(k2, k3, 1.0), 2.0), k4, 1.0);
+                let mut next = plus(s, sum.map(|k| k / 6.0), dt);
                 if s[1] * next[1] < 0.0 && sticks {
                     next[1] = 0.0;
                 }

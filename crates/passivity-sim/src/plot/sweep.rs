@@ -1,8 +1,13 @@
 //! Fig. 5: where in the (β, σ) plane the motion grows (a) and where it never comes to rest (b).
 
+use std::ops::Range;
+
+use passivity_core::BigRational;
 use passivity_plot::PlotError;
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
+use crate::number::to_double;
 use crate::outcome::{ExactOutcome, PaperOutcome};
 use crate::plot::{Area, COLOURS, DASHED, Drawn, label, svg};
 use crate::sweep::{Grid, Row};
@@ -34,35 +39,66 @@ pub fn draw(grid: &Grid, rows: &[Option<Row>]) -> Result<String, PlotError> {
 
 /// The indices of the speeds, the slowest first.
 fn by_speed(grid: &Grid) -> Vec<(usize, f64)> {
-    let speeds = grid.speed.iter().map(|v| crate::number::to_double(v).abs());
+    let speeds = grid.speed.iter().map(|v| to_double(v).abs());
     let mut order: Vec<(usize, f64)> = speeds.enumerate().collect();
     order.sort_by(|a, b| a.1.total_cmp(&b.1));
     order
 }
 
-/// The edges of the cells around ascending values: half-way between neighbours.
-fn cells(values: &[f64]) -> Vec<(f64, f64)> {
-    let middle = |i: usize, j: usize| 0.5 * (values[i] + values[j]);
-    let last = values.len() - 1;
-    (0..=last)
-        .map(|i| {
-            let low = if i > 0 { middle(i - 1, i) } else { values[0] };
-            let high = if i < last {
-                middle(i, i + 1)
-            } else {
-                values[last]
-            };
-            // The outermost cells are as wide as their inner half.
-            let low = if i == 0 { low - (high - low) } else { low };
-            let high = if i == last {
-                high + (high - low).max(0.0) * f64::from(i > 0)
-            } else {
-                high
-            };
-            (low, high)
+/// A value of β or σ, and the edges half-way to its neighbours.
+struct Cell {
+    /// Which of the grid's values it is.
+    index: usize,
+    low: f64,
+    high: f64,
+}
+
+impl Cell {
+    const fn middle(&self) -> f64 {
+        0.5 * (self.low + self.high)
+    }
+}
+
+/// The cells of an axis, the least value first.
+fn cells(values: &[BigRational]) -> Vec<Cell> {
+    let mut sorted: Vec<(usize, f64)> = values.iter().map(to_double).enumerate().collect();
+    sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let edges: Vec<f64> = sorted
+        .iter()
+        .zip(sorted.iter().skip(1))
+        .map(|((_, a), (_, b))| 0.5 * (a + b))
+        .collect();
+    // The outermost cells are as wide as their inner half.
+    let outer = |value: Option<&(usize, f64)>, edge: Option<&f64>| {
+        value.map(|(_, x)| edge.map_or(*x, |edge| x + (x - edge)))
+    };
+    let least = outer(sorted.first(), edges.first());
+    let most = outer(sorted.last(), edges.last());
+    let lows = least.into_iter().chain(edges.iter().copied());
+    let highs = edges.iter().copied().chain(most);
+    let with_edges = sorted.iter().zip(lows.zip(highs));
+    with_edges
+        .map(|((index, _), (low, high))| Cell {
+            index: *index,
+            low,
+            high,
         })
         .collect()
 }
+
+/// What the cells of an axis span, never empty.
+fn span(cells: &[Cell]) -> Range<f64> {
+    let low = cells.first().map_or(0.0, |cell| cell.low);
+    let high = cells.last().map_or(0.0, |cell| cell.high);
+    if high > low {
+        low..high
+    } else {
+        low - 0.5..high + 0.5
+    }
+}
+
+/// A drawing in the (β, σ) plane.
+type Plane<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
 fn panel(
     area: &Area<'_>,
@@ -71,26 +107,7 @@ fn panel(
     rows: &[Option<Row>],
     shown: ExactOutcome,
 ) -> Drawn {
-    let order = |values: &[passivity_core::BigRational]| {
-        let mut all: Vec<(f64, usize)> = values
-            .iter()
-            .enumerate()
-            .map(|(i, x)| (crate::number::to_double(x), i))
-            .collect();
-        all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        all
-    };
-    let (beta, sigma) = (order(&grid.beta), order(&grid.sigma));
-    let values = |all: &[(f64, usize)]| all.iter().map(|(x, _)| *x).collect::<Vec<f64>>();
-    let (columns, lines) = (cells(&values(&beta)), cells(&values(&sigma)));
-    let span = |cells: &[(f64, f64)]| {
-        let (low, high) = (cells[0].0, cells[cells.len() - 1].1);
-        if high > low {
-            low..high
-        } else {
-            low - 0.5..high + 0.5
-        }
-    };
+    let (columns, lines) = (cells(&grid.beta), cells(&grid.sigma));
     let (width, height) = (span(&columns), span(&lines));
     let mut chart = ChartBuilder::on(area)
         .margin(12)
@@ -109,54 +126,61 @@ fn panel(
         .label_style(("sans-serif", 12))
         .draw()?;
     let speeds = by_speed(grid);
-    let shade = |rank: usize| {
-        let steps = speeds.len().max(2) - 1;
-        let level = 30 + 190 * rank / steps;
-        let level = u8::try_from(level).unwrap_or(220);
-        RGBColor(level, level, level)
+    let row = |column: &Cell, line: &Cell, speed| {
+        let index = grid.index([column.index, line.index, speed]);
+        rows.get(index).copied().flatten()
+    };
+    let places = || {
+        columns
+            .iter()
+            .flat_map(|c| lines.iter().map(move |l| (c, l)))
     };
     // The fastest first: a slower one that does the same lies over it.
     for (rank, (speed, _)) in speeds.iter().enumerate().rev() {
-        let colour = shade(rank).filled();
-        for ((_, i), column) in beta.iter().zip(&columns) {
-            for ((_, j), line) in sigma.iter().zip(&lines) {
-                let index = (i * grid.sigma.len() + j) * grid.speed.len() + speed;
-                let row = rows.get(index).copied().flatten();
-                if row.is_some_and(|row| row.exact == shown) {
-                    let corners = [(column.0, line.0), (column.1, line.1)];
-                    chart.draw_series([Rectangle::new(corners, colour)])?;
-                }
+        let colour = shade(rank, speeds.len()).filled();
+        for (column, line) in places() {
+            if row(column, line, *speed).is_some_and(|row| row.exact == shown) {
+                let corners = [(column.low, line.low), (column.high, line.high)];
+                chart.draw_series([Rectangle::new(corners, colour)])?;
             }
         }
     }
     if shown == ExactOutcome::NeverAtRest {
-        let middle = |(low, high): (f64, f64)| 0.5 * (low + high);
-        for ((_, i), column) in beta.iter().zip(&columns) {
-            for ((_, j), line) in sigma.iter().zip(&lines) {
-                let first = (i * grid.sigma.len() + j) * grid.speed.len();
-                let all = rows
-                    .get(first..first + grid.speed.len())
-                    .unwrap_or_default();
-                if all
-                    .iter()
-                    .flatten()
-                    .any(|row| row.paper == PaperOutcome::LimitCycle)
-                {
-                    let place = (middle(*column), middle(*line));
-                    chart.draw_series([Circle::new(place, 2, COLOURS[7].filled())])?;
-                }
+        for (column, line) in places() {
+            let mut all = speeds
+                .iter()
+                .filter_map(|(speed, _)| row(column, line, *speed));
+            if all.any(|row| row.paper == PaperOutcome::LimitCycle) {
+                let place = (column.middle(), line.middle());
+                chart.draw_series([Circle::new(place, 2, COLOURS[7].filled())])?;
             }
         }
     }
+    critical_lines(&mut chart, &speeds, &width, &height)
+}
+
+/// From black for the slowest speed to light grey.
+fn shade(rank: usize, speeds: usize) -> RGBColor {
+    let level = 30 + 190 * rank / (speeds.max(2) - 1);
+    let level = u8::try_from(level).unwrap_or(220); // 220 is the most there is.
+    RGBColor(level, level, level)
+}
+
+/// The borders β = ½ and σ = ½, and the critical line (9) of each speed.
+fn critical_lines(
+    chart: &mut Plane<'_>,
+    speeds: &[(usize, f64)],
+    width: &Range<f64>,
+    height: &Range<f64>,
+) -> Drawn {
     for border in [
         [(0.5, height.start), (0.5, height.end)],
         [(width.start, 0.5), (width.end, 0.5)],
     ] {
         chart.draw_series(LineSeries::new(border, BLACK.mix(DASHED)))?;
     }
-    for (rank, (_, speed)) in speeds.iter().enumerate() {
-        let colour = COLOURS[rank % COLOURS.len()];
-        let Some(ends) = critical_line(*speed, &width, &height) else {
+    for ((_, speed), colour) in speeds.iter().zip(COLOURS.into_iter().cycle()) {
+        let Some(ends) = critical_line(*speed, width, height) else {
             continue;
         };
         let style = colour.mix(DASHED).stroke_width(2);
@@ -176,11 +200,7 @@ fn panel(
 }
 
 /// The part of (β − ½)V + (σ − ½) = 0 (9) within the picture.
-fn critical_line(
-    speed: f64,
-    width: &std::ops::Range<f64>,
-    height: &std::ops::Range<f64>,
-) -> Option<[(f64, f64); 2]> {
+fn critical_line(speed: f64, width: &Range<f64>, height: &Range<f64>) -> Option<[(f64, f64); 2]> {
     let sigma = |beta: f64| 0.5 - (beta - 0.5) * speed;
     if speed == 0.0 {
         return Some([(width.start, 0.5), (width.end, 0.5)]);

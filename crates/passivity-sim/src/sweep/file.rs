@@ -7,7 +7,7 @@
 //! line, and refuses rows that are not of this sweep. A sweep that was finished has no `.run` file any
 //! more: some of its points are then simulated again, and must be the same to the last bit.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::fmt::Write as _;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
@@ -222,8 +222,9 @@ fn read(path: &Path, grid: &Grid) -> Result<(Vec<(usize, Row)>, u64), SimError> 
         .iter()
         .rposition(|b| *b == b'\n')
         .map_or(0, |end| end + 1);
+    let (lines, _torn) = bytes.split_at(whole);
     // What is no text becomes a line that is no row.
-    let text = String::from_utf8_lossy(&bytes[..whole]);
+    let text = String::from_utf8_lossy(lines);
     let at = |number: usize, what: &str| failed(path, &format!("line {}: {what}", number + 2));
     let mut lines = text.lines();
     match lines.next() {
@@ -254,12 +255,12 @@ fn place(
         places.insert(grid.doubles(index).map(f64::to_bits), index);
     }
     let mut found = Vec::new();
-    let mut seen = vec![false; grid.len()];
+    let mut seen = HashSet::new();
     for (number, (values, row)) in rows.enumerate() {
         let index = places
             .get(&values.map(f64::to_bits))
             .ok_or_else(|| at(number, "a point that is not in these ranges"))?;
-        if std::mem::replace(&mut seen[*index], true) {
+        if !seen.insert(*index) {
             return Err(at(number, "a point that was there before"));
         }
         found.push((*index, row));

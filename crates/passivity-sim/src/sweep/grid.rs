@@ -137,12 +137,19 @@ impl Grid {
         self.len() == 0
     }
 
+    /// The index of a point that has these values of β, σ and the speed, counted from 0.
+    #[cfg(feature = "plot")]
+    pub(crate) const fn index(&self, [beta, sigma, speed]: [usize; 3]) -> usize {
+        (beta * self.sigma.len() + sigma) * self.speed.len() + speed
+    }
+
     /// The values of a point.
     ///
     /// # Panics
     ///
     /// When `index` is not below [`Self::len`].
     #[must_use]
+    #[expect(clippy::indexing_slicing, reason = "a panic that is announced")]
     pub fn values(&self, index: usize) -> [&BigRational; 3] {
         let (rest, speed) = (index / self.speed.len(), index % self.speed.len());
         let (beta, sigma) = (rest / self.sigma.len(), rest % self.sigma.len());
