@@ -4,7 +4,7 @@
 //! 32 bits, where all inputs within the bound can be looked at. The count of bits is the same for
 //! every width.
 
-use passivity_core::{Fraction, Friction, Ordered, Step, ledger, verdict};
+use passivity_core::{Fraction, Friction, Ordered, Step, ledger, ledger::Row, verdict};
 
 use passivity_core::{Criterion, Scalar};
 
@@ -14,33 +14,55 @@ const WITHIN: i8 = 3;
 /// Denominators: the two largest of 2 bits, no two neighbours equal, so that nothing is shared.
 const DENOMINATORS: [i32; 2] = [3, 2];
 
-fn within(low: i8, denominator: i32) -> Fraction<i32> {
-    let n = kani::any_where(|n: &i8| *n >= low && *n <= WITHIN);
+fn within(low: i8, high: i8, denominator: i32) -> Fraction<i32> {
+    let n = kani::any_where(|n: &i8| *n >= low && *n <= high);
     Fraction::new(i32::from(n), denominator)
 }
 
-/// TH-INTERVAL: within its stated bound a row of 32-bit fractions is defined in every field.
-#[kani::proof]
-fn th_interval_row_is_defined_within_its_bound() {
+/// The row of a step with the most friction and the largest fraction of time: with less, no numerator
+/// and no denominator of a field grows.
+fn row(start: Fraction<i32>, end: Fraction<i32>) -> Row<Fraction<i32>> {
     let [p, q] = DENOMINATORS;
-    let step = Step::new(within(-WITHIN, p), within(-WITHIN, q));
-    // The most friction and the largest fraction of time: with less, no numerator and no
-    // denominator of a field grows.
     let most = i32::from(WITHIN);
     let friction = Friction::new(Fraction::new(most, p), Fraction::new(most, q));
-    let dtau = Fraction::new(most, p);
-    let row = ledger::row(&step, &friction, &dtau);
-    let defined = row.net_linear.is_defined()
+    ledger::row(&Step::new(start, end), &friction, &Fraction::new(most, p))
+}
+
+fn is_defined(row: &Row<Fraction<i32>>) -> bool {
+    row.net_linear.is_defined()
         && row.net_quantized.is_defined()
         && row.bound_22.is_defined()
         && row.bound_quantized.is_defined()
-        && row.margin.is_defined();
+        && row.margin.is_defined()
+}
+
+/// TH-INTERVAL: within its stated bound a row of 32-bit fractions is defined in every field; here
+/// of a step that starts inside the wall or at its border.
+#[kani::proof]
+fn th_interval_row_is_defined_within_its_bound() {
+    let [p, q] = DENOMINATORS;
+    let row = row(within(0, WITHIN, p), within(-WITHIN, WITHIN, q));
     kani::cover!(
         row.margin.is_nonnegative() == Some(true),
         "the criterion holds"
     );
     kani::assert(
-        defined,
+        is_defined(&row),
+        "TH-INTERVAL: within its bound a row does not overflow",
+    );
+}
+
+/// TH-INTERVAL: the same of a step that starts outside the wall.
+#[kani::proof]
+fn th_interval_row_from_outside_is_defined_within_its_bound() {
+    let [p, q] = DENOMINATORS;
+    let row = row(within(-WITHIN, -1, p), within(-WITHIN, WITHIN, q));
+    kani::cover!(
+        row.margin.is_nonnegative() == Some(true),
+        "the criterion holds"
+    );
+    kani::assert(
+        is_defined(&row),
         "TH-INTERVAL: within its bound a row does not overflow",
     );
 }
