@@ -326,7 +326,7 @@ fn a_changed_line_makes_the_evidence_that_covers_it_stale_and_no_other() {
     assert_ne!(write(&[&scene, "--out", "case"]).code, 2);
     let before = records(&dir);
     assert!(before.len() > 50, "{}", before.len());
-    // A line of the kernel, of a query, and of a harness.
+    // A line of the kernel, of a query, and of a property test.
     for (file, old, new) in [
         (
             "crates/passivity-core/src/region.rs",

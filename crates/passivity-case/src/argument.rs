@@ -107,7 +107,7 @@ impl<'a> Builder<'a> {
         };
         let device = format!(
             "Device, loop and wall as in the scene file «{}»; {stiffness}.",
-            study.path.file_name().unwrap_or_default().to_string_lossy()
+            study.file_name()
         );
         let effects: Vec<&str> = study
             .scene

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::argument::TOP;
 use passivity_evidence::Sha256;
 
 use crate::case::{Case, HistoryEntry};
@@ -38,7 +37,7 @@ pub fn files(case: &Case) -> Result<BTreeMap<String, Vec<u8>>, CaseError> {
     for (study, argument) in case.scenes() {
         let name = &study.slug;
         files.insert(format!("{name}.gsn.yaml"), argument.to_yaml().into_bytes());
-        let drawing = draw(argument, TOP, &[], name);
+        let drawing = draw(argument, argument.top(), &[], name);
         files.insert(format!("{name}.gsn.svg"), drawing.svg.into_bytes());
         files.insert(format!("{name}.toml"), study.text.clone().into_bytes());
     }
@@ -110,10 +109,18 @@ fn swap(new: &Path, old: &Path, folder: &Path) -> Result<(), CaseError> {
         fs::rename(folder, old).map_err(|error| CaseError::io(folder, &error))?;
     }
     if let Err(error) = fs::rename(new, folder) {
-        if there {
-            let _ = fs::rename(old, folder);
-        }
-        return Err(CaseError::io(folder, &error));
+        let restored = if there {
+            fs::rename(old, folder)
+        } else {
+            Ok(())
+        };
+        return Err(match restored {
+            Ok(()) => CaseError::io(folder, &error),
+            Err(_) => {
+                let old = old.display();
+                CaseError::within(folder, format!("{error}; the earlier case is in `{old}`"))
+            }
+        });
     }
     // The new case stands; an old one that cannot be removed does no harm.
     let _ = fs::remove_dir_all(old);

@@ -53,10 +53,7 @@ pub fn write(document: &Document) -> String {
             section = true;
             let _ = writeln!(out, "<section aria-labelledby=\"{}\">", escape(id));
         }
-        match block {
-            Block::Contents => contents(&mut out, document),
-            block => write_block(&mut out, block),
-        }
+        write_block(&mut out, document, block);
     }
     if section {
         out.push_str("</section>\n");
@@ -65,8 +62,9 @@ pub fn write(document: &Document) -> String {
     out
 }
 
-fn contents(out: &mut String, document: &Document) {
-    out.push_str("<nav aria-label=\"Contents\">\n<h2 id=\"contents\">Contents</h2>\n<ul>\n");
+fn contents(document: &Document) -> String {
+    let mut out =
+        String::from("<nav aria-label=\"Contents\">\n<h2 id=\"contents\">Contents</h2>\n<ul>\n");
     for block in &document.blocks {
         let _ = match block {
             Block::Part(title) => writeln!(out, "<li class=\"of-part\">{}</li>", escape(title)),
@@ -79,12 +77,13 @@ fn contents(out: &mut String, document: &Document) {
             _ => Ok(()),
         };
     }
-    out.push_str("</ul>\n</nav>\n");
+    out.push_str("</ul>\n</nav>");
+    out
 }
 
-fn write_block(out: &mut String, block: &Block) {
+fn write_block(out: &mut String, document: &Document, block: &Block) {
     let _ = match block {
-        Block::Contents => Ok(()),
+        Block::Contents => writeln!(out, "{}", contents(document)),
         Block::Part(title) => writeln!(out, "<p class=\"part\">{}</p>", escape(title)),
         Block::Heading { level, id, text } => {
             writeln!(

@@ -71,6 +71,13 @@ impl Study {
         }
     }
 
+    /// The name of the file, without its folder.
+    #[must_use]
+    pub fn file_name(&self) -> String {
+        let name = self.path.file_name().unwrap_or(self.path.as_os_str());
+        name.to_string_lossy().into_owned()
+    }
+
     /// The check.
     #[must_use]
     pub fn report(&self) -> &Report {

@@ -5,7 +5,7 @@ mod text;
 
 use std::fmt::Write as _;
 
-use crate::gsn::{Argument, Kind, Standing};
+use crate::gsn::{Argument, Kind, Node, Standing};
 use layout::{Edge, Layout, Relation, Shape};
 use text::{FONT, LINE};
 
@@ -23,7 +23,7 @@ pub struct Drawing {
     pub height: f64,
 }
 
-/// Draws what is under the element `root`, down to the elements in `folded`, whose support is
+/// Draws what is under the element `top`, down to the elements in `folded`, whose support is
 /// drawn elsewhere; `name` must be unique among the drawings of a document.
 ///
 /// # Example
@@ -32,12 +32,11 @@ pub struct Drawing {
 /// use passivity_case::{draw::draw, gsn::{Argument, Kind, Node}};
 ///
 /// let argument = Argument::new("a wall", Node::new(Kind::Goal, "G1", "It is passive."));
-/// let drawing = draw(&argument, "G1", &[], "wall");
+/// let drawing = draw(&argument, argument.top(), &[], "wall");
 /// assert!(drawing.svg.contains("undeveloped"));
 /// ```
 #[must_use]
-pub fn draw(argument: &Argument, root: &str, folded: &[String], name: &str) -> Drawing {
-    let top = argument.node(root).unwrap_or_else(|| argument.top());
+pub fn draw(argument: &Argument, top: &Node, folded: &[String], name: &str) -> Drawing {
     let block = Layout::new(argument, folded).under(top);
     let (width, height) = (block.w + 2.0 * MARGIN, block.h + 2.0 * MARGIN);
     // Writing to a string cannot fail.
@@ -299,7 +298,6 @@ fn draw_edge(svg: &mut String, edge: &Edge) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gsn::Node;
 
     /// An argument with everything that a drawing can have, and more of it than usual.
     fn crowded() -> Argument {
@@ -403,9 +401,9 @@ mod tests {
     #[test]
     fn a_folded_drawing_leaves_the_support_to_another() {
         let argument = crowded();
-        let drawing = draw(&argument, "G-top", &["G-5".to_owned()], "one");
+        let drawing = draw(&argument, argument.top(), &["G-5".to_owned()], "one");
         assert!(drawing.svg.contains(">G-5<") && !drawing.svg.contains("Sn-5-0"));
-        let other = draw(&argument, "G-5", &[], "two");
+        let other = draw(&argument, argument.node("G-5").unwrap(), &[], "two");
         assert!(other.svg.contains("Sn-5-0") && !other.svg.contains(">G-4<"));
         assert!(
             other

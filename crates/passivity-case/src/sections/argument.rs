@@ -1,6 +1,6 @@
 //! The argument of a scene: drawn in parts, and as a table of its elements.
 
-use crate::argument::{PARTS, TOP};
+use crate::argument::PARTS;
 use crate::case::Case;
 use crate::document::{Block, Document, Figure, Line, Row};
 use crate::draw::draw;
@@ -20,14 +20,13 @@ pub(super) fn draw_parts(document: &mut Document, study: &Study, argument: &Argu
          its support is in a drawing of its own, a cross that it is defeated. The words at the foot \
          of an element say how its evidence stands. The annex has the same as a table.",
     );
-    let parts: Vec<String> = argument
+    let parts: Vec<&Node> = argument
         .nodes()
         .filter(|node| PARTS.contains(&node.id.as_str()))
-        .map(|node| node.id.clone())
         .collect();
-    let figure = |root: &str, folded: &[String], caption: String| {
-        let id = study.anchor(&format!("argument-{root}"));
-        let drawing = draw(argument, root, folded, &id);
+    let figure = |top: &Node, folded: &[String], caption: String| {
+        let id = study.anchor(&format!("argument-{}", top.id));
+        let drawing = draw(argument, top, folded, &id);
         let figure = Figure {
             id,
             svg: drawing.svg,
@@ -38,17 +37,14 @@ pub(super) fn draw_parts(document: &mut Document, study: &Study, argument: &Argu
         (drawing.width, figure)
     };
     let name = study.name();
+    let folded: Vec<String> = parts.iter().map(|part| part.id.clone()).collect();
     let caption = format!("Argument of «{name}»: the top goal and its parts");
-    let (_, top) = figure(TOP, &parts, caption);
+    let (_, top) = figure(argument.top(), &folded, caption);
     document.blocks.push(Block::Figure(top));
-    let supported = |part: &&String| {
-        let node = argument.node(part);
-        node.is_some_and(|node| !node.supported_by.is_empty())
-    };
     let mut drawn: Vec<(f64, Figure)> = parts
-        .iter()
-        .filter(supported)
-        .map(|part| figure(part, &[], format!("Argument of «{name}»: {part}")))
+        .into_iter()
+        .filter(|part| !part.supported_by.is_empty())
+        .map(|part| figure(part, &[], format!("Argument of «{name}»: {}", part.id)))
         .collect();
     // Small drawings stand side by side when they follow one another.
     drawn.sort_by(|(a, _), (b, _)| a.total_cmp(b));
