@@ -1,8 +1,10 @@
 //! `passivity case`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
+
+use passivity_evidence::{Claim, Claims, Engine, Evidence, Outcome, Record, Sha256, Shown, Tool};
 
 use crate::harness::{Dir, Run, shipped};
 
@@ -74,6 +76,9 @@ fn writes_a_case_that_refers_to_nothing_that_is_not_there() {
         "Claims and evidence",
         "Traceability",
         "Assumptions",
+        "What is shown",
+        "What is not shown",
+        "Glossary",
         "What the paper got wrong",
         "Limits",
         "How to reproduce",
@@ -92,8 +97,7 @@ fn writes_a_case_that_refers_to_nothing_that_is_not_there() {
     assert!(read(&dir, "case/bad.gsn.yaml").contains("defeated: true"));
     assert!(read(&dir, "case/bad.gsn.yaml").contains("challenges: G-passive"));
     assert!(!read(&dir, "case/good.gsn.yaml").contains("defeated: true"));
-    let pdf = fs::read(dir.path("case/case.pdf")).expect("a PDF");
-    assert!(pdf.starts_with(b"%PDF-") && pdf.len() > 20_000);
+    assert!(!dir.path("case/case.pdf").exists(), "only --pdf prints");
 }
 
 #[test]
@@ -259,38 +263,42 @@ fn every_shipped_scene_has_a_case() {
     assert!(to.iter().all(|reference| ids.contains(reference)));
 }
 
-/// A tree of its own with the claims, the recorded evidence and the kernel's sources.
+/// A tree of its own with the claims, the recorded evidence and every file that it rests on.
 fn tree(dir: &Dir) -> std::path::PathBuf {
     let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let to = dir.path("tree");
-    for folder in ["proofs", "crates/passivity-core/src"] {
-        fs::create_dir_all(to.join(folder)).expect("a folder");
-    }
-    let kernel = fs::read_dir(from.join("crates/passivity-core/src")).expect("the kernel");
-    let kernel = kernel.map(|entry| entry.expect("an entry").file_name());
-    let kernel = kernel.map(|name| Path::new("crates/passivity-core/src").join(name));
-    let files = ["proofs/claims.toml", "proofs/evidence.json"]
-        .map(Path::new)
-        .map(Path::to_owned);
-    for file in kernel.chain(files) {
-        fs::copy(from.join(&file), to.join(&file))
-            .unwrap_or_else(|e| panic!("{}: {e}", file.display()));
+    let text = fs::read_to_string(from.join("proofs/evidence.json")).expect("evidence");
+    let recorded = Evidence::parse("evidence", &text).expect("evidence");
+    let claims = Claims::read(&from).expect("claims");
+    let mut files: BTreeSet<String> = claims.claims.iter().flat_map(Claim::files).collect();
+    files.extend(
+        recorded
+            .runs
+            .into_iter()
+            .flat_map(|run| run.files.into_keys()),
+    );
+    files.extend([Claims::PATH, "proofs/evidence.json"].map(str::to_owned));
+    for file in files {
+        let folder = to.join(&file);
+        fs::create_dir_all(folder.parent().expect("a folder")).expect("a folder");
+        fs::copy(from.join(&file), to.join(&file)).unwrap_or_else(|e| panic!("{file}: {e}"));
     }
     to
 }
 
 /// The recorded evidence, as if it had been recorded for the tree as it is.
-fn recorded_now(root: &Path) -> serde_json::Value {
+fn recorded_now(root: &Path) -> Evidence {
     let text = fs::read_to_string(root.join("proofs/evidence.json")).expect("evidence");
-    let mut recorded: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-    let claims = passivity_evidence::Claims::read(root).expect("claims");
-    for record in recorded["records"].as_array_mut().expect("records") {
-        let claim = claims
-            .find(record["claim"].as_str().expect("an id"))
-            .expect("a claim");
-        record["claim_sha256"] = claim.sha256().into();
-        let sources = claim.sources(root).expect("sources");
-        record["sources"] = serde_json::to_value(sources).expect("JSON");
+    let mut recorded = Evidence::parse("evidence", &text).expect("evidence");
+    let claims = Claims::read(root).expect("claims");
+    for record in &mut recorded.records {
+        let claim = claims.find(&record.claim).expect("a claim");
+        record.statement = claims.statement(claim, record.engine).expect("a statement");
+    }
+    for run in &mut recorded.runs {
+        for (file, sum) in &mut run.files {
+            *sum = Sha256::of(&fs::read(root.join(file)).expect("a source"));
+        }
     }
     recorded
 }
@@ -311,68 +319,141 @@ fn a_changed_line_makes_the_evidence_that_covers_it_stale_and_no_other() {
     let dir = Dir::new();
     let root = tree(&dir);
     let scene = dir.write("good.toml", GOOD);
-    let evidence = root.join("proofs/evidence.json");
     let recorded = recorded_now(&root);
-    fs::write(&evidence, recorded.to_string()).expect("evidence");
-    let write = |case: &[&str]| {
-        let mut args = vec!["case", "--root", "tree"];
-        args.extend(case);
-        dir.run(&args)
-    };
+    let text = recorded.to_text().expect("text");
+    fs::write(root.join("proofs/evidence.json"), text).expect("evidence");
+    let write = |case: &[&str]| dir.run(&[&["case", "--root", "tree"], case].concat());
     assert_ne!(write(&[&scene, "--out", "case"]).code, 2);
     let before = records(&dir);
     assert!(before.len() > 50, "{}", before.len());
-    let file = "crates/passivity-core/src/region.rs";
-    let text = fs::read_to_string(root.join(file)).expect("a source");
-    fs::write(
-        root.join(file),
-        text.replace("(Less, Greater)", "(Greater, Less)"),
-    )
-    .expect("an edit");
-    let run = write(&["--check", "case", "--format", "json"]);
-    assert_eq!(run.code, 1, "{}", run.stderr);
-    let document = run.json();
-    let stale: Vec<&str> = document["evidence"]
-        .as_array()
-        .expect("a list")
-        .iter()
-        .filter_map(|line| line.as_str())
-        .collect();
-    let covers = |record: &serde_json::Value| record["sources"].get(file).is_some();
-    let ran = |record: &serde_json::Value| record["not_run"].is_null();
-    let list = recorded["records"].as_array().expect("records");
-    let covering: Vec<String> = list
-        .iter()
-        .filter(|record| covers(record) && ran(record))
-        .map(|r| {
-            format!(
-                "{}/{}",
-                r["claim"].as_str().expect("an id"),
-                r["engine"].as_str().expect("an engine")
-            )
-        })
-        .filter(|id| before[id] == "fresh")
-        .collect();
-    assert!(!covering.is_empty() && covering.len() < list.len());
-    for line in &stale {
-        let id = line.split(": ").next().expect("an id");
-        assert!(covering.iter().any(|covering| covering == id), "{line}");
-        assert!(line.contains(file), "{line}");
+    // A line of the kernel, of a query, and of a property test.
+    for (file, old, new) in [
+        (
+            "crates/passivity-core/src/region.rs",
+            "(Less, Greater)",
+            "(Greater, Less)",
+        ),
+        (
+            "proofs/smt/queries/th_lin_bound.smt2",
+            "(check-sat)",
+            "(exit)",
+        ),
+        (
+            "crates/passivity-core/tests/properties/law.rs",
+            "fn ",
+            "fn  ",
+        ),
+    ] {
+        let path = root.join(file);
+        let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{file}: {e}"));
+        assert!(text.contains(old), "{file}");
+        fs::write(&path, text.replace(old, new)).expect("an edit");
+        let run = write(&["--check", "case", "--format", "json"]);
+        assert_eq!(run.code, 1, "{}", run.stderr);
+        let document = run.json();
+        let stale: BTreeSet<String> = document["evidence"]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .map(|line| {
+                let line = line.as_str().expect("a line");
+                assert!(line.contains(file), "{line}");
+                line.split(": ").next().expect("an id").to_owned()
+            })
+            .collect();
+        let covers = |record: &&Record| record.sources.iter().any(|source| source == file);
+        let covering: BTreeSet<String> = recorded
+            .records
+            .iter()
+            .filter(covers)
+            .map(Record::id)
+            .filter(|id| before[id] == "fresh")
+            .collect();
+        assert!(!covering.is_empty() && covering.len() < before.len());
+        assert_eq!(stale, covering, "{file}");
+        assert_eq!(
+            document["unchanged"].as_u64(),
+            Some((before.len() - covering.len()) as u64)
+        );
+        if file.ends_with("region.rs") {
+            // Written anew, the case shows it, and a strict one is refused.
+            let strict = write(&[&scene, "--out", "strict", "--strict"]);
+            assert_eq!(strict.code, 1);
+            let says = format!("stale: changed since: {file}");
+            assert!(strict.stdout.contains(&says), "{}", strict.stdout);
+            assert!(read(&dir, "strict/case.html").contains(&says));
+        }
+        fs::write(&path, text).expect("the edit undone");
     }
-    assert_eq!(stale.len(), covering.len());
-    assert_eq!(
-        document["unchanged"].as_u64(),
-        Some((before.len() - covering.len()) as u64)
-    );
-    // Written anew, the case shows it, and a strict one is refused.
-    let strict = write(&[&scene, "--out", "case", "--strict"]);
-    assert_eq!(strict.code, 1);
+}
+
+/// Evidence in which everything that a claim asks for was run.
+fn all_was_run(root: &Path) -> Evidence {
+    let mut recorded = recorded_now(root);
+    let kani = |engine: Engine| engine == Engine::Kani;
+    let sources: BTreeMap<String, Vec<String>> = recorded
+        .records
+        .iter()
+        .filter(|record| record.engine == Engine::StandIn)
+        .map(|record| (record.claim.clone(), record.sources.clone()))
+        .collect();
+    let stand_in = recorded.run(Engine::StandIn).expect("a run").clone();
+    for run in recorded.runs.iter_mut().filter(|run| kani(run.engine)) {
+        run.outcome = stand_in.outcome.clone();
+        run.files = stand_in.files.clone();
+        run.commit = Some("a1".repeat(20));
+        run.tools = vec![Tool {
+            name: "Kani".into(),
+            version: Some("0.67.0".into()),
+        }];
+    }
+    for record in recorded.records.iter_mut().filter(|r| kani(r.engine)) {
+        record.outcome = Outcome::Shown(vec![Shown::AllInputs { domains: 1 }]);
+        record.parts = vec!["a_harness".into()];
+        record.sources = sources[&record.claim].clone();
+    }
+    recorded
+}
+
+#[test]
+fn a_strict_case_passes_when_all_that_is_required_was_run() {
+    let dir = Dir::new();
+    let root = tree(&dir);
+    let scene = dir.write("good.toml", GOOD);
+    let complete = all_was_run(&root);
+    let strict = |evidence: &Evidence| {
+        let text = evidence.to_text().expect("text");
+        fs::write(root.join("proofs/evidence.json"), text).expect("evidence");
+        dir.run(&[
+            "case", "--root", "tree", &scene, "--out", "case", "--strict",
+        ])
+    };
+    let run = strict(&complete);
+    assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("Nothing is open, stale or missing."));
+    let html = read(&dir, "case/case.html");
+    let at = format!("Kani 0.67.0, at commit {}", "a1".repeat(20));
+    assert!(html.contains(&at), "where the record was made is said");
+    // One record that was not run is enough to refuse it.
+    let mut one_missing = complete;
+    let record = &mut one_missing.records[0];
+    let id = record.id();
+    record.outcome = Outcome::NotRun("left out".into());
+    let run = strict(&one_missing);
+    assert_eq!(run.code, 1, "{id}");
     assert!(
-        strict
-            .stdout
-            .contains("stale: changed since: crates/passivity-core/src/region.rs")
+        run.stdout.contains("not run here: left out"),
+        "{}",
+        run.stdout
     );
-    assert!(read(&dir, "case/case.html").contains("stale: changed since"));
+    // And so is a parameter whose source is still to be written.
+    dir.write(
+        "good.toml",
+        GOOD.replace("# Measured on the bench.", "# TODO"),
+    );
+    let run = strict(&all_was_run(&root));
+    assert_eq!(run.code, 1);
+    assert!(run.stdout.contains("G-sources is open"), "{}", run.stdout);
 }
 
 #[test]
@@ -386,10 +467,9 @@ fn missing_and_corrupt_evidence_is_said_and_writes_nothing() {
         dir.run(&[&["case", "--root", "tree", &scene, "--out", "case"], args].concat())
     };
     // A record that is missing was not run.
-    let mut recorded: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-    let list = recorded["records"].as_array_mut().expect("records");
-    list.retain(|record| record["claim"] != "TH-LIN");
-    fs::write(&evidence, recorded.to_string()).expect("evidence");
+    let mut recorded = Evidence::parse("evidence", &text).expect("evidence");
+    recorded.records.retain(|record| record.claim != "TH-LIN");
+    fs::write(&evidence, recorded.to_text().expect("text")).expect("evidence");
     let written = run(&["--strict"]);
     assert_eq!(written.code, 1, "{}", written.stderr);
     let yaml = read(&dir, "case/good.gsn.yaml");
@@ -409,4 +489,143 @@ fn missing_and_corrupt_evidence_is_said_and_writes_nothing() {
     fs::write(root.join("proofs/claims.toml"), "[[claim]]\nid = 1\n").expect("claims");
     one_error(&run(&[]), "claims.toml");
     assert!(!dir.path("case").exists());
+}
+
+#[test]
+fn the_people_and_the_date_are_those_that_were_given() {
+    let dir = Dir::new();
+    let scene = dir.write("good.toml", GOOD);
+    let info = dir.write(
+        "device.toml",
+        "title = \"The wall of the trainer\"\nauthor = \"A. Person\"\ndate = 2026-03-31\n",
+    );
+    let run = dir.run(&["case", &scene, "--out", "case", "--info", &info]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let html = read(&dir, "case/case.html");
+    for says in [
+        "<h1>The wall of the trainer</h1>",
+        "A. Person",
+        "2026-03-31",
+        "not given",
+    ] {
+        assert!(html.contains(says), "{says}");
+    }
+    assert!(read(&dir, "case/case.info.toml").contains("A. Person"));
+    for (text, about) in [
+        ("author = \"TODO\"\n", "`author` still has to be filled in"),
+        ("approval = \" \"\n", "`approval` still has to be filled in"),
+        ("date = \"today\"\n", "`date` must be a day"),
+        ("athor = \"A. Person\"\n", "athor"),
+    ] {
+        let info = dir.write("device.toml", text);
+        let run = dir.run(&["case", &scene, "--out", "other", "--info", &info]);
+        one_error(&run, about);
+        assert!(run.stderr.contains("device.toml"), "{}", run.stderr);
+        assert!(!dir.path("other").exists());
+    }
+}
+
+#[cfg(unix)]
+mod pdf {
+    use std::os::unix::fs::PermissionsExt as _;
+    use std::process::Command;
+
+    use super::*;
+
+    /// Runs the command with what it finds on the PATH and in `PASSIVITY_BROWSER`.
+    fn run(dir: &Dir, args: &[&str], path: &Path, browser: Option<&Path>) -> Run {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_passivity"));
+        command
+            .args(args)
+            .current_dir(dir.path("."))
+            .env("PATH", path);
+        match browser {
+            Some(browser) => command.env("PASSIVITY_BROWSER", browser),
+            None => command.env_remove("PASSIVITY_BROWSER"),
+        };
+        command.output().expect("the command starts").into()
+    }
+
+    /// A script in the place of a browser.
+    fn script(dir: &Dir, name: &str, text: &str) -> std::path::PathBuf {
+        fs::create_dir_all(dir.path("bin")).expect("a folder");
+        dir.write(&format!("bin/{name}"), format!("#!/bin/sh\n{text}\n"));
+        let path = dir.path(&format!("bin/{name}"));
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).expect("a script");
+        path
+    }
+
+    const PRINTS: &str = "for a in \"$@\"; do case $a in --print-to-pdf=*) out=${a#*=};; esac; done\n\
+                          echo '%PDF-1.4 printed' >\"$out\"";
+
+    #[test]
+    fn a_browser_prints_the_document_and_the_manifest_has_its_hash() {
+        let dir = Dir::new();
+        let scene = dir.write("good.toml", GOOD);
+        script(&dir, "chromium", PRINTS);
+        let args = ["case", &scene, "--out", "case", "--pdf", "--format", "json"];
+        let run = run(&dir, &args, &dir.path("bin"), None);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        assert_eq!(run.json()["pdf"], "case.pdf");
+        assert_eq!(read(&dir, "case/case.pdf"), "%PDF-1.4 printed\n");
+        assert_eq!(dir.run(&["case", "--check", "case"]).code, 0);
+        dir.write("case/case.pdf", "%PDF-1.4 changed");
+        let check = dir.run(&["case", "--check", "case"]);
+        assert_eq!(check.code, 1);
+        assert!(
+            check.stdout.contains("`case.pdf` was changed"),
+            "{}",
+            check.stdout
+        );
+        // A case that is written again without --pdf does not keep the old print.
+        assert_eq!(dir.run(&["case", &scene, "--out", "case"]).code, 0);
+        assert!(!dir.path("case/case.pdf").exists());
+    }
+
+    #[test]
+    fn without_a_browser_the_case_is_written_and_the_error_says_how_to_print_by_hand() {
+        let dir = Dir::new();
+        let scene = dir.write("good.toml", GOOD);
+        let failing = script(&dir, "failing", "echo no display >&2; exit 7");
+        let nowhere = dir.path("nowhere");
+        for (browser, about) in [
+            (None, "PASSIVITY_BROWSER"),
+            (Some(failing.as_path()), "no display"),
+            (Some(nowhere.as_path()), "nowhere"),
+        ] {
+            let args = ["case", &scene, "--out", "case", "--pdf"];
+            let run = run(&dir, &args, &nowhere, browser);
+            one_error(&run, about);
+            assert!(
+                run.stderr
+                    .contains("to print it by hand, open `case/case.html`")
+            );
+            assert!(dir.path("case/case.html").is_file());
+            assert!(!dir.path("case/case.pdf").exists());
+            assert_eq!(dir.run(&["case", "--check", "case"]).code, 0);
+        }
+    }
+
+    /// The pages of a PDF as browsers write it, each an object of its own.
+    fn pages(pdf: &[u8]) -> usize {
+        let text = String::from_utf8_lossy(pdf);
+        let all = text.matches("/Type /Page").count();
+        all - text.matches("/Type /Pages").count()
+    }
+
+    #[test]
+    #[ignore = "needs chromium: cargo test -p passivity-cli --test cli -- --ignored real_browser"]
+    fn a_real_browser_prints_every_case() {
+        let dir = Dir::new();
+        let path = std::env::var_os("PATH").expect("a PATH");
+        for scene in shipped() {
+            let scene = scene.to_str().expect("UTF-8");
+            let args = ["case", scene, "--out", "case", "--pdf"];
+            let run = run(&dir, &args, Path::new(&path), None);
+            assert_ne!(run.code, 2, "{scene}: {}", run.stderr);
+            let pdf = fs::read(dir.path("case/case.pdf")).expect("a PDF");
+            let pages = pages(&pdf);
+            assert!((10..=40).contains(&pages), "{scene}: {pages} pages");
+        }
+    }
 }

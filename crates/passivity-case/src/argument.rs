@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 use passivity_scene::Effect;
 use passivity_scene::check::{BoundSource, Report, Verdict};
 use passivity_scene::display::{approx, range};
+use passivity_scene::explain::Step;
 
-use crate::gsn::{Argument, Kind, Node, Standing};
-use crate::records::Records;
+use crate::gsn::{Anchor, Argument, Kind, Node, Standing};
+use crate::records::{Records, standing};
 use crate::study::{Source, Study};
 
 /// The top goal.
@@ -33,7 +34,7 @@ pub const PARTS: [&str; 6] = [
 /// The argument for one scene, with the standing of the recorded evidence.
 #[must_use]
 pub fn argue(study: &Study, records: &Records) -> Argument {
-    let mut build = Build {
+    let mut build = Builder {
         study,
         records,
         argument: top(study),
@@ -65,27 +66,37 @@ fn top(study: &Study) -> Argument {
     );
     Argument::new(
         study.name(),
-        Node::new(Kind::Goal, TOP, text).at(study.anchor("summary")),
+        Node::new(Kind::Goal, TOP, text).at(study.section("verdict", "Verdict")),
     )
 }
 
-impl Study {
-    /// The id of one of this scene's elements in the document.
-    #[must_use]
-    pub fn anchor(&self, element: &str) -> String {
-        format!("{}-{element}", self.slug)
-    }
+/// The records of the claims.
+fn claims_section() -> Anchor {
+    Anchor::Section("claims".to_owned(), "Claims and evidence")
 }
 
-struct Build<'a> {
+/// What the case does not say.
+fn limits_section() -> Anchor {
+    Anchor::Section("limits".to_owned(), "Limits")
+}
+
+struct Builder<'a> {
     study: &'a Study,
     records: &'a Records,
     argument: Argument,
 }
 
-impl<'a> Build<'a> {
+impl<'a> Builder<'a> {
     fn report(&self) -> &'a Report {
         self.study.report()
+    }
+
+    fn derivation(&self) -> Anchor {
+        self.study.section("derivation", "Derivation")
+    }
+
+    fn parameters_section(&self) -> Anchor {
+        self.study.section("parameters", "Device and parameters")
     }
 
     fn surroundings(&mut self) {
@@ -96,7 +107,7 @@ impl<'a> Build<'a> {
         };
         let device = format!(
             "Device, loop and wall as in the scene file «{}»; {stiffness}.",
-            study.path.file_name().unwrap_or_default().to_string_lossy()
+            study.file_name()
         );
         let effects: Vec<&str> = study
             .scene
@@ -105,20 +116,21 @@ impl<'a> Build<'a> {
             .map(Effect::words)
             .collect();
         let nodes = [
-            Node::new(Kind::Context, "C-device", device).at(study.anchor("parameters")),
+            Node::new(Kind::Context, "C-device", device)
+                .at(study.section("parameters", "Device and parameters")),
             Node::new(
                 Kind::Context,
                 "C-effects",
                 format!("Effects in the scene: {}.", effects.join("; ")),
             )
-            .at(study.anchor("derivation")),
+            .at(self.derivation()),
             Node::new(
                 Kind::Context,
                 "C-passive",
                 "Passive: at every sampling instant the work of the hand so far is at least the \
                  stored energy less what was stored at the start.",
             )
-            .at("hazards"),
+            .at(Anchor::Section("hazards".to_owned(), "Hazards")),
         ];
         for node in nodes {
             self.argument.hang(TOP, node);
@@ -130,23 +142,22 @@ impl<'a> Build<'a> {
         let storage = "Energy is measured against the linear spring. Against the quantized spring \
                        of the paper (22) is false as printed; the conclusion stands, with another \
                        storage.";
-        let storage = Node::new(Kind::Justification, "J-storage", storage).at("errata");
+        let errata = Anchor::Section("errata".to_owned(), "What the paper got wrong");
+        let storage = Node::new(Kind::Justification, "J-storage", storage).at(errata);
         self.argument.hang(STRATEGY, storage);
     }
 
     /// What the held force generates, with the effects that the scene has.
     fn generation(&mut self) {
         let report = self.report();
-        let bound = self
-            .study
-            .explanation
-            .lines
-            .iter()
-            .find(|line| line.formula.starts_with("E_g"))
-            .map_or_else(
-                || "E_g ≤ ½·d² + ½·|d|".to_owned(),
-                |line| line.formula.clone(),
-            );
+        let bound = self.study.explanation.line(Step::Generated);
+        let text = bound.map_or_else(
+            || "What the held force generates in a sampling interval is bounded.".to_owned(),
+            |line| {
+                let bound = &line.formula;
+                format!("In every sampling interval the held force generates at most {bound}.")
+            },
+        );
         let mut ids = vec![if report.sigma.is_some() {
             "TH-LIN"
         } else {
@@ -158,7 +169,6 @@ impl<'a> Build<'a> {
                 ids.push(id);
             }
         }
-        let text = format!("In every sampling interval the held force generates at most {bound}.");
         self.claims_goal(GENERATION, &text, &ids);
     }
 
@@ -177,15 +187,13 @@ impl<'a> Build<'a> {
     fn criterion(&mut self) {
         let report = self.report();
         let verdict = report.verdict;
-        let line = self
-            .study
-            .explanation
-            .lines
-            .iter()
-            .find(|line| line.id == "(8)");
-        let numbers = line.map_or("", |line| &line.numbers);
-        let text = format!("The criterion holds {}: {numbers}.", self.study.speeds());
-        let goal = Node::new(Kind::Goal, CRITERION, text).at(self.study.anchor("derivation"));
+        let criterion = self.study.criterion();
+        let text = format!(
+            "The criterion holds {}, for every value within the tolerances. {}",
+            self.study.speeds(),
+            criterion.sentence()
+        );
+        let goal = Node::new(Kind::Goal, CRITERION, text).at(self.derivation());
         self.argument.hang(STRATEGY, goal);
         let margin = report.margin_at_speed_bound.as_ref();
         let margin = margin.filter(|_| report.speed_bound.is_some() && !self.at_all_speeds());
@@ -197,19 +205,18 @@ impl<'a> Build<'a> {
             "Margin {} {at}: exact arithmetic, done for this case.",
             range(margin)
         );
-        let claim = self.claim_goal("TH-REGION");
         match verdict {
             Verdict::Passive => {
                 let solution = Node::new(Kind::Solution, "Sn-margin", figure)
-                    .at(self.study.anchor("derivation"))
+                    .at(self.derivation())
                     .stands(Standing::Shown);
                 self.argument.hang(CRITERION, solution);
-                self.hang_claim(CRITERION, claim);
+                self.hang_claim(CRITERION, "TH-REGION");
             }
             // What no theorem covers takes the meaning from the figures; what depends is open.
             Verdict::NotCovered | Verdict::Depends => {}
             Verdict::NotGuaranteed | Verdict::NotPassive => {
-                self.hang_claim(CRITERION, claim);
+                self.hang_claim(CRITERION, "TH-REGION");
                 let counter = Node::new(
                     Kind::CounterGoal,
                     "CG-criterion",
@@ -217,7 +224,7 @@ impl<'a> Build<'a> {
                 );
                 self.argument.challenge(CRITERION, counter);
                 let solution = Node::new(Kind::CounterSolution, "CSn-margin", figure)
-                    .at(self.study.anchor("derivation"))
+                    .at(self.derivation())
                     .stands(Standing::Shown);
                 self.argument.hang("CG-criterion", solution);
             }
@@ -236,7 +243,7 @@ impl<'a> Build<'a> {
         let text = "The arithmetic of rationals is a library's (num-rational on num-bigint); π is \
                     enclosed between rationals and refined until it does not matter. Both are \
                     tested, and trusted.";
-        let why = Node::new(Kind::Justification, "J-arithmetic", text).at("limits");
+        let why = Node::new(Kind::Justification, "J-arithmetic", text).at(limits_section());
         self.argument.hang(NUMERICS, why);
     }
 
@@ -244,7 +251,7 @@ impl<'a> Build<'a> {
     fn parameters(&mut self) {
         let text = "The parameters of the device and its loop lie within the values and \
                     tolerances of the scene file, for as long as it is used.";
-        let goal = Node::new(Kind::Goal, PARAMETERS, text).at(self.study.anchor("parameters"));
+        let goal = Node::new(Kind::Goal, PARAMETERS, text).at(self.parameters_section());
         self.argument.hang(STRATEGY, goal);
         let mut at_head = Vec::new();
         let mut open = Vec::new();
@@ -256,7 +263,7 @@ impl<'a> Build<'a> {
                 Source::Comment(comment) => {
                     let text = format!("{}: {}", given.key, clipped(&comment, 90));
                     let solution = Node::new(Kind::Solution, format!("Sn-{}", given.key), text)
-                        .at(self.study.anchor("parameters"))
+                        .at(self.parameters_section())
                         .stands(Standing::Shown);
                     self.argument.hang(PARAMETERS, solution);
                 }
@@ -270,13 +277,13 @@ impl<'a> Build<'a> {
                 at_head.len()
             );
             let solution = Node::new(Kind::Solution, "Sn-head", text)
-                .at(self.study.anchor("parameters"))
+                .at(self.parameters_section())
                 .stands(Standing::Shown);
             self.argument.hang(PARAMETERS, solution);
         }
         if !open.is_empty() {
             let text = format!("The source of these is stated: {}.", open.join(", "));
-            let goal = Node::new(Kind::Goal, "G-sources", text).at(self.study.anchor("parameters"));
+            let goal = Node::new(Kind::Goal, "G-sources", text).at(self.parameters_section());
             self.argument.hang(PARAMETERS, goal);
         }
     }
@@ -292,7 +299,7 @@ impl<'a> Build<'a> {
             "No more energy is generated with what no theorem covers: {}.",
             words.join("; ")
         );
-        let goal = Node::new(Kind::Goal, "G-not-covered", text).at("limits");
+        let goal = Node::new(Kind::Goal, "G-not-covered", text).at(limits_section());
         self.argument.hang(STRATEGY, goal);
     }
 
@@ -310,63 +317,52 @@ impl<'a> Build<'a> {
             short(&witness.to),
             short(&witness.gain_per_cycle),
         );
-        let counter =
-            Node::new(Kind::CounterGoal, "CG-cycle", text).at(self.study.anchor("derivation"));
+        let counter = Node::new(Kind::CounterGoal, "CG-cycle", text).at(self.derivation());
         self.argument.challenge(TOP, counter);
         let exact = "The work of the held force and of friction over the cycle: exact arithmetic, \
                      done for this case.";
         let solution = Node::new(Kind::CounterSolution, "CSn-witness", exact)
-            .at(self.study.anchor("derivation"))
+            .at(self.derivation())
             .stands(Standing::Shown);
         self.argument.hang("CG-cycle", solution);
         let id = if encoder { "TH-ACTIVE" } else { "TH-SMOOTH" };
-        let (text, standing) = self.evidence_of(id);
-        let solution = Node::new(Kind::CounterSolution, format!("CSn-{id}"), text)
-            .at(format!("claim-{id}"))
-            .stands(standing);
+        let solution = self.evidence_of(Kind::CounterSolution, "CSn", id);
         self.argument.hang("CG-cycle", solution);
     }
 
     /// A goal that rests on claims.
     fn claims_goal(&mut self, id: &str, text: &str, claims: &[&str]) {
-        self.argument
-            .hang(STRATEGY, Node::new(Kind::Goal, id, text).at("claims"));
+        self.argument.hang(
+            STRATEGY,
+            Node::new(Kind::Goal, id, text).at(claims_section()),
+        );
         for claim in claims {
-            let goal = self.claim_goal(claim);
-            self.hang_claim(id, goal);
+            self.hang_claim(id, claim);
         }
     }
 
-    /// A claim as a goal; `None` for an id that is no claim here.
-    fn claim_goal(&self, id: &str) -> Option<Node> {
-        let claim = self.records.claim(id)?;
+    /// Hangs a claim under a goal, as a goal of its own with its evidence; an id that is no claim
+    /// here leaves the goal without that support.
+    fn hang_claim(&mut self, parent: &str, id: &str) {
+        let Some(claim) = self.records.claims.find(id) else {
+            return;
+        };
         let text = clipped(&claim.sentence, 220);
-        Some(Node::new(Kind::Goal, format!("G-{id}"), text).at(format!("claim-{id}")))
-    }
-
-    fn hang_claim(&mut self, parent: &str, goal: Option<Node>) {
-        let Some(goal) = goal else { return };
-        let goal_id = goal.id.clone();
-        let id = goal_id.trim_start_matches("G-").to_owned();
+        let goal_id = format!("G-{id}");
+        let goal = Node::new(Kind::Goal, &goal_id, text).at(Anchor::Claim(id.to_owned()));
         self.argument.hang(parent, goal);
-        let (text, standing) = self.evidence_of(&id);
-        let solution = Node::new(Kind::Solution, format!("Sn-{id}"), text)
-            .at(format!("claim-{id}"))
-            .stands(standing);
+        let solution = self.evidence_of(Kind::Solution, "Sn", id);
         self.argument.hang(&goal_id, solution);
     }
 
     /// The engines that were to show a claim, each with how it stands.
-    fn evidence_of(&self, id: &str) -> (String, Standing) {
-        let Some(claim) = self.records.claim(id) else {
-            return ("No such claim is recorded.".to_owned(), Standing::NotRun);
-        };
-        let engines: Vec<String> = claim
-            .evidence
-            .iter()
-            .map(|evidence| match evidence.standing() {
-                Standing::Shown => evidence.engine.words().to_owned(),
-                standing => format!("{} ({})", evidence.engine.words(), standing.words()),
+    fn evidence_of(&self, kind: Kind, prefix: &str, id: &str) -> Node {
+        let engines: Vec<String> = self
+            .records
+            .of_claim(id)
+            .map(|assessed| match standing(&assessed.freshness) {
+                Standing::Shown => assessed.engine.words().to_owned(),
+                standing => format!("{} ({})", assessed.engine.words(), standing.words()),
             })
             .collect();
         let text = if engines.is_empty() {
@@ -374,46 +370,46 @@ impl<'a> Build<'a> {
         } else {
             format!("Evidence: {}.", engines.join(", "))
         };
-        (text, claim.standing())
+        Node::new(kind, format!("{prefix}-{id}"), text)
+            .at(Anchor::Claim(id.to_owned()))
+            .stands(self.records.standing(id))
     }
 
     /// The assumptions of the claims used: at the one part that needs it, else at the strategy.
     fn assumptions(&mut self) {
         let mut users: BTreeMap<String, Vec<&str>> = BTreeMap::new();
         for part in PARTS {
-            let Some(node) = self.argument.node(part) else {
-                continue;
-            };
-            for goal in &node.supported_by {
-                let Some(claim) = self.records.claim(goal.trim_start_matches("G-")) else {
-                    continue;
-                };
-                for id in &claim.assumptions {
-                    let places = users.entry(id.clone()).or_default();
-                    if !places.contains(&part) {
-                        places.push(part);
-                    }
+            for id in self.assumptions_under(part) {
+                let places = users.entry(id).or_default();
+                if !places.contains(&part) {
+                    places.push(part);
                 }
             }
         }
-        for assumption in &self.records.assumptions {
+        for assumption in &self.records.claims.assumptions {
             let Some(places) = users.get(&assumption.id) else {
                 continue;
             };
-            let place = if let [only] = places[..] {
-                only
-            } else {
-                STRATEGY
+            let place = match places[..] {
+                [only] => only,
+                _ => STRATEGY,
             };
-            let id = if assumption.id.starts_with('A') {
-                assumption.id.clone()
-            } else {
-                format!("A-{}", assumption.id)
-            };
-            let node = Node::new(Kind::Assumption, id, clipped(&assumption.sentence, 160))
-                .at(format!("assumption-{}", assumption.id));
+            let text = clipped(&assumption.sentence, 160);
+            let node = Node::new(Kind::Assumption, &assumption.id, text)
+                .at(Anchor::Assumption(assumption.id.clone()));
             self.argument.hang(place, node);
         }
+    }
+
+    /// The assumptions of the claims that support a goal.
+    fn assumptions_under(&self, goal: &str) -> Vec<String> {
+        let supports = self.argument.node(goal).map(|node| &node.supported_by);
+        let supports = supports.into_iter().flatten();
+        let claims = supports.filter_map(|id| match &self.argument.node(id)?.anchor {
+            Some(Anchor::Claim(id)) => self.records.claims.find(id),
+            _ => None,
+        });
+        claims.flat_map(|claim| claim.assumptions.clone()).collect()
     }
 }
 
@@ -433,6 +429,8 @@ fn clipped(text: &str, most: usize) -> String {
         return text.to_owned();
     }
     let cut: String = text.chars().take(most - 1).collect();
-    let end = cut.rfind(' ').unwrap_or(cut.len());
-    format!("{}…", &cut[..end])
+    match cut.rsplit_once(' ') {
+        Some((whole_words, _)) => format!("{whole_words}…"),
+        None => format!("{cut}…"),
+    }
 }

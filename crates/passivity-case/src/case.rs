@@ -1,9 +1,14 @@
 //! A case: scenes, their arguments, the records they rest on, and the history of their verdicts.
 
 use std::collections::BTreeMap;
+use std::fmt;
+
+use passivity_evidence::{Freshness, Sha256};
+use serde::{Deserialize, Serialize};
 
 use crate::argument::argue;
-use crate::gsn::{Argument, Standing};
+use crate::gsn::Argument;
+use crate::info::Info;
 use crate::records::Records;
 use crate::study::Study;
 
@@ -17,20 +22,22 @@ pub struct Case {
     /// The claims and their evidence.
     pub records: Records,
     /// The verdicts that were given so far, the newest of each scene last.
-    pub history: Vec<Past>,
+    pub history: Vec<HistoryEntry>,
+    /// Who wrote the case, for what, and who approved it.
+    pub info: Option<Info>,
     /// Whether to measure what accuracy costs in time, which differs from run to run.
     pub measured: bool,
 }
 
 /// A verdict that was given.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Past {
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
+pub struct HistoryEntry {
     /// The scene's name in file names.
     pub scene: String,
     /// SHA-256 of the scene file.
-    pub scene_sha256: String,
+    pub scene_sha256: Sha256,
     /// SHA-256 of the claims' text.
-    pub claims_sha256: String,
+    pub claims_sha256: Sha256,
     /// The version of `passivity`.
     pub version: String,
     /// The verdict, as machine-readable output names it.
@@ -45,15 +52,15 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 impl Case {
     /// A case over scenes, with the verdicts that an earlier case recorded.
     #[must_use]
-    pub fn new(mut studies: Vec<Study>, records: Records, earlier: Vec<Past>) -> Self {
+    pub fn new(mut studies: Vec<Study>, records: Records, earlier: Vec<HistoryEntry>) -> Self {
         name_apart(&mut studies);
         let arguments = studies.iter().map(|study| argue(study, &records)).collect();
         let mut history = earlier;
         for study in &studies {
-            let now = Past {
+            let now = HistoryEntry {
                 scene: study.slug.clone(),
-                scene_sha256: study.sha256.clone(),
-                claims_sha256: records.claims_sha256.clone(),
+                scene_sha256: study.sha256,
+                claims_sha256: records.claims_sha256,
                 version: VERSION.to_owned(),
                 verdict: study.report().verdict.name().to_owned(),
                 headline: study.report().headline(),
@@ -68,6 +75,7 @@ impl Case {
             arguments,
             records,
             history,
+            info: None,
             measured: false,
         }
     }
@@ -83,44 +91,82 @@ impl Case {
         self.studies.iter().all(Study::is_passive)
     }
 
-    /// What a strict reader objects to: open points, and evidence that is stale, failed or was not
-    /// run, a line each.
+    /// What a strict reader objects to: goals that are open or defeated, and evidence that is stale,
+    /// that failed, or that a claim asks for and that was not run.
     #[must_use]
-    pub fn objections(&self) -> Vec<String> {
+    pub fn objections(&self) -> Vec<Objection> {
         let mut all = Vec::new();
+        let mut say = |what: String| {
+            all.push(Objection {
+                what,
+                claims: Vec::new(),
+            });
+        };
         for (study, argument) in self.scenes() {
-            for node in argument.nodes().iter().filter(|node| node.is_defeated()) {
-                all.push(format!("{}: {} is defeated", study.name(), node.id));
+            let name = study.name();
+            for node in argument.nodes().filter(|node| node.is_defeated()) {
+                say(format!("{name}: {} is defeated", node.id));
             }
-            for node in argument.nodes().iter().filter(|node| node.is_undeveloped()) {
-                all.push(format!(
-                    "{}: {} is open: {}",
-                    study.name(),
-                    node.id,
-                    node.text
-                ));
+            for node in argument.nodes().filter(|node| node.is_undeveloped()) {
+                say(format!("{name}: {} is open: {}", node.id, node.text));
             }
         }
-        for claim in self
-            .records
-            .claims
-            .iter()
-            .filter(|claim| claim.evidence.is_empty())
-        {
-            all.push(format!("{}: no evidence is recorded", claim.id));
+        for claim in &self.records.claims.claims {
+            if self.records.of_claim(&claim.id).next().is_none() {
+                say(format!("{}: no evidence is recorded", claim.id));
+            }
         }
         // Many records stand the same way for the same reason: they are one point.
-        let mut alike: BTreeMap<(&str, String), Vec<&str>> = BTreeMap::new();
-        for (claim, evidence) in self.records.evidence() {
-            if evidence.standing() != Standing::Shown {
-                let key = (evidence.engine.words(), evidence.words());
-                alike.entry(key).or_default().push(&claim.id);
+        let mut alike: BTreeMap<(&str, String), Vec<String>> = BTreeMap::new();
+        for assessed in &self.records.assessed {
+            let objects = match assessed.freshness {
+                Freshness::Fresh => false,
+                Freshness::NotRun(_) => assessed.required,
+                Freshness::Stale(_) | Freshness::Failed(_) => true,
+            };
+            if objects {
+                let key = (assessed.engine.words(), assessed.freshness.to_string());
+                alike.entry(key).or_default().push(assessed.claim.clone());
             }
         }
-        for ((engine, words), claims) in alike {
-            all.push(format!("{engine}: {words}: {}", claims.join(", ")));
-        }
+        let alike = alike
+            .into_iter()
+            .map(|((engine, words), claims)| Objection {
+                what: format!("{engine}: {words}"),
+                claims,
+            });
+        all.extend(alike);
         all
+    }
+}
+
+/// A point that is open, stale, missing or defeated.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Objection {
+    /// What it is.
+    pub what: String,
+    /// The claims that it concerns, where it is about evidence.
+    pub claims: Vec<String>,
+}
+
+impl Objection {
+    /// The point in a line that is short, whatever the number of claims.
+    #[must_use]
+    pub fn short(&self) -> String {
+        match self.claims.len() {
+            0..=3 => self.to_string(),
+            count => format!("{} ({count} claims)", self.what),
+        }
+    }
+}
+
+impl fmt::Display for Objection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.what)?;
+        match self.claims.as_slice() {
+            [] => Ok(()),
+            claims => write!(f, ": {}", claims.join(", ")),
+        }
     }
 }
 

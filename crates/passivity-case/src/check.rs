@@ -1,13 +1,15 @@
 //! Checking a written case against the tree: what has changed since.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::case::Case;
 use crate::error::CaseError;
-use crate::manifest::{Manifest, read_bytes};
+use crate::files::read_bytes;
+use crate::manifest::Manifest;
 use crate::records::Records;
 use crate::study::Study;
-use passivity_evidence::sha256;
+use passivity_evidence::Sha256;
 
 /// A file of a case is no larger than this.
 const MOST_BYTES: u64 = 1 << 30;
@@ -50,7 +52,7 @@ pub fn check(folder: &Path, records: &Records) -> Result<Findings, CaseError> {
             continue;
         }
         match read_bytes(&folder.join(name), MOST_BYTES) {
-            Ok(bytes) if sha256(&bytes) == *expected => {}
+            Ok(bytes) if Sha256::of(&bytes) == *expected => {}
             Ok(_) => findings
                 .changed
                 .push(format!("`{name}` was changed after it was written")),
@@ -108,7 +110,7 @@ fn verdicts(manifest: &Manifest, studies: Vec<Study>, records: &Records, finding
                 study.slug, entry.verdict
             ));
         }
-        let standing = argument.top().standing.map_or("", |s| s.words());
+        let standing = argument.standing().words();
         if standing != entry.standing {
             findings.changed.push(format!(
                 "{}: the top goal is {standing}, in the case it is {}",
@@ -119,20 +121,21 @@ fn verdicts(manifest: &Manifest, studies: Vec<Study>, records: &Records, finding
 }
 
 fn evidence(manifest: &Manifest, records: &Records, findings: &mut Findings) {
-    if records.claims_sha256 != manifest.claims {
+    if records.claims_sha256 != manifest.claims_sha256 {
         findings.changed.push("the claims have changed".to_owned());
     }
-    if records.evidence_sha256 != manifest.evidence {
+    if records.evidence_sha256 != manifest.evidence_sha256 {
         findings
             .changed
             .push("the recorded evidence has changed".to_owned());
     }
-    let mut now: std::collections::BTreeMap<&str, String> = records
-        .evidence()
-        .map(|(_, e)| (e.id.as_str(), e.words()))
+    let mut now: BTreeMap<String, String> = records
+        .assessed
+        .iter()
+        .map(|assessed| (assessed.id(), assessed.freshness.to_string()))
         .collect();
     for (id, then) in &manifest.records {
-        match now.remove(id.as_str()) {
+        match now.remove(id) {
             Some(words) if words == *then => findings.unchanged += 1,
             Some(words) => findings
                 .stale

@@ -1,4 +1,4 @@
-//! What a document says, before it is HTML or PDF: headings, paragraphs, tables and figures.
+//! What a document says, before it is HTML: headings, paragraphs, tables and figures.
 
 /// A piece of a line of text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -7,8 +7,10 @@ pub enum Inline {
     Text(String),
     /// Text that stands out.
     Strong(String),
-    /// A name, path, hash or command, in letters of one width.
+    /// A name, path or command, in letters of one width.
     Code(String),
+    /// A hash, which may be broken anywhere.
+    Hash(String),
     /// A reference to an element of the document: its id, and the text of the reference.
     Link(String, String),
 }
@@ -28,6 +30,12 @@ impl Line {
     #[must_use]
     pub fn code(text: impl Into<String>) -> Self {
         Self(vec![Inline::Code(text.into())])
+    }
+
+    /// A hash.
+    #[must_use]
+    pub fn hash(hash: &passivity_evidence::Sha256) -> Self {
+        Self(vec![Inline::Hash(hash.to_string())])
     }
 
     /// Text that stands out.
@@ -115,13 +123,17 @@ pub struct Figure {
     pub caption: String,
     /// What it shows, for those who do not see it.
     pub alt: String,
-    /// Whether it is wide enough to need a page turned on its side.
-    pub wide: bool,
+    /// Whether it is so small that several stand side by side.
+    pub small: bool,
 }
 
 /// A part of a document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Block {
+    /// The contents: the parts, and the headings of level 2.
+    Contents,
+    /// The title of a part.
+    Part(String),
     /// A heading, of level 2 or below: level 1 is the document's title.
     Heading {
         /// 2, 3 or 4.
@@ -137,6 +149,8 @@ pub enum Block {
     Verdict(bool, Line),
     /// A list.
     List(Vec<Line>),
+    /// Two lists side by side, of the same weight, each with its heading.
+    Beside([(String, Vec<Line>); 2]),
     /// A table.
     Table(Table),
     /// A picture.
@@ -165,6 +179,11 @@ impl Document {
             subtitle: subtitle.into(),
             blocks: Vec::new(),
         }
+    }
+
+    /// Begins a part.
+    pub fn part(&mut self, title: &str) {
+        self.blocks.push(Block::Part(title.to_owned()));
     }
 
     /// Adds a heading.

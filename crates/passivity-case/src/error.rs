@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::Path;
 
+use passivity_evidence::EvidenceError;
+
 /// One message for people: where, and what is wrong there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CaseError {
@@ -20,7 +22,12 @@ impl CaseError {
     /// A file or folder that cannot be read or written.
     #[must_use]
     pub fn io(path: &Path, error: &std::io::Error) -> Self {
-        Self::new(format!("`{}`: {error}", path.display()))
+        Self::within(path, error)
+    }
+
+    /// Something that is wrong in a file or folder.
+    pub fn within(path: &Path, what: impl fmt::Display) -> Self {
+        Self::new(format!("`{}`: {what}", path.display()))
     }
 }
 
@@ -31,3 +38,9 @@ impl fmt::Display for CaseError {
 }
 
 impl std::error::Error for CaseError {}
+
+impl From<EvidenceError> for CaseError {
+    fn from(error: EvidenceError) -> Self {
+        Self::new(error.to_string())
+    }
+}

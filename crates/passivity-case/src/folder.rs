@@ -4,38 +4,45 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::argument::TOP;
-use crate::case::{Case, Past};
+use passivity_evidence::Sha256;
+
+use crate::case::{Case, HistoryEntry};
 use crate::draw::draw;
 use crate::error::CaseError;
 use crate::manifest::{MANIFEST, Manifest};
-use crate::{html, pdf, sections};
+use crate::print;
+use crate::{html, sections};
 
 /// The document, as HTML.
 pub const HTML: &str = "case.html";
 
-/// The document, as PDF.
+/// The document, as PDF: only where it was asked for.
 pub const PDF: &str = "case.pdf";
+
+/// Who wrote the case, for which use: only where it was given.
+pub const INFO: &str = "case.info.toml";
 
 /// The files of a case, by name, the manifest last.
 ///
 /// # Errors
 ///
-/// A document that cannot be set as PDF.
+/// A manifest that JSON cannot write.
 pub fn files(case: &Case) -> Result<BTreeMap<String, Vec<u8>>, CaseError> {
     let document = sections::document(case);
     let mut files = BTreeMap::new();
     files.insert(HTML.to_owned(), html::write(&document).into_bytes());
-    files.insert(PDF.to_owned(), pdf::write(&document)?);
+    if let Some(info) = &case.info {
+        files.insert(INFO.to_owned(), info.text.clone().into_bytes());
+    }
     for (study, argument) in case.scenes() {
         let name = &study.slug;
         files.insert(format!("{name}.gsn.yaml"), argument.to_yaml().into_bytes());
-        let drawing = draw(argument, TOP, &[], name);
+        let drawing = draw(argument, argument.top(), &[], name);
         files.insert(format!("{name}.gsn.svg"), drawing.svg.into_bytes());
         files.insert(format!("{name}.toml"), study.text.clone().into_bytes());
     }
     let manifest = Manifest::of(case, &files);
-    files.insert(MANIFEST.to_owned(), manifest.to_text().into_bytes());
+    files.insert(MANIFEST.to_owned(), manifest.to_text()?.into_bytes());
     Ok(files)
 }
 
@@ -44,7 +51,7 @@ pub fn files(case: &Case) -> Result<BTreeMap<String, Vec<u8>>, CaseError> {
 /// # Errors
 ///
 /// A manifest that is there and cannot be read.
-pub fn history(folder: &Path) -> Result<Vec<Past>, CaseError> {
+pub fn history(folder: &Path) -> Result<Vec<HistoryEntry>, CaseError> {
     if folder.join(MANIFEST).is_file() {
         Ok(Manifest::read(folder)?.history)
     } else {
@@ -102,20 +109,43 @@ fn swap(new: &Path, old: &Path, folder: &Path) -> Result<(), CaseError> {
         fs::rename(folder, old).map_err(|error| CaseError::io(folder, &error))?;
     }
     if let Err(error) = fs::rename(new, folder) {
-        if there {
-            let _ = fs::rename(old, folder);
-        }
-        return Err(CaseError::io(folder, &error));
+        let restored = if there {
+            fs::rename(old, folder)
+        } else {
+            Ok(())
+        };
+        return Err(match restored {
+            Ok(()) => CaseError::io(folder, &error),
+            Err(_) => {
+                let old = old.display();
+                CaseError::within(folder, format!("{error}; the earlier case is in `{old}`"))
+            }
+        });
     }
     // The new case stands; an old one that cannot be removed does no harm.
     let _ = fs::remove_dir_all(old);
     Ok(())
 }
 
+/// Prints the document of a written case as PDF, with a browser, and adds it to the manifest.
+///
+/// # Errors
+///
+/// A browser that does not print the page; the rest of the case is left as it is.
+pub fn add_pdf(folder: &Path, browser: &Path) -> Result<(), CaseError> {
+    let pdf = folder.join(PDF);
+    print::to_pdf(browser, &folder.join(HTML), &pdf, print::TIME_LIMIT)?;
+    let bytes = fs::read(&pdf).map_err(|error| CaseError::io(&pdf, &error))?;
+    let mut manifest = Manifest::read(folder)?;
+    manifest.files.insert(PDF.to_owned(), Sha256::of(&bytes));
+    let path = folder.join(MANIFEST);
+    fs::write(&path, manifest.to_text()?).map_err(|error| CaseError::io(&path, &error))
+}
+
 /// Refuses a folder that is not empty and holds no case: writing would lose what is in it.
 fn refuse_others(folder: &Path) -> Result<(), CaseError> {
     if !folder.exists() || folder.join(MANIFEST).is_file() {
-        return no_strangers(folder);
+        return refuse_foreign_files(folder);
     }
     let mut entries = fs::read_dir(folder).map_err(|error| CaseError::io(folder, &error))?;
     if entries.next().is_some() {
@@ -128,7 +158,7 @@ fn refuse_others(folder: &Path) -> Result<(), CaseError> {
 }
 
 /// Refuses to replace a case to which somebody has added files of their own.
-fn no_strangers(folder: &Path) -> Result<(), CaseError> {
+fn refuse_foreign_files(folder: &Path) -> Result<(), CaseError> {
     if !folder.exists() {
         return Ok(());
     }
@@ -137,7 +167,8 @@ fn no_strangers(folder: &Path) -> Result<(), CaseError> {
     for entry in entries {
         let entry = entry.map_err(|error| CaseError::io(folder, &error))?;
         let name = entry.file_name().to_string_lossy().into_owned();
-        if name != MANIFEST && !manifest.files.contains_key(&name) {
+        // A PDF whose printing was broken off is not in the manifest yet.
+        if name != MANIFEST && name != PDF && !manifest.files.contains_key(&name) {
             return Err(CaseError::new(format!(
                 "`{}`: no part of the case, and writing the case again would lose it: move it \
                  elsewhere",

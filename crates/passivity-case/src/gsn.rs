@@ -106,6 +106,38 @@ impl Standing {
     }
 }
 
+/// A place in the document that says more about an element of the argument.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// A claim, by its id.
+    Claim(String),
+    /// An assumption, by its id.
+    Assumption(String),
+    /// A section: its id in the document, and its title.
+    Section(String, &'static str),
+}
+
+impl Anchor {
+    /// The id of the place in the document.
+    #[must_use]
+    pub fn id(&self) -> String {
+        match self {
+            Self::Claim(id) => format!("claim-{id}"),
+            Self::Assumption(id) => format!("assumption-{id}"),
+            Self::Section(id, _) => id.clone(),
+        }
+    }
+
+    /// What a reference to the place is called.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        match self {
+            Self::Claim(id) | Self::Assumption(id) => id,
+            Self::Section(_, title) => title,
+        }
+    }
+}
+
 /// An element of an argument.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Node {
@@ -123,8 +155,8 @@ pub struct Node {
     pub challenges: Option<String>,
     /// How it stands; contexts, assumptions and justifications have no standing.
     pub standing: Option<Standing>,
-    /// Where the document has the details: the id of one of its elements.
-    pub anchor: Option<String>,
+    /// Where the document says more about it.
+    pub anchor: Option<Anchor>,
 }
 
 impl Node {
@@ -145,8 +177,8 @@ impl Node {
 
     /// The same element with a place in the document.
     #[must_use]
-    pub fn at(mut self, anchor: impl Into<String>) -> Self {
-        self.anchor = Some(anchor.into());
+    pub fn at(mut self, anchor: Anchor) -> Self {
+        self.anchor = Some(anchor);
         self
     }
 
@@ -171,11 +203,12 @@ impl Node {
 }
 
 /// An argument: one top goal and everything under it.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Argument {
     /// What the argument is about, in a line.
     pub title: String,
-    nodes: Vec<Node>,
+    top: Node,
+    others: Vec<Node>,
 }
 
 impl Argument {
@@ -184,32 +217,45 @@ impl Argument {
     pub fn new(title: impl Into<String>, top: Node) -> Self {
         Self {
             title: title.into(),
-            nodes: vec![top],
+            top,
+            others: Vec::new(),
         }
     }
 
     /// The elements, the top goal first and each before what was hung under it later.
-    #[must_use]
-    pub fn nodes(&self) -> &[Node] {
-        &self.nodes
+    pub fn nodes(&self) -> impl DoubleEndedIterator<Item = &Node> {
+        std::iter::once(&self.top).chain(&self.others)
     }
 
     /// The top goal.
     #[must_use]
-    pub fn top(&self) -> &Node {
-        &self.nodes[0]
+    pub const fn top(&self) -> &Node {
+        &self.top
+    }
+
+    /// How the top goal stands.
+    #[must_use]
+    pub fn standing(&self) -> Standing {
+        // A goal has a standing from the start.
+        self.top.standing.unwrap_or(Standing::Open)
     }
 
     /// An element by its id.
     #[must_use]
     pub fn node(&self, id: &str) -> Option<&Node> {
-        self.nodes.iter().find(|node| node.id == id)
+        self.nodes().find(|node| node.id == id)
+    }
+
+    fn node_mut(&mut self, id: &str) -> Option<&mut Node> {
+        std::iter::once(&mut self.top)
+            .chain(&mut self.others)
+            .find(|node| node.id == id)
     }
 
     /// Hangs `node` under `parent`: as support or, for a context, assumption or justification,
     /// as what the parent stands in. An id that is there already is linked and not added again.
     pub fn hang(&mut self, parent: &str, node: Node) {
-        if let Some(above) = self.nodes.iter_mut().find(|above| above.id == parent) {
+        if let Some(above) = self.node_mut(parent) {
             let list = if node.kind.argues() {
                 &mut above.supported_by
             } else {
@@ -218,41 +264,45 @@ impl Argument {
             list.push(node.id.clone());
         }
         if self.node(&node.id).is_none() {
-            self.nodes.push(node);
+            self.others.push(node);
         }
     }
 
     /// Adds a counter goal against `target`, which is defeated by it.
     pub fn challenge(&mut self, target: &str, mut counter: Node) {
-        if let Some(below) = self.nodes.iter_mut().find(|below| below.id == target) {
+        if let Some(below) = self.node_mut(target) {
             below.standing = Some(Standing::Defeated);
         }
         counter.challenges = Some(target.to_owned());
-        self.nodes.push(counter);
+        self.others.push(counter);
     }
 
     /// Carries the standing of the evidence up: an element stands as its worst support does, one
     /// that a counter goal defeated stays defeated, and what rests on a defeated element is open.
     pub fn settle(&mut self) {
         // Supports are added after what they support, so one pass from the end sees them first.
-        for index in (0..self.nodes.len()).rev() {
-            let node = &self.nodes[index];
-            if node.supported_by.is_empty() || node.is_defeated() {
-                continue;
+        let ids: Vec<String> = self.nodes().rev().map(|node| node.id.clone()).collect();
+        for id in ids {
+            let worst = self.worst_support(&id);
+            if let (Some(node), Some(worst)) = (self.node_mut(&id), worst)
+                && !node.is_defeated()
+            {
+                node.standing = Some(worst);
             }
-            let worst = node
-                .supported_by
-                .iter()
-                .filter_map(|id| self.node(id)?.standing)
-                .map(|standing| standing.max(Standing::Open))
-                .min();
-            self.nodes[index].standing = worst;
         }
+    }
+
+    fn worst_support(&self, id: &str) -> Option<Standing> {
+        let supports = self.node(id)?.supported_by.iter();
+        supports
+            .filter_map(|id| self.node(id)?.standing)
+            .map(|standing| standing.max(Standing::Open))
+            .min()
     }
 
     /// The open points: goals and strategies that nothing supports, and evidence never recorded.
     pub fn open(&self) -> impl Iterator<Item = &Node> {
-        self.nodes.iter().filter(|node| {
+        self.nodes().filter(|node| {
             node.supported_by.is_empty()
                 && matches!(node.standing, Some(Standing::Open | Standing::NotRun))
         })
@@ -274,7 +324,7 @@ impl Argument {
     pub fn to_yaml(&self) -> String {
         // Writing to a string cannot fail.
         let mut out = format!("module:\n  name: {}\n", quoted(&self.title));
-        for node in &self.nodes {
+        for node in self.nodes() {
             let _ = write!(out, "\n{}:\n  text: {}\n", node.id, quoted(&node.text));
             if matches!(node.kind, Kind::CounterGoal | Kind::CounterSolution) {
                 let _ = writeln!(out, "  nodeType: {}", node.kind.name());

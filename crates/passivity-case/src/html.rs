@@ -19,7 +19,7 @@ const STYLE: &str = include_str!("style.css");
 /// document.heading(2, "summary", "Summary");
 /// let page = html::write(&document);
 /// assert!(page.contains("<title>A wall &amp; a hand</title>"));
-/// assert!(page.contains(r##"<a href="#summary">"##));
+/// assert!(page.contains(r#"<h2 id="summary">Summary</h2>"#));
 /// ```
 #[must_use]
 pub fn write(document: &Document) -> String {
@@ -30,23 +30,30 @@ pub fn write(document: &Document) -> String {
         out,
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+         <title>{title}</title>\n<style>\n{STYLE}@page {{ @bottom-left {{ content: {}; }} }}\n\
+         </style>\n</head>\n<body>\n\
          <a class=\"skip\" href=\"#content\">Skip to the content</a>\n\
          <header>\n<h1>{title}</h1>\n<p>{}</p>\n</header>\n",
+        css_string(&document.title),
         escape(&document.subtitle)
     );
-    contents(&mut out, document);
     out.push_str("<main id=\"content\">\n");
     let mut section = false;
     for block in &document.blocks {
-        if let Block::Heading { level: 2, id, .. } = block {
-            if section {
-                out.push_str("</section>\n");
-            }
+        let begins = match block {
+            Block::Heading { level: 2, id, .. } => Some(id),
+            _ => None,
+        };
+        let ends = begins.is_some() || matches!(block, Block::Part(_) | Block::Contents);
+        if section && ends {
+            out.push_str("</section>\n");
+            section = false;
+        }
+        if let Some(id) = begins {
             section = true;
             let _ = writeln!(out, "<section aria-labelledby=\"{}\">", escape(id));
         }
-        write_block(&mut out, block);
+        write_block(&mut out, document, block);
     }
     if section {
         out.push_str("</section>\n");
@@ -55,23 +62,29 @@ pub fn write(document: &Document) -> String {
     out
 }
 
-fn contents(out: &mut String, document: &Document) {
-    out.push_str("<nav aria-label=\"Contents\">\n<h2 id=\"contents\">Contents</h2>\n<ol>\n");
+fn contents(document: &Document) -> String {
+    let mut out =
+        String::from("<nav aria-label=\"Contents\">\n<h2 id=\"contents\">Contents</h2>\n<ul>\n");
     for block in &document.blocks {
-        if let Block::Heading { level: 2, id, text } = block {
-            let _ = writeln!(
+        let _ = match block {
+            Block::Part(title) => writeln!(out, "<li class=\"of-part\">{}</li>", escape(title)),
+            Block::Heading { level: 2, id, text } => writeln!(
                 out,
                 "<li><a href=\"#{}\">{}</a></li>",
                 escape(id),
                 escape(text)
-            );
-        }
+            ),
+            _ => Ok(()),
+        };
     }
-    out.push_str("</ol>\n</nav>\n");
+    out.push_str("</ul>\n</nav>");
+    out
 }
 
-fn write_block(out: &mut String, block: &Block) {
+fn write_block(out: &mut String, document: &Document, block: &Block) {
     let _ = match block {
+        Block::Contents => writeln!(out, "{}", contents(document)),
+        Block::Part(title) => writeln!(out, "<p class=\"part\">{}</p>", escape(title)),
         Block::Heading { level, id, text } => {
             writeln!(
                 out,
@@ -85,12 +98,18 @@ fn write_block(out: &mut String, block: &Block) {
             let class = if *good { "good" } else { "bad" };
             writeln!(out, "<p class=\"verdict {class}\">{}</p>", inline(line))
         }
-        Block::List(items) => {
-            let items: String = items.iter().fold(String::new(), |mut all, item| {
-                let _ = writeln!(all, "<li>{}</li>", inline(item));
+        Block::List(items) => writeln!(out, "{}", list(items)),
+        Block::Beside(sides) => {
+            let sides = sides.iter().fold(String::new(), |mut all, (title, items)| {
+                let _ = write!(
+                    all,
+                    "<div>\n<h3>{}</h3>\n{}\n</div>\n",
+                    escape(title),
+                    list(items)
+                );
                 all
             });
-            writeln!(out, "<ul>\n{items}</ul>")
+            writeln!(out, "<div class=\"beside\">\n{sides}</div>")
         }
         Block::Table(table) => writeln!(out, "{}", write_table(table)),
         Block::Figure(figure) => writeln!(out, "{}", write_figure(figure)),
@@ -105,10 +124,21 @@ fn write_block(out: &mut String, block: &Block) {
     };
 }
 
+fn list(items: &[Line]) -> String {
+    let items = items.iter().fold(String::new(), |mut all, item| {
+        let _ = writeln!(all, "<li>{}</li>", inline(item));
+        all
+    });
+    format!("<ul>\n{items}</ul>")
+}
+
+/// A table, in a frame that scrolls where the screen is narrower than the table.
 fn write_table(table: &Table) -> String {
     let mut out = format!(
-        "<table>\n<caption>{}</caption>\n<colgroup>",
-        escape(&table.caption)
+        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{caption}\">\n<table \
+         class=\"columns-{}\">\n<caption><span>{caption}</span></caption>\n<colgroup>",
+        table.head.len(),
+        caption = escape(&table.caption)
     );
     let whole: u32 = table.head.iter().map(|(_, share)| u32::from(*share)).sum();
     for (_, share) in &table.head {
@@ -135,12 +165,13 @@ fn write_table(table: &Table) -> String {
         }
         out.push_str("</tr>\n");
     }
-    out.push_str("</tbody>\n</table>");
+    out.push_str("</tbody>\n</table>\n</div>");
     out
 }
 
+/// A figure as wide as the page; a check box shows it at its own size, in a frame that scrolls.
 fn write_figure(figure: &Figure) -> String {
-    let class = if figure.wide { " class=\"wide\"" } else { "" };
+    let class = if figure.small { " class=\"small\"" } else { "" };
     let svg = figure.svg.trim_start();
     // Pictures drawn by others have no words for those who do not see them.
     let named = svg
@@ -157,16 +188,19 @@ fn write_figure(figure: &Figure) -> String {
         )
     };
     format!(
-        "<figure id=\"{}\"{class}>\n{}\n<figcaption>{}</figcaption>\n</figure>",
-        escape(&figure.id),
+        "<figure id=\"{id}\"{class}>\n<label class=\"enlarge\"><input type=\"checkbox\"> Full \
+         size</label>\n<div class=\"picture\">\n{}\n</div>\n<figcaption>{}</figcaption>\n</figure>",
         without_declaration(&svg).trim_end(),
-        escape(&figure.caption)
+        escape(&figure.caption),
+        id = escape(&figure.id),
     )
 }
 
 /// SVG within HTML has no XML declaration and no document type.
 fn without_declaration(svg: &str) -> &str {
-    svg.find("<svg").map_or(svg, |start| &svg[start..])
+    svg.find("<svg")
+        .and_then(|start| svg.get(start..))
+        .unwrap_or(svg)
 }
 
 fn inline(line: &Line) -> String {
@@ -176,6 +210,7 @@ fn inline(line: &Line) -> String {
             Inline::Text(text) => write!(out, "{}", escape(text)),
             Inline::Strong(text) => write!(out, "<strong>{}</strong>", escape(text)),
             Inline::Code(text) => write!(out, "<code>{}</code>", breakable(text)),
+            Inline::Hash(text) => write!(out, "<code class=\"hash\">{}</code>", escape(text)),
             Inline::Link(to, text) => {
                 write!(out, "<a href=\"#{}\">{}</a>", escape(to), escape(text))
             }
@@ -192,4 +227,31 @@ fn breakable(text: &str) -> String {
         out.push_str("<wbr>");
     }
     out.trim_end_matches("<wbr>").to_owned()
+}
+
+/// A string of CSS, which within a style element must not end it.
+fn css_string(text: &str) -> String {
+    let mut out = String::from("\"");
+    for letter in text.chars() {
+        if letter.is_alphanumeric() || " .,;:()–-".contains(letter) {
+            out.push(letter);
+        } else {
+            let _ = write!(out, "\\{:x} ", u32::from(letter));
+        }
+    }
+    out.push('"');
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_title_cannot_leave_the_style_sheet() {
+        let page = write(&Document::new("a </style><script>\"\\", ""));
+        assert_eq!(page.matches("</style>").count(), 1);
+        assert!(!page.contains("<script"));
+        assert!(css_string("a\"b\\").starts_with("\"a\\22 b\\5c "));
+    }
 }

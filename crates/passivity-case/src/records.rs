@@ -1,126 +1,31 @@
-//! Claims, assumptions and recorded evidence as a case uses them, and how fresh the evidence is.
+//! Claims and recorded evidence as a case uses them: from a source tree, or from what the build
+//! carries, and how fresh the evidence is.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
-use passivity_evidence::Engine;
+use passivity_core::sources::SOURCES;
+use passivity_evidence as evidence;
+use passivity_evidence::{
+    Assessed, Change, Claim, Claims, Engine, Evidence, EvidenceError, Freshness, Now, Sha256,
+    assess, in_tree,
+};
 
+use crate::error::CaseError;
+use crate::files::read_text;
 use crate::gsn::Standing;
+use crate::tree;
 
-/// A claim with what was recorded about it.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Claim {
-    /// The id, as in `TH-LIN`.
-    pub id: String,
-    /// What is claimed, in a sentence.
-    pub sentence: String,
-    /// The same as a formula; empty when the sentence says it all.
-    pub formula: String,
-    /// The paper's equation or section; empty for a claim beyond the paper.
-    pub equation: String,
-    /// Whether the paper's statement is false as printed, and the claim is that it is.
-    pub refutes: bool,
-    /// The kernel items that implement it.
-    pub code: Vec<String>,
-    /// Ids of the assumptions that it is made under.
-    pub assumptions: Vec<String>,
-    /// Ids of the caveats: what the evidence does not say.
-    pub caveats: Vec<String>,
-    /// What was recorded or should have been.
-    pub evidence: Vec<Evidence>,
-}
+/// Claims and evidence are no larger than this.
+const MOST_BYTES: u64 = 64 << 20;
 
-/// An assumption of the claims.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Assumption {
-    /// The id, as in `A-OPERATOR`.
-    pub id: String,
-    /// What is assumed, in a sentence.
-    pub sentence: String,
-    /// How to check it on the bench; empty when the claims do not say.
-    pub check: String,
-}
-
-/// What one engine says of a claim.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Evidence {
-    /// The claim's id and the engine, which name the record: `TH-LIN/smt`.
-    pub id: String,
-    /// The engine.
-    pub engine: Engine,
-    /// The result in the project's words, with the domain or the number of cases.
-    pub result: String,
-    /// The tool and its version.
-    pub tool: String,
-    /// Hashes of the sources that it covers, by path, as recorded.
-    pub sources: BTreeMap<String, String>,
-    /// How fresh it is.
-    pub freshness: Freshness,
-}
-
-/// Whether a record still speaks of what is there now.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Freshness {
-    /// The claim's text and every source are as they were recorded.
-    Fresh,
-    /// These have changed: `claim text`, or paths.
-    Stale(Vec<String>),
-    /// It was never run here, for this reason.
-    NotRun(String),
-    /// It ran, and it did not show the claim.
-    Failed(String),
-}
-
-impl Evidence {
-    /// How it stands in the argument.
-    #[must_use]
-    pub const fn standing(&self) -> Standing {
-        match self.freshness {
-            Freshness::Fresh => Standing::Shown,
-            Freshness::Stale(_) => Standing::Stale,
-            Freshness::NotRun(_) => Standing::NotRun,
-            Freshness::Failed(_) => Standing::Open,
-        }
-    }
-
-    /// The standing in words, with what changed or why it was not run.
-    #[must_use]
-    pub fn words(&self) -> String {
-        match &self.freshness {
-            Freshness::Fresh => "fresh".to_owned(),
-            Freshness::Stale(changed) => format!("stale: changed since: {}", changed.join(", ")),
-            Freshness::NotRun(why) if why.is_empty() => "not run here".to_owned(),
-            Freshness::NotRun(why) => format!("not run here: {why}"),
-            Freshness::Failed(why) => format!("failed: {why}"),
-        }
-    }
-}
-
-impl Claim {
-    /// How it stands: shown when some record shows it and none is stale or failed.
-    ///
-    /// A record that was not run does not speak against the claim while another one shows it, but
-    /// it is listed, and a strict case refuses it.
-    #[must_use]
-    pub fn standing(&self) -> Standing {
-        let of =
-            |wanted: fn(&Freshness) -> bool| self.evidence.iter().any(|e| wanted(&e.freshness));
-        if of(|f| matches!(f, Freshness::Failed(_))) {
-            Standing::Open
-        } else if of(|f| matches!(f, Freshness::Stale(_))) {
-            Standing::Stale
-        } else if of(|f| matches!(f, Freshness::Fresh)) {
-            Standing::Shown
-        } else {
-            Standing::NotRun
-        }
-    }
-}
+/// Where evidence is recorded: by the last run here, or by the last one that was committed.
+const EVIDENCE: [&str; 2] = ["target/evidence.json", "proofs/evidence.json"];
 
 /// The sources that evidence was compared with.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// Those that this `passivity` was built from.
-    #[default]
     Build,
     /// Those of a source tree, as they are now.
     Tree,
@@ -132,7 +37,8 @@ impl Origin {
     pub const fn words(self) -> &'static str {
         match self {
             Self::Build => {
-                "the sources that this passivity was built from (the tree is not at hand)"
+                "the kernel that this passivity was built from; the harnesses, queries and theorems \
+                 are not at hand here, and were not compared"
             }
             Self::Tree => "the sources of the tree, as they were when this case was written",
         }
@@ -140,80 +46,160 @@ impl Origin {
 }
 
 /// Everything that is known of the claims.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Records {
-    /// The claims, in the order of the file.
-    pub claims: Vec<Claim>,
-    /// The assumptions.
-    pub assumptions: Vec<Assumption>,
-    /// The caveats, by their ids.
-    pub caveats: BTreeMap<String, String>,
-    /// Recorded evidence for ids that are no claim.
-    pub unknown: Vec<String>,
+    /// The claims.
+    pub claims: Claims,
+    /// What the engines did and said.
+    pub evidence: Evidence,
+    /// How it stands: an entry for each claim and engine.
+    pub assessed: Vec<Assessed>,
+    /// What has changed since the last mutation run.
+    pub mutation_changes: Vec<Change>,
     /// Which sources the evidence was compared with.
     pub origin: Origin,
     /// SHA-256 of the claims' text.
-    pub claims_sha256: String,
+    pub claims_sha256: Sha256,
     /// SHA-256 of the recorded evidence.
-    pub evidence_sha256: String,
+    pub evidence_sha256: Sha256,
     /// The commit of the sources, when known.
     pub commit: Option<String>,
-    /// What the last mutation run found, in a sentence.
-    pub mutation: Option<String>,
 }
 
 impl Records {
-    /// A claim by its id.
-    #[must_use]
-    pub fn claim(&self, id: &str) -> Option<&Claim> {
-        self.claims.iter().find(|claim| claim.id == id)
+    /// The records of the tree at `root`; without one, those that the build carries.
+    ///
+    /// `evidence` is a file to read in the place of the recorded evidence.
+    ///
+    /// # Errors
+    ///
+    /// Claims or evidence that are not there, cannot be read or are not what they should be.
+    pub fn read(root: Option<&Path>, evidence: Option<&Path>) -> Result<Self, CaseError> {
+        let given = match evidence {
+            Some(path) => Some(Text::read(path)?),
+            None => None,
+        };
+        match root {
+            Some(root) => {
+                let claims = Text::read(&root.join(Claims::PATH))?;
+                let evidence = match given {
+                    Some(evidence) => evidence,
+                    None => Text::read(&recorded_in(root)?)?,
+                };
+                let now = |path: &str| in_tree(root, path);
+                let mut records = Self::of_texts(&claims, &evidence, Origin::Tree, now)?;
+                records.commit = tree::commit(root);
+                Ok(records)
+            }
+            None => {
+                let claims = Text::of_build(Claims::PATH, evidence::CLAIMS);
+                let evidence =
+                    given.unwrap_or_else(|| Text::of_build("evidence", evidence::EVIDENCE));
+                Self::of_texts(&claims, &evidence, Origin::Build, |path| Ok(in_build(path)))
+            }
+        }
     }
 
-    /// An assumption by its id.
-    #[must_use]
-    pub fn assumption(&self, id: &str) -> Option<&Assumption> {
-        self.assumptions
-            .iter()
-            .find(|assumption| assumption.id == id)
+    /// The claims and the evidence of two texts, compared with the sources as `now` gives them.
+    fn of_texts(
+        claims: &Text,
+        evidence: &Text,
+        origin: Origin,
+        now: impl Fn(&str) -> Result<Now, EvidenceError>,
+    ) -> Result<Self, CaseError> {
+        let (claims_sha256, evidence_sha256) = (claims.sum(), evidence.sum());
+        let claims = Claims::parse(&claims.name, &claims.text)?;
+        let evidence = Evidence::parse(&evidence.name, &evidence.text)?;
+        let mutation_changes = match &evidence.mutation {
+            Some(mutation) => mutation.changes(&now)?,
+            None => Vec::new(),
+        };
+        Ok(Self {
+            assessed: assess(&claims, &evidence, &now)?,
+            claims,
+            evidence,
+            mutation_changes,
+            origin,
+            claims_sha256,
+            evidence_sha256,
+            commit: None,
+        })
     }
 
-    /// Every record with the claim it belongs to.
-    pub fn evidence(&self) -> impl Iterator<Item = (&Claim, &Evidence)> {
-        self.claims
-            .iter()
-            .flat_map(|claim| claim.evidence.iter().map(move |e| (claim, e)))
+    /// What was recorded of a claim, and what should have been, an entry for each engine.
+    pub fn of_claim(&self, claim: &str) -> impl Iterator<Item = &Assessed> {
+        self.assessed.iter().filter(move |a| a.claim == claim)
+    }
+
+    /// How a claim stands: shown when some record shows it and none is stale or failed.
+    ///
+    /// A record that was not run does not speak against the claim while another one shows it, but
+    /// it is listed, and a strict case refuses it.
+    #[must_use]
+    pub fn standing(&self, claim: &str) -> Standing {
+        self.of_claim(claim)
+            .map(|assessed| standing(&assessed.freshness))
+            .min_by_key(|standing| match standing {
+                Standing::Defeated | Standing::Open => 0,
+                Standing::Stale => 1,
+                Standing::Shown => 2,
+                Standing::NotRun => 3,
+            })
+            .unwrap_or(Standing::NotRun)
     }
 
     /// How claims hang together with code and evidence.
     #[must_use]
     pub fn linkage(&self) -> Linkage<'_> {
         let mut linkage = Linkage::default();
-        for claim in &self.claims {
+        for claim in &self.claims.claims {
             let code = !claim.code.is_empty();
-            let evidence = claim
-                .evidence
-                .iter()
-                .any(|e| !matches!(e.freshness, Freshness::NotRun(_)));
-            match (code, evidence) {
+            let mut recorded = self.of_claim(&claim.id);
+            let recorded = recorded.any(|a| !matches!(a.freshness, Freshness::NotRun(_)));
+            match (code, recorded) {
                 (true, true) => linkage.linked.push(&claim.id),
                 (true, false) | (false, true) => linkage.partly.push(&claim.id),
                 (false, false) => linkage.unlinked.push(&claim.id),
             }
-            for id in &claim.assumptions {
-                if self.assumption(id).is_none() {
-                    linkage.unknown.insert(id);
-                }
-            }
-            for id in &claim.caveats {
-                if !self.caveats.contains_key(id) {
-                    linkage.unknown.insert(id);
-                }
-            }
+            linkage.unknown.extend(self.unknown_of(claim));
         }
+        let recorded = self.evidence.records.iter().map(|record| &record.claim);
+        let unknown = recorded.filter(|id| self.claims.find(id).is_none());
+        linkage.unknown.extend(unknown.map(String::as_str));
         linkage
-            .unknown
-            .extend(self.unknown.iter().map(String::as_str));
-        linkage
+    }
+
+    /// The assumptions and caveats that a claim refers to and that are not there.
+    fn unknown_of<'a>(&'a self, claim: &'a Claim) -> impl Iterator<Item = &'a str> {
+        let assumptions = claim.assumptions.iter();
+        let assumptions = assumptions.filter(|id| self.claims.assumption(id).is_none());
+        let caveats = claim.caveats.iter();
+        let caveats = caveats.filter(|id| self.claims.caveat(id).is_none());
+        assumptions.chain(caveats).map(String::as_str)
+    }
+
+    /// The tools of an engine, with their versions and, for a run made elsewhere, its commit.
+    #[must_use]
+    pub fn tools(&self, engine: Engine) -> String {
+        let Some(run) = self.evidence.run(engine) else {
+            return String::new();
+        };
+        let tools: Vec<String> = run.tools.iter().map(ToString::to_string).collect();
+        match &run.commit {
+            Some(commit) => format!("{}, at commit {commit}", tools.join(", ")),
+            None => tools.join(", "),
+        }
+    }
+}
+
+/// How a record stands in an argument.
+#[must_use]
+pub const fn standing(freshness: &Freshness) -> Standing {
+    match freshness {
+        Freshness::Fresh => Standing::Shown,
+        Freshness::Stale(_) => Standing::Stale,
+        Freshness::NotRun(_) => Standing::NotRun,
+        Freshness::Failed(_) => Standing::Open,
     }
 }
 
@@ -228,4 +214,112 @@ pub struct Linkage<'a> {
     pub unlinked: Vec<&'a str>,
     /// Ids that something refers to and that are not defined.
     pub unknown: BTreeSet<&'a str>,
+}
+
+/// A text, and where it is from.
+struct Text {
+    name: String,
+    text: String,
+}
+
+impl Text {
+    fn read(path: &Path) -> Result<Self, CaseError> {
+        Ok(Self {
+            name: path.display().to_string(),
+            text: read_text(path, MOST_BYTES)?,
+        })
+    }
+
+    fn of_build(name: &str, text: &str) -> Self {
+        Self {
+            name: format!("{name} of this build"),
+            text: text.to_owned(),
+        }
+    }
+
+    fn sum(&self) -> Sha256 {
+        Sha256::of(self.text.as_bytes())
+    }
+}
+
+fn recorded_in(root: &Path) -> Result<PathBuf, CaseError> {
+    let paths = EVIDENCE.map(|file| root.join(file));
+    paths
+        .into_iter()
+        .find(|path| path.is_file())
+        .ok_or_else(|| {
+            let what = "no evidence is recorded: `make prove` records it";
+            CaseError::within(&root.join("proofs/evidence.json"), what)
+        })
+}
+
+/// A source file as this build has it: of the kernel every file, and no other.
+fn in_build(path: &str) -> Now {
+    let kernel = |path: &str| Path::new(path).parent().map(Path::to_owned);
+    match SOURCES.iter().find(|(name, _)| *name == path) {
+        Some((_, text)) => Now::Is(Sha256::of(text.as_bytes())),
+        None if SOURCES.iter().any(|(name, _)| kernel(name) == kernel(path)) => Now::Gone,
+        None => Now::NotAtHand,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_build_carries_the_claims_and_every_source_of_the_kernel() {
+        let records = Records::read(None, None).unwrap();
+        assert!(records.claims.claims.len() >= 20 && records.claims.assumptions.len() >= 5);
+        for file in records.claims.claims.iter().flat_map(Claim::files) {
+            assert!(matches!(in_build(&file), Now::Is(_)), "{file}");
+        }
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../passivity-core/src");
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let name = entry.unwrap().file_name().into_string().unwrap();
+            let path = format!("crates/passivity-core/src/{name}");
+            assert!(
+                matches!(in_build(&path), Now::Is(_)),
+                "{path}: add it to sources.rs"
+            );
+        }
+        assert_eq!(in_build("crates/passivity-core/src/gone.rs"), Now::Gone);
+        assert_eq!(in_build("proofs/smt/queries/th_lin.smt2"), Now::NotAtHand);
+    }
+
+    #[test]
+    fn ids_that_are_not_there_are_unknown() {
+        let mut records = Records::read(None, None).unwrap();
+        records.claims.claims[0].assumptions.push("A-GONE".into());
+        records.evidence.records[0].claim = "TH-GONE".into();
+        let linkage = records.linkage();
+        assert_eq!(
+            linkage.unknown.into_iter().collect::<Vec<_>>(),
+            ["A-GONE", "TH-GONE"]
+        );
+    }
+
+    #[test]
+    fn a_claim_stands_as_its_worst_record_that_ran() {
+        let mut records = Records::read(None, None).unwrap();
+        let not_run = || Freshness::NotRun("not here".to_owned());
+        let stale = || Freshness::Stale(vec![Change::Statement]);
+        for (freshness, expected) in [
+            (vec![Freshness::Fresh, not_run()], Standing::Shown),
+            (vec![Freshness::Fresh, stale()], Standing::Stale),
+            (vec![stale(), Freshness::Failed(Vec::new())], Standing::Open),
+            (vec![not_run()], Standing::NotRun),
+            (vec![], Standing::NotRun),
+        ] {
+            let entry = |freshness| Assessed {
+                claim: "TH-X".into(),
+                engine: Engine::Smt,
+                required: true,
+                record: None,
+                freshness,
+            };
+            records.assessed = freshness.into_iter().map(entry).collect();
+            assert_eq!(records.standing("TH-X"), expected);
+        }
+    }
 }

@@ -3,14 +3,17 @@
 use std::path::{Path, PathBuf};
 
 use passivity_core::{BigRational, Interval};
+use passivity_evidence::Sha256;
 use passivity_scene::check::{BoundSource, Report, Verdict};
 use passivity_scene::display::range;
 use passivity_scene::explain::{Explanation, explain};
 use passivity_scene::{Given, Motion, Scene};
 
+use crate::criterion::Criterion;
 use crate::document::slug;
 use crate::error::CaseError;
-use passivity_evidence::sha256;
+use crate::gsn::Anchor;
+use crate::info::is_placeholder;
 
 /// A scene with its check and the text of its file.
 #[derive(Clone, Debug)]
@@ -24,7 +27,7 @@ pub struct Study {
     /// Where it was read.
     pub path: PathBuf,
     /// SHA-256 of the file.
-    pub sha256: String,
+    pub sha256: Sha256,
     /// The name in ids and file names, of its own among the scenes of a case.
     pub slug: String,
 }
@@ -57,12 +60,22 @@ impl Study {
     pub fn new(scene: Scene, text: String, path: &Path) -> Self {
         Self {
             explanation: explain(&scene),
-            sha256: sha256(text.as_bytes()),
-            slug: slug(&path.file_stem().unwrap_or_default().to_string_lossy()),
+            sha256: Sha256::of(text.as_bytes()),
+            slug: match path.file_stem() {
+                Some(name) => slug(&name.to_string_lossy()),
+                None => slug(&scene.name),
+            },
             path: path.to_owned(),
             text,
             scene,
         }
+    }
+
+    /// The name of the file, without its folder.
+    #[must_use]
+    pub fn file_name(&self) -> String {
+        let name = self.path.file_name().unwrap_or(self.path.as_os_str());
+        name.to_string_lossy().into_owned()
     }
 
     /// The check.
@@ -83,12 +96,23 @@ impl Study {
         self.report().verdict == Verdict::Passive
     }
 
+    /// Whether the verdict is about some speeds only.
+    #[must_use]
+    pub fn has_speed_limit(&self) -> bool {
+        let report = self.report();
+        let holds_always = !num_traits::Signed::is_negative(report.margin_at_all_speeds.lo());
+        report.speed_bound.is_some() && !holds_always
+    }
+
     /// At which speeds the verdict was asked: `at every speed`, or up to a bound.
     #[must_use]
     pub fn speeds(&self) -> String {
         let report = self.report();
-        let holds_always = !num_traits::Signed::is_negative(report.margin_at_all_speeds.lo());
-        let Some(ticks) = report.speed_bound.as_ref().filter(|_| !holds_always) else {
+        let Some(ticks) = report
+            .speed_bound
+            .as_ref()
+            .filter(|_| self.has_speed_limit())
+        else {
             return "at every speed".to_owned();
         };
         let bound = match &report.speed_bound_si {
@@ -101,6 +125,24 @@ impl Study {
             }
             _ => format!("at every speed up to {bound}"),
         }
+    }
+
+    /// The criterion with the numbers of the scene, over the tolerances.
+    #[must_use]
+    pub fn criterion(&self) -> Criterion {
+        Criterion::of(&self.scene)
+    }
+
+    /// The id of one of this scene's elements in the document.
+    #[must_use]
+    pub fn anchor(&self, element: &str) -> String {
+        format!("{}-{element}", self.slug)
+    }
+
+    /// One of this scene's sections in the document.
+    #[must_use]
+    pub fn section(&self, element: &str, title: &'static str) -> Anchor {
+        Anchor::Section(self.anchor(element), title)
     }
 
     /// What the scene file says at its head.
@@ -123,21 +165,20 @@ impl Study {
     /// above it, or the head of the file.
     #[must_use]
     pub fn source(&self, given: &Given) -> Source {
-        let at = given.span.start.min(self.text.len());
-        if let Some(comment) = self.comment_at(at).filter(|comment| !comment.is_empty()) {
-            return Source::Comment(comment);
-        }
-        if self.head().is_empty() {
-            Source::None
-        } else {
-            Source::Head
+        match self.comment_at(given.span.start) {
+            // Who wrote that it is still to be done has said that there is no source.
+            Some(comment) if is_placeholder(&comment) => Source::None,
+            Some(comment) => Source::Comment(comment),
+            None if is_placeholder(&self.head()) => Source::None,
+            None => Source::Head,
         }
     }
 
+    /// The comment at a place of the file, or on the lines just above it.
     fn comment_at(&self, at: usize) -> Option<String> {
         let start = self.text.get(..at)?.rfind('\n').map_or(0, |i| i + 1);
         let line = self.text.get(start..)?.lines().next()?;
-        if let Some(comment) = trailing_comment(line) {
+        if let Some(comment) = trailing_comment(line).filter(|comment| !comment.is_empty()) {
             return Some(comment.to_owned());
         }
         let above = self.text.get(..start)?;
@@ -155,7 +196,8 @@ impl Study {
             .map_while(|line| line.trim().strip_prefix('#'))
             .collect();
         lines.reverse();
-        Some(lines.iter().map(|l| l.trim()).collect::<Vec<_>>().join(" "))
+        let comment: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
+        (!comment.is_empty()).then(|| comment.join(" "))
     }
 
     /// The parameters of which the file says no source.
@@ -240,6 +282,22 @@ mod tests {
             "{:?}",
             study.unsourced()
         );
+    }
+
+    #[test]
+    fn a_comment_that_is_still_to_be_written_is_no_source() {
+        for (text, open) in [
+            (
+                "# TODO\n[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n",
+                3,
+            ),
+            (
+                "# Measured.\n[dimensionless]\nmu = \"50\" # TODO: weigh it\nbeta = \"3/5\"\nsigma = \"3/5\" # ?\n",
+                2,
+            ),
+        ] {
+            assert_eq!(study(text).unsourced().len(), open, "{text}");
+        }
     }
 
     #[test]

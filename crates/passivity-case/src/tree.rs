@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// The file that marks the root of the tree.
-pub const CLAIMS: &str = "proofs/claims.toml";
+pub const CLAIMS: &str = passivity_evidence::Claims::PATH;
 
 /// The nearest folder, from `from` up, that holds the claims.
 #[must_use]

@@ -63,6 +63,7 @@ pub mod rational;
 pub mod region;
 pub mod rig;
 pub mod scalar;
+pub mod sources;
 pub mod spring;
 pub mod start;
 pub mod stiffness;

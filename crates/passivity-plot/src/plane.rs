@@ -14,6 +14,8 @@ pub struct Mark {
     pub beta: f64,
     /// σ.
     pub sigma: f64,
+    /// The least and the largest β and σ within the tolerances, where they have any.
+    pub tolerance: Option<[(f64, f64); 2]>,
     /// The speed of its critical line (9), in ticks per sample, and what the legend calls it.
     pub speed: Option<(f64, String)>,
     /// The verdict, for the legend.
@@ -49,10 +51,12 @@ const RED: RGBColor = RGBColor(246, 214, 214);
 ///
 /// A mark whose coordinates are no finite numbers.
 pub fn draw(marks: &[Mark]) -> Result<String, PlotError> {
-    if marks
-        .iter()
-        .any(|mark| !(mark.beta.is_finite() && mark.sigma.is_finite()))
-    {
+    let finite = |mark: &Mark| {
+        let ends = mark.tolerance.into_iter().flatten();
+        let mut all = ends.chain([(mark.beta, mark.sigma)]);
+        all.all(|(a, b)| a.is_finite() && b.is_finite())
+    };
+    if !marks.iter().all(finite) {
         return Err(PlotError::new(
             "plane: a scene lies too far out to be drawn",
         ));
@@ -75,8 +79,10 @@ fn draw_on(root: &Area<'_>, marks: &[Mark]) -> Drawn {
     let (left, right) = root.split_horizontally(PLOT_WIDTH);
     let reach = |of: fn(&Mark) -> f64| marks.iter().map(of).fold(0.0_f64, f64::max);
     // At least the paper's window; room for the arrows to 2β and 2σ unless they lead far out.
-    let width = (reach(|m| m.beta) * 1.25).max(1.25);
-    let height = (reach(|m| m.sigma) * 1.25).max(1.25);
+    let beta = |m: &Mark| m.tolerance.map_or(m.beta, |[(_, most), _]| most);
+    let sigma = |m: &Mark| m.tolerance.map_or(m.sigma, |[_, (_, most)]| most);
+    let width = (reach(beta) * 1.25).max(1.25);
+    let height = (reach(sigma) * 1.25).max(1.25);
     let mut chart = ChartBuilder::on(&left)
         .margin(16)
         .x_label_area_size(46)
@@ -102,6 +108,13 @@ fn draw_on(root: &Area<'_>, marks: &[Mark]) -> Drawn {
     chart.draw_series(LineSeries::new([(0.0, 0.5), (width, 0.5)], border))?;
     for (mark, colour) in marks.iter().zip(COLOURS.iter().cycle()) {
         draw_ways(&mut chart, mark, *colour, (width, height))?;
+        if let Some([(b0, b1), (s0, s1)]) = mark.tolerance {
+            let corners = [(b0, s0), (b1, s1)];
+            chart.draw_series([
+                Rectangle::new(corners, colour.mix(0.3).filled()),
+                Rectangle::new(corners, colour.stroke_width(1)),
+            ])?;
+        }
         if let Some((speed, _)) = &mark.speed {
             let line = critical_line(*speed, (width, height));
             chart.draw_series(LineSeries::new(line, colour.stroke_width(2)))?;
@@ -351,6 +364,7 @@ mod tests {
             name: "far".to_owned(),
             beta: f64::INFINITY,
             sigma: 1.0,
+            tolerance: None,
             speed: None,
             verdict: String::new(),
         };

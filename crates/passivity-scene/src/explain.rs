@@ -10,9 +10,38 @@ use crate::display::{approx, range, wrapped};
 use crate::effect::Effect;
 use crate::scene::{Given, Motion, Scene};
 
+/// What a line of the derivation says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Step {
+    /// β from the parameters.
+    Beta,
+    /// σ from the parameters.
+    Sigma,
+    /// μ from the parameters.
+    Mu,
+    /// The force that is held.
+    HeldForce,
+    /// The equation of motion.
+    Motion,
+    /// What a sampling interval generates at most.
+    Generated,
+    /// What friction dissipates at least.
+    Dissipated,
+    /// The criterion.
+    Criterion,
+    /// The speed at which the criterion meets equality.
+    CriticalSpeed,
+    /// The speed up to which the criterion is asked.
+    SpeedBound,
+    /// A cycle that draws energy.
+    Witness,
+}
+
 /// One line of the derivation: an equation of the paper or a claim, in general and in numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
+    /// What the line says.
+    pub step: Step,
     /// The paper's equation in brackets, or the id of a claim.
     pub id: &'static str,
     /// The equation with the scene's effects, in letters.
@@ -77,8 +106,9 @@ pub fn explain(scene: &Scene) -> Explanation {
 
 fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
     let mut lines = Vec::new();
-    let mut push = |id, formula: String, numbers: String| {
+    let mut push = |step, id, formula: String, numbers: String| {
         lines.push(Line {
+            step,
             id,
             formula,
             numbers,
@@ -88,12 +118,14 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
     let number = |x: &Option<BigRational>| x.as_ref().map_or_else(|| "0".to_owned(), readable);
     if scene.motion != Motion::Dimensionless {
         push(
+            Step::Beta,
             "(7)",
             "β = b/(KT)".to_owned(),
             units_text(scene, report, 'β'),
         );
         if scene.resolution.is_some() {
             push(
+                Step::Sigma,
                 "(7)",
                 "σ = c/(KΔ)".to_owned(),
                 units_text(scene, report, 'σ'),
@@ -101,6 +133,7 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
         }
         if let Some(mu) = &report.mu {
             push(
+                Step::Mu,
                 "(7)",
                 "μ = m/(KT²)".to_owned(),
                 format!("μ = {}", range(mu)),
@@ -108,23 +141,24 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
         }
     }
     let (law, law_id) = held_force(scene);
-    push(law_id, law, String::new());
-    push("(6)", motion(scene), String::new());
+    push(Step::HeldForce, law_id, law, String::new());
+    push(Step::Motion, "(6)", motion(scene), String::new());
     let cost = Cost::of(scene);
     let bound = format!(
         "E_g ≤ {}·d² + {}·|d|{}",
         cost.viscous, cost.coulomb, cost.storage
     );
-    push(cost.id, bound, String::new());
+    push(Step::Generated, cost.id, bound, String::new());
     let friction = match (scene.has(Effect::Viscous), scene.has(Effect::Coulomb)) {
         (true, true) => "E_d ≥ β·d²/Δτ + σ·|d|",
         (true, false) => "E_d ≥ β·d²/Δτ",
         (false, true) => "E_d ≥ σ·|d|",
         (false, false) => "E_d ≥ 0: the device has no friction",
     };
-    push("(26)", friction.to_owned(), String::new());
+    push(Step::Dissipated, "(26)", friction.to_owned(), String::new());
     let (beta, sigma) = (number(&point.beta), number(&point.sigma));
     push(
+        Step::Criterion,
         "(8)",
         format!(
             "(β − {})·v + (σ − {}) ≥ 0 at every speed v that occurs",
@@ -138,6 +172,7 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
     if let Some(v) = &report.critical_speed {
         let formula = "equality at the critical speed v_c".to_owned();
         push(
+            Step::CriticalSpeed,
             "TH-REGION",
             formula,
             format!("v_c = {} ticks/sample", range(v)),
@@ -152,10 +187,11 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
         if let Some(margin) = &report.margin_at_speed_bound {
             let _ = write!(numbers, ", margin there {}", range(margin));
         }
-        push(id, formula.to_owned(), numbers);
+        push(Step::SpeedBound, id, formula.to_owned(), numbers);
     }
     if let Some(witness) = &report.witness {
         push(
+            Step::Witness,
             "TH-ACTIVE",
             "a cycle ξ → ξ + d → ξ with positive gain".to_owned(),
             format!(
@@ -351,6 +387,12 @@ fn sentence(id: &str) -> &'static str {
 }
 
 impl Explanation {
+    /// The first line of the derivation that says such a thing.
+    #[must_use]
+    pub fn line(&self, step: Step) -> Option<&Line> {
+        self.lines.iter().find(|line| line.step == step)
+    }
+
     /// The explanation for people.
     #[must_use]
     pub fn to_text(&self) -> String {

@@ -1,12 +1,15 @@
-//! `passivity-evidence`: gathers records, makes the table, finds what is stale.
+//! `passivity-collect`: gathers records, makes the table, finds what is stale.
 #![allow(clippy::print_stdout)]
 
 use std::path::Path;
 use std::process::ExitCode;
 
-use passivity_evidence::{Claims, Evidence, collect, mutants, root, table};
+use passivity_collect::{COMMITTED, collect, mutants, root, table};
+use passivity_evidence::{
+    Claims, Evidence, EvidenceError, Freshness, Outcome, RunOutcome, assess, in_tree, read,
+};
 
-const USAGE: &str = "usage: passivity-evidence collect FOLDER OUT | commit EVIDENCE | mutants FOLDER... | table | stale";
+const USAGE: &str = "usage: passivity-collect collect FOLDER OUT | commit EVIDENCE | mutants FOLDER... | table | stale";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -17,79 +20,85 @@ fn main() -> ExitCode {
         ["mutants", folders @ ..] if !folders.is_empty() => judge_mutants(folders),
         ["table"] => write_table(),
         ["stale"] => stale(),
-        _ => Err(USAGE.to_owned()),
+        _ => Err(EvidenceError::new(USAGE)),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("{message}");
+        Err(error) => {
+            eprintln!("{error}");
             ExitCode::FAILURE
         }
     }
 }
 
+/// The evidence in a file.
+fn evidence_in(path: &Path) -> Result<Evidence, EvidenceError> {
+    Evidence::parse(&path.display().to_string(), &read(path)?)
+}
+
+/// What failed in the evidence, a line each.
+fn failures(evidence: &Evidence) -> Vec<String> {
+    let failures = evidence.records.iter().filter_map(|record| {
+        let Outcome::Failed(failures) = &record.outcome else {
+            return None;
+        };
+        let lines: Vec<String> = failures
+            .iter()
+            .map(|f| format!("{}: {f}", record.id()))
+            .collect();
+        Some(lines.join("\n"))
+    });
+    failures.collect()
+}
+
 /// Gathers the records, says what they show, and fails when an engine did not show what it ran for.
-fn gather(folder: &Path, out: &Path) -> Result<(), String> {
+fn gather(folder: &Path, out: &Path) -> Result<(), EvidenceError> {
     let evidence = collect(&root(), folder, &Claims::read(&root())?)?;
-    write(out, &evidence.text()?)?;
+    write(out, &evidence.to_text()?)?;
     for run in &evidence.runs {
-        match &run.not_run {
-            Some(why) => println!("{:<20} not run here: {why}", run.engine.words()),
-            None => println!(
-                "{:<20} {} parts, {:.0} s ({})",
-                run.engine.words(),
-                run.parts,
-                run.seconds,
-                run.tool
-            ),
+        let engine = run.engine.words();
+        match &run.outcome {
+            RunOutcome::NotRun(why) => println!("{engine:<20} not run here: {why}"),
+            RunOutcome::Ran { parts, seconds } => {
+                let tools: Vec<String> = run.tools.iter().map(ToString::to_string).collect();
+                println!(
+                    "{engine:<20} {parts} parts, {seconds:.0} s ({})",
+                    tools.join(", ")
+                );
+            }
         }
     }
-    let failures: Vec<String> = evidence
-        .records
-        .iter()
-        .flat_map(|record| {
-            record
-                .failures
-                .iter()
-                .map(|f| format!("{} ({}): {f}", record.claim, record.engine))
-        })
-        .collect();
     println!("{} records in {}", evidence.records.len(), out.display());
+    let failures = failures(&evidence);
     if failures.is_empty() {
         Ok(())
     } else {
-        Err(failures.join("\n"))
+        Err(EvidenceError::new(failures.join("\n")))
     }
 }
 
 /// Makes an evidence file the committed one, and the table from it.
-fn commit(evidence: &Path) -> Result<(), String> {
-    let evidence = Evidence::read(evidence)?;
-    if let Some(record) = evidence
-        .records
-        .iter()
-        .find(|record| !record.failures.is_empty())
-    {
-        return Err(format!("{}: {}", record.claim, record.failures.join("; ")));
+fn commit(path: &Path) -> Result<(), EvidenceError> {
+    let evidence = evidence_in(path)?;
+    let failures = failures(&evidence);
+    if !failures.is_empty() {
+        return Err(EvidenceError::new(failures.join("\n")));
     }
-    write(&root().join("proofs/evidence.json"), &evidence.text()?)?;
+    write(&root().join(COMMITTED), &evidence.to_text()?)?;
     write_table()
 }
 
-fn write_table() -> Result<(), String> {
-    let evidence = Evidence::read(&root().join("proofs/evidence.json"))?;
-    write(
-        &root().join("proofs/README.md"),
-        &table(&Claims::read(&root())?, &evidence),
-    )
+fn write_table() -> Result<(), EvidenceError> {
+    let evidence = evidence_in(&root().join(COMMITTED))?;
+    let claims = Claims::read(&root())?;
+    write(&root().join("proofs/README.md"), &table(&claims, &evidence))
 }
 
 /// Compares the survivors of mutation runs with the explained ones; writes `last.json`.
-fn judge_mutants(folders: &[&str]) -> Result<(), String> {
+fn judge_mutants(folders: &[&str]) -> Result<(), EvidenceError> {
     let explained = mutants::explained(&root())?;
     let folders: Vec<&Path> = folders.iter().map(Path::new).collect();
     let (mutation, faults) = mutants::judge(&root(), &folders, &explained)?;
-    let text = serde_json::to_string_pretty(&mutation).map_err(|e| e.to_string())?;
     println!(
         "{} mutants compile, {} noticed, {} explained survivors",
         mutation.mutants,
@@ -97,49 +106,48 @@ fn judge_mutants(folders: &[&str]) -> Result<(), String> {
         mutation.survivors.len()
     );
     if !faults.is_empty() {
-        return Err(faults.join("\n"));
+        return Err(EvidenceError::new(faults.join("\n")));
     }
-    write(
-        &root().join("proofs/mutants/last.json"),
-        &format!("{text}\n"),
-    )
+    let text = serde_json::to_string_pretty(&mutation)
+        .map_err(|error| EvidenceError::within(mutants::LAST, error))?;
+    write(&root().join(mutants::LAST), &format!("{text}\n"))
 }
 
 /// Lists the committed records whose claim or sources have changed; fails when there are any.
-fn stale() -> Result<(), String> {
+fn stale() -> Result<(), EvidenceError> {
     let claims = Claims::read(&root())?;
-    let evidence = Evidence::read(&root().join("proofs/evidence.json"))?;
+    let evidence = evidence_in(&root().join(COMMITTED))?;
+    let now = |path: &str| in_tree(&root(), path);
     let mut stale = 0;
     for record in &evidence.records {
-        let changed = match claims.find(&record.claim) {
-            Some(claim) => record.stale(&claim.sha256(), &claim.sources(&root())?),
-            None => vec!["the claim is gone".to_owned()],
-        };
-        if !changed.is_empty() {
+        if claims.find(&record.claim).is_none() {
             stale += 1;
-            println!(
-                "{} ({}): changed since: {}",
-                record.claim,
-                record.engine,
-                changed.join(", ")
-            );
+            println!("{}: the claim is gone", record.id());
+        }
+    }
+    for assessed in assess(&claims, &evidence, now)? {
+        if matches!(assessed.freshness, Freshness::Stale(_)) {
+            stale += 1;
+            println!("{}: {}", assessed.id(), assessed.freshness);
         }
     }
     if let Some(mutation) = &evidence.mutation {
-        let changed = mutation.stale(&root())?;
-        if !changed.is_empty() {
+        let changes = mutation.changes(now)?;
+        if !changes.is_empty() {
             stale += 1;
-            println!("mutants: changed since: {}", changed.join(", "));
+            println!("mutants: {}", Freshness::Stale(changes));
         }
     }
     println!("{stale} of {} records are stale", evidence.records.len());
     if stale == 0 {
         Ok(())
     } else {
-        Err("run `make prove`, and commit its evidence".to_owned())
+        Err(EvidenceError::new(
+            "run `make prove`, and commit its evidence",
+        ))
     }
 }
 
-fn write(path: &Path, text: &str) -> Result<(), String> {
-    std::fs::write(path, text).map_err(|e| format!("{}: {e}", path.display()))
+fn write(path: &Path, text: &str) -> Result<(), EvidenceError> {
+    std::fs::write(path, text).map_err(|error| EvidenceError::io(path, &error))
 }

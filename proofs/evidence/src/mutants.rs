@@ -3,10 +3,17 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use passivity_evidence::{EvidenceError, Mutation, Sha256, Survivor, Tool, read};
 use serde::Deserialize;
-use serde_json::Value;
 
-use crate::record::{Mutation, Survivor, sha256};
+use crate::collect::counted;
+use crate::sources::Sources;
+
+/// The survivors that are known, from the root of the workspace.
+const EXPLAINED: &str = "proofs/mutants/explained.toml";
+
+/// The last mutation run, from the root of the workspace.
+pub const LAST: &str = "proofs/mutants/last.json";
 
 /// `proofs/mutants/explained.toml`.
 #[derive(Deserialize)]
@@ -20,12 +27,22 @@ struct Explained {
 ///
 /// # Errors
 ///
-/// A sentence, when the list can't be read.
-pub fn explained(root: &Path) -> Result<Vec<Survivor>, String> {
-    let path = root.join("proofs/mutants/explained.toml");
-    let list: Explained =
-        toml::from_str(&crate::read(&path)?).map_err(|e| format!("{}: {e}", path.display()))?;
+/// A list that cannot be read.
+pub fn explained(root: &Path) -> Result<Vec<Survivor>, EvidenceError> {
+    let list: Explained = toml::from_str(&read(&root.join(EXPLAINED))?)
+        .map_err(|error| EvidenceError::within(EXPLAINED, error))?;
     Ok(list.survivor)
+}
+
+/// The last mutation run, when there was one.
+pub(crate) fn last(root: &Path) -> Result<Option<Mutation>, EvidenceError> {
+    let path = root.join(LAST);
+    if !path.exists() {
+        return Ok(None);
+    }
+    let run = serde_json::from_str(&read(&path)?);
+    run.map(Some)
+        .map_err(|error| EvidenceError::within(LAST, error))
 }
 
 /// Reads the folders `mutants.out` of runs, of which a later one has asked again about survivors of
@@ -34,57 +51,75 @@ pub fn explained(root: &Path) -> Result<Vec<Survivor>, String> {
 ///
 /// # Errors
 ///
-/// A sentence, when a folder is not that of a finished run.
+/// A folder that is not that of a finished run.
 pub fn judge(
     root: &Path,
     folders: &[&Path],
     explained: &[Survivor],
-) -> Result<(Mutation, Vec<String>), String> {
+) -> Result<(Mutation, Vec<String>), EvidenceError> {
     let mut all = Runs::default();
     for folder in folders {
         all.read(&folder.join("outcomes.json"))?;
     }
     let caught = all.noticed.values().filter(|noticed| **noticed).count();
     if caught == 0 {
-        return Err("no mutant was noticed: the run is not one".to_owned());
+        let message = "no mutant was noticed: the run is not one";
+        return Err(EvidenceError::new(message));
     }
-    let survived: BTreeSet<String> = all
-        .noticed
-        .iter()
-        .filter(|(_, noticed)| !**noticed)
-        .map(|(name, _)| without_line(name))
-        .collect();
-    let known: BTreeMap<&str, &Survivor> = explained
-        .iter()
-        .map(|survivor| (survivor.mutant.as_str(), survivor))
-        .collect();
-    let mut faults = Vec::new();
-    let mut survivors = Vec::new();
-    for name in &survived {
-        match known.get(name.as_str()) {
-            Some(survivor) => survivors.push((*survivor).clone()),
-            None => faults.push(format!("survived, and nobody says why: {name}")),
-        }
-    }
-    for name in known.keys().filter(|name| !survived.contains(**name)) {
-        faults.push(format!("explained, but it was noticed or is gone: {name}"));
-    }
-    let hash = |file: &String| {
-        let source = crate::read(&root.join(file))?;
-        Ok((file.clone(), sha256(source.as_bytes())))
-    };
-    let sources: Result<BTreeMap<String, String>, String> = all.files.iter().map(hash).collect();
-    let count = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
+    let (survivors, faults) = all.survivors(explained);
+    let tree = Sources::new(root, None);
+    let sum = |file: &String| Ok((file.clone(), tree.sum(file)?));
+    let sources: Result<BTreeMap<String, Sha256>, EvidenceError> =
+        all.files.iter().map(sum).collect();
     let mutation = Mutation {
-        tool: format!("cargo-mutants {}", all.version),
-        files: all.files.into_iter().collect(),
-        mutants: count(all.noticed.len()),
-        caught: count(caught),
+        tool: Tool {
+            name: "cargo-mutants".to_owned(),
+            version: all.version,
+        },
+        mutants: counted(all.noticed.len())?,
+        caught: counted(caught)?,
         survivors,
         seconds: all.seconds.round(),
         sources: sources?,
     };
     Ok((mutation, faults))
+}
+
+/// `outcomes.json`, as far as it matters here.
+#[derive(Deserialize)]
+struct Outcomes {
+    cargo_mutants_version: Option<String>,
+    end_time: Option<String>,
+    outcomes: Vec<Outcome>,
+}
+
+#[derive(Deserialize)]
+struct Outcome {
+    scenario: Scenario,
+    summary: Summary,
+    phase_results: Vec<Phase>,
+}
+
+/// The tests of the unchanged code, or of a mutant.
+#[derive(Deserialize)]
+enum Scenario {
+    Baseline,
+    Mutant { name: String, file: String },
+}
+
+#[derive(Deserialize)]
+enum Summary {
+    Success,
+    CaughtMutant,
+    Timeout,
+    MissedMutant,
+    Unviable,
+    Failure,
+}
+
+#[derive(Deserialize)]
+struct Phase {
+    duration: f64,
 }
 
 /// What runs of cargo-mutants said, the last word on each mutant that compiles.
@@ -94,43 +129,59 @@ struct Runs {
     noticed: BTreeMap<String, bool>,
     files: BTreeSet<String>,
     seconds: f64,
-    version: String,
+    version: Option<String>,
 }
 
 impl Runs {
-    fn read(&mut self, path: &Path) -> Result<(), String> {
-        let bad = |what: &str| format!("{}: {what}", path.display());
-        let run: Value =
-            serde_json::from_str(&crate::read(path)?).map_err(|e| bad(&e.to_string()))?;
-        if run["end_time"].is_null() {
-            return Err(bad("the run was not finished"));
+    fn read(&mut self, path: &Path) -> Result<(), EvidenceError> {
+        let name = path.display().to_string();
+        let run: Outcomes = serde_json::from_str(&read(path)?)
+            .map_err(|error| EvidenceError::within(&name, error))?;
+        if run.end_time.is_none() {
+            return Err(EvidenceError::within(&name, "the run was not finished"));
         }
-        let version = run["cargo_mutants_version"].as_str();
-        self.version = version.unwrap_or("of unknown version").to_owned();
-        for outcome in run["outcomes"]
-            .as_array()
-            .ok_or_else(|| bad("no outcomes"))?
-        {
-            let phases = outcome["phase_results"].as_array();
-            let phases = phases.map_or(&[][..], Vec::as_slice);
-            let durations = phases.iter().filter_map(|phase| phase["duration"].as_f64());
+        self.version = run.cargo_mutants_version;
+        for outcome in run.outcomes {
+            let durations = outcome.phase_results.iter().map(|phase| phase.duration);
             self.seconds += durations.sum::<f64>();
-            let mutant = &outcome["scenario"]["Mutant"];
-            let Some(name) = mutant["name"].as_str() else {
+            let Scenario::Mutant { name: mutant, file } = outcome.scenario else {
                 continue;
             };
-            let file = mutant["file"].as_str();
-            let file = file.ok_or_else(|| bad("a mutant has no file"))?;
-            self.files.insert(file.to_owned());
-            let noticed = match outcome["summary"].as_str() {
-                Some("CaughtMutant" | "Timeout") => true,
-                Some("MissedMutant") => false,
-                Some("Unviable") => continue,
-                other => return Err(bad(&format!("`{name}` ended as {other:?}"))),
+            self.files.insert(file);
+            let noticed = match outcome.summary {
+                Summary::CaughtMutant | Summary::Timeout => true,
+                Summary::MissedMutant => false,
+                Summary::Unviable => continue,
+                Summary::Success | Summary::Failure => {
+                    let what = format!("`{mutant}` came to no end that is known");
+                    return Err(EvidenceError::within(&name, what));
+                }
             };
-            self.noticed.insert(name.to_owned(), noticed);
+            self.noticed.insert(mutant, noticed);
         }
         Ok(())
+    }
+
+    /// The survivors with their reasons, and what is wrong with them.
+    fn survivors(&self, explained: &[Survivor]) -> (Vec<Survivor>, Vec<String>) {
+        let missed = self.noticed.iter().filter(|(_, noticed)| !**noticed);
+        let survived: BTreeSet<String> = missed.map(|(name, _)| without_line(name)).collect();
+        let known: BTreeMap<&str, &Survivor> = explained
+            .iter()
+            .map(|survivor| (survivor.mutant.as_str(), survivor))
+            .collect();
+        let mut survivors = Vec::new();
+        let mut faults = Vec::new();
+        for name in &survived {
+            match known.get(name.as_str()) {
+                Some(survivor) => survivors.push((*survivor).clone()),
+                None => faults.push(format!("survived, and nobody says why: {name}")),
+            }
+        }
+        for name in known.keys().filter(|name| !survived.contains(**name)) {
+            faults.push(format!("explained, but it was noticed or is gone: {name}"));
+        }
+        (survivors, faults)
     }
 }
 

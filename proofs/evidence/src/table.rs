@@ -2,8 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::claims::{Claim, Claims};
-use crate::record::{Engine, Evidence, Mutation, Record};
+use passivity_evidence::{Claim, Claims, Engine, Evidence, Mutation, Outcome, Record, RunOutcome};
 
 /// The engines that count as evidence, a column each.
 const COLUMNS: [Engine; 5] = [
@@ -82,33 +81,20 @@ fn cell(record: Option<&Record>) -> String {
     let Some(record) = record else {
         return "–".to_owned();
     };
-    let Some(result) = &record.result else {
-        return "**failed**".to_owned();
-    };
-    let count = match record.engine {
-        // One part a claim, which lists its theorems.
-        Engine::Rocq => record
-            .parts
-            .iter()
-            .map(|part| part.split(", ").count())
-            .sum(),
-        _ => record.parts.len(),
-    };
-    let (one, many) = match record.engine {
-        Engine::Smt => ("query", "queries"),
-        Engine::Rocq => ("theorem", "theorems"),
-        Engine::Kani | Engine::StandIn => ("harness", "harnesses"),
-        Engine::Tests | Engine::Prusti => ("test", "tests"),
-    };
-    if record.not_run.is_some() {
-        return result.clone();
+    let words = record.outcome.words();
+    match record.outcome {
+        Outcome::NotRun(_) => return words,
+        Outcome::Failed(_) => return format!("**{words}**"),
+        Outcome::Shown(_) => {}
     }
+    let count = record.parts.len();
+    let (one, many) = record.engine.part();
     let scope = record
         .scope
         .as_ref()
         .map_or_else(String::new, |part| format!(" for *{part}*"));
     format!(
-        "{result}{scope} ({count} {})",
+        "{words}{scope} ({count} {})",
         if count == 1 { one } else { many }
     )
 }
@@ -119,18 +105,21 @@ fn engines(text: &mut String, evidence: &Evidence) {
     );
     for run in &evidence.runs {
         let name = run.engine.words();
-        let _ = match &run.not_run {
-            Some(why) => writeln!(
+        let tools: Vec<String> = run.tools.iter().map(ToString::to_string).collect();
+        let at = run
+            .commit
+            .as_ref()
+            .map_or_else(String::new, |commit| format!(", at commit {commit}"));
+        let _ = match &run.outcome {
+            RunOutcome::NotRun(why) => writeln!(
                 text,
                 "| {name} | **not run here**: {} | – | – |",
                 escaped(why)
             ),
-            None => writeln!(
+            RunOutcome::Ran { parts, seconds } => writeln!(
                 text,
-                "| {name} | {} | {} | {:.0} |",
-                escaped(&run.tool),
-                run.parts,
-                run.seconds
+                "| {name} | {}{at} | {parts} | {seconds:.0} |",
+                escaped(&tools.join(", ")),
             ),
         };
     }
@@ -146,7 +135,7 @@ fn mutation(text: &mut String, mutation: Option<&Mutation>) {
         text.push_str("`make mutate`: not run here.\n");
         return;
     };
-    let files: Vec<String> = mutation.files.iter().map(|f| format!("`{f}`")).collect();
+    let files: Vec<String> = mutation.sources.keys().map(|f| format!("`{f}`")).collect();
     let _ = writeln!(
         text,
         "{} changed {}, and no other file, in {} places so that they compile; the property tests noticed {}.",
@@ -171,11 +160,9 @@ fn mutation(text: &mut String, mutation: Option<&Mutation>) {
 }
 
 fn code(claim: &Claim) -> String {
-    let item = |item: &String| {
-        let module = item.split("::").next().unwrap_or(item);
-        format!("[`{item}`](../crates/passivity-core/src/{module}.rs)")
-    };
-    claim.code.iter().map(item).collect::<Vec<_>>().join(", ")
+    let items = claim.code.iter();
+    let items = items.map(|item| format!("[`{item}`](../{})", item.file()));
+    items.collect::<Vec<_>>().join(", ")
 }
 
 fn list(ids: &[String]) -> String {
@@ -194,7 +181,7 @@ fn escaped(text: &str) -> String {
 const INTRODUCTION: &str = "\
 # Claims and evidence
 
-<!-- Generated: `cargo run -p passivity-evidence -- table`. Edit claims.toml, not this file. -->
+<!-- Generated: `cargo run -p passivity-collect -- table`. Edit claims.toml, not this file. -->
 
 What the project claims, and what machines have shown of it. The words are: *proved for all reals*
 (both solvers, or the proof assistant), *proved for all inputs in* a bound (model checker), *exhausted on* a
@@ -207,6 +194,6 @@ them, `kani/` calls them at a number type of bounded width, the tests at big rat
 the theorem about motions, and a generated file checks that its definitions are the kernel's.
 
 `make prove` runs all engines and writes `target/evidence.json`; `evidence.json` here is the last one
-that was committed (`proofs/prove --commit`). Each record is bound by SHA-256 to the text of its claim and to the sources of its
-code: `cargo run -p passivity-evidence -- stale` lists the records that no longer speak of what is there.
+that was committed (`proofs/prove --commit`). Each record is bound by SHA-256 to the text of its claim, with its scope, assumptions
+and caveats, to the sources of its code, and to the harnesses, queries, tests or theorems that were run: `cargo run -p passivity-collect -- stale` lists the records that no longer speak of what is there.
 ";

@@ -1,9 +1,9 @@
 //! From claims to code and back: ids in doc comments, items of the kernel, names of tests.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use crate::record::Engine;
+use passivity_evidence::{Claim, Claims, Engine, EvidenceError, read};
 
 /// Beginnings of the ids of claims.
 const KINDS: [&str; 4] = ["EQ-", "ERR-", "TH-", "NUM-"];
@@ -13,9 +13,9 @@ const KINDS: [&str; 4] = ["EQ-", "ERR-", "TH-", "NUM-"];
 /// # Example
 ///
 /// ```
-/// let ids = passivity_evidence::trace::ids("Equal to (19), see EQ-19/20, and TH-LIN.");
+/// let ids = passivity_collect::trace::ids("Equal to (19), see EQ-19/20, and TH-LIN.");
 /// assert_eq!(ids, ["EQ-19/20", "TH-LIN"]);
-/// assert_eq!(passivity_evidence::trace::ids("the record `TH-LIN/smt`"), ["TH-LIN"]);
+/// assert_eq!(passivity_collect::trace::ids("the record `TH-LIN/smt`"), ["TH-LIN"]);
 /// ```
 #[must_use]
 pub fn ids(text: &str) -> Vec<String> {
@@ -41,16 +41,12 @@ pub fn ids(text: &str) -> Vec<String> {
 ///
 /// # Errors
 ///
-/// A sentence, when a file or folder can't be read.
-pub fn in_doc_comments(folder: &Path) -> Result<BTreeMap<String, BTreeSet<String>>, String> {
+/// A file or folder that cannot be read.
+pub fn in_doc_comments(folder: &Path) -> Result<BTreeMap<String, BTreeSet<String>>, EvidenceError> {
     let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for path in rust_files(folder)? {
-        let name = path
-            .strip_prefix(folder)
-            .unwrap_or(&path)
-            .display()
-            .to_string();
-        for line in crate::read(&path)?.lines() {
+        let name = path.display().to_string();
+        for line in read(&path)?.lines() {
             let line = line.trim_start();
             if line.starts_with("//!") || line.starts_with("///") {
                 for id in ids(line) {
@@ -66,25 +62,19 @@ pub fn in_doc_comments(folder: &Path) -> Result<BTreeMap<String, BTreeSet<String
 ///
 /// # Errors
 ///
-/// A sentence, when a folder can't be read.
-pub fn rust_files(folder: &Path) -> Result<Vec<std::path::PathBuf>, String> {
+/// A folder that cannot be read.
+pub fn rust_files(folder: &Path) -> Result<Vec<PathBuf>, EvidenceError> {
     let mut files = Vec::new();
     let mut folders = vec![folder.to_owned()];
     while let Some(folder) = folders.pop() {
-        let entries =
-            std::fs::read_dir(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-        for entry in entries {
-            let path = entry
-                .map_err(|e| format!("{}: {e}", folder.display()))?
-                .path();
-            let name = path
-                .file_name()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned();
-            if path.is_dir() && name != "target" && !name.starts_with('.') {
+        let failed = |error| EvidenceError::io(&folder, &error);
+        for entry in std::fs::read_dir(&folder).map_err(failed)? {
+            let path = entry.map_err(failed)?.path();
+            let name = path.file_name().map(|name| name.to_string_lossy());
+            let hidden = name.is_none_or(|name| name == "target" || name.starts_with('.'));
+            if path.is_dir() && !hidden {
                 folders.push(path);
-            } else if name.ends_with(".rs") {
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
                 files.push(path);
             }
         }
@@ -110,4 +100,39 @@ pub fn declares(source: &str, item: &str) -> bool {
                 })
         })
     })
+}
+
+/// The claims that the name of a test, a harness or a query begins with: one after the other.
+///
+/// # Example
+///
+/// ```
+/// use passivity_collect::{root, trace::named};
+///
+/// let claims = passivity_evidence::Claims::read(&root()).unwrap();
+/// assert_eq!(named(&claims, "th_dac_th_delay_combined"), ["TH-DAC", "TH-DELAY"]);
+/// assert_eq!(named(&claims, "err_19_start_counterexample"), ["ERR-19-start"]);
+/// ```
+#[must_use]
+pub fn named(claims: &Claims, name: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut rest = name;
+    while let Some((claim, after)) = claims.claims.iter().find_map(|claim| {
+        let after = rest.strip_prefix(&in_names(claim))?;
+        (after.is_empty() || after.starts_with('_')).then_some((claim, after))
+    }) {
+        found.push(claim.id.clone());
+        rest = after.trim_start_matches('_');
+    }
+    found
+}
+
+/// The id of a claim as names have it: `th_lin`, `eq_23_26`.
+#[must_use]
+pub fn in_names(claim: &Claim) -> String {
+    claim
+        .id
+        .to_lowercase()
+        .replace("..", "_")
+        .replace(['-', '/'], "_")
 }

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use passivity_evidence::{Claims, Engine, Evidence, root, table, trace};
+use passivity_collect::{COMMITTED, root, table, trace};
+use passivity_evidence::{Claims, Engine, Evidence, Outcome};
 
 fn claims() -> Claims {
     Claims::read(&root()).unwrap()
@@ -79,12 +80,9 @@ fn every_claim_has_code_that_cites_it() {
             claim.id
         );
         for item in &claim.code {
-            let (module, name) = item
-                .split_once("::")
-                .unwrap_or_else(|| panic!("{item} is no item"));
-            let source = text(&format!("crates/passivity-core/src/{module}.rs"));
+            let source = text(&item.file());
             assert!(
-                trace::declares(&source, name),
+                trace::declares(&source, &item.name),
                 "{}: there is no {item}",
                 claim.id
             );
@@ -129,7 +127,7 @@ fn every_claim_has_the_evidence_that_is_expected() {
         let names = |names: &[String]| {
             names
                 .iter()
-                .any(|name| claims.named(name).contains(&claim.id.as_str()))
+                .any(|name| trace::named(&claims, name).contains(&claim.id))
         };
         for engine in &claim.evidence {
             let found = match engine {
@@ -137,7 +135,7 @@ fn every_claim_has_the_evidence_that_is_expected() {
                 Engine::StandIn | Engine::Kani => names(&harnesses),
                 Engine::Smt => queries
                     .iter()
-                    .any(|query| query.starts_with(&format!("{}_", claim.name()))),
+                    .any(|query| query.starts_with(&format!("{}_", trace::in_names(claim)))),
                 Engine::Rocq => theorems.contains(&claim.id.as_str()),
                 Engine::Prusti => {
                     panic!("{}: contracts that nothing runs are no evidence", claim.id)
@@ -165,58 +163,39 @@ fn every_property_test_names_a_claim() {
     };
     for name in functions(&folder).iter().filter(|name| named(name)) {
         assert!(
-            !claims.named(name).is_empty(),
+            !trace::named(&claims, name).is_empty(),
             "{name} begins with no claim's id"
         );
     }
 }
 
+fn committed() -> Evidence {
+    Evidence::parse(COMMITTED, &text(COMMITTED)).unwrap()
+}
+
 #[test]
 fn the_table_is_that_of_the_committed_evidence() {
-    let evidence = Evidence::read(&root().join("proofs/evidence.json")).unwrap();
-    let expected = table(&claims(), &evidence);
-    assert_eq!(
-        text("proofs/README.md"),
-        expected,
-        "cargo run -p passivity-evidence -- table"
+    let expected = table(&claims(), &committed());
+    assert!(
+        text("proofs/README.md") == expected,
+        "proofs/README.md is out of date: cargo run -p passivity-collect -- table"
     );
 }
 
 #[test]
-fn the_committed_evidence_uses_the_words_and_no_others() {
-    let claims = claims();
-    let evidence = Evidence::read(&root().join("proofs/evidence.json")).unwrap();
+fn the_published_crate_carries_the_claims_and_the_committed_evidence() {
+    assert_eq!(passivity_evidence::CLAIMS, text(Claims::PATH));
+    assert_eq!(passivity_evidence::EVIDENCE, text(COMMITTED));
+}
+
+#[test]
+fn the_committed_evidence_has_a_record_for_every_claim_and_engine_and_no_failure() {
+    let (claims, evidence) = (claims(), committed());
     for record in &evidence.records {
-        let at = format!("{} ({})", record.claim, record.engine);
+        let at = record.id();
         assert!(claims.find(&record.claim).is_some(), "{at}: unknown claim");
-        assert!(record.failures.is_empty(), "{at}: {:?}", record.failures);
-        let result = record
-            .result
-            .as_deref()
-            .unwrap_or_else(|| panic!("{at}: no result"));
-        for part in result.split("; ") {
-            let allowed: &[&str] = match record.engine {
-                Engine::Smt | Engine::Rocq => &["proved for all reals"],
-                Engine::Kani => &["proved for all inputs in "],
-                Engine::StandIn => &["exhausted on ", "sampled, "],
-                Engine::Tests => &["sampled, "],
-                Engine::Prusti => &[],
-            };
-            let fits =
-                part == "not run here" || allowed.iter().any(|words| part.starts_with(words));
-            assert!(fits, "{at}: `{result}`");
-        }
-        let not_run = result == "not run here";
-        assert_eq!(not_run, record.not_run.is_some(), "{at}: not run, and why");
-        assert_eq!(
-            not_run,
-            record.parts.is_empty() || record.not_run.is_some(),
-            "{at}: nothing ran"
-        );
-        assert!(
-            !record.sources.is_empty() && record.claim_sha256.len() == 64,
-            "{at}: not bound"
-        );
+        let failed = matches!(record.outcome, Outcome::Failed(_));
+        assert!(!failed, "{at}: {:?}", record.outcome);
     }
     for claim in &claims.claims {
         for engine in &claim.evidence {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::text::{LINE, Letters};
+use super::text::{LINE, wrap};
 use crate::gsn::{Argument, Kind, Node};
 
 /// Room between elements.
@@ -11,8 +11,10 @@ const GAP: f64 = 22.0;
 const GUTTER: f64 = 42.0;
 /// Size of the diamond under an undeveloped element.
 pub(super) const DIAMOND: f64 = 14.0;
-/// Solutions under one goal stand in columns of at most this many.
-const COLUMN: usize = 3;
+/// Solutions under one goal stand in at most so many columns.
+const COLUMNS: usize = 4;
+/// A drawing that is wider than this is set in rows, so that its letters can be read in print.
+pub(super) const WIDEST: f64 = 860.0;
 
 /// An element with its place.
 #[derive(Clone, Debug)]
@@ -87,10 +89,69 @@ impl<'a> Block<'a> {
     }
 }
 
+/// Where the element stands that others are put beside.
+struct Middle {
+    left: f64,
+    right: f64,
+    height: f64,
+    slant: f64,
+}
+
+impl<'a> Block<'a> {
+    /// Puts contexts at the left, right-aligned, each on a line from the element's left side.
+    fn put_left(&mut self, items: Vec<Self>, width: f64, middle: &Middle) {
+        let mut y = 0.0;
+        for item in items {
+            let (end, bus) = ((width, y + item.h / 2.0), width + GUTTER / 2.0);
+            let from = middle.height / 2.0;
+            let start = (middle.left + middle.slant, from);
+            let points = [start, (bus, from), (bus, end.1), end];
+            self.edge(Relation::InContextOf, &points);
+            let (dx, height) = (width - item.w, item.h);
+            self.absorb(item, dx, y);
+            y += height + GAP / 2.0;
+        }
+    }
+
+    /// Puts what speaks against the element at its right, each on a line that ends in the element.
+    ///
+    /// Gives the height that they take.
+    fn put_counters(&mut self, items: Vec<Self>, middle: &Middle) -> f64 {
+        let mut y = 0.0;
+        for item in items {
+            // The head of a counter goal is its first shape.
+            let (cx, cy) = item
+                .shapes
+                .first()
+                .map_or((0.0, 0.0), |s| (s.x, LINE * 1.5));
+            let dx = middle.right + GUTTER * 2.0;
+            let points = [(dx + cx, y + cy), (middle.right, y + cy)];
+            self.edge(Relation::Challenges, &points);
+            let height = item.h;
+            self.absorb(item, dx, y);
+            y += height + GAP;
+        }
+        y
+    }
+
+    /// Puts assumptions at the right from `y` down, each on a line from the element's right side.
+    fn put_right(&mut self, items: Vec<Self>, mut y: f64, middle: &Middle) {
+        let (bus, from) = (middle.right + GUTTER / 2.0, middle.height - LINE);
+        for item in items {
+            let end = (middle.right + GUTTER, y + item.h / 2.0);
+            let start = (middle.right - middle.slant, from);
+            let points = [start, (bus, from), (bus, end.1), end];
+            self.edge(Relation::InContextOf, &points);
+            let height = item.h;
+            self.absorb(item, end.0, y);
+            y += height + GAP / 2.0;
+        }
+    }
+}
+
 /// Lays out the part of an argument under one element.
 pub(super) struct Layout<'a> {
     argument: &'a Argument,
-    letters: Letters,
     /// Elements whose support is drawn elsewhere.
     folded: BTreeSet<String>,
     placed: BTreeSet<String>,
@@ -100,7 +161,6 @@ impl<'a> Layout<'a> {
     pub(super) fn new(argument: &'a Argument, folded: &[String]) -> Self {
         Self {
             argument,
-            letters: Letters::new(),
             folded: folded.iter().cloned().collect(),
             placed: BTreeSet::new(),
         }
@@ -109,84 +169,45 @@ impl<'a> Layout<'a> {
     /// Everything under `root`.
     pub(super) fn under(&mut self, root: &'a Node) -> Block<'a> {
         let shape = self.shape(root);
-        let (w, h) = (shape.w, shape.h);
-        // The sides of a parallelogram slant.
-        let slant = if root.kind == Kind::Strategy {
-            8.0
-        } else {
-            0.0
-        };
+        let (mut left, mut right) = (Vec::new(), Vec::new());
         // What is drawn elsewhere has its surroundings there.
-        let folded = self.folded.contains(&root.id);
-        let mut beside = |kinds: &[Kind]| {
-            if folded {
-                Vec::new()
-            } else {
-                self.beside(root, kinds)
-            }
-        };
-        let mut left = beside(&[Kind::Context, Kind::Justification]);
-        let mut right = beside(&[Kind::Assumption]);
+        if !self.folded.contains(&root.id) {
+            left = self.beside(root, &[Kind::Context, Kind::Justification]);
+            right = self.beside(root, &[Kind::Assumption]);
+        }
         // Many assumptions stand on both sides, for a lower drawing.
         while right.len() > left.len() + 1 {
             left.extend(right.pop());
         }
-        let counters: Vec<Block<'a>> = self
-            .argument
+        let argument = self.argument;
+        let counters: Vec<Block<'a>> = argument
             .nodes()
-            .iter()
             .filter(|node| node.challenges.as_deref() == Some(root.id.as_str()))
             .map(|counter| self.under(counter))
             .collect();
-        let mut block = Block::default();
-        let side = |stack: &[Block<'a>]| stack.iter().map(|b| b.w).fold(0.0, f64::max);
-        let left_width = side(&left);
+        let left_width = left.iter().map(|b| b.w).fold(0.0, f64::max);
         let x = if left.is_empty() {
             0.0
         } else {
             left_width + GUTTER
         };
-        let mut y = 0.0;
-        for item in left {
-            let (px, py) = (left_width, y + item.h / 2.0);
-            let bus = left_width + GUTTER / 2.0;
-            let from = h / 2.0;
-            block.edge(
-                Relation::InContextOf,
-                &[(x + slant, from), (bus, from), (bus, py), (px, py)],
-            );
-            let height = item.h;
-            let dx = left_width - item.w;
-            block.absorb(item, dx, y);
-            y += height + GAP / 2.0;
-        }
-        let edge_x = x + w;
-        let mut y = 0.0;
-        for item in counters {
-            // The head of a counter goal is its first shape.
-            let (cx, cy) = item
-                .shapes
-                .first()
-                .map_or((0.0, 0.0), |s| (s.x, LINE * 1.5));
-            let dx = edge_x + GUTTER * 2.0;
-            block.edge(Relation::Challenges, &[(dx + cx, y + cy), (edge_x, y + cy)]);
-            let height = item.h;
-            block.absorb(item, dx, y);
-            y += height + GAP;
-        }
-        for item in right {
-            let (px, py) = (edge_x + GUTTER, y + item.h / 2.0);
-            let bus = edge_x + GUTTER / 2.0;
-            let from = h - LINE;
-            block.edge(
-                Relation::InContextOf,
-                &[(edge_x - slant, from), (bus, from), (bus, py), (px, py)],
-            );
-            let height = item.h;
-            block.absorb(item, px, y);
-            y += height + GAP / 2.0;
-        }
-        block.w = block.w.max(edge_x);
+        let (w, h) = (shape.w, shape.h);
+        let middle = Middle {
+            left: x,
+            right: x + w,
+            height: h,
+            // The sides of a parallelogram slant.
+            slant: if root.kind == Kind::Strategy {
+                8.0
+            } else {
+                0.0
+            },
+        };
+        let mut block = Block::default();
+        block.put_left(left, left_width, &middle);
+        let below = block.put_counters(counters, &middle);
+        block.put_right(right, below, &middle);
+        block.w = block.w.max(middle.right);
         block.h = block.h.max(h);
         block.port = (x + w / 2.0, 0.0);
         block.shapes.insert(0, Shape { x, y: 0.0, ..shape });
@@ -217,43 +238,17 @@ impl<'a> Layout<'a> {
         if parts.is_empty() {
             return;
         }
-        let top = block.h.max(bottom) + GAP * 1.6;
-        let bus = top - GAP * 0.8;
-        // As wide as the parts are; the line from above goes down the middle of it.
-        let width: f64 = parts.iter().map(|p| p.w).sum::<f64>() + GAP * (parts.len() - 1) as f64;
-        let port = block.port.0;
-        let mut x = port - width / 2.0;
-        if x < 0.0 {
-            let shift = -x;
-            let whole = std::mem::take(block);
-            let port = whole.port;
-            block.absorb(whole, shift, 0.0);
-            block.port = (port.0 + shift, port.1);
-            x = 0.0;
-        }
-        let port = block.port.0;
-        for part in parts {
-            let at = (x + part.port.0, top + part.port.1);
-            // Columns of solutions bring their own lines, from the height of the bus on.
-            block.edges.push(Edge {
-                relation: Relation::SupportedBy,
-                head: at.1 > bus,
-                points: vec![(port, bottom), (port, bus), (at.0, bus), at],
-            });
-            let width = part.w;
-            block.absorb(part, x, top);
-            x += width + GAP;
+        let mut top = block.h.max(bottom) + GAP * 1.6;
+        for (row, last) in rows(parts) {
+            hang_row(block, row, last, top, bottom);
+            top = block.h + GAP * 1.6;
         }
     }
 
     /// Solutions in columns, each column on a line that comes down at its left.
     fn columns(&mut self, leaves: &[&'a Node]) -> Block<'a> {
         let mut block = Block::default();
-        let rows = if leaves.len() <= 4 {
-            1
-        } else {
-            COLUMN.min(leaves.len().div_ceil(3))
-        };
+        let rows = leaves.len().div_ceil(COLUMNS);
         let mut x = 0.0;
         let mut trunks = Vec::new();
         for column in leaves.chunks(rows) {
@@ -281,7 +276,9 @@ impl<'a> Layout<'a> {
         }
         block.w = x - GAP / 2.0;
         // One line across all trunks; the line from above meets it at the nearest trunk's side.
-        let (first, last) = (trunks[0], trunks[trunks.len() - 1]);
+        let (Some(&first), Some(&last)) = (trunks.first(), trunks.last()) else {
+            return block;
+        };
         block.edges.push(Edge {
             relation: Relation::SupportedBy,
             head: false,
@@ -325,9 +322,9 @@ impl<'a> Layout<'a> {
             Kind::Assumption | Kind::Justification => 176.0,
             Kind::Solution | Kind::CounterSolution => 108.0,
         };
-        let lines = self.letters.wrap(&node.text, inner);
+        let lines = wrap(&node.text, inner);
         // Bold letters are up to a fifth wider.
-        let id = self.letters.wrap(&node.id, inner / 1.2);
+        let id = wrap(&node.id, inner / 1.2);
         // The id above the text, the standing below it.
         let extra = if node.standing.is_some() { 2.0 } else { 1.0 };
         let height = LINE * (lines.len() as f64 + extra);
@@ -357,5 +354,64 @@ impl<'a> Layout<'a> {
             lines,
             folded,
         }
+    }
+}
+
+/// The parts in rows no wider than [`WIDEST`], with whether a row is the last one. The line to the
+/// rows below goes down in the middle of a row, between two parts: such a row has an even number.
+fn rows(parts: Vec<Block<'_>>) -> Vec<(Vec<Block<'_>>, bool)> {
+    let mut rows: Vec<Vec<Block<'_>>> = Vec::new();
+    let mut left: std::collections::VecDeque<Block<'_>> = parts.into();
+    while !left.is_empty() {
+        let mut count = 1;
+        while count < left.len() && width_of(left.iter().take(count + 1)) <= WIDEST {
+            count += 1;
+        }
+        if count < left.len() && count > 1 {
+            count -= count % 2;
+        }
+        rows.push(left.drain(..count).collect());
+    }
+    let number = rows.len();
+    let last = |(index, row)| (row, index + 1 == number);
+    rows.into_iter().enumerate().map(last).collect()
+}
+
+fn width_of<'a, 'b: 'a>(parts: impl Iterator<Item = &'a Block<'b>>) -> f64 {
+    parts.map(|part| part.w + GAP).sum::<f64>() - GAP
+}
+
+/// Hangs a row of parts under the port of a block, each on a line from `bottom`.
+fn hang_row<'a>(block: &mut Block<'a>, row: Vec<Block<'a>>, last: bool, top: f64, bottom: f64) {
+    let bus = top - GAP * 0.8;
+    let half: f64 = if last || row.len() < 2 {
+        width_of(row.iter()) / 2.0
+    } else {
+        width_of(row.iter().take(row.len() / 2)) + GAP / 2.0
+    };
+    let alone = !last && row.len() == 1;
+    let port = block.port.0;
+    // A part that is alone in its row leaves room at its left for the line to the rows below.
+    let mut x = if alone { port + GAP } else { port - half };
+    if x < 0.0 {
+        let shift = -x;
+        let whole = std::mem::take(block);
+        let port = whole.port;
+        block.absorb(whole, shift, 0.0);
+        block.port = (port.0 + shift, port.1);
+        x = 0.0;
+    }
+    let port = block.port.0;
+    for part in row {
+        let at = (x + part.port.0, top + part.port.1);
+        // Columns of solutions bring their own lines, from the height of the bus on.
+        block.edges.push(Edge {
+            relation: Relation::SupportedBy,
+            head: at.1 > bus,
+            points: vec![(port, bottom), (port, bus), (at.0, bus), at],
+        });
+        let width = part.w;
+        block.absorb(part, x, top);
+        x += width + GAP;
     }
 }

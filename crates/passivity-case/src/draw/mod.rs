@@ -5,7 +5,7 @@ mod text;
 
 use std::fmt::Write as _;
 
-use crate::gsn::{Argument, Kind, Standing};
+use crate::gsn::{Argument, Kind, Node, Standing};
 use layout::{Edge, Layout, Relation, Shape};
 use text::{FONT, LINE};
 
@@ -23,7 +23,7 @@ pub struct Drawing {
     pub height: f64,
 }
 
-/// Draws what is under the element `root`, down to the elements in `folded`, whose support is
+/// Draws what is under the element `top`, down to the elements in `folded`, whose support is
 /// drawn elsewhere; `name` must be unique among the drawings of a document.
 ///
 /// # Example
@@ -32,12 +32,11 @@ pub struct Drawing {
 /// use passivity_case::{draw::draw, gsn::{Argument, Kind, Node}};
 ///
 /// let argument = Argument::new("a wall", Node::new(Kind::Goal, "G1", "It is passive."));
-/// let drawing = draw(&argument, "G1", &[], "wall");
+/// let drawing = draw(&argument, argument.top(), &[], "wall");
 /// assert!(drawing.svg.contains("undeveloped"));
 /// ```
 #[must_use]
-pub fn draw(argument: &Argument, root: &str, folded: &[String], name: &str) -> Drawing {
-    let top = argument.node(root).unwrap_or_else(|| argument.top());
+pub fn draw(argument: &Argument, top: &Node, folded: &[String], name: &str) -> Drawing {
     let block = Layout::new(argument, folded).under(top);
     let (width, height) = (block.w + 2.0 * MARGIN, block.h + 2.0 * MARGIN);
     // Writing to a string cannot fail.
@@ -134,7 +133,6 @@ fn draw_shape(svg: &mut String, shape: &Shape<'_>) {
         x,
         y,
         w,
-        h,
         body,
         folded,
         ..
@@ -190,26 +188,7 @@ fn draw_shape(svg: &mut String, shape: &Shape<'_>) {
         }
     };
     if node.is_undeveloped() || *folded {
-        let (top, bottom) = (y + body, y + h - 4.0);
-        let middle = f64::midpoint(top, bottom);
-        let half = layout::DIAMOND / 2.0;
-        if *folded {
-            // Not a sign of GSN: three dots say that the support is in a drawing of its own.
-            for dx in [-7.0, 0.0, 7.0] {
-                let _ = write!(
-                    svg,
-                    r#"<circle cx="{:.1}" cy="{middle:.1}" r="2" fill="{stroke}"/>"#,
-                    cx + dx
-                );
-            }
-        } else {
-            let _ = write!(
-                svg,
-                r##"<polygon points="{cx:.1},{top:.1} {:.1},{middle:.1} {cx:.1},{bottom:.1} {:.1},{middle:.1}" fill="#ffffff" stroke="{stroke}" stroke-width="1.3"><title>undeveloped</title></polygon>"##,
-                cx + half,
-                cx - half,
-            );
-        }
+        draw_below(svg, shape, stroke);
     }
     if node.is_defeated() {
         let (right, bottom) = (x + w, y + body);
@@ -219,6 +198,32 @@ fn draw_shape(svg: &mut String, shape: &Shape<'_>) {
         );
     }
     draw_text(svg, shape, (cx, cy), stroke);
+}
+
+/// The diamond under an element that nothing supports, or the dots under one whose support is in a
+/// drawing of its own.
+fn draw_below(svg: &mut String, shape: &Shape<'_>, stroke: &str) {
+    let cx = shape.x + shape.w / 2.0;
+    let (top, bottom) = (shape.y + shape.body, shape.y + shape.h - 4.0);
+    let middle = f64::midpoint(top, bottom);
+    let half = layout::DIAMOND / 2.0;
+    if shape.folded {
+        // Not a sign of GSN: three dots say that the support is in a drawing of its own.
+        for dx in [-7.0, 0.0, 7.0] {
+            let _ = write!(
+                svg,
+                r#"<circle cx="{:.1}" cy="{middle:.1}" r="2" fill="{stroke}"/>"#,
+                cx + dx
+            );
+        }
+    } else {
+        let _ = write!(
+            svg,
+            r##"<polygon points="{cx:.1},{top:.1} {:.1},{middle:.1} {cx:.1},{bottom:.1} {:.1},{middle:.1}" fill="#ffffff" stroke="{stroke}" stroke-width="1.3"><title>undeveloped</title></polygon>"##,
+            cx + half,
+            cx - half,
+        );
+    }
 }
 
 fn draw_text(svg: &mut String, shape: &Shape<'_>, (cx, cy): (f64, f64), colour: &str) {
@@ -253,11 +258,7 @@ fn draw_text(svg: &mut String, shape: &Shape<'_>, (cx, cy): (f64, f64), colour: 
 fn draw_edge(svg: &mut String, edge: &Edge) {
     let mut points = edge.points.clone();
     points.dedup();
-    let Some(((x1, y1), (x0, y0))) = points
-        .last()
-        .copied()
-        .zip(points.len().checked_sub(2).map(|i| points[i]))
-    else {
+    let [.., (x0, y0), (x1, y1)] = points[..] else {
         return;
     };
     let (colour, dashes) = match edge.relation {
@@ -297,7 +298,6 @@ fn draw_edge(svg: &mut String, edge: &Edge) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gsn::Node;
 
     /// An argument with everything that a drawing can have, and more of it than usual.
     fn crowded() -> Argument {
@@ -335,7 +335,7 @@ mod tests {
     fn no_two_elements_overlap_and_every_element_is_drawn_within_the_picture() {
         let argument = crowded();
         let block = Layout::new(&argument, &[]).under(argument.top());
-        assert_eq!(block.shapes.len(), argument.nodes().len());
+        assert_eq!(block.shapes.len(), argument.nodes().count());
         for (index, a) in block.shapes.iter().enumerate() {
             assert!(a.x >= 0.0 && a.y >= 0.0, "{}", a.node.id);
             assert!(
@@ -378,14 +378,13 @@ mod tests {
     #[test]
     fn text_fits_into_its_element() {
         let argument = crowded();
-        let letters = text::Letters::new();
         let block = Layout::new(&argument, &[]).under(argument.top());
         for shape in &block.shapes {
             let rows =
                 shape.id.len() + shape.lines.len() + usize::from(shape.node.standing.is_some());
             let (h, body) = (rows as f64 * LINE, shape.body);
             for line in &shape.lines {
-                let w = letters.width(line);
+                let w = text::width(line);
                 let fits = match shape.node.kind {
                     Kind::Solution | Kind::CounterSolution => w.hypot(h) <= body,
                     // Within the ellipse: (w/2a)² + (h/2b)² ≤ 1.
@@ -402,9 +401,9 @@ mod tests {
     #[test]
     fn a_folded_drawing_leaves_the_support_to_another() {
         let argument = crowded();
-        let drawing = draw(&argument, "G-top", &["G-5".to_owned()], "one");
+        let drawing = draw(&argument, argument.top(), &["G-5".to_owned()], "one");
         assert!(drawing.svg.contains(">G-5<") && !drawing.svg.contains("Sn-5-0"));
-        let other = draw(&argument, "G-5", &[], "two");
+        let other = draw(&argument, argument.node("G-5").unwrap(), &[], "two");
         assert!(other.svg.contains("Sn-5-0") && !other.svg.contains(">G-4<"));
         assert!(
             other

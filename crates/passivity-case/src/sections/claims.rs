@@ -1,25 +1,23 @@
-//! The claims with their evidence, traceability both ways, and the assumptions.
+//! The claims with their evidence.
 
-use std::collections::BTreeMap;
+use passivity_evidence::{Assessed, Engine, Freshness, Record};
 
+use super::to_claim;
 use crate::case::Case;
 use crate::document::{Document, Line, Row};
-use crate::records::{Claim, Freshness, Records};
+use crate::gsn::Anchor;
+use crate::records::Records;
 
 pub(super) fn write(document: &mut Document, case: &Case) {
-    table(document, &case.records);
-    caveats(document, &case.records);
-    traceability(document, &case.records);
-    assumptions(document, case);
-}
-
-fn to_claim(id: &str) -> Line {
-    Line::link(format!("claim-{id}"), id)
-}
-
-fn table(document: &mut Document, records: &Records) {
     document.heading(2, "claims", "Claims and evidence");
-    let rows = records.claims.iter().map(|claim| {
+    claims(document, &case.records);
+    open_points(document, case);
+    evidence(document, case);
+    caveats(document, &case.records);
+}
+
+fn claims(document: &mut Document, records: &Records) {
+    let rows = records.claims.claims.iter().map(|claim| {
         let mut sentence = Line::default();
         if claim.refutes {
             sentence = sentence.and(Line::strong("Refuted as printed. "));
@@ -28,66 +26,119 @@ fn table(document: &mut Document, records: &Records) {
         if !claim.formula.is_empty() {
             sentence = sentence
                 .and(Line::text(" "))
-                .and(Line::code(&claim.formula));
+                .and(Line::strong(&claim.formula));
         }
         let caveats = claim.caveats.iter().map(|id| to_caveat(records, id));
         Row {
-            id: Some(format!("claim-{}", claim.id)),
+            id: Some(Anchor::Claim(claim.id.clone()).id()),
             cells: vec![
                 claim.id.as_str().into(),
                 sentence,
                 Line::joined(caveats, ", "),
-                claim.standing().words().into(),
+                records.standing(&claim.id).words().into(),
             ],
         }
     });
     let columns = [
-        ("Claim", 14),
-        ("What it says", 58),
+        ("Claim", 15),
+        ("What it says", 57),
         ("Caveats", 17),
         ("Stands", 11),
     ];
     document.table("What is claimed", &columns, rows.collect());
+}
+
+/// Every open point with all claims that it concerns; page one has them in short.
+fn open_points(document: &mut Document, case: &Case) {
+    let points: Vec<Line> = case
+        .objections()
+        .iter()
+        .map(|objection| Line::text(objection.to_string()))
+        .collect();
+    document.heading(3, "open", "Open points");
+    if points.is_empty() {
+        document.say("Nothing in this case is open, stale, missing or defeated.");
+        return;
+    }
     document.say(
-        "Below is every record of evidence. A record is fresh when the text of the claim and all \
-         sources that it covers are as they were when it was made, stale when one of them has \
-         changed, and not run here when there is no result.",
+        "These points are open, stale, missing or defeated. With --strict, this case is refused \
+         because of them.",
     );
-    let rows = records.claims.iter().flat_map(|claim| {
-        claim.evidence.iter().map(|evidence| {
-            let tool = match evidence.tool.as_str() {
-                "" => String::new(),
-                tool => format!(", by {tool}"),
-            };
-            let found = format!("{}{tool}", evidence.result);
-            let (result, state) = match &evidence.freshness {
-                Freshness::NotRun(why) if why.is_empty() => (String::new(), "not run"),
-                Freshness::NotRun(why) => (format!("because {why}"), "not run"),
-                Freshness::Fresh => (found, "fresh"),
-                Freshness::Stale(_) => (format!("{found}; {}", evidence.words()), "stale"),
-                Freshness::Failed(_) => (format!("{found}; {}", evidence.words()), "failed"),
-            };
-            [
-                to_claim(&claim.id),
-                evidence.engine.words().into(),
-                result.as_str().into(),
-                state.into(),
-            ]
-            .into()
-        })
+    document.list(points);
+}
+
+fn evidence(document: &mut Document, case: &Case) {
+    let records = &case.records;
+    document.heading(3, "records", "Records of evidence");
+    document.say(
+        "A record is fresh when the text of the claim and all sources that it covers are as they \
+         were when it was made, stale when one of them has changed, and not run here when there is \
+         no result.",
+    );
+    let rows = Engine::ALL.into_iter().filter_map(|engine| {
+        let tools = records.tools(engine);
+        (!tools.is_empty()).then(|| -> Row { [engine.words().into(), tools.into()].into() })
+    });
+    let columns = [("Engine", 30), ("Tools that made the evidence", 70)];
+    document.table("The engines", &columns, rows.collect());
+    let rows = records.assessed.iter().map(|assessed| {
+        let (result, state) = found(records, assessed);
+        [
+            to_claim(case, &assessed.claim),
+            assessed.engine.words().into(),
+            result.into(),
+            state.into(),
+        ]
+        .into()
     });
     let columns = [
-        ("Claim", 14),
+        ("Claim", 15),
         ("Shown by", 17),
-        ("Result, and on which domain", 58),
+        ("Result, and on which domain", 57),
         ("Record", 11),
     ];
     document.table("What shows it", &columns, rows.collect());
 }
 
+/// The result of a record with its domain, and how the record stands.
+fn found(records: &Records, assessed: &Assessed) -> (String, &'static str) {
+    let refutes = records
+        .claims
+        .find(&assessed.claim)
+        .is_some_and(|claim| claim.refutes);
+    let result = assessed.record.as_ref().map_or_else(String::new, |record| {
+        result(record, assessed.engine, refutes)
+    });
+    match &assessed.freshness {
+        Freshness::NotRun(why) => (format!("because {why}"), "not run"),
+        Freshness::Fresh => (result, "fresh"),
+        Freshness::Stale(_) => (format!("{result}; {}", assessed.freshness), "stale"),
+        Freshness::Failed(_) => (assessed.freshness.to_string(), "failed"),
+    }
+}
+
+fn result(record: &Record, engine: Engine, refutes: bool) -> String {
+    let mut text = record.outcome.words();
+    if let Some(part) = &record.scope {
+        text.push_str(&format!(" for {part}"));
+    }
+    if !record.domains.is_empty() {
+        let domains = record.domains.join("; ");
+        // What the solvers are asked of a false statement is that statement, and they answer with a
+        // model.
+        let refuted = if engine == Engine::Smt && refutes {
+            "refuted: "
+        } else {
+            ""
+        };
+        text.push_str(&format!(" ({refuted}{domains})"));
+    }
+    text
+}
+
 /// A reference to a caveat; its mere id when the claims do not have it.
 fn to_caveat(records: &Records, id: &str) -> Line {
-    if records.caveats.contains_key(id) {
+    if records.claims.caveat(id).is_some() {
         Line::link(format!("caveat-{id}"), id)
     } else {
         Line::text(id)
@@ -95,180 +146,10 @@ fn to_caveat(records: &Records, id: &str) -> Line {
 }
 
 fn caveats(document: &mut Document, records: &Records) {
-    let rows = records.caveats.iter().map(|(id, text)| Row {
-        id: Some(format!("caveat-{id}")),
-        cells: vec![id.as_str().into(), text.as_str().into()],
+    let rows = records.claims.caveats.iter().map(|caveat| Row {
+        id: Some(format!("caveat-{}", caveat.id)),
+        cells: vec![caveat.id.as_str().into(), caveat.text.as_str().into()],
     });
-    let columns = [("Caveat", 16), ("What the evidence does not say", 84)];
+    let columns = [("Caveat", 17), ("What the evidence does not say", 83)];
     document.table("Caveats of the evidence", &columns, rows.collect());
-}
-
-fn traceability(document: &mut Document, records: &Records) {
-    document.heading(2, "traceability", "Traceability");
-    let joined = |items: &[String]| Line::joined(items.iter().map(Line::code), ", ");
-    let rows = records.claims.iter().map(|claim| {
-        let engines = claim
-            .evidence
-            .iter()
-            .map(|evidence| Line::code(&evidence.id));
-        [
-            to_claim(&claim.id),
-            claim.equation.as_str().into(),
-            joined(&claim.code),
-            Line::joined(engines, ", "),
-            claim.standing().words().into(),
-        ]
-        .into()
-    });
-    let columns = [
-        ("Claim", 14),
-        ("Equation", 14),
-        ("Code", 34),
-        ("Proof or test", 26),
-        ("Stands", 12),
-    ];
-    document.table(
-        "From claim to equation, code, proof or test, and result",
-        &columns,
-        rows.collect(),
-    );
-    let columns = [("Source", 60), ("Claims whose evidence covers it", 40)];
-    let rows = backwards(records.claims.iter().flat_map(|claim| {
-        let sources = claim
-            .evidence
-            .iter()
-            .flat_map(|evidence| evidence.sources.keys());
-        sources.map(move |source| (source, claim))
-    }));
-    document.table("Back from source files", &columns, rows);
-    let columns = [("Kernel item", 60), ("Claims that it implements", 40)];
-    let rows = backwards(
-        records
-            .claims
-            .iter()
-            .flat_map(|claim| claim.code.iter().map(move |code| (code, claim))),
-    );
-    document.table("Back from code", &columns, rows);
-    let columns = [("Equation of the paper", 60), ("Claims", 40)];
-    let rows = backwards(
-        records
-            .claims
-            .iter()
-            .filter(|c| !c.equation.is_empty())
-            .map(|claim| (&claim.equation, claim)),
-    );
-    document.table("Back from the paper", &columns, rows);
-    linkage(document, records);
-}
-
-/// A row for each thing that claims lead to, with the claims that lead there.
-fn backwards<'a>(pairs: impl Iterator<Item = (&'a String, &'a Claim)>) -> Vec<Row> {
-    let mut back: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    for (thing, claim) in pairs {
-        let ids = back.entry(thing).or_default();
-        if !ids.contains(&claim.id.as_str()) {
-            ids.push(&claim.id);
-        }
-    }
-    back.into_iter()
-        .map(|(thing, ids)| {
-            let claims = Line::joined(ids.into_iter().map(to_claim), ", ");
-            [Line::code(thing), claims].into()
-        })
-        .collect()
-}
-
-fn linkage(document: &mut Document, records: &Records) {
-    document.heading(
-        3,
-        "linkage",
-        "Linked, partly linked, unlinked and unknown ids",
-    );
-    let linkage = records.linkage();
-    let links = |ids: &[&str]| {
-        if ids.is_empty() {
-            Line::text("none")
-        } else {
-            Line::joined(ids.iter().map(|id| to_claim(id)), ", ")
-        }
-    };
-    let unknown: Vec<&str> = linkage.unknown.iter().copied().collect();
-    let unknown = if unknown.is_empty() {
-        "none".to_owned()
-    } else {
-        unknown.join(", ")
-    };
-    let rows: Vec<Row> = vec![
-        [
-            "Linked".into(),
-            "code and recorded evidence".into(),
-            links(&linkage.linked),
-        ]
-        .into(),
-        [
-            "Partly linked".into(),
-            "code or recorded evidence, not both".into(),
-            links(&linkage.partly),
-        ]
-        .into(),
-        [
-            "Unlinked".into(),
-            "neither".into(),
-            links(&linkage.unlinked),
-        ]
-        .into(),
-        [
-            "Unknown".into(),
-            "referred to, and no claim or assumption".into(),
-            unknown.into(),
-        ]
-        .into(),
-    ];
-    let columns = [("Ids", 16), ("Have", 30), ("Which", 54)];
-    document.table(
-        "How claims hang together with code and evidence",
-        &columns,
-        rows,
-    );
-}
-
-fn assumptions(document: &mut Document, case: &Case) {
-    document.heading(
-        2,
-        "assumptions",
-        "Assumptions, and how to check them on the bench",
-    );
-    document.say(
-        "The proofs hold under these assumptions, and no proof shows them. Each comes with a way to \
-         check it on the device; what the check found belongs into the file of the device, with the \
-         date and the person.",
-    );
-    let records = &case.records;
-    let rows = records.assumptions.iter().map(|assumption| {
-        let users = records
-            .claims
-            .iter()
-            .filter(|c| c.assumptions.contains(&assumption.id));
-        let check = if assumption.check.is_empty() {
-            "open: the claims name no check".to_owned()
-        } else {
-            assumption.check.clone()
-        };
-        Row {
-            id: Some(format!("assumption-{}", assumption.id)),
-            cells: vec![
-                assumption.id.as_str().into(),
-                assumption.sentence.as_str().into(),
-                check.into(),
-                Line::joined(users.map(|claim| to_claim(&claim.id)), ", "),
-            ],
-        }
-    });
-    let columns = [
-        ("Assumption", 15),
-        ("What is assumed", 30),
-        ("How to check it", 33),
-        ("Claims", 22),
-    ];
-    document.table("Assumptions", &columns, rows.collect());
 }

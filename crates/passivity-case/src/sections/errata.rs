@@ -4,6 +4,7 @@ use passivity_core::{BigRational, Friction, Scalar as _, Step, ledger};
 
 use crate::case::Case;
 use crate::document::{Document, Line, Row};
+use crate::gsn::Anchor;
 
 pub(super) fn write(document: &mut Document, case: &Case) {
     document.heading(
@@ -65,9 +66,10 @@ pub(super) fn write(document: &mut Document, case: &Case) {
          by at most 1/8 KΔ² over any number of intervals (TH-TELESCOPE). So the hand can never draw \
          more than was stored; only the paper's way of seeing it was wrong.",
     );
-    let refuted = case.records.claims.iter().filter(|claim| claim.refutes);
+    let claims = case.records.claims.claims.iter();
+    let refuted = claims.filter(|claim| claim.refutes);
     let items = refuted.map(|claim| {
-        Line::link(format!("claim-{}", claim.id), claim.id.as_str())
+        Line::link(Anchor::Claim(claim.id.clone()).id(), claim.id.as_str())
             .and(format!(": {}", claim.sentence).into())
     });
     document.list(items.collect());

@@ -2,10 +2,10 @@
 
 use passivity_core::Region;
 use passivity_scene::check::{Report, Verdict};
-use passivity_scene::display::range;
 
 use crate::case::Case;
 use crate::document::{Document, Row};
+use crate::study::{speed_unit, with_unit};
 
 pub(super) fn write(document: &mut Document, case: &Case) {
     document.heading(2, "hazards", "Hazards");
@@ -34,11 +34,12 @@ pub(super) fn write(document: &mut Document, case: &Case) {
     }
 }
 
+/// The critical speed in brackets, in the units of the device where it has any.
 fn speed(report: &Report) -> String {
-    report
-        .critical_speed
-        .as_ref()
-        .map_or_else(String::new, |v| format!(" ({} ticks/sample)", range(v)))
+    let unit = speed_unit(report.motion);
+    let speed = report.critical_speed_si.as_ref();
+    let speed = speed.or(report.critical_speed.as_ref());
+    speed.map_or_else(String::new, |v| format!(" ({})", with_unit(v, unit)))
 }
 
 fn row(hazard: &str, shows: &str, here: String) -> Row {
@@ -96,7 +97,7 @@ fn oscillation(report: &Report) -> Row {
     };
     row(
         "Sustained oscillation",
-        "The device buzzes within a few ticks of the wall.",
+        "The device vibrates within a few ticks of the wall.",
         here,
     )
 }

@@ -5,7 +5,7 @@ use passivity_evidence::Engine;
 use crate::case::Case;
 use crate::document::{Document, Line, Row};
 use crate::gsn::Standing;
-use crate::records::Records;
+use crate::records::{Records, standing};
 
 /// A way of showing a claim: the engine, what it speaks of, and what it leaves to the others.
 struct Level {
@@ -133,9 +133,10 @@ fn counted(records: &Records, engine: Engine) -> String {
         (Standing::NotRun, "not run here"),
         (Standing::Open, "failed"),
     ];
-    let of = |standing| {
-        let records = records.evidence().filter(|(_, e)| e.engine == engine);
-        records.filter(|(_, e)| e.standing() == standing).count()
+    let of = |wanted| {
+        let records = records.assessed.iter().filter(|a| a.engine == engine);
+        let standings = records.map(|assessed| standing(&assessed.freshness));
+        standings.filter(|standing| *standing == wanted).count()
     };
     let counts: Vec<String> = kinds
         .into_iter()
@@ -152,38 +153,27 @@ fn counted(records: &Records, engine: Engine) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
+    use passivity_evidence::{Assessed, Change, Freshness};
 
     use super::*;
-    use crate::records::{Claim, Evidence, Freshness};
-
-    fn claim(engine: Engine, freshness: Freshness) -> Claim {
-        let evidence = Evidence {
-            id: format!("X/{engine}"),
-            engine,
-            result: String::new(),
-            tool: String::new(),
-            sources: BTreeMap::new(),
-            freshness,
-        };
-        Claim {
-            evidence: vec![evidence],
-            ..Claim::default()
-        }
-    }
 
     #[test]
     fn records_are_counted_as_they_stand() {
-        let records = Records {
-            claims: vec![
-                claim(Engine::Rocq, Freshness::Fresh),
-                claim(Engine::Rocq, Freshness::Fresh),
-                claim(Engine::Rocq, Freshness::Stale(vec!["a.rs".to_owned()])),
-                claim(Engine::Rocq, Freshness::NotRun("not here".to_owned())),
-                claim(Engine::Smt, Freshness::Failed("no".to_owned())),
-            ],
-            ..Records::default()
+        let entry = |engine, freshness| Assessed {
+            claim: "TH-X".to_owned(),
+            engine,
+            required: true,
+            record: None,
+            freshness,
         };
+        let mut records = Records::read(None, None).unwrap();
+        records.assessed = vec![
+            entry(Engine::Rocq, Freshness::Fresh),
+            entry(Engine::Rocq, Freshness::Fresh),
+            entry(Engine::Rocq, Freshness::Stale(vec![Change::Statement])),
+            entry(Engine::Rocq, Freshness::NotRun("not here".to_owned())),
+            entry(Engine::Smt, Freshness::Failed(Vec::new())),
+        ];
         assert_eq!(
             counted(&records, Engine::Rocq),
             "2 shown, 1 stale, 1 not run here"

@@ -1,6 +1,8 @@
 //! How to reproduce the case, and the verdicts given so far.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+use passivity_evidence::{Claim, Sha256};
 
 use crate::case::{Case, VERSION};
 use crate::document::{Block, Document, Line, Row};
@@ -13,14 +15,18 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         .map(|study| study.path.display().to_string())
         .collect();
     let scenes = scenes.join(" ");
-    document.say("With the sources at the commit below, these commands make the evidence, the verdict and this case again, and compare this case with the sources:");
+    document.say(
+        "With the sources at the commit below, these commands make the evidence, the verdict and \
+         this case again, and compare this case with the sources:",
+    );
+    let explain = case
+        .studies
+        .iter()
+        .map(|study| format!("passivity explain {}\n", study.path.display()));
     document.blocks.push(Block::Listing(format!(
-        "make prove\npassivity check {scenes}\npassivity explain {}\npassivity case {scenes} --out \
-         case\npassivity case --check case",
-        case.studies
-            .first()
-            .map(|s| s.path.display().to_string())
-            .unwrap_or_default()
+        "make prove\npassivity check {scenes}\n{}passivity case {scenes} --out case\npassivity case \
+         --check case",
+        explain.collect::<String>(),
     )));
     let commit = match &case.records.commit {
         Some(commit) => Line::code(commit),
@@ -31,12 +37,12 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         ["Commit of the sources".into(), commit].into(),
         [
             "SHA-256 of the claims".into(),
-            Line::code(&case.records.claims_sha256),
+            Line::hash(&case.records.claims_sha256),
         ]
         .into(),
         [
             "SHA-256 of the recorded evidence".into(),
-            Line::code(&case.records.evidence_sha256),
+            Line::hash(&case.records.evidence_sha256),
         ]
         .into(),
     ];
@@ -44,47 +50,39 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         rows.push(
             [
                 format!("SHA-256 of the scene {}", study.slug).into(),
-                Line::code(&study.sha256),
+                Line::hash(&study.sha256),
             ]
             .into(),
         );
     }
     document.table("Versions and hashes", &[("What", 35), ("Value", 65)], rows);
-    let mut sources: BTreeMap<&str, &str> = BTreeMap::new();
-    for (_, evidence) in case.records.evidence() {
-        sources.extend(
-            evidence
-                .sources
-                .iter()
-                .map(|(path, hash)| (path.as_str(), hash.as_str())),
-        );
-    }
-    let rows = sources
-        .into_iter()
-        .map(|(path, hash)| [Line::code(path), Line::code(hash)].into());
-    let columns = [("Source", 40), ("SHA-256 as recorded", 60)];
-    document.table("Sources that the evidence covers", &columns, rows.collect());
-    tools(document, case);
+    sources(document, case);
     history(document, case);
 }
 
-fn tools(document: &mut Document, case: &Case) {
-    let mut tools: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    for (_, evidence) in case.records.evidence() {
-        let engines = tools.entry(&evidence.tool).or_default();
-        if !engines.contains(&evidence.engine.words()) {
-            engines.push(evidence.engine.words());
-        }
+/// The files that the evidence covers, each with its sum; files that no claim implements are in the
+/// recorded evidence.
+fn sources(document: &mut Document, case: &Case) {
+    let claims = &case.records.claims.claims;
+    let code: BTreeSet<String> = claims.iter().flat_map(Claim::files).collect();
+    let mut sums: BTreeMap<&str, BTreeSet<Sha256>> = BTreeMap::new();
+    let runs = &case.records.evidence.runs;
+    for (path, sum) in runs.iter().flat_map(|run| &run.files) {
+        sums.entry(path).or_default().insert(*sum);
     }
-    tools.remove("");
-    let rows = tools
+    let others = sums.keys().filter(|path| !code.contains(**path)).count();
+    let rows = sums
         .into_iter()
-        .map(|(tool, engines)| [tool.into(), engines.join(", ").into()].into());
-    document.table(
-        "Tools that made the evidence",
-        &[("Tool", 50), ("Engine", 50)],
-        rows.collect(),
-    );
+        .filter(|(path, _)| code.contains(*path))
+        .map(|(path, sums)| {
+            let sums = sums.iter().map(Line::hash);
+            [Line::code(path), Line::joined(sums, ", ")].into()
+        });
+    let columns = [("Source", 40), ("SHA-256 as recorded", 60)];
+    document.table("Code that the evidence covers", &columns, rows.collect());
+    document.say(format!(
+        "The sums of {others} harnesses, queries, tests and theorems are in the recorded evidence."
+    ));
 }
 
 fn history(document: &mut Document, case: &Case) {
@@ -99,8 +97,8 @@ fn history(document: &mut Document, case: &Case) {
             past.scene.as_str().into(),
             past.headline.as_str().into(),
             past.version.as_str().into(),
-            Line::code(short(&past.scene_sha256)),
-            Line::code(short(&past.claims_sha256)),
+            Line::code(past.scene_sha256.short()),
+            Line::code(past.claims_sha256.short()),
         ]
         .into()
     });
@@ -117,8 +115,4 @@ fn history(document: &mut Document, case: &Case) {
         &columns,
         rows.collect(),
     );
-}
-
-fn short(hash: &str) -> &str {
-    hash.get(..12).unwrap_or(hash)
 }

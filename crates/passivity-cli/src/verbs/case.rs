@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_case::check::check;
-use passivity_case::{Case, Records, Study, folder, load, tree};
+use passivity_case::case::Objection;
+use passivity_case::check::{Findings, check};
+use passivity_case::{Case, Info, Records, Study, folder, print, tree};
 use passivity_scene::check::Verdict;
 use serde_json::json;
 
@@ -12,17 +13,23 @@ use crate::output::{Format, emit, emit_json};
 
 /// Write the safety case of scenes, or check a written one against the sources.
 ///
-/// The case is a folder with the document (HTML and PDF), the argument of each scene in Goal
-/// Structuring Notation (YAML and SVG), the scenes, and a manifest of hashes. Evidence that was
-/// recorded for other sources is shown as stale, evidence that was never recorded as not run here.
+/// The case is a folder with the document (HTML, and with --pdf also PDF), the argument of each scene
+/// in Goal Structuring Notation (YAML and SVG), the scenes, and a manifest of hashes. Evidence that
+/// was recorded for other sources is shown as stale, evidence that was never recorded as not run
+/// here.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity case scenes/re35.toml --out case
   passivity case scenes/re35.toml --out case --strict
+  passivity case scenes/re35.toml --out case --info device.toml --pdf
   passivity case --check case
 
+The file of --info is TOML with the fields title, author, reviewer, approval, intended_use and date,
+each of which may be left out.
+
 Exit codes: 0 every scene is passive (with --check: the case is current); 1 not, or with --strict
-something is stale, missing or open; 2 bad input; 3 a scene has an effect that no theorem covers.")]
+something is stale, missing or open; 2 bad input, or --pdf found no browser to print with (the rest
+of the case is written); 3 a scene has an effect that no theorem covers.")]
 pub(crate) struct Args {
     /// Scene files.
     #[arg(
@@ -52,6 +59,13 @@ pub(crate) struct Args {
     /// Recorded evidence to read; by default what `make prove` recorded last under the root.
     #[arg(long, value_name = "FILE")]
     evidence: Option<PathBuf>,
+    /// Who wrote the case, who reviewed and approved it, for which use, and when: a small TOML file.
+    #[arg(long, value_name = "FILE", conflicts_with = "check")]
+    info: Option<PathBuf>,
+    /// Also print the document as PDF, with the headless browser that the environment variable
+    /// PASSIVITY_BROWSER names, else with chromium, chromium-browser or google-chrome on the PATH.
+    #[arg(long, conflicts_with = "check")]
+    pdf: bool,
     /// Also measure what accuracy costs in time; the figures differ from run to run.
     #[arg(long, conflicts_with = "check")]
     accuracy: bool,
@@ -63,7 +77,7 @@ pub(crate) struct Args {
 /// Writes or checks a case.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let records =
-        load::records(root(args)?.as_deref(), args.evidence.as_deref()).map_err(Failure::input)?;
+        Records::read(root(args)?.as_deref(), args.evidence.as_deref()).map_err(Failure::input)?;
     match (&args.check, &args.out) {
         (Some(folder), _) => compare(args, folder, &records),
         (None, Some(out)) => write(args, out, records),
@@ -91,14 +105,20 @@ fn write(args: &Args, out: &Path, records: Records) -> Result<Exit, Failure> {
     let studies = studies
         .collect::<Result<Vec<_>, _>>()
         .map_err(Failure::input)?;
+    let info = args.info.as_deref().map(Info::read).transpose();
+    let info = info.map_err(Failure::input)?;
     let history = folder::history(out).map_err(Failure::input)?;
     let mut case = Case::new(studies, records, history);
     case.measured = args.accuracy;
+    case.info = info;
     folder::write(&case, out).map_err(Failure::input)?;
+    if args.pdf {
+        print_pdf(out)?;
+    }
     let objections = case.objections();
     match args.format {
         Format::Text => emit(&summary(&case, out, &objections))?,
-        Format::Json => emit_json(&document(&case, out, &objections))?,
+        Format::Json => emit_json(&document(&case, out, args.pdf, &objections))?,
     }
     let verdicts = case
         .studies
@@ -112,6 +132,26 @@ fn write(args: &Args, out: &Path, records: Records) -> Result<Exit, Failure> {
     })
 }
 
+/// Prints the document of the written case; without a browser, says how to do it by hand.
+fn print_pdf(out: &Path) -> Result<(), Failure> {
+    let page = out.join(folder::HTML);
+    let by_hand = format!(
+        "the case is written; to print it by hand, open `{}` in a browser, choose Print, and save it \
+         as PDF",
+        page.display()
+    );
+    let browser = print::browser(std::env::var_os(print::VARIABLE), std::env::var_os("PATH"));
+    let Some(browser) = browser else {
+        return Err(Failure::input(format!(
+            "--pdf: expected a browser on the PATH ({}), or one that {} names\n{by_hand}",
+            print::BROWSERS.join(", "),
+            print::VARIABLE
+        )));
+    };
+    folder::add_pdf(out, &browser)
+        .map_err(|error| Failure::input(format!("--pdf: {error}\n{by_hand}")))
+}
+
 const fn exit_of(verdict: Verdict) -> Exit {
     match verdict {
         Verdict::Passive => Exit::Holds,
@@ -120,14 +160,7 @@ const fn exit_of(verdict: Verdict) -> Exit {
     }
 }
 
-fn standing(argument: &passivity_case::gsn::Argument) -> &'static str {
-    argument
-        .top()
-        .standing
-        .map_or("", passivity_case::gsn::Standing::words)
-}
-
-fn summary(case: &Case, out: &Path, objections: &[String]) -> String {
+fn summary(case: &Case, out: &Path, objections: &[Objection]) -> String {
     let mut text = format!(
         "Safety case written: {}\n",
         out.join(folder::HTML).display()
@@ -137,7 +170,7 @@ fn summary(case: &Case, out: &Path, objections: &[String]) -> String {
             "  {}: {}; top goal {}\n",
             study.name(),
             study.report().headline(),
-            standing(argument)
+            argument.standing().words()
         );
         text.push_str(&line);
     }
@@ -155,45 +188,24 @@ fn summary(case: &Case, out: &Path, objections: &[String]) -> String {
     text
 }
 
-fn document(case: &Case, out: &Path, objections: &[String]) -> serde_json::Value {
+fn document(case: &Case, out: &Path, pdf: bool, objections: &[Objection]) -> serde_json::Value {
     let scenes: Vec<_> = case
         .scenes()
         .map(|(study, argument)| {
             json!({ "scene": study.name(), "name": study.slug,
                 "verdict": study.report().verdict.name(),
-                "top_goal": argument.top().id, "standing": standing(argument) })
+                "top_goal": argument.top().id, "standing": argument.standing().words() })
         })
         .collect();
-    json!({ "out": out.to_string_lossy(), "scenes": scenes, "objections": objections })
+    let objections: Vec<String> = objections.iter().map(ToString::to_string).collect();
+    let pdf = pdf.then_some(folder::PDF);
+    json!({ "out": out.to_string_lossy(), "pdf": pdf, "scenes": scenes, "objections": objections })
 }
 
 fn compare(args: &Args, folder: &Path, records: &Records) -> Result<Exit, Failure> {
     let findings = check(folder, records).map_err(Failure::input)?;
     match args.format {
-        Format::Text => {
-            let current = findings.is_current();
-            let mut text = format!(
-                "{}: {}\n  {} records of evidence stand as they did\n",
-                folder.display(),
-                if current {
-                    "the case is current"
-                } else {
-                    "the case is NOT current"
-                },
-                findings.unchanged
-            );
-            let lists = [
-                ("changed", &findings.changed),
-                ("evidence", &findings.stale),
-                ("not compared", &findings.not_at_hand),
-            ];
-            for (word, lines) in lists {
-                for line in lines {
-                    text.push_str(&format!("  {word}: {line}\n"));
-                }
-            }
-            emit(&text)?;
-        }
+        Format::Text => emit(&compared(folder, &findings))?,
         Format::Json => emit_json(&json!({
             "case": folder.to_string_lossy(), "current": findings.is_current(),
             "changed": findings.changed, "evidence": findings.stale,
@@ -206,4 +218,28 @@ fn compare(args: &Args, folder: &Path, records: &Records) -> Result<Exit, Failur
     } else {
         Exit::Fails
     })
+}
+
+fn compared(folder: &Path, findings: &Findings) -> String {
+    let current = if findings.is_current() {
+        "the case is current"
+    } else {
+        "the case is NOT current"
+    };
+    let mut text = format!(
+        "{}: {current}\n  {} records of evidence stand as they did\n",
+        folder.display(),
+        findings.unchanged
+    );
+    let lists = [
+        ("changed", &findings.changed),
+        ("evidence", &findings.stale),
+        ("not compared", &findings.not_at_hand),
+    ];
+    for (word, lines) in lists {
+        for line in lines {
+            text.push_str(&format!("  {word}: {line}\n"));
+        }
+    }
+    text
 }

@@ -55,6 +55,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             name: report.scene.clone(),
             beta: middle(&report.beta),
             sigma: middle(sigma),
+            tolerance: None,
             speed: bound.filter(|(v, _)| *v > 0.0),
             verdict: report.verdict.name().replace('_', " "),
         };

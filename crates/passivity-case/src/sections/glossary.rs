@@ -1,0 +1,108 @@
+//! The words and letters of the document.
+
+use crate::document::{Document, Row};
+
+/// Each word or letter with its meaning.
+const TERMS: [(&str, &str); 24] = [
+    (
+        "b, c, m",
+        "The viscous friction, the Coulomb friction and the mass or inertia of the device.",
+    ),
+    (
+        "K, T, Δ",
+        "The stiffness of the wall, the sampling period, and the resolution of the encoder (the length of a tick).",
+    ),
+    (
+        "β, σ, μ",
+        "Effective viscous friction b/(KT), effective Coulomb friction c/(KΔ) and effective inertia m/(KT²): the same quantities without units.",
+    ),
+    (
+        "ξ, d, v",
+        "The position in ticks, the displacement within a sampling interval, and the speed in ticks per sampling period.",
+    ),
+    (
+        "Sampling interval",
+        "The time from one sampling instant to the next, in which the commanded force is held.",
+    ),
+    ("Tick", "A step of the encoder."),
+    (
+        "KΔ²",
+        "The unit of energy: the stiffness times the square of a tick.",
+    ),
+    (
+        "Passive",
+        "At every sampling instant the work that the hand has done so far is at least the energy stored now less the energy stored at the start. The hand can then never draw more energy than was stored.",
+    ),
+    (
+        "Storage",
+        "The kinetic energy of the device and the energy of the linear spring K, with what the effects of the scene add.",
+    ),
+    (
+        "Generated, dissipated",
+        "The energy that sampling and quantization add to the motion in a sampling interval, and the energy that friction takes from it.",
+    ),
+    (
+        "Criterion",
+        "The condition (8), or (11) in SI units: friction dissipates at least what sampling and quantization generate.",
+    ),
+    (
+        "Margin",
+        "By how much the criterion is met, without units; the criterion holds where it is not negative.",
+    ),
+    (
+        "Critical speed",
+        "The speed at which the criterion is met with equality.",
+    ),
+    (
+        "Globally stable",
+        "The region of (β, σ) in which the criterion holds at every speed.",
+    ),
+    (
+        "Locally stable",
+        "The region in which the criterion holds up to the critical speed.",
+    ),
+    (
+        "Limit cycles",
+        "The region in which the criterion holds from the critical speed on, and fails below it.",
+    ),
+    (
+        "Unstable",
+        "The region in which the criterion holds at no speed.",
+    ),
+    (
+        "Witness",
+        "A cycle of motion, in exact numbers, that draws energy from the display in each round.",
+    ),
+    (
+        "Claim, assumption, caveat",
+        "A statement that the project makes; what the statement takes for granted; what its evidence does not say.",
+    ),
+    (
+        "Shown, fresh",
+        "Evidence was recorded, for exactly these claims and sources.",
+    ),
+    (
+        "Stale",
+        "A claim or a source has changed since its evidence was recorded.",
+    ),
+    ("Not run here", "No result was recorded."),
+    (
+        "Open, defeated",
+        "Nothing supports the element; a counterexample is at hand.",
+    ),
+    (
+        "Proved for all reals; proved for all inputs in a domain; exhausted; sampled",
+        "Proved by solvers or a proof assistant; decided by a model checker; every input of a domain was run; so many inputs were drawn and run.",
+    ),
+];
+
+pub(super) fn write(document: &mut Document) {
+    document.heading(2, "glossary", "Glossary");
+    let rows = TERMS.map(|(term, meaning)| -> Row { [term.into(), meaning.into()].into() });
+    let columns = [("Word or letter", 26), ("Meaning", 74)];
+    document.table(
+        "Words and letters of this document",
+        &columns,
+        rows.to_vec(),
+    );
+}

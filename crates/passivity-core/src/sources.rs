@@ -1,0 +1,35 @@
+//! The text of this crate's own source files.
+//!
+//! Evidence is bound to the sources that it speaks of. A program that runs where the sources are
+//! not can so still say of which kernel it was built, and which evidence speaks of it.
+
+macro_rules! sources {
+    ($($name:literal)*) => {
+        &[$((concat!("crates/passivity-core/src/", $name), include_str!($name)),)*]
+    };
+}
+
+/// Each source file: its path from the root of the workspace, and its text.
+pub const SOURCES: &[(&str, &str)] = sources! {
+    "bounds.rs"
+    "criterion.rs"
+    "dissipation.rs"
+    "effects.rs"
+    "fraction.rs"
+    "generation.rs"
+    "interval.rs"
+    "law.rs"
+    "ledger.rs"
+    "lib.rs"
+    "quantizer.rs"
+    "rational.rs"
+    "region.rs"
+    "rig.rs"
+    "scalar.rs"
+    "sources.rs"
+    "spring.rs"
+    "start.rs"
+    "stiffness.rs"
+    "verdict.rs"
+    "witness.rs"
+};

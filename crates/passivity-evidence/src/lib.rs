@@ -1,0 +1,48 @@
+//! The claims of `passivity`, what machines have shown of them, and whether that is still so.
+//!
+//! [`Claims`] is `claims.toml`: what is claimed, by which code, under which assumptions. [`Evidence`]
+//! is `evidence.json`: one [`Record`] for each claim and engine, bound by hashes to the claim's text
+//! and to the files that the engine read. [`assess`] compares both with the sources as they are now.
+//!
+//! What it is **not**: it proves nothing and runs no engine. It says what engines have said, in the
+//! words that they are entitled to. A file that does not fit its form is an error, never a default.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing
+    )
+)]
+
+mod claims;
+mod engine;
+mod error;
+mod freshness;
+mod mutation;
+mod record;
+mod sha256;
+
+pub use claims::{Assumption, Caveat, Claim, Claims, Item};
+pub use engine::Engine;
+pub use error::EvidenceError;
+pub use freshness::{Assessed, Change, Freshness, Now, assess, in_tree};
+pub use mutation::{Mutation, Survivor};
+pub use record::{Evidence, FORMAT, Failure, Outcome, Record, Run, RunOutcome, Shown, Tool};
+pub use sha256::Sha256;
+
+/// The claims that this crate was built with: the text of `claims.toml`.
+pub const CLAIMS: &str = include_str!("../data/claims.toml");
+
+/// The evidence that this crate was built with: the text of `evidence.json`.
+pub const EVIDENCE: &str = include_str!("../data/evidence.json");
+
+/// Reads a text file.
+///
+/// # Errors
+///
+/// A file that cannot be read, named.
+pub fn read(path: &std::path::Path) -> Result<String, EvidenceError> {
+    std::fs::read_to_string(path).map_err(|error| EvidenceError::io(path, &error))
+}

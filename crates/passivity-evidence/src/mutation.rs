@@ -1,0 +1,56 @@
+//! What changing the kernel here and there has shown.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::EvidenceError;
+use crate::freshness::{Change, Now};
+use crate::record::Tool;
+use crate::sha256::Sha256;
+
+/// The result of changing the kernel here and there.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mutation {
+    /// The tool and its version.
+    pub tool: Tool,
+    /// Mutants that compile.
+    pub mutants: u64,
+    /// Those that a test noticed, or that did not come to an end.
+    pub caught: u64,
+    /// Those that no test noticed, each with the reason why it cannot be.
+    pub survivors: Vec<Survivor>,
+    /// The time it took.
+    pub seconds: f64,
+    /// The files that were changed, as they were before.
+    pub sources: BTreeMap<String, Sha256>,
+}
+
+/// A mutant that no test noticed.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Survivor {
+    /// What was changed, without its line: `src/region.rs: replace < with <= in …`.
+    pub mutant: String,
+    /// Why it makes no difference.
+    pub reason: String,
+}
+
+impl Mutation {
+    /// The files that have changed since the run; none for a fresh one.
+    ///
+    /// # Errors
+    ///
+    /// A file that cannot be looked up.
+    pub fn changes(
+        &self,
+        now: impl Fn(&str) -> Result<Now, EvidenceError>,
+    ) -> Result<Vec<Change>, EvidenceError> {
+        let mut changes = Vec::new();
+        for (path, recorded) in &self.sources {
+            changes.extend(now(path)?.change_of(path, recorded));
+        }
+        Ok(changes)
+    }
+}
