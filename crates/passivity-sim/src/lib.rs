@@ -36,6 +36,7 @@ pub mod accuracy;
 pub mod lanes;
 #[cfg(feature = "plot")]
 pub mod plot;
+pub mod report;
 pub mod run;
 pub mod sweep;
 pub mod trace;

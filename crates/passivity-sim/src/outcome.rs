@@ -4,6 +4,8 @@
 //! chatter at a tick's edge, (½ − σ)/μ for σ → 0, so it calls most limit cycles converged. The
 //! exact words are only said when they are certain.
 
+use serde::Serialize;
+
 /// The paper's threshold, in ticks per sample.
 pub(crate) const PAPER_THRESHOLD: f64 = 0.01;
 
@@ -32,7 +34,7 @@ pub enum ExactOutcome {
 }
 
 /// What became of a run, and why.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Outcome {
     /// By the paper's detector.
     pub paper: PaperOutcome,

@@ -4,7 +4,7 @@
 //! after a reversal needs no exponential and no logarithm of its own: with
 //! H(x) = Σ xⁿ/(n + 2) = (−ln(1 − x) − x)/x² and K(x) = Σ xⁿ/(n + 3), a device that starts with
 //! speed v₀ against a force of deceleration −v₀/r travels v₀·r·H(−λr) until it stops, and one that
-//! starts from rest travels a·f²·H(λf) while it reaches the speed a·f (see [`crate::motion`]).
+//! starts from rest travels a·f²·H(λf) while it reaches the speed a·f.
 
 /// Largest |x| for which [`h`] and [`k`] are the series alone; x < 1/15.5 holds for λ ≤ 1/16.
 ///

@@ -69,8 +69,8 @@ pub(crate) fn run(report: Report, files: BTreeMap<String, Sha256>) -> Result<Run
     })
 }
 
-/// What an engine says of a claim, here or elsewhere; `None` when it has nothing to say and was not asked to. The sums
-/// of what it rests on are added to `files`.
+/// What an engine says of a claim, here or elsewhere; `None` when it has nothing to say and was not
+/// asked to. The sums of what it rests on are added to `files`.
 pub(crate) fn record(
     root: &Path,
     claims: &Claims,

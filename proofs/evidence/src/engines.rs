@@ -48,7 +48,7 @@ pub(crate) struct Done {
     /// The commit, when the run was made elsewhere.
     pub(crate) commit: Option<String>,
     /// What was recorded of that run, when it is that.
-    pub(crate) imported: Option<Imported>,
+    pub(crate) imported: Option<Box<Imported>>,
 }
 
 /// Whether an engine ran.

@@ -168,7 +168,7 @@ impl Imported {
                 shared: modules.shared(&parts),
                 parts,
                 commit: Some(self.commit.clone()),
-                imported: Some(self),
+                imported: Some(Box::new(self)),
             },
         ))
     }

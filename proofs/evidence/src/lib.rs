@@ -2,8 +2,9 @@
 //!
 //! [`collect()`] reads what the engines left and makes `evidence.json` of it, [`table()`] makes
 //! `proofs/README.md`, [`mutants`] judges mutation runs, and [`trace`] finds the ids of claims in
-//! sources. [`imported`] is what the model checker said elsewhere. Nothing here proves anything: it gathers what engines have said, in the words that they
-//! are entitled to. The types are those of `passivity-evidence`.
+//! sources. [`imported`] is what the model checker said elsewhere. Nothing here proves anything: it
+//! gathers what engines have said, in the words that they are entitled to. The types are those of
+//! `passivity-evidence`.
 
 mod collect;
 mod engines;

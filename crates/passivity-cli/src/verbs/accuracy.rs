@@ -7,12 +7,12 @@ use passivity_plot::save;
 use passivity_sim::accuracy::{Table, measure, methods};
 #[cfg(feature = "plot")]
 use passivity_sim::plot::accuracy::draw;
-use serde_json::{Value, json};
+use passivity_sim::report::Accuracy;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
 use crate::progress::Progress;
-use crate::verbs::simulate::speed_at_start;
+use crate::verbs::simulate::{speed_at_start, words};
 
 /// Compare every method and step on a scene: error against the reference, and time per interval.
 #[derive(Debug, clap::Args)]
@@ -42,7 +42,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
     let mut point = scene.point();
     if let Some(text) = &args.speed {
-        point.start[1] = speed_at_start(text)?;
+        point.at.start_velocity = Some(speed_at_start(text)?);
     }
     let mut bar = Progress::new(methods().len() as u64 + 1, "methods");
     let measured = measure(&point, args.intervals, |method| {
@@ -50,8 +50,8 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         bar.advance(1);
     });
     drop(bar);
-    let table =
-        measured.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
+    let of_scene = |error| Failure::input(format!("`{}`: {error}", args.scene.display()));
+    let table = measured.map_err(of_scene)?;
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
         let title = format!(
@@ -63,7 +63,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     }
     match args.format {
         Format::Text => emit(&text(&scene.name, &table))?,
-        Format::Json => emit_json(&document(&scene.name, &table))?,
+        Format::Json => emit_json(&Accuracy::new(&scene.name, &table).map_err(of_scene)?)?,
     }
     Ok(Exit::Holds)
 }
@@ -73,7 +73,7 @@ fn text(name: &str, table: &Table) -> String {
         format!(
             "{name}: {} intervals, {} by the reference",
             table.intervals,
-            table.reference.name().replace('_', " ")
+            words(table.reference)
         ),
         format!(
             "{:<16}{:>12}{:>12}{:>12}{:>14}  outcome",
@@ -94,7 +94,7 @@ fn text(name: &str, table: &Table) -> String {
             row.velocity,
             row.energy,
             row.nanoseconds,
-            row.exact.name().replace('_', " ")
+            words(row.exact)
         ));
     }
     for (method, reason) in &table.left_out {
@@ -108,35 +108,4 @@ fn text(name: &str, table: &Table) -> String {
             .to_owned(),
     );
     lines.join("\n")
-}
-
-fn document(name: &str, table: &Table) -> Value {
-    let rows: Vec<Value> = table
-        .rows
-        .iter()
-        .map(|row| {
-            json!({
-                "method": row.method.to_string(),
-                "position": row.position,
-                "velocity": row.velocity,
-                "energy": row.energy,
-                "outcome": row.exact.name(),
-                "same_outcome": row.same_outcome,
-                "intervals_late": row.late,
-                "nanoseconds_per_interval": row.nanoseconds,
-            })
-        })
-        .collect();
-    let left_out: Vec<Value> = table
-        .left_out
-        .iter()
-        .map(|(method, reason)| json!({"method": method.to_string(), "because": reason}))
-        .collect();
-    json!({
-        "scene": name,
-        "intervals": table.intervals,
-        "reference": table.reference.name(),
-        "rows": rows,
-        "left_out": left_out,
-    })
 }

@@ -8,13 +8,12 @@ use std::time::Instant;
 use passivity_core::BigRational;
 #[cfg(feature = "plot")]
 use passivity_plot::save;
-use passivity_scene::number;
-use passivity_sim::methods::{Detail, Line, NAMES, Simulated, simulate};
+use passivity_scene::{Point, number};
 #[cfg(feature = "plot")]
 use passivity_sim::plot::motion::{Motion, draw};
+use passivity_sim::report::Simulation;
 use passivity_sim::trace::Table;
-use passivity_sim::{Exactly, Method, Plan};
-use serde_json::{Value, json};
+use passivity_sim::{Detail, ExactOutcome, Line, Method, Plan, Simulated, simulate};
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
@@ -72,100 +71,112 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         point.intervals = intervals;
     }
     if let Some(text) = &args.speed {
-        point.start[1] = speed_at_start(text)?;
+        point.at.start_velocity = Some(speed_at_start(text)?);
     }
     let method = Method::parse(&args.method).map_err(Failure::input)?;
-    debug_assert!(NAMES.contains(&method.name()));
     let of_scene = |error| Failure::input(format!("`{}`: {error}", args.scene.display()));
     let plan = Plan::compile(&point).map_err(of_scene)?;
-    let mut trace = match &args.out {
-        Some(path) => Some(Trace::create(path, Table::new(&point, &plan, &method))?),
-        None => None,
-    };
-    #[cfg(feature = "plot")]
-    let mut motion = Motion::new(plan.start);
-    #[cfg(feature = "plot")]
-    let until = args.plot_until.unwrap_or(u64::MAX);
-    // Intervals between two looks at the clock.
-    const BETWEEN: u64 = 1 << 10;
-    let mut seen = 0_u64;
+    let mut watcher = Watcher::new(args, &point, &plan, &method)?;
     let begin = Instant::now();
-    let mut bar = Progress::new(point.intervals, "intervals");
-    let terminal = std::io::stderr().is_terminal();
-    let watched = args.out.is_some() || args.plot.is_some() || terminal;
-    let run = if watched {
-        let mut see = |line: &Line<'_>| {
-            #[cfg(feature = "plot")]
-            if args.plot.is_some() {
-                add_to(&mut motion, line, until);
-            }
-            seen += 1;
-            if terminal && seen.is_multiple_of(BETWEEN) {
-                bar.advance(BETWEEN);
-            }
-            trace.as_mut().is_none_or(|trace| trace.take(line))
-        };
-        simulate(&point, &method, Some(&mut see))
+    let run = if watcher.wants_to_see(args) {
+        simulate(&point, &method, Some(&mut |line| watcher.see(line)))
     } else {
         simulate(&point, &method, None)
     }
     .map_err(of_scene)?;
     let seconds = begin.elapsed().as_secs_f64();
-    drop(bar);
-    if let Some(trace) = trace {
-        trace.finish()?;
-    }
-    #[cfg(feature = "plot")]
-    if let Some(path) = &args.plot {
-        let title = format!(
-            "{}: {}",
-            scene.name,
-            run.end.outcome.exact.name().replace('_', " ")
-        );
-        let picture = draw(&title, motion).map_err(Failure::input)?;
-        save(&picture, path).map_err(Failure::input)?;
-    }
+    watcher.finish(args, &scene.name, run.end.outcome.exact)?;
+    let report = Simulation::new(&scene.name, &plan, &method, &run, seconds).map_err(of_scene)?;
     match args.format {
-        Format::Text => emit(&text(&scene.name, &plan, &method, &run, seconds))?,
-        Format::Json => emit_json(&document(&scene.name, &plan, &method, &run, seconds))?,
+        Format::Text => emit(&text(&report, &plan, &run))?,
+        Format::Json => emit_json(&report)?,
     }
     Ok(match run.end.outcome.exact {
-        Exactly::AtRest => Exit::Holds,
+        ExactOutcome::AtRest => Exit::Holds,
         _ => Exit::Fails,
     })
+}
+
+/// What sees the intervals of a run: a trace, a picture and a progress bar.
+struct Watcher {
+    trace: Option<Trace>,
+    #[cfg(feature = "plot")]
+    motion: Option<Motion>,
+    #[cfg(feature = "plot")]
+    until: u64,
+    bar: Progress,
+    terminal: bool,
+    seen: u64,
+}
+
+impl Watcher {
+    /// Intervals between two looks at the clock.
+    const BETWEEN: u64 = 1 << 10;
+
+    fn new(args: &Args, point: &Point, plan: &Plan, method: &Method) -> Result<Self, Failure> {
+        #[cfg(not(feature = "plot"))]
+        let _ = plan;
+        Ok(Self {
+            trace: match &args.out {
+                Some(path) => Some(Trace::create(path, Table::new(point, method))?),
+                None => None,
+            },
+            #[cfg(feature = "plot")]
+            motion: args.plot.is_some().then(|| Motion::new(plan.start())),
+            #[cfg(feature = "plot")]
+            until: args.plot_until.unwrap_or(u64::MAX),
+            bar: Progress::new(point.intervals, "intervals"),
+            terminal: std::io::stderr().is_terminal(),
+            seen: 0,
+        })
+    }
+
+    fn wants_to_see(&self, args: &Args) -> bool {
+        args.out.is_some() || args.plot.is_some() || self.terminal
+    }
+
+    /// Sees an interval; `false` ends the run.
+    fn see(&mut self, line: &Line<'_>) -> bool {
+        #[cfg(feature = "plot")]
+        if let Some(motion) = &mut self.motion {
+            let entry = line.entry();
+            if entry.h < self.until {
+                motion.add(&entry);
+            }
+        }
+        self.seen += 1;
+        if self.terminal && self.seen.is_multiple_of(Self::BETWEEN) {
+            self.bar.advance(Self::BETWEEN);
+        }
+        self.trace.as_mut().is_none_or(|trace| trace.take(line))
+    }
+
+    /// Writes what is left to write.
+    fn finish(self, args: &Args, name: &str, outcome: ExactOutcome) -> Result<(), Failure> {
+        drop(self.bar);
+        if let Some(trace) = self.trace {
+            trace.finish()?;
+        }
+        #[cfg(feature = "plot")]
+        if let (Some(path), Some(motion)) = (&args.plot, self.motion) {
+            let title = format!("{name}: {}", words(outcome));
+            let picture = draw(&title, motion).map_err(Failure::input)?;
+            save(&picture, path).map_err(Failure::input)?;
+        }
+        #[cfg(not(feature = "plot"))]
+        let _ = (args, name, outcome);
+        Ok(())
+    }
+}
+
+/// An outcome in words.
+pub(crate) fn words(outcome: ExactOutcome) -> String {
+    outcome.name().replace('_', " ")
 }
 
 /// A speed as it was typed, in ticks per sample.
 pub(crate) fn speed_at_start(text: &str) -> Result<BigRational, Failure> {
     number::parse(text.trim()).map_err(|error| Failure::input(format!("--speed `{text}`: {error}")))
-}
-
-/// Adds an interval to a picture.
-#[cfg(feature = "plot")]
-fn add_to(motion: &mut Motion, line: &Line<'_>, until: u64) {
-    use passivity_sim::Entry;
-    use passivity_sim::real::Real;
-    fn near<R: Real>(row: &passivity_sim::model::Row<R>) -> Entry {
-        Entry {
-            h: row.h,
-            xi0: row.xi[0].approximate(),
-            xi1: row.xi[1].approximate(),
-            v0: row.velocity[0].approximate(),
-            v1: row.velocity[1].approximate(),
-            generated_linear: row.generated_linear.approximate(),
-            generated_quantized: row.generated_quantized.approximate(),
-            dissipated: row.dissipated.approximate(),
-            ..Entry::default()
-        }
-    }
-    let entry = match line {
-        Line::Double(entry) => **entry,
-        Line::Exact(row) => near(row),
-        Line::Enclosed(row) => near(row),
-    };
-    if entry.h < until {
-        motion.add(&entry);
-    }
 }
 
 /// The file of a trace.
@@ -174,7 +185,7 @@ struct Trace {
     table: Table,
     file: BufWriter<File>,
     line: String,
-    failed: Option<std::io::Error>,
+    failed: Option<Failure>,
 }
 
 impl Trace {
@@ -195,46 +206,48 @@ impl Trace {
     /// Writes a row; `false` when it could not be written, which ends the run.
     fn take(&mut self, line: &Line<'_>) -> bool {
         self.line.clear();
-        self.table.write(line, &mut self.line);
-        match self.file.write_all(self.line.as_bytes()) {
-            Ok(()) => true,
-            Err(error) => {
-                self.failed = Some(error);
-                false
+        let written = match self.table.write(line, &mut self.line) {
+            Ok(()) => {
+                let name = || format!("`{}`", self.path.display());
+                let written = self.file.write_all(self.line.as_bytes());
+                written.map_err(|error| Failure::io(name(), &error))
             }
-        }
+            Err(error) => Err(Failure::input(error)),
+        };
+        self.failed = written.err();
+        self.failed.is_none()
     }
 
     fn finish(mut self) -> Result<(), Failure> {
-        let result = match self.failed.take() {
-            Some(error) => Err(error),
-            None => self.file.flush(),
-        };
-        result.map_err(|error| Failure::io(format!("`{}`", self.path.display()), &error))
+        match self.failed.take() {
+            Some(failure) => Err(failure),
+            None => self
+                .file
+                .flush()
+                .map_err(|error| Failure::io(format!("`{}`", self.path.display()), &error)),
+        }
     }
 }
 
-fn text(name: &str, plan: &Plan, method: &Method, run: &Simulated, seconds: f64) -> String {
-    let (end, totals) = (&run.end, &run.totals);
-    let effects: Vec<&str> = plan.effects.iter().map(|effect| effect.words()).collect();
+fn text(report: &Simulation, plan: &Plan, run: &Simulated) -> String {
+    let (end, totals) = (&run.end, &report.totals);
+    let effects: Vec<&str> = plan.effects().iter().map(|effect| effect.words()).collect();
+    let [xi, velocity] = plan.start();
     let at = end
         .outcome
         .at_interval
         .map_or_else(String::new, |h| format!(" (interval {h})"));
     let mut lines = vec![
-        format!("{name}: {}{at}", end.outcome.exact.name().replace('_', " ")),
+        format!("{}: {}{at}", report.scene, words(end.outcome.exact)),
         format!("  {}", end.outcome.because),
-        format!(
-            "  the start   ξ = {} ticks, ξ̇ = {} ticks/sample",
-            plan.start[0], plan.start[1]
-        ),
+        format!("  the start   ξ = {xi} ticks, ξ̇ = {velocity} ticks/sample"),
         format!(
             "  by the paper's detector (|ξ̇| < 0.01 at the end): {}",
             end.outcome.paper.name().replace('_', " ")
         ),
         format!(
-            "  method      {method}, {} intervals in {seconds:.3} s",
-            end.intervals
+            "  method      {}, {} intervals in {:.3} s",
+            report.method_parameter, end.intervals, report.seconds
         ),
         format!("  effects     {}", effects.join(", ")),
         format!(
@@ -242,28 +255,12 @@ fn text(name: &str, plan: &Plan, method: &Method, run: &Simulated, seconds: f64)
             end.xi, end.velocity
         ),
     ];
-    match &run.detail {
-        Detail::None => {}
-        Detail::Exact([xi, v]) | Detail::Digits([xi, v]) => {
-            lines.push(format!("              ξ = {xi}"));
-            lines.push(format!("              ξ̇ = {v}"));
-        }
-        Detail::Enclosed {
-            ends: [xi, v],
-            bits,
-        } => {
-            lines.push(format!("              ξ in [{:?}, {:?}]", xi[0], xi[1]));
-            lines.push(format!(
-                "              ξ̇ in [{:?}, {:?}], by numbers of {bits} bits",
-                v[0], v[1]
-            ));
-        }
-    }
+    lines.extend(detail(&run.detail));
     lines.push(format!(
         "  energy      generated {:.6} (linear spring), {:.6} (quantized spring), dissipated {:.6} KΔ²",
         totals.generated_linear, totals.generated_quantized, totals.dissipated
     ));
-    if end.intervals == 0 && end.outcome.exact == Exactly::AtRest {
+    if end.intervals == 0 && end.outcome.exact == ExactOutcome::AtRest {
         lines.push("  nothing moves: the start is at rest (give another with --speed)".to_owned());
     }
     lines.push(format!(
@@ -273,45 +270,20 @@ fn text(name: &str, plan: &Plan, method: &Method, run: &Simulated, seconds: f64)
     lines.join("\n")
 }
 
-fn document(name: &str, plan: &Plan, method: &Method, run: &Simulated, seconds: f64) -> Value {
-    let (end, totals) = (&run.end, &run.totals);
-    let effects: Vec<&str> = plan.effects.iter().map(|effect| effect.name()).collect();
-    let mut last = json!({"xi": end.xi, "velocity": end.velocity});
-    match &run.detail {
-        Detail::None => {}
-        Detail::Exact([xi, v]) => last["exact"] = json!({"xi": xi, "velocity": v}),
-        Detail::Digits([xi, v]) => last["digits"] = json!({"xi": xi, "velocity": v}),
+/// The state at the end in the method's own numbers.
+fn detail(detail: &Detail) -> Vec<String> {
+    match detail {
+        Detail::None => Vec::new(),
+        Detail::Exact([xi, v]) | Detail::Digits([xi, v]) => vec![
+            format!("              ξ = {xi}"),
+            format!("              ξ̇ = {v}"),
+        ],
         Detail::Enclosed {
-            ends: [xi, v],
+            ends: [[xi_lo, xi_hi], [v_lo, v_hi]],
             bits,
-        } => {
-            last["enclosure"] = json!({
-                "xi": {"lo": xi[0], "hi": xi[1]},
-                "velocity": {"lo": v[0], "hi": v[1]},
-                "bits": bits,
-            });
-        }
+        } => vec![
+            format!("              ξ in [{xi_lo:?}, {xi_hi:?}]"),
+            format!("              ξ̇ in [{v_lo:?}, {v_hi:?}], by numbers of {bits} bits"),
+        ],
     }
-    json!({
-        "scene": name,
-        "method": method.name(),
-        "method_parameter": method.to_string(),
-        "effects": effects,
-        "plan": plan.describe(),
-        "intervals": end.intervals,
-        "final": last,
-        "outcome": {
-            "paper": end.outcome.paper.name(),
-            "exact": end.outcome.exact.name(),
-            "at_interval": end.outcome.at_interval,
-            "because": end.outcome.because,
-        },
-        "totals": {
-            "generated_linear": totals.generated_linear,
-            "generated_quantized": totals.generated_quantized,
-            "dissipated": totals.dissipated,
-            "residual_max": totals.residual_max,
-        },
-        "seconds": seconds,
-    })
 }

@@ -7,9 +7,8 @@ use std::time::Instant;
 use passivity_plot::save;
 #[cfg(feature = "plot")]
 use passivity_sim::plot::sweep::draw;
+use passivity_sim::report::Sweep;
 use passivity_sim::sweep::{Grid, Range, Row, open, run as sweep};
-use passivity_sim::{Exactly, Paper};
-use serde_json::json;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
@@ -65,9 +64,12 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let range = |text: &str| Range::parse(text).map_err(Failure::input);
     let speed = match &args.speed {
         Some(text) => range(text)?,
-        None => Range {
-            values: vec![point.start[1].clone()],
-        },
+        None => {
+            let [_, velocity] = point.start();
+            Range {
+                values: vec![velocity],
+            }
+        }
     };
     let grid = Grid::new(range(&args.beta)?, range(&args.sigma)?, speed).map_err(Failure::input)?;
     let mut rows: Vec<Option<Row>> = vec![None; grid.len()];
@@ -105,50 +107,38 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         let picture = draw(&grid, &rows).map_err(Failure::input)?;
         save(&picture, path).map_err(Failure::input)?;
     }
-    let exact = |outcome| {
-        rows.iter()
-            .flatten()
-            .filter(|row| row.exact == outcome)
-            .count()
-    };
-    let paper = |outcome| {
-        rows.iter()
-            .flatten()
-            .filter(|row| row.paper == outcome)
-            .count()
-    };
-    let [rest, never, growing, undecided] = [
-        Exactly::AtRest,
-        Exactly::NeverAtRest,
-        Exactly::Growing,
-        Exactly::Undecided,
-    ]
-    .map(exact);
-    let [converged, cycle, unstable] =
-        [Paper::Converged, Paper::LimitCycle, Paper::Unstable].map(paper);
+    let simulated = grid.len() - before;
+    let report = Sweep::new(
+        &scene.name,
+        &grid,
+        &rows,
+        simulated,
+        point.intervals,
+        seconds,
+    );
     match args.format {
-        Format::Text => emit(&format!(
-            "{}: {} points, {} of them now in {seconds:.3} s\n  \
-             exactly       {rest} at rest, {never} never at rest, {growing} growing, {undecided} undecided\n  \
-             by the paper  {converged} converged, {cycle} limit cycles, {unstable} unstable",
-            scene.name,
-            grid.len(),
-            grid.len() - before,
-        ))?,
-        Format::Json => emit_json(&json!({
-            "scene": scene.name,
-            "points": grid.len(),
-            "simulated": grid.len() - before,
-            "intervals": point.intervals,
-            "exact": {
-                "at_rest": rest,
-                "never_at_rest": never,
-                "growing": growing,
-                "undecided": undecided,
-            },
-            "paper": {"converged": converged, "limit_cycle": cycle, "unstable": unstable},
-            "seconds": seconds,
-        }))?,
+        Format::Text => emit(&text(&report))?,
+        Format::Json => emit_json(&report)?,
     }
     Ok(Exit::Holds)
+}
+
+fn text(report: &Sweep) -> String {
+    let (exact, paper) = (&report.exact, &report.paper);
+    format!(
+        "{}: {} points, {} of them now in {:.3} s\n  \
+         exactly       {} at rest, {} never at rest, {} growing, {} undecided\n  \
+         by the paper  {} converged, {} limit cycles, {} unstable",
+        report.scene,
+        report.points,
+        report.simulated,
+        report.seconds,
+        exact.at_rest,
+        exact.never_at_rest,
+        exact.growing,
+        exact.undecided,
+        paper.converged,
+        paper.limit_cycle,
+        paper.unstable,
+    )
 }

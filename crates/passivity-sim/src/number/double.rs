@@ -1,10 +1,11 @@
-//! Doubles as numbers of the kernel, and how exact numbers become doubles.
+//! Doubles as numbers of the kernel.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use passivity_core::{BigRational, Ordered, Scalar};
 
+use super::rational::to_double;
 use super::real::Real;
 
 /// A double that the kernel's formulas can be computed with; NaN is its undefined value.
@@ -12,11 +13,6 @@ use super::real::Real;
 /// A type of its own, because the kernel knows no floating point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Double(pub f64);
-
-/// The nearest double, infinite when out of range.
-pub(crate) fn to_double(x: &BigRational) -> f64 {
-    passivity_scene::number::nearest_f64(x)
-}
 
 /// ⌊x⌋ without a library call and without the instruction that a plain x86-64 lacks.
 ///

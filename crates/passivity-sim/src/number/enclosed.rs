@@ -5,7 +5,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use passivity_core::{BigRational, Interval, Ordered, Scalar};
 
-use super::double::{Double, to_double};
+use super::double::Double;
+use super::rational::to_double;
 use super::real::Real;
 
 /// A number whose operations can be rounded down or up.

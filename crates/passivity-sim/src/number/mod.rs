@@ -5,9 +5,11 @@
 pub(crate) mod big;
 pub(crate) mod double;
 pub(crate) mod enclosed;
+pub(crate) mod rational;
 pub(crate) mod real;
 
 pub use double::Double;
-pub(crate) use double::{floor, to_double};
+pub(crate) use double::floor;
 pub use enclosed::Enclosed;
+pub(crate) use rational::to_double;
 pub(crate) use real::{Real, Undecided};

@@ -1,8 +1,6 @@
 //! What a number must do to carry a motion, beside what the kernel's formulas ask of it.
 
-use passivity_core::{BigRational, Ordered};
-
-use super::double::to_double;
+use passivity_core::Ordered;
 
 /// A sign or a floor that the number at hand cannot tell: an interval that straddles an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,23 +70,5 @@ pub trait Real: Ordered {
     /// How many bits it takes to write the number down, if that can grow.
     fn length(&self) -> u64 {
         0
-    }
-}
-
-impl Real for BigRational {
-    fn approximate(&self) -> f64 {
-        to_double(self)
-    }
-
-    fn is_defined(&self) -> bool {
-        true
-    }
-
-    fn bits(&self) -> u32 {
-        0 // No series is ever summed: there is none at β = 0.
-    }
-
-    fn length(&self) -> u64 {
-        self.numer().bits() + self.denom().bits()
     }
 }

@@ -1,0 +1,358 @@
+//! What programs are told of a simulation, a sweep and a measurement of accuracy: the types that
+//! `--format json` writes.
+//!
+//! JSON has no infinities: a figure without a finite value is an error.
+
+use serde::{Serialize, Serializer};
+
+use crate::accuracy::{Measured, Table};
+use crate::error::SimError;
+use crate::method::Method;
+use crate::outcome::{ExactOutcome, Outcome, PaperOutcome};
+use crate::plan::Plan;
+use crate::simulated::{Detail, Simulated};
+use crate::sweep::{Grid, Row};
+
+/// `simulate --format json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Simulation {
+    /// The scene's name.
+    pub scene: String,
+    /// The method's name.
+    pub method: &'static str,
+    /// The method with its parameter.
+    pub method_parameter: String,
+    /// The effects in the scene.
+    pub effects: Vec<&'static str>,
+    /// What is computed in each interval.
+    pub plan: Vec<String>,
+    /// How many intervals were run.
+    pub intervals: u64,
+    /// The state at the end.
+    #[serde(rename = "final")]
+    pub last: State,
+    /// What became of it.
+    pub outcome: Outcome,
+    /// Sums over the run.
+    pub totals: Sums,
+    /// How long it took.
+    pub seconds: f64,
+}
+
+/// The state at the end of a simulation, in ticks and ticks per sample.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct State {
+    /// ξ.
+    pub xi: f64,
+    /// ξ̇.
+    pub velocity: f64,
+    /// In lowest terms, by the exact method.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exact: Option<Text>,
+    /// In decimal, by the reference.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub digits: Option<Text>,
+    /// By rigorous intervals.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub enclosure: Option<Enclosure>,
+}
+
+/// ξ and ξ̇ as texts.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Text {
+    /// ξ.
+    pub xi: String,
+    /// ξ̇.
+    pub velocity: String,
+}
+
+/// Enclosures of ξ and ξ̇.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Enclosure {
+    /// Of ξ.
+    pub xi: Ends,
+    /// Of ξ̇.
+    pub velocity: Ends,
+    /// The bits of the numbers that decided.
+    pub bits: u32,
+}
+
+/// The ends of an enclosure.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Ends {
+    /// The lower end.
+    pub lo: f64,
+    /// The upper end.
+    pub hi: f64,
+}
+
+/// Energies over a run, in KΔ².
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Sums {
+    /// Σ E_gᴸ.
+    pub generated_linear: f64,
+    /// Σ E_g.
+    pub generated_quantized: f64,
+    /// Σ E_d.
+    pub dissipated: f64,
+    /// What the balance (13) of an interval is off by at most.
+    pub residual_max: f64,
+}
+
+/// A figure, unless it is none.
+fn finite(x: f64, figure: &'static str, interval: u64) -> Result<f64, SimError> {
+    if x.is_finite() {
+        Ok(x)
+    } else {
+        Err(SimError::NotFinite { interval, figure })
+    }
+}
+
+impl Simulation {
+    /// The report on a simulation of a scene with this name that took so many seconds.
+    ///
+    /// # Errors
+    ///
+    /// A figure without a finite value.
+    pub fn new(
+        scene: &str,
+        plan: &Plan,
+        method: &Method,
+        run: &Simulated,
+        seconds: f64,
+    ) -> Result<Self, SimError> {
+        let (end, totals) = (&run.end, &run.totals);
+        let finite = |x, figure| finite(x, figure, end.intervals);
+        Ok(Self {
+            scene: scene.to_owned(),
+            method: method.name(),
+            method_parameter: method.to_string(),
+            effects: plan.effects().iter().map(|effect| effect.name()).collect(),
+            plan: plan.describe(),
+            intervals: end.intervals,
+            last: State::new(run)?,
+            outcome: end.outcome.clone(),
+            totals: Sums {
+                generated_linear: finite(totals.generated_linear, "totals.generated_linear")?,
+                generated_quantized: finite(
+                    totals.generated_quantized,
+                    "totals.generated_quantized",
+                )?,
+                dissipated: finite(totals.dissipated, "totals.dissipated")?,
+                residual_max: finite(totals.residual_max, "totals.residual_max")?,
+            },
+            seconds,
+        })
+    }
+}
+
+impl State {
+    fn new(run: &Simulated) -> Result<Self, SimError> {
+        let finite = |x, figure| finite(x, figure, run.end.intervals);
+        let mut state = Self {
+            xi: finite(run.end.xi, "final.xi")?,
+            velocity: finite(run.end.velocity, "final.velocity")?,
+            exact: None,
+            digits: None,
+            enclosure: None,
+        };
+        let text = |[xi, velocity]: &[String; 2]| Text {
+            xi: xi.clone(),
+            velocity: velocity.clone(),
+        };
+        let ends = |[lo, hi]: [f64; 2], figure| -> Result<Ends, SimError> {
+            Ok(Ends {
+                lo: finite(lo, figure)?,
+                hi: finite(hi, figure)?,
+            })
+        };
+        match &run.detail {
+            Detail::None => {}
+            Detail::Exact(texts) => state.exact = Some(text(texts)),
+            Detail::Digits(texts) => state.digits = Some(text(texts)),
+            Detail::Enclosed {
+                ends: [xi, velocity],
+                bits,
+            } => {
+                state.enclosure = Some(Enclosure {
+                    xi: ends(*xi, "final.enclosure.xi")?,
+                    velocity: ends(*velocity, "final.enclosure.velocity")?,
+                    bits: *bits,
+                });
+            }
+        }
+        Ok(state)
+    }
+}
+
+/// `sweep --format json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Sweep {
+    /// The scene's name.
+    pub scene: String,
+    /// How many points the grid has.
+    pub points: usize,
+    /// How many of them were simulated now.
+    pub simulated: usize,
+    /// How many intervals each was run.
+    pub intervals: u64,
+    /// How many points had each outcome, as far as it is certain.
+    pub exact: ExactCounts,
+    /// How many points had each outcome by the paper's detector.
+    pub paper: PaperCounts,
+    /// How long it took.
+    pub seconds: f64,
+}
+
+/// Points by their outcome, as far as it is certain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct ExactCounts {
+    /// At rest for ever.
+    pub at_rest: usize,
+    /// Never at rest.
+    pub never_at_rest: usize,
+    /// Growing without end.
+    pub growing: usize,
+    /// None of these.
+    pub undecided: usize,
+}
+
+/// Points by their outcome by the paper's detector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct PaperCounts {
+    /// |ξ̇| < 0.01 at the end.
+    pub converged: usize,
+    /// Neither converged nor unstable.
+    pub limit_cycle: usize,
+    /// Unstable.
+    pub unstable: usize,
+}
+
+impl Sweep {
+    /// The report on a sweep of a scene with this name; `simulated` points took so many seconds.
+    #[must_use]
+    pub fn new(
+        scene: &str,
+        grid: &Grid,
+        rows: &[Option<Row>],
+        simulated: usize,
+        intervals: u64,
+        seconds: f64,
+    ) -> Self {
+        let rows = || rows.iter().flatten();
+        let exact = |outcome| rows().filter(|row| row.exact == outcome).count();
+        let paper = |outcome| rows().filter(|row| row.paper == outcome).count();
+        Self {
+            scene: scene.to_owned(),
+            points: grid.len(),
+            simulated,
+            intervals,
+            exact: ExactCounts {
+                at_rest: exact(ExactOutcome::AtRest),
+                never_at_rest: exact(ExactOutcome::NeverAtRest),
+                growing: exact(ExactOutcome::Growing),
+                undecided: exact(ExactOutcome::Undecided),
+            },
+            paper: PaperCounts {
+                converged: paper(PaperOutcome::Converged),
+                limit_cycle: paper(PaperOutcome::LimitCycle),
+                unstable: paper(PaperOutcome::Unstable),
+            },
+            seconds,
+        }
+    }
+}
+
+/// `accuracy --format json`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Accuracy {
+    /// The scene's name.
+    pub scene: String,
+    /// Intervals that were compared.
+    pub intervals: u64,
+    /// The reference's outcome.
+    pub reference: ExactOutcome,
+    /// A row for each method that can do the scene.
+    pub rows: Vec<AccuracyRow>,
+    /// The methods that cannot.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// How wrong a method is, and how long an interval takes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AccuracyRow {
+    /// The method with its parameter.
+    pub method: String,
+    /// The error of the position at the end over the reach of the motion.
+    pub position: f64,
+    /// The error of the velocity at the end over the greatest speed.
+    pub velocity: f64,
+    /// The largest error of the energies over the energy dissipated.
+    pub energy: f64,
+    /// The outcome.
+    pub outcome: ExactOutcome,
+    /// Whether it is the reference's.
+    pub same_outcome: bool,
+    /// How many intervals too late it was found.
+    pub intervals_late: i64,
+    /// Time per interval.
+    pub nanoseconds_per_interval: f64,
+}
+
+/// A method that cannot do a scene.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct LeftOut {
+    /// The method with its parameter.
+    pub method: String,
+    /// Why not.
+    pub because: String,
+}
+
+impl Accuracy {
+    /// The report on the table of a scene with this name.
+    ///
+    /// # Errors
+    ///
+    /// A figure without a finite value.
+    pub fn new(scene: &str, table: &Table) -> Result<Self, SimError> {
+        let row = |row: &Measured| -> Result<AccuracyRow, SimError> {
+            let finite = |x, figure| finite(x, figure, table.intervals);
+            Ok(AccuracyRow {
+                method: row.method.to_string(),
+                position: finite(row.position, "position")?,
+                velocity: finite(row.velocity, "velocity")?,
+                energy: finite(row.energy, "energy")?,
+                outcome: row.exact,
+                same_outcome: row.same_outcome,
+                intervals_late: row.late,
+                nanoseconds_per_interval: finite(row.nanoseconds, "nanoseconds_per_interval")?,
+            })
+        };
+        Ok(Self {
+            scene: scene.to_owned(),
+            intervals: table.intervals,
+            reference: table.reference,
+            rows: table.rows.iter().map(row).collect::<Result<_, _>>()?,
+            left_out: table
+                .left_out
+                .iter()
+                .map(|(method, because)| LeftOut {
+                    method: method.to_string(),
+                    because: because.clone(),
+                })
+                .collect(),
+        })
+    }
+}
+
+impl Serialize for PaperOutcome {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+impl Serialize for ExactOutcome {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
