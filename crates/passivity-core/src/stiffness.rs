@@ -179,6 +179,24 @@ pub fn longest_period_at_speed<S: Scalar>(the_loop: &Loop<S>, speed: &S) -> S {
     the_loop.period.clone() + the_loop.criterion().margin(speed).over(per_period)
 }
 
+/// The sampling period with the largest product of period and margin at speed v > 0:
+/// (c − KΔ/2 − F/2 + (b − B)v)/(2K(½ + k)v).
+///
+/// With virtual damping behind an encoder the margin at v is c − KΔ/2 − F/2 + (b − B)v −
+/// K(½ + k)v·T − BΔ/T. Times T it is a parabola that opens downwards, so the periods that meet the
+/// criterion at v are a stretch around this one, or there are none.
+#[must_use]
+pub fn best_period_at_speed<S: Scalar>(the_loop: &Loop<S>, speed: &S) -> S {
+    let undamped = Loop {
+        damping: None,
+        ..the_loop.clone().with(Parameter::Period, S::one())
+    };
+    let damping = the_loop.damping.clone().unwrap_or_else(S::zero);
+    let viscous = the_loop.viscous_friction() - damping;
+    let per_period = undamped.cost().viscous * speed.clone();
+    (undamped.criterion().coulomb + viscous * speed.clone()).over(per_period.double())
+}
+
 /// The coarsest encoder for the criterion at every speed: 2c/K without effects; `None` without an
 /// encoder.
 #[must_use]

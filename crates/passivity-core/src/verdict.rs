@@ -16,6 +16,7 @@ use crate::rational::{to_fixed, to_wide};
 use crate::region::Region;
 use crate::scalar::Ordered;
 use crate::start;
+use crate::stiffness;
 
 /// Up to which speed the criterion is asked to hold, in the units of the loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -213,8 +214,12 @@ impl<S: Ordered> Loop<Interval<S>> {
         Some(Truth::over(holds, self.some_loop_holds(&easiest)?))
     }
 
-    /// Whether the criterion holds for a loop of the box, at the easiest end of every tolerance but
-    /// that of the period.
+    /// Whether the criterion holds for a loop of the box.
+    ///
+    /// Where the period pulls both ways, the periods that meet the criterion with all else at its
+    /// easiest are a stretch. If it reaches into the interval at all, then an end of the interval is
+    /// in it, or its own shortest period, which Coulomb friction sets near rest, or the period that
+    /// is best at the bound.
     ///
     /// For a bound of which only the square is known the answer may be `true` where no loop holds.
     fn some_loop_holds(&self, speeds: &Speeds<S>) -> Option<bool> {
@@ -225,64 +230,35 @@ impl<S: Ordered> Loop<Interval<S>> {
         if holds || !self.period_pulls_both_ways() {
             return Some(holds);
         }
-        let easiest = self.at(End::Easiest);
+        let corner = self.at(End::Easiest);
+        let undamped = Loop {
+            damping: None,
+            ..corner.clone()
+        };
+        if !undamped.criterion().coulomb.is_positive()? {
+            // Nothing is left for BΔ/T; and where B is zero, the shortest period was the easiest.
+            return Some(false);
+        }
+        let at_the_bound = match speeds {
+            Speeds::UpTo(v) => Some(stiffness::best_period_at_speed(&corner, v)),
+            Speeds::All | Speeds::UpToSquared(_) => None,
+        };
+        let candidates = [stiffness::shortest_period(&corner), at_the_bound];
+        for period in candidates.into_iter().flatten() {
+            let inside = period.compare(self.period.lo())?.is_ge()
+                && period.compare(self.period.hi())?.is_le();
+            let other = corner.clone().with(Parameter::Period, period);
+            if inside && decide(&other.criterion(), speeds)?.holds {
+                return Some(true);
+            }
+        }
         match speeds {
+            Speeds::All | Speeds::UpTo(_) => Some(false),
             Speeds::UpToSquared(_) => {
                 let [_, best] = self.criteria();
                 Some(decide(&best, speeds)?.holds)
             }
-            Speeds::All => self.some_period_holds(&easiest, None),
-            Speeds::UpTo(v) => self.some_period_holds(&easiest, Some(v)),
         }
-    }
-
-    /// Whether a period of the interval meets the criterion with the rest of `corner`, where
-    /// neither end does: at every speed, or at every speed up to `bound`.
-    ///
-    /// Near rest the criterion asks for T ≥ BΔ/s with s = c − KΔ/2 − F/2. At every speed it asks for
-    /// T ≤ (b − B)/(K(½ + k)) too. At a bound V the margin s + (b − B)V − K(½ + k)V·T − BΔ/T is
-    /// concave in T, and times T it is a parabola: so it is largest, and not negative anywhere
-    /// unless there, where the parabola's derivative vanishes or at an end.
-    fn some_period_holds(&self, corner: &Loop<S>, bound: Option<&S>) -> Option<bool> {
-        let undamped = Loop {
-            damping: None,
-            ..corner.clone().with(Parameter::Period, S::one())
-        };
-        let spare = undamped.criterion().coulomb;
-        let damping = corner.damping.clone().unwrap_or_else(S::zero);
-        let per_tick = damping.clone() * corner.length();
-        if !spare.is_nonnegative()? || !spare.is_positive()? && per_tick.is_positive()? {
-            return Some(false);
-        }
-        let inside = |period: &S| {
-            let least = period.compare(self.period.lo())?;
-            let most = period.compare(self.period.hi())?;
-            Some(least.is_ge() && most.is_le())
-        };
-        let holds_at = |period: &S| {
-            let criterion = corner
-                .clone()
-                .with(Parameter::Period, period.clone())
-                .criterion();
-            let speeds = match bound {
-                Some(v) => Speeds::UpTo(v.clone()),
-                None => Speeds::All,
-            };
-            Some(inside(period)? && decide(&criterion, &speeds)?.holds)
-        };
-        // The shortest period that is enough near rest: the easiest of all for viscous friction.
-        let near_rest = per_tick.over(spare.clone());
-        if spare.is_positive()? && holds_at(&near_rest)? {
-            return Some(true);
-        }
-        let Some(v) = bound else {
-            return Some(false);
-        };
-        // The vertex of T·margin: T = (s + (b − B)V)/(2K(½ + k)V).
-        let free = corner.viscous_friction() - damping;
-        let per_period = undamped.cost().viscous * v.clone();
-        let vertex = (spare + free * v.clone()).over(per_period.double());
-        holds_at(&vertex)
     }
 
     /// The region of every loop of the box, or `None` when it depends or a number is undefined.

@@ -2,18 +2,18 @@
 ; as printed: refuted by every model
 ; printed from the kernel's code; expected answer: sat
 (set-option :produce-models true)
-(set-logic QF_NRA)
+(set-logic QF_NIRA)
 (set-info :status sat)
 (declare-const x0 Real)
 (declare-const x1 Real)
-(declare-const floor1 Real) ; floor of x0
-(assert (and (<= floor1 x0) (< x0 (+ floor1 1))))
-(declare-const floor2 Real) ; floor of x1
-(assert (and (<= floor2 x1) (< x1 (+ floor2 1))))
+(declare-const floor1 Int) ; floor of x0
+(assert (and (<= (to_real floor1) x0) (< x0 (+ (to_real floor1) 1))))
+(declare-const floor2 Int) ; floor of x1
+(assert (and (<= (to_real floor2) x1) (< x1 (+ (to_real floor2) 1))))
 (define-fun def3 () Real (- x1 x0))
 (define-fun def4 () Real (ite (>= def3 0) def3 (- def3)))
-(assert (= floor1 1))
-(assert (= floor2 0))
+(assert (= (to_real floor1) 1.0))
+(assert (= (to_real floor2) 0.0))
 ; what would contradict the goal
-(assert (not (<= (/ (* (- floor2 floor1) (- (+ (- floor2 floor1) (+ (- x1 floor2) (- x1 floor2))) 1)) 2) (/ (* def4 (+ def4 1)) 2))))
+(assert (not (<= (/ (* (- (to_real floor2) (to_real floor1)) (- (+ (- (to_real floor2) (to_real floor1)) (+ (- x1 (to_real floor2)) (- x1 (to_real floor2)))) 1.0)) 2) (/ (* def4 (+ def4 1.0)) 2))))
 (check-sat)

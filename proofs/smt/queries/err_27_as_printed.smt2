@@ -2,26 +2,26 @@
 ; as printed: refuted by every model
 ; printed from the kernel's code; expected answer: sat
 (set-option :produce-models true)
-(set-logic QF_NRA)
+(set-logic QF_NIRA)
 (set-info :status sat)
 (declare-const x0 Real)
 (declare-const x1 Real)
 (declare-const beta Real)
 (declare-const sigma Real)
 (declare-const dtau Real)
-(declare-const floor1 Real) ; floor of x0
-(assert (and (<= floor1 x0) (< x0 (+ floor1 1))))
-(declare-const floor2 Real) ; floor of x1
-(assert (and (<= floor2 x1) (< x1 (+ floor2 1))))
+(declare-const floor1 Int) ; floor of x0
+(assert (and (<= (to_real floor1) x0) (< x0 (+ (to_real floor1) 1))))
+(declare-const floor2 Int) ; floor of x1
+(assert (and (<= (to_real floor2) x1) (< x1 (+ (to_real floor2) 1))))
 (define-fun def3 () Real (- x1 x0))
 (define-fun def4 () Real (ite (>= def3 0) def3 (- def3)))
-(assert (= floor1 1))
-(assert (= floor2 0))
-(assert (<= 0 beta))
-(assert (<= 0 sigma))
-(assert (> dtau 0))
-(assert (<= dtau 1))
-(assert (<= 0 (+ (* (- beta (/ 1 2)) (/ def4 dtau)) (- sigma (/ 1 2)))))
+(assert (= (to_real floor1) 1.0))
+(assert (= (to_real floor2) 0.0))
+(assert (<= 0.0 beta))
+(assert (<= 0.0 sigma))
+(assert (> dtau 0.0))
+(assert (<= dtau 1.0))
+(assert (<= 0.0 (+ (* (- beta (* (* 1.0 1.0) (+ (/ 1.0 2) 0.0))) (/ def4 dtau)) (- sigma (/ (* 1.0 1.0) 2)))))
 ; what would contradict the goal
-(assert (not (<= 0 (- (* def4 (+ (* beta (/ def4 dtau)) sigma)) (/ (* (- floor2 floor1) (- (+ (- floor2 floor1) (+ (- x1 floor2) (- x1 floor2))) 1)) 2)))))
+(assert (not (<= 0.0 (- (* def4 (+ (* beta (/ def4 dtau)) sigma)) (+ (* (- (- (+ (to_real floor1) (/ 1.0 2))) (- (+ (to_real floor1) (/ 1.0 2)))) def3) (/ (* (- (to_real floor2) (to_real floor1)) (- (+ (- (to_real floor2) (to_real floor1)) (+ (- x1 (to_real floor2)) (- x1 (to_real floor2)))) 1.0)) 2))))))
 (check-sat)

@@ -2,30 +2,30 @@
 ; nothing is left of a tick
 ; printed from the kernel's code; expected answer: sat
 (set-option :produce-models true)
-(set-logic QF_NRA)
+(set-logic QF_NIRA)
 (set-info :status sat)
 (declare-const beta Real)
 (declare-const sigma Real)
-(define-fun def1 () Real (- (/ 1 1)))
-(declare-const floor2 Real) ; floor of def1
-(assert (and (<= floor2 def1) (< def1 (+ floor2 1))))
-(define-fun def3 () Real (/ (/ (- (* 0 (- 1 (+ beta beta))) (- (+ sigma sigma) 1)) (+ beta beta)) 2))
-(define-fun def4 () Real (ite (<= 1 def3) 1 def3))
-(define-fun def5 () Real (- (/ 1 def4)))
-(declare-const floor6 Real) ; floor of def5
-(assert (and (<= floor6 def5) (< def5 (+ floor6 1))))
-(define-fun def7 () Real (/ (- (+ sigma sigma) 1) (- 1 (+ beta beta))))
-(declare-const floor8 Real) ; floor of def7
-(assert (and (<= floor8 def7) (< def7 (+ floor8 1))))
-(define-fun def9 () Real (/ (/ (- (* (+ floor8 1) (- 1 (+ beta beta))) (- (+ sigma sigma) 1)) (+ beta beta)) 2))
-(define-fun def10 () Real (ite (<= 1 def9) 1 def9))
-(define-fun def11 () Real (- (/ 1 def10)))
-(declare-const floor12 Real) ; floor of def11
-(assert (and (<= floor12 def11) (< def11 (+ floor12 1))))
-(assert (<= 0 beta))
-(assert (<= 0 sigma))
-(assert (= beta 0))
-(assert (> (/ 1 2) sigma))
+(define-fun def1 () Real (- (/ 1.0 1.0)))
+(declare-const floor2 Int) ; floor of def1
+(assert (and (<= (to_real floor2) def1) (< def1 (+ (to_real floor2) 1))))
+(define-fun def3 () Real (/ (/ (- (* 0.0 (- 1.0 (+ beta beta))) (- (+ sigma sigma) 1.0)) (+ beta beta)) 2))
+(define-fun def4 () Real (ite (<= 1.0 def3) 1.0 def3))
+(define-fun def5 () Real (- (/ 1.0 def4)))
+(declare-const floor6 Int) ; floor of def5
+(assert (and (<= (to_real floor6) def5) (< def5 (+ (to_real floor6) 1))))
+(define-fun def7 () Real (/ (- (+ sigma sigma) 1.0) (- 1.0 (+ beta beta))))
+(declare-const floor8 Int) ; floor of def7
+(assert (and (<= (to_real floor8) def7) (< def7 (+ (to_real floor8) 1))))
+(define-fun def9 () Real (/ (/ (- (* (+ (to_real floor8) 1.0) (- 1.0 (+ beta beta))) (- (+ sigma sigma) 1.0)) (+ beta beta)) 2))
+(define-fun def10 () Real (ite (<= 1.0 def9) 1.0 def9))
+(define-fun def11 () Real (- (/ 1.0 def10)))
+(declare-const floor12 Int) ; floor of def11
+(assert (and (<= (to_real floor12) def11) (< def11 (+ (to_real floor12) 1))))
+(assert (<= 0.0 beta))
+(assert (<= 0.0 sigma))
+(assert (= beta 0.0))
+(assert (> (/ 1.0 2) sigma))
 ; what would contradict the goal
-(assert (not (and (or (not (and (> 0 (- (+ sigma sigma) 1)) (> 0 (- 1 (+ beta beta))) (> 0 beta) (> 1 0))) (> (- 1 (/ 1 (- floor2))) (+ 1 0))) (or (not (and (> 0 (- (+ sigma sigma) 1)) (> 0 (- 1 (+ beta beta))) (= beta 0) (> 1 0))) (> (- 1 (/ 1 (- floor2))) (+ 1 0))) (or (not (and (> 0 (- (+ sigma sigma) 1)) (> 0 (- 1 (+ beta beta))) (> beta 0) (> def4 0))) (> (- 1 (/ 1 (- floor6))) (+ 1 0))) (or (not (and (> 0 (- (+ sigma sigma) 1)) (= (- 1 (+ beta beta)) 0) (> 0 beta) (> 1 0))) (> (- 1 (/ 1 (- floor2))) (+ 1 0))) (or (not (and (> 0 (- (+ sigma sigma) 1)) (= (- 1 (+ beta beta)) 0) (= beta 0) (> 1 0))) (> (- 1 (/ 1 (- floor2))) (+ 1 0))) (or (not (and (> 0 (- (+ sigma sigma) 1)) (= (- 1 (+ beta beta)) 0) (> beta 0) (> def4 0))) (> (- 1 (/ 1 (- floor6))) (+ 1 0))) (or (not (and (> 0 (- (+ sigma sigma) 1)) (> (- 1 (+ beta beta)) 0) (> 0 beta) (> 1 0))) (> (- 1 (/ 1 (- floor2))) (+ 1 0))) (or (not (and (> 0 (- (+ sigma sigma) 1)) (> (- 1 (+ beta beta)) 0) (= beta 0) (> 1 0))) (> (- 1 (/ 1 (- floor2))) (+ 1 0))) (or (not (and (> 0 (- (+ sigma sigma) 1)) (> (- 1 (+ beta beta)) 0) (> beta 0) (> def4 0))) (> (- 1 (/ 1 (- floor6))) (+ 1 0))) (or (not (and (= (- (+ sigma sigma) 1) 0) (> (- 1 (+ beta beta)) 0) (> 0 beta) (> 1 0))) (> (- 1 (/ 1 (- floor2))) (+ 1 (+ floor8 1)))) (or (not (and (= (- (+ sigma sigma) 1) 0) (> (- 1 (+ beta beta)) 0) (= beta 0) (> 1 0))) (> (- 1 (/ 1 (- floor2))) (+ 1 (+ floor8 1)))) (or (not (and (= (- (+ sigma sigma) 1) 0) (> (- 1 (+ beta beta)) 0) (> beta 0) (> def10 0))) (> (- 1 (/ 1 (- floor12))) (+ 1 (+ floor8 1)))) (or (not (and (> (- (+ sigma sigma) 1) 0) (> (- 1 (+ beta beta)) 0) (> 0 beta) (> 1 0))) (> (- 1 (/ 1 (- floor2))) (+ 1 (+ floor8 1)))) (or (not (and (> (- (+ sigma sigma) 1) 0) (> (- 1 (+ beta beta)) 0) (= beta 0) (> 1 0))) (> (- 1 (/ 1 (- floor2))) (+ 1 (+ floor8 1)))) (or (not (and (> (- (+ sigma sigma) 1) 0) (> (- 1 (+ beta beta)) 0) (> beta 0) (> def10 0))) (> (- 1 (/ 1 (- floor12))) (+ 1 (+ floor8 1)))))))
+(assert (not (and (or (not (and (> 0.0 (- (+ sigma sigma) 1.0)) (> 0.0 (- 1.0 (+ beta beta))) (> 0.0 beta))) (> (- 1.0 (/ 1.0 (- (to_real floor2)))) (+ 1.0 0.0))) (or (not (and (> 0.0 (- (+ sigma sigma) 1.0)) (> 0.0 (- 1.0 (+ beta beta))) (= beta 0.0))) (> (- 1.0 (/ 1.0 (- (to_real floor2)))) (+ 1.0 0.0))) (or (not (and (> 0.0 (- (+ sigma sigma) 1.0)) (> 0.0 (- 1.0 (+ beta beta))) (> beta 0.0) (> def4 0.0))) (> (- 1.0 (/ 1.0 (- (to_real floor6)))) (+ 1.0 0.0))) (or (not (and (> 0.0 (- (+ sigma sigma) 1.0)) (= (- 1.0 (+ beta beta)) 0.0) (> 0.0 beta))) (> (- 1.0 (/ 1.0 (- (to_real floor2)))) (+ 1.0 0.0))) (or (not (and (> 0.0 (- (+ sigma sigma) 1.0)) (= (- 1.0 (+ beta beta)) 0.0) (= beta 0.0))) (> (- 1.0 (/ 1.0 (- (to_real floor2)))) (+ 1.0 0.0))) (or (not (and (> 0.0 (- (+ sigma sigma) 1.0)) (= (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (> def4 0.0))) (> (- 1.0 (/ 1.0 (- (to_real floor6)))) (+ 1.0 0.0))) (or (not (and (> 0.0 (- (+ sigma sigma) 1.0)) (> (- 1.0 (+ beta beta)) 0.0) (> 0.0 beta))) (> (- 1.0 (/ 1.0 (- (to_real floor2)))) (+ 1.0 0.0))) (or (not (and (> 0.0 (- (+ sigma sigma) 1.0)) (> (- 1.0 (+ beta beta)) 0.0) (= beta 0.0))) (> (- 1.0 (/ 1.0 (- (to_real floor2)))) (+ 1.0 0.0))) (or (not (and (> 0.0 (- (+ sigma sigma) 1.0)) (> (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (> def4 0.0))) (> (- 1.0 (/ 1.0 (- (to_real floor6)))) (+ 1.0 0.0))) (or (not (and (= (- (+ sigma sigma) 1.0) 0.0) (> (- 1.0 (+ beta beta)) 0.0) (> 0.0 beta))) (> (- 1.0 (/ 1.0 (- (to_real floor2)))) (+ 1.0 (+ (to_real floor8) 1.0)))) (or (not (and (= (- (+ sigma sigma) 1.0) 0.0) (> (- 1.0 (+ beta beta)) 0.0) (= beta 0.0))) (> (- 1.0 (/ 1.0 (- (to_real floor2)))) (+ 1.0 (+ (to_real floor8) 1.0)))) (or (not (and (= (- (+ sigma sigma) 1.0) 0.0) (> (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (> def10 0.0))) (> (- 1.0 (/ 1.0 (- (to_real floor12)))) (+ 1.0 (+ (to_real floor8) 1.0)))) (or (not (and (> (- (+ sigma sigma) 1.0) 0.0) (> (- 1.0 (+ beta beta)) 0.0) (> 0.0 beta))) (> (- 1.0 (/ 1.0 (- (to_real floor2)))) (+ 1.0 (+ (to_real floor8) 1.0)))) (or (not (and (> (- (+ sigma sigma) 1.0) 0.0) (> (- 1.0 (+ beta beta)) 0.0) (= beta 0.0))) (> (- 1.0 (/ 1.0 (- (to_real floor2)))) (+ 1.0 (+ (to_real floor8) 1.0)))) (or (not (and (> (- (+ sigma sigma) 1.0) 0.0) (> (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (> def10 0.0))) (> (- 1.0 (/ 1.0 (- (to_real floor12)))) (+ 1.0 (+ (to_real floor8) 1.0)))))))
 (check-sat)

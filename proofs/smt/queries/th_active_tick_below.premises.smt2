@@ -9,6 +9,6 @@
 (declare-const floor1 Int) ; floor of n
 (assert (and (<= (to_real floor1) n) (< n (+ (to_real floor1) 1))))
 (assert (= (to_real floor1) n))
-(assert (> a 0))
-(assert (<= a 1))
+(assert (> a 0.0))
+(assert (<= a 1.0))
 (check-sat)

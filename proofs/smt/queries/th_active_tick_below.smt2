@@ -12,8 +12,8 @@
 (declare-const floor3 Int) ; floor of def2
 (assert (and (<= (to_real floor3) def2) (< def2 (+ (to_real floor3) 1))))
 (assert (= (to_real floor1) n))
-(assert (> a 0))
-(assert (<= a 1))
+(assert (> a 0.0))
+(assert (<= a 1.0))
 ; what would contradict the goal
-(assert (not (= (to_real floor3) (- n 1))))
+(assert (not (= (to_real floor3) (- n 1.0))))
 (check-sat)

@@ -7,5 +7,5 @@
 (declare-const B Real)
 (declare-const delta Real)
 ; what would contradict the goal
-(assert (not (= (- (- (- (- 0 (/ (* 1 1) 2)) (* B (/ 1 1))) (/ delta 2))) (- (+ (/ (+ 1 delta) 2) B) B))))
+(assert (not (= (+ (+ (/ (* 1 1) 2) (* B (/ 1 1))) (/ delta 2)) (- (+ (/ (+ 1 delta) 2) B) B))))
 (check-sat)

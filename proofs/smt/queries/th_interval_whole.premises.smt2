@@ -13,5 +13,5 @@
 (define-fun def2 () Real (ite (>= def1 0) def1 (- def1)))
 (assert (> dtau 0))
 (assert (<= dtau 1))
-(assert (<= 0 (+ (* (- beta (/ 1 2)) (/ def2 dtau)) (- sigma (/ 1 2)))))
+(assert (<= 0 (+ (* (- beta (* (* 1 1) (+ (/ 1 2) 0))) (/ def2 dtau)) (- sigma (/ (* 1 1) 2)))))
 (check-sat)

@@ -15,7 +15,7 @@
 (assert (and (<= floor3 x0) (< x0 (+ floor3 1))))
 (assert (> dtau 0))
 (assert (<= dtau 1))
-(assert (<= 0 (+ (* (- beta (/ 1 2)) (/ def2 dtau)) (- sigma (/ 1 2)))))
+(assert (<= 0 (+ (* (- beta (* (* 1 1) (+ (/ 1 2) 0))) (/ def2 dtau)) (- sigma (/ (* 1 1) 2)))))
 ; what would contradict the goal
-(assert (not (<= 0 (- (* def2 (+ (* beta (/ def2 dtau)) sigma)) (/ (* def1 (- (+ def1 (+ (- x0 floor3) (- x0 floor3))) 1)) 2)))))
+(assert (not (<= 0 (- (* def2 (+ (* beta (/ def2 dtau)) sigma)) (+ (* (- (- (+ floor3 (/ 1 2))) (- (+ floor3 (/ 1 2)))) def1) (/ (* def1 (- (+ def1 (+ (- x0 floor3) (- x0 floor3))) 1)) 2))))))
 (check-sat)

@@ -2,7 +2,7 @@
 ; it is not the bound
 ; printed from the kernel's code; expected answer: sat
 (set-option :produce-models true)
-(set-logic QF_NRA)
+(set-logic QF_NIRA)
 (set-info :status sat)
 (declare-const dtau Real)
 (declare-const x1 Real)
@@ -11,9 +11,9 @@
 (declare-const sigma Real)
 (define-fun def1 () Real (- x1 x0))
 (define-fun def2 () Real (ite (>= def1 0) def1 (- def1)))
-(declare-const floor3 Real) ; floor of x0
-(assert (and (<= floor3 x0) (< x0 (+ floor3 1))))
-(assert (> dtau 0))
+(declare-const floor3 Int) ; floor of x0
+(assert (and (<= (to_real floor3) x0) (< x0 (+ (to_real floor3) 1))))
+(assert (> dtau 0.0))
 ; what would contradict the goal
-(assert (not (= (- (* def2 (+ (* beta (/ def2 dtau)) sigma)) (/ (* def1 (- (+ def1 (+ (- x0 floor3) (- x0 floor3))) 1)) 2)) (- (* def2 (+ (* beta (/ def2 dtau)) sigma)) (/ (* def2 (+ def2 1)) 2)))))
+(assert (not (= (- (* def2 (+ (* beta (/ def2 dtau)) sigma)) (+ (* (- (- (+ (to_real floor3) (/ 1.0 2))) (- (+ (to_real floor3) (/ 1.0 2)))) def1) (/ (* def1 (- (+ def1 (+ (- x0 (to_real floor3)) (- x0 (to_real floor3)))) 1.0)) 2))) (- (* def2 (+ (* beta (/ def2 dtau)) sigma)) (/ (* def2 (+ def2 1.0)) 2)))))
 (check-sat)

@@ -15,5 +15,5 @@
 (assert (and (<= floor3 x0) (< x0 (+ floor3 1))))
 (assert (> dtau 0))
 ; what would contradict the goal
-(assert (not (<= (- (* def2 (+ (* beta (/ def2 dtau)) sigma)) (/ (* def2 (+ def2 1)) 2)) (- (* def2 (+ (* beta (/ def2 dtau)) sigma)) (/ (* def1 (- (+ def1 (+ (- x0 floor3) (- x0 floor3))) 1)) 2)))))
+(assert (not (<= (- (* def2 (+ (* beta (/ def2 dtau)) sigma)) (/ (* def2 (+ def2 1)) 2)) (- (* def2 (+ (* beta (/ def2 dtau)) sigma)) (+ (* (- (- (+ floor3 (/ 1 2))) (- (+ floor3 (/ 1 2)))) def1) (/ (* def1 (- (+ def1 (+ (- x0 floor3) (- x0 floor3))) 1)) 2))))))
 (check-sat)

@@ -12,7 +12,7 @@
 (define-fun def1 () Real (- x1 x0))
 (define-fun def2 () Real (ite (>= def1 0) def1 (- def1)))
 (assert (> dtau 0))
-(assert (<= 0 (+ (* (- beta (/ 1 2)) (/ def2 dtau)) (- sigma (/ 1 2)))))
+(assert (<= 0 (+ (* (- beta (* (* 1 1) (+ (/ 1 2) 0))) (/ def2 dtau)) (- sigma (/ (* 1 1) 2)))))
 ; what would contradict the goal
 (assert (not (<= 0 (- (* def2 (+ (* beta (/ def2 dtau)) sigma)) (/ (* def2 (+ def2 1)) 2)))))
 (check-sat)

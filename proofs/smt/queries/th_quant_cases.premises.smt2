@@ -2,6 +2,6 @@
 ; the premises can be met
 ; printed from the kernel's code; expected answer: sat
 (set-option :produce-models true)
-(set-logic QF_LIRA)
+(set-logic QF_NRA)
 (set-info :status sat)
 (check-sat)

@@ -15,5 +15,5 @@
 (declare-const floor5 Int) ; floor of def4
 (assert (and (<= (to_real floor5) def4) (< def4 (+ (to_real floor5) 1))))
 ; what would contradict the goal
-(assert (not (or (and (<= 0 (- x1 x0)) (or (= (- (to_real floor1) (to_real floor2)) (to_real floor5)) (= (- (to_real floor1) (to_real floor2)) (+ (to_real floor5) 1)))) (and (<= def3 0) (or (= (- (to_real floor1) (to_real floor2)) (- (to_real floor5))) (= (- (to_real floor1) (to_real floor2)) (- (+ (to_real floor5) 1))))))))
+(assert (not (or (and (<= 0.0 (- x1 x0)) (or (= (- (to_real floor1) (to_real floor2)) (to_real floor5)) (= (- (to_real floor1) (to_real floor2)) (+ (to_real floor5) 1.0)))) (and (<= def3 0.0) (or (= (- (to_real floor1) (to_real floor2)) (- (to_real floor5))) (= (- (to_real floor1) (to_real floor2)) (- (+ (to_real floor5) 1.0))))))))
 (check-sat)

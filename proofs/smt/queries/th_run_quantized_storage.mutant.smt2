@@ -2,14 +2,14 @@
 ; not exactly
 ; printed from the kernel's code; expected answer: sat
 (set-option :produce-models true)
-(set-logic QF_NRA)
+(set-logic QF_NIRA)
 (set-info :status sat)
 (declare-const mu Real)
 (declare-const v Real)
 (declare-const x Real)
-(declare-const floor1 Real) ; floor of x
-(assert (and (<= floor1 x) (< x (+ floor1 1))))
-(assert (> mu 0))
+(declare-const floor1 Int) ; floor of x
+(assert (and (<= (to_real floor1) x) (< x (+ (to_real floor1) 1))))
+(assert (> mu 0.0))
 ; what would contradict the goal
-(assert (not (= (+ (/ (* mu (* v v)) 2) (+ (/ (* x x) 2) (/ (* (- x floor1) (- 1 (- x floor1))) 2))) (+ (/ (* mu (* v v)) 2) (/ (* x x) 2)))))
+(assert (not (= (+ (/ (* mu (* v v)) 2) (+ (/ (* x x) 2) (/ (* (- x (to_real floor1)) (- 1.0 (- x (to_real floor1)))) 2))) (+ (/ (* mu (* v v)) 2) (/ (* x x) 2)))))
 (check-sat)

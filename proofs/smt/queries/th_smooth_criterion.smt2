@@ -7,5 +7,5 @@
 (declare-const beta Real)
 (declare-const sigma Real)
 ; what would contradict the goal
-(assert (not (and (= (- beta (* (* 1 1) (+ (/ 1 2) 0))) (- beta (/ 1 2))) (= sigma sigma))))
+(assert (not (and (= (- beta (* (* 1 1) (+ (/ 1 2) 0))) (- beta (/ 1 2))) (= (- sigma 0) sigma))))
 (check-sat)

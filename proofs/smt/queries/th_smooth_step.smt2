@@ -9,5 +9,5 @@
 (define-fun def1 () Real (- x1 x0))
 (define-fun def2 () Real (ite (>= def1 0) def1 (- def1)))
 ; what would contradict the goal
-(assert (not (and (= (- (+ (* (- x0) (- x1 x0)) (/ (* x1 x1) 2)) (/ (* x0 x0) 2)) (/ (* (- x1 x0) (- x1 x0)) 2)) (= (- (+ (* (- x0) (- x1 x0)) (/ (* x1 x1) 2)) (/ (* x0 x0) 2)) (* def2 (+ (* (- (- 0 (* (* 1 1) (+ (/ 1 2) 0)))) def2) (- 0)))))))
+(assert (not (and (= (- (+ (* (- x0) (- x1 x0)) (/ (* x1 x1) 2)) (/ (* x0 x0) 2)) (/ (* (- x1 x0) (- x1 x0)) 2)) (= (- (+ (* (- x0) (- x1 x0)) (/ (* x1 x1) 2)) (/ (* x0 x0) 2)) (* def2 (+ (* (* (* 1 1) (+ (/ 1 2) 0)) def2) 0))))))
 (check-sat)

@@ -14,5 +14,5 @@
 (assert (> Delta 0))
 (assert (> v 0))
 ; what would contradict the goal
-(assert (not (= (/ (- b (* (* 0 T) (+ (/ 1 2) 0))) (* T (+ (/ 1 2) 0))) (/ b T))))
+(assert (not (= (/ (- b (* (* 0 T) (+ (/ 1 2) 0))) (* (* 1 T) (+ (/ 1 2) 0))) (/ b T))))
 (check-sat)

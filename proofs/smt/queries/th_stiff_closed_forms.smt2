@@ -15,5 +15,5 @@
 (assert (> Delta 0))
 (assert (> v 0))
 ; what would contradict the goal
-(assert (not (and (= (/ (- b (* (* 0 T) (+ (/ 1 2) 0))) (* T (+ (/ 1 2) 0))) (/ (+ b b) T)) (= (/ (- c (/ (* 0 Delta) 2)) (/ Delta 2)) (/ (+ c c) Delta)) (= (/ (+ (* (- b (* (* 0 T) (+ (/ 1 2) 0))) v) (- c (/ (* 0 Delta) 2))) (+ (* (* T (+ (/ 1 2) 0)) v) (/ Delta 2))) (/ (+ (+ (* b v) c) (+ (* b v) c)) (+ (* T v) Delta))))))
+(assert (not (and (= (/ (- b (* (* 0 T) (+ (/ 1 2) 0))) (* (* 1 T) (+ (/ 1 2) 0))) (/ (+ b b) T)) (= (/ (- c (/ (* 0 Delta) 2)) (/ (* 1 Delta) 2)) (/ (+ c c) Delta)) (= (/ (+ (* (- b (* (* 0 T) (+ (/ 1 2) 0))) v) (- c (/ (* 0 Delta) 2))) (+ (* (* (* 1 T) (+ (/ 1 2) 0)) v) (/ (* 1 Delta) 2))) (/ (+ (+ (* b v) c) (+ (* b v) c)) (+ (* T v) Delta))))))
 (check-sat)

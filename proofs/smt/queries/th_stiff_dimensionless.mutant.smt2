@@ -17,5 +17,5 @@
 (assert (> Delta 0))
 (assert (> v 0))
 ; what would contradict the goal
-(assert (not (and (or (not (<= 0 (+ (* (- (- b (* (* K T) (+ (/ 1 2) 2))) B) v) (- (- (- c (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2))))) (<= 0 (+ (* (/ (- (- b (* (* K T) (+ (/ 1 2) 2))) B) (* K T)) v) (/ (- (- (- c (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2)) (* K Delta))))) (or (not (<= 0 (+ (* (/ (- (- b (* (* K T) (+ (/ 1 2) 2))) B) (* K T)) v) (/ (- (- (- c (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2)) (* K Delta))))) (<= 0 (+ (* (- (- b (* (* K T) (+ (/ 1 2) 2))) B) v) (- (- (- c (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2))))))))
+(assert (not (and (or (not (<= 0 (+ (* (- b (+ (* (* K T) (+ (/ 1 2) 2)) B)) v) (- c (+ (+ (/ (* K Delta) 2) (* B (/ Delta T))) (/ F 2)))))) (<= 0 (+ (* (/ (- b (+ (* (* K T) (+ (/ 1 2) 2)) B)) (* K T)) v) (/ (- c (+ (+ (/ (* K Delta) 2) (* B (/ Delta T))) (/ F 2))) (* K Delta))))) (or (not (<= 0 (+ (* (/ (- b (+ (* (* K T) (+ (/ 1 2) 2)) B)) (* K T)) v) (/ (- c (+ (+ (/ (* K Delta) 2) (* B (/ Delta T))) (/ F 2))) (* K Delta))))) (<= 0 (+ (* (- b (+ (* (* K T) (+ (/ 1 2) 2)) B)) v) (- c (+ (+ (/ (* K Delta) 2) (* B (/ Delta T))) (/ F 2)))))))))
 (check-sat)

@@ -15,5 +15,5 @@
 (assert (> Delta 0))
 (assert (> v 0))
 ; what would contradict the goal
-(assert (not (= (- (- (+ (- b (- (- b (* (* K T) (+ (/ 1 2) 2))) B)) (- b (- (- b (* (* K T) (+ (/ 1 2) 2))) B))) (* (* K T) (+ (/ 1 2) 2))) B) 0)))
+(assert (not (= (- (+ (- b (- b (+ (* (* K T) (+ (/ 1 2) 2)) B))) (- b (- b (+ (* (* K T) (+ (/ 1 2) 2)) B)))) (+ (* (* K T) (+ (/ 1 2) 2)) B)) 0)))
 (check-sat)

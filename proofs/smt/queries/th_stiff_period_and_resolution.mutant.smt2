@@ -14,8 +14,8 @@
 (assert (> T 0))
 (assert (> Delta 0))
 (assert (> v 0))
-(assert (> (/ (* (- (- b (* (* 0 T) (+ (/ 1 2) 2))) B) T) (* (* T (+ (/ 1 2) 2)) K)) 0))
+(assert (> (/ (- b (+ (* (* 0 1) (+ (/ 1 2) 2)) B)) (* (* (* 1 1) (+ (/ 1 2) 2)) K)) 0))
 (assert (> B 0))
 ; what would contradict the goal
-(assert (not (= (- (- b (* (* K T) (+ (/ 1 2) 2))) B) 0)))
+(assert (not (= (- b (+ (* (* K T) (+ (/ 1 2) 2)) B)) 0)))
 (check-sat)

@@ -21,5 +21,5 @@
 (assert (<= 0 B))
 (assert (<= 0 F))
 ; what would contradict the goal
-(assert (not (or (not (<= 0 (+ (* (- (- b (* (* K T) (+ (/ 1 2) 2))) B) v) (- (- (- c (/ (* K Delta) 2)) (* B (/ Delta T))) (/ F 2))))) (not (not (<= 0 (+ (* (- (- b (* (* K1 T) (+ (/ 1 2) 2))) B) v) (- (- (- c (/ (* K1 Delta) 2)) (* B (/ Delta T))) (/ F 2)))))))))
+(assert (not (or (not (<= 0 (+ (* (- b (+ (* (* K T) (+ (/ 1 2) 2)) B)) v) (- c (+ (+ (/ (* K Delta) 2) (* B (/ Delta T))) (/ F 2)))))) (not (not (<= 0 (+ (* (- b (+ (* (* K1 T) (+ (/ 1 2) 2)) B)) v) (- c (+ (+ (/ (* K1 Delta) 2) (* B (/ Delta T))) (/ F 2))))))))))
 (check-sat)

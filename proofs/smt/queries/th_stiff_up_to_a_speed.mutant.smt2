@@ -18,5 +18,5 @@
 (assert (> Delta 0))
 (assert (> v 0))
 ; what would contradict the goal
-(assert (not (and (or (not (<= 0 def3)) (<= K (/ (+ (* (- b (* (* 0 T) (+ (/ 1 2) 0))) v) (- c (/ (* 0 Delta) 2))) (+ (* (* T (+ (/ 1 2) 0)) v) (/ Delta 2))))) (or (not (<= K (/ (+ (* (- b (* (* 0 T) (+ (/ 1 2) 0))) v) (- c (/ (* 0 Delta) 2))) (+ (* (* T (+ (/ 1 2) 0)) v) (/ Delta 2))))) (<= 0 def3)))))
+(assert (not (and (or (not (<= 0 def3)) (<= K (/ (+ (* (- b (* (* 0 T) (+ (/ 1 2) 0))) v) (- c (/ (* 0 Delta) 2))) (+ (* (* (* 1 T) (+ (/ 1 2) 0)) v) (/ (* 1 Delta) 2))))) (or (not (<= K (/ (+ (* (- b (* (* 0 T) (+ (/ 1 2) 0))) v) (- c (/ (* 0 Delta) 2))) (+ (* (* (* 1 T) (+ (/ 1 2) 0)) v) (/ (* 1 Delta) 2))))) (<= 0 def3)))))
 (check-sat)

@@ -60,6 +60,8 @@ pub struct Script {
     pub text: String,
     /// The variables of the query.
     pub variables: Vec<String>,
+    /// What it asserts: a model is one on which the kernel computes that all of them hold.
+    pub assertions: Vec<Formula>,
 }
 
 impl Query {
@@ -206,26 +208,32 @@ impl Query {
         for formula in premises.iter().chain(&negated_goal) {
             formula.variables(&mut variables);
         }
-        let mut printer = if self.whole_floors {
-            Printer::with_whole_floors()
-        } else {
-            Printer::default()
+        // Whoever says that there are such numbers has to say so with whole floors.
+        let body = |mut printer: Printer| {
+            let mut body = String::new();
+            for premise in premises {
+                let text = premise.print(&mut printer);
+                let _ = writeln!(body, "(assert {text})");
+            }
+            if let Some(goal) = &negated_goal {
+                let text = goal.print(&mut printer);
+                let _ = writeln!(body, "; what would contradict the goal\n(assert {text})");
+            }
+            (printer, body)
         };
-        let mut body = String::new();
-        for premise in premises {
-            let text = premise.print(&mut printer);
-            let _ = writeln!(body, "(assert {text})");
-        }
-        if let Some(goal) = &negated_goal {
-            let text = goal.print(&mut printer);
-            let _ = writeln!(body, "; what would contradict the goal\n(assert {text})");
+        let (mut printer, mut text) = body(Printer::default());
+        let whole = self.whole_floors || expected == Answer::Sat;
+        let whole = whole && !printer.floors().is_empty();
+        if whole {
+            (printer, text) = body(Printer::with_whole_floors());
         }
         let linear = premises.iter().chain(&negated_goal).all(Formula::is_linear);
-        let logic = match (linear, self.whole_floors) {
+        let logic = match (linear, whole) {
             (true, true) => "QF_LIRA",
             (false, true) => "QF_NIRA",
             (_, false) => "QF_NRA",
         };
+        let assertions = premises.iter().chain(&negated_goal).cloned().collect();
         let declared: String = variables
             .iter()
             .map(|name| format!("(declare-const {name} Real)\n"))
@@ -233,7 +241,7 @@ impl Query {
         let text = format!(
             "; {}, {}: {}\n; {says}\n; printed from the kernel's code; expected answer: {}\n\
              (set-option :produce-models true)\n(set-logic {logic})\n\
-             (set-info :status {})\n{declared}{}{body}(check-sat)\n",
+             (set-info :status {})\n{declared}{}{text}(check-sat)\n",
             self.claim,
             self.part,
             self.says,
@@ -247,6 +255,7 @@ impl Query {
             expected,
             text,
             variables,
+            assertions,
         }
     }
 }

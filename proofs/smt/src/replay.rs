@@ -1,9 +1,10 @@
-//! Models of the errata, read as exact rationals and run on the kernel.
+//! Models that solvers give, read as exact rationals and run on the kernel.
 
 use num_bigint::BigInt;
-use passivity_core::{BigRational, Scalar as _};
+use passivity_core::rational::to_wide;
+use passivity_core::{BigRational, Scalar as _, Wide};
 
-use crate::Query;
+use crate::Script;
 
 /// A number as solvers print it: `3`, `0.5`, `3.0`, `(/ 1 2)`, `(- (/ 1 2))`, `(/ (- 1) 2)`.
 ///
@@ -61,27 +62,32 @@ fn decimal(text: &str) -> Option<BigRational> {
     Some(BigRational::new(digits, BigInt::from(10).pow(places)))
 }
 
-/// Runs the kernel on a model: the premises must hold and the goal must not.
+/// Runs the kernel on a model: everything that the script asserts must hold of it.
 ///
 /// # Errors
 ///
 /// A sentence that says what of it is not so.
-pub fn refutes(query: &Query, model: &[(String, BigRational)]) -> Result<(), String> {
-    let value = |name: &str| {
-        let found = model.iter().find(|(n, _)| n == name);
-        // A variable that the solver left out may be anything.
-        found.map_or_else(BigRational::zero, |(_, value)| value.clone())
-    };
-    for premise in &query.premises {
-        if premise.holds(&value) != Some(true) {
-            return Err(format!(
-                "{}: a premise does not hold of the model",
-                query.name()
-            ));
+pub fn confirms(script: &Script, model: &[(String, BigRational)]) -> Result<(), String> {
+    let name = &script.name;
+    for variable in &script.variables {
+        if !model.iter().any(|(other, _)| other == variable) {
+            return Err(format!("{name}: the model has no value of {variable}"));
         }
     }
-    match query.goal.holds(&value) {
-        Some(false) => Ok(()),
-        _ => Err(format!("{}: the goal holds of the model", query.name())),
+    let value = |name: &str| {
+        let found = model.iter().find(|(other, _)| other == name);
+        found.map_or(Wide::new(1.into(), 0.into()), |(_, value)| to_wide(value))
+    };
+    for (assertion, place) in script.assertions.iter().zip(1..) {
+        match assertion.holds(&value) {
+            Some(true) => {}
+            Some(false) => return Err(format!("{name}: assertion {place} is false of the model")),
+            None => {
+                return Err(format!(
+                    "{name}: assertion {place} is undefined for the model"
+                ));
+            }
+        }
     }
+    Ok(())
 }

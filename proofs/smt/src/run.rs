@@ -11,7 +11,7 @@ use std::time::Instant;
 use serde_json::json;
 
 use crate::solvers::{Outcome, Solver, Worker};
-use crate::{Query, Script, claims, replay};
+use crate::{Answer, Query, Script, claims, replay};
 
 /// A statement, one of its scripts, and who is asked.
 type Question<'a> = (&'a Query, Script, &'a Solver);
@@ -127,11 +127,11 @@ fn ask(
     (query, script, solver): &Question<'_>,
     scratch: &Path,
 ) -> Result<(), String> {
-    let values = query.refuted && script.name == query.name();
+    let values = script.expected == Answer::Sat;
     let outcome = worker
         .run(solver, script, values, scratch)
         .map_err(|e| format!("{}: {e}", solver.name))?;
-    let fault = judge(query, script, &outcome, values);
+    let fault = judge(script, &outcome);
     report(query, script, solver, &outcome, fault.as_deref())?;
     match fault {
         Some(fault) => Err(format!("{} ({}): {fault}", script.name, solver.name)),
@@ -140,15 +140,18 @@ fn ask(
 }
 
 /// What is wrong with an answer, if anything.
-fn judge(query: &Query, script: &Script, outcome: &Outcome, values: bool) -> Option<String> {
+fn judge(script: &Script, outcome: &Outcome) -> Option<String> {
     match &outcome.answer {
         Ok(answer) if *answer != script.expected => Some(format!(
             "answered {}, expected {}",
             answer.word(),
             script.expected.word()
         )),
-        Ok(_) if values => replay::refutes(query, &outcome.model).err(),
-        Ok(_) => None,
+        Ok(Answer::Sat) => match &outcome.model {
+            Ok(model) => replay::confirms(script, model).err(),
+            Err(said) => Some(format!("gave a model that is not read: {said}")),
+        },
+        Ok(Answer::Unsat) => None,
         Err(said) => Some(format!("gave no answer: {said}")),
     }
 }
@@ -164,6 +167,7 @@ fn report(
     let Outcome { seconds, model, .. } = outcome;
     let values: Vec<String> = model
         .iter()
+        .flatten()
         .map(|(name, value)| format!("{name} = {value}"))
         .collect();
     println!(

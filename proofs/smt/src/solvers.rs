@@ -27,8 +27,8 @@ pub struct Solver {
 pub struct Outcome {
     /// Its answer, or what it said instead.
     pub answer: Result<Answer, String>,
-    /// The values it gave to variables, where it was asked for them.
-    pub model: Vec<(String, BigRational)>,
+    /// The values it gave to variables, where it was asked for them; the text that is no number.
+    pub model: Result<Vec<(String, BigRational)>, String>,
     /// The time it took.
     pub seconds: f64,
 }
@@ -123,7 +123,8 @@ impl Worker {
             "unsat" => Ok(Answer::Unsat),
             other => Err(other.to_owned()),
         };
-        let model = if values { model(rest) } else { Vec::new() };
+        let wanted = values && answer == Ok(Answer::Sat);
+        let model = if wanted { model(rest) } else { Ok(Vec::new()) };
         Ok(Outcome {
             answer,
             model,
@@ -181,8 +182,8 @@ impl Drop for Server {
     }
 }
 
-/// The pairs of `((x 1.0) (y (/ 1 2)))`; a value that is no rational is left out.
-fn model(text: &str) -> Vec<(String, BigRational)> {
+/// The pairs of `((x 1.0) (y (/ 1 2)))`.
+fn model(text: &str) -> Result<Vec<(String, BigRational)>, String> {
     let inside = text.trim().trim_start_matches('(').trim_end();
     let inside = inside.strip_suffix(')').unwrap_or(inside);
     let mut pairs = Vec::new();
@@ -195,13 +196,11 @@ fn model(text: &str) -> Vec<(String, BigRational)> {
         if depth == 0 {
             let pair = current.trim().trim_start_matches('(');
             let pair = pair.strip_suffix(')').unwrap_or(pair);
-            let split = pair.trim().split_once(char::is_whitespace);
-            let read = split.map(|(name, value)| (name, replay::number(value)));
-            if let Some((name, Ok(value))) = read {
-                pairs.push((name.to_owned(), value));
+            if let Some((name, value)) = pair.trim().split_once(char::is_whitespace) {
+                pairs.push((name.to_owned(), replay::number(value)?));
             }
             current.clear();
         }
     }
-    pairs
+    Ok(pairs)
 }

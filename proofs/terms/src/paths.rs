@@ -3,9 +3,9 @@
 use std::cell::RefCell;
 use std::cmp::Ordering;
 
-use passivity_core::Ordered;
+use passivity_core::{Ordered, Scalar as _, Wide};
 
-use crate::Term;
+use crate::{Node, Term};
 
 /// What was assumed at a branch: how a term compares with zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,8 +39,9 @@ thread_local! {
 
 /// Every path through `function`, which branches on nothing but signs of terms.
 ///
-/// A sign that was asked for before on the same path is not asked twice. Paths that no numbers
-/// can take are listed too: their conditions contradict each other.
+/// A sign that was asked for before on the same path is not asked twice, and that of a number
+/// without variables not at all. Paths that no numbers can take are listed too: their conditions
+/// contradict each other.
 ///
 /// # Example
 ///
@@ -83,6 +84,9 @@ impl Ordered for Term {
     ///
     /// Outside of [`of`]: a term has no sign of its own.
     fn sign(&self) -> Option<Ordering> {
+        if is_number(self) {
+            return self.evaluate(&|_| Wide::zero()).sign();
+        }
         RUN.with_borrow_mut(|run| {
             let run = run.as_mut().unwrap_or_else(|| {
                 panic!("the sign of a term was asked for outside of `paths::of`: {self:?}")
@@ -103,6 +107,11 @@ impl Ordered for Term {
     }
 }
 
+/// Whether a term has no variables.
+fn is_number(term: &Term) -> bool {
+    !matches!(term.node(), Node::Variable(_)) && term.children().into_iter().all(is_number)
+}
+
 impl Term {
     /// How the term compares with zero, as a condition.
     #[must_use]
@@ -113,8 +122,6 @@ impl Term {
 
 #[cfg(test)]
 mod tests {
-    use passivity_core::Scalar as _;
-
     use super::*;
 
     #[test]
@@ -132,6 +139,22 @@ mod tests {
             paths[4].signs[1],
             Term::variable("y").with_sign(Ordering::Greater)
         );
+    }
+
+    #[test]
+    fn numbers_have_the_sign_that_they_have() {
+        let paths = of(|| {
+            (
+                Term::fraction(-1, 3).sign(),
+                Term::zero().over(Term::one()).sign(),
+            )
+        });
+        assert_eq!(paths.len(), 1);
+        assert_eq!(
+            paths[0].result,
+            (Some(Ordering::Less), Some(Ordering::Equal))
+        );
+        assert_eq!(of(|| Term::fraction(1, 0).sign())[0].result, None);
     }
 
     #[test]

@@ -62,8 +62,8 @@ impl Printer {
         }
         match term.node() {
             Node::Variable(name) => name.clone(),
-            Node::Integer(n) if *n < 0 => format!("(- {})", i64::from(*n).abs()),
-            Node::Integer(n) => n.to_string(),
+            Node::Integer(n) if *n < 0 => format!("(- {}{})", i64::from(*n).abs(), self.point()),
+            Node::Integer(n) => format!("{n}{}", self.point()),
             Node::Add(x, y) => self.apply("+", x, y),
             Node::Sub(x, y) => self.apply("-", x, y),
             Node::Mul(x, y) => self.apply("*", x, y),
@@ -78,6 +78,11 @@ impl Printer {
             Node::Max(x, y) => self.choice(term, x, ">=", y),
             Node::Min(x, y) => self.choice(term, x, "<=", y),
         }
+    }
+
+    /// What makes a whole number a real one where there are integers too.
+    const fn point(&self) -> &'static str {
+        if self.whole { ".0" } else { "" }
     }
 
     fn apply(&mut self, operator: &str, x: &Term, y: &Term) -> String {

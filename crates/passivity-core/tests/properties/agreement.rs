@@ -67,6 +67,7 @@ fn battery<S: Ordered>(
         stiffness::coulomb_needed_up_to_speed(the_loop, dtau),
         stiffness::longest_period(the_loop),
         stiffness::longest_period_at_speed(the_loop, dtau),
+        stiffness::best_period_at_speed(the_loop, dtau),
         rounded(a, dtau, &S::integer(3)),
         controller.sample(&mut memory, b),
         controller.sample(&mut memory, dtau),

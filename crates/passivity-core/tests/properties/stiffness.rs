@@ -161,6 +161,23 @@ sampled! {
         }
     }
 
+    /// The margin times the period is largest at the period that is best at a speed.
+    fn th_stiff_best_period(the_loop in a_loop(), v in positive(), other in positive()) {
+        let best = stiffness::best_period_at_speed(&the_loop, &v);
+        let late = half() + q(i64::from(the_loop.delay), 1);
+        let per_square = &the_loop.stiffness * late * &v;
+        // A parabola is c − a(T − T*)²: whatever is lost beside the best period is a·(T − T*)².
+        let times_period = |period: &BigRational| {
+            let at = the_loop.clone().with(Parameter::Period, period.clone());
+            let criterion = criterion_written_out(&at);
+            (criterion.viscous * &v + criterion.coulomb) * period
+        };
+        if best > zero() {
+            let lost = times_period(&best) - times_period(&other);
+            prop_assert_eq!(lost, per_square * (&best - &other) * (best - other));
+        }
+    }
+
     fn th_stiff_coarsest_resolution(the_loop in a_loop(), v in positive()) {
         let with = |resolution| the_loop.clone().with(Parameter::Resolution, resolution);
         let (Some(coarsest), Some(up_to)) = (

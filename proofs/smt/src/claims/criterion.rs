@@ -2,8 +2,9 @@
 
 use passivity_core::dissipation::mean_speed;
 use passivity_core::generation::bound_22;
+use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::region::critical_speed;
-use passivity_core::{Criterion, Friction, Region, Scalar as _, Step, ledger, spring};
+use passivity_core::{Criterion, Friction, Loop, Region, Scalar as _, Step, spring};
 use passivity_terms::{Term, paths};
 
 use super::{half, n, v};
@@ -172,7 +173,10 @@ fn interval() -> Vec<Query> {
     let friction = friction();
     let (step, dtau) = (Step::new(v("x0"), v("x1")), v("dtau"));
     let d = step.displacement();
-    let row = ledger::row(&step, &friction, &dtau);
+    let row = ledger::row(
+        &Loop::plain(friction.clone()),
+        &HeldInterval::plain(step.clone(), dtau.clone()),
+    );
     let jitter = ledger::jitter_bound(&friction, &d, &mean_speed(&d, &dtau));
     let jitter_written_out = (friction.beta.clone().over(dtau.clone()) - half()) * d.square()
         + (friction.sigma.clone() - half()) * d.abs();

@@ -1,11 +1,11 @@
 //! TH-LAW to TH-DAMP: what each effect of a loop costs a step, and all of them together.
 
-use passivity_core::effects::{
-    Effects, damping_storage, delay_storage, generated_by_damping, generated_by_delay,
-    rounded_force,
+use passivity_core::controller::rounded;
+use passivity_core::extra_storage::{
+    damping_storage, delay_storage, generated_by_damping, generated_by_delay,
 };
 use passivity_core::generation::{bound_22, generated};
-use passivity_core::{Friction, Law, Quantized, Rig, Scalar as _, Step, spring};
+use passivity_core::{Friction, Law, Loop, Scalar as _, Step, spring};
 use passivity_terms::Term;
 
 use super::{half, n, v};
@@ -13,7 +13,7 @@ use crate::Query;
 use crate::formula::{all, eq, ge, gt, iff, le, nonnegative, positive};
 
 pub(super) fn queries() -> Vec<Query> {
-    [laws(), single(), combined()].concat()
+    [laws(), single()].concat()
 }
 
 /// ½d² + ½|d| as the theorem has it for a law: V(ξ + d) − V(ξ) − f(ξ + e)d.
@@ -65,9 +65,7 @@ fn laws() -> Vec<Query> {
         &spring::linear_potential(&end),
     );
     let displacement = end.clone() - start.clone();
-    let frictionless = |effects: Effects<Term>| {
-        Rig::dimensionless(Friction::new(v("beta"), v("sigma")), effects).criterion()
-    };
+    let friction = || Friction::new(v("beta"), v("sigma"));
     vec![
         Query::new(
             "TH-LAW",
@@ -145,7 +143,7 @@ fn laws() -> Vec<Query> {
         )
         .then(all([
             eq(&smooth, &displacement.square().half()),
-            eq(&smooth, &Effects::smooth().cost().bound(&displacement)),
+            eq(&smooth, &Loop::smooth(friction()).cost().bound(&displacement)),
         ]))
         .but_not(
             "it is less than with one",
@@ -158,14 +156,14 @@ fn laws() -> Vec<Query> {
         )
         .then(all([
             eq(
-                &frictionless(Effects::smooth()).viscous,
+                &Loop::smooth(friction()).criterion().viscous,
                 &(v("beta") - half()),
             ),
-            eq(&frictionless(Effects::smooth()).coulomb, &v("sigma")),
+            eq(&Loop::smooth(friction()).criterion().coulomb, &v("sigma")),
         ]))
         .but_not(
             "with one it stays",
-            eq(&frictionless(Effects::encoder()).coulomb, &v("sigma")),
+            eq(&Loop::plain(friction()).criterion().coulomb, &v("sigma")),
         ),
         Query::new(
             "TH-SMOOTH",
@@ -175,7 +173,6 @@ fn laws() -> Vec<Query> {
         .given([
             positive(&v("K")),
             positive(&v("T")),
-            positive(&v("L")),
             positive(&v("v")),
         ])
         .then(iff(
@@ -192,24 +189,20 @@ fn laws() -> Vec<Query> {
     ]
 }
 
-fn colgate() -> Rig<Term> {
-    Rig {
-        viscous: v("b"),
-        coulomb: n(0),
-        stiffness: v("K"),
-        period: v("T"),
-        length: v("L"),
-        effects: Effects::smooth(),
+fn colgate() -> Loop<Term> {
+    Loop {
+        viscous: Some(v("b")),
+        ..Loop::new(v("K"), v("T"))
     }
 }
 
 /// The last `count` displacements, the latest first.
-fn past(count: usize) -> Vec<Term> {
+pub(super) fn past(count: usize) -> Vec<Term> {
     (1..=count).map(|j| v(&format!("d{j}"))).collect()
 }
 
 /// The history one step later: the new displacement first, the oldest forgotten.
-fn later(past: &[Term], d: &Term) -> Vec<Term> {
+pub(super) fn later(past: &[Term], d: &Term) -> Vec<Term> {
     let mut later = vec![d.clone()];
     later.extend_from_slice(past);
     later.truncate(past.len());
@@ -218,7 +211,7 @@ fn later(past: &[Term], d: &Term) -> Vec<Term> {
 
 fn single() -> Vec<Query> {
     let (d, step, force) = (v("d"), v("delta"), v("u"));
-    let rounding = rounded_force(&force, &step) - force;
+    let rounding = rounded(&force, &step, &n(1)) - force;
     let delay = |k: u16, part: &'static str, less: &'static str| {
         let past = past(usize::from(k));
         let drop = delay_storage(&past) - delay_storage(&later(&past, &d));
@@ -234,14 +227,15 @@ fn single() -> Vec<Query> {
     let oldest = v("d2");
     let history = past(2);
     let drop = damping_storage(&v("B"), &history) - damping_storage(&v("B"), &later(&history, &d));
-    let cost = v("B") * d.square() + v("B") * d.abs();
-    // The terms of the criterion that `Effects` subtracts.
-    let effects = Effects {
-        encoder: true,
+    let paid = v("B") * d.square() + v("B") * d.abs();
+    // What the criterion subtracts.
+    let cost = Loop {
         delay: 3,
         damping: Some(v("B")),
         force_step: Some(v("delta")),
-    };
+        ..Loop::plain(Friction::new(v("beta"), v("sigma")))
+    }
+    .cost();
     let viscous = half() + n(3) + v("B");
     let coulomb = (n(1) + v("delta")).half() + v("B");
     vec![
@@ -288,7 +282,7 @@ fn single() -> Vec<Query> {
         .given([nonnegative(&v("B")), le(&(v("q") - oldest).abs(), &n(1))])
         .then(le(
             &generated_by_damping(&v("B"), &v("q"), &d),
-            &(cost + drop),
+            &(paid + drop),
         ))
         .not_without("not when the encoder is off by more than a tick", 1),
         Query::new(
@@ -308,104 +302,16 @@ fn single() -> Vec<Query> {
         }),
         Query::new("TH-DELAY", "criterion", "the costs of the effects add")
             .then(all([
-                eq(&effects.cost().viscous, &viscous),
-                eq(&effects.cost().coulomb, &coulomb),
+                eq(&cost.viscous, &viscous),
+                eq(&cost.coulomb, &coulomb),
                 eq(
-                    &effects.cost().bound(&d),
+                    &cost.bound(&d),
                     &(viscous * d.square() + coulomb.clone() * d.abs()),
                 ),
             ]))
             .but_not(
                 "B is charged to both",
-                eq(&effects.cost().coulomb, &(coulomb - v("B"))),
+                eq(&cost.coulomb, &(coulomb - v("B"))),
             ),
-    ]
-}
-
-/// A loop with every effect and k samples of delay, over one step: what it generates with the force
-/// that it commands, against the four parts that the other queries bound.
-///
-/// The samples are ξ(h − k − 1) = y0, y1, …, ξ(h) and the end. Rounding enters by its error r, as
-/// TH-DAC has it; the law is clipped to [lower, upper].
-fn in_parts(delay: u16) -> (Term, Term) {
-    let law = Law {
-        lower: Some(v("lower")),
-        upper: Some(v("upper")),
-    };
-    let k = usize::from(delay);
-    let samples: Vec<Term> = (0..=k + 1).map(|i| v(&format!("y{i}"))).collect();
-    let end = v("end");
-    let (here, seen, before) = (
-        samples[k + 1].clone(),
-        samples[1].clone(),
-        samples[0].clone(),
-    );
-    let ticks = Quantized::of(&seen).tick - Quantized::of(&before).tick;
-    let commanded = law.held_force(&seen) - v("B") * ticks.clone() + v("r");
-    let step = Step::new(here.clone(), end.clone());
-    let (stored, stored_later) = (law.potential(&here), law.potential(&end));
-    let generated = generated(&commanded, &step, &stored, &stored_later);
-    let d = step.displacement();
-    let ways: Vec<Term> = (1..=k + 1)
-        .rev()
-        .map(|i| samples[i].clone() - samples[i - 1].clone())
-        .collect();
-    let late = &ways[..k];
-    let delay_drop = delay_storage(late) - delay_storage(&later(late, &d));
-    let damping_drop =
-        damping_storage(&v("B"), &ways) - damping_storage(&v("B"), &later(&ways, &d));
-    let effects = Effects {
-        encoder: true,
-        delay,
-        damping: Some(v("B")),
-        force_step: Some(v("delta")),
-    };
-    let whole = generated - effects.cost().bound(&d) - (delay_drop.clone() + damping_drop.clone());
-    // TH-LAW at the position itself; the late and quantized sample; the damping; the rounding.
-    let by_law = stored_later - stored - law.force(&here) * d.clone() - d.square().half();
-    let late_force = law.force(&here) + law.held_force(&seen);
-    let by_delay =
-        late_force * d.clone() - (d.abs().half() + n(i32::from(delay)) * d.square() + delay_drop);
-    let by_damping = generated_by_damping(&v("B"), &ticks, &d)
-        - (v("B") * d.square() + v("B") * d.abs() + damping_drop);
-    let by_rounding = v("r") * d.clone() - v("delta").half() * d.abs();
-    (whole, by_law + by_delay + by_damping + by_rounding)
-}
-
-/// A late force that is off by g with |g| ≤ ½ + |the way since its sample|, as a law that is nowhere
-/// stiffer than the wall has it.
-fn late_by(k: u16, part: &'static str) -> Query {
-    let (past, d) = (past(usize::from(k)), v("d"));
-    let way = past.iter().fold(n(0), |sum, d| sum + d.clone());
-    let drop = delay_storage(&past) - delay_storage(&later(&past, &d));
-    let paid = d.abs().half() + n(i32::from(k)) * d.square() + drop;
-    Query::new(
-        "TH-DELAY",
-        part,
-        "behind an encoder and any law, the step pays ½|d| + k·d², what was stored the rest",
-    )
-    .given([le(&v("g").abs(), &(way.abs() + half()))])
-    .then(le(&(v("g") * d), &paid))
-    .not_without("not when the force is off by more", 1)
-}
-
-fn combined() -> Vec<Query> {
-    let sum = |delay, part| {
-        let (whole, parts) = in_parts(delay);
-        Query::new(
-            "TH-DAMP",
-            part,
-            "encoder, law, delay, damping and force steps at once: costs and storages are the sums of the parts",
-        )
-        .then(eq(&whole, &parts))
-        .but_not("the parts alone are not nothing", eq(&whole, &n(0)))
-    };
-    vec![
-        late_by(1, "one sample with a law"),
-        late_by(2, "two samples with a law"),
-        late_by(3, "three samples with a law"),
-        sum(0, "combined"),
-        sum(1, "combined with one sample of delay"),
-        sum(2, "combined with two samples of delay"),
     ]
 }

@@ -1,8 +1,9 @@
 //! What is false as printed: each query has an answer, and the answer is replayed on the kernel.
 
 use passivity_core::generation::{bound_22, generated, generated_quantized};
+use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::quantizer::held_force;
-use passivity_core::{Friction, Scalar as _, Step, ledger, spring};
+use passivity_core::{Friction, Loop, Scalar as _, Step, spring};
 
 use super::{n, v};
 use crate::Query;
@@ -11,7 +12,8 @@ use crate::formula::{eq, le, nonnegative, positive};
 pub(super) fn queries() -> Vec<Query> {
     let step = Step::new(v("x0"), v("x1"));
     let d = step.displacement();
-    let row = ledger::row(&step, &Friction::new(v("beta"), v("sigma")), &v("dtau"));
+    let paper = Loop::plain(Friction::new(v("beta"), v("sigma")));
+    let row = ledger::row(&paper, &HeldInterval::plain(step.clone(), v("dtau")));
     // Opened at x0, in the middle of an interval that began at `sample`, at constant speed.
     let opened = generated(
         &held_force(&v("sample")),

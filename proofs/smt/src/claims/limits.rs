@@ -1,11 +1,10 @@
 //! TH-START and TH-STIFF: how fast it can get, how stiff it may be.
 
-use passivity_core::effects::Effects;
 use passivity_core::verdict::{Speeds, decide};
-use passivity_core::{Criterion, Rig, Scalar as _, spring, start, stiffness};
+use passivity_core::{Criterion, Loop, Parameter, Scalar as _, spring, start, stiffness};
 use passivity_terms::{Term, paths};
 
-use super::{n, v};
+use super::{half, n, v};
 use crate::Query;
 use crate::formula::{
     Formula, all, eq, gt, iff, implies, le, lt, nonnegative, not, on_every_path, positive,
@@ -105,20 +104,16 @@ fn unforced() -> Vec<Query> {
     ]
 }
 
-/// A rig with every effect that costs anything, and its delay.
-fn rig(delay: u16) -> Rig<Term> {
-    Rig {
-        viscous: v("b"),
-        coulomb: v("c"),
-        stiffness: v("K"),
-        period: v("T"),
-        length: v("Delta"),
-        effects: Effects {
-            encoder: true,
-            delay,
-            damping: Some(v("B")),
-            force_step: Some(v("F")),
-        },
+/// A loop in units with everything that costs friction, and its delay.
+fn in_units(delay: u16) -> Loop<Term> {
+    Loop {
+        viscous: Some(v("b")),
+        coulomb: Some(v("c")),
+        resolution: Some(v("Delta")),
+        damping: Some(v("B")),
+        force_step: Some(v("F")),
+        delay,
+        ..Loop::new(v("K"), v("T"))
     }
 }
 
@@ -126,24 +121,35 @@ fn units_are_positive() -> [Formula; 3] {
     [positive(&v("K")), positive(&v("T")), positive(&v("Delta"))]
 }
 
-fn with_stiffness(rig: &Rig<Term>, stiffness: Term) -> Rig<Term> {
-    Rig {
-        stiffness,
-        ..rig.clone()
-    }
-}
-
 fn stiff() -> Vec<Query> {
-    let plain = Rig {
-        effects: Effects::encoder(),
-        ..rig(0)
+    let plain = Loop {
+        damping: None,
+        force_step: None,
+        ..in_units(0)
     };
     let (b, c, t, delta, speed) = (v("b"), v("c"), v("T"), v("Delta"), v("v"));
-    let late = rig(2);
+    let late = in_units(2);
     let k = v("K");
-    let at_speed = |rig: &Rig<Term>| nonnegative(&rig.criterion().margin(&v("v")));
-    let all_speeds = |rig: &Rig<Term>| nonnegative(&rig.criterion().margin_at_all_speeds());
-    let up_to = |rig: &Rig<Term>| nonnegative(&rig.criterion().margin_up_to(&v("v")));
+    let stiffer = late.clone().with(Parameter::Stiffness, v("K1"));
+    let at_speed = |the_loop: &Loop<Term>| nonnegative(&the_loop.criterion().margin(&v("v")));
+    let all_speeds =
+        |the_loop: &Loop<Term>| nonnegative(&the_loop.criterion().margin_at_all_speeds());
+    let up_to = |the_loop: &Loop<Term>| nonnegative(&the_loop.criterion().margin_up_to(&v("v")));
+    let at_period = |period: &Term| {
+        late.clone()
+            .with(Parameter::Period, period.clone())
+            .criterion()
+    };
+    let shortest = stiffness::shortest_period(&late).unwrap_or_else(|| n(0));
+    let best = stiffness::best_period_at_speed(&late, &v("v"));
+    let times_period = at_period(&v("T1")).margin(&v("v")) * v("T1");
+    let per_square = k.clone() * (n(2) + half()) * v("v");
+    let peak = per_square.clone() * best.square() - v("B") * delta.clone();
+    let lost = per_square * (v("T1") - best.clone()).square();
+    let undamped = Loop {
+        damping: None,
+        ..late.clone()
+    };
     let critical = passivity_core::region::critical_speed(&plain.criterion());
     let given = |query: Query| query.given(units_are_positive()).given([positive(&speed)]);
     vec![
@@ -266,37 +272,25 @@ fn stiff() -> Vec<Query> {
         ))
         .then(all([
             eq(
-                &Rig {
-                    viscous: stiffness::viscous_needed(&late),
-                    ..late.clone()
-                }
+                &late.clone().with(Parameter::Viscous, stiffness::viscous_needed(&late))
                 .criterion()
                 .viscous,
                 &n(0),
             ),
             eq(
-                &Rig {
-                    coulomb: stiffness::coulomb_needed(&late),
-                    ..late.clone()
-                }
+                &late.clone().with(Parameter::Coulomb, stiffness::coulomb_needed(&late))
                 .criterion()
                 .coulomb,
                 &n(0),
             ),
             eq(
-                &Rig {
-                    viscous: stiffness::viscous_needed_at_speed(&late, &speed),
-                    ..late.clone()
-                }
+                &late.clone().with(Parameter::Viscous, stiffness::viscous_needed_at_speed(&late, &speed))
                 .criterion()
                 .margin(&speed),
                 &n(0),
             ),
             eq(
-                &Rig {
-                    coulomb: stiffness::coulomb_needed_up_to_speed(&late, &speed),
-                    ..late.clone()
-                }
+                &late.clone().with(Parameter::Coulomb, stiffness::coulomb_needed_up_to_speed(&late, &speed))
                 .criterion()
                 .margin_up_to(&speed),
                 &n(0),
@@ -305,10 +299,7 @@ fn stiff() -> Vec<Query> {
         .but_not(
             "twice of it does not",
             eq(
-                &Rig {
-                    viscous: stiffness::viscous_needed(&late).double(),
-                    ..late.clone()
-                }
+                &late.clone().with(Parameter::Viscous, stiffness::viscous_needed(&late).double())
                 .criterion()
                 .viscous,
                 &n(0),
@@ -321,23 +312,17 @@ fn stiff() -> Vec<Query> {
         ))
         .given([
             positive(&stiffness::longest_period(&late)),
-            positive(&late.effects.damping.clone().unwrap_or_else(|| n(0))),
+            positive(&v("B")),
         ])
         .then(all([
             eq(
-                &Rig {
-                    period: stiffness::longest_period(&late),
-                    ..late.clone()
-                }
+                &late.clone().with(Parameter::Period, stiffness::longest_period(&late))
                 .criterion()
                 .viscous,
                 &n(0),
             ),
             eq(
-                &Rig {
-                    length: stiffness::coarsest_resolution(&late).unwrap_or_else(|| n(0)),
-                    ..late.clone()
-                }
+                &late.clone().with(Parameter::Resolution, stiffness::coarsest_resolution(&late).unwrap_or_else(|| n(0)))
                 .criterion()
                 .coulomb,
                 &n(0),
@@ -347,6 +332,28 @@ fn stiff() -> Vec<Query> {
             "the period as it is need not",
             eq(&late.criterion().viscous, &n(0)),
         ),
+        given(Query::new(
+            "TH-STIFF",
+            "shortest period",
+            "what Coulomb friction has to spare, times the period, grows from zero at the shortest period",
+        ))
+        .given([positive(&undamped.criterion().coulomb), positive(&v("T1"))])
+        .then(eq(
+            &(at_period(&v("T1")).coulomb * v("T1")),
+            &(undamped.criterion().coulomb * (v("T1") - shortest)),
+        ))
+        .but_not("it does not stay", eq(
+            &at_period(&v("T1")).coulomb,
+            &undamped.criterion().coulomb,
+        )),
+        given(Query::new(
+            "TH-STIFF",
+            "best period",
+            "at a speed the margin times the period is a parabola that opens downwards, with its peak at the best period",
+        ))
+        .given([positive(&v("T1"))])
+        .then(eq(&times_period, &(peak.clone() - lost)))
+        .but_not("it is not flat", eq(&times_period, &peak)),
         given(Query::new(
             "TH-STIFF",
             "critical speed",
@@ -391,14 +398,14 @@ fn stiff() -> Vec<Query> {
         ))
         .given([gt(&v("K1"), &k), nonnegative(&v("B")), nonnegative(&v("F"))])
         .then(implies(
-            at_speed(&with_stiffness(&late, v("K1"))),
+            at_speed(&stiffer),
             at_speed(&late),
         ))
         .but_not(
             "but not the other way round",
             implies(
                 at_speed(&late),
-                not(not(at_speed(&with_stiffness(&late, v("K1"))))),
+                not(not(at_speed(&stiffer))),
             ),
         ),
     ]

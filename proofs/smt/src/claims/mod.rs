@@ -5,6 +5,8 @@ use passivity_terms::Term;
 
 use crate::Query;
 
+mod boxes;
+mod controller;
 mod criterion;
 mod effects;
 mod errata;
@@ -21,6 +23,8 @@ pub fn all() -> Vec<Query> {
         limits::queries(),
         witness::queries(),
         effects::queries(),
+        controller::queries(),
+        boxes::queries(),
         errata::queries(),
     ]
     .concat()

@@ -1,0 +1,22 @@
+; TH-DAMP, command: damping and rounding are paid by the step, and by what was stored before
+; the premises can be met
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const B Real)
+(declare-const delta Real)
+(declare-const L Real)
+(declare-const w Real)
+(declare-const d2 Real)
+(declare-const g Real)
+(define-fun def1 () Real (- w d2))
+(define-fun def2 () Real (ite (>= def1 0) def1 (- def1)))
+(define-fun def3 () Real (ite (>= g 0) g (- g)))
+(define-fun def4 () Real (ite (>= w 0) w (- w)))
+(assert (<= 0 B))
+(assert (> delta 0))
+(assert (> L 0))
+(assert (<= def2 (+ (/ 1 2) (/ 1 2))))
+(assert (<= def3 (+ (* B def4) (/ delta 2))))
+(check-sat)

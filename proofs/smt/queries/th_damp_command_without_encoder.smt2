@@ -1,0 +1,27 @@
+; TH-DAMP, command without encoder: damping and rounding are paid by the step, and by what was stored before
+; damping and rounding are paid by the step, and by what was stored before
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const B Real)
+(declare-const delta Real)
+(declare-const L Real)
+(declare-const w Real)
+(declare-const d2 Real)
+(declare-const g Real)
+(declare-const d Real)
+(declare-const d1 Real)
+(define-fun def1 () Real (- w d2))
+(define-fun def2 () Real (ite (>= def1 0) def1 (- def1)))
+(define-fun def3 () Real (ite (>= g 0) g (- g)))
+(define-fun def4 () Real (ite (>= w 0) w (- w)))
+(define-fun def5 () Real (ite (>= d 0) d (- d)))
+(assert (<= 0 B))
+(assert (> delta 0))
+(assert (> L 0))
+(assert (<= def2 (+ 0 0)))
+(assert (<= def3 (+ (* B def4) (/ delta 2))))
+; what would contradict the goal
+(assert (not (<= (* g d) (+ (+ (+ (* B (* d d)) (* 0 def5)) (* (/ delta 2) def5)) (- (/ (* B (+ (+ 0 (* d1 d1)) (* d2 d2))) 2) (/ (* B (+ (+ 0 (* d d)) (* d1 d1))) 2))))))
+(check-sat)

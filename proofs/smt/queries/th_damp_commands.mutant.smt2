@@ -1,0 +1,16 @@
+; TH-DAMP, commands: the force held is off the law of the wall by at most B|q − q₁| + ½δ
+; it is not nothing
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const B Real)
+(declare-const delta Real)
+(declare-const L Real)
+(declare-const q Real)
+(assert (<= 0 B))
+(assert (> delta 0))
+(assert (> L 0))
+; what would contradict the goal
+(assert (not (= (- (* 1 q)) 0)))
+(check-sat)

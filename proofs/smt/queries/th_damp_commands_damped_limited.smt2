@@ -1,0 +1,27 @@
+; TH-DAMP, commands damped limited: the force held is off the law of the wall by at most B|q − q₁| + ½δ
+; the force held is off the law of the wall by at most B|q − q₁| + ½δ
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const B Real)
+(declare-const delta Real)
+(declare-const L Real)
+(declare-const q Real)
+(declare-const q1 Real)
+(define-fun def1 () Real (- (+ (* 1 q) (* (- B) (- q1 q)))))
+(define-fun def2 () Real (ite (<= def1 L) def1 L))
+(define-fun def3 () Real (- L))
+(define-fun def4 () Real (ite (>= def2 def3) def2 def3))
+(define-fun def5 () Real (ite (>= q def3) q def3))
+(define-fun def6 () Real (ite (<= def5 L) def5 L))
+(define-fun def7 () Real (+ def4 def6))
+(define-fun def8 () Real (ite (>= def7 0) def7 (- def7)))
+(define-fun def9 () Real (- q q1))
+(define-fun def10 () Real (ite (>= def9 0) def9 (- def9)))
+(assert (<= 0 B))
+(assert (> delta 0))
+(assert (> L 0))
+; what would contradict the goal
+(assert (not (<= def8 (+ (* B def10) 0))))
+(check-sat)

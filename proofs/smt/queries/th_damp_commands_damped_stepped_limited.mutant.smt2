@@ -1,0 +1,26 @@
+; TH-DAMP, commands damped stepped limited: the force held is off the law of the wall by at most B|q − q₁| + ½δ
+; it is not the law itself
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NIRA)
+(set-info :status sat)
+(declare-const B Real)
+(declare-const delta Real)
+(declare-const L Real)
+(declare-const q Real)
+(declare-const q1 Real)
+(define-fun def1 () Real (+ (/ (* (- (+ (* 1.0 q) (* (- B) (- q1 q)))) 1.0) delta) (/ 1.0 2)))
+(declare-const floor2 Int) ; floor of def1
+(assert (and (<= (to_real floor2) def1) (< def1 (+ (to_real floor2) 1))))
+(define-fun def3 () Real (/ (* (to_real floor2) delta) 1.0))
+(define-fun def4 () Real (ite (<= def3 L) def3 L))
+(define-fun def5 () Real (- L))
+(define-fun def6 () Real (ite (>= def4 def5) def4 def5))
+(define-fun def7 () Real (ite (>= q def5) q def5))
+(define-fun def8 () Real (ite (<= def7 L) def7 L))
+(assert (<= 0.0 B))
+(assert (> delta 0.0))
+(assert (> L 0.0))
+; what would contradict the goal
+(assert (not (= (+ def6 def8) 0.0)))
+(check-sat)

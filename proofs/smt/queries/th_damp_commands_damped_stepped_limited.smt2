@@ -1,0 +1,30 @@
+; TH-DAMP, commands damped stepped limited: the force held is off the law of the wall by at most B|q − q₁| + ½δ
+; the force held is off the law of the wall by at most B|q − q₁| + ½δ
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const B Real)
+(declare-const delta Real)
+(declare-const L Real)
+(declare-const q Real)
+(declare-const q1 Real)
+(define-fun def1 () Real (+ (/ (* (- (+ (* 1 q) (* (- B) (- q1 q)))) 1) delta) (/ 1 2)))
+(declare-const floor2 Real) ; floor of def1
+(assert (and (<= floor2 def1) (< def1 (+ floor2 1))))
+(define-fun def3 () Real (/ (* floor2 delta) 1))
+(define-fun def4 () Real (ite (<= def3 L) def3 L))
+(define-fun def5 () Real (- L))
+(define-fun def6 () Real (ite (>= def4 def5) def4 def5))
+(define-fun def7 () Real (ite (>= q def5) q def5))
+(define-fun def8 () Real (ite (<= def7 L) def7 L))
+(define-fun def9 () Real (+ def6 def8))
+(define-fun def10 () Real (ite (>= def9 0) def9 (- def9)))
+(define-fun def11 () Real (- q q1))
+(define-fun def12 () Real (ite (>= def11 0) def11 (- def11)))
+(assert (<= 0 B))
+(assert (> delta 0))
+(assert (> L 0))
+; what would contradict the goal
+(assert (not (<= def10 (+ (* B def12) (/ delta 2)))))
+(check-sat)

@@ -1,0 +1,25 @@
+; TH-DAMP, commands one sided: the force held is off the law of the wall by at most B|q − q₁| + ½δ
+; the force held is off the law of the wall by at most B|q − q₁| + ½δ
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const B Real)
+(declare-const delta Real)
+(declare-const L Real)
+(declare-const q Real)
+(define-fun def1 () Real (- 1))
+(define-fun def2 () Real (ite (>= q def1) q def1))
+(define-fun def3 () Real (ite (<= def2 0) def2 0))
+(declare-const floor4 Real) ; floor of def3
+(assert (and (<= floor4 def3) (< def3 (+ floor4 1))))
+(define-fun def5 () Real (ite (>= q 0) q 0))
+(define-fun def6 () Real (+ (- (* (* 1 q) (+ floor4 1))) def5))
+(define-fun def7 () Real (ite (>= def6 0) def6 (- def6)))
+(assert (<= 0 B))
+(assert (> delta 0))
+(assert (> L 0))
+(assert (or (= floor4 def1) (= floor4 0)))
+; what would contradict the goal
+(assert (not (<= def7 (+ 0 0))))
+(check-sat)

@@ -1,0 +1,20 @@
+; TH-DAMP, commands one sided damped limited: the force held is off the law of the wall by at most B|q − q₁| + ½δ
+; the premises can be met
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_LIRA)
+(set-info :status sat)
+(declare-const B Real)
+(declare-const delta Real)
+(declare-const L Real)
+(declare-const q Real)
+(define-fun def1 () Real (- 1.0))
+(define-fun def2 () Real (ite (>= q def1) q def1))
+(define-fun def3 () Real (ite (<= def2 0.0) def2 0.0))
+(declare-const floor4 Int) ; floor of def3
+(assert (and (<= (to_real floor4) def3) (< def3 (+ (to_real floor4) 1))))
+(assert (<= 0.0 B))
+(assert (> delta 0.0))
+(assert (> L 0.0))
+(assert (or (= (to_real floor4) def1) (= (to_real floor4) 0.0)))
+(check-sat)

@@ -1,0 +1,46 @@
+; TH-INTERVAL, row of any force against the staircase: against the quantized law it is the work and the change of the staircase's potential
+; against the quantized law it is the work and the change of the staircase's potential
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const L Real)
+(declare-const u Real)
+(declare-const x0 Real)
+(declare-const x1 Real)
+(declare-const floor1 Real) ; floor of x0
+(assert (and (<= floor1 x0) (< x0 (+ floor1 1))))
+(declare-const floor2 Real) ; floor of x1
+(assert (and (<= floor2 x1) (< x1 (+ floor2 1))))
+(define-fun def3 () Real (- (/ 1 2) L))
+(declare-const floor4 Real) ; floor of def3
+(assert (and (<= floor4 def3) (< def3 (+ floor4 1))))
+(define-fun def5 () Real (- floor4))
+(define-fun def6 () Real (ite (>= def5 0) def5 0))
+(define-fun def7 () Real (- floor2 def6))
+(define-fun def8 () Real (ite (>= def7 0) def7 0))
+(define-fun def9 () Real (- (+ floor2 (/ 1 2)) L))
+(define-fun def10 () Real (ite (>= def9 0) def9 0))
+(define-fun def11 () Real (- L))
+(define-fun def12 () Real (ite (>= 0 def11) 0 def11))
+(define-fun def13 () Real (- (/ 1 2) (- def12)))
+(declare-const floor14 Real) ; floor of def13
+(assert (and (<= floor14 def13) (< def13 (+ floor14 1))))
+(define-fun def15 () Real (- floor14))
+(define-fun def16 () Real (ite (>= def15 0) def15 0))
+(define-fun def17 () Real (- (- (+ floor2 1)) def16))
+(define-fun def18 () Real (ite (>= def17 0) def17 0))
+(define-fun def19 () Real (- (+ (- (+ floor2 1)) (/ 1 2)) (- def12)))
+(define-fun def20 () Real (ite (>= def19 0) def19 0))
+(define-fun def21 () Real (- floor1 def6))
+(define-fun def22 () Real (ite (>= def21 0) def21 0))
+(define-fun def23 () Real (- (+ floor1 (/ 1 2)) L))
+(define-fun def24 () Real (ite (>= def23 0) def23 0))
+(define-fun def25 () Real (- (- (+ floor1 1)) def16))
+(define-fun def26 () Real (ite (>= def25 0) def25 0))
+(define-fun def27 () Real (- (+ (- (+ floor1 1)) (/ 1 2)) (- def12)))
+(define-fun def28 () Real (ite (>= def27 0) def27 0))
+(assert (> L 0))
+; what would contradict the goal
+(assert (not (and (= (+ (* (- u (- (+ floor1 (/ 1 2)))) (- x1 x0)) (/ (* (- floor2 floor1) (- (+ (- floor2 floor1) (+ (- x1 floor2) (- x1 floor2))) 1)) 2)) (+ (* u (- x1 x0)) (- (+ (/ (* x1 x1) 2) (/ (* (- x1 floor2) (- 1 (- x1 floor2))) 2)) (+ (/ (* x0 x0) 2) (/ (* (- x0 floor1) (- 1 (- x0 floor1))) 2))))) (= (- (+ (* u (- x1 x0)) (- (- (+ (/ (* x1 x1) 2) (/ (* (- x1 floor2) (- 1 (- x1 floor2))) 2)) (+ (* def8 (+ (- def6 L) (/ def8 2))) (* def10 (- x1 floor2)))) (+ (* def18 (+ (- def16 (- def12)) (/ def18 2))) (* def20 (- 1 (- x1 floor2)))))) (- (- (+ (/ (* x0 x0) 2) (/ (* (- x0 floor1) (- 1 (- x0 floor1))) 2)) (+ (* def22 (+ (- def6 L) (/ def22 2))) (* def24 (- x0 floor1)))) (+ (* def26 (+ (- def16 (- def12)) (/ def26 2))) (* def28 (- 1 (- x0 floor1)))))) (+ (* u (- x1 x0)) (- (- (- (+ (/ (* x1 x1) 2) (/ (* (- x1 floor2) (- 1 (- x1 floor2))) 2)) (+ (* def8 (+ (- def6 L) (/ def8 2))) (* def10 (- x1 floor2)))) (+ (* def18 (+ (- def16 (- def12)) (/ def18 2))) (* def20 (- 1 (- x1 floor2))))) (- (- (+ (/ (* x0 x0) 2) (/ (* (- x0 floor1) (- 1 (- x0 floor1))) 2)) (+ (* def22 (+ (- def6 L) (/ def22 2))) (* def24 (- x0 floor1)))) (+ (* def26 (+ (- def16 (- def12)) (/ def26 2))) (* def28 (- 1 (- x0 floor1)))))))))))
+(check-sat)

@@ -1,0 +1,30 @@
+; TH-LAW, force: a force that is only limited is the law of the wall
+; a force that is only limited is the law of the wall
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const q Real)
+(declare-const L Real)
+(define-fun def1 () Real (- 1))
+(define-fun def2 () Real (ite (>= q def1) q def1))
+(define-fun def3 () Real (ite (<= def2 0) def2 0))
+(declare-const floor4 Real) ; floor of def3
+(assert (and (<= floor4 def3) (< def3 (+ floor4 1))))
+(define-fun def5 () Real (- (* 1 q)))
+(define-fun def6 () Real (ite (<= def5 L) def5 L))
+(define-fun def7 () Real (- L))
+(define-fun def8 () Real (ite (>= def6 def7) def6 def7))
+(define-fun def9 () Real (ite (>= q def7) q def7))
+(define-fun def10 () Real (ite (<= def9 L) def9 L))
+(define-fun def11 () Real (- (* (* 1 q) (+ floor4 1))))
+(define-fun def12 () Real (ite (<= def11 L) def11 L))
+(define-fun def13 () Real (ite (>= def12 def7) def12 def7))
+(define-fun def14 () Real (ite (>= 0 def7) 0 def7))
+(define-fun def15 () Real (ite (>= q def14) q def14))
+(define-fun def16 () Real (ite (<= def15 L) def15 L))
+(assert (or (= floor4 def1) (= floor4 0)))
+(assert (> L 0))
+; what would contradict the goal
+(assert (not (and (= def8 (- def10)) (= def13 (- def16)))))
+(check-sat)

@@ -1,0 +1,25 @@
+; TH-REGION, box of coulomb friction: holds is said for every value in the tolerance, fails for none, and it depends only where the ends differ
+; holds is not said of what holds anywhere
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const T Real)
+(declare-const b Real)
+(declare-const c Real)
+(declare-const Delta Real)
+(declare-const x0 Real)
+(declare-const x1 Real)
+(declare-const v Real)
+(assert (> 1 0))
+(assert (> T 0))
+(assert (<= 0 b))
+(assert (<= 0 c))
+(assert (> Delta 0))
+(assert (> x0 0))
+(assert (<= x0 c))
+(assert (<= c x1))
+(assert (> v 0))
+; what would contradict the goal
+(assert (not (and (or (not (and (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- x0 (/ (* 1 Delta) 2))) (> 0 (- x1 (/ (* 1 Delta) 2))))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- x0 (/ (* 1 Delta) 2))) (= (- x1 (/ (* 1 Delta) 2)) 0))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- x0 (/ (* 1 Delta) 2))) (> (- x1 (/ (* 1 Delta) 2)) 0))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (= (- x0 (/ (* 1 Delta) 2)) 0) (> 0 (- x1 (/ (* 1 Delta) 2))))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (= (- x0 (/ (* 1 Delta) 2)) 0) (= (- x1 (/ (* 1 Delta) 2)) 0))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (= (- x0 (/ (* 1 Delta) 2)) 0) (> (- x1 (/ (* 1 Delta) 2)) 0))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> (- x0 (/ (* 1 Delta) 2)) 0) (> 0 (- x1 (/ (* 1 Delta) 2))))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> (- x0 (/ (* 1 Delta) 2)) 0) (= (- x1 (/ (* 1 Delta) 2)) 0))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> (- x0 (/ (* 1 Delta) 2)) 0) (> (- x1 (/ (* 1 Delta) 2)) 0))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (= (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> 0 (- x0 (/ (* 1 Delta) 2))) (> 0 (- x1 (/ (* 1 Delta) 2))))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (= (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> 0 (- x0 (/ (* 1 Delta) 2))) (= (- x1 (/ (* 1 Delta) 2)) 0))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (= (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> 0 (- x0 (/ (* 1 Delta) 2))) (> (- x1 (/ (* 1 Delta) 2)) 0))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (= (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (= (- x0 (/ (* 1 Delta) 2)) 0) (> 0 (- x1 (/ (* 1 Delta) 2))))) true) (or (not (and (= (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (= (- x0 (/ (* 1 Delta) 2)) 0) (= (- x1 (/ (* 1 Delta) 2)) 0))) true) (or (not (and (= (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (= (- x0 (/ (* 1 Delta) 2)) 0) (> (- x1 (/ (* 1 Delta) 2)) 0))) true) (or (not (and (= (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> (- x0 (/ (* 1 Delta) 2)) 0) (> 0 (- x1 (/ (* 1 Delta) 2))))) true) (or (not (and (= (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> (- x0 (/ (* 1 Delta) 2)) 0) (= (- x1 (/ (* 1 Delta) 2)) 0))) true) (or (not (and (= (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> (- x0 (/ (* 1 Delta) 2)) 0) (> (- x1 (/ (* 1 Delta) 2)) 0))) true) (or (not (and (> (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> 0 (- x0 (/ (* 1 Delta) 2))) (> 0 (- x1 (/ (* 1 Delta) 2))))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (> (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> 0 (- x0 (/ (* 1 Delta) 2))) (= (- x1 (/ (* 1 Delta) 2)) 0))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (> (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> 0 (- x0 (/ (* 1 Delta) 2))) (> (- x1 (/ (* 1 Delta) 2)) 0))) (or (> 0 (- b (* (* 1 T) (+ (/ 1 2) 1)))) (> 0 (- c (/ (* 1 Delta) 2))))) (or (not (and (> (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (= (- x0 (/ (* 1 Delta) 2)) 0) (> 0 (- x1 (/ (* 1 Delta) 2))))) true) (or (not (and (> (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (= (- x0 (/ (* 1 Delta) 2)) 0) (= (- x1 (/ (* 1 Delta) 2)) 0))) true) (or (not (and (> (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (= (- x0 (/ (* 1 Delta) 2)) 0) (> (- x1 (/ (* 1 Delta) 2)) 0))) true) (or (not (and (> (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> (- x0 (/ (* 1 Delta) 2)) 0) (> 0 (- x1 (/ (* 1 Delta) 2))))) true) (or (not (and (> (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> (- x0 (/ (* 1 Delta) 2)) 0) (= (- x1 (/ (* 1 Delta) 2)) 0))) true) (or (not (and (> (- b (* (* 1 T) (+ (/ 1 2) 1))) 0) (> (- x0 (/ (* 1 Delta) 2)) 0) (> (- x1 (/ (* 1 Delta) 2)) 0))) true))))
+(check-sat)

@@ -1,0 +1,23 @@
+; TH-REGION, box of viscous friction: holds is said for every value in the tolerance, fails for none, and it depends only where the ends differ
+; the premises can be met
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const T Real)
+(declare-const b Real)
+(declare-const c Real)
+(declare-const Delta Real)
+(declare-const x0 Real)
+(declare-const x1 Real)
+(declare-const v Real)
+(assert (> 1 0))
+(assert (> T 0))
+(assert (<= 0 b))
+(assert (<= 0 c))
+(assert (> Delta 0))
+(assert (> x0 0))
+(assert (<= x0 b))
+(assert (<= b x1))
+(assert (> v 0))
+(check-sat)

@@ -1,0 +1,25 @@
+; TH-REGION, direction of period with damping: a longer period makes it harder for viscous friction and easier for Coulomb friction
+; not harder for both
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const K Real)
+(declare-const T Real)
+(declare-const b Real)
+(declare-const c Real)
+(declare-const Delta Real)
+(declare-const B Real)
+(declare-const F Real)
+(declare-const T1 Real)
+(assert (> K 0))
+(assert (> T 0))
+(assert (<= 0 b))
+(assert (<= 0 c))
+(assert (> Delta 0))
+(assert (<= 0 B))
+(assert (> F 0))
+(assert (<= T T1))
+; what would contradict the goal
+(assert (not (and (<= (- b (+ (* (* K T1) (+ (/ 1 2) 1)) B)) (- b (+ (* (* K T) (+ (/ 1 2) 1)) B))) (<= (- c (+ (+ (/ (* K Delta) 2) (* B (/ Delta T1))) (/ F 2))) (- c (+ (+ (/ (* K Delta) 2) (* B (/ Delta T))) (/ F 2)))))))
+(check-sat)

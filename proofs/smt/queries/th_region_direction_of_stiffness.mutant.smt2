@@ -1,0 +1,28 @@
+; TH-REGION, direction of stiffness: wherever it is in its tolerance, the criterion is no easier than at the easiest end and no harder than at the hardest
+; not with the ends taken for each other
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const K Real)
+(declare-const T Real)
+(declare-const b Real)
+(declare-const c Real)
+(declare-const Delta Real)
+(declare-const B Real)
+(declare-const F Real)
+(declare-const x0 Real)
+(declare-const x1 Real)
+(assert (> K 0))
+(assert (> T 0))
+(assert (<= 0 b))
+(assert (<= 0 c))
+(assert (> Delta 0))
+(assert (<= 0 B))
+(assert (> F 0))
+(assert (> x0 0))
+(assert (<= x0 K))
+(assert (<= K x1))
+; what would contradict the goal
+(assert (not (and (and (<= (- b (+ (* (* x0 T) (+ (/ 1 2) 1)) B)) (- b (+ (* (* K T) (+ (/ 1 2) 1)) B))) (<= (- c (+ (+ (/ (* x0 Delta) 2) (* B (/ Delta T))) (/ F 2))) (- c (+ (+ (/ (* K Delta) 2) (* B (/ Delta T))) (/ F 2))))) (and (<= (- b (+ (* (* K T) (+ (/ 1 2) 1)) B)) (- b (+ (* (* x1 T) (+ (/ 1 2) 1)) B))) (<= (- c (+ (+ (/ (* K Delta) 2) (* B (/ Delta T))) (/ F 2))) (- c (+ (+ (/ (* x1 Delta) 2) (* B (/ Delta T))) (/ F 2))))))))
+(check-sat)

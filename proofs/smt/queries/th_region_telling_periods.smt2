@@ -1,0 +1,25 @@
+; TH-REGION, telling periods: if a period between two meets the criterion at every speed, one of them does, or the shortest that is enough near rest
+; if a period between two meets the criterion at every speed, one of them does, or the shortest that is enough near rest
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const T Real)
+(declare-const b Real)
+(declare-const c Real)
+(declare-const B Real)
+(declare-const T0 Real)
+(declare-const T1 Real)
+(assert (> 1 0))
+(assert (> T 0))
+(assert (<= 0 b))
+(assert (<= 0 c))
+(assert (> 1 0))
+(assert (<= 0 B))
+(assert (> T0 0))
+(assert (<= T0 T))
+(assert (<= T T1))
+(assert (and (<= 0 (- b (+ (* (* 1 T) (+ (/ 1 2) 1)) B))) (<= 0 (- c (+ (/ (* 1 1) 2) (* B (/ 1 T)))))))
+; what would contradict the goal
+(assert (not (or (or (and (<= 0 (- b (+ (* (* 1 T1) (+ (/ 1 2) 1)) B))) (<= 0 (- c (+ (/ (* 1 1) 2) (* B (/ 1 T1)))))) (and (<= 0 (- b (+ (* (* 1 T0) (+ (/ 1 2) 1)) B))) (<= 0 (- c (+ (/ (* 1 1) 2) (* B (/ 1 T0))))))) (and (<= T0 (/ (* B 1) (- c (/ (* 1 1) 2)))) (<= (/ (* B 1) (- c (/ (* 1 1) 2))) T1) (and (<= 0 (- b (+ (* (* 1 (/ (* B 1) (- c (/ (* 1 1) 2)))) (+ (/ 1 2) 1)) B))) (<= 0 (- c (+ (/ (* 1 1) 2) (* B (/ 1 (/ (* B 1) (- c (/ (* 1 1) 2)))))))))))))
+(check-sat)

@@ -1,0 +1,18 @@
+; TH-UNI, outside with damping: outside of a one-sided wall there is no force, not even that of the damper; inside there is all of it
+; the damper alone would push outside
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NIRA)
+(set-info :status sat)
+(declare-const q Real)
+(declare-const B Real)
+(declare-const q1 Real)
+(define-fun def1 () Real (- 1.0))
+(define-fun def2 () Real (ite (>= q def1) q def1))
+(define-fun def3 () Real (ite (<= def2 0.0) def2 0.0))
+(declare-const floor4 Int) ; floor of def3
+(assert (and (<= (to_real floor4) def3) (< def3 (+ (to_real floor4) 1))))
+(assert (or (= (to_real floor4) def1) (= (to_real floor4) 0.0)))
+; what would contradict the goal
+(assert (not (= (- (* (+ (* 1.0 q) (* (- B) (- q1 q))) (+ (to_real floor4) 1.0))) (- (+ q (* B (- q q1)))))))
+(check-sat)
