@@ -195,6 +195,8 @@ pub fn of_accuracy(study: &Study) -> Vec<Block> {
 mod tests {
     use std::path::Path;
 
+    use passivity_core::Parameter;
+
     use super::*;
 
     #[test]
@@ -204,21 +206,23 @@ mod tests {
                     [wall]\nstiffness = \"5 N/m ± 2\"\n[operator]\nmax_speed = \"6 m/s ± 1\"\n";
         let scene = Scene::from_toml("s", text).unwrap();
         let (hardest, moved) = at_hardest_end(&scene);
-        let middle = |given: &Given| nearest_f64(&given.nominal.middle());
-        let values = [
-            hardest.viscous.as_ref(),
-            hardest.coulomb.as_ref(),
-            Some(&hardest.period),
-            hardest.resolution.as_ref(),
-            Some(&hardest.stiffness),
-            hardest.max_speed.as_ref(),
+        let value = |parameter| {
+            let given = hardest.given.get(parameter).unwrap();
+            given.nominal.to_rational().unwrap().to_string()
+        };
+        let parameters = [
+            Parameter::Viscous,
+            Parameter::Coulomb,
+            Parameter::Period,
+            Parameter::Resolution,
+            Parameter::Stiffness,
+            Parameter::MaxSpeed,
         ];
-        let values: Vec<f64> = values.into_iter().flatten().map(middle).collect();
         assert!(moved);
-        assert_eq!(values, [3.0, 2.0, 3.0, 1.5, 7.0, 7.0]);
+        assert_eq!(parameters.map(value), ["3", "2", "3", "3/2", "7", "7"]);
         let study = Study::new(scene, text.to_owned(), Path::new("s.toml"));
         // 7 m/s over 3 s and 1.5 m: 14 ticks in a sampling period.
         let (point, _) = to_simulate(&study).unwrap();
-        assert_eq!(nearest_f64(&point.start[1]), 14.0);
+        assert_eq!(point.start()[1].to_string(), "14");
     }
 }

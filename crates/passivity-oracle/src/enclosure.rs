@@ -22,6 +22,7 @@ use passivity_core::{Criterion, Interval, Loop, Ordered, Step, dissipation};
 
 use crate::ends::Ends;
 use crate::figure::Figure;
+use crate::number::Written;
 use crate::parabola::Parabola;
 
 /// A sampling interval as far as it is known.
@@ -36,7 +37,7 @@ pub(crate) struct Rectangle<'a, S> {
 /// The two accounts of generated energy: against the wall's law, and against its quantized form.
 type Accounts<S> = [S; 2];
 
-impl<S: Ordered> Rectangle<'_, S> {
+impl<S: Written> Rectangle<'_, S> {
     /// The row without extra storage; `None` when a number is undefined.
     pub(crate) fn row(&self) -> Option<Row<Figure<S>>> {
         let (near, far) = (self.nearest()?, self.farthest()?);
@@ -151,7 +152,9 @@ impl<S: Ordered> Rectangle<'_, S> {
                 // Where the law's force balances the held one, when that is within.
                 let balance = (-force.clone()).max(of.lo().clone()).min(of.hi().clone());
                 let several = !of.is_exact();
-                [of.hi().clone(), balance].into_iter().filter(move |_| several)
+                [of.hi().clone(), balance]
+                    .into_iter()
+                    .filter(move |_| several)
             };
             for xi in points(self.start) {
                 widen(&mut of_start, self.generated_at([&xi, to], force));
@@ -163,7 +166,11 @@ impl<S: Ordered> Rectangle<'_, S> {
             for (known, ((start, end), base)) in found.iter_mut().zip(both) {
                 let at = |a: &S, b: &S| a.clone() + b.clone() - base.clone();
                 let here = Interval::new(at(start.lo(), end.lo()), at(start.hi(), end.hi()))?;
-                *known = Some(known.take().map_or_else(|| here.clone(), |k| k.joined(&here)));
+                *known = Some(
+                    known
+                        .take()
+                        .map_or_else(|| here.clone(), |k| k.joined(&here)),
+                );
             }
         }
         let [linear, quantized] = found;
@@ -187,9 +194,13 @@ impl<S: Ordered> Rectangle<'_, S> {
                 let [first, between, last] = values;
                 let accounts = first.into_iter().zip(between).zip(last);
                 for (known, ((a, b), c)) in found.iter_mut().zip(accounts) {
-                    let curve = through([a, b, c], [d(from), d(to)]);
+                    let curve = through([a, b, c], [d(from), d(to)])?;
                     let here = self.net_along(&curve, [d(from), d(to)])?;
-                    *known = Some(known.take().map_or_else(|| here.clone(), |k| k.joined(&here)));
+                    *known = Some(
+                        known
+                            .take()
+                            .map_or_else(|| here.clone(), |k| k.joined(&here)),
+                    );
                 }
             }
         }
@@ -241,15 +252,20 @@ fn widen<S: Ordered>(ranges: &mut [Interval<S>; 2], values: Accounts<S>) {
 }
 
 /// α, γ and κ of the parabola αd² + γd + κ with these values at one end, in the middle and at the
-/// other end.
-fn through<S: Ordered>([a, b, c]: [S; 3], [from, to]: [S; 2]) -> [S; 3] {
+/// other end; `None` when one is undefined.
+fn through<S: Written>([a, b, c]: [S; 3], [from, to]: [S; 2]) -> Option<[S; 3]> {
     let width = to - from.clone();
     let slope = (c.clone() - a.clone()).over(width.clone());
     // The second difference a − 2b + c is 2α(width/2)².
-    let alpha = (a.clone() - b.double() + c)
-        .double()
-        .over(width.square());
-    let gamma = slope - alpha.clone() * (from.double() + width);
+    let alpha = (a.clone() - b.double() + c).double().over(width.square());
+    let gamma = slope - alpha.clone() * (from.double() + width.clone());
     let kappa = a - from.clone() * (alpha.clone() * from + gamma.clone());
-    [alpha, gamma, kappa]
+    let found = [alpha, gamma, kappa];
+    if width.square().compare(&S::one())? == Ordering::Equal {
+        return Some(found);
+    }
+    // Dividing by a short width made the numbers longer than what they stand for.
+    let lowest = |x: &S| S::from_reduced(&x.to_reduced()?);
+    let [alpha, gamma, kappa] = found.each_ref().map(lowest);
+    Some([alpha?, gamma?, kappa?])
 }

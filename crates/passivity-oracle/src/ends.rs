@@ -38,7 +38,10 @@ pub struct NotExact(pub Parameter);
 impl std::fmt::Display for NotExact {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let name = self.0.row().name;
-        write!(f, "an account needs one value of the {name}, not an interval")
+        write!(
+            f,
+            "an account needs one value of the {name}, not an interval"
+        )
     }
 }
 
@@ -105,7 +108,8 @@ impl<S: Ordered> Ends<S> {
         let is_friction =
             |parameter: Parameter| matches!(parameter, Parameter::Viscous | Parameter::Coulomb);
         let mut given = dimensionless.given();
-        if let Some((parameter, _)) = given.find(|(p, range)| !is_friction(*p) && !range.is_point()) {
+        if let Some((parameter, _)) = given.find(|(p, range)| !is_friction(*p) && !range.is_point())
+        {
             return Err(NotExact(parameter));
         }
         let least = dimensionless.map(|_, range| range.lo().clone());

@@ -9,6 +9,7 @@ use passivity_core::{Criterion, Ordered, Step, Truth, dissipation, extra_storage
 use crate::enclosure::Rectangle;
 use crate::ends::Ends;
 use crate::figure::{Figure, not};
+use crate::number::Written;
 
 /// A sampling interval as a trace has it.
 #[derive(Clone, Copy, Debug)]
@@ -110,7 +111,7 @@ impl<S> Margin<S> {
 /// assert_eq!(counted.violates_quantized, Truth::Depends);
 /// ```
 #[must_use]
-pub fn entry<S: Ordered>(ends: &Ends<S>, interval: &Recorded<'_, S>) -> Option<Entry<S>> {
+pub fn entry<S: Written>(ends: &Ends<S>, interval: &Recorded<'_, S>) -> Option<Entry<S>> {
     let start = interval.samples.first()?;
     let held = match interval.force {
         Some(force) => force.clone(),
@@ -118,7 +119,12 @@ pub fn entry<S: Ordered>(ends: &Ends<S>, interval: &Recorded<'_, S>) -> Option<E
     };
     let extra_storage = stored(ends, interval)?;
     let account = match (start, interval.end, &held, &extra_storage) {
-        (Figure::Exact(from), Figure::Exact(to), Figure::Exact(force), None | Some(Figure::Exact(_))) => {
+        (
+            Figure::Exact(from),
+            Figure::Exact(to),
+            Figure::Exact(force),
+            None | Some(Figure::Exact(_)),
+        ) => {
             let exact = HeldInterval {
                 step: Step::new(from.clone(), to.clone()),
                 force: force.clone(),
@@ -269,9 +275,7 @@ fn stored<S: Ordered>(ends: &Ends<S>, interval: &Recorded<'_, S>) -> Option<Opti
             };
             let stored = extra_storage::delay_storage(&taken(late));
             match &ends.least.damping {
-                Some(damping) => {
-                    stored + extra_storage::damping_storage(damping, &taken(late + 1))
-                }
+                Some(damping) => stored + extra_storage::damping_storage(damping, &taken(late + 1)),
                 None => stored,
             }
         };

@@ -1,7 +1,7 @@
 //! Rows on machine integers where they fit, on big integers where they do not: the same answers.
 
 use passivity_core::verdict::End;
-use passivity_core::{BigRational, Exact, Fixed, Interval, Loop, Truth, Wide};
+use passivity_core::{BigRational, Exact, Fixed, Interval, Loop, Scalar as _, Truth, Wide};
 use passivity_scene::Scene;
 
 use crate::ends::{Ends, NotExact};
@@ -174,28 +174,38 @@ impl Ledger {
     }
 }
 
-/// A rational interval that holds both numbers: they themselves, or, with a π in them that does not
-/// cancel, numbers close by of as few bits as machine integers hold.
+/// A rational interval that holds both numbers, which are not negative: they themselves, or, with a π
+/// in them that does not cancel, short numbers close by, which machine integers compute with.
 fn outward(lo: &Exact, hi: &Exact) -> Interval<BigRational> {
-    /// Bits of an end that is rounded, past those of its enclosure by far.
-    const DIGITS: u16 = 48;
-    let Some((lo, hi)) = lo.enclosure(2 * u32::from(DIGITS)).zip(hi.enclosure(2 * u32::from(DIGITS))) else {
+    /// How close: relative to the number, as a power of two.
+    const BITS: u32 = 47;
+    let Some((lo, hi)) = lo.enclosure(2 * BITS).zip(hi.enclosure(2 * BITS)) else {
         unreachable!("a scene's numbers are defined: its units are above zero")
     };
-    let end = |of: &Interval<BigRational>, at: &BigRational, round: fn(&BigRational) -> BigRational| {
-        if of.is_point() {
-            return at.clone();
-        }
-        // 2^shift·x has about that many bits before the point.
-        let bits = |n: &num_bigint::BigInt| i32::try_from(n.bits()).unwrap_or(i32::MAX / 2);
-        let shift = i32::from(DIGITS) - (bits(at.numer()) - bits(at.denom()));
-        let scale = BigRational::from_integer(2.into()).pow(shift);
-        round(&(at * &scale)) / scale
+    let near = BigRational::new(1.into(), num_bigint::BigInt::from(1) << BITS);
+    let below = match lo.is_point() {
+        true => lo.lo().clone(),
+        false => simplest(&(lo.lo() - lo.lo() * &near), lo.lo()),
     };
-    Interval::hull(
-        end(&lo, lo.lo(), BigRational::floor),
-        end(&hi, hi.hi(), BigRational::ceil),
-    )
+    let above = match hi.is_point() {
+        true => hi.hi().clone(),
+        false => simplest(hi.hi(), &(hi.hi() + hi.hi() * near)),
+    };
+    Interval::hull(below, above)
+}
+
+/// The fraction with the smallest denominator in [lo, hi], 0 < lo ≤ hi, by its continued fraction.
+fn simplest(lo: &BigRational, hi: &BigRational) -> BigRational {
+    let whole = lo.floor();
+    if whole == *lo {
+        return whole;
+    }
+    let above = &whole + BigRational::one();
+    if above <= *hi {
+        return above;
+    }
+    let rest = simplest(&(hi - &whole).recip(), &(lo - &whole).recip());
+    whole + rest.recip()
 }
 
 /// Runs an expression on the entry inside a row, whatever its integers.

@@ -298,7 +298,9 @@ fn push(line: &[u8], layout: &Layout, chunk: &mut Chunk) -> Result<(), TraceErro
     chunk.dtaus.extend(dtau);
     chunk.times.extend(time);
     if let Some((text, force)) = force {
-        chunk.forces.push(layout.force(force, half_last_digit(text)));
+        chunk
+            .forces
+            .push(layout.force(force, half_last_digit(text)));
     }
     Ok(())
 }

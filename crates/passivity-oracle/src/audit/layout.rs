@@ -82,7 +82,10 @@ impl Scale {
         }
         match factor.enclosure(BITS) {
             Some(range) => Ok(Self::Irrational(factor, range)),
-            None => Err(TraceError::new("unit", "the unit of this column is not defined")),
+            None => Err(TraceError::new(
+                "unit",
+                "the unit of this column is not defined",
+            )),
         }
     }
 

@@ -294,8 +294,13 @@ impl Audit {
             false => Judged::Running,
         };
         let shown = |place: Option<&Place>| place.map(|p| Shown::new(task.ledger, p)).transpose();
-        let [linear, possible_linear, quantized, possible_quantized, criterion] =
-            account.firsts.each_ref().map(Option::as_ref);
+        let [
+            linear,
+            possible_linear,
+            quantized,
+            possible_quantized,
+            criterion,
+        ] = account.firsts.each_ref().map(Option::as_ref);
         let verdict = match (&findings.error, judged) {
             (Some(_), _) => Verdict::Broken,
             (None, _) if !scene.not_covered().is_empty() => Verdict::NotCovered,

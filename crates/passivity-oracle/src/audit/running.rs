@@ -216,7 +216,10 @@ impl Lowest {
 
     /// Keeps the lower one of two, the earlier where they agree.
     pub(crate) fn keep(slot: &mut Option<Self>, found: Self) {
-        if slot.as_ref().is_none_or(|lowest| found.value < lowest.value) {
+        if slot
+            .as_ref()
+            .is_none_or(|lowest| found.value < lowest.value)
+        {
             *slot = Some(found);
         }
     }
@@ -226,7 +229,10 @@ impl Lowest {
     pub(crate) fn keep_sum(slot: &mut Option<Self>, sum: &RunningSum, beside: &Reduced, h: u64) {
         let now = sum.near() + beside.near();
         let slack = 1e-6 * (1.0 + now.abs() + sum.near().abs());
-        if slot.as_ref().is_some_and(|lowest| now > lowest.near + slack) {
+        if slot
+            .as_ref()
+            .is_some_and(|lowest| now > lowest.near + slack)
+        {
             return;
         }
         Self::keep(slot, Self::new(sum.total() + beside.to_rational(), h));

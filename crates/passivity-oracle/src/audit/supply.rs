@@ -72,7 +72,10 @@ impl Contribution {
     fn step_in<S: Written>(&self, before: &Bounds) -> Option<Bounds> {
         let both = |[lo, hi]: &Bounds| S::from_reduced(lo).zip(S::from_reduced(hi));
         let (excess, before, net) = (both(&self.excess)?, both(before)?, both(&self.net)?);
-        let (advance, room) = (S::from_reduced(&self.advance)?, S::from_reduced(&self.room)?);
+        let (advance, room) = (
+            S::from_reduced(&self.advance)?,
+            S::from_reduced(&self.room)?,
+        );
         let work = [excess.0.clone(), excess.1.clone()].map(|force| force * advance.clone());
         let [a, b] = work;
         let change = (excess.0 - before.1, excess.1 - before.0);
@@ -105,11 +108,14 @@ fn contribution<S: Written>(ends: &Ends<S>, entry: &Entry<S>) -> Option<Contribu
         force: &Figure::Exact(own),
         dtau: &entry.dtau,
     };
-    let potential = |xi: &S, force: &S| {
-        law.potential(xi) - force.clone() * (xi.clone() - end.lo().clone())
-    };
+    let potential =
+        |xi: &S, force: &S| law.potential(xi) - force.clone() * (xi.clone() - end.lo().clone());
     // Convex in ξ, so least where the potential's slope is the force, or at an end.
-    let balance = excess.hi().clone().max(end.lo().clone()).min(end.hi().clone());
+    let balance = excess
+        .hi()
+        .clone()
+        .max(end.lo().clone())
+        .min(end.hi().clone());
     let least = [end.lo(), &balance, end.hi()].map(|xi| potential(xi, excess.hi()));
     let most = [end.lo(), end.hi()].map(|xi| potential(xi, excess.lo()));
     let [first, second, third] = least;
@@ -158,7 +164,10 @@ impl Supply {
         let ours = self.sums.iter_mut().zip(&mut self.lowest);
         for ((sum, lowest), (added, found)) in ours.zip(others) {
             if let Some(found) = found {
-                Lowest::keep(lowest, Lowest::new(sum.total() + found.value, before + found.h));
+                Lowest::keep(
+                    lowest,
+                    Lowest::new(sum.total() + found.value, before + found.h),
+                );
             }
             sum.append(added);
         }

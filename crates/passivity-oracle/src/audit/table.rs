@@ -149,15 +149,18 @@ impl Table {
         let near = near.max(0).unsigned_abs();
         let mut lowest = twice_lowest(account, denominator);
         let start = i;
-        let mut next_point =
-            plot.map_or(usize::MAX, |(stride, from)| i + stride - (i - from) % stride);
+        let mut next_point = plot.map_or(usize::MAX, |(stride, from)| {
+            i + stride - (i - from) % stride
+        });
         while let Some([now, next]) = counts.get(i..i + 2) {
             let step = next.wrapping_sub(*now);
             let place = usize::try_from(step.wrapping_add(SMALL_STEP)).ok();
             let id = place.and_then(|place| self.small.get(place)).copied();
             let known = id.flatten().and_then(|id| self.known.get_mut(id));
             let Some(known) = known else { break };
-            let Some((scaled, over)) = known.scaled else { break };
+            let Some((scaled, over)) = known.scaled else {
+                break;
+            };
             if over != denominator
                 || u128::from(now.unsigned_abs()) > near
                 || u128::from(next.unsigned_abs()) > near

@@ -131,7 +131,10 @@ impl Report {
             && let Some(net) = worst.ledger.row.net_linear()
         {
             let net = approx(net.lo());
-            out.put("worst interval", &format!("row {}, net {net} KΔ²", worst.row));
+            out.put(
+                "worst interval",
+                &format!("row {}, net {net} KΔ²", worst.row),
+            );
         }
     }
 
@@ -191,7 +194,10 @@ impl Agreement {
             let _ = write!(text, "; with {sign}{} samples of delay it is", found.delay);
         } else if let Some(fit) = self.fit.filter(|fit| fit.residual < NOISE) {
             let (scale, delay) = (significant(fit.scale), fit.delay);
-            let _ = write!(text, "; it is {scale} times the law with {delay} samples of delay");
+            let _ = write!(
+                text,
+                "; it is {scale} times the law with {delay} samples of delay"
+            );
         } else if found.mismatches < self.mismatches {
             let sign = if found.reversed {
                 "the other sign and "

@@ -298,7 +298,8 @@ impl Walk<'_> {
         let task = self.task;
         if task.ledger.is_plain() && !task.applied {
             let ends = counts.get(self.at).zip(counts.get(self.at + 1));
-            self.key.extend(ends.map(|(now, next)| next.wrapping_sub(*now)));
+            self.key
+                .extend(ends.map(|(now, next)| next.wrapping_sub(*now)));
             return true;
         }
         if task.applied {

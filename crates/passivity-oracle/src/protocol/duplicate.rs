@@ -90,13 +90,19 @@ mod tests {
     #[test]
     fn keys_are_compared_within_one_object() {
         for (text, found) in [
-            (r#"{"a": 1, "b": {"a": ":", "c": [{"a": 2}, {"a": "\":"}]}}"#, None),
+            (
+                r#"{"a": 1, "b": {"a": ":", "c": [{"a": 2}, {"a": "\":"}]}}"#,
+                None,
+            ),
             (r#"{"a": 1, "b": 2, "a": 1}"#, Some(("a", 18))),
             (r#"{"b": {"a\\": 1, "a\\" : 2}}"#, Some(("a\\", 18))),
             (r#"{"a": [{"x": 1, "\u0078": 1}]}"#, Some(("x", 17))),
         ] {
             let value: Value = serde_json::from_str(text).unwrap();
-            let expected = found.map(|(key, at)| Duplicate { key: key.to_owned(), at });
+            let expected = found.map(|(key, at)| Duplicate {
+                key: key.to_owned(),
+                at,
+            });
             assert_eq!(find(text.as_bytes(), &value), expected, "{text}");
         }
     }

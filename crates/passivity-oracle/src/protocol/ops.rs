@@ -119,7 +119,9 @@ fn sequence(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     let mut durations = match fields.get(&["dtau"]) {
         None => vec![Number::whole(1)],
         Some((name, value @ serde_json::Value::Array(_))) => {
-            per_interval(name, value, intervals, |value, place| duration(value, place))?
+            per_interval(name, value, intervals, |value, place| {
+                duration(value, place)
+            })?
         }
         Some((name, value)) => vec![duration(value, || name.to_owned())?],
     }
@@ -138,11 +140,14 @@ fn sequence(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     out.extend_from_slice(b"{\"rows\": [");
     let mut samples = samples.into_iter().enumerate();
     if let Some((_, first)) = samples.next() {
-        run.step(first, &Number::whole(1), None).ok_or_else(undefined)?;
+        run.step(first, &Number::whole(1), None)
+            .ok_or_else(undefined)?;
     }
     for (i, sample) in samples {
         let dtau = durations.next().ok_or_else(undefined)?;
-        let row = run.step(sample, &dtau, forces.next()).ok_or_else(undefined)?;
+        let row = run
+            .step(sample, &dtau, forces.next())
+            .ok_or_else(undefined)?;
         if i > 1 {
             out.extend_from_slice(b", ");
         }
