@@ -1,6 +1,6 @@
 //! The criterion: (27) and (8) are one inequality, (9) is where it is an equality, (11) has units.
 
-use passivity_core::{Criterion, Friction, Ordered, Rig, Scalar, effects::Effects};
+use passivity_core::{Criterion, Friction, Loop, Ordered, Scalar};
 
 use crate::domain::{below, coarse_position, friction_coefficient, share, speed, up_to};
 use crate::{Dyadic, Ratio};
@@ -121,64 +121,66 @@ const FRICTION: u8 = 6;
 /// and F are 1: both sides are linear in them.
 #[kani::proof]
 fn eq_27_with_units_is_11() {
-    let rig = Rig {
-        viscous: below(FRICTION),
-        coulomb: below(FRICTION),
-        stiffness: Ratio::integer(2),
-        period: Ratio::integer(3),
-        length: Ratio::integer(5),
-        effects: Effects {
-            delay: 1,
-            damping: Some(Ratio::one()),
-            force_step: Some(Ratio::one()),
-            ..Effects::encoder()
-        },
+    let the_loop = Loop {
+        viscous: Some(below(FRICTION)),
+        coulomb: Some(below(FRICTION)),
+        resolution: Some(Ratio::integer(5)),
+        delay: 1,
+        damping: Some(Ratio::one()),
+        force_step: Some(Ratio::one()),
+        ..Loop::new(Ratio::integer(2), Ratio::integer(3))
     };
     let speed = up_to(UNITS);
-    let with_units = rig.criterion().margin(&speed);
-    let margin = rig
+    let with_units = the_loop.criterion().margin(&speed);
+    let margin = the_loop
         .dimensionless_criterion()
-        .margin(&rig.dimensionless_speed(&speed));
+        .margin(&the_loop.dimensionless_speed(&speed));
     kani::cover!(
         with_units.is_nonnegative() == Some(false),
         "it does not hold"
     );
     kani::assert(
-        with_units == margin * rig.force_unit(),
-        "EQ-27: (11) is (8) in the units of the rig",
+        with_units == margin * the_loop.force_unit(),
+        "EQ-27: (11) is (8) in the units of the loop",
     );
 }
 
 /// EQ-27: without further effects (8) has β − ½ and σ − ½, and μ = m/(KT²).
 #[kani::proof]
+#[kani::unwind(4)]
 fn eq_27_dimensionless_numbers_are_those_of_7() {
-    let rig = Rig {
-        viscous: below(FRICTION),
-        coulomb: below(FRICTION),
-        stiffness: up_to(UNITS),
-        period: up_to(UNITS),
-        length: up_to(UNITS),
-        effects: Effects::encoder(),
+    let (viscous, coulomb) = (below(FRICTION), below(FRICTION));
+    let (stiffness, period, length) = (up_to(UNITS), up_to(UNITS), up_to(UNITS));
+    let the_loop = Loop {
+        viscous: Some(viscous),
+        coulomb: Some(coulomb),
+        resolution: Some(length),
+        ..Loop::new(stiffness, period)
     };
-    let criterion = rig.dimensionless_criterion();
-    let expected = Criterion::of_friction(&rig.friction());
+    let criterion = the_loop.dimensionless_criterion();
+    let expected = Criterion::of_friction(&the_loop.friction());
     kani::cover!(
         criterion.viscous.is_nonnegative() == Some(false),
         "β is below ½"
     );
     kani::assert(
         criterion.viscous == expected.viscous && criterion.coulomb == expected.coulomb,
-        "EQ-27: a rig's criterion is that of its β and σ",
+        "EQ-27: a loop's criterion is that of its β and σ",
     );
-    let friction = rig.friction();
+    let friction = the_loop.friction();
     kani::assert(
-        friction.beta * (rig.stiffness * rig.period) == rig.viscous
-            && friction.sigma * (rig.stiffness * rig.length) == rig.coulomb,
+        friction.beta * (stiffness * period) == viscous
+            && friction.sigma * (stiffness * length) == coulomb,
         "EQ-27: β = b/(KT) and σ = c/(KΔ)",
     );
     let inertia = below(FRICTION);
+    let heavy = Loop {
+        inertia: Some(inertia),
+        ..the_loop
+    };
+    let mu = heavy.dimensionless().inertia;
     kani::assert(
-        rig.mu(&inertia) * (rig.stiffness * rig.period.square()) == inertia,
+        mu.is_some_and(|mu| mu * (stiffness * period.square()) == inertia),
         "EQ-27: μ = m/(KT²)",
     );
 }

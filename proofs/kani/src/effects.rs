@@ -1,14 +1,12 @@
 //! Effects of a real loop: TH-DAC, TH-DELAY, TH-DAMP, their sum as the code has it, TH-SMOOTH.
 //!
 //! In each, E_g plus what the effect puts into its extra storage is at most the cost that
-//! `Effects::cost` tells the criterion to subtract.
+//! `Loop::cost` tells the criterion to subtract.
 
 use passivity_core::{
-    Friction, Rig, Scalar, Step,
-    effects::{
-        Effects, damping_storage, delay_storage, generated_by_damping, generated_by_delay,
-        rounded_force,
-    },
+    Controller, Friction, Loop, Scalar, Step,
+    controller::rounded,
+    extra_storage::{damping_storage, delay_storage, generated_by_damping, generated_by_delay},
     generation,
     quantizer::held_force,
     spring,
@@ -80,19 +78,34 @@ fn generated_linear(held: Dyadic, step: &Step<Dyadic>) -> Dyadic {
     )
 }
 
+/// A device without friction, of which the costs of effects are independent.
+fn frictionless() -> Friction<Dyadic> {
+    Friction::new(Dyadic::zero(), Dyadic::zero())
+}
+
+/// The force that the loop's controller holds, the positions at the samples given, the latest
+/// first; before the D/A converter, whose error is a case of its own.
+fn held_before_rounding<const N: usize>(the_loop: &Loop<Dyadic>, positions: [Dyadic; N]) -> Dyadic {
+    let controller = Controller::of(&Loop {
+        force_step: None,
+        ..the_loop.clone()
+    });
+    controller.held_force(&positions.map(|xi| controller.measured(&xi)))
+}
+
 /// TH-DAC: rounding to whole steps is off by at most half a step.
 #[kani::proof]
 fn th_dac_rounding_is_off_by_at_most_half_a_step() {
     let force = (below(32) - Ratio::integer(16)).half();
     let step = up_to(4).half();
-    let rounded = rounded_force(&force, &step);
-    let error = rounded - force;
+    let to_step = rounded(&force, &step, &Ratio::one());
+    let error = to_step - force;
     kani::cover!(error.double() == step, "off by half a step");
     kani::assert(
         error.abs().double() <= step,
         "TH-DAC: the force is off by at most ½δ",
     );
-    let steps = rounded.over(step);
+    let steps = to_step.over(step);
     kani::assert(
         steps == steps.floor(),
         "TH-DAC: the force is a whole number of steps",
@@ -109,16 +122,16 @@ fn th_dac_bound() {
     let error = Dyadic::new(i32::from(eighths), COARSE_EXPONENT + 1);
     let step = Step::new(coarse_position(), coarse_position());
     let d = step.displacement();
-    let effects = Effects {
+    let the_loop = Loop {
         force_step: Some(force_step),
-        ..Effects::encoder()
+        ..Loop::plain(frictionless())
     };
     kani::cover!(
         error.double() == force_step && d > Dyadic::zero() && quarters > 0,
         "off by half a step"
     );
     kani::assert(
-        generated_linear(held_force(&step.start) + error, &step) <= effects.cost().bound(&d),
+        generated_linear(held_force(&step.start) + error, &step) <= the_loop.cost().bound(&d),
         "TH-DAC: E_g ≤ ½d² + ½(1 + δ)|d|",
     );
 }
@@ -208,15 +221,15 @@ fn damped(damping: Dyadic) -> Interval {
     let change =
         damping_storage(&damping, &[d]) - damping_storage(&damping, &[before.displacement()]);
     let ticks = before.ticks();
-    // The force −(n + ½) − B·(q_h − q_{h−1}) that the loop holds.
-    let held = held_force(&step.start) - damping * ticks;
-    let effects = Effects {
+    let the_loop = Loop {
         damping: Some(damping),
-        ..Effects::encoder()
+        ..Loop::plain(frictionless())
     };
+    // The force −(n + ½) − B·(q_h − q_{h−1}).
+    let held = held_before_rounding(&the_loop, [step.start, previous]);
     Interval {
         generated_and_stored: generated_linear(held, &step) + change,
-        cost: effects.cost().bound(&d),
+        cost: the_loop.cost().bound(&d),
         turning: ticks < Dyadic::zero() && d > Dyadic::zero() && damping > Dyadic::zero(),
     }
 }
@@ -284,11 +297,11 @@ fn late_damped_and_rounded(damping: Dyadic) -> Interval {
     let d = step.displacement();
     let last = step.start - old;
     let before = Step::new(older, old);
-    let effects = Effects {
-        encoder: true,
+    let the_loop = Loop {
         delay: 1,
         damping: Some(damping),
         force_step: Some(force_step),
+        ..Loop::plain(frictionless())
     };
     // What it generates is linear in the rounding error, so the two ends of ±½δ are enough.
     let error = if rounds_up {
@@ -296,13 +309,13 @@ fn late_damped_and_rounded(damping: Dyadic) -> Interval {
     } else {
         -force_step.half()
     };
-    let held = held_force(&old) - damping * before.ticks() + error;
+    let held = held_before_rounding(&the_loop, [step.start, old, older]) + error;
     let change = delay_storage(&[d]) - delay_storage(&[last])
         + damping_storage(&damping, &[d, last])
         - damping_storage(&damping, &[last, before.displacement()]);
     Interval {
         generated_and_stored: generated_linear(held, &step) + change,
-        cost: effects.cost().bound(&d),
+        cost: the_loop.cost().bound(&d),
         turning: before.ticks() < Dyadic::zero() && d > Dyadic::zero() && damping > Dyadic::zero(),
     }
 }
@@ -341,11 +354,12 @@ fn th_delay_damping_and_dac_terms_of_the_criterion() {
     let damping = share();
     let force_step = share();
     let late = Dyadic::new(1, 1) + Dyadic::integer(i32::from(delay));
-    let with_encoder = Effects {
-        encoder: true,
+    let friction = Friction::new(share(), share());
+    let with_encoder = Loop {
         delay,
         damping: Some(damping),
         force_step: Some(force_step),
+        ..Loop::plain(friction)
     };
     let cost = with_encoder.cost();
     kani::cover!(delay == 2 && damping > Dyadic::zero(), "late and damped");
@@ -354,17 +368,16 @@ fn th_delay_damping_and_dac_terms_of_the_criterion() {
             && cost.coulomb == (Dyadic::one() + force_step).half() + damping,
         "TH-DELAY: the cost is ½ + k + B per d² and ½(1 + δ) + B per |d|",
     );
-    let cost = Effects {
-        encoder: false,
-        ..with_encoder
+    let cost = Loop {
+        resolution: None,
+        ..with_encoder.clone()
     }
     .cost();
     kani::assert(
         cost.viscous == late + damping && cost.coulomb == force_step.half(),
         "TH-SMOOTH: without an encoder it is ½δ per |d|",
     );
-    let friction = Friction::new(share(), share());
-    let criterion = Rig::dimensionless(friction, with_encoder).criterion();
+    let criterion = with_encoder.criterion();
     let cost = with_encoder.cost();
     kani::assert(
         criterion.viscous == friction.beta - cost.viscous
@@ -380,7 +393,7 @@ fn th_smooth_generates_half_d_squared() {
     let d = step.displacement();
     kani::cover!(d < Dyadic::zero(), "downwards");
     kani::assert(
-        generated_linear(-step.start, &step) == Effects::smooth().cost().bound(&d),
+        generated_linear(-step.start, &step) == Loop::smooth(frictionless()).cost().bound(&d),
         "TH-SMOOTH: E_g = ½d²",
     );
 }
@@ -392,7 +405,8 @@ fn th_smooth_criterion() {
     let friction = Friction::new(friction_coefficient(), friction_coefficient());
     let d = coarse_position();
     let speed = speed();
-    let criterion = Rig::dimensionless(friction, Effects::smooth()).criterion();
+    let the_loop = Loop::smooth(friction);
+    let criterion = the_loop.criterion();
     if speed >= d.abs() && criterion.margin(&speed).is_at_least_zero() {
         kani::cover!(
             friction.sigma < Dyadic::new(1, 1)
@@ -401,7 +415,7 @@ fn th_smooth_criterion() {
             "with less friction than an encoder needs"
         );
         kani::assert(
-            Effects::smooth().cost().bound(&d) <= friction.dissipated_lower(&d, &speed),
+            the_loop.cost().bound(&d) <= friction.dissipated_lower(&d, &speed),
             "TH-SMOOTH: the criterion makes friction cover ½d²",
         );
     }
@@ -420,19 +434,19 @@ fn smooth_late_and_damped(damping: Dyadic) -> Interval {
     let d = step.displacement();
     let last = step.start - old;
     let before = old - older;
-    let effects = Effects {
-        encoder: false,
+    let the_loop = Loop {
         delay: 1,
         damping: Some(damping),
         force_step: Some(force_step),
+        ..Loop::smooth(frictionless())
     };
-    let held = -old - damping * before + force_step.half();
+    let held = held_before_rounding(&the_loop, [step.start, old, older]) + force_step.half();
     let change = delay_storage(&[d]) - delay_storage(&[last])
         + damping_storage(&damping, &[d, last])
         - damping_storage(&damping, &[last, before]);
     Interval {
         generated_and_stored: generated_linear(held, &step) + change,
-        cost: effects.cost().bound(&d),
+        cost: the_loop.cost().bound(&d),
         turning: before < Dyadic::zero() && d > Dyadic::zero() && damping > Dyadic::zero(),
     }
 }

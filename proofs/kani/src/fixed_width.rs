@@ -4,7 +4,11 @@
 //! 32 bits, where all inputs within the bound can be looked at. The count of bits is the same for
 //! every width.
 
-use passivity_core::{Fraction, Friction, Ordered, Step, ledger, ledger::Row, verdict};
+use passivity_core::{
+    Fraction, Friction, Loop, Ordered, Step,
+    ledger::{self, HeldInterval, Row},
+    verdict,
+};
 
 use passivity_core::{Criterion, Scalar};
 
@@ -25,7 +29,8 @@ fn row(start: Fraction<i32>, end: Fraction<i32>) -> Row<Fraction<i32>> {
     let [p, q] = DENOMINATORS;
     let most = i32::from(WITHIN);
     let friction = Friction::new(Fraction::new(most, p), Fraction::new(most, q));
-    ledger::row(&Step::new(start, end), &friction, &Fraction::new(most, p))
+    let interval = HeldInterval::plain(Step::new(start, end), Fraction::new(most, p));
+    ledger::row(&Loop::plain(friction), &interval)
 }
 
 fn is_defined(row: &Row<Fraction<i32>>) -> bool {

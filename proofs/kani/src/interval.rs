@@ -4,7 +4,8 @@
 //! (|d|, v̄, β and σ alone, here), and the whole at once on a smaller domain. Δτ does not appear:
 //! v̄ = |d|/Δτ does, and Δτ ≤ 1 says |d| ≤ v̄.
 
-use passivity_core::{Criterion, Friction, Ordered, Scalar, Step, generation, ledger, spring};
+use passivity_core::ledger::{self, HeldInterval};
+use passivity_core::{Criterion, Friction, Loop, Ordered, Scalar, Step, generation, spring};
 
 use crate::domain::{
     COARSE_EXPONENT, COARSE_LIMIT, FRICTION_EXPONENT, SPEED_LIMIT, coarse_position,
@@ -96,7 +97,7 @@ fn th_interval_row_of_the_ledger() {
     let step = Step::new(row_fraction(0, 3), row_fraction(-4, 4));
     let friction = Friction::new(row_fraction(0, 4), row_fraction(0, 4));
     let dtau = up_to(2).half();
-    let row = ledger::row(&step, &friction, &dtau);
+    let row = ledger::row(&Loop::plain(friction), &HeldInterval::plain(step, dtau));
     let holds = row.margin.is_nonnegative();
     kani::cover!(holds == Some(true), "the criterion holds");
     kani::assert(holds.is_some(), "TH-INTERVAL: the row is defined");

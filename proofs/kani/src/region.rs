@@ -1,10 +1,9 @@
 //! TH-REGION: a region is the set of speeds at which the criterion holds.
 
 use passivity_core::{
-    Criterion, Interval, Region, Rig, Scalar, Truth,
-    effects::Effects,
+    Criterion, Interval, Loop, Region, Scalar, Truth,
     region::critical_speed,
-    verdict::{RigBox, Speeds, decide},
+    verdict::{Speeds, decide},
 };
 
 use crate::domain::{COARSE_EXPONENT, SPEED_LIMIT, below, up_to};
@@ -210,48 +209,41 @@ fn tolerance(most: u8) -> (Interval<Ratio>, Ratio) {
     (Interval::hull(number(lo), number(hi)), number(x))
 }
 
-/// Rigs with tolerances of c and T, and one rig within them.
+/// A box of loops with tolerances of c and T, and one loop within it.
 ///
 /// T pulls both ways, since virtual damping costs BΔ/T. b is exact, and so are K = 2, B = Δ = 1.
-fn rigs_and_one_of_them() -> (RigBox<Ratio>, Rig<Ratio>) {
+fn loops_and_one_of_them() -> (Loop<Interval<Ratio>>, Loop<Ratio>) {
     let viscous = below(TOLERANCE);
     let (double_coulomb_box, double_coulomb) = tolerance(TOLERANCE);
     let (period_box, period) = tolerance(TOLERANCE - 1);
     let two = Ratio::integer(2);
-    let rigs = RigBox {
-        viscous: Interval::point(viscous),
-        coulomb: double_coulomb_box.map(|c| c.half()),
-        stiffness: Interval::point(two),
-        period: period_box,
-        length: Interval::point(Ratio::one()),
-        encoder: true,
-        delay: 0,
+    let loops = Loop {
+        viscous: Some(Interval::point(viscous)),
+        coulomb: Some(double_coulomb_box.map(|c| c.half())),
+        resolution: Some(Interval::point(Ratio::one())),
         damping: Some(Interval::point(Ratio::one())),
-        force_step: None,
+        ..Loop::new(Interval::point(two), period_box)
     };
-    let rig = Rig {
-        viscous,
-        coulomb: double_coulomb.half(),
-        stiffness: two,
-        period,
-        length: Ratio::one(),
-        effects: Effects {
-            damping: Some(Ratio::one()),
-            ..Effects::encoder()
-        },
+    let one = Loop {
+        viscous: Some(viscous),
+        coulomb: Some(double_coulomb.half()),
+        resolution: Some(Ratio::one()),
+        damping: Some(Ratio::one()),
+        ..Loop::new(two, period)
     };
-    (rigs, rig)
+    (loops, one)
 }
 
-/// TH-REGION: a verdict over tolerances is that of every rig within them, or it depends.
+/// TH-REGION: a verdict over tolerances is that of every loop within them, or it depends.
 #[kani::proof]
+#[kani::unwind(5)]
 fn th_region_verdict_over_tolerances() {
-    let (rigs, rig) = rigs_and_one_of_them();
-    let truth = rigs.holds(&Speeds::All, &Speeds::All);
-    let one = decide(&rig.criterion(), &Speeds::All).map(|decision| decision.holds);
+    let (loops, one) = loops_and_one_of_them();
+    let truth = loops.decide(&Speeds::All);
+    let one = decide(&one.criterion(), &Speeds::All).map(|decision| decision.holds);
     kani::cover!(truth == Some(Truth::Depends), "it depends");
     kani::cover!(
-        truth == Some(Truth::Holds) && !rigs.period.is_point(),
+        truth == Some(Truth::Holds) && !loops.period.is_point(),
         "it holds for every period of an interval"
     );
     let agrees = match truth {
@@ -262,21 +254,22 @@ fn th_region_verdict_over_tolerances() {
     };
     kani::assert(
         agrees,
-        "TH-REGION: a verdict over tolerances is that of each rig within",
+        "TH-REGION: a verdict over tolerances is that of each loop within",
     );
 }
 
-/// TH-REGION: a region over tolerances is that of every rig within them, or there is none.
+/// TH-REGION: a region over tolerances is that of every loop within them, or there is none.
 #[kani::proof]
+#[kani::unwind(5)]
 fn th_region_region_over_tolerances() {
-    let (rigs, rig) = rigs_and_one_of_them();
-    let region = rigs.region();
+    let (loops, one) = loops_and_one_of_them();
+    let region = loops.region();
     kani::cover!(
-        region == Some(Region::GloballyStable) && !rigs.period.is_point(),
+        region == Some(Region::GloballyStable) && !loops.period.is_point(),
         "globally stable for every period of an interval"
     );
     kani::assert(
-        region.is_none() || region == Region::of(&rig.criterion()),
-        "TH-REGION: a region over tolerances is that of each rig within",
+        region.is_none() || region == Region::of(&one.criterion()),
+        "TH-REGION: a region over tolerances is that of each loop within",
     );
 }

@@ -1,6 +1,7 @@
 //! The bound that `ledger::row` states for fractions of 32 bits, on all numbers within it.
 
-use passivity_core::{Fraction, Friction, Step, ledger};
+use passivity_core::ledger::{self, HeldInterval};
+use passivity_core::{Fraction, Friction, Loop, Step};
 
 /// Every fraction of two bits: numerators from `low` to 3, denominators from 1 to 3.
 fn within(low: i32) -> Vec<Fraction<i32>> {
@@ -21,7 +22,8 @@ fn every_row_within_its_bound_is_defined() {
                 for sigma in &positive {
                     for dtau in &durations {
                         let friction = Friction::new(*beta, *sigma);
-                        let row = ledger::row(&Step::new(*start, *end), &friction, dtau);
+                        let interval = HeldInterval::plain(Step::new(*start, *end), *dtau);
+                        let row = ledger::row(&Loop::plain(friction), &interval);
                         let fields = [
                             row.generated_linear,
                             row.generated_quantized,
