@@ -6,159 +6,159 @@ From Coq Require Import Reals Lra.
 From Passivity Require Import Definitions BridgeTactics.
 Open Scope R_scope.
 
-(** [Rig::criterion] *)
+(** [Loop::criterion] *)
 Definition kernel_criterion_viscous_0 (beta B : R) : R :=
-  ((beta - ((1 * 1) * ((1 / 2) + 0))) - B).
+  (beta - (((1 * 1) * ((1 / 2) + 0)) + B)).
 Lemma bridge_criterion_viscous_0 : forall beta B,
   kernel_criterion_viscous_0 beta B = viscous_surplus beta 0 B.
 Proof. unfold kernel_criterion_viscous_0. bridge. Qed.
 
-(** [Rig::criterion] *)
+(** [Loop::criterion] *)
 Definition kernel_criterion_coulomb_0 (sigma delta B : R) : R :=
-  (((sigma - ((1 * 1) / 2)) - (B * (1 / 1))) - (delta / 2)).
+  (sigma - ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2))).
 Lemma bridge_criterion_coulomb_0 : forall sigma delta B,
   kernel_criterion_coulomb_0 sigma delta B = coulomb_surplus sigma delta B.
 Proof. unfold kernel_criterion_coulomb_0. bridge. Qed.
 
 (** [Cost::bound] *)
 Definition kernel_cost_bound_0 (d delta B : R) : R :=
-  ((Rabs d) * (((- ((0 - ((1 * 1) * ((1 / 2) + 0))) - B)) * (Rabs d)) + (- (((0 - ((1 * 1) / 2)) - (B * (1 / 1))) - (delta / 2))))).
+  ((Rabs d) * (((((1 * 1) * ((1 / 2) + 0)) + B) * (Rabs d)) + ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2)))).
 Lemma bridge_cost_bound_0 : forall d delta B,
   kernel_cost_bound_0 d delta B = - (viscous_surplus 0 0 B * d ^ 2 + coulomb_surplus 0 delta B * Rabs d).
 Proof. unfold kernel_cost_bound_0. bridge. Qed.
 
-(** [Rig::criterion] *)
+(** [Loop::criterion] *)
 Definition kernel_criterion_viscous_1 (beta B : R) : R :=
-  ((beta - ((1 * 1) * ((1 / 2) + 1))) - B).
+  (beta - (((1 * 1) * ((1 / 2) + 1)) + B)).
 Lemma bridge_criterion_viscous_1 : forall beta B,
   kernel_criterion_viscous_1 beta B = viscous_surplus beta 1 B.
 Proof. unfold kernel_criterion_viscous_1. bridge. Qed.
 
-(** [Rig::criterion] *)
+(** [Loop::criterion] *)
 Definition kernel_criterion_coulomb_1 (sigma delta B : R) : R :=
-  (((sigma - ((1 * 1) / 2)) - (B * (1 / 1))) - (delta / 2)).
+  (sigma - ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2))).
 Lemma bridge_criterion_coulomb_1 : forall sigma delta B,
   kernel_criterion_coulomb_1 sigma delta B = coulomb_surplus sigma delta B.
 Proof. unfold kernel_criterion_coulomb_1. bridge. Qed.
 
 (** [Cost::bound] *)
 Definition kernel_cost_bound_1 (d delta B : R) : R :=
-  ((Rabs d) * (((- ((0 - ((1 * 1) * ((1 / 2) + 1))) - B)) * (Rabs d)) + (- (((0 - ((1 * 1) / 2)) - (B * (1 / 1))) - (delta / 2))))).
+  ((Rabs d) * (((((1 * 1) * ((1 / 2) + 1)) + B) * (Rabs d)) + ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2)))).
 Lemma bridge_cost_bound_1 : forall d delta B,
   kernel_cost_bound_1 d delta B = - (viscous_surplus 0 1 B * d ^ 2 + coulomb_surplus 0 delta B * Rabs d).
 Proof. unfold kernel_cost_bound_1. bridge. Qed.
 
-(** [Rig::criterion] *)
+(** [Loop::criterion] *)
 Definition kernel_criterion_viscous_2 (beta B : R) : R :=
-  ((beta - ((1 * 1) * ((1 / 2) + 2))) - B).
+  (beta - (((1 * 1) * ((1 / 2) + 2)) + B)).
 Lemma bridge_criterion_viscous_2 : forall beta B,
   kernel_criterion_viscous_2 beta B = viscous_surplus beta 2 B.
 Proof. unfold kernel_criterion_viscous_2. bridge. Qed.
 
-(** [Rig::criterion] *)
+(** [Loop::criterion] *)
 Definition kernel_criterion_coulomb_2 (sigma delta B : R) : R :=
-  (((sigma - ((1 * 1) / 2)) - (B * (1 / 1))) - (delta / 2)).
+  (sigma - ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2))).
 Lemma bridge_criterion_coulomb_2 : forall sigma delta B,
   kernel_criterion_coulomb_2 sigma delta B = coulomb_surplus sigma delta B.
 Proof. unfold kernel_criterion_coulomb_2. bridge. Qed.
 
 (** [Cost::bound] *)
 Definition kernel_cost_bound_2 (d delta B : R) : R :=
-  ((Rabs d) * (((- ((0 - ((1 * 1) * ((1 / 2) + 2))) - B)) * (Rabs d)) + (- (((0 - ((1 * 1) / 2)) - (B * (1 / 1))) - (delta / 2))))).
+  ((Rabs d) * (((((1 * 1) * ((1 / 2) + 2)) + B) * (Rabs d)) + ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2)))).
 Lemma bridge_cost_bound_2 : forall d delta B,
   kernel_cost_bound_2 d delta B = - (viscous_surplus 0 2 B * d ^ 2 + coulomb_surplus 0 delta B * Rabs d).
 Proof. unfold kernel_cost_bound_2. bridge. Qed.
 
-(** [Rig::criterion] *)
+(** [Loop::criterion] *)
 Definition kernel_criterion_viscous_3 (beta B : R) : R :=
-  ((beta - ((1 * 1) * ((1 / 2) + 3))) - B).
+  (beta - (((1 * 1) * ((1 / 2) + 3)) + B)).
 Lemma bridge_criterion_viscous_3 : forall beta B,
   kernel_criterion_viscous_3 beta B = viscous_surplus beta 3 B.
 Proof. unfold kernel_criterion_viscous_3. bridge. Qed.
 
-(** [Rig::criterion] *)
+(** [Loop::criterion] *)
 Definition kernel_criterion_coulomb_3 (sigma delta B : R) : R :=
-  (((sigma - ((1 * 1) / 2)) - (B * (1 / 1))) - (delta / 2)).
+  (sigma - ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2))).
 Lemma bridge_criterion_coulomb_3 : forall sigma delta B,
   kernel_criterion_coulomb_3 sigma delta B = coulomb_surplus sigma delta B.
 Proof. unfold kernel_criterion_coulomb_3. bridge. Qed.
 
 (** [Cost::bound] *)
 Definition kernel_cost_bound_3 (d delta B : R) : R :=
-  ((Rabs d) * (((- ((0 - ((1 * 1) * ((1 / 2) + 3))) - B)) * (Rabs d)) + (- (((0 - ((1 * 1) / 2)) - (B * (1 / 1))) - (delta / 2))))).
+  ((Rabs d) * (((((1 * 1) * ((1 / 2) + 3)) + B) * (Rabs d)) + ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2)))).
 Lemma bridge_cost_bound_3 : forall d delta B,
   kernel_cost_bound_3 d delta B = - (viscous_surplus 0 3 B * d ^ 2 + coulomb_surplus 0 delta B * Rabs d).
 Proof. unfold kernel_cost_bound_3. bridge. Qed.
 
-(** [Rig::criterion] *)
+(** [Loop::criterion] *)
 Definition kernel_criterion_viscous_plain (beta : R) : R :=
   (beta - ((1 * 1) * ((1 / 2) + 0))).
 Lemma bridge_criterion_viscous_plain : forall beta,
   kernel_criterion_viscous_plain beta = viscous_surplus beta 0 0.
 Proof. unfold kernel_criterion_viscous_plain. bridge. Qed.
 
-(** [Rig::criterion] *)
+(** [Loop::criterion] *)
 Definition kernel_criterion_coulomb_plain (sigma : R) : R :=
   (sigma - ((1 * 1) / 2)).
 Lemma bridge_criterion_coulomb_plain : forall sigma,
   kernel_criterion_coulomb_plain sigma = coulomb_surplus sigma 0 0.
 Proof. unfold kernel_criterion_coulomb_plain. bridge. Qed.
 
-(** [effects::delay_storage] *)
+(** [extra_storage::delay_storage] *)
 Definition kernel_delay_storage_1 (d1 : R) : R :=
   (0 + (((0 + 1) * (d1 * d1)) / 2)).
 Lemma bridge_delay_storage_1 : forall d1,
   kernel_delay_storage_1 d1 = delay_storage 1 (fun j => match j with | 1%nat => d1 | _ => 0 end).
 Proof. unfold kernel_delay_storage_1. bridge. Qed.
 
-(** [effects::delay_storage] *)
+(** [extra_storage::delay_storage] *)
 Definition kernel_delay_storage_2 (d1 d2 : R) : R :=
   ((0 + (((0 + 1) * (d2 * d2)) / 2)) + ((((0 + 1) + 1) * (d1 * d1)) / 2)).
 Lemma bridge_delay_storage_2 : forall d1 d2,
   kernel_delay_storage_2 d1 d2 = delay_storage 2 (fun j => match j with | 1%nat => d1 | 2%nat => d2 | _ => 0 end).
 Proof. unfold kernel_delay_storage_2. bridge. Qed.
 
-(** [effects::delay_storage] *)
+(** [extra_storage::delay_storage] *)
 Definition kernel_delay_storage_3 (d1 d2 d3 : R) : R :=
   (((0 + (((0 + 1) * (d3 * d3)) / 2)) + ((((0 + 1) + 1) * (d2 * d2)) / 2)) + (((((0 + 1) + 1) + 1) * (d1 * d1)) / 2)).
 Lemma bridge_delay_storage_3 : forall d1 d2 d3,
   kernel_delay_storage_3 d1 d2 d3 = delay_storage 3 (fun j => match j with | 1%nat => d1 | 2%nat => d2 | 3%nat => d3 | _ => 0 end).
 Proof. unfold kernel_delay_storage_3. bridge. Qed.
 
-(** [effects::damping_storage] *)
+(** [extra_storage::damping_storage] *)
 Definition kernel_damping_storage_0 (B d1 : R) : R :=
   ((B * (0 + (d1 * d1))) / 2).
 Lemma bridge_damping_storage_0 : forall B d1,
   kernel_damping_storage_0 B d1 = damping_storage 0 B (fun j => match j with | 1%nat => d1 | _ => 0 end).
 Proof. unfold kernel_damping_storage_0. bridge. Qed.
 
-(** [effects::damping_storage] *)
+(** [extra_storage::damping_storage] *)
 Definition kernel_damping_storage_1 (B d1 d2 : R) : R :=
   ((B * ((0 + (d1 * d1)) + (d2 * d2))) / 2).
 Lemma bridge_damping_storage_1 : forall B d1 d2,
   kernel_damping_storage_1 B d1 d2 = damping_storage 1 B (fun j => match j with | 1%nat => d1 | 2%nat => d2 | _ => 0 end).
 Proof. unfold kernel_damping_storage_1. bridge. Qed.
 
-(** [effects::damping_storage] *)
+(** [extra_storage::damping_storage] *)
 Definition kernel_damping_storage_2 (B d1 d2 d3 : R) : R :=
   ((B * (((0 + (d1 * d1)) + (d2 * d2)) + (d3 * d3))) / 2).
 Lemma bridge_damping_storage_2 : forall B d1 d2 d3,
   kernel_damping_storage_2 B d1 d2 d3 = damping_storage 2 B (fun j => match j with | 1%nat => d1 | 2%nat => d2 | 3%nat => d3 | _ => 0 end).
 Proof. unfold kernel_damping_storage_2. bridge. Qed.
 
-(** [effects::damping_storage] *)
+(** [extra_storage::damping_storage] *)
 Definition kernel_damping_storage_3 (B d1 d2 d3 d4 : R) : R :=
   ((B * ((((0 + (d1 * d1)) + (d2 * d2)) + (d3 * d3)) + (d4 * d4))) / 2).
 Lemma bridge_damping_storage_3 : forall B d1 d2 d3 d4,
   kernel_damping_storage_3 B d1 d2 d3 d4 = damping_storage 3 B (fun j => match j with | 1%nat => d1 | 2%nat => d2 | 3%nat => d3 | 4%nat => d4 | _ => 0 end).
 Proof. unfold kernel_damping_storage_3. bridge. Qed.
 
-(** [effects::rounded_force] *)
+(** [controller::rounded] *)
 Definition kernel_rounded_force (F delta : R) : R :=
-  (delta * (floor ((F / delta) + (1 / 2)))).
+  (((floor (((F * 1) / delta) + (1 / 2))) * delta) / 1).
 Lemma bridge_rounded_force : forall F delta,
   kernel_rounded_force F delta = rounded_force F delta.
-Proof. unfold kernel_rounded_force. bridge. Qed.
+Proof. unfold kernel_rounded_force. intros; unfold rounded_force; rewrite Rmult_1_r; field. Qed.
 
 (** [Law::bilateral::force] *)
 Definition kernel_law_bilateral (x : R) : R :=

@@ -261,14 +261,14 @@ Proof. unfold kernel_gain_formula. bridge. Qed.
 
 (** [ledger::row] *)
 Definition kernel_row_generated_linear (x0 x1 beta sigma dtau : R) : R :=
-  (((x1 - x0) * (((x1 - x0) + ((x0 - (floor x0)) + (x0 - (floor x0)))) - 1)) / 2).
+  ((((- ((floor x0) + (1 / 2))) - (- ((floor x0) + (1 / 2)))) * (x1 - x0)) + (((x1 - x0) * (((x1 - x0) + ((x0 - (floor x0)) + (x0 - (floor x0)))) - 1)) / 2)).
 Lemma bridge_row_generated_linear : forall x0 x1 beta sigma dtau,
   kernel_row_generated_linear x0 x1 beta sigma dtau = generated_linear x0 x1.
 Proof. unfold kernel_row_generated_linear. bridge. Qed.
 
 (** [ledger::row] *)
 Definition kernel_row_generated_quantized (x0 x1 beta sigma dtau : R) : R :=
-  ((((floor x1) - (floor x0)) * ((((floor x1) - (floor x0)) + ((x1 - (floor x1)) + (x1 - (floor x1)))) - 1)) / 2).
+  ((((- ((floor x0) + (1 / 2))) - (- ((floor x0) + (1 / 2)))) * (x1 - x0)) + ((((floor x1) - (floor x0)) * ((((floor x1) - (floor x0)) + ((x1 - (floor x1)) + (x1 - (floor x1)))) - 1)) / 2)).
 Lemma bridge_row_generated_quantized : forall x0 x1 beta sigma dtau,
   kernel_row_generated_quantized x0 x1 beta sigma dtau = generated_quantized x0 x1.
 Proof. unfold kernel_row_generated_quantized. bridge. Qed.
@@ -296,7 +296,7 @@ Proof. unfold kernel_row_dissipated_lower. bridge. Qed.
 
 (** [ledger::row] *)
 Definition kernel_row_net_linear (x0 x1 beta sigma dtau : R) : R :=
-  (((Rabs (x1 - x0)) * ((beta * ((Rabs (x1 - x0)) / dtau)) + sigma)) - (((x1 - x0) * (((x1 - x0) + ((x0 - (floor x0)) + (x0 - (floor x0)))) - 1)) / 2)).
+  (((Rabs (x1 - x0)) * ((beta * ((Rabs (x1 - x0)) / dtau)) + sigma)) - ((((- ((floor x0) + (1 / 2))) - (- ((floor x0) + (1 / 2)))) * (x1 - x0)) + (((x1 - x0) * (((x1 - x0) + ((x0 - (floor x0)) + (x0 - (floor x0)))) - 1)) / 2))).
 Lemma bridge_row_net_linear : forall x0 x1 beta sigma dtau,
   kernel_row_net_linear x0 x1 beta sigma dtau = dissipated_lower beta sigma (x1 - x0) dtau - generated_linear x0 x1.
 Proof. unfold kernel_row_net_linear. intros; rewrite <- (bridge_row_dissipated_lower x0 x1),
@@ -304,7 +304,7 @@ Proof. unfold kernel_row_net_linear. intros; rewrite <- (bridge_row_dissipated_l
 
 (** [ledger::row] *)
 Definition kernel_row_net_quantized (x0 x1 beta sigma dtau : R) : R :=
-  (((Rabs (x1 - x0)) * ((beta * ((Rabs (x1 - x0)) / dtau)) + sigma)) - ((((floor x1) - (floor x0)) * ((((floor x1) - (floor x0)) + ((x1 - (floor x1)) + (x1 - (floor x1)))) - 1)) / 2)).
+  (((Rabs (x1 - x0)) * ((beta * ((Rabs (x1 - x0)) / dtau)) + sigma)) - ((((- ((floor x0) + (1 / 2))) - (- ((floor x0) + (1 / 2)))) * (x1 - x0)) + ((((floor x1) - (floor x0)) * ((((floor x1) - (floor x0)) + ((x1 - (floor x1)) + (x1 - (floor x1)))) - 1)) / 2))).
 Lemma bridge_row_net_quantized : forall x0 x1 beta sigma dtau,
   kernel_row_net_quantized x0 x1 beta sigma dtau = dissipated_lower beta sigma (x1 - x0) dtau - generated_quantized x0 x1.
 Proof. unfold kernel_row_net_quantized. intros; rewrite <- (bridge_row_dissipated_lower x0 x1),
@@ -312,7 +312,7 @@ Proof. unfold kernel_row_net_quantized. intros; rewrite <- (bridge_row_dissipate
 
 (** [ledger::row] *)
 Definition kernel_row_margin (x0 x1 beta sigma dtau : R) : R :=
-  (((beta - (1 / 2)) * ((Rabs (x1 - x0)) / dtau)) + (sigma - (1 / 2))).
+  (((beta - ((1 * 1) * ((1 / 2) + 0))) * ((Rabs (x1 - x0)) / dtau)) + (sigma - ((1 * 1) / 2))).
 Lemma bridge_row_margin : forall x0 x1 beta sigma dtau,
   kernel_row_margin x0 x1 beta sigma dtau = margin (viscous_surplus beta 0 0) (coulomb_surplus sigma 0 0)
     (mean_speed (x1 - x0) dtau).

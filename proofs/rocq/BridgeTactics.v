@@ -29,4 +29,5 @@ Ltac bridge :=
   intros; open_definitions; try reflexivity;
   simpl sum_to; rewrite ?INR_IZR_INZ; simpl Z.of_nat;
   squares_of_magnitudes;
-  first [ring | field; repeat split; lra | unfold Rdiv; ring | apply (f_equal2 Rdiv); ring].
+  first [ring | field; repeat split; lra | unfold Rdiv; ring | apply (f_equal2 Rdiv); ring
+    | apply (f_equal2 Rdiv); unfold Rdiv; ring].

@@ -1,7 +1,6 @@
 //! The formulas of section 4: delay, virtual damping, D/A step, force laws.
 
-use passivity_core::effects::{self, Effects};
-use passivity_core::{Law, Rig};
+use passivity_core::{Law, Loop, Scalar, controller, extra_storage};
 use passivity_terms::Term;
 
 use crate::formula::Formula;
@@ -20,16 +19,16 @@ pub(crate) fn formulas() -> Vec<Formula> {
 fn criteria() -> Vec<Formula> {
     let mut all = Vec::new();
     for delay in DELAYS {
-        let effects = Effects {
-            encoder: true,
+        let the_loop = Loop {
             delay,
             damping: Some(var("B")),
             force_step: Some(var("delta")),
+            ..Loop::plain(friction())
         };
-        let criterion = Rig::dimensionless(friction(), effects.clone()).criterion();
+        let criterion = the_loop.criterion();
         all.push(
             Formula::new(
-                "Rig::criterion",
+                "Loop::criterion",
                 &["beta", "B"],
                 criterion.viscous,
                 format!("viscous_surplus beta {delay} B"),
@@ -38,7 +37,7 @@ fn criteria() -> Vec<Formula> {
         );
         all.push(
             Formula::new(
-                "Rig::criterion",
+                "Loop::criterion",
                 &["sigma", "delta", "B"],
                 criterion.coulomb,
                 "coulomb_surplus sigma delta B",
@@ -49,7 +48,7 @@ fn criteria() -> Vec<Formula> {
             Formula::new(
                 "Cost::bound",
                 &["d", "delta", "B"],
-                effects.cost().bound(&var("d")),
+                the_loop.cost().bound(&var("d")),
                 format!(
                     "- (viscous_surplus 0 {delay} B * d ^ 2 + coulomb_surplus 0 delta B * Rabs d)"
                 ),
@@ -57,10 +56,10 @@ fn criteria() -> Vec<Formula> {
             .named(format!("cost_bound_{delay}")),
         );
     }
-    let absent = Rig::dimensionless(friction(), Effects::encoder()).criterion();
+    let absent = Loop::plain(friction()).criterion();
     all.push(
         Formula::new(
-            "Rig::criterion",
+            "Loop::criterion",
             &["beta"],
             absent.viscous,
             "viscous_surplus beta 0 0",
@@ -69,7 +68,7 @@ fn criteria() -> Vec<Formula> {
     );
     all.push(
         Formula::new(
-            "Rig::criterion",
+            "Loop::criterion",
             &["sigma"],
             absent.coulomb,
             "coulomb_surplus sigma 0 0",
@@ -103,9 +102,9 @@ fn storages() -> Vec<Formula> {
         let (names, terms, function) = past(delay);
         all.push(
             Formula::new(
-                "effects::delay_storage",
+                "extra_storage::delay_storage",
                 &names,
-                effects::delay_storage(&terms),
+                extra_storage::delay_storage(&terms),
                 format!("delay_storage {delay} {function}"),
             )
             .named(format!("delay_storage_{delay}")),
@@ -117,20 +116,25 @@ fn storages() -> Vec<Formula> {
         variables.extend(names);
         all.push(
             Formula::new(
-                "effects::damping_storage",
+                "extra_storage::damping_storage",
                 &variables,
-                effects::damping_storage(&var("B"), &terms),
+                extra_storage::damping_storage(&var("B"), &terms),
                 format!("damping_storage {delay} B {function}"),
             )
             .named(format!("damping_storage_{delay}")),
         );
     }
-    all.push(Formula::new(
-        "effects::rounded_force",
-        &["F", "delta"],
-        effects::rounded_force(&var("F"), &var("delta")),
-        "rounded_force F delta",
-    ));
+    // A step as the controller keeps it: δ as a quotient by 1.
+    all.push(
+        Formula::new(
+            "controller::rounded",
+            &["F", "delta"],
+            controller::rounded(&var("F"), &var("delta"), &Term::one()),
+            "rounded_force F delta",
+        )
+        .named("rounded_force")
+        .by("intros; unfold rounded_force; rewrite Rmult_1_r; field"),
+    );
     all
 }
 

@@ -1,7 +1,8 @@
 //! The formulas of the paper: quantizer, springs, generation, dissipation, criterion, ledger.
 
+use passivity_core::ledger::HeldInterval;
 use passivity_core::{
-    Criterion, Friction, Quantized, Step, dissipation, generation, ledger, quantizer, region,
+    Criterion, Friction, Loop, Quantized, Step, dissipation, generation, ledger, quantizer, region,
     spring, start, witness,
 };
 use passivity_terms::Term;
@@ -279,7 +280,8 @@ fn witnesses() -> Vec<Formula> {
 
 fn row() -> Vec<Formula> {
     let names = ["x0", "x1", "beta", "sigma", "dtau"];
-    let row = ledger::row(&step(), &friction(), &var("dtau"));
+    let interval = HeldInterval::plain(step(), var("dtau"));
+    let row = ledger::row(&Loop::plain(friction()), &interval);
     let lower = "dissipated_lower beta sigma (x1 - x0) dtau";
     let formula = |name: &str, term: Term, equals: String| {
         Formula::new("ledger::row", &names, term, equals).named(format!("row_{name}"))
