@@ -96,7 +96,7 @@ else
 	@echo "== the report $(REPORT) of commit $(COMMIT)"
 	$(CARGO) run --quiet $(FLAGS) -p passivity-prove-kani -- --report "$(REPORT)" --commit "$(COMMIT)" \
 	    $(if $(CBMC),--cbmc "$(CBMC)") $(if $(SOLVER),--solver "$(SOLVER)")
-	$(CARGO) run --quiet $(FLAGS) -p passivity-evidence -- import
+	$(CARGO) run --quiet $(FLAGS) -p passivity-collect -- import
 endif
 
 prove-rocq: ## the whole theorem in Rocq, installing it where apt-get can

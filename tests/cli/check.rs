@@ -247,10 +247,7 @@ fn effects_move_the_border_by_their_theorems() {
     let dir = Dir::new();
     let verdict = |beta: &str, sigma: &str, rest: &str| {
         let checked = dir.check(&(dimensionless(beta, sigma) + rest));
-        (
-            checked.text("verdict").to_owned(),
-            least_spare(&checked),
-        )
+        (checked.text("verdict").to_owned(), least_spare(&checked))
     };
     let passive = |margin| ("passive".to_owned(), margin);
     let short = |margin| ("not_guaranteed".to_owned(), margin);

@@ -249,7 +249,11 @@ mod tests {
     fn sources_are_the_comments_of_the_file() {
         let study = study(TEXT);
         let source = |key: &str| {
-            let given = study.scene.parameters().into_iter().find(|(_, g)| g.key == key);
+            let given = study
+                .scene
+                .parameters()
+                .into_iter()
+                .find(|(_, g)| g.key == key);
             study.source(given.expect(key).1)
         };
         assert_eq!(

@@ -8,13 +8,10 @@ use std::path::PathBuf;
 use passivity_oracle::audit::{self, Audit, Options, Positions};
 use passivity_oracle::protocol;
 use passivity_scene::{Scene, check as checked};
-use passivity_sim::methods::{Line, Simulated};
-use passivity_sim::model::Row;
-use passivity_sim::real::Real;
-use passivity_sim::{Entry, Method, Plan};
+use passivity_sim::report::Simulation as Report;
+use passivity_sim::{Line, Method, Plan};
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
-use serde_json::json;
 
 /// A scene as the Python half passes it: a file's path, or a JSON object.
 fn read_scene(path: Option<PathBuf>, object: Option<&str>) -> PyResult<Scene> {
@@ -161,9 +158,10 @@ fn simulate(
     let method = Method::parse(method).map_err(|error| refused(&error))?;
     let plan = Plan::compile(&point).map_err(|error| refused(&error))?;
     let mut columns: Vec<Vec<u8>> = vec![Vec::new(); if trace { COLUMNS.len() } else { 0 }];
+    let begin = std::time::Instant::now();
     let run = py.detach(|| {
         let mut see = |line: &Line<'_>| {
-            let entry = entry(line);
+            let entry = line.entry();
             let values = [
                 entry.xi0,
                 entry.xi1,
@@ -179,57 +177,14 @@ fn simulate(
             true
         };
         let each = trace.then_some(&mut see as &mut dyn FnMut(&Line<'_>) -> bool);
-        passivity_sim::methods::simulate(&point, &method, each)
+        passivity_sim::simulate(&point, &method, each)
     });
     let run = run.map_err(|error| refused(&error))?;
-    let report = document(&scene.name, &plan, &method, &run);
+    let seconds = begin.elapsed().as_secs_f64();
+    let report = Report::new(&scene.name, &plan, &method, &run, seconds);
+    let report = report.map_err(|error| refused(&error))?;
+    let report = serde_json::to_string(&report).map_err(|error| refused(&error))?;
     Ok((report, COLUMNS.into_iter().zip(columns).collect()))
-}
-
-fn entry(line: &Line<'_>) -> Entry {
-    fn near<R: Real>(row: &Row<R>) -> Entry {
-        Entry {
-            h: row.h,
-            xi0: row.xi[0].approximate(),
-            xi1: row.xi[1].approximate(),
-            v0: row.velocity[0].approximate(),
-            v1: row.velocity[1].approximate(),
-            generated_linear: row.generated_linear.approximate(),
-            generated_quantized: row.generated_quantized.approximate(),
-            dissipated: row.dissipated.approximate(),
-            ..Entry::default()
-        }
-    }
-    match line {
-        Line::Double(entry) => **entry,
-        Line::Exact(row) => near(row),
-        Line::Enclosed(row) => near(row),
-    }
-}
-
-fn document(name: &str, plan: &Plan, method: &Method, run: &Simulated) -> String {
-    let (end, totals) = (&run.end, &run.totals);
-    let effects: Vec<&str> = plan.effects.iter().map(|effect| effect.name()).collect();
-    json!({
-        "scene": name,
-        "method": method.name(),
-        "effects": effects,
-        "intervals": end.intervals,
-        "final": {"xi": end.xi, "velocity": end.velocity},
-        "outcome": {
-            "paper": end.outcome.paper.name(),
-            "exact": end.outcome.exact.name(),
-            "at_interval": end.outcome.at_interval,
-            "because": end.outcome.because,
-        },
-        "totals": {
-            "generated_linear": totals.generated_linear,
-            "generated_quantized": totals.generated_quantized,
-            "dissipated": totals.dissipated,
-            "residual_max": totals.residual_max,
-        },
-    })
-    .to_string()
 }
 
 /// The native functions.

@@ -1,7 +1,7 @@
 //! One scene: its verdict and figures, its parameters, the derivation, and its pictures.
 
-use passivity_scene::check::enclosure;
 use passivity_core::Truth;
+use passivity_scene::check::enclosure;
 use passivity_scene::display::{Rounding, range, rounded};
 use passivity_scene::explain::{self, Step};
 
