@@ -119,7 +119,8 @@ pub fn row<S: Scalar>(dimensionless: &Loop<S>, interval: &HeldInterval<S>) -> Ro
 ///
 /// Of a linear wall the part of its own force is that of the equations, in numbers that stay small;
 /// what another force adds is the work of the difference.
-fn generated<S: Scalar>(dimensionless: &Loop<S>, interval: &HeldInterval<S>) -> [S; 2] {
+#[must_use]
+pub fn generated<S: Scalar>(dimensionless: &Loop<S>, interval: &HeldInterval<S>) -> [S; 2] {
     let HeldInterval { step, force, .. } = interval;
     let d = step.displacement();
     let law = dimensionless.law();

@@ -1,39 +1,41 @@
 //! The ledger row of one interval: exact, or exactly enclosed where the trace or the scene leaves
-//! room.
+//! room. Every figure is the kernel's, [`ledger::row`].
 
 use std::cmp::Ordering;
 
-use passivity_core::effects::{damping_storage, delay_storage};
-use passivity_core::{Ordered, Truth, dissipation, generation};
+use passivity_core::ledger::{self, HeldInterval};
+use passivity_core::{Criterion, Ordered, Step, Truth, dissipation, extra_storage};
 
-use crate::cell::Cell;
-use crate::generated;
-use crate::model::Model;
-use crate::span::{Span, not};
+use crate::enclosure::Rectangle;
+use crate::ends::Ends;
+use crate::figure::{Figure, not};
+use crate::number::Written;
+
+/// A sampling interval as a trace has it.
+#[derive(Clone, Copy, Debug)]
+pub struct Recorded<'a, S> {
+    /// The samples up to its start, the latest first: as many as the loop remembers. Each is exact
+    /// or within a tick.
+    pub samples: &'a [Figure<S>],
+    /// Where it ends.
+    pub end: &'a Figure<S>,
+    /// Δτ > 0, in sampling periods.
+    pub dtau: &'a S,
+    /// The force that was applied, in KΔ; `None` for that of the loop's controller.
+    pub force: Option<&'a Figure<S>>,
+}
 
 /// One row of the ledger. Energies in KΔ².
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry<S> {
     /// ξ₀, in ticks.
-    pub xi0: Span<S>,
+    pub xi0: Figure<S>,
     /// ξ₁, in ticks.
-    pub xi1: Span<S>,
+    pub xi1: Figure<S>,
     /// Δτ, in sampling periods.
     pub dtau: S,
-    /// Generated against the linear spring, or the wall's law (TH-LIN, TH-LAW).
-    pub generated_linear: Span<S>,
-    /// Generated against the quantized spring or law (18); without an encoder the same.
-    pub generated_quantized: Span<S>,
-    /// ½d² + ½|d| (22); without an encoder ½d² (TH-SMOOTH).
-    pub bound_22: Span<S>,
-    /// ½d² + ½|d| + ½f(1 − f) (TH-QUANT); without an encoder ½d².
-    pub bound_quantized: Span<S>,
-    /// βd²/Δτ + σ|d|, the least that friction dissipates (26).
-    pub dissipated_lower: Span<S>,
-    /// `dissipated_lower` − `generated_linear` − `extra_storage`.
-    pub net_linear: Span<S>,
-    /// `dissipated_lower` − `generated_quantized` − `extra_storage`.
-    pub net_quantized: Span<S>,
+    /// The account, as the kernel gives it.
+    pub account: ledger::Row<Figure<S>>,
     /// Margin of the criterion (8) at the mean speed, (β − ½) + (σ − ½)/v̄ with the terms of the
     /// effects; `None` when nothing moved.
     pub margin: Option<Margin<S>>,
@@ -45,7 +47,11 @@ pub struct Entry<S> {
     pub violates_quantized: Truth,
     /// What the storages of delay and damping gain over the interval (TH-DELAY, TH-DAMP); `None`
     /// without these effects.
-    pub extra_storage: Option<Span<S>>,
+    pub extra_storage: Option<Figure<S>>,
+    /// The force that was held, in KΔ.
+    pub held: Figure<S>,
+    /// Whether that is the force that was given, not that of the loop's controller.
+    pub applied: bool,
 }
 
 /// The margin of the criterion at a mean speed, between two ends.
@@ -78,137 +84,153 @@ impl<S> Margin<S> {
     }
 }
 
-/// The row of the interval that `samples[0]` starts and `end` ends, `dtau` > 0 later.
+/// The row of an interval.
 ///
-/// `samples` holds the latest sample first; further ones are read as far as the model's
-/// [`memory`](Model::memory) goes. `None` when a number is undefined, as when a fixed width
-/// overflows.
+/// `None` when a number is undefined, as when a fixed width overflows, or when there is no sample.
 ///
 /// # Example
 ///
 /// The counterexample to (22), and what an encoder's counts say of the same move.
 ///
 /// ```
-/// use passivity_core::{Fixed, Friction, Scalar, Truth};
-/// use passivity_oracle::{Cell, Model, Span, entry};
+/// use passivity_core::{Fixed, Friction, Loop, Scalar, Truth};
+/// use passivity_oracle::{Ends, Figure, Recorded, entry};
 ///
-/// let model = Model::plain(Friction::new(Fixed::new(3, 5), Fixed::new(3, 5)));
-/// let one = Fixed::integer(1);
-/// let row = entry(&model, &[Cell::of(&one)], &Cell::of(&Fixed::new(1, 2)), &one).unwrap();
-/// assert_eq!(row.generated_quantized, Span::At(Fixed::new(1, 2)));
-/// assert_eq!(row.violates_quantized, Truth::Holds);
+/// let ends = Ends::exact(Loop::plain(Friction::new(Fixed::new(3, 5), Fixed::new(3, 5))));
+/// let row = |start, end| {
+///     let dtau = &Fixed::integer(1);
+///     entry(&ends, &Recorded { samples: &[start], end: &end, dtau, force: None }).unwrap()
+/// };
+/// let exact = row(Figure::Exact(Fixed::integer(1)), Figure::Exact(Fixed::new(1, 2)));
+/// assert_eq!(exact.account.generated_quantized, Figure::Exact(Fixed::new(1, 2)));
+/// assert_eq!(exact.violates_quantized, Truth::Holds);
 ///
-/// let row = entry(&model, &[Cell::count(one)], &Cell::count(Fixed::integer(0)), &one).unwrap();
-/// assert_eq!(row.generated_quantized, Span::Between(Fixed::integer(0), one));
-/// assert_eq!(row.violates_quantized, Truth::Depends);
+/// let count = |n| Figure::between(Fixed::integer(n), Fixed::integer(n + 1)).unwrap();
+/// let counted = row(count(1), count(0));
+/// assert_eq!(counted.account.generated_quantized, count(0));
+/// assert_eq!(counted.violates_quantized, Truth::Depends);
 /// ```
 #[must_use]
-pub fn entry<S: Ordered>(
-    model: &Model<S>,
-    samples: &[Cell<S>],
-    end: &Cell<S>,
-    dtau: &S,
-) -> Option<Entry<S>> {
-    let start = samples.first()?;
-    let encoder = model.effects.encoder;
-    let displacement = displacement(start, end);
-    let distance = displacement.magnitude();
-    let held = model.held_force(samples);
-    let dissipated_lower = dissipated(model, &distance, dtau);
-    let extra_storage = extra_storage(model, samples, end);
-    let generated_linear = generated::against_law(model, &held, start, end);
-    let generated_quantized = generated::against_steps(model, &held, start, end);
-    let generation = generated::Generation {
-        model,
-        held: &held,
-        start,
-        end,
-        dtau,
+pub fn entry<S: Written>(ends: &Ends<S>, interval: &Recorded<'_, S>) -> Option<Entry<S>> {
+    let start = interval.samples.first()?;
+    let held = match interval.force {
+        Some(force) => force.clone(),
+        None => Figure::Exact(ends.held_force(interval.samples)),
     };
-    let net = |generated: &Span<S>, tight: Option<Span<S>>| {
-        // The tight enclosure knows that all figures belong to the same two positions.
-        let net = tight.unwrap_or_else(|| dissipated_lower.minus(generated));
-        match &extra_storage {
-            Some(extra) => net.minus(extra),
-            None => net,
+    let extra_storage = stored(ends, interval)?;
+    let account = match (start, interval.end, &held, &extra_storage) {
+        (
+            Figure::Exact(from),
+            Figure::Exact(to),
+            Figure::Exact(force),
+            None | Some(Figure::Exact(_)),
+        ) => {
+            let exact = HeldInterval {
+                step: Step::new(from.clone(), to.clone()),
+                force: force.clone(),
+                dtau: interval.dtau.clone(),
+                extra_storage: extra_storage.as_ref().map(|gain| gain.lo().clone()),
+            };
+            between_frictions(ends, &exact)?
+        }
+        _ => {
+            let rectangle = Rectangle {
+                ends,
+                start,
+                end: interval.end,
+                force: &held,
+                dtau: interval.dtau,
+            };
+            less_stored(rectangle.row()?, extra_storage.as_ref())?
         }
     };
-    let net_linear = net(&generated_linear, generation.net_of_law());
-    let net_quantized = net(&generated_quantized, generation.net_of_steps());
-    let moved = distance.hi().is_positive()?;
-    let (margin, criterion_holds) = match moved {
-        true => criterion(model, &distance, dtau)?,
-        false => (None, Truth::Holds),
+    let speed = displacement(start, interval.end)?
+        .magnitude()?
+        .try_map(|d| Some(dissipation::mean_speed(d, interval.dtau)))?;
+    let (margin, criterion_holds) = if speed.hi().is_positive()? {
+        criterion(ends, &account.margin, &speed)?
+    } else {
+        (None, Truth::Holds)
     };
-    let bound = |quantized: fn(&S) -> S| {
-        move |d: &S| match encoder {
-            true => quantized(d),
-            false => d.square().half(),
-        }
-    };
-    let row = Entry {
-        xi0: start.position(),
-        xi1: end.position(),
-        dtau: dtau.clone(),
-        bound_22: distance.rising(bound(generation::bound_22)),
-        bound_quantized: distance.rising(bound(generation::bound_quantized)),
-        criterion_holds,
-        violates_linear: not(net_linear.is_nonnegative()?),
-        violates_quantized: not(net_quantized.is_nonnegative()?),
-        generated_linear,
-        generated_quantized,
-        dissipated_lower,
-        net_linear,
-        net_quantized,
+    let entry = Entry {
+        xi0: start.clone(),
+        xi1: interval.end.clone(),
+        dtau: interval.dtau.clone(),
         margin,
+        criterion_holds,
+        violates_linear: not(account.net_linear.is_nonnegative()?),
+        violates_quantized: not(account.net_quantized.is_nonnegative()?),
         extra_storage,
+        applied: interval.force.is_some(),
+        held,
+        account,
     };
-    row.is_defined().then_some(row)
+    entry.is_defined().then_some(entry)
+}
+
+/// The row of exact positions under an exact force: with the least and with the most friction.
+fn between_frictions<S: Ordered>(
+    ends: &Ends<S>,
+    held: &HeldInterval<S>,
+) -> Option<ledger::Row<Figure<S>>> {
+    let least = ledger::row(&ends.least, held);
+    let most = match ends.friction_is_exact() {
+        true => None,
+        false => Some(ledger::row(&ends.most, held)),
+    };
+    let by_friction = |lo: S, hi: Option<S>| match hi {
+        None => Some(Figure::Exact(lo)),
+        Some(hi) => Figure::between(lo, hi),
+    };
+    let of = |pick: fn(&ledger::Row<S>) -> &S| most.as_ref().map(|row| pick(row).clone());
+    Some(ledger::Row {
+        dissipated_lower: by_friction(least.dissipated_lower, of(|row| &row.dissipated_lower))?,
+        net_linear: by_friction(least.net_linear, of(|row| &row.net_linear))?,
+        net_quantized: by_friction(least.net_quantized, of(|row| &row.net_quantized))?,
+        margin: by_friction(least.margin, of(|row| &row.margin))?,
+        generated_linear: Figure::Exact(least.generated_linear),
+        generated_quantized: Figure::Exact(least.generated_quantized),
+        bound_22: Figure::Exact(least.bound_22),
+        bound_quantized: Figure::Exact(least.bound_quantized),
+    })
+}
+
+/// The row with what the extra storage gained taken off its net energies.
+fn less_stored<S: Ordered>(
+    row: ledger::Row<Figure<S>>,
+    gain: Option<&Figure<S>>,
+) -> Option<ledger::Row<Figure<S>>> {
+    let Some(gain) = gain else { return Some(row) };
+    Some(ledger::Row {
+        net_linear: row.net_linear.minus(gain)?,
+        net_quantized: row.net_quantized.minus(gain)?,
+        ..row
+    })
 }
 
 /// d = ξ₁ − ξ₀.
-fn displacement<S: Ordered>(start: &Cell<S>, end: &Cell<S>) -> Span<S> {
-    let ticks = end.tick.clone() - start.tick.clone();
-    end.residue
-        .minus(&start.residue)
-        .rising(|d| ticks.clone() + d.clone())
-}
-
-fn dissipated<S: Ordered>(model: &Model<S>, distance: &Span<S>, dtau: &S) -> Span<S> {
-    let at = |friction: &passivity_core::Friction<S>, d: &S| {
-        friction.dissipated_lower(d, &dissipation::mean_speed(d, dtau))
-    };
-    match distance {
-        Span::At(d) if model.is_exact() => Span::At(at(&model.least, d)),
-        _ => Span::Between(
-            at(&model.least, distance.lo()),
-            at(&model.most, distance.hi()),
-        ),
-    }
+fn displacement<S: Ordered>(start: &Figure<S>, end: &Figure<S>) -> Option<Figure<S>> {
+    end.minus(start)
 }
 
 /// The margin at the mean speed, and whether the criterion holds there.
 fn criterion<S: Ordered>(
-    model: &Model<S>,
-    distance: &Span<S>,
-    dtau: &S,
+    ends: &Ends<S>,
+    times_speed: &Figure<S>,
+    speed: &Figure<S>,
 ) -> Option<(Option<Margin<S>>, Truth)> {
-    let (least, most) = model.criteria();
-    let speed = distance.rising(|d| dissipation::mean_speed(d, dtau));
-    let may_rest = distance.lo().sign()? == Ordering::Equal;
-    // (8) times the speed is linear in it, so extreme at the ends, and has the sign of (8).
-    let worst = least.margin(speed.lo()).min(least.margin(speed.hi()));
-    let best = most.margin(speed.lo()).max(most.margin(speed.hi()));
-    let truth = match Truth::over(worst.is_nonnegative()?, best.is_nonnegative()?) {
+    let may_rest = speed.lo().sign()? == Ordering::Equal;
+    // (8) times the speed has the sign of (8).
+    let truth = match times_speed.is_nonnegative()? {
         // Had nothing moved, the criterion would hold.
         Truth::Fails if may_rest => Truth::Depends,
         truth => truth,
     };
     // (8) itself is monotone in the speed, and without bound at rest unless σ is on the line.
-    let at = |criterion: &passivity_core::Criterion<S>, v: &S| {
+    let at = |criterion: &Criterion<S>, v: &S| {
         criterion.viscous.clone() + criterion.coulomb.clone().over(v.clone())
     };
-    let end = |criterion: &passivity_core::Criterion<S>, grows: Ordering| {
+    let end = |criterion: &Criterion<S>, grows: Ordering| {
         let sign = criterion.coulomb.sign()?;
         let v = if sign == grows {
             speed.lo()
@@ -218,72 +240,81 @@ fn criterion<S: Ordered>(
         let unbounded = sign == grows && may_rest;
         Some((!unbounded).then(|| at(criterion, v)))
     };
-    let (lo, hi) = (end(&least, Ordering::Less)?, end(&most, Ordering::Greater)?);
-    let margin = match (model.is_exact(), distance, lo) {
-        (true, Span::At(_), Some(margin)) => Margin::At(margin),
+    let [least, most] = &ends.criteria;
+    let (lo, hi) = (end(least, Ordering::Less)?, end(most, Ordering::Greater)?);
+    let margin = match (ends.friction_is_exact(), speed, lo) {
+        (true, Figure::Exact(_), Some(margin)) => Margin::At(margin),
         (_, _, lo) => Margin::Between(lo, hi),
     };
     Some((Some(margin), truth))
 }
 
-/// What the extra storages of delay and damping gain over the interval.
-fn extra_storage<S: Ordered>(
-    model: &Model<S>,
-    samples: &[Cell<S>],
-    end: &Cell<S>,
-) -> Option<Span<S>> {
-    let late = usize::from(model.effects.delay);
-    if model.memory() == 0 {
-        return None;
+/// What the extra storages of delay and damping gain over the interval: `Some(None)` without these
+/// effects, `None` when a number is undefined.
+fn stored<S: Ordered>(ends: &Ends<S>, interval: &Recorded<'_, S>) -> Option<Option<Figure<S>>> {
+    if ends.controller.memory() == 0 {
+        return Some(None);
     }
+    let late = usize::from(ends.least.delay);
     // Displacements, the latest first; before the first sample nothing moved.
-    let chain: Vec<&Cell<S>> = std::iter::once(end).chain(samples).collect();
-    let steps: Vec<Span<S>> = chain
-        .windows(2)
-        .filter_map(|pair| Some(displacement(pair.get(1)?, pair.first()?).magnitude()))
-        .chain(std::iter::repeat_n(Span::At(S::zero()), late + 2))
+    let chain: Vec<&Figure<S>> = std::iter::once(interval.end)
+        .chain(interval.samples)
         .collect();
+    let mut steps = Vec::with_capacity(chain.len() + late + 2);
+    for pair in chain.windows(2) {
+        let [later, earlier] = pair else { return None };
+        steps.push(displacement(earlier, later)?.magnitude()?);
+    }
+    steps.extend(std::iter::repeat_n(Figure::Exact(S::zero()), late + 2));
+    let exact = steps.iter().all(Figure::is_exact);
     let storage = |from: usize| {
-        let at = |pick: fn(&Span<S>) -> &S| {
+        let at = |pick: fn(&Figure<S>) -> &S| {
             let taken = |n: usize| -> Vec<S> {
                 let recent = steps.iter().skip(from).take(n);
                 recent.map(|step| pick(step).clone()).collect()
             };
-            let stored = delay_storage(&taken(late));
-            match &model.effects.damping {
-                Some(damping) => stored + damping_storage(damping, &taken(late + 1)),
+            let stored = extra_storage::delay_storage(&taken(late));
+            match &ends.least.damping {
+                Some(damping) => stored + extra_storage::damping_storage(damping, &taken(late + 1)),
                 None => stored,
             }
         };
         // Storage rises with every |d|.
-        match steps.iter().all(|step| step.exact().is_some()) {
-            true => Span::At(at(Span::lo)),
-            false => Span::Between(at(Span::lo), at(Span::hi)),
+        match exact {
+            true => Some(Figure::Exact(at(Figure::lo))),
+            false => Figure::between(at(Figure::lo), at(Figure::hi)),
         }
     };
-    Some(storage(0).minus(&storage(1)))
+    storage(0)?.minus(&storage(1)?).map(Some)
 }
 
 impl<S: Ordered> Entry<S> {
-    /// The energies and positions in the order of the interface, with their names.
-    pub fn figures(&self) -> [(&'static str, Option<&Span<S>>); 10] {
+    /// The force that was given; `None` where it is that of the loop's controller.
+    pub fn force(&self) -> Option<&Figure<S>> {
+        self.applied.then_some(&self.held)
+    }
+
+    /// The figures that may be enclosures, with their names, but for the margin.
+    pub fn figures(&self) -> [(&'static str, Option<&Figure<S>>); 11] {
+        let account = &self.account;
         [
             ("xi0", Some(&self.xi0)),
             ("xi1", Some(&self.xi1)),
-            ("generated_linear", Some(&self.generated_linear)),
-            ("generated_quantized", Some(&self.generated_quantized)),
-            ("bound_22", Some(&self.bound_22)),
-            ("bound_quantized", Some(&self.bound_quantized)),
-            ("dissipated_lower", Some(&self.dissipated_lower)),
-            ("net_linear", Some(&self.net_linear)),
-            ("net_quantized", Some(&self.net_quantized)),
+            ("generated_linear", Some(&account.generated_linear)),
+            ("generated_quantized", Some(&account.generated_quantized)),
+            ("bound_22", Some(&account.bound_22)),
+            ("bound_quantized", Some(&account.bound_quantized)),
+            ("dissipated_lower", Some(&account.dissipated_lower)),
+            ("net_linear", Some(&account.net_linear)),
+            ("net_quantized", Some(&account.net_quantized)),
             ("extra_storage", self.extra_storage.as_ref()),
+            ("force", Some(&self.held)),
         ]
     }
 
     fn is_defined(&self) -> bool {
-        let defined = |(_, figure): &(_, Option<&Span<S>>)| match figure {
-            Some(span) => span.is_defined(),
+        let defined = |(_, figure): &(_, Option<&Figure<S>>)| match figure {
+            Some(figure) => figure.is_defined(),
             None => true,
         };
         let margin = self
@@ -291,7 +322,7 @@ impl<S: Ordered> Entry<S> {
             .iter()
             .flat_map(|m| m.lo().into_iter().chain(m.hi()));
         margin.map(Ordered::sign).all(|sign| sign.is_some())
-            && self.dtau.sign().is_some()
+            && self.dtau.is_positive() == Some(true)
             && self.figures().iter().all(defined)
     }
 }

@@ -1,99 +1,49 @@
 //! Rows on machine integers where they fit, on big integers where they do not: the same answers.
 
-use num_integer::Integer as _;
-use passivity_core::{BigRational, Fixed, Scalar, Truth, Wide};
+use passivity_core::verdict::End;
+use passivity_core::{BigRational, Exact, Fixed, Interval, Loop, Scalar as _, Truth, Wide};
 use passivity_scene::Scene;
 
-use crate::cell::Cell;
-use crate::entry::{Entry, entry};
-use crate::model::Model;
-use crate::number::{Number, Written};
-use crate::span::Span;
-use crate::sum::SpanSum;
-
-/// A sample of a trace.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Sample {
-    /// ξ, exactly.
-    Exact(Number),
-    /// An encoder's count n: ξ in [n, n + 1).
-    Count(i64),
-    /// ξ within an enclosure that no whole tick divides, as when Δ has π in it.
-    Within(Box<(BigRational, BigRational)>),
-}
-
-impl Sample {
-    /// The sample as a cell over machine integers, when it fits.
-    #[must_use]
-    pub fn to_fixed(&self) -> Option<Cell<Fixed>> {
-        match self {
-            Self::Exact(xi) => Some(Cell::of(&xi.to_fixed()?)),
-            Self::Count(n) => Some(Cell::count(Fixed::new((*n).into(), 1))),
-            Self::Within(ends) => within(&ends.0, &ends.1, passivity_core::rational::to_fixed),
-        }
-    }
-
-    /// The sample as a cell over big integers.
-    #[must_use]
-    pub fn to_wide(&self) -> Cell<Wide> {
-        match self {
-            Self::Exact(xi) => Cell::of(&xi.to_wide()),
-            Self::Count(n) => Cell::count(Wide::new((*n).into(), 1.into())),
-            Self::Within(ends) => {
-                let wide = |x: &BigRational| Some(passivity_core::rational::to_wide(x));
-                within(&ends.0, &ends.1, wide)
-                    .unwrap_or_else(|| Cell::of(&passivity_core::rational::to_wide(&ends.0)))
-            }
-        }
-    }
-
-    /// ⌊ξ⌋, when it fits.
-    #[must_use]
-    pub fn tick(&self) -> Option<i64> {
-        use num_traits::ToPrimitive as _;
-        match self {
-            Self::Exact(Number::Small(n, d)) => Some(n.div_floor(d)),
-            Self::Exact(Number::Big(x)) => x.floor().to_i64(),
-            Self::Count(n) => Some(*n),
-            Self::Within(ends) => ends.0.floor().to_i64(),
-        }
-    }
-}
-
-fn within<S: Scalar>(
-    lo: &BigRational,
-    hi: &BigRational,
-    to: impl Fn(&BigRational) -> Option<S>,
-) -> Option<Cell<S>> {
-    let tick = lo.floor();
-    Some(Cell {
-        residue: Span::Between(to(&(lo - &tick))?, to(&(hi - &tick))?),
-        tick: to(&tick)?,
-    })
-}
+use crate::ends::{Ends, NotExact};
+use crate::entry::{Entry, Recorded, entry};
+use crate::figure::Figure;
+use crate::number::{Number, Reduced, Written};
+use crate::reading::Reading;
+use crate::sum::FigureSum;
 
 /// A loop ready to account for intervals.
 ///
 /// # Example
 ///
 /// ```
-/// use passivity_core::{BigRational, Friction, Scalar};
-/// use passivity_oracle::{Ledger, Model, Number, Sample};
+/// use passivity_core::{Friction, Interval, Loop, Truth};
+/// use passivity_oracle::{Ledger, Logged, Number, Reading};
 ///
 /// let three_fifths = Number::Small(3, 5).to_rational();
-/// let model = Model::plain(Friction::new(three_fifths.clone(), three_fifths));
-/// let ledger = Ledger::new(model);
-/// let at = |text| Sample::Exact(Number::parse(text).unwrap());
-/// let row = ledger.row(&[at("1")], &at("1/2"), &Number::whole(1)).unwrap();
-/// let mut json = Vec::new();
-/// row.write_json(0, &mut json);
-/// assert!(String::from_utf8(json).unwrap().contains(r#""violates_quantized": true"#));
+/// let plain = Loop::plain(Friction::new(three_fifths.clone(), three_fifths));
+/// let ledger = Ledger::new(&plain.map(|_, x| Interval::point(x.clone()))).unwrap();
+/// let at = |text| Reading::Exact(Number::parse(text).unwrap());
+/// let interval = Logged { samples: vec![at("1")], end: at("1/2"), dtau: Number::whole(1), force: None };
+/// let row = ledger.row(&interval).unwrap();
+/// assert_eq!(row.truths().violates_quantized, Truth::Holds);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Ledger {
-    exact: Model<BigRational>,
-    fixed: Option<Model<Fixed>>,
-    wide: Model<Wide>,
+    fixed: Option<Ends<Fixed>>,
+    wide: Ends<Wide>,
+}
+
+/// A sampling interval of a trace, with all that its row is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Logged {
+    /// The samples up to its start, the latest first: as many as the loop remembers.
+    pub samples: Vec<Reading>,
+    /// Where it ends.
+    pub end: Reading,
+    /// Δτ, in sampling periods.
+    pub dtau: Number,
+    /// The force that was applied, in KΔ; `None` for that of the loop's controller.
+    pub force: Option<Reading>,
 }
 
 /// A row on whichever integers it needed.
@@ -105,66 +55,157 @@ pub enum Row {
     Wide(Box<Entry<Wide>>),
 }
 
+/// What a row answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Truths {
+    /// Whether the criterion holds at the mean speed.
+    pub criterion_holds: Truth,
+    /// Whether the linear account is short.
+    pub violates_linear: Truth,
+    /// Whether the quantized account is short.
+    pub violates_quantized: Truth,
+}
+
 impl Ledger {
-    /// The ledger of a loop.
-    #[must_use]
-    pub fn new(model: Model<BigRational>) -> Self {
-        let wide = |x: &BigRational| Some(passivity_core::rational::to_wide(x));
-        Self {
-            fixed: model.to_fixed(),
-            // Every number has a wide form; the loop without friction stands in for the type.
-            wide: model.try_map(wide).unwrap_or_else(|| {
-                Model::plain(passivity_core::Friction::new(Wide::zero(), Wide::zero()))
-            }),
-            exact: model,
-        }
+    /// The ledger of a dimensionless loop, whose friction may lie anywhere in its intervals.
+    ///
+    /// # Errors
+    ///
+    /// [`NotExact`] when something else than friction is an interval.
+    pub fn new(dimensionless: &Loop<Interval<BigRational>>) -> Result<Self, NotExact> {
+        let ends = Ends::of(dimensionless)?;
+        Ok(Self {
+            fixed: ends.to_fixed(),
+            wide: ends.to_wide(),
+        })
     }
 
-    /// The loop.
+    /// The ledger of a scene: its friction in ticks over all tolerances, with π enclosed; other
+    /// parameters at their nominal values.
     #[must_use]
-    pub const fn model(&self) -> &Model<BigRational> {
-        &self.exact
+    pub fn of_scene(scene: &Scene) -> Self {
+        let bounds = scene.bounds();
+        let hardest = bounds.at(End::Hardest).friction();
+        let easiest = bounds.at(End::Easiest).friction();
+        let mut dimensionless = scene.point().at.map(|_, x| Interval::point(x.clone()));
+        for (slot, lo, hi) in [
+            (&mut dimensionless.viscous, hardest.beta, easiest.beta),
+            (&mut dimensionless.coulomb, hardest.sigma, easiest.sigma),
+        ] {
+            *slot = slot.as_ref().map(|_| outward(&lo, &hi));
+        }
+        match Self::new(&dimensionless) {
+            Ok(ledger) => ledger,
+            Err(error) => unreachable!("only friction is an interval here: {error}"),
+        }
     }
 
     /// The loop over machine integers, when its numbers fit.
     #[must_use]
-    pub const fn fixed(&self) -> Option<&Model<Fixed>> {
+    pub const fn fixed(&self) -> Option<&Ends<Fixed>> {
         self.fixed.as_ref()
     }
 
     /// The loop over big integers.
     #[must_use]
-    pub const fn wide(&self) -> &Model<Wide> {
+    pub const fn wide(&self) -> &Ends<Wide> {
         &self.wide
+    }
+
+    /// Whether a row depends on nothing but its two positions.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        self.wide.is_plain()
+    }
+
+    /// Whether the force, or what is stored, depends on samples before the present one.
+    #[must_use]
+    pub fn has_memory(&self) -> bool {
+        self.wide.controller.memory() > 0
     }
 
     /// How many samples, up to the start of an interval, its row depends on: the storage of a
     /// delay looks one displacement further back than the force.
     #[must_use]
     pub fn window(&self) -> usize {
-        match self.exact.memory() {
+        match self.wide.controller.memory() {
             0 => 1,
             memory => memory + 2,
         }
     }
 
-    /// The row of the interval from `samples[0]` (the latest sample first) to `end`; `None` for
-    /// no samples or a Δτ that is not above zero.
+    /// The row of an interval; `None` for no samples or a Δτ that is not above zero.
     #[must_use]
-    pub fn row(&self, samples: &[Sample], end: &Sample, dtau: &Number) -> Option<Row> {
-        let kept = samples.get(..self.window()).unwrap_or(samples);
+    pub fn row(&self, interval: &Logged) -> Option<Row> {
         let on_machine_integers = || {
-            let model = self.fixed.as_ref()?;
-            let cells: Option<Vec<_>> = kept.iter().map(Sample::to_fixed).collect();
-            entry(model, &cells?, &end.to_fixed()?, &dtau.to_fixed()?)
+            let kept = interval.samples.iter().take(self.window());
+            let samples: Option<Vec<_>> = kept.map(Reading::to_fixed).collect();
+            let force = match &interval.force {
+                Some(force) => Some(force.to_fixed()?),
+                None => None,
+            };
+            let recorded = Recorded {
+                samples: &samples?,
+                end: &interval.end.to_fixed()?,
+                dtau: &interval.dtau.to_fixed()?,
+                force: force.as_ref(),
+            };
+            entry(self.fixed.as_ref()?, &recorded)
         };
         if let Some(entry) = on_machine_integers() {
             return Some(Row::Fixed(Box::new(entry)));
         }
-        let cells: Vec<_> = kept.iter().map(Sample::to_wide).collect();
-        let entry = entry(&self.wide, &cells, &end.to_wide(), &dtau.to_wide())?;
+        let entry = self.wide_entry(interval)?;
         Some(Row::Wide(Box::new(entry)))
     }
+
+    /// The row of an interval on big integers.
+    pub(crate) fn wide_entry(&self, interval: &Logged) -> Option<Entry<Wide>> {
+        let kept = interval.samples.iter().take(self.window());
+        let samples: Vec<_> = kept.map(Reading::to_wide).collect();
+        let force = interval.force.as_ref().map(Reading::to_wide);
+        let recorded = Recorded {
+            samples: &samples,
+            end: &interval.end.to_wide(),
+            dtau: &interval.dtau.to_wide(),
+            force: force.as_ref(),
+        };
+        entry(&self.wide, &recorded)
+    }
+}
+
+/// A rational interval that holds both numbers, which are not negative: they themselves, or, with a π
+/// in them that does not cancel, short numbers close by, which machine integers compute with.
+fn outward(lo: &Exact, hi: &Exact) -> Interval<BigRational> {
+    /// How close: relative to the number, as a power of two.
+    const BITS: u32 = 47;
+    let Some((lo, hi)) = lo.enclosure(2 * BITS).zip(hi.enclosure(2 * BITS)) else {
+        unreachable!("a scene's numbers are defined: its units are above zero")
+    };
+    let near = BigRational::new(1.into(), num_bigint::BigInt::from(1) << BITS);
+    let below = match lo.is_point() {
+        true => lo.lo().clone(),
+        false => simplest(&(lo.lo() - lo.lo() * &near), lo.lo()),
+    };
+    let above = match hi.is_point() {
+        true => hi.hi().clone(),
+        false => simplest(hi.hi(), &(hi.hi() + hi.hi() * near)),
+    };
+    Interval::hull(below, above)
+}
+
+/// The fraction with the smallest denominator in [lo, hi], 0 < lo ≤ hi, by its continued fraction.
+fn simplest(lo: &BigRational, hi: &BigRational) -> BigRational {
+    let whole = lo.floor();
+    if whole == *lo {
+        return whole;
+    }
+    let above = &whole + BigRational::one();
+    if above <= *hi {
+        return above;
+    }
+    let rest = simplest(&(hi - &whole).recip(), &(lo - &whole).recip());
+    whole + rest.recip()
 }
 
 /// Runs an expression on the entry inside a row, whatever its integers.
@@ -176,98 +217,53 @@ macro_rules! on_entry {
         }
     };
 }
+pub(crate) use on_entry;
 
 impl Row {
-    /// Appends the row as a JSON object; see [`Entry::write_json`].
-    pub fn write_json(&self, h: u64, out: &mut Vec<u8>) {
-        on_entry!(self, entry => entry.write_json(h, out));
-    }
-
-    /// Appends the row as a line of CSV; see [`Entry::write_csv`].
-    pub fn write_csv(&self, h: u64, enclosures: bool, out: &mut Vec<u8>) {
-        on_entry!(self, entry => entry.write_csv(h, enclosures, out));
-    }
-
-    /// Whether the criterion holds, and whether each account is violated: linear, quantized.
+    /// What the row answers.
     #[must_use]
-    pub fn truths(&self) -> [Truth; 3] {
-        on_entry!(self, entry => [
-            entry.criterion_holds,
-            entry.violates_linear,
-            entry.violates_quantized,
-        ])
-    }
-
-    /// Whether the row is an enclosure.
-    #[must_use]
-    pub fn is_enclosure(&self) -> bool {
-        on_entry!(self, entry => entry.figures().iter().any(|(_, figure)| {
-            figure.is_some_and(|span| span.exact().is_none())
-        }))
-    }
-
-    /// `net_linear` in lowest terms.
-    #[must_use]
-    pub fn net_linear(&self) -> Option<Span<BigRational>> {
-        on_entry!(self, entry => entry.net_linear.try_map(Written::to_rational))
-    }
-
-    /// E_gᴸ and E_g in lowest terms.
-    pub(crate) fn generated(&self) -> Option<[Span<BigRational>; 2]> {
-        on_entry!(self, entry => Some([
-            entry.generated_linear.try_map(Written::to_rational)?,
-            entry.generated_quantized.try_map(Written::to_rational)?,
-        ]))
-    }
-
-    /// The lower end of `net_linear`: in lowest terms, on machine integers when it fits.
-    pub(crate) fn net_floor(&self) -> Result<(i128, i128), BigRational> {
-        on_entry!(self, entry => {
-            let net = entry.net_linear.lo();
-            net.to_reduced().ok_or_else(|| {
-                // A row's figures are defined.
-                net.to_rational().unwrap_or_else(BigRational::zero)
-            })
+    pub fn truths(&self) -> Truths {
+        on_entry!(self, entry => Truths {
+            criterion_holds: entry.criterion_holds,
+            violates_linear: entry.violates_linear,
+            violates_quantized: entry.violates_quantized,
         })
     }
 
-    /// The five figures that totals are kept of.
-    pub(crate) fn add_to(&self, sums: &mut [SpanSum; 5], times: u64) {
+    /// `net_linear`, in lowest terms.
+    #[must_use]
+    pub fn net_linear(&self) -> Option<Figure<BigRational>> {
+        on_entry!(self, entry => entry.account.net_linear.try_map(Written::to_rational))
+    }
+
+    /// E_gᴸ and E_g, in lowest terms.
+    pub(crate) fn generated(&self) -> Option<[Figure<BigRational>; 2]> {
+        on_entry!(self, entry => Some([
+            entry.account.generated_linear.try_map(Written::to_rational)?,
+            entry.account.generated_quantized.try_map(Written::to_rational)?,
+        ]))
+    }
+
+    /// The least that `net_linear` may be.
+    pub(crate) fn least_net(&self) -> Option<Reduced> {
+        on_entry!(self, entry => entry.account.net_linear.lo().to_reduced())
+    }
+
+    /// Adds the five figures that totals are kept of, `times` over; `None` when one is undefined.
+    pub(crate) fn add_to(&self, sums: &mut [FigureSum; 5], times: u64) -> Option<()> {
         on_entry!(self, entry => {
+            let account = &entry.account;
             let figures = [
-                &entry.generated_linear,
-                &entry.generated_quantized,
-                &entry.dissipated_lower,
-                &entry.net_linear,
-                &entry.net_quantized,
+                &account.generated_linear,
+                &account.generated_quantized,
+                &account.dissipated_lower,
+                &account.net_linear,
+                &account.net_quantized,
             ];
             for (sum, figure) in sums.iter_mut().zip(figures) {
-                sum.add_times(figure, times);
+                sum.add_times(figure, times)?;
             }
-        });
-    }
-}
-
-impl Model<BigRational> {
-    /// The loop of a scene, with its friction over the tolerances and π enclosed at a level; other
-    /// parameters at their nominal values.
-    #[must_use]
-    pub fn of_scene(scene: &Scene, pi_level: usize) -> Self {
-        let rigs = scene.rig_box(pi_level);
-        let (worst, best) = (rigs.worst().friction(), rigs.best().friction());
-        let point = scene.point();
-        Self {
-            exact: worst == best,
-            least: worst,
-            most: best,
-            effects: passivity_core::effects::Effects {
-                encoder: point.encoder,
-                delay: point.delay,
-                damping: point.damping,
-                force_step: point.force_step,
-            },
-            unilateral: point.unilateral,
-            max_force: point.max_force,
-        }
+            Some(())
+        })
     }
 }

@@ -4,24 +4,36 @@
 //! gives only ξ in [n, n + 1): then every figure is an exact enclosure and every verdict has three
 //! values. See [`entry()`] for one interval, [`run`] for many
 //! and [`audit`] for a trace in a file.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing
+    )
+)]
 
 pub mod audit;
-pub mod cell;
+pub mod csv;
+mod enclosure;
+pub mod ends;
 pub mod entry;
-mod generated;
+pub mod figure;
+pub mod json;
 pub mod ledger;
-pub mod model;
 pub mod motion;
 pub mod number;
+mod parabola;
 pub mod protocol;
-pub mod row;
+pub mod reading;
 pub mod run;
-pub mod span;
 pub mod sum;
 
-pub use cell::Cell;
-pub use entry::{Entry, Margin, entry};
-pub use ledger::{Ledger, Row, Sample};
-pub use model::Model;
+pub use ends::Ends;
+pub use entry::{Entry, Margin, Recorded, entry};
+pub use figure::Figure;
+pub use json::NumberedRow;
+pub use ledger::{Ledger, Logged, Row, Truths};
 pub use number::Number;
-pub use span::Span;
+pub use reading::Reading;

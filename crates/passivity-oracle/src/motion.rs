@@ -5,7 +5,10 @@
 
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Signed, Zero};
-use passivity_core::{BigRational, Friction};
+use passivity_core::{BigRational, Friction, Interval};
+use serde::Serialize;
+
+use crate::figure::Figure;
 
 /// Decimal places of the enclosures.
 pub const DIGITS: u32 = 40;
@@ -28,12 +31,12 @@ pub struct Piece {
 }
 
 /// Where a piece of motion leads.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Arrival {
     /// ξ(τ) between two decimals of [`DIGITS`] places, or exactly.
-    pub xi: [BigRational; 2],
+    pub xi: Figure<BigRational>,
     /// v(τ), likewise.
-    pub velocity: [BigRational; 2],
+    pub velocity: Figure<BigRational>,
 }
 
 impl Piece {
@@ -46,7 +49,7 @@ impl Piece {
     ///
     /// ```
     /// use passivity_core::{BigRational, Friction, Scalar};
-    /// use passivity_oracle::motion::Piece;
+    /// use passivity_oracle::{Figure, motion::Piece};
     ///
     /// let n = |n: i32| BigRational::integer(n);
     /// let piece = Piece {
@@ -58,8 +61,8 @@ impl Piece {
     ///     duration: n(1),
     /// };
     /// let arrival = piece.arrival().unwrap();
-    /// assert_eq!(arrival.velocity, [n(4), n(4)]); // a = (−1 − 1)/2
-    /// assert_eq!(arrival.xi, [n(9).half(), n(9).half()]);
+    /// assert_eq!(arrival.velocity, Figure::Exact(n(4))); // a = (−1 − 1)/2
+    /// assert_eq!(arrival.xi, Figure::Exact(n(9).half()));
     /// ```
     #[must_use]
     pub fn arrival(&self) -> Option<Arrival> {
@@ -76,63 +79,58 @@ impl Piece {
         let [phi_1, phi_2] = [phi(&z, 1), phi(&z, 2)];
         // Both are linear in φ, so extreme at its ends.
         let slope = &a * t - &self.velocity * &z;
-        let velocity = ends(&phi_1, |phi| &self.velocity + &slope * phi);
-        let drift = ends(&phi_1, |phi| &self.velocity * t * phi);
-        let pull = ends(&phi_2, |phi| &a * t * t * phi);
-        let xi = [
-            &self.xi + &drift[0] + &pull[0],
-            &self.xi + &drift[1] + &pull[1],
-        ];
+        let velocity = along(&phi_1, |phi| &self.velocity + &slope * phi);
+        let drift = along(&phi_1, |phi| &self.xi + &self.velocity * t * phi);
+        let pull = along(&phi_2, |phi| &a * t * t * phi);
+        let xi = Interval::hull(drift.lo() + pull.lo(), drift.hi() + pull.hi());
         // Velocity is monotone within a piece, so its signs at the ends are those in between.
         let turned = match self.velocity.is_positive() {
-            true => velocity[0].is_negative(),
-            false => velocity[1].is_positive(),
+            true => velocity.lo().is_negative(),
+            false => velocity.hi().is_positive(),
         };
         (!turned).then(|| Arrival {
-            xi: outward(xi),
-            velocity: outward(velocity),
+            xi: outward(&xi),
+            velocity: outward(&velocity),
         })
     }
 }
 
-/// The values of a linear function at both ends, the lesser first.
-fn ends(phi: &[BigRational; 2], f: impl Fn(&BigRational) -> BigRational) -> [BigRational; 2] {
-    let (a, b) = (f(&phi[0]), f(&phi[1]));
-    if a < b { [a, b] } else { [b, a] }
+/// The values of a linear function over an interval.
+fn along(
+    of: &Interval<BigRational>,
+    f: impl Fn(&BigRational) -> BigRational,
+) -> Interval<BigRational> {
+    Interval::hull(f(of.lo()), f(of.hi()))
 }
 
 /// φ_k(−z) = Σ (−z)ʲ/(j + k)! for 0 ≤ z ≤ 1: alternating and falling, so that two consecutive
 /// partial sums enclose it.
-fn phi(z: &BigRational, k: u32) -> [BigRational; 2] {
+fn phi(z: &BigRational, k: u32) -> Interval<BigRational> {
     /// 1/38! is below 10⁻⁴⁴.
     const TERMS: u32 = 38;
     let mut term = (1..=k).fold(BigRational::one(), |x, n| x / BigInt::from(n));
     let (mut sum, mut before) = (term.clone(), BigRational::zero());
     if z.is_zero() {
-        return [sum.clone(), sum];
+        return Interval::point(sum);
     }
     for j in 1..TERMS {
         term = -term * z / BigInt::from(j + k);
         before = sum.clone();
         sum += &term;
     }
-    if before < sum {
-        [before, sum]
-    } else {
-        [sum, before]
-    }
+    Interval::hull(before, sum)
 }
 
 /// Rounded outward to [`DIGITS`] decimal places; exact numbers stay.
-fn outward([lo, hi]: [BigRational; 2]) -> [BigRational; 2] {
-    if lo == hi {
-        return [lo, hi];
+fn outward(range: &Interval<BigRational>) -> Figure<BigRational> {
+    if range.is_point() {
+        return Figure::Exact(range.lo().clone());
     }
     let scale = BigRational::from_integer(BigInt::from(10).pow(DIGITS));
-    [
-        (lo * &scale).floor() / &scale,
-        (hi * &scale).ceil() / &scale,
-    ]
+    Figure::Enclosed(Interval::hull(
+        (range.lo() * &scale).floor() / &scale,
+        (range.hi() * &scale).ceil() / &scale,
+    ))
 }
 
 #[cfg(test)]
@@ -159,14 +157,14 @@ mod tests {
             .parse()
             .unwrap();
         let inverse_e = BigRational::new(digits, BigInt::from(10).pow(50_u32));
-        let [lo, hi] = &arrival.velocity;
+        let (lo, hi) = (arrival.velocity.lo(), arrival.velocity.hi());
         assert!(*lo < inverse_e && inverse_e < *hi);
         assert!(
             hi - lo < ratio(1, 1_000_000_000_000_000_000) * ratio(1, 1_000_000_000_000_000_000)
         );
         // ξ = 1 − 1/e.
         let xi = ratio(1, 1) - inverse_e;
-        assert!(arrival.xi[0] < xi && xi < arrival.xi[1]);
+        assert!(*arrival.xi.lo() < xi && xi < *arrival.xi.hi());
     }
 
     #[test]

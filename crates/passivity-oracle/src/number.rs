@@ -1,7 +1,5 @@
 //! Exact numbers in and out, fast where they are small.
 
-use std::io::Write as _;
-
 use num_integer::Integer as _;
 use passivity_core::{BigRational, Fixed, Ordered, Scalar, Wide, rational};
 use passivity_scene::number::{NumberError, nearest_f64, parse};
@@ -193,87 +191,125 @@ pub(crate) fn is_bounded(x: &BigRational) -> bool {
     x.numer().bits().max(x.denom().bits()) <= MAX_BITS
 }
 
+/// A number in lowest terms, on machine integers when they hold it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reduced {
+    /// A numerator over a denominator above zero.
+    Small(i128, i128),
+    /// Anything else.
+    Big(BigRational),
+}
+
+impl Reduced {
+    /// Zero.
+    pub const ZERO: Self = Self::Small(0, 1);
+
+    /// A double near the number: off by a few units in its last place, for pictures and to tell
+    /// cheaply what need not be compared exactly.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)]
+    pub fn near(&self) -> f64 {
+        match self {
+            Self::Small(n, d) => *n as f64 / *d as f64,
+            Self::Big(x) => nearest_f64(x),
+        }
+    }
+
+    /// The number.
+    #[must_use]
+    pub fn to_rational(&self) -> BigRational {
+        match self {
+            Self::Small(n, d) => BigRational::new_raw((*n).into(), (*d).into()),
+            Self::Big(x) => x.clone(),
+        }
+    }
+}
+
+impl From<BigRational> for Reduced {
+    fn from(x: BigRational) -> Self {
+        use num_traits::ToPrimitive as _;
+        match x.numer().to_i128().zip(x.denom().to_i128()) {
+            Some((n, d)) => Self::Small(n, d),
+            None => Self::Big(x),
+        }
+    }
+}
+
 /// A number that can be written in lowest terms.
 pub trait Written: Ordered {
-    /// Appends the number in lowest terms, `3/8`, `-2`, `0`; nothing when it is undefined.
-    fn write(&self, out: &mut Vec<u8>);
+    /// The number in lowest terms; `None` when it is undefined.
+    fn to_reduced(&self) -> Option<Reduced>;
+
+    /// A number in lowest terms as one of this kind; `None` when this kind does not hold it.
+    fn from_reduced(x: &Reduced) -> Option<Self>;
 
     /// The number in lowest terms; `None` when it is undefined.
-    fn to_rational(&self) -> Option<BigRational>;
+    fn to_rational(&self) -> Option<BigRational> {
+        self.to_reduced().map(|x| x.to_rational())
+    }
 
-    /// Numerator and denominator in lowest terms, when machine integers hold them.
-    fn to_reduced(&self) -> Option<(i128, i128)>;
-
-    /// The double nearest to the middle of two numbers, as JSON spells it.
-    fn write_middle(lo: &Self, hi: &Self, out: &mut Vec<u8>) {
-        let middle = (lo.clone() + hi.clone()).half();
-        let double = middle.to_rational().map(|x| nearest_f64(&x));
-        match double.and_then(serde_json::Number::from_f64) {
-            // Writing to memory cannot fail.
-            Some(x) => drop(write!(out, "{x}")),
-            None => out.extend_from_slice(b"null"),
+    /// Appends the number in lowest terms, `3/8`, `-2`, `0`; nothing, and `None`, when it is
+    /// undefined.
+    fn write(&self, out: &mut Vec<u8>) -> Option<()> {
+        match self.to_reduced()? {
+            Reduced::Small(n, d) => {
+                if n < 0 {
+                    out.push(b'-');
+                }
+                write_natural(n.unsigned_abs(), out);
+                if d != 1 {
+                    out.push(b'/');
+                    write_natural(d.unsigned_abs(), out);
+                }
+            }
+            Reduced::Big(x) => out.extend_from_slice(x.to_string().as_bytes()),
         }
+        Some(())
     }
 }
 
 impl Written for Fixed {
-    fn write(&self, out: &mut Vec<u8>) {
-        let Some((&n, &d)) = self.parts() else { return };
-        let (negative, n, d) = (n < 0, n.unsigned_abs(), d.unsigned_abs());
-        let divisor = if d == 1 { 1 } else { divisor(n, d) };
-        if negative {
-            out.push(b'-');
-        }
-        write_natural(n / divisor, out);
-        if d != divisor {
-            out.push(b'/');
-            write_natural(d / divisor, out);
-        }
-    }
-
-    fn to_rational(&self) -> Option<BigRational> {
-        rational::from_fixed(self)
-    }
-
-    fn to_reduced(&self) -> Option<(i128, i128)> {
+    fn to_reduced(&self) -> Option<Reduced> {
         let (&n, &d) = self.parts()?;
         if d == 1 {
-            return Some((n, d));
+            return Some(Reduced::Small(n, d));
         }
         let divisor = divisor(n.unsigned_abs(), d.unsigned_abs());
-        let divisor = i128::try_from(divisor).ok()?;
-        Some((n / divisor, d / divisor))
+        Some(match i128::try_from(divisor) {
+            Ok(divisor) => Reduced::Small(n / divisor, d / divisor),
+            // Only |n| = 2¹²⁷ has such a divisor.
+            Err(_) => BigRational::new(n.into(), d.into()).into(),
+        })
+    }
+
+    fn from_reduced(x: &Reduced) -> Option<Self> {
+        match x {
+            Reduced::Small(n, d) => Some(Self::new(*n, *d)),
+            Reduced::Big(_) => None,
+        }
     }
 }
 
 impl Written for Wide {
-    fn write(&self, out: &mut Vec<u8>) {
-        if let Some(x) = rational::from_wide(self) {
-            drop(write!(out, "{x}"));
-        }
+    fn to_reduced(&self) -> Option<Reduced> {
+        rational::from_wide(self).map(Reduced::from)
     }
 
-    fn to_rational(&self) -> Option<BigRational> {
-        rational::from_wide(self)
-    }
-
-    fn to_reduced(&self) -> Option<(i128, i128)> {
-        rational::from_wide(self)?.to_reduced()
+    fn from_reduced(x: &Reduced) -> Option<Self> {
+        Some(match x {
+            Reduced::Small(n, d) => Self::new((*n).into(), (*d).into()),
+            Reduced::Big(x) => rational::to_wide(x),
+        })
     }
 }
 
 impl Written for BigRational {
-    fn write(&self, out: &mut Vec<u8>) {
-        drop(write!(out, "{self}"));
+    fn to_reduced(&self) -> Option<Reduced> {
+        Some(self.clone().into())
     }
 
-    fn to_rational(&self) -> Option<BigRational> {
-        Some(self.clone())
-    }
-
-    fn to_reduced(&self) -> Option<(i128, i128)> {
-        use num_traits::ToPrimitive as _;
-        self.numer().to_i128().zip(self.denom().to_i128())
+    fn from_reduced(x: &Reduced) -> Option<Self> {
+        Some(x.to_rational())
     }
 }
 
@@ -287,21 +323,22 @@ fn divisor(n: u128, d: u128) -> u128 {
 
 /// Decimal digits; the machine's word where it fits.
 fn write_natural(n: u128, out: &mut Vec<u8>) {
-    let Ok(mut n) = u64::try_from(n) else {
-        drop(write!(out, "{n}"));
-        return;
+    let Ok(n) = u64::try_from(n) else {
+        return out.extend_from_slice(n.to_string().as_bytes());
     };
-    let mut digits = [0_u8; 20];
-    let mut at = digits.len();
+    let start = out.len();
+    let mut rest = n;
     loop {
-        at -= 1;
-        digits[at] = b'0' + u8::try_from(n % 10).unwrap_or(0);
-        n /= 10;
-        if n == 0 {
+        // A digit.
+        out.push(b'0' + (rest % 10) as u8);
+        rest /= 10;
+        if rest == 0 {
             break;
         }
     }
-    out.extend_from_slice(&digits[at..]);
+    if let Some(digits) = out.get_mut(start..) {
+        digits.reverse();
+    }
 }
 
 /// a − b.
@@ -325,6 +362,24 @@ pub(crate) fn difference(a: &Number, b: &Number) -> Number {
     Number::from(a.to_rational() - b.to_rational())
 }
 
+/// a·b.
+pub(crate) fn product(a: &Number, b: &Number) -> Number {
+    if let (Number::Small(n, d), Number::Small(m, e)) = (a, b) {
+        let [n, d, m, e] = [*n, *d, *m, *e].map(i128::from);
+        if let Some(product) = small(n * m, d * e) {
+            return product;
+        }
+    }
+    Number::from(a.to_rational() * b.to_rational())
+}
+
+/// n/d in lowest terms, d > 0, when 64 bits hold it.
+fn small(n: i128, d: i128) -> Option<Number> {
+    let divisor = i128::try_from(divisor(n.unsigned_abs(), d.unsigned_abs())).ok()?;
+    let n = i64::try_from(n / divisor).ok()?;
+    Some(Number::Small(n, i64::try_from(d / divisor).ok()?))
+}
+
 /// a/b for b that is not zero.
 pub(crate) fn quotient(a: &Number, b: &Number) -> Number {
     if let (Number::Small(n, d), Number::Small(m, e)) = (a, b) {
@@ -334,13 +389,8 @@ pub(crate) fn quotient(a: &Number, b: &Number) -> Number {
             i128::from(*m),
             i128::from(*e),
         );
-        let (numerator, denominator) = (n * e * m.signum(), (d * m).abs());
-        let divisor = numerator.unsigned_abs().gcd(&denominator.unsigned_abs());
-        if let Ok(divisor) = i128::try_from(divisor) {
-            let reduced = (numerator / divisor, denominator / divisor);
-            if let (Ok(n), Ok(d)) = (i64::try_from(reduced.0), i64::try_from(reduced.1)) {
-                return Number::Small(n, d);
-            }
+        if let Some(quotient) = small(n * e * m.signum(), (d * m).abs()) {
+            return quotient;
         }
     }
     Number::from(a.to_rational().over(b.to_rational()))

@@ -1,31 +1,51 @@
 //! The ledger over a sequence of samples: rows, and exact totals.
 
-use std::collections::VecDeque;
+use passivity_core::{BigRational, Interval, Truth};
+use serde::Serialize;
 
-use passivity_core::{BigRational, Truth};
-
-use crate::ledger::{Ledger, Row, Sample};
+use crate::figure::Figure;
+use crate::ledger::{Ledger, Logged, Row, Truths};
 use crate::number::Number;
-use crate::row::write_span;
-use crate::span::Span;
-use crate::sum::SpanSum;
+use crate::reading::Reading;
+use crate::sum::FigureSum;
+
+/// Σ E_gᴸ, Σ E_g, Σ of the least dissipation, and the two differences, in KΔ².
+pub(crate) type Figures = [Figure<BigRational>; 5];
 
 /// The totals of a run, and which of its intervals broke what.
 ///
 /// The totals of encoder counts are enclosures for the run as a whole, tighter than the sums of
 /// the rows' enclosures: a residue that ends one interval starts the next.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Totals {
     /// How many intervals.
     pub intervals: u64,
-    /// Σ E_gᴸ, Σ E_g, Σ of the least dissipation, and the two differences, in KΔ².
-    pub figures: [Span<BigRational>; 5],
-    /// In how many intervals the criterion held, failed, and depended.
-    pub criterion: Tally,
-    /// How many intervals violated the linear account.
-    pub linear: Tally,
-    /// How many intervals violated the quantized account.
-    pub quantized: Tally,
+    /// Σ E_gᴸ, in KΔ².
+    pub generated_linear: Figure<BigRational>,
+    /// Σ E_g.
+    pub generated_quantized: Figure<BigRational>,
+    /// Σ of the least dissipation.
+    pub dissipated_lower: Figure<BigRational>,
+    /// Σ of the net energies of the linear account.
+    pub net_linear: Figure<BigRational>,
+    /// Σ of those of the quantized account.
+    pub net_quantized: Figure<BigRational>,
+    /// In how many intervals the criterion failed.
+    pub criterion_fails: u64,
+    /// In how many it depends.
+    pub criterion_depends: u64,
+    /// How many intervals violate the linear account.
+    pub violates_linear: u64,
+    /// In how many it depends.
+    pub depends_linear: u64,
+    /// How many intervals violate the quantized account.
+    pub violates_quantized: u64,
+    /// In how many it depends.
+    pub depends_quantized: u64,
+    /// The first interval that violates the linear account.
+    pub first_linear: Option<u64>,
+    /// The first that violates the quantized account.
+    pub first_quantized: Option<u64>,
 }
 
 /// How often a statement held, failed and depended, and where first.
@@ -46,13 +66,8 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Counts an interval.
-    pub fn add(&mut self, truth: Truth, h: u64) {
-        self.add_times(truth, h, 1);
-    }
-
     /// Adds the tally of what came after the first `before` intervals.
-    pub(crate) fn append(&mut self, other: &Self, before: u64) {
+    fn append(&mut self, other: &Self, before: u64) {
         for (truth, times, first) in [
             (Truth::Holds, other.holds, other.first_holds),
             (Truth::Fails, other.fails, other.first_fails),
@@ -65,7 +80,7 @@ impl Tally {
     }
 
     /// Counts `times` intervals, the first of them `h`.
-    pub fn add_times(&mut self, truth: Truth, h: u64, times: u64) {
+    fn add_times(&mut self, truth: Truth, h: u64, times: u64) {
         let (count, first) = match truth {
             Truth::Holds => (&mut self.holds, &mut self.first_holds),
             Truth::Fails => (&mut self.fails, &mut self.first_fails),
@@ -76,38 +91,59 @@ impl Tally {
     }
 }
 
-/// Names of the totals, as in a row.
-pub(crate) const TOTALS: [&str; 5] = [
-    "generated_linear",
-    "generated_quantized",
-    "dissipated_lower",
-    "net_linear",
-    "net_quantized",
-];
+/// How often the criterion held and the accounts were violated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tallies {
+    /// Whether the criterion held.
+    pub criterion: Tally,
+    /// Whether the linear account was violated.
+    pub linear: Tally,
+    /// Whether the quantized account was violated.
+    pub quantized: Tally,
+}
+
+impl Tallies {
+    /// Counts `times` intervals, the first of them `h`.
+    pub(crate) fn add_times(&mut self, truths: Truths, h: u64, times: u64) {
+        self.criterion.add_times(truths.criterion_holds, h, times);
+        self.linear.add_times(truths.violates_linear, h, times);
+        let quantized = truths.violates_quantized;
+        self.quantized.add_times(quantized, h, times);
+    }
+
+    /// Adds the tallies of what came after the first `before` intervals.
+    pub(crate) fn append(&mut self, other: &Self, before: u64) {
+        self.criterion.append(&other.criterion, before);
+        self.linear.append(&other.linear, before);
+        self.quantized.append(&other.quantized, before);
+    }
+}
 
 impl Totals {
-    /// Appends the totals as a JSON object.
-    pub fn write_json(&self, out: &mut Vec<u8>) {
-        out.extend_from_slice(format!("{{\"intervals\": {}", self.intervals).as_bytes());
-        for (name, figure) in TOTALS.iter().zip(&self.figures) {
-            out.extend_from_slice(format!(", \"{name}\": ").as_bytes());
-            write_span(figure, out);
+    pub(crate) fn new(intervals: u64, figures: Figures, tallies: &Tallies) -> Self {
+        let [
+            generated_linear,
+            generated_quantized,
+            dissipated_lower,
+            net_linear,
+            net_quantized,
+        ] = figures;
+        Self {
+            intervals,
+            generated_linear,
+            generated_quantized,
+            dissipated_lower,
+            net_linear,
+            net_quantized,
+            criterion_fails: tallies.criterion.fails,
+            criterion_depends: tallies.criterion.depends,
+            violates_linear: tallies.linear.holds,
+            depends_linear: tallies.linear.depends,
+            violates_quantized: tallies.quantized.holds,
+            depends_quantized: tallies.quantized.depends,
+            first_linear: tallies.linear.first_holds,
+            first_quantized: tallies.quantized.first_holds,
         }
-        let first = |h: Option<u64>| h.map_or_else(|| "null".to_owned(), |h| h.to_string());
-        let text = format!(
-            ", \"criterion_fails\": {}, \"criterion_depends\": {}, \"violates_linear\": {}, \
-             \"depends_linear\": {}, \"violates_quantized\": {}, \"depends_quantized\": {}, \
-             \"first_linear\": {}, \"first_quantized\": {}}}",
-            self.criterion.fails,
-            self.criterion.depends,
-            self.linear.holds,
-            self.linear.depends,
-            self.quantized.holds,
-            self.quantized.depends,
-            first(self.linear.first_holds),
-            first(self.quantized.first_holds),
-        );
-        out.extend_from_slice(text.as_bytes());
     }
 }
 
@@ -116,14 +152,13 @@ impl Totals {
 pub struct Run<'a> {
     ledger: &'a Ledger,
     /// The latest samples, the latest first: as many as a row needs.
-    samples: VecDeque<Sample>,
+    samples: Vec<Reading>,
     intervals: u64,
-    sums: [SpanSum; 5],
+    sums: [FigureSum; 5],
     last: Option<Row>,
-    counted: bool,
-    criterion: Tally,
-    linear: Tally,
-    quantized: Tally,
+    /// Whether all samples are counts and every force is the law's, so that residues telescope.
+    telescopes: bool,
+    tallies: Tallies,
 }
 
 impl<'a> Run<'a> {
@@ -132,14 +167,12 @@ impl<'a> Run<'a> {
     pub fn new(ledger: &'a Ledger) -> Self {
         Self {
             ledger,
-            samples: VecDeque::new(),
+            samples: Vec::new(),
             intervals: 0,
             sums: Default::default(),
             last: None,
-            counted: ledger.model().is_plain(),
-            criterion: Tally::default(),
-            linear: Tally::default(),
-            quantized: Tally::default(),
+            telescopes: ledger.is_plain(),
+            tallies: Tallies::default(),
         }
     }
 
@@ -150,86 +183,72 @@ impl<'a> Run<'a> {
     }
 
     /// Takes the next sample, `dtau` after the one before, and gives the row of the interval that
-    /// it ends: none for the first sample. `None` when a figure is not defined.
-    pub fn step(&mut self, sample: Sample, dtau: &Number) -> Option<Option<Row>> {
-        self.counted &= matches!(sample, Sample::Count(_));
-        let row = if self.samples.is_empty() {
-            None
-        } else {
-            let row = self
-                .ledger
-                .row(self.samples.make_contiguous(), &sample, dtau)?;
-            self.account(&row);
-            Some(row)
-        };
-        self.samples.push_front(sample);
+    /// it ends: none for the first sample. `force` is what was applied over the interval, `None` for
+    /// the loop's own force. `None` when a figure is not defined.
+    pub fn step(
+        &mut self,
+        sample: Reading,
+        dtau: &Number,
+        force: Option<Reading>,
+    ) -> Option<Option<Row>> {
+        self.telescopes &= matches!(sample, Reading::Count(_)) && force.is_none();
+        let mut row = None;
+        if !self.samples.is_empty() {
+            let interval = Logged {
+                samples: std::mem::take(&mut self.samples),
+                end: sample.clone(),
+                dtau: dtau.clone(),
+                force,
+            };
+            let found = self.ledger.row(&interval)?;
+            self.samples = interval.samples;
+            self.account(&found)?;
+            row = Some(found);
+        }
+        self.samples.insert(0, sample);
         self.samples.truncate(self.ledger.window());
         Some(row)
     }
 
-    fn account(&mut self, row: &Row) {
-        row.add_to(&mut self.sums, 1);
-        let [criterion, linear, quantized] = row.truths();
-        self.criterion.add(criterion, self.intervals);
-        self.linear.add(linear, self.intervals);
-        self.quantized.add(quantized, self.intervals);
+    fn account(&mut self, row: &Row) -> Option<()> {
+        row.add_to(&mut self.sums, 1)?;
+        self.tallies.add_times(row.truths(), self.intervals, 1);
         self.intervals += 1;
         self.last = Some(row.clone());
+        Some(())
     }
 
-    /// The totals so far.
+    /// The totals so far; `None` when a figure is not defined.
     #[must_use]
-    pub fn totals(&self) -> Totals {
-        let mut figures = self.sums.each_ref().map(SpanSum::value);
-        if let (true, Some(last)) = (self.counted, &self.last) {
-            figures = tightened(figures, last);
+    pub fn totals(&self) -> Option<Totals> {
+        let mut figures = self.sums.each_ref().map(FigureSum::value);
+        if let (true, Some(last)) = (self.telescopes, &self.last) {
+            figures = tightened(figures, last)?;
         }
-        Totals {
-            intervals: self.intervals,
-            figures,
-            criterion: self.criterion,
-            linear: self.linear,
-            quantized: self.quantized,
-        }
+        Some(Totals::new(self.intervals, figures, &self.tallies))
     }
 }
 
-/// The totals of plain counts, with what is known of the run as a whole.
+/// The totals of plain counts, with what is known of the run as a whole; `None` when a figure is
+/// undefined.
 ///
 /// Each residue inside the run enters Σ E_gᴸ linearly (TH-TELESCOPE), so that the total is
 /// enclosed exactly by Σ E_g of all rows but the last and E_gᴸ of the last. Net energy is enclosed
 /// by the sum of rows and by the difference of the totals, so by what both have in common.
-pub(crate) fn tightened(figures: [Span<BigRational>; 5], last: &Row) -> [Span<BigRational>; 5] {
-    let [
-        rows_linear,
-        quantized,
-        dissipated,
-        net_linear,
-        net_quantized,
-    ] = figures;
-    let [linear_last, quantized_last] = match last.generated() {
-        Some(generated) => generated,
-        None => {
-            return [
-                rows_linear,
-                quantized,
-                dissipated,
-                net_linear,
-                net_quantized,
-            ];
-        }
-    };
+pub(crate) fn tightened(figures: Figures, last: &Row) -> Option<Figures> {
+    let [_, quantized, dissipated, net_linear, net_quantized] = figures;
+    let [linear_last, quantized_last] = last.generated()?;
     let swapped =
         |total: &BigRational, out: &BigRational, within: &BigRational| total - out + within;
-    let linear = Span::Between(
+    let linear = Figure::between(
         swapped(quantized.lo(), quantized_last.lo(), linear_last.lo()),
         swapped(quantized.hi(), quantized_last.hi(), linear_last.hi()),
-    );
-    let common = |rows: Span<BigRational>, totals: Span<BigRational>| {
+    )?;
+    let common = |rows: Figure<BigRational>, totals: &Figure<BigRational>| {
         let lo = Ord::max(rows.lo(), totals.lo()).clone();
-        Span::Between(lo, Ord::min(rows.hi(), totals.hi()).clone())
+        Interval::new(lo, Ord::min(rows.hi(), totals.hi()).clone()).map(Figure::Enclosed)
     };
-    let net_linear = common(net_linear, dissipated.minus(&linear));
-    let net_quantized = common(net_quantized, dissipated.minus(&quantized));
-    [linear, quantized, dissipated, net_linear, net_quantized]
+    let net_linear = common(net_linear, &dissipated.minus(&linear)?)?;
+    let net_quantized = common(net_quantized, &dissipated.minus(&quantized)?)?;
+    Some([linear, quantized, dissipated, net_linear, net_quantized])
 }

@@ -2,11 +2,11 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer as _;
-use num_traits::{One as _, ToPrimitive as _, Zero as _};
-use passivity_core::BigRational;
+use num_traits::{One as _, Zero as _};
+use passivity_core::{BigRational, Interval};
 
-use crate::number::Written;
-use crate::span::Span;
+use crate::figure::Figure;
+use crate::number::{Reduced, Written};
 
 /// The widest denominator that a sum keeps, in bits. Past it (a trace of ever new denominators)
 /// the sum is rounded outward, so that memory stays flat: it becomes an enclosure.
@@ -21,11 +21,11 @@ const ROUNDED_BITS: u64 = 1024;
 ///
 /// ```
 /// use passivity_core::Fixed;
-/// use passivity_oracle::{Span, sum::Sum};
+/// use passivity_oracle::sum::Sum;
 ///
 /// let mut sum = Sum::default();
 /// for n in 1..=3 {
-///     sum.add(&Fixed::new(1, n));
+///     sum.add(&Fixed::new(1, n)).unwrap();
 /// }
 /// assert_eq!(sum.value().exact().unwrap().to_string(), "11/6");
 /// ```
@@ -50,15 +50,17 @@ impl Default for Sum {
 }
 
 impl Sum {
-    /// Adds a number.
-    pub fn add<S: Written>(&mut self, x: &S) {
-        match x.to_reduced() {
-            Some((n, d)) => self.add_small(n, d),
-            None => {
-                if let Some(x) = x.to_rational() {
-                    self.add_rational(&x);
-                }
-            }
+    /// Adds a number; `None`, and nothing added, when it is undefined.
+    pub fn add<S: Written>(&mut self, x: &S) -> Option<()> {
+        self.add_reduced(&x.to_reduced()?);
+        Some(())
+    }
+
+    /// Adds a number in lowest terms.
+    pub fn add_reduced(&mut self, x: &Reduced) {
+        match x {
+            Reduced::Small(n, d) => self.add_small(*n, *d),
+            Reduced::Big(x) => self.add_rational(x),
         }
     }
 
@@ -128,61 +130,61 @@ impl Sum {
         }
     }
 
-    /// Adds a number `times` over.
-    pub fn add_times<S: Written>(&mut self, x: &S, times: u64) {
-        let small = x
-            .to_reduced()
-            .and_then(|(n, d)| Some((n.checked_mul(times.into())?, d)));
-        match small {
-            Some((n, d)) => {
-                let divisor = n.unsigned_abs().gcd(&d.unsigned_abs());
-                let divisor = divisor.to_i128().unwrap_or(1).max(1);
-                self.add_small(n / divisor, d / divisor);
-            }
-            None => {
-                if let Some(x) = x.to_rational() {
-                    self.add_rational(&(x * BigInt::from(times)));
-                }
-            }
+    /// Adds a number `times` over; `None`, and nothing added, when it is undefined.
+    pub fn add_times<S: Written>(&mut self, x: &S, times: u64) -> Option<()> {
+        let x = x.to_reduced()?;
+        let product = match &x {
+            Reduced::Small(n, d) => n.checked_mul(times.into()).zip(Some(*d)),
+            Reduced::Big(_) => None,
+        };
+        match product {
+            // A denominator shares no factor with n, but it may with `times`.
+            Some((n, d)) => match i128::try_from(n.unsigned_abs().gcd(&d.unsigned_abs())) {
+                Ok(divisor) => self.add_small(n / divisor, d / divisor),
+                Err(_) => self.add_rational(&BigRational::new(n.into(), d.into())),
+            },
+            None => self.add_rational(&(x.to_rational() * BigInt::from(times))),
         }
+        Some(())
     }
 
     /// The sum: exact, or enclosed once its denominator grew past [`MAX_DENOMINATOR_BITS`].
     #[must_use]
-    pub fn value(&self) -> Span<BigRational> {
+    pub fn value(&self) -> Figure<BigRational> {
         let (n, d) = self.small;
         let (big_n, big_d) = self.big.clone();
         let lo = BigRational::new(big_n, big_d) + BigRational::new(n.into(), d.into());
         if self.slack.is_zero() {
-            return Span::At(lo);
+            return Figure::Exact(lo);
         }
         let hi = &lo + &self.slack;
-        Span::Between(lo, hi)
+        Figure::Enclosed(Interval::hull(lo, hi))
     }
 }
 
 /// A sum of figures that may be enclosures.
 #[derive(Clone, Debug, Default)]
-pub struct SpanSum {
+pub struct FigureSum {
     lo: Sum,
     /// Kept apart from the first enclosure on.
     hi: Option<Sum>,
 }
 
-impl SpanSum {
-    /// Adds a figure.
-    pub fn add<S: Written>(&mut self, figure: &Span<S>) {
-        self.add_times(figure, 1);
+impl FigureSum {
+    /// Adds a figure; `None` when it is undefined.
+    pub fn add<S: Written>(&mut self, figure: &Figure<S>) -> Option<()> {
+        self.add_times(figure, 1)
     }
 
-    /// Adds a figure `times` over.
-    pub fn add_times<S: Written>(&mut self, figure: &Span<S>, times: u64) {
-        if let Span::Between(..) = figure {
+    /// Adds a figure `times` over; `None` when it is undefined.
+    pub fn add_times<S: Written>(&mut self, figure: &Figure<S>, times: u64) -> Option<()> {
+        if let Figure::Enclosed(_) = figure {
             self.hi.get_or_insert_with(|| self.lo.clone());
         }
-        self.lo.add_times(figure.lo(), times);
-        if let Some(hi) = &mut self.hi {
-            hi.add_times(figure.hi(), times);
+        self.lo.add_times(figure.lo(), times)?;
+        match &mut self.hi {
+            Some(hi) => hi.add_times(figure.hi(), times),
+            None => Some(()),
         }
     }
 
@@ -199,10 +201,13 @@ impl SpanSum {
 
     /// The sum.
     #[must_use]
-    pub fn value(&self) -> Span<BigRational> {
+    pub fn value(&self) -> Figure<BigRational> {
         match &self.hi {
             None => self.lo.value(),
-            Some(hi) => Span::Between(self.lo.value().lo().clone(), hi.value().hi().clone()),
+            Some(hi) => {
+                let (lo, hi) = (self.lo.value(), hi.value());
+                Figure::Enclosed(Interval::hull(lo.lo().clone(), hi.hi().clone()))
+            }
         }
     }
 }
@@ -218,10 +223,10 @@ mod tests {
         for k in 1..400_i128 {
             // Denominators with more and more primes: machine integers overflow.
             let x = Fixed::new(k * k - 700, k);
-            sum.add(&x);
+            sum.add(&x).unwrap();
             expected += x.to_rational().unwrap();
         }
-        assert_eq!(sum.value(), Span::At(expected));
+        assert_eq!(sum.value(), Figure::Exact(expected));
     }
 
     #[test]
@@ -229,25 +234,30 @@ mod tests {
         let (mut sum, mut exact) = (Sum::default(), BigRational::integer(0));
         for k in 0..200_i128 {
             let x = Fixed::new(1, (1 << 40) + 2 * k + 1);
-            sum.add(&x);
+            sum.add(&x).unwrap();
             exact += x.to_rational().unwrap();
         }
-        let Span::Between(lo, hi) = sum.value() else {
-            panic!("the denominator should have grown past the bound");
-        };
+        let value = sum.value();
+        assert!(
+            !value.is_exact(),
+            "the denominator should have grown past the bound"
+        );
+        let (lo, hi) = (value.lo().clone(), value.hi().clone());
         assert!(lo <= exact && exact <= hi);
         assert!(lo.denom().bits() < MAX_DENOMINATOR_BITS + 200);
         assert!(hi - lo < BigRational::new(1.into(), BigInt::one() << 1000));
     }
 
     #[test]
-    fn spans_add_end_by_end() {
-        let mut sum = SpanSum::default();
-        sum.add(&Span::At(Fixed::integer(2)));
-        sum.add_times(&Span::Between(Fixed::integer(-1), Fixed::new(1, 3)), 3);
+    fn enclosures_add_end_by_end() {
+        let mut sum = FigureSum::default();
+        let between = |lo, hi| Figure::between(lo, hi).unwrap();
+        sum.add(&Figure::Exact(Fixed::integer(2))).unwrap();
+        sum.add_times(&between(Fixed::integer(-1), Fixed::new(1, 3)), 3)
+            .unwrap();
         let mut twice = sum.clone();
         twice.add_sum(&sum);
         let at = |n: i32| BigRational::integer(n);
-        assert_eq!(twice.value(), Span::Between(at(-2), at(6)));
+        assert_eq!(twice.value(), Figure::between(at(-2), at(6)).unwrap());
     }
 }

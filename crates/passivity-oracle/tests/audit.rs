@@ -3,8 +3,8 @@
 
 use std::fmt::Write as _;
 
-use passivity_oracle::audit::{Audit, Options, Standing, TraceError, audit, audit_csv};
-use passivity_oracle::{Ledger, Model, Number, Sample, row, run::Run};
+use passivity_oracle::audit::{Audit, Options, TraceError, Verdict, audit, audit_csv};
+use passivity_oracle::{Ledger, Number, Reading, csv::Form, run::Run};
 use passivity_scene::Scene;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -24,6 +24,7 @@ fn audited(csv: &[u8], scene: &Scene, threads: usize, block: usize) -> (Audit, S
         points: true,
         threads,
         block,
+        law: false,
     };
     let audit = audit_csv(Box::new(std::io::Cursor::new(csv.to_vec())), scene, options).unwrap();
     (audit, String::from_utf8(rows).unwrap())
@@ -31,27 +32,30 @@ fn audited(csv: &[u8], scene: &Scene, threads: usize, block: usize) -> (Audit, S
 
 /// The same by the ledger, one row after the other.
 fn expected(
-    samples: &[Sample],
+    samples: &[Reading],
     dtaus: &[Number],
     scene: &Scene,
     enclosures: bool,
 ) -> (Value, String) {
-    let ledger = Ledger::new(Model::of_scene(scene, 2));
+    let ledger = Ledger::of_scene(scene);
     let mut run = Run::new(&ledger);
-    let mut text = format!("{}\n", row::csv_header(enclosures)).into_bytes();
+    let form = Form {
+        enclosures,
+        force: false,
+    };
+    let mut text = format!("{}\n", form.header()).into_bytes();
     for (i, sample) in samples.iter().enumerate() {
         let dtau = i.checked_sub(1).and_then(|h| dtaus.get(h)).cloned();
-        let row = run
-            .step(sample.clone(), &dtau.unwrap_or(Number::whole(1)))
-            .unwrap();
+        let dtau = dtau.unwrap_or(Number::whole(1));
+        let row = run.step(sample.clone(), &dtau, None).unwrap();
         if let Some(row) = row {
-            row.write_csv(run.intervals() - 1, enclosures, &mut text);
+            text.extend_from_slice((run.intervals() - 1).to_string().as_bytes());
+            form.write_positions(&row, &mut text).unwrap();
+            form.write_account(&row, &mut text).unwrap();
         }
     }
-    let mut totals = Vec::new();
-    run.totals().write_json(&mut totals);
     (
-        serde_json::from_slice(&totals).unwrap(),
+        serde_json::to_value(run.totals().unwrap()).unwrap(),
         String::from_utf8(text).unwrap(),
     )
 }
@@ -101,7 +105,7 @@ proptest! {
         let mut csv = if jitter.is_some() { "tau,count\n" } else { "count\n" }.to_owned();
         for (i, step) in steps.iter().enumerate() {
             at += step;
-            samples.push(Sample::Count(at));
+            samples.push(Reading::Count(at));
             match &jitter {
                 Some(jitter) => {
                     time += jitter[i];
@@ -139,7 +143,7 @@ proptest! {
             writeln!(csv, "{n}/{d}").unwrap();
         }
         let samples: Vec<_> =
-            positions.iter().map(|(n, d)| Sample::Exact(Number::Small(*n, *d))).collect();
+            positions.iter().map(|(n, d)| Reading::Exact(Number::Small(*n, *d))).collect();
         let enclosures = text.contains('±');
         let (totals, rows) = expected(&samples, &[], &scene, enclosures);
         let (audit, written) = audited(csv.as_bytes(), &scene, threads, block);
@@ -180,7 +184,7 @@ fn running_energy_and_observer_are_what_they_say() {
     assert_eq!(json["running"]["supply"]["after"], 1);
     assert_eq!(json["running"]["supply"]["floor"], "-1/2");
     assert_eq!(json["first"]["quantized"]["row"], 1);
-    assert_eq!(audit.standing(), Standing::Holds);
+    assert_eq!(audit.verdict(), Verdict::Holds);
     assert_eq!(json["rows"][2]["generated_quantized"], "8");
 }
 
@@ -188,10 +192,10 @@ fn running_energy_and_observer_are_what_they_say() {
 fn a_trace_from_a_loop_that_is_not_passive_violates() {
     let scene = scene("[dimensionless]\nbeta = \"1/4\"\nsigma = \"1/4\"");
     let (audit, _) = audited(b"xi\n0\n-1\n0\n", &scene, 1, 0);
-    assert_eq!(audit.standing(), Standing::Fails);
+    assert_eq!(audit.verdict(), Verdict::Fails);
     assert_eq!(audit.to_json()["first_violation"]["h"], 0);
     let (audit, _) = audited(b"count\n0\n0\n0\n", &scene, 1, 0);
-    assert_eq!(audit.standing(), Standing::Depends);
+    assert_eq!(audit.verdict(), Verdict::Depends);
 }
 
 fn refusal(csv: &[u8], text: &str) -> TraceError {
@@ -219,6 +223,8 @@ fn headers_say_what_is_wrong_with_them() {
         ("count,t\n1,2\n", rotary, "unit", "t [s]"),
         ("count,f [N]\n1,2\n", rotary, "unit", "N m"),
         ("xi [rad]\n1\n", rotary, "header", "no unit"),
+        ("x [rad\n1\n", rotary, "header", "not closed"),
+        ("count,t [s\n1,2\n", rotary, "header", "not closed"),
     ] {
         let error = refusal(csv.as_bytes(), text);
         assert_eq!(error.kind, kind, "{csv}: {error}");
@@ -271,7 +277,7 @@ fn mistakes_have_a_row_and_what_came_before_is_kept() {
                 intervals + 1,
                 "{shown:?} {block}"
             );
-            assert_eq!(audit.standing(), Standing::Broken);
+            assert_eq!(audit.verdict(), Verdict::Broken);
         }
     }
 }
@@ -296,9 +302,13 @@ fn harmless_forms_are_read() {
         assert_eq!(audit.to_json()["last_row_unended"], torn, "{csv:?}");
         assert_eq!(audit.to_text().contains("may be torn"), torn, "{csv:?}");
     }
-    let (empty, _) = audited(b"count\n", &three_fifths(), 1, 0);
-    assert_eq!(empty.totals().intervals, 0);
-    assert_eq!(empty.standing(), Standing::Holds);
+    // A trace without an interval holds nothing.
+    for csv in ["count\n", "count\n7\n", "xi0,xi1\n"] {
+        let (empty, _) = audited(csv.as_bytes(), &three_fifths(), 1, 0);
+        assert_eq!(empty.totals().intervals, 0);
+        assert_eq!(empty.error().unwrap().kind, "empty", "{csv}");
+        assert_eq!(empty.verdict(), Verdict::Broken);
+    }
 }
 
 #[test]
@@ -395,7 +405,7 @@ fn a_scene_that_no_theorem_covers_says_so() {
     let scene =
         scene("[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n[amplifier]\ntime_constant = \"1/5\"");
     let (audit, _) = audited(b"xi\n0\n1\n", &scene, 1, 0);
-    assert_eq!(audit.standing(), Standing::NotCovered);
+    assert_eq!(audit.verdict(), Verdict::NotCovered);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
-use passivity_oracle::audit::{Audit, Options, Standing, TraceError, audit, audit_csv};
+use passivity_oracle::audit::{Audit, Options, TraceError, Verdict, audit, audit_csv};
 use passivity_scene::Scene;
 
 fn scene() -> Scene {
@@ -193,7 +193,7 @@ fn a_wrong_value_has_its_row() {
         let error = audit.error().unwrap();
         assert_eq!((error.kind, error.row), (kind, Some(row)), "{error}");
         assert_eq!(audit.totals().intervals, u64::saturating_sub(row, 2));
-        assert_eq!(audit.standing(), Standing::Broken);
+        assert_eq!(audit.verdict(), Verdict::Broken);
         fs::remove_file(path).unwrap();
     }
 }

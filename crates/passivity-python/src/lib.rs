@@ -55,21 +55,23 @@ fn report(audit: Result<Audit, audit::TraceError>) -> PyResult<String> {
 
 /// The audit of a trace in a file, as JSON.
 #[pyfunction]
-#[pyo3(signature = (trace, path=None, object=None, out=None, threads=0))]
+#[pyo3(signature = (trace, path=None, object=None, out=None, law=false, threads=0))]
 fn audit_file(
     py: Python<'_>,
     trace: PathBuf,
     path: Option<PathBuf>,
     object: Option<&str>,
     out: Option<PathBuf>,
-    threads: usize,
+    law: bool,
+    threads: u16,
 ) -> PyResult<String> {
     let scene = read_scene(path, object)?;
     let mut rows = rows_file(out)?;
     py.detach(|| {
         let options = Options {
             rows: rows.as_mut().map(|rows| rows as &mut (dyn Write + '_)),
-            threads,
+            law,
+            threads: threads.into(),
             ..Options::default()
         };
         report(audit::audit(&trace, &scene, options))
@@ -89,7 +91,7 @@ fn audit_arrays(
     path: Option<PathBuf>,
     object: Option<&str>,
     out: Option<PathBuf>,
-    threads: usize,
+    threads: u16,
 ) -> PyResult<String> {
     let scene = read_scene(path, object)?;
     let mut rows = rows_file(out)?;
@@ -104,7 +106,7 @@ fn audit_arrays(
     py.detach(|| {
         let options = Options {
             rows: rows.as_mut().map(|rows| rows as &mut (dyn Write + '_)),
-            threads,
+            threads: threads.into(),
             ..Options::default()
         };
         report(audit::audit_arrays(positions, times, &scene, options))

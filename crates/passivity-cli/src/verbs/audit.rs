@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 
-use passivity_oracle::audit::{Options, Standing, audit};
+use passivity_oracle::audit::{Options, Verdict, audit};
 #[cfg(feature = "plot")]
 use passivity_plot::energy::{Point, draw};
 #[cfg(feature = "plot")]
@@ -16,17 +16,23 @@ use crate::output::{Format, emit, emit_json, read_scene};
 /// Account for a recorded or simulated trace, exactly, interval by interval.
 ///
 /// The trace is CSV with a header, or Parquet, with one of the columns `xi` (ticks), `x [unit]` or
-/// `count` (encoder counts), and perhaps `t [s]` (or `tau`) and `f [unit]`, the commanded force.
-/// The rows that `simulate --out` writes are a trace as well. Of counts, every figure is an exact
-/// enclosure and every answer has three values.
+/// `count` (encoder counts), and perhaps `t [s]` (or `tau`) and `f [unit]`, the force that was
+/// commanded at each sample and held until the next. Where there are forces the account is of them,
+/// and beside it stands how they differ from the wall's law; `--law` accounts for the law's own
+/// force instead. The rows that `simulate --out` writes are a trace as well. Of counts, every figure
+/// is an exact enclosure and every answer has three values.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity audit trace.csv --scene scenes/re35.toml
   passivity audit log.parquet --scene scene.toml --format json --out rows.csv --plot energy.svg
 
-Exit codes: 0 no interval violates the linear account; 1 one does, or it depends; 2 the trace or
-the scene is bad (what came before the mistake is accounted for); 3 the scene has an effect that
-no theorem covers.")]
+What is judged: under the wall's own force without delay or damping, each interval, by what it
+generated and what friction surely dissipated; else the whole, by what the operator has drawn so far
+and what was stored at the start.
+
+Exit codes: 0 it holds; 1 it fails, or it depends; 2 the trace or the scene is bad (what came before
+the mistake is accounted for) or nothing was recorded; 3 the scene has an effect that no theorem
+covers.")]
 pub(crate) struct Args {
     /// The trace; `-` reads CSV from standard input.
     #[arg(value_name = "TRACE")]
@@ -40,9 +46,12 @@ pub(crate) struct Args {
     /// Draw energy against time, as SVG or PNG.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
+    /// Account for the force of the scene's own law, also where the trace has forces.
+    #[arg(long)]
+    law: bool,
     /// How many cores to use; 0 for all.
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    threads: usize,
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=1024))]
+    threads: u16,
     /// For people or for programs.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -62,7 +71,8 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let options = Options {
         rows: rows.as_mut().map(|rows| rows as &mut dyn Write),
         points: args.plot.is_some(),
-        threads: args.threads,
+        law: args.law,
+        threads: usize::from(args.threads),
         block: 0,
     };
     let report = audit(&args.trace, &scene, options)
@@ -81,11 +91,11 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     if let Some(error) = report.error() {
         eprintln!("error: {}: {error}", place(&args.trace));
     }
-    Ok(match report.standing() {
-        Standing::Holds => Exit::Holds,
-        Standing::Fails | Standing::Depends => Exit::Fails,
-        Standing::NotCovered => Exit::NotCovered,
-        Standing::Broken => Exit::BadInput,
+    Ok(match report.verdict() {
+        Verdict::Holds => Exit::Holds,
+        Verdict::Fails | Verdict::Depends => Exit::Fails,
+        Verdict::NotCovered => Exit::NotCovered,
+        Verdict::Broken => Exit::BadInput,
     })
 }
 

@@ -29,13 +29,13 @@ pub enum Positions {
 /// # Example
 ///
 /// ```
-/// use passivity_oracle::audit::{Options, Positions, Standing, audit_arrays};
+/// use passivity_oracle::audit::{Options, Positions, Verdict, audit_arrays};
 /// use passivity_scene::Scene;
 ///
 /// let scene = Scene::from_toml("s", "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"").unwrap();
 /// let positions = Positions::Counts(vec![0, 1, 3, 2]);
 /// let audit = audit_arrays(positions, None, &scene, Options::default()).unwrap();
-/// assert_eq!(audit.standing(), Standing::Holds);
+/// assert_eq!(audit.verdict(), Verdict::Holds);
 /// ```
 pub fn audit_arrays(
     positions: Positions,
@@ -80,7 +80,7 @@ pub fn audit_arrays(
             let values = values.get(range).unwrap_or_default();
             let (times, error) = until_error(values, |x| finite(*x));
             if times.len() < chunk.samples.len() {
-                chunk.samples.truncate(times.len());
+                chunk.truncate(times.len());
                 chunk.error = error.map(|error| error.column(layout.name(column)));
             }
             chunk.times = times;
@@ -88,7 +88,7 @@ pub fn audit_arrays(
         }
         if let Some(error) = chunk.error.take() {
             let column = error.column.clone();
-            let column = column.unwrap_or_else(|| layout.name(layout.position).to_owned());
+            let column = column.unwrap_or_else(|| layout.name(layout.position));
             chunk.error = Some(error.row(chunk.samples.len() as u64).column(column));
         }
         chunks.push(chunk);

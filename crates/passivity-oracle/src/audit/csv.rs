@@ -9,8 +9,8 @@ use std::io::Read;
 use crate::audit::chunk::{Chunk, Samples};
 use crate::audit::error::{self, TraceError, shown};
 use crate::audit::layout::{Form, Layout};
-use crate::ledger::Sample;
 use crate::number::{Number, short};
+use crate::reading::Reading;
 
 /// The longest line, in bytes.
 pub(crate) const MAX_LINE: usize = 1 << 20;
@@ -259,13 +259,13 @@ fn push(line: &[u8], layout: &Layout, chunk: &mut Chunk) -> Result<(), TraceErro
     let position = position.unwrap_or_default();
     // Nothing is appended before the whole row is read.
     let sample = match layout.form {
-        Form::Count => Sample::Count(whole(position).map_err(named)?),
+        Form::Count => Reading::Count(whole(position).map_err(named)?),
         _ => layout
             .sample(number(position).map_err(named)?)
             .map_err(named)?,
     };
     let closing = match layout.end {
-        Some(column) => Some(Sample::Exact(number_in(end, column)?)),
+        Some(column) => Some(Reading::Exact(number_in(end, column)?)),
         None => None,
     };
     let dtau = match layout.dtau {
@@ -288,7 +288,7 @@ fn push(line: &[u8], layout: &Layout, chunk: &mut Chunk) -> Result<(), TraceErro
     }
     match &mut chunk.samples {
         Samples::Counts(counts) => {
-            if let Sample::Count(n) = sample {
+            if let Reading::Count(n) = sample {
                 counts.push(n);
             }
         }
@@ -298,11 +298,9 @@ fn push(line: &[u8], layout: &Layout, chunk: &mut Chunk) -> Result<(), TraceErro
     chunk.dtaus.extend(dtau);
     chunk.times.extend(time);
     if let Some((text, force)) = force {
-        let force = crate::audit::course::near(&force.to_rational());
-        chunk.forces.push([
-            force * layout.per_force,
-            half_last_digit(text) * layout.per_force.abs(),
-        ]);
+        chunk
+            .forces
+            .push(layout.force(force, half_last_digit(text)));
     }
     Ok(())
 }

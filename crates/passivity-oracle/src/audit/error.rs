@@ -2,10 +2,12 @@
 
 use std::fmt;
 
+use serde::Serialize;
+
 use crate::number::{MAX_BITS, Number};
 
 /// A mistake in a trace.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct TraceError {
     /// What kind of mistake it is, for programs.
     pub kind: &'static str,

@@ -1,13 +1,17 @@
 //! The columns of a trace: which there are, in which units, and how their values become ticks,
 //! sampling periods and KΔ.
 
-use passivity_core::{BigRational, Scalar};
+use num_bigint::BigInt;
+use num_traits::Zero as _;
+use passivity_core::{BigRational, Exact, Interval, Loop, Scalar, pi};
 use passivity_scene::units::{Dimension, Unit};
-use passivity_scene::{Motion, Scene, number, pi};
+use passivity_scene::{Motion, Scene};
 
+use crate::audit::chunk::Force;
 use crate::audit::error::{TraceError, shown};
-use crate::ledger::Sample;
-use crate::number::{Number, difference, quotient};
+use crate::audit::running::near;
+use crate::number::{Number, difference, is_positive, product, quotient};
+use crate::reading::Reading;
 
 /// The most columns of a trace.
 pub(crate) const MAX_COLUMNS: usize = 4096;
@@ -52,118 +56,92 @@ pub(crate) struct Layout {
     /// How many columns there are.
     pub(crate) width: usize,
     pub(crate) names: Vec<String>,
-    pub(crate) scale: Scale,
+    scale: Scale,
     /// Units of time over the sampling period.
     per_period: Number,
-    /// Units of force over KΔ, rounded: forces are measured.
-    pub(crate) per_force: f64,
+    per_force: Scale,
 }
 
-/// How a position becomes ticks.
+/// How a number of the trace becomes one in ticks or in KΔ.
 #[derive(Clone, Debug)]
-pub(crate) enum Scale {
-    /// It is in ticks.
-    Ticks,
+enum Scale {
+    /// It is one.
+    One,
     /// By a rational factor.
-    Factor(BigRational),
-    /// By a rational factor times a power of π.
-    Pi(BigRational, i8),
+    Factor(Number),
+    /// By a factor with π in it, which is in the interval.
+    Irrational(Exact, Interval<BigRational>),
 }
+
+impl Scale {
+    fn of(factor: Exact) -> Result<Self, TraceError> {
+        /// Bits of the enclosure: past those of the longest logs and of the grid by far.
+        const BITS: u32 = 256;
+        if let Some(x) = factor.to_rational() {
+            return Ok(Self::Factor(Number::from(x)));
+        }
+        match factor.enclosure(BITS) {
+            Some(range) => Ok(Self::Irrational(factor, range)),
+            None => Err(TraceError::new(
+                "unit",
+                "the unit of this column is not defined",
+            )),
+        }
+    }
+
+    const fn is_irrational(&self) -> bool {
+        matches!(self, Self::Irrational(..))
+    }
+}
+
+/// The columns whose names a trace may have, as they were found.
+struct Names<'n>(&'n [String]);
 
 impl Layout {
     /// Reads the names of the columns.
     pub(crate) fn read(names: Vec<String>, scene: &Scene) -> Result<Self, TraceError> {
-        let header = |message: String| TraceError::new("header", message);
         if names.len() > MAX_COLUMNS {
             return Err(header(format!("a trace may have {MAX_COLUMNS} columns")));
         }
-        let find = |base: &str| -> Result<Option<(usize, Option<&str>)>, TraceError> {
-            let mut found = None;
-            for (i, name) in names.iter().enumerate() {
-                let (stem, unit) = split(name);
-                if stem != base {
-                    continue;
-                }
-                if found.is_some() {
-                    return Err(header(format!("the column `{base}` is there twice")).column(name));
-                }
-                found = Some((i, unit));
-            }
-            Ok(found)
-        };
-        let ledger = match (find("xi0")?, find("xi1")?) {
-            (Some((start, _)), Some((end, _))) => Some((start, end)),
-            _ => None,
-        };
-        // A ledger may repeat where its intervals start as `xi`: its own columns say more.
-        let other = |column| {
-            if ledger.is_some() {
-                Ok(None)
-            } else {
-                find(column)
-            }
-        };
-        let forms = [
-            (Form::Xi, other("xi")?),
-            (Form::X, other("x")?),
-            (Form::Count, other("count")?),
-            (Form::Ledger, ledger.map(|(start, _)| (start, None))),
-        ];
-        let mut present = forms
-            .iter()
-            .filter_map(|(form, column)| column.map(|column| (*form, column)));
-        let Some((form, (position, unit))) = present.next() else {
-            let found = names.iter().take(8).map(|n| shown(n.as_bytes()));
-            let found = found.collect::<Vec<_>>().join("`, `");
-            return Err(header(format!(
-                "expected a column `xi`, `x [unit]` or `count`, found `{found}`"
-            )));
-        };
-        if let Some((other, _)) = present.next() {
-            return Err(header(format!(
-                "expected one of `xi`, `x [unit]` and `count`, found `{}` and `{}`",
-                form.name(),
-                other.name()
-            )));
+        let columns = Names(&names);
+        let (form, (position, unit), end) = columns.positions()?;
+        let is_ledger = form == Form::Ledger;
+        if form == Form::Count && !scene.given.has_encoder() {
+            return Err(header("counts need a scene with an encoder").column("count"));
         }
-        let has_encoder = scene.resolution.is_some();
-        if form == Form::Count && !has_encoder {
-            return Err(header("counts need a scene with an encoder".to_owned()).column("count"));
-        }
-        let name_of = |i: usize| names.get(i).cloned().unwrap_or_default();
         let scale = match (form, unit) {
             (Form::X, unit) => {
-                position_scale(unit, scene).map_err(|e| e.column(name_of(position)))?
+                position_scale(unit, scene).map_err(|e| e.column(columns.name(position)))?
             }
             (_, Some(_)) => {
                 let message = "ticks have no unit: `x [unit]` is for positions with one";
-                return Err(header(message.to_owned()).column(name_of(position)));
+                return Err(header(message).column(columns.name(position)));
             }
-            (_, None) => Scale::Ticks,
+            (_, None) => Scale::One,
         };
-        let time = find("t")?;
+        let time = columns.find("t")?;
         let per_period = match time {
-            Some((i, unit)) => time_scale(unit, scene).map_err(|e| e.column(name_of(i)))?,
+            Some((i, unit)) => time_scale(unit, scene).map_err(|e| e.column(columns.name(i)))?,
             None => Number::whole(1),
         };
-        let time = time.or(find("tau")?).map(|(i, _)| i);
-        let force = match form {
-            // A ledger's own columns say nothing of the force.
-            Form::Ledger => None,
-            _ => find("f")?,
-        };
+        let time = time.or(columns.find("tau")?).map(|(i, _)| i);
+        // A ledger says under which force its intervals were, when that is not the law's.
+        let force = columns.find(if is_ledger { "force" } else { "f" })?;
         let per_force = match force {
-            Some((i, unit)) => force_scale(unit, scene).map_err(|e| e.column(name_of(i)))?,
-            None => 1.0,
+            Some((i, unit)) if !is_ledger => {
+                force_scale(unit, scene).map_err(|e| e.column(columns.name(i)))?
+            }
+            _ => Scale::One,
+        };
+        let dtau = match is_ledger {
+            true => columns.find("dtau")?.map(|(i, _)| i),
+            false => None,
         };
         Ok(Self {
             form,
             position,
-            end: ledger.filter(|_| form == Form::Ledger).map(|(_, end)| end),
-            dtau: match form {
-                Form::Ledger => find("dtau")?.map(|(i, _)| i),
-                _ => None,
-            },
+            end,
+            dtau,
             time,
             force: force.map(|(i, _)| i),
             width: names.len(),
@@ -175,18 +153,21 @@ impl Layout {
     }
 
     /// The name of a column.
-    pub(crate) fn name(&self, column: usize) -> &str {
-        self.names.get(column).map_or("", String::as_str)
+    pub(crate) fn name(&self, column: usize) -> String {
+        Names(&self.names).name(column)
+    }
+
+    /// Whether positions, or forces that are `applied`, are known only between two ends.
+    pub(crate) const fn encloses(&self, applied: bool) -> bool {
+        matches!(self.form, Form::Count)
+            || self.scale.is_irrational()
+            || (applied && self.per_force.is_irrational())
     }
 
     /// Δτ between two times; `None` unless the second is later.
     pub(crate) fn duration(&self, from: &Number, to: &Number) -> Option<Number> {
         let dt = difference(to, from);
-        let positive = match &dt {
-            Number::Small(n, _) => *n > 0,
-            Number::Big(x) => num_traits::Signed::is_positive(&**x),
-        };
-        positive.then(|| quotient(&dt, &self.per_period))
+        is_positive(&dt).then(|| quotient(&dt, &self.per_period))
     }
 
     /// How many of the intervals between these times, from the first on, last exactly one period.
@@ -213,24 +194,109 @@ impl Layout {
             .count()
     }
 
-    /// A position as a sample.
-    pub(crate) fn sample(&self, x: Number) -> Result<Sample, TraceError> {
+    /// A position as it is known.
+    pub(crate) fn sample(&self, x: Number) -> Result<Reading, TraceError> {
         match &self.scale {
-            Scale::Ticks => Ok(Sample::Exact(x)),
-            Scale::Factor(factor) => Ok(Sample::Exact(Number::from(x.to_rational() * factor))),
-            Scale::Pi(factor, power) => within_a_tick(&(x.to_rational() * factor), *power),
+            Scale::One => Ok(Reading::Exact(x)),
+            Scale::Factor(factor) => Ok(Reading::Exact(product(&x, factor))),
+            Scale::Irrational(factor, range) => within_a_tick(&x.to_rational(), factor, range),
+        }
+    }
+
+    /// A force as it is known, written to within `rounding` of its unit.
+    pub(crate) fn force(&self, x: Number, rounding: f64) -> Force {
+        let (value, unit) = match &self.per_force {
+            Scale::One => (Reading::Exact(x), 1.0),
+            Scale::Factor(factor) => {
+                let unit = near(&factor.to_rational());
+                (Reading::Exact(product(&x, factor)), unit)
+            }
+            Scale::Irrational(_, range) => {
+                let x = x.to_rational();
+                let range_of_force = Interval::hull(&x * range.lo(), &x * range.hi());
+                (enclosed(&on_grid(&range_of_force)), near(range.lo()))
+            }
+        };
+        Force {
+            value,
+            rounding: rounding * unit.abs(),
         }
     }
 }
 
-/// `x [rad]` as `x` and `rad`.
-fn split(name: &str) -> (&str, Option<&str>) {
+fn header(message: impl Into<String>) -> TraceError {
+    TraceError::new("header", message)
+}
+
+/// A column, and the unit in its name.
+type Column<'n> = (usize, Option<&'n str>);
+
+impl<'n> Names<'n> {
+    fn name(&self, column: usize) -> String {
+        match self.0.get(column) {
+            Some(name) => name.clone(),
+            None => format!("number {}", column + 1),
+        }
+    }
+
+    /// The column with this name, its unit aside.
+    fn find(&self, base: &str) -> Result<Option<Column<'n>>, TraceError> {
+        let mut found = None;
+        for (i, name) in self.0.iter().enumerate() {
+            let (stem, unit) = split(name);
+            if stem != base {
+                continue;
+            }
+            let unit = unit.map_err(|message| header(message).column(name))?;
+            if found.is_some() {
+                return Err(header(format!("the column `{base}` is there twice")).column(name));
+            }
+            found = Some((i, unit));
+        }
+        Ok(found)
+    }
+
+    /// The form of positions, their column, and that of where a row of a ledger ends.
+    fn positions(&self) -> Result<(Form, Column<'n>, Option<usize>), TraceError> {
+        if let (Some((start, _)), Some((end, _))) = (self.find("xi0")?, self.find("xi1")?) {
+            // A ledger may repeat where its intervals start as `xi`: its own columns say more.
+            return Ok((Form::Ledger, (start, None), Some(end)));
+        }
+        let forms = [
+            (Form::Xi, self.find("xi")?),
+            (Form::X, self.find("x")?),
+            (Form::Count, self.find("count")?),
+        ];
+        let mut present = forms
+            .into_iter()
+            .filter_map(|(form, column)| Some((form, column?)));
+        match (present.next(), present.next()) {
+            (Some((form, column)), None) => Ok((form, column, None)),
+            (Some((form, _)), Some((other, _))) => Err(header(format!(
+                "expected one of `xi`, `x [unit]` and `count`, found `{}` and `{}`",
+                form.name(),
+                other.name()
+            ))),
+            (None, _) => {
+                let found = self.0.iter().take(8).map(|n| shown(n.as_bytes()));
+                let found = found.collect::<Vec<_>>().join("`, `");
+                Err(header(format!(
+                    "expected a column `xi`, `x [unit]` or `count`, found `{found}`"
+                )))
+            }
+        }
+    }
+}
+
+/// `x [rad]` as `x` and `rad`, or why the brackets say nothing.
+fn split(name: &str) -> (&str, Result<Option<&str>, &'static str>) {
     match name.split_once('[') {
         Some((stem, rest)) => {
-            let unit = rest.trim_end().strip_suffix(']').unwrap_or(rest);
-            (stem.trim(), Some(unit.trim()))
+            let unit = rest.trim_end().strip_suffix(']');
+            let unit = unit.map(|unit| Some(unit.trim()));
+            (stem.trim(), unit.ok_or("the bracket is not closed"))
         }
-        None => (name.trim(), None),
+        None => (name.trim(), Ok(None)),
     }
 }
 
@@ -277,19 +343,28 @@ fn position_scale(text: Option<&str>, scene: &Scene) -> Result<Scale, TraceError
     needs_units(scene, "xi")?;
     let unit = unit(text, "x [rad]")?;
     expect(&unit, Dimension::new(0, 1, 0, 0), scene, "a position")?;
-    let (length, length_pi) = match &scene.resolution {
-        Some(given) => (given.nominal.range().lo().clone(), given.nominal.pi_power()),
-        None => (BigRational::one(), 0),
-    };
-    let factor = unit.scale() / length;
-    match unit.pi_power() - length_pi {
-        0 => Ok(Scale::Factor(factor)),
-        _ if scene.resolution.is_none() => {
-            let message = "without an encoder positions must be in radians or metres";
-            Err(TraceError::new("unit", message))
-        }
-        power => Ok(Scale::Pi(factor, power)),
+    let scale = Scale::of(exact(&unit).over(nominal(scene).length()))?;
+    if scale.is_irrational() && !scene.given.has_encoder() {
+        let message = "without an encoder positions must be in radians or metres";
+        return Err(TraceError::new("unit", message));
     }
+    Ok(scale)
+}
+
+/// A unit in SI.
+fn exact(unit: &Unit) -> Exact {
+    let power = (0..unit.pi_power().unsigned_abs()).fold(Exact::one(), |x, _| x * pi::pi());
+    let scale = Exact::of(unit.scale());
+    if unit.pi_power() < 0 {
+        scale.over(power)
+    } else {
+        scale * power
+    }
+}
+
+/// The parameters of a scene at their nominal values.
+fn nominal(scene: &Scene) -> Loop<Exact> {
+    scene.given.map(|_, given| given.nominal.clone())
 }
 
 fn time_scale(text: Option<&str>, scene: &Scene) -> Result<Number, TraceError> {
@@ -299,53 +374,62 @@ fn time_scale(text: Option<&str>, scene: &Scene) -> Result<Number, TraceError> {
         let message = "expected a unit of time, such as `s`";
         return Err(TraceError::new("unit", message));
     }
-    let period = scene.period.nominal.middle();
-    Ok(Number::from(period / unit.scale()))
+    match nominal(scene).period.over(exact(&unit)).to_rational() {
+        Some(x) => Ok(Number::from(x)),
+        None => Err(TraceError::new("unit", "a unit of time has no π in it")),
+    }
 }
 
-fn force_scale(text: Option<&str>, scene: &Scene) -> Result<f64, TraceError> {
-    let Some(_) = text else {
-        if scene.motion == Motion::Dimensionless {
-            return Ok(1.0);
-        }
-        return Err(unit(text, "f [N]")
-            .err()
-            .unwrap_or_else(|| TraceError::new("unit", "unit")));
-    };
-    needs_units(scene, "f")?;
+fn force_scale(text: Option<&str>, scene: &Scene) -> Result<Scale, TraceError> {
+    if text.is_none() && scene.motion == Motion::Dimensionless {
+        return Ok(Scale::One);
+    }
     let unit = unit(text, "f [N]")?;
+    needs_units(scene, "f")?;
     expect(&unit, Dimension::new(1, 1, -2, 0), scene, "a force")?;
-    let units = scene.point().units;
-    Ok(number::nearest_f64(
-        &(unit.scale() / (units.stiffness * units.length)),
-    ))
+    Scale::of(exact(&unit).over(nominal(scene).force_unit()))
 }
 
-/// x·π^power, enclosed on a fine grid within one tick.
-fn within_a_tick(x: &BigRational, power: i8) -> Result<Sample, TraceError> {
-    /// Steps of the grid per tick, as a power of two: small enough for machine integers.
+/// x·`factor`, enclosed on a fine grid within one tick.
+fn within_a_tick(
+    x: &BigRational,
+    factor: &Exact,
+    range: &Interval<BigRational>,
+) -> Result<Reading, TraceError> {
+    if x.is_zero() {
+        return Ok(Reading::Exact(Number::whole(0)));
+    }
+    let fine = Interval::hull(x * range.lo(), x * range.hi());
+    // No position is a whole number of ticks: π would be rational.
+    let tick = match fine.lo().floor() == fine.hi().floor() {
+        true => fine.lo().floor(),
+        false => (Exact::of(x) * factor.clone())
+            .floor()
+            .to_rational()
+            .ok_or_else(|| {
+                let message = "too close to the border between two ticks to tell which it is in";
+                TraceError::new("position", message)
+            })?,
+    };
+    let coarse = on_grid(&fine);
+    let above = &tick + BigRational::one();
+    let lo = Ord::max(coarse.lo(), &tick).clone();
+    // The enclosure may touch the next tick from below: that is its closure.
+    let hi = Ord::min(coarse.hi(), &above).clone();
+    Ok(enclosed(&Interval::hull(lo, hi)))
+}
+
+/// The interval rounded outward to a grid, small enough for machine integers.
+fn on_grid(range: &Interval<BigRational>) -> Interval<BigRational> {
+    /// Steps of the grid per tick, or per KΔ, as a power of two.
     const GRID_BITS: u32 = 40;
-    if num_traits::Zero::is_zero(x) {
-        return Ok(Sample::Exact(Number::whole(0)));
-    }
-    let grid = BigRational::from_integer(num_bigint::BigInt::from(1_u64 << GRID_BITS));
-    for level in 3..=pi::MAX_LEVEL {
-        let pi = pi::enclosure(level);
-        let exponent = i32::from(power);
-        let (a, b) = (x * pi.lo().pow(exponent), x * pi.hi().pow(exponent));
-        let (lo, hi) = if a < b { (a, b) } else { (b, a) };
-        if lo.floor() != hi.floor() {
-            continue;
-        }
-        let coarse = ((&lo * &grid).floor() / &grid, (&hi * &grid).ceil() / &grid);
-        // On the grid the enclosure may touch the next tick from below: its closure.
-        let ends = if coarse.1 <= lo.floor() + BigRational::one() {
-            coarse
-        } else {
-            (lo, hi)
-        };
-        return Ok(Sample::Within(Box::new(ends)));
-    }
-    let message = "too close to the border between two ticks to tell which it is in";
-    Err(TraceError::new("position", message))
+    let grid = BigRational::from_integer(BigInt::from(1_u64 << GRID_BITS));
+    Interval::hull(
+        (range.lo() * &grid).floor() / &grid,
+        (range.hi() * &grid).ceil() / &grid,
+    )
+}
+
+fn enclosed(range: &Interval<BigRational>) -> Reading {
+    Reading::Within(Box::new(range.clone()))
 }

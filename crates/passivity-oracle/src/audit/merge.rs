@@ -2,25 +2,32 @@
 
 use std::io::Write;
 
-use passivity_core::BigRational;
 use passivity_scene::Scene;
 
 use crate::audit::account::Account;
 use crate::audit::chunk::Chunk;
+use crate::audit::comparison::Comparison;
 use crate::audit::error::TraceError;
-use crate::audit::force::ForceCheck;
 use crate::audit::report::Audit;
 use crate::audit::step::{between, check_jump, duration};
-use crate::audit::supply::{Supply, potential_range};
-use crate::audit::worker::{Task, enter, plot};
-use crate::ledger::Sample;
+use crate::audit::worker::{Computed, Task};
+use crate::ledger::Logged;
 use crate::number::Number;
+use crate::reading::Reading;
 
 /// The most intervals whose rows a report carries itself.
 pub(crate) const ROWS_IN_REPORT: usize = 1000;
 
 /// The most points that a plot is made of.
 const MAX_POINTS: usize = 8192;
+
+/// What a sample of the trace starts: how long it lasts and under which force, where that is said.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Onward {
+    time: Option<Number>,
+    dtau: Option<Number>,
+    force: Option<Reading>,
+}
 
 /// The account so far, and what the next chunk needs of the chunks before it.
 pub(crate) struct Merge<'a, 'w> {
@@ -30,18 +37,28 @@ pub(crate) struct Merge<'a, 'w> {
     account: Account,
     samples: u64,
     /// The latest samples, the latest first.
-    recent: Vec<Sample>,
-    time: Option<Number>,
-    /// In a ledger: Δτ of the row that the latest sample starts, and where it ends.
-    dtau: Option<Number>,
-    closing: Option<Sample>,
-    first: Option<Sample>,
-    force: Option<ForceCheck>,
-    /// The first samples, for the rows in the report.
-    pub(crate) head: Vec<(Sample, Number)>,
+    recent: Vec<Reading>,
+    /// What the latest of them starts.
+    onward: Onward,
+    /// In a ledger: where the latest row ends.
+    closing: Option<Reading>,
+    first: Option<Reading>,
+    comparison: Option<Comparison<'a>>,
+    /// The first intervals, for the rows in the report.
+    head: Vec<Logged>,
     error: Option<TraceError>,
     unended: bool,
-    stride: u64,
+}
+
+/// All that an audit found.
+pub(crate) struct Findings<'a> {
+    pub(crate) account: Account,
+    pub(crate) samples: u64,
+    pub(crate) first: Option<Reading>,
+    pub(crate) comparison: Option<Comparison<'a>>,
+    pub(crate) head: Vec<Logged>,
+    pub(crate) error: Option<TraceError>,
+    pub(crate) unended: bool,
 }
 
 impl<'a, 'w> Merge<'a, 'w> {
@@ -49,10 +66,10 @@ impl<'a, 'w> Merge<'a, 'w> {
         task: &'a Task<'a>,
         mut out: Option<&'w mut (dyn Write + 'w)>,
     ) -> Result<Self, TraceError> {
-        if let (Some(out), Some(enclosures)) = (&mut out, task.rows) {
-            writeln!(out, "{}", crate::row::csv_header(enclosures))
-                .map_err(|error| TraceError::io(&error))?;
+        if let (Some(out), Some(form)) = (&mut out, task.rows) {
+            writeln!(out, "{}", form.header()).map_err(|error| TraceError::io(&error))?;
         }
+        let compared = task.layout.force.is_some();
         Ok(Self {
             task,
             out,
@@ -60,60 +77,52 @@ impl<'a, 'w> Merge<'a, 'w> {
             account: Account::default(),
             samples: 0,
             recent: Vec::new(),
-            time: None,
-            dtau: None,
+            onward: Onward::default(),
             closing: None,
             first: None,
-            force: task.layout.force.map(|_| ForceCheck::new(task.ledger)),
+            comparison: compared.then(|| Comparison::new(task.ledger)),
             head: Vec::new(),
             error: None,
             unended: false,
-            stride: 1,
         })
     }
 
     /// Takes the next chunk with the account of the intervals inside it. False when the trace ends
     /// here, for a mistake.
     pub(crate) fn take(&mut self, mut chunk: Chunk, account: Account) -> Result<bool, TraceError> {
-        let lead = self.task.ledger.window() - 1;
+        let lead = self.task.lead();
         let whole = chunk.samples.len();
         // Intervals that end at the first samples of the chunk reach back beyond it.
         for i in 0..whole.min(lead + 1) {
             if let Err(error) = self.single(&chunk, i) {
-                self.fail(error, i);
+                self.samples += i as u64;
+                self.error = Some(error.row(self.samples + 1));
+                self.closing = None;
                 return self.flush().map(|()| false);
             }
         }
         if whole > lead + 1 {
-            self.keep_head(&chunk, lead + 1);
+            self.keep_head(&chunk, lead)?;
             self.account.append(account);
-            self.recent = chunk
-                .samples
-                .back_from(whole - 1, self.task.ledger.window());
+            let window = self.task.ledger.window();
+            self.recent = chunk.samples.back_from(whole - 1, window);
+            self.onward = onward(&chunk, whole - 1);
         }
-        if let Some(force) = &mut self.force {
-            force.feed(&chunk);
+        if let Some(comparison) = &mut self.comparison {
+            comparison.feed(&chunk)?;
         }
         self.thin_points();
-        self.time = chunk.times.pop().or(self.time.take());
-        self.dtau = chunk.dtaus.pop().or(self.dtau.take());
         self.closing = chunk.closing.take();
         self.unended = chunk.unended;
         let before = self.samples;
         self.samples += whole as u64;
         self.flush()?;
-        if let Some(mut error) = chunk.error.take() {
-            error.row = Some(before + error.row.unwrap_or(whole as u64) + 1);
-            self.error = Some(error);
+        if let Some(error) = chunk.error.take() {
+            let row = before + error.row.unwrap_or(whole as u64) + 1;
+            self.error = Some(error.row(row));
             return Ok(false);
         }
         Ok(true)
-    }
-
-    fn fail(&mut self, error: TraceError, at: usize) {
-        self.samples += at as u64;
-        self.error = Some(error.row(self.samples + 1));
-        self.closing = None;
     }
 
     /// The interval that ends at sample `i` of a chunk.
@@ -121,59 +130,52 @@ impl<'a, 'w> Merge<'a, 'w> {
         let Some(sample) = chunk.samples.get(i) else {
             return Ok(());
         };
-        let before = i.checked_sub(1);
-        let dtau = match before {
-            Some(before) => duration(self.task.layout, chunk, before)?,
-            None => match (&self.time, chunk.times.first()) {
-                (Some(from), Some(to)) => Some(between(self.task.layout, from, to)?),
-                _ => self.dtau.clone(),
-            },
+        let dtau = match (i.checked_sub(1), &self.onward.time, chunk.times.first()) {
+            (Some(before), _, _) => duration(self.task.layout, chunk, before)?,
+            (None, Some(from), Some(to)) => Some(between(self.task.layout, from, to)?),
+            (None, _, _) => self.onward.dtau.clone(),
         };
-        if let (None, Some(closing)) = (before, &self.closing)
+        if let (0, Some(closing)) = (i, &self.closing)
             && *closing != sample
         {
             let message = "a row of a ledger starts where the row before it ends";
             return Err(TraceError::new("gap", message));
         }
-        self.interval(sample, dtau)
+        self.interval(sample, dtau)?;
+        self.onward = onward(chunk, i);
+        Ok(())
     }
 
     /// The interval from the latest sample to the next.
-    fn interval(&mut self, sample: Sample, dtau: Option<Number>) -> Result<(), TraceError> {
-        let timed = dtau.is_some();
-        let dtau = dtau.unwrap_or(Number::whole(1));
+    fn interval(&mut self, sample: Reading, dtau: Option<Number>) -> Result<(), TraceError> {
         if let Some(latest) = self.recent.first() {
-            if let (Sample::Count(from), Sample::Count(to)) = (latest, &sample) {
+            if let (Reading::Count(from), Reading::Count(to)) = (latest, &sample) {
                 check_jump(*from, *to)?;
             }
-            if !crate::number::is_positive(&dtau) {
-                let message = "expected a duration above zero";
-                return Err(TraceError::new("time", message).column("dtau"));
+            if let Some(dtau) = &dtau {
+                if !crate::number::is_positive(dtau) {
+                    let message = "expected a duration above zero";
+                    return Err(TraceError::new("time", message).column("dtau"));
+                }
+                self.account.timing.add(dtau, self.account.intervals);
             }
-            if timed {
-                self.account.timing.add(&dtau, self.account.intervals);
-            }
-            if let Some(row) = self.task.ledger.row(&self.recent, &sample, &dtau) {
-                enter(
-                    self.task,
-                    &row,
-                    &self.recent,
-                    &sample,
-                    &dtau,
-                    &mut self.account,
-                );
-                self.account.last = Some(row);
-            }
-            let mut supply = Supply::default();
-            let [least, _] = potential_range(self.task.ledger, &sample);
-            supply.lower(&self.account, &Some(least));
-            supply.settle(&mut self.account);
+            let force = self.onward.force.take().filter(|_| self.task.applied);
+            let interval = Logged {
+                samples: std::mem::take(&mut self.recent),
+                end: sample.clone(),
+                dtau: dtau.unwrap_or(Number::whole(1)),
+                force,
+            };
+            let computed = Computed::of(self.task, &interval)?;
+            computed.account(self.task, &interval, &mut self.account)?;
+            self.account.last = Some(computed.row);
             if self.task.points {
-                plot(&mut self.account);
+                self.account.plot();
             }
-        }
-        if self.head.len() <= ROWS_IN_REPORT {
-            self.head.push((sample.clone(), dtau));
+            self.recent.clone_from(&interval.samples);
+            if self.head.len() < ROWS_IN_REPORT {
+                self.head.push(interval);
+            }
         }
         self.first.get_or_insert_with(|| sample.clone());
         self.recent.insert(0, sample);
@@ -181,29 +183,20 @@ impl<'a, 'w> Merge<'a, 'w> {
         Ok(())
     }
 
-    /// Keeps the first samples of the trace, from sample `from` of a chunk on.
-    fn keep_head(&mut self, chunk: &Chunk, from: usize) {
-        for i in from..chunk.samples.len() {
-            if self.head.len() > ROWS_IN_REPORT {
-                return;
+    /// Keeps the first intervals of the trace, from the one that starts at sample `from` of a chunk.
+    fn keep_head(&mut self, chunk: &Chunk, from: usize) -> Result<(), TraceError> {
+        for i in from..chunk.samples.len() - 1 {
+            if self.head.len() >= ROWS_IN_REPORT {
+                break;
             }
-            let dtau = i
-                .checked_sub(1)
-                .map(|i| duration(self.task.layout, chunk, i));
-            let dtau = dtau
-                .and_then(Result::ok)
-                .flatten()
-                .unwrap_or(Number::whole(1));
-            if let Some(sample) = chunk.samples.get(i) {
-                self.head.push((sample, dtau));
-            }
+            self.head.push(self.task.logged(chunk, i)?);
         }
+        Ok(())
     }
 
     /// Keeps the plot to a bounded number of points, evenly spread.
     fn thin_points(&mut self) {
         while self.account.points.len() > MAX_POINTS {
-            self.stride *= 2;
             let mut keep = false;
             self.account.points.retain(|_| {
                 keep = !keep;
@@ -219,7 +212,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             return Ok(());
         };
         for line in rows.split_inclusive(|byte| *byte == b'\n') {
-            write!(out, "{},", self.written)
+            write!(out, "{}", self.written)
                 .and_then(|()| out.write_all(line))
                 .map_err(|error| TraceError::io(&error))?;
             self.written += 1;
@@ -230,7 +223,7 @@ impl<'a, 'w> Merge<'a, 'w> {
     /// The report.
     pub(crate) fn finish(mut self, scene: &Scene) -> Result<Audit, TraceError> {
         if let Some(closing) = self.closing.take() {
-            let dtau = self.dtau.take();
+            let dtau = self.onward.dtau.take();
             if let Err(error) = self.interval(closing, dtau) {
                 self.error = Some(error.row(self.samples));
             }
@@ -239,21 +232,28 @@ impl<'a, 'w> Merge<'a, 'w> {
         if let Some(out) = &mut self.out {
             out.flush().map_err(|error| TraceError::io(&error))?;
         }
-        // The lowest supply was taken as if the potential at the start were nothing.
-        let start: Option<[BigRational; 2]> = self
-            .first
-            .as_ref()
-            .map(|first| potential_range(self.task.ledger, first));
-        Ok(Audit::new(
-            self.task,
-            scene,
-            self.account,
-            self.samples,
-            start,
-            self.force,
-            self.head,
-            self.error,
-            self.unended,
-        ))
+        if self.error.is_none() && self.account.intervals == 0 {
+            let message = "a trace needs two samples at least: there is nothing to account for";
+            self.error = Some(TraceError::new("empty", message).row(self.samples + 1));
+        }
+        let findings = Findings {
+            account: self.account,
+            samples: self.samples,
+            first: self.first,
+            comparison: self.comparison,
+            head: self.head,
+            error: self.error,
+            unended: self.unended,
+        };
+        Audit::new(self.task, scene, findings)
+    }
+}
+
+/// What sample `i` of a chunk starts.
+fn onward(chunk: &Chunk, i: usize) -> Onward {
+    Onward {
+        time: chunk.times.get(i).cloned(),
+        dtau: chunk.dtaus.get(i).cloned(),
+        force: chunk.forces.get(i).map(|force| force.value.clone()),
     }
 }

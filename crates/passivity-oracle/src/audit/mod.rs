@@ -3,24 +3,30 @@
 mod account;
 mod arrays;
 mod chunk;
-mod course;
+mod comparison;
 mod csv;
 mod error;
-mod force;
 mod layout;
 mod merge;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod report;
+mod running;
 mod step;
 mod supply;
+mod table;
+mod text;
+mod timing;
 mod worker;
 
 pub use account::Point;
 pub use arrays::{Positions, audit_arrays};
 pub use error::TraceError;
 pub use layout::Form;
-pub use report::{Audit, Standing};
+pub use report::{
+    Agreement, Audit, Firsts, Fitted, Force, Found, Judged, Least, Observer, Report, Running,
+    Sampling, Shown, Supplied, Verdict,
+};
 
 use std::fs::File;
 use std::io::{Read, Write};
@@ -30,15 +36,10 @@ use passivity_scene::Scene;
 
 use crate::audit::chunk::Chunk;
 use crate::audit::csv::{Block, Lines};
-use crate::audit::layout::{Layout, Scale};
+use crate::audit::layout::Layout;
 use crate::audit::merge::Merge;
 use crate::audit::worker::{Task, Worker};
 use crate::ledger::Ledger;
-use crate::model::Model;
-
-/// The level of π at which friction in ticks is enclosed: about 14 digits, which machine integers
-/// hold.
-const PI_LEVEL: usize = 2;
 
 /// What an audit is to give besides its report.
 #[derive(Default)]
@@ -47,6 +48,8 @@ pub struct Options<'a> {
     pub rows: Option<&'a mut (dyn Write + 'a)>,
     /// Whether the course of the energy is wanted, for a plot.
     pub points: bool,
+    /// Whether the account is of the scene's own law, also where the trace has forces.
+    pub law: bool,
     /// How many cores to use; 0 for all.
     pub threads: usize,
     /// How many bytes of CSV a core is given at once; 0 for a size that suits most machines.
@@ -93,8 +96,8 @@ fn audit_parquet(path: &Path, scene: &Scene, options: Options<'_>) -> Result<Aud
 
 #[cfg(not(feature = "parquet"))]
 fn audit_parquet(_: &Path, _: &Scene, _: Options<'_>) -> Result<Audit, TraceError> {
-    let message = "Parquet files are not in this build: build it with the feature `parquet`";
-    Err(TraceError::new("not_built_in", message))
+    let message = "Parquet is not in this build: build it with the feature `parquet`";
+    Err(TraceError::new("parquet", message))
 }
 
 /// Audits a trace in CSV.
@@ -106,14 +109,14 @@ fn audit_parquet(_: &Path, _: &Scene, _: Options<'_>) -> Result<Audit, TraceErro
 /// # Example
 ///
 /// ```
-/// use passivity_oracle::audit::{Options, Standing, audit_csv};
+/// use passivity_oracle::audit::{Options, Verdict, audit_csv};
 /// use passivity_scene::Scene;
 ///
 /// let scene = Scene::from_toml("s", "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"").unwrap();
 /// let trace = Box::new(&b"xi\n1\n1/2\n"[..]);
 /// let audit = audit_csv(trace, &scene, Options::default()).unwrap();
-/// assert_eq!(audit.standing(), Standing::Holds); // the linear account,
-/// assert_eq!(audit.totals().quantized.holds, 1); // not that of (22)
+/// assert_eq!(audit.verdict(), Verdict::Holds); // the linear account,
+/// assert_eq!(audit.totals().violates_quantized, 1); // not that of (22)
 /// ```
 pub fn audit_csv(
     input: Box<dyn Read>,
@@ -136,71 +139,85 @@ enum Work {
     Account(Chunk),
 }
 
+impl Source {
+    /// What the next core is to do; `None` at the end.
+    fn next(&mut self, layout: &Layout) -> Option<Work> {
+        #[cfg(not(feature = "parquet"))]
+        let _ = layout;
+        match self {
+            Self::Csv(lines) => lines.next_block().map(Work::Parse),
+            #[cfg(feature = "parquet")]
+            Self::Parquet(table) => table.next_chunk(layout).map(Work::Account),
+            Self::Memory(chunks) => chunks.pop().map(Work::Account),
+        }
+    }
+}
+
 fn run(
     mut source: Source,
     layout: &Layout,
     scene: &Scene,
     options: Options<'_>,
 ) -> Result<Audit, TraceError> {
-    let ledger = Ledger::new(Model::of_scene(scene, PI_LEVEL));
-    let model = ledger.model();
-    let enclosures =
-        layout.form == Form::Count || !model.is_exact() || matches!(layout.scale, Scale::Pi(..));
+    let ledger = Ledger::of_scene(scene);
+    let applied = layout.force.is_some() && !options.law;
+    let friction_is_exact = ledger.wide().friction_is_exact();
+    let form = crate::csv::Form {
+        enclosures: layout.encloses(applied) || !friction_is_exact,
+        force: applied,
+    };
     let task = Task {
         ledger: &ledger,
         layout,
-        rows: options.rows.is_some().then_some(enclosures),
+        rows: options.rows.is_some().then_some(form),
         points: options.points,
+        applied,
+        running: applied || ledger.has_memory(),
     };
     let threads = match options.threads {
+        // One, where the system does not say how many there are.
         0 => std::thread::available_parallelism().map_or(1, usize::from),
         threads => threads,
     };
     let mut workers: Vec<Worker> = (0..threads).map(|_| Worker::default()).collect();
     let mut merge = Merge::new(&task, options.rows)?;
-    let lead = ledger.window() - 1;
     loop {
-        let mut work: Vec<Work> = Vec::with_capacity(threads);
-        while work.len() < threads {
-            let next = match &mut source {
-                Source::Csv(lines) => lines.next_block().map(Work::Parse),
-                #[cfg(feature = "parquet")]
-                Source::Parquet(table) => table.next_chunk(layout).map(Work::Account),
-                Source::Memory(chunks) => chunks.pop().map(Work::Account),
-            };
-            match next {
-                Some(next) => work.push(next),
-                None => break,
-            }
-        }
+        let next = std::iter::from_fn(|| source.next(layout));
+        let work: Vec<Work> = next.take(threads).collect();
         if work.is_empty() {
-            break;
+            return merge.finish(scene);
         }
-        let done = std::thread::scope(|scope| {
-            let mut running = Vec::new();
-            for (work, worker) in work.into_iter().zip(&mut workers) {
-                let task = &task;
-                running.push(scope.spawn(move || {
-                    let mut chunk = match work {
-                        Work::Parse(block) => csv::parse(&block, task.layout),
-                        Work::Account(chunk) => chunk,
-                    };
-                    let account = worker.account(task, &mut chunk, lead);
-                    (chunk, account)
-                }));
-            }
-            let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
-                handle
-                    .join()
-                    .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-            };
-            running.into_iter().map(join).collect::<Vec<_>>()
-        });
-        for (chunk, account) in done {
+        for (chunk, account) in at_once(&task, work, &mut workers) {
             if !merge.take(chunk, account)? {
                 return merge.finish(scene);
             }
         }
     }
-    merge.finish(scene)
+}
+
+/// The accounts of some chunks, each on a core of its own.
+fn at_once(
+    task: &Task<'_>,
+    work: Vec<Work>,
+    workers: &mut [Worker],
+) -> Vec<(Chunk, account::Account)> {
+    std::thread::scope(|scope| {
+        let mut running = Vec::new();
+        for (work, worker) in work.into_iter().zip(workers) {
+            running.push(scope.spawn(move || {
+                let mut chunk = match work {
+                    Work::Parse(block) => csv::parse(&block, task.layout),
+                    Work::Account(chunk) => chunk,
+                };
+                let account = worker.account(task, &mut chunk, task.lead());
+                (chunk, account)
+            }));
+        }
+        let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
+            handle
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        };
+        running.into_iter().map(join).collect()
+    })
 }

@@ -17,8 +17,8 @@ use parquet::schema::types::ColumnDescPtr;
 use crate::audit::chunk::{Chunk, Samples};
 use crate::audit::error::{self, TraceError};
 use crate::audit::layout::{Form, Layout};
-use crate::ledger::Sample;
 use crate::number::Number;
+use crate::reading::Reading;
 
 /// How many rows are decoded at once.
 const ROWS: usize = 1 << 19;
@@ -140,14 +140,13 @@ impl Table {
                         keep(row + 1, Some(TraceError::new("gap", message)));
                     }
                     read.values.truncate(whole);
-                    chunk.closing = read.values.last().cloned().map(Sample::Exact);
+                    chunk.closing = read.values.last().cloned().map(Reading::Exact);
                 }
                 i if Some(i) == layout.dtau => chunk.dtaus = read.values,
                 i if Some(i) == layout.time => chunk.times = read.values,
                 _ => {
-                    let near = |x: &Number| crate::audit::course::near(&x.to_rational());
-                    let force = |x: &Number| [near(x) * layout.per_force, 0.0];
-                    chunk.forces = read.values.iter().map(force).collect();
+                    let forces = read.values.into_iter();
+                    chunk.forces = forces.map(|x| layout.force(x, 0.0)).collect();
                 }
             }
         }
@@ -166,10 +165,7 @@ impl Table {
             }
             chunk.samples = Samples::Any(samples);
         }
-        chunk.samples.truncate(whole);
-        chunk.dtaus.truncate(whole);
-        chunk.times.truncate(whole);
-        chunk.forces.truncate(whole);
+        chunk.truncate(whole);
         self.left -= u64::try_from(rows).unwrap_or(0);
         if error.is_some() {
             self.left = 0;

@@ -1,32 +1,32 @@
-//! What an audit found, for programs and for people.
-
-use std::fmt::Write as _;
+//! What an audit found: one type for programs and people.
 
 use passivity_core::BigRational;
-use passivity_scene::display::{approx, significant};
-use passivity_scene::{Effect, Scene, json};
-use serde_json::{Map, Value, json};
+use passivity_scene::{Effect, Scene};
+use serde::{Serialize, Serializer};
 
-use crate::audit::account::{Account, KINDS, Lowest, Point, Spot};
-use crate::audit::course::near;
+use crate::audit::account::{Place, Point};
+use crate::audit::comparison::Comparison;
 use crate::audit::error::TraceError;
-use crate::audit::force::ForceCheck;
-use crate::audit::merge::ROWS_IN_REPORT;
+use crate::audit::layout::Form;
+use crate::audit::merge::{Findings, ROWS_IN_REPORT};
+use crate::audit::running::{Lowest, RunningSum};
+use crate::audit::step::undefined;
+use crate::audit::supply::{is_below_zero, potential};
 use crate::audit::worker::Task;
-use crate::ledger::{Ledger, Sample};
-use crate::number::Number;
-use crate::run::{Run, Totals, tightened};
-use crate::span::Span;
-use crate::sum::SpanSum;
+use crate::json::{NumberedRow, rational};
+use crate::ledger::Ledger;
+use crate::run::{Tallies, Totals, tightened};
+use crate::sum::FigureSum;
 
 /// What an audit says of a trace.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Standing {
-    /// In no interval more was generated than friction surely dissipates, by the linear account.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Surely no more was generated, or drawn, than may be.
     Holds,
-    /// In some interval it was.
+    /// More surely was.
     Fails,
-    /// The counts, or the tolerances, leave it open in some interval.
+    /// The counts, or the tolerances, leave it open.
     Depends,
     /// The scene has an effect that no theorem covers.
     NotCovered,
@@ -34,445 +34,514 @@ pub enum Standing {
     Broken,
 }
 
-impl Standing {
-    /// The name used in machine-readable output.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Holds => "holds",
-            Self::Fails => "fails",
-            Self::Depends => "depends",
-            Self::NotCovered => "not_covered",
-            Self::Broken => "broken",
-        }
-    }
+/// Whose force an account is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Force {
+    /// That of the scene's controller.
+    Law,
+    /// That of the trace.
+    Applied,
+}
+
+/// What a verdict is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Judged {
+    /// Each interval: what was generated against what friction took. Of a loop without memory and
+    /// under its own force, whose intervals the criterion speaks of.
+    Interval,
+    /// The trace so far: what the operator has drawn against what was stored at the start (TH-RUN).
+    Running,
 }
 
 /// The exact account of a trace.
+///
+/// Serialised it is `audit --format json`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// The scene's name.
+    pub scene: String,
+    /// In what form the trace gives positions.
+    #[serde(serialize_with = "form")]
+    pub positions: Form,
+    /// What the audit says.
+    pub verdict: Verdict,
+    /// What that is about.
+    pub judged: Judged,
+    /// Whose force the account is of.
+    pub account: Force,
+    /// The effects in the scene.
+    #[serde(serialize_with = "effects")]
+    pub effects: Vec<Effect>,
+    /// The effects that no theorem covers.
+    #[serde(serialize_with = "effects")]
+    pub not_covered: Vec<Effect>,
+    /// The keys of the parameters with a tolerance that were taken at their nominal value.
+    pub nominal: Vec<&'static str>,
+    /// How many samples.
+    pub samples: u64,
+    /// How many intervals.
+    pub intervals: u64,
+    /// The sums over all intervals, and how many of them broke what.
+    pub totals: Totals,
+    /// How low energies ran.
+    pub running: Running,
+    /// The interval with the least net energy.
+    pub worst: Option<Shown>,
+    /// The first interval that violates the linear account.
+    pub first_violation: Option<Shown>,
+    /// The first interval of each kind.
+    pub first: Firsts,
+    /// The passivity observer.
+    pub observer: Observer,
+    /// How evenly the trace was sampled; `None` when it does not say.
+    pub timing: Option<Sampling>,
+    /// How the forces of the trace agree with the wall's law; `None` without forces.
+    pub force: Option<Agreement>,
+    /// The rows of a short trace; `None` of a longer one, whose rows go to a file.
+    pub rows: Option<Vec<NumberedRow>>,
+    /// Whether the last row lacks its line break.
+    pub last_row_unended: bool,
+    /// What is wrong with the trace; the account is that of what came before.
+    pub error: Option<TraceError>,
+}
+
+/// How low energies ran, in KΔ².
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Running {
+    /// Σ of net energy, at the least.
+    pub net_linear: Least,
+    /// What the operator has put in; `None` of an empty trace.
+    pub supply: Option<Supplied>,
+}
+
+/// The least that a running sum was.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Least {
+    /// The value.
+    #[serde(serialize_with = "rational")]
+    pub least: BigRational,
+    /// After how many intervals.
+    pub after: u64,
+}
+
+/// What the operator has put in, less what the device has gained of kinetic energy, in KΔ²: the
+/// least that friction took, less the work of the held force.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Supplied {
+    /// The least that it was, taken at the least that the trace allows.
+    #[serde(serialize_with = "rational")]
+    pub least: BigRational,
+    /// After how many intervals.
+    pub after: u64,
+    /// What was stored in the wall at the start, below zero: where it surely is less, the operator
+    /// has drawn more than was stored.
+    #[serde(serialize_with = "rational")]
+    pub floor: BigRational,
+    /// How far below the floor it surely was at the lowest, where it was.
+    #[serde(serialize_with = "optional_rational")]
+    pub surely_drawn: Option<BigRational>,
+    /// After how many intervals that was.
+    pub surely_drawn_after: Option<u64>,
+}
+
+/// An interval worth showing.
+#[derive(Clone, Debug, Serialize)]
+pub struct Shown {
+    /// Which interval, from 0.
+    pub h: u64,
+    /// The row of the trace that it starts at, from 1.
+    pub row: u64,
+    /// Its ledger row.
+    pub ledger: NumberedRow,
+}
+
+/// The first interval of each kind.
+#[derive(Clone, Debug, Serialize)]
+pub struct Firsts {
+    /// That violates the linear account.
+    pub linear: Option<Shown>,
+    /// That may violate it.
+    pub possible_linear: Option<Shown>,
+    /// That violates the quantized account.
+    pub quantized: Option<Shown>,
+    /// That may violate it.
+    pub possible_quantized: Option<Shown>,
+    /// Where the criterion fails.
+    pub criterion: Option<Shown>,
+}
+
+/// The passivity observer, Σ −F·Δξ.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Observer {
+    /// At the end, in KΔ².
+    #[serde(serialize_with = "rational")]
+    pub energy: BigRational,
+    /// The double nearest to it; `None` past the doubles.
+    pub approx: Option<f64>,
+    /// At the lowest.
+    #[serde(serialize_with = "rational")]
+    pub least: BigRational,
+    /// After how many intervals.
+    pub after: u64,
+    /// `active` when it was below zero, else `passive`.
+    pub says: &'static str,
+}
+
+/// How evenly a trace was sampled.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Sampling {
+    /// Intervals of another length than one period.
+    pub uneven: u64,
+    /// Intervals longer than one period.
+    pub late: u64,
+    /// Samples that are missing: whole periods beyond the first, to the nearest.
+    pub missed_samples: u64,
+    /// The row at which the first one is missing, from 1.
+    pub first_missed_row: Option<u64>,
+    /// The shortest interval, in periods.
+    #[serde(serialize_with = "rational")]
+    pub shortest: BigRational,
+    /// The longest interval, in periods.
+    #[serde(serialize_with = "rational")]
+    pub longest: BigRational,
+}
+
+/// How the forces of a trace agree with the wall's law.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Agreement {
+    /// How many forces were compared.
+    pub compared: u64,
+    /// Whether all of them are the law's.
+    pub agrees: bool,
+    /// How many are not.
+    pub mismatches: u64,
+    /// The row of the first that is not, from 1.
+    pub first_mismatch_row: Option<u64>,
+    /// The delay of the scene, in samples.
+    pub delay: usize,
+    /// The delay and sign at which they agree best.
+    pub found: Found,
+    /// The multiple of the law, at some delay, that they come nearest to; `None` when forces or law
+    /// are zero throughout.
+    pub fit: Option<Fitted>,
+}
+
+/// A delay and a sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Found {
+    /// In samples.
+    pub delay: usize,
+    /// Whether the forces are the law's with the other sign.
+    pub reversed: bool,
+    /// How many are not.
+    pub mismatches: u64,
+}
+
+/// A delay and a scale.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Fitted {
+    /// In samples.
+    pub delay: usize,
+    /// How many times the law's force the forces are, by least squares.
+    pub scale: f64,
+    /// What is left, of the size of the forces: 0 when they are that multiple exactly.
+    pub residual: f64,
+}
+
+/// A report, with what it is not made of: the course of the energy and the tallies of the rows.
 #[derive(Clone, Debug)]
 pub struct Audit {
-    ledger: Ledger,
-    scene: String,
-    form: &'static str,
-    effects: Vec<Effect>,
-    not_covered: Vec<Effect>,
-    nominal: Vec<&'static str>,
-    samples: u64,
-    totals: Totals,
-    account: Account,
-    start: Option<[BigRational; 2]>,
-    force: Option<ForceCheck>,
-    head: Vec<(Sample, Number)>,
-    error: Option<TraceError>,
-    unended: bool,
+    report: Report,
+    points: Vec<Point>,
+    tallies: Tallies,
 }
 
 impl Audit {
-    #[allow(clippy::too_many_arguments)]
     pub(crate) fn new(
         task: &Task<'_>,
         scene: &Scene,
-        account: Account,
-        samples: u64,
-        start: Option<[BigRational; 2]>,
-        force: Option<ForceCheck>,
-        head: Vec<(Sample, Number)>,
-        error: Option<TraceError>,
-        unended: bool,
-    ) -> Self {
-        let mut figures = account.sums.each_ref().map(SpanSum::value);
-        let counted = task.ledger.model().is_plain() && task.layout.form == super::Form::Count;
-        if let (true, Some(last)) = (counted, &account.last) {
-            figures = tightened(figures, last);
+        findings: Findings<'_>,
+    ) -> Result<Self, TraceError> {
+        let account = findings.account;
+        let mut figures = account.sums.each_ref().map(FigureSum::value);
+        let law_of_counts =
+            task.ledger.is_plain() && task.layout.form == Form::Count && !task.applied;
+        if let (true, Some(last)) = (law_of_counts, &account.last) {
+            figures = tightened(figures, last).ok_or_else(undefined)?;
         }
-        Self {
-            ledger: task.ledger.clone(),
+        let totals = Totals::new(account.intervals, figures, &account.tallies);
+        let (net, net_at) = account.net.least();
+        let lowest = match task.running {
+            true => account.supply.lowest(),
+            false => [account.stored.as_ref(), None],
+        };
+        let supply = match &findings.first {
+            Some(first) => {
+                let [_, stored] = potential(task.ledger, first).ok_or_else(undefined)?;
+                Some(Supplied::new(lowest, &stored.to_rational()))
+            }
+            None => None,
+        };
+        let agreement = match &findings.comparison {
+            Some(comparison) => Some(Agreement::new(comparison).ok_or_else(undefined)?),
+            None => None,
+        };
+        let is_its_law = !task.applied || agreement.as_ref().is_some_and(|a| a.agrees);
+        let judged = match is_its_law && !task.ledger.has_memory() {
+            true => Judged::Interval,
+            false => Judged::Running,
+        };
+        let shown = |place: Option<&Place>| place.map(|p| Shown::new(task.ledger, p)).transpose();
+        let [
+            linear,
+            possible_linear,
+            quantized,
+            possible_quantized,
+            criterion,
+        ] = account.firsts.each_ref().map(Option::as_ref);
+        let verdict = match (&findings.error, judged) {
+            (Some(_), _) => Verdict::Broken,
+            (None, _) if !scene.not_covered().is_empty() => Verdict::NotCovered,
+            (None, Judged::Interval) => of_intervals(&totals),
+            (None, Judged::Running) => of_supply(lowest),
+        };
+        let report = Report {
             scene: scene.name.clone(),
-            form: task.layout.form.name(),
+            positions: task.layout.form,
+            verdict,
+            judged,
+            account: match task.applied {
+                true => Force::Applied,
+                false => Force::Law,
+            },
             effects: scene.effects(),
             not_covered: scene.not_covered(),
-            nominal: taken_as_nominal(scene),
-            samples,
-            totals: Totals {
-                intervals: account.intervals,
-                figures,
-                criterion: account.criterion,
-                linear: account.linear,
-                quantized: account.quantized,
+            nominal: taken_as_nominal(scene, task),
+            samples: findings.samples,
+            intervals: account.intervals,
+            running: Running {
+                net_linear: Least {
+                    least: net,
+                    after: net_at,
+                },
+                supply,
             },
-            account,
-            start,
-            force,
-            head,
-            error,
-            unended,
-        }
+            worst: shown(account.worst.as_ref().map(|(_, place)| place))?,
+            first_violation: shown(linear)?,
+            first: Firsts {
+                linear: shown(linear)?,
+                possible_linear: shown(possible_linear)?,
+                quantized: shown(quantized)?,
+                possible_quantized: shown(possible_quantized)?,
+                criterion: shown(criterion)?,
+            },
+            observer: Observer::new(&account.observer),
+            timing: account.timing.range.map(|[shortest, longest]| Sampling {
+                uneven: account.timing.uneven,
+                late: account.timing.late,
+                missed_samples: account.timing.missed,
+                first_missed_row: account.timing.first_missed.map(|h| h + 1),
+                shortest: shortest.to_rational(),
+                longest: longest.to_rational(),
+            }),
+            force: agreement,
+            rows: rows(task, &findings.head, totals.intervals)?,
+            last_row_unended: findings.unended,
+            error: findings.error,
+            totals,
+        };
+        Ok(Self {
+            report,
+            points: account.points,
+            tallies: account.tallies,
+        })
     }
 
     /// What the audit says.
     #[must_use]
-    pub fn standing(&self) -> Standing {
-        if self.error.is_some() {
-            Standing::Broken
-        } else if !self.not_covered.is_empty() {
-            Standing::NotCovered
-        } else if self.totals.linear.holds > 0 {
-            Standing::Fails
-        } else if self.totals.linear.depends > 0 {
-            Standing::Depends
-        } else {
-            Standing::Holds
-        }
+    pub const fn verdict(&self) -> Verdict {
+        self.report.verdict
+    }
+
+    /// All that was found.
+    #[must_use]
+    pub const fn report(&self) -> &Report {
+        &self.report
     }
 
     /// The sums over all intervals, and how many of them broke what.
     #[must_use]
     pub const fn totals(&self) -> &Totals {
-        &self.totals
+        &self.report.totals
+    }
+
+    /// How often the criterion held and the accounts were violated.
+    #[must_use]
+    pub const fn tallies(&self) -> &Tallies {
+        &self.tallies
     }
 
     /// What is wrong with the trace; the account is that of what came before.
     #[must_use]
     pub const fn error(&self) -> Option<&TraceError> {
-        self.error.as_ref()
+        self.report.error.as_ref()
     }
 
     /// The course of the energy, for a plot; empty unless it was asked for.
     #[must_use]
     pub fn points(&self) -> &[Point] {
-        &self.account.points
-    }
-
-    /// The lowest running energy from the start: what the operator put in, less the kinetic energy
-    /// gained, E_d + V(ξ) − V(ξ₀) − E_gᴸ at the least. Where the criterion holds it never is more
-    /// than the potential at the start below zero (TH-RUN).
-    fn supply(&self) -> Option<Lowest> {
-        let lowest = self.account.supply.as_ref()?;
-        let [_, most] = self.start.as_ref()?;
-        let value = &lowest.value - most;
-        // At the start it is zero.
-        let below = num_traits::Signed::is_negative(&value);
-        Some(Lowest {
-            h: if below { lowest.h } else { 0 },
-            value: if below { value } else { value.clone() - value },
-        })
-    }
-
-    fn shown(&self, spot: &Spot) -> Value {
-        let mut text = Vec::new();
-        if let Some(row) = spot.row(&self.ledger) {
-            row.write_json(spot.h, &mut text);
-        }
-        let ledger: Value = serde_json::from_slice(&text).unwrap_or(Value::Null);
-        json!({ "h": spot.h, "row": spot.h + 1, "ledger": ledger })
-    }
-
-    /// The rows of a short trace; null for a longer one, whose rows go to a file.
-    fn rows(&self) -> Value {
-        let most = u64::try_from(ROWS_IN_REPORT).unwrap_or(u64::MAX);
-        if self.totals.intervals > most {
-            return Value::Null;
-        }
-        let mut run = Run::new(&self.ledger);
-        let mut rows = Vec::new();
-        for (sample, dtau) in &self.head {
-            let Some(row) = run.step(sample.clone(), dtau) else {
-                break;
-            };
-            if let Some(row) = row {
-                let mut text = Vec::new();
-                row.write_json(run.intervals() - 1, &mut text);
-                rows.push(serde_json::from_slice(&text).unwrap_or(Value::Null));
-            }
-        }
-        Value::Array(rows)
+        &self.points
     }
 
     /// The report as a JSON object.
     #[must_use]
-    pub fn to_json(&self) -> Value {
-        let mut fields = Map::new();
-        let mut put = |name: &str, value: Value| {
-            fields.insert(name.to_owned(), value);
-        };
-        let names = |effects: &[Effect]| -> Value { effects.iter().map(|e| e.name()).collect() };
-        put("scene", json!(self.scene));
-        put("positions", json!(self.form));
-        put("verdict", json!(self.standing().name()));
-        put("effects", names(&self.effects));
-        put("not_covered", names(&self.not_covered));
-        put("nominal", json!(self.nominal));
-        put("samples", json!(self.samples));
-        put("intervals", json!(self.totals.intervals));
-        let mut text = Vec::new();
-        self.totals.write_json(&mut text);
-        put(
-            "totals",
-            serde_json::from_slice(&text).unwrap_or(Value::Null),
-        );
-        let (net, net_at) = self.account.net.least();
-        let supply = self.supply().map(|lowest| {
-            let floor = self.start.as_ref().map(|[_, most]| (-most).to_string());
-            json!({"least": lowest.value.to_string(), "after": lowest.h, "floor": floor})
-        });
-        put(
-            "running",
-            json!({
-                "net_linear": {"least": net.to_string(), "after": net_at},
-                "supply": supply,
-            }),
-        );
-        let spot = |spot: Option<&Spot>| spot.map_or(Value::Null, |spot| self.shown(spot));
-        put(
-            "worst",
-            spot(self.account.worst.as_ref().map(|(_, spot)| spot)),
-        );
-        put("first_violation", spot(self.account.firsts[0].as_ref()));
-        let firsts = KINDS.iter().zip(&self.account.firsts);
-        let firsts: Map<String, Value> = firsts
-            .map(|(name, first)| ((*name).to_owned(), spot(first.as_ref())))
-            .collect();
-        put("first", Value::Object(firsts));
-        let (least, at) = self.account.observer.least();
-        let energy = self.account.observer.total();
-        put(
-            "observer",
-            json!({
-                "energy": energy.to_string(),
-                "approx": json::approx(&energy),
-                "least": least.to_string(),
-                "after": at,
-                "says": if least < BigRational::from_integer(0.into()) { "active" } else { "passive" },
-            }),
-        );
-        put("timing", self.timing_json());
-        put("force", self.force_json());
-        put("rows", self.rows());
-        put("last_row_unended", json!(self.unended));
-        put("error", error_json(self.error.as_ref()));
-        Value::Object(fields)
-    }
-
-    fn timing_json(&self) -> Value {
-        let timing = &self.account.timing;
-        let Some((shortest, longest)) = timing.shortest.as_ref().zip(timing.longest.as_ref())
-        else {
-            return Value::Null;
-        };
-        json!({
-            "uneven": timing.uneven,
-            "late": timing.late,
-            "missed_samples": timing.missed,
-            "first_missed_row": timing.first_missed.map(|h| h + 1),
-            "shortest": shortest.to_string(),
-            "longest": longest.to_string(),
-        })
-    }
-
-    fn force_json(&self) -> Value {
-        let check = self.force.as_ref();
-        let Some((check, own, best)) =
-            check.and_then(|check| Some((check, check.as_scene_says()?, check.best()?)))
-        else {
-            return Value::Null;
-        };
-        json!({
-            "compared": check.compared,
-            "agrees": own.mismatches == 0,
-            "mismatches": own.mismatches,
-            "first_mismatch_row": own.first.map(|row| row + 1),
-            "delay": check.delay,
-            "found": {
-                "delay": best.lag,
-                "reversed": best.reversed,
-                "mismatches": best.mismatches,
-            },
-            "observer": check.observed,
-        })
+    pub fn to_json(&self) -> serde_json::Value {
+        match serde_json::to_value(&self.report) {
+            Ok(value) => value,
+            Err(error) => unreachable!("a report has nothing that JSON cannot hold: {error}"),
+        }
     }
 
     /// The report as text, for people.
     #[must_use]
     pub fn to_text(&self) -> String {
-        let mut out = String::new();
-        let _ = writeln!(out, "{}: {}", self.scene, self.headline());
-        let mut line = |label: &str, value: &str| {
-            // Writing to a string cannot fail.
-            let _ = writeln!(out, "  {label:<26}{value}");
-        };
-        let counted = match self.form {
-            "count" => " (encoder counts: figures are exact enclosures)",
-            _ => "",
-        };
-        line("intervals", &format!("{}{counted}", self.totals.intervals));
-        let names = [
-            "generated, linear",
-            "generated, quantized",
-            "dissipated at least",
-        ];
-        let shown = |figure: &Span<BigRational>| match figure {
-            Span::At(x) => approx(x),
-            Span::Between(lo, hi) => format!("{} … {}", approx(lo), approx(hi)),
-        };
-        for (name, figure) in names.iter().zip(&self.totals.figures) {
-            line(name, &format!("{} KΔ²", shown(figure)));
-        }
-        line(
-            "net, linear",
-            &format!("{} KΔ²", shown(&self.totals.figures[3])),
-        );
-        let tally = |tally: &crate::run::Tally, what: &str| match (tally.holds, tally.depends) {
-            (0, 0) => "none".to_owned(),
-            (n, 0) => format!("{n} {what}"),
-            (n, open) => format!("{n} {what}, {open} open"),
-        };
-        line(
-            "short, linear account",
-            &tally(&self.totals.linear, "intervals"),
-        );
-        line(
-            "short, account of (22)",
-            &tally(&self.totals.quantized, "intervals"),
-        );
-        let criterion = &self.totals.criterion;
-        line(
-            "criterion fails in",
-            &format!("{} intervals, {} open", criterion.fails, criterion.depends),
-        );
-        if let Some((net, spot)) = &self.account.worst {
-            line(
-                "worst interval",
-                &format!("row {}, net {} KΔ²", spot.h + 1, approx(net)),
-            );
-        }
-        if let Some(supply) = self.supply() {
-            line(
-                "lowest running energy",
-                &format!("{} KΔ² after row {}", approx(&supply.value), supply.h + 1),
-            );
-        }
-        let (least, _) = self.account.observer.least();
-        line(
-            "passivity observer Σf·Δx",
-            &format!(
-                "{} KΔ², lowest {}",
-                approx(&self.account.observer.total()),
-                approx(&least)
-            ),
-        );
-        self.timing_text(&mut line);
-        self.force_text(&mut line);
-        if !self.nominal.is_empty() {
-            line("at nominal value", &self.nominal.join(", "));
-        }
-        if self.unended {
-            line(
-                "last row",
-                &format!("row {} has no line break: it may be torn", self.samples),
-            );
-        }
-        if let Some(error) = &self.error {
-            let _ = writeln!(out, "  The trace is broken there: {error}.");
-            let _ = writeln!(out, "  What came before it is accounted for above.");
-        }
-        out
+        self.report.to_text()
     }
+}
 
-    fn headline(&self) -> String {
-        let row = |kind: usize| {
-            let first = self.account.firsts.get(kind).and_then(Option::as_ref);
-            first.map_or(0, |spot| spot.h + 1)
-        };
-        match self.standing() {
-            Standing::Holds => {
-                "HOLDS: no interval generated more than friction dissipates".to_owned()
-            }
-            Standing::Fails => format!(
-                "FAILS: {} intervals generated more than friction surely dissipates, the first at row {}",
-                self.totals.linear.holds,
-                row(0)
-            ),
-            Standing::Depends => format!(
-                "DEPENDS: {} intervals may have generated more than friction dissipates, the first at row {}",
-                self.totals.linear.depends,
-                row(1)
-            ),
-            Standing::NotCovered => {
-                let words: Vec<&str> = self.not_covered.iter().map(|e| e.words()).collect();
-                format!("NOT COVERED by a theorem: {}", words.join("; "))
-            }
-            Standing::Broken => "BROKEN TRACE: the account is that of its first part".to_owned(),
-        }
+/// In no interval more was generated than friction surely takes; in some; perhaps.
+const fn of_intervals(totals: &Totals) -> Verdict {
+    match (totals.violates_linear, totals.depends_linear) {
+        (0, 0) => Verdict::Holds,
+        (0, _) => Verdict::Depends,
+        _ => Verdict::Fails,
     }
+}
 
-    fn timing_text(&self, line: &mut impl FnMut(&str, &str)) {
-        let timing = &self.account.timing;
-        if let Some((shortest, longest)) = timing.shortest.as_ref().zip(timing.longest.as_ref()) {
-            let near = |x: &Number| significant(near(&x.to_rational()));
-            line(
-                "sampling",
-                &format!(
-                    "{} … {} periods, {} intervals late, {} samples missed",
-                    near(shortest),
-                    near(longest),
-                    timing.late,
-                    timing.missed
-                ),
-            );
-        }
+/// The operator has surely never drawn more than was stored at the start; surely has; perhaps.
+fn of_supply([least, most]: [Option<&Lowest>; 2]) -> Verdict {
+    match (is_below_zero(least), is_below_zero(most)) {
+        (_, true) => Verdict::Fails,
+        (true, false) => Verdict::Depends,
+        (false, false) => Verdict::Holds,
     }
+}
 
-    fn force_text(&self, line: &mut impl FnMut(&str, &str)) {
-        let Some(check) = &self.force else { return };
-        let (Some(own), Some(best)) = (check.as_scene_says(), check.best()) else {
-            return;
-        };
-        if own.mismatches == 0 {
-            return line(
-                "force",
-                &format!("the wall's law in all {} rows", check.compared),
-            );
+impl Supplied {
+    /// From the lowest that was left of what was stored at the start, at the least and at the most.
+    fn new([least, most]: [Option<&Lowest>; 2], stored: &BigRational) -> Self {
+        use num_traits::{Signed as _, Zero as _};
+        // At the start it is zero.
+        let supplied = least.map(|lowest| (&lowest.value - stored, lowest.h));
+        let below = supplied.filter(|(value, _)| value.is_negative());
+        let (least, after) = below.unwrap_or_else(|| (BigRational::zero(), 0));
+        let surely = most.filter(|most| most.value.is_negative());
+        Self {
+            least,
+            after,
+            floor: -stored,
+            surely_drawn: surely.map(|most| -&most.value),
+            surely_drawn_after: surely.map(|most| most.h),
         }
-        let first = own.first.map_or(0, |row| row + 1);
-        let mut text = format!(
-            "not the wall's law in {} of {} rows, the first at row {first}",
-            own.mismatches, check.compared
-        );
-        if best != own {
-            let sign = if best.reversed {
-                "the other sign and "
-            } else {
-                ""
-            };
-            let _ = write!(
-                text,
-                "; with {sign}{} samples of delay in {}",
-                best.lag, best.mismatches
-            );
-        }
-        line("force", &text);
     }
+}
+
+impl Shown {
+    fn new(ledger: &Ledger, place: &Place) -> Result<Self, TraceError> {
+        let row = ledger.row(&place.interval).ok_or_else(undefined)?;
+        let h = place.h;
+        Ok(Self {
+            h,
+            row: h + 1,
+            ledger: NumberedRow { h, row },
+        })
+    }
+}
+
+impl Observer {
+    fn new(sum: &RunningSum) -> Self {
+        use num_traits::Signed as _;
+        let energy = sum.total();
+        let (least, after) = sum.least();
+        let approx = passivity_scene::number::nearest_f64(&energy);
+        Self {
+            energy,
+            approx: Some(approx).filter(|x| x.is_finite()),
+            after,
+            says: match least.is_negative() {
+                true => "active",
+                false => "passive",
+            },
+            least,
+        }
+    }
+}
+
+impl Agreement {
+    fn new(comparison: &Comparison<'_>) -> Option<Self> {
+        let (own, best) = (comparison.as_scene_says()?, comparison.best()?);
+        Some(Self {
+            compared: comparison.compared,
+            agrees: own.mismatches == 0,
+            mismatches: own.mismatches,
+            first_mismatch_row: own.first.map(|row| row + 1),
+            delay: comparison.delay,
+            found: Found {
+                delay: best.lag,
+                reversed: best.reversed,
+                mismatches: best.mismatches,
+            },
+            fit: comparison.fit().map(|fit| Fitted {
+                delay: fit.lag,
+                scale: fit.scale,
+                residual: fit.residual,
+            }),
+        })
+    }
+}
+
+/// The rows of a short trace.
+fn rows(
+    task: &Task<'_>,
+    head: &[crate::Logged],
+    intervals: u64,
+) -> Result<Option<Vec<NumberedRow>>, TraceError> {
+    if intervals > ROWS_IN_REPORT as u64 {
+        return Ok(None);
+    }
+    let numbered = (0..).zip(head).map(|(h, interval)| {
+        let row = task.ledger.row(interval).ok_or_else(undefined)?;
+        Ok(NumberedRow { h, row })
+    });
+    numbered.collect::<Result<_, _>>().map(Some)
 }
 
 /// The parameters with a tolerance that the audit takes at their nominal value: those that scale
 /// the trace or shape the law. Friction is taken over its whole tolerance.
-fn taken_as_nominal(scene: &Scene) -> Vec<&'static str> {
-    let given = [&scene.damping, &scene.max_force, &scene.force_step];
-    given
-        .into_iter()
-        .flatten()
-        .filter(|given| given.has_tolerance())
+fn taken_as_nominal(scene: &Scene, task: &Task<'_>) -> Vec<&'static str> {
+    let given = &scene.given;
+    let of_force = [Some(&given.stiffness), given.resolution.as_ref()];
+    let of_force = of_force.map(|given| given.filter(|_| task.applied));
+    let law = [&given.damping, &given.max_force, &given.force_step].map(Option::as_ref);
+    let used = law.into_iter().chain(of_force).flatten();
+    used.filter(|given| given.has_tolerance())
         .map(|given| given.key)
         .collect()
 }
 
-fn error_json(error: Option<&TraceError>) -> Value {
-    error.map_or(Value::Null, |error| {
-        json!({
-            "kind": error.kind,
-            "row": error.row,
-            "column": error.column,
-            "message": error.message,
-        })
-    })
+fn form<S: Serializer>(form: &Form, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(form.name())
+}
+
+fn effects<S: Serializer>(effects: &[Effect], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(effects.iter().map(|effect| effect.name()))
+}
+
+fn optional_rational<S: Serializer>(
+    x: &Option<BigRational>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    x.as_ref().map(BigRational::to_string).serialize(serializer)
 }

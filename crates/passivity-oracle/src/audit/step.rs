@@ -1,8 +1,9 @@
-//! How long the steps of a trace last, and which are too long to be a motion.
+//! The intervals of a trace: how long they last, and which are too long to be a motion.
 
 use super::chunk::{Chunk, Samples};
 use super::error::TraceError;
 use super::layout::Layout;
+use crate::ledger::Logged;
 use crate::number::Number;
 
 /// A count that jumps by this much in one interval is no motion.
@@ -29,8 +30,11 @@ pub(crate) fn duration(
 /// Δτ between two times.
 pub(crate) fn between(layout: &Layout, from: &Number, to: &Number) -> Result<Number, TraceError> {
     layout.duration(from, to).ok_or_else(|| {
-        let name = layout.time.map_or("", |column| layout.name(column));
-        TraceError::new("time", format!("expected a time after {from}, found {to}")).column(name)
+        let error = TraceError::new("time", format!("expected a time after {from}, found {to}"));
+        match layout.time {
+            Some(column) => error.column(layout.name(column)),
+            None => error,
+        }
     })
 }
 
@@ -54,4 +58,30 @@ pub(crate) fn check_jump(from: i64, to: i64) -> Result<(), TraceError> {
         "the count jumps from {from} to {to} in one interval: has a counter wrapped around?"
     );
     Err(TraceError::new("jump", message).column("count"))
+}
+
+/// The interval that starts at sample `i` of a chunk and lasts `dtau`, with up to `window` samples;
+/// under the force of its row where `applied`. `None` when it does not end in the chunk.
+pub(crate) fn interval(
+    chunk: &Chunk,
+    i: usize,
+    window: usize,
+    applied: bool,
+    dtau: Number,
+) -> Option<Logged> {
+    let force = match applied {
+        true => Some(chunk.forces.get(i)?.value.clone()),
+        false => None,
+    };
+    Some(Logged {
+        samples: chunk.samples.back_from(i, window),
+        end: chunk.samples.get(i + 1)?,
+        dtau,
+        force,
+    })
+}
+
+/// Why an interval has no row: no trace that was read leads there.
+pub(crate) fn undefined() -> TraceError {
+    TraceError::new("undefined", "the figures of this interval are not defined")
 }

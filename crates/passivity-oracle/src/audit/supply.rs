@@ -1,128 +1,218 @@
-//! What the operator has put in at the least: net energy and the wall's potential, at their lowest.
+//! What is left of the energy that was stored at the start (TH-RUN): where it is below zero, the
+//! operator has drawn more than that.
+//!
+//! After h intervals that is T = V(ξ_h) + Σ(E_d − E_gᴸ) = V(ξ₀) + Σ(E_d − F·d), of the force F that
+//! was held: the least that friction took, less the work of the force. The kinetic energy is in no
+//! trace; the operator can take it at any time, so it counts as drawn.
+//!
+//! Of counts each figure is enclosed. An interval alone leaves room for F times a tick or two, and
+//! F may be hundreds of KΔ, but a position that ends one interval starts the next. So the force is
+//! split into that of the wall at the middle of the tick, whose work the potential nearly takes up,
+//! and an excess G, whose work is summed by parts: with n the lower end of what is known of ξ and
+//! ρ = ξ − n, Σ G_i(ξ_{i+1} − ξ_i) = Σ G_i(n_{i+1} − n_i) − Σ (G_i − G_{i−1})ρ_i + G_last·ρ_h.
 
-use passivity_core::{BigRational, Scalar, rational};
+use passivity_core::{BigRational, Ordered};
 
-use super::account::{Account, Lowest};
-use super::chunk::Samples;
-use super::course::near;
-use crate::ledger::{Ledger, Sample};
-use crate::number::Written as _;
+use super::running::{Lowest, RunningSum};
+use crate::enclosure::Rectangle;
+use crate::ends::Ends;
+use crate::entry::Entry;
+use crate::figure::Figure;
+use crate::ledger::{Ledger, Logged, Row, on_entry};
+use crate::number::{Reduced, Written};
+use crate::reading::Reading;
 
-/// The least potential of the wall at a sample.
-pub(super) fn potential(ledger: &Ledger, samples: &Samples, i: usize) -> Option<BigRational> {
-    let [least, _] = potential_range(ledger, &samples.get(i)?);
-    Some(least)
+/// The two ends of what is known of a number.
+pub(crate) type Bounds = [Reduced; 2];
+
+/// What an interval adds to T.
+#[derive(Clone, Debug)]
+pub(crate) struct Contribution {
+    /// Net energy under the wall's own force at the middle of the tick.
+    net: Bounds,
+    /// G.
+    excess: Bounds,
+    /// n₁ − n₀.
+    advance: Reduced,
+    /// The most that ρ₀ can be.
+    room: Reduced,
+    /// V(ξ₁) − G·ρ₁: what counts only as long as the trace ends here.
+    end: Bounds,
 }
 
-/// The least and the largest potential of the wall at a sample, in KΔ².
-pub(crate) fn potential_range(ledger: &Ledger, sample: &Sample) -> [BigRational; 2] {
-    let law = ledger.model().law();
-    let ends = match sample {
-        Sample::Exact(xi) => [xi.to_rational(), xi.to_rational()],
-        Sample::Count(n) => {
-            let n = BigRational::from_integer((*n).into());
-            [n.clone(), n + BigRational::one()]
+impl Contribution {
+    /// The contribution of an interval with this row; `None` when a number is undefined.
+    pub(crate) fn of(ledger: &Ledger, interval: &Logged, row: &Row) -> Option<Self> {
+        if let (Row::Fixed(entry), Some(ends)) = (row, ledger.fixed())
+            && let Some(found) = contribution(ends, entry)
+        {
+            return Some(found);
         }
-        Sample::Within(ends) => [ends.0.clone(), ends.1.clone()],
-    };
-    // The potential is convex with its least value at 0, which no cell has inside it.
-    let [a, b] = ends.map(|xi| law.potential(&xi));
-    if a < b { [a, b] } else { [b, a] }
+        match row {
+            Row::Wide(entry) => contribution(ledger.wide(), entry),
+            Row::Fixed(_) => contribution(ledger.wide(), &ledger.wide_entry(interval)?),
+        }
+    }
+
+    /// The excess force.
+    pub(crate) const fn excess(&self) -> &Bounds {
+        &self.excess
+    }
+
+    /// What the interval adds to Σ, after one with this excess force.
+    fn step(&self, before: &Bounds) -> Option<Bounds> {
+        let none = [Reduced::ZERO, Reduced::ZERO];
+        if self.excess == none && *before == none {
+            return Some(self.net.clone());
+        }
+        self.step_in::<passivity_core::Fixed>(before)
+            .or_else(|| self.step_in::<passivity_core::Wide>(before))
+    }
+
+    fn step_in<S: Written>(&self, before: &Bounds) -> Option<Bounds> {
+        let both = |[lo, hi]: &Bounds| S::from_reduced(lo).zip(S::from_reduced(hi));
+        let (excess, before, net) = (both(&self.excess)?, both(before)?, both(&self.net)?);
+        let (advance, room) = (
+            S::from_reduced(&self.advance)?,
+            S::from_reduced(&self.room)?,
+        );
+        let work = [excess.0.clone(), excess.1.clone()].map(|force| force * advance.clone());
+        let [a, b] = work;
+        let change = (excess.0 - before.1, excess.1 - before.0);
+        let least = net.0 - a.clone().max(b.clone()) + (change.0 * room.clone()).min(S::zero());
+        let most = net.1 - a.min(b) + (change.1 * room).max(S::zero());
+        Some([least.to_reduced()?, most.to_reduced()?])
+    }
 }
 
-/// The least of net energy plus potential, compared in doubles first.
-#[derive(Default)]
+fn contribution<S: Written>(ends: &Ends<S>, entry: &Entry<S>) -> Option<Contribution> {
+    let (start, end, account) = (&entry.xi0, &entry.xi1, &entry.account);
+    let law = ends.least.law();
+    let bounds = |of: &Figure<S>| Some([of.lo().to_reduced()?, of.hi().to_reduced()?]);
+    if let (true, Figure::Exact(to)) = (start.is_exact(), end) {
+        let potential = law.potential(to).to_reduced()?;
+        return Some(Contribution {
+            net: bounds(&account.dissipated_lower.minus(&account.generated_linear)?)?,
+            excess: [Reduced::ZERO, Reduced::ZERO],
+            advance: Reduced::ZERO,
+            room: Reduced::ZERO,
+            end: [potential.clone(), potential],
+        });
+    }
+    let own = law.held_force(start.lo());
+    let excess = entry.held.minus(&Figure::Exact(own.clone()))?;
+    let rectangle = Rectangle {
+        ends,
+        start,
+        end,
+        force: &Figure::Exact(own),
+        dtau: &entry.dtau,
+    };
+    let potential =
+        |xi: &S, force: &S| law.potential(xi) - force.clone() * (xi.clone() - end.lo().clone());
+    // Convex in ξ, so least where the potential's slope is the force, or at an end.
+    let balance = excess
+        .hi()
+        .clone()
+        .max(end.lo().clone())
+        .min(end.hi().clone());
+    let least = [end.lo(), &balance, end.hi()].map(|xi| potential(xi, excess.hi()));
+    let most = [end.lo(), end.hi()].map(|xi| potential(xi, excess.lo()));
+    let [first, second, third] = least;
+    let [fourth, fifth] = most;
+    Some(Contribution {
+        net: bounds(&rectangle.row()?.net_linear)?,
+        excess: bounds(&excess)?,
+        advance: (end.lo().clone() - start.lo().clone()).to_reduced()?,
+        room: (start.hi().clone() - start.lo().clone()).to_reduced()?,
+        end: [
+            first.min(second).min(third).to_reduced()?,
+            fourth.max(fifth).to_reduced()?,
+        ],
+    })
+}
+
+/// T over a stretch of a trace, from zero at its start.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Supply {
-    lowest: Option<(f64, Lowest)>,
+    /// Σ at the least and at the most.
+    sums: [RunningSum; 2],
+    /// The least that T was, taken at the least and at the most.
+    lowest: [Option<Lowest>; 2],
+    /// G of the last interval.
+    pub(crate) excess: Option<Bounds>,
 }
 
 impl Supply {
-    pub(crate) fn lower(&mut self, account: &Account, potential: &Option<BigRational>) {
-        let Some(potential) = potential else { return };
-        let now = account.net.near() + near(potential);
-        let slack = 1e-6 * (1.0 + now.abs() + account.net.near().abs());
-        if self
-            .lowest
-            .as_ref()
-            .is_some_and(|(lowest, _)| now > lowest + slack)
-        {
-            return;
+    /// Goes on with an interval, the `h`th, from 1; `None` when a number is undefined.
+    pub(crate) fn add(&mut self, contribution: &Contribution, h: u64) -> Option<()> {
+        let none = || [Reduced::ZERO, Reduced::ZERO];
+        let before = self.excess.take().unwrap_or_else(none);
+        let step = contribution.step(&before)?;
+        let ends = step.iter().zip(&contribution.end);
+        for ((sum, lowest), (step, end)) in self.sums.iter_mut().zip(&mut self.lowest).zip(ends) {
+            sum.add(step);
+            Lowest::keep_sum(lowest, sum, end, h);
         }
-        let value = account.net.total() + potential;
-        if self
-            .lowest
-            .as_ref()
-            .is_none_or(|(_, lowest)| value < lowest.value)
-        {
-            let h = account.intervals;
-            self.lowest = Some((near(&value), Lowest { value, h }));
-        }
+        self.excess = Some(contribution.excess.clone());
+        Some(())
     }
 
-    /// Twice the lowest value over a denominator, rounded up; and where.
-    pub(super) fn twice_lowest(&self, denominator: i128) -> (i128, u64) {
-        use num_traits::ToPrimitive as _;
-        let twice = self.lowest.as_ref().and_then(|(_, lowest)| {
-            let scale = BigRational::from_integer((2 * denominator).into());
-            let twice = (&lowest.value * scale).ceil().to_integer().to_i128()?;
-            Some((twice, lowest.h))
-        });
-        twice.unwrap_or((i128::MAX, 0))
+    /// Goes on with what came after the first `before` intervals.
+    pub(crate) fn append(&mut self, other: Self, before: u64) {
+        let others = other.sums.iter().zip(other.lowest);
+        let ours = self.sums.iter_mut().zip(&mut self.lowest);
+        for ((sum, lowest), (added, found)) in ours.zip(others) {
+            if let Some(found) = found {
+                Lowest::keep(
+                    lowest,
+                    Lowest::new(sum.total() + found.value, before + found.h),
+                );
+            }
+            sum.append(added);
+        }
+        self.excess = other.excess.or(self.excess.take());
     }
 
-    pub(super) fn keep_twice(&mut self, (twice, h): (i128, u64), denominator: i128) {
-        if twice == i128::MAX {
-            return;
-        }
-        let value = BigRational::new(twice.into(), (2 * denominator).into());
-        if self
-            .lowest
-            .as_ref()
-            .is_none_or(|(_, lowest)| value < lowest.value)
-        {
-            self.lowest = Some((near(&value), Lowest { value, h }));
-        }
-    }
-
-    pub(crate) fn settle(self, account: &mut Account) {
-        if let Some((_, lowest)) = self.lowest {
-            account.lower_supply(lowest.value, lowest.h);
-        }
+    /// The least that T was: taken at the least, and at the most.
+    pub(crate) const fn lowest(&self) -> [Option<&Lowest>; 2] {
+        let [least, most] = &self.lowest;
+        [least.as_ref(), most.as_ref()]
     }
 }
 
-/// −F·Δξ over an interval: what the observer adds. Of counts, Δξ is the difference in ticks.
-pub(crate) fn observed(
-    ledger: &Ledger,
-    back: &[Sample],
-    end: &Sample,
-) -> Result<(i128, i128), BigRational> {
-    let on_machine_integers = || {
-        let cells: Option<Vec<_>> = back.iter().map(Sample::to_fixed).collect();
-        let held = ledger.fixed()?.held_force(&cells?);
-        let seen = |sample: &Sample| {
-            let cell = sample.to_fixed()?;
-            Some(match sample {
-                Sample::Count(_) => cell.tick,
-                _ => cell.tick + *cell.residue.lo(),
-            })
-        };
-        let step = seen(end)? - seen(back.first()?)?;
-        (-(held * step)).to_reduced()
-    };
-    if let Some(work) = on_machine_integers() {
-        return Ok(work);
+/// The least and the largest potential of the wall at a sample, in KΔ².
+pub(crate) fn potential(ledger: &Ledger, sample: &Reading) -> Option<[Reduced; 2]> {
+    fn at<S: Written>(ends: &Ends<S>, sample: &Figure<S>) -> Option<[Reduced; 2]> {
+        let law = ends.least.law();
+        // The potential is convex with its least value at 0, which no tick has inside it.
+        let [a, b] = [sample.lo(), sample.hi()].map(|xi| law.potential(xi));
+        Some([
+            a.clone().min(b.clone()).to_reduced()?,
+            a.max(b).to_reduced()?,
+        ])
     }
-    let cells: Vec<_> = back.iter().map(Sample::to_wide).collect();
-    let held = ledger.wide().held_force(&cells);
-    let seen = |sample: &Sample| {
-        let cell = sample.to_wide();
-        match sample {
-            Sample::Count(_) => cell.tick,
-            _ => cell.tick + cell.residue.lo().clone(),
+    let on_machine_integers = || at(ledger.fixed()?, &sample.to_fixed()?);
+    on_machine_integers().or_else(|| at(ledger.wide(), &sample.to_wide()))
+}
+
+/// −F·Δξ over the interval of a row: what the passivity observer adds. Enclosed numbers are taken
+/// at their lower end: a count as it is.
+pub(crate) fn observed(row: &Row) -> Option<Reduced> {
+    fn of<S: Written>(entry: &Entry<S>) -> Option<Reduced> {
+        let numbers = [entry.held.lo(), entry.xi0.lo(), entry.xi1.lo()];
+        let work = |[force, from, to]: [S; 3]| -(force * (to - from));
+        if let Some(work) = work(numbers.map(Clone::clone)).to_reduced() {
+            return Some(work);
         }
-    };
-    let start = back.first().map_or_else(Scalar::zero, seen);
-    let work = -(held * (seen(end) - start));
-    Err(rational::from_wide(&work).unwrap_or_else(|| BigRational::integer(0)))
+        let [force, from, to] = numbers.map(Written::to_rational);
+        let (force, from, to) = (force?, from?, to?);
+        Some((-(force * (to - from))).into())
+    }
+    on_entry!(row, entry => of(entry))
+}
+
+/// Whether that is below zero.
+pub(crate) fn is_below_zero(lowest: Option<&Lowest>) -> bool {
+    lowest.is_some_and(|lowest| BigRational::sign(&lowest.value) == Some(std::cmp::Ordering::Less))
 }

@@ -1,13 +1,13 @@
 //! The fields of a request, each read once, with the place of every mistake.
 
-use passivity_core::{BigRational, Ordered};
+use passivity_core::{BigRational, Interval, Ordered};
 use passivity_scene::json::{read_interval, read_rational};
 use passivity_scene::number::NumberError;
 use serde_json::{Map, Value};
 
 use super::{At, MAX_POSITIONS, Refusal};
-use crate::ledger::Sample;
-use crate::number::{MAX_BITS, Number, is_bounded};
+use crate::number::{MAX_BITS, Number, is_bounded, is_positive};
+use crate::reading::Reading;
 
 /// What a request says.
 pub(super) struct Fields<'a> {
@@ -79,16 +79,17 @@ impl<'a> Fields<'a> {
     }
 
     /// A number, or an interval of them, that is at least zero.
-    pub(super) fn friction(&self, name: &'static str) -> Result<[BigRational; 2], Refusal> {
+    pub(super) fn friction(&self, name: &'static str) -> Result<Interval<BigRational>, Refusal> {
         let value = self.map.get(name).ok_or_else(|| missing(name))?;
         let range = read_interval(value).map_err(|error| refused(&error, name.to_owned()))?;
         if range.lo().is_nonnegative() != Some(true) {
             return Err(out_of_range(name.to_owned(), "zero or a value above it"));
         }
-        Ok([
-            bounded(range.lo().clone(), name)?,
-            bounded(range.hi().clone(), name)?,
-        ])
+        if is_bounded(range.lo()) && is_bounded(range.hi()) {
+            Ok(range)
+        } else {
+            Err(too_wide(name.to_owned()))
+        }
     }
 
     /// An optional number that is above zero, or at least zero.
@@ -157,11 +158,7 @@ fn too_wide(place: String) -> Refusal {
 /// Δτ: a number above zero.
 pub(super) fn duration(value: &Value, place: impl Fn() -> String) -> Result<Number, Refusal> {
     let dtau = number(value, &place)?;
-    let positive = match &dtau {
-        Number::Small(n, _) => *n > 0,
-        Number::Big(x) => x.is_positive() == Some(true),
-    };
-    if positive {
+    if is_positive(&dtau) {
         Ok(dtau)
     } else {
         Err(out_of_range(place(), "a value above zero"))
@@ -173,13 +170,13 @@ pub(super) fn sample(
     value: &Value,
     counted: bool,
     place: impl Fn() -> String,
-) -> Result<Sample, Refusal> {
+) -> Result<Reading, Refusal> {
     if !counted {
-        return number(value, place).map(Sample::Exact);
+        return number(value, place).map(Reading::Exact);
     }
     match number(value, &place)? {
-        Number::Small(n, 1) => Ok(Sample::Count(n)),
-        Number::Small(n, d) if n % d == 0 => Ok(Sample::Count(n / d)),
+        Number::Small(n, 1) => Ok(Reading::Count(n)),
+        Number::Small(n, d) if n % d == 0 => Ok(Reading::Count(n / d)),
         _ => Err(bad(&place(), "expected a count: a whole number of 64 bits")),
     }
 }

@@ -1,13 +1,16 @@
 //! The line protocol: a request a line, an answer a line, and no request that ends the process.
 
+mod duplicate;
 mod fields;
 mod ops;
 mod serve;
 
 pub use serve::{MAX_LINE, serve};
 
+use serde::Serialize;
 use serde_json::Value;
 
+use crate::json;
 use crate::protocol::fields::Fields;
 
 /// The number of this protocol.
@@ -21,7 +24,7 @@ pub const MAX_POSITIONS: usize = 1_000_000;
 pub const MAX_ANSWER: usize = 512 << 20;
 
 /// Why a request has no result.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Refusal {
     /// What kind of mistake it is, for programs.
     pub kind: String,
@@ -32,7 +35,8 @@ pub struct Refusal {
 }
 
 /// The place of a mistake.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(untagged)]
 pub enum At {
     /// The request as a whole.
     Request,
@@ -49,18 +53,6 @@ impl Refusal {
             message: message.into(),
             at,
         }
-    }
-
-    fn write(&self, out: &mut Vec<u8>) {
-        let string = |text: &str| Value::from(text).to_string();
-        let at = match &self.at {
-            At::Request => "null".to_owned(),
-            At::Field(field) => string(field),
-            At::Byte(byte) => byte.to_string(),
-        };
-        let (kind, message) = (string(&self.kind), string(&self.message));
-        let text = format!("{{\"kind\": {kind}, \"message\": {message}, \"at\": {at}}}");
-        out.extend_from_slice(text.as_bytes());
     }
 }
 
@@ -84,6 +76,11 @@ pub fn answer(line: &[u8], out: &mut Vec<u8>) {
             return refuse(&Value::Null, &refusal, out);
         }
     };
+    if let Some(duplicate) = duplicate::find(line, &request) {
+        let message = format!("the key `{}` stands twice in one object", duplicate.key);
+        let refusal = Refusal::new("duplicate_key", At::Byte(duplicate.at), message);
+        return refuse(request.get("id").unwrap_or(&Value::Null), &refusal, out);
+    }
     let Value::Object(map) = &request else {
         let message = "a request is an object such as {\"id\": 1, \"op\": \"version\"}";
         return refuse(
@@ -121,8 +118,10 @@ fn open(id: &Value, key: &str, out: &mut Vec<u8>) {
     out.extend_from_slice(b"\": ");
 }
 
-pub(crate) fn refuse(id: &Value, refusal: &Refusal, out: &mut Vec<u8>) {
+fn refuse(id: &Value, refusal: &Refusal, out: &mut Vec<u8>) {
     open(id, "error", out);
-    refusal.write(out);
+    if let Err(error) = json::write(refusal, out) {
+        unreachable!("a refusal is text and numbers: {error}");
+    }
     out.push(b'}');
 }

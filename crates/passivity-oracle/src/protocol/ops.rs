@@ -1,18 +1,17 @@
 //! The operations: `interval`, `run`, `motion`, `check`, `version`.
 
-use passivity_core::effects::Effects;
-use passivity_core::{BigRational, Friction};
+use passivity_core::{BigRational, Friction, Interval, Loop, Scalar};
 use passivity_scene::{Scene, check};
+use serde::Serialize;
 
-use super::fields::{Fields, bad, duration, list, missing, sample};
+use super::fields::{Fields, bad, duration, list, missing, number, sample};
 use super::{At, MAX_ANSWER, PROTOCOL, Refusal};
-use crate::ledger::{Ledger, Sample};
-use crate::model::Model;
+use crate::json::{self, NumberedRow};
+use crate::ledger::{Ledger, Logged};
 use crate::motion::Piece;
 use crate::number::Number;
-use crate::row::write_span;
+use crate::reading::Reading;
 use crate::run::Run;
-use crate::span::Span;
 
 /// The fields that describe a loop, shared by `interval` and `run`.
 const LOOP: [&str; 8] = [
@@ -32,52 +31,146 @@ const MAX_DELAY: u64 = 1000;
 /// Appends the result of a request.
 pub(super) fn run(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     match fields.text("op")? {
-        "interval" => interval(fields, out),
+        "interval" => put(&interval(fields)?, out),
         "run" => sequence(fields, out),
         "motion" => motion(fields, out),
         "check" => verdict(fields, out),
-        "version" => version(fields, out),
+        "version" => {
+            fields.only(&[])?;
+            put(&VERSION, out)
+        }
         other => Err(Refusal::new(
             "unknown_op",
             At::Field("op".to_owned()),
-            format!("no operation `{other}`: there are interval, run, motion, check, version"),
+            format!("no operation `{other}`: there are {}", OPS.join(", ")),
         )),
     }
 }
 
-/// One ledger row: `xi0` and `xi1`, or `count0` and `count1`; `dtau`, 1 if it is not there.
-fn interval(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
+/// Every operation.
+const OPS: [&str; 5] = ["interval", "run", "motion", "check", "version"];
+
+/// What speaks here.
+#[derive(Serialize)]
+struct Version {
+    name: &'static str,
+    version: &'static str,
+    protocol: u32,
+    ops: [&'static str; 5],
+}
+
+const VERSION: Version = Version {
+    name: "passivity",
+    version: env!("CARGO_PKG_VERSION"),
+    protocol: PROTOCOL,
+    ops: OPS,
+};
+
+/// Appends a result.
+fn put<T: Serialize>(result: &T, out: &mut Vec<u8>) -> Result<(), Refusal> {
+    json::write(result, out)
+        .map_err(|error| Refusal::new("undefined", At::Request, error.to_string()))
+}
+
+/// One ledger row: `xi0` and `xi1`, or `count0` and `count1`; `dtau`, 1 if it is not there; and
+/// `force`, what was applied, that of the loop if it is not there.
+fn interval(fields: &Fields<'_>) -> Result<NumberedRow, Refusal> {
     let counted = fields.get(&["count0", "count1"]).is_some();
     let names = if counted {
         ["count0", "count1"]
     } else {
         ["xi0", "xi1"]
     };
-    let known = [&LOOP[..], &["h", "dtau"], &names].concat();
+    let known = [&LOOP[..], &["h", "dtau", "force"], &names].concat();
     fields.only(&known)?;
     let position = |name: &'static str| match fields.get(&[name]) {
         Some((_, value)) => sample(value, counted, || name.to_owned()),
         None => Err(missing(name)),
     };
-    let (start, end) = (position(names[0])?, position(names[1])?);
+    let [start, end] = names;
+    let (start, end) = (position(start)?, position(end)?);
     let dtau = match fields.get(&["dtau"]) {
         Some((name, value)) => duration(value, || name.to_owned())?,
         None => Number::whole(1),
     };
-    let ledger = Ledger::new(model(fields)?);
+    let force = match fields.get(&["force"]) {
+        Some((name, value)) => Some(Reading::Exact(number(value, || name.to_owned())?)),
+        None => None,
+    };
+    let ledger = ledger(fields)?;
     let h = fields.natural("h", u64::MAX)?;
-    let row = ledger.row(&[start], &end, &dtau);
-    row.ok_or_else(undefined)?.write_json(h, out);
+    let logged = Logged {
+        samples: vec![start],
+        end,
+        dtau,
+        force,
+    };
+    let row = ledger.row(&logged).ok_or_else(undefined)?;
+    Ok(NumberedRow { h, row })
+}
+
+/// Rows and totals: a list `xi` (or `positions`) or `count` (or `counts`), `dtau`, a number or a list
+/// with one number per interval, and perhaps `force`, a list with one per interval.
+fn sequence(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
+    let known = [&LOOP[..], &["dtau", "force"], &POSITIONS, &COUNTS].concat();
+    fields.only(&known)?;
+    let (name, samples) = samples(fields)?;
+    let intervals = samples.len() - 1;
+    let mut durations = match fields.get(&["dtau"]) {
+        None => vec![Number::whole(1)],
+        Some((name, value @ serde_json::Value::Array(_))) => {
+            per_interval(name, value, intervals, |value, place| {
+                duration(value, place)
+            })?
+        }
+        Some((name, value)) => vec![duration(value, || name.to_owned())?],
+    }
+    .into_iter()
+    .cycle();
+    let mut forces = match fields.get(&["force"]) {
+        None => Vec::new(),
+        Some((name, value)) => per_interval(name, value, intervals, |value, place| {
+            number(value, place).map(Reading::Exact)
+        })?,
+    }
+    .into_iter();
+    let ledger = ledger(fields)?;
+    let mut run = Run::new(&ledger);
+    let start = out.len();
+    out.extend_from_slice(b"{\"rows\": [");
+    let mut samples = samples.into_iter().enumerate();
+    if let Some((_, first)) = samples.next() {
+        run.step(first, &Number::whole(1), None)
+            .ok_or_else(undefined)?;
+    }
+    for (i, sample) in samples {
+        let dtau = durations.next().ok_or_else(undefined)?;
+        let row = run
+            .step(sample, &dtau, forces.next())
+            .ok_or_else(undefined)?;
+        if i > 1 {
+            out.extend_from_slice(b", ");
+        }
+        let h = run.intervals() - 1;
+        put(&row.map(|row| NumberedRow { h, row }), out)?;
+        // Rows are many: they are written as they come, and no more than can be kept.
+        if out.len() - start > MAX_ANSWER {
+            let message = format!("the rows take more than {MAX_ANSWER} bytes");
+            let at = At::Field(format!("{name}[{i}]"));
+            return Err(Refusal::new("answer_too_long", at, message));
+        }
+    }
+    out.extend_from_slice(b"], \"totals\": ");
+    put(&run.totals().ok_or_else(undefined)?, out)?;
+    out.push(b'}');
     Ok(())
 }
 
-/// Rows and totals: a list `xi` (or `positions`) or `count` (or `counts`), and `dtau`, a number or
-/// a list with one number per interval.
-fn sequence(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
-    const POSITIONS: [&str; 2] = ["xi", "positions"];
-    const COUNTS: [&str; 2] = ["count", "counts"];
-    let known = [&LOOP[..], &["dtau"], &POSITIONS, &COUNTS].concat();
-    fields.only(&known)?;
+const POSITIONS: [&str; 2] = ["xi", "positions"];
+const COUNTS: [&str; 2] = ["count", "counts"];
+
+/// The samples of a run, at least two, and the field that has them.
+fn samples(fields: &Fields<'_>) -> Result<(&'static str, Vec<Reading>), Refusal> {
     let (positions, counts) = (fields.get(&POSITIONS), fields.get(&COUNTS));
     let (name, value, counted) = match (positions, counts) {
         (Some((name, value)), None) => (name, value, false),
@@ -85,68 +178,44 @@ fn sequence(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
         (None, None) => return Err(missing("xi")),
         (Some(_), Some((name, _))) => return Err(bad(name, "positions or counts, not both")),
     };
-    let items = list(name, value)?;
-    let samples: Result<Vec<Sample>, Refusal> = items
-        .iter()
-        .enumerate()
+    let items = list(name, value)?.iter().enumerate();
+    let samples: Result<Vec<Reading>, Refusal> = items
         .map(|(i, item)| sample(item, counted, || format!("{name}[{i}]")))
         .collect();
     let samples = samples?;
     if samples.len() < 2 {
         return Err(bad(name, "expected at least two positions"));
     }
-    let intervals = samples.len() - 1;
-    let durations = match fields.get(&["dtau"]) {
-        None => vec![Number::whole(1)],
-        Some((name, value @ serde_json::Value::Array(_))) => {
-            let items = list(name, value)?;
-            if items.len() != intervals {
-                let message = format!("expected one number for each of {intervals} intervals");
-                return Err(bad(name, message));
-            }
-            let read = |(i, item)| duration(item, || format!("{name}[{i}]"));
-            items
-                .iter()
-                .enumerate()
-                .map(read)
-                .collect::<Result<_, _>>()?
-        }
-        Some((name, value)) => vec![duration(value, || name.to_owned())?],
-    };
-    let ledger = Ledger::new(model(fields)?);
-    let mut run = Run::new(&ledger);
-    let start = out.len();
-    out.extend_from_slice(b"{\"rows\": [");
-    for (i, sample) in samples.into_iter().enumerate() {
-        let dtau = i.checked_sub(1).and_then(|h| durations.get(h));
-        let dtau = dtau.or(durations.first()).ok_or_else(undefined)?;
-        if let Some(row) = run.step(sample, dtau).ok_or_else(undefined)? {
-            if i > 1 {
-                out.extend_from_slice(b", ");
-            }
-            row.write_json(run.intervals() - 1, out);
-            if out.len() - start > MAX_ANSWER {
-                let message = format!("the rows take more than {MAX_ANSWER} bytes");
-                let at = At::Field(format!("{name}[{i}]"));
-                return Err(Refusal::new("answer_too_long", at, message));
-            }
-        }
+    Ok((name, samples))
+}
+
+/// A list with one item for each interval.
+fn per_interval<T>(
+    name: &'static str,
+    value: &serde_json::Value,
+    intervals: usize,
+    read: impl Fn(&serde_json::Value, &dyn Fn() -> String) -> Result<T, Refusal>,
+) -> Result<Vec<T>, Refusal> {
+    let items = list(name, value)?;
+    if items.len() != intervals {
+        let message = format!("expected one number for each of {intervals} intervals");
+        return Err(bad(name, message));
     }
-    out.extend_from_slice(b"], \"totals\": ");
-    run.totals().write_json(out);
-    out.push(b'}');
-    Ok(())
+    let items = items.iter().enumerate();
+    items
+        .map(|(i, item)| read(item, &|| format!("{name}[{i}]")))
+        .collect()
 }
 
 /// Where a piece of motion at a constant force leads, enclosed between decimals.
 fn motion(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     fields.only(&["mu", "beta", "sigma", "xi", "velocity", "force", "tau"])?;
-    let [beta, _] = fields.friction("beta")?;
-    let [sigma, _] = fields.friction("sigma")?;
+    // Exact motion of one device: the friction of an interval is taken at its least.
+    let (beta, sigma) = (fields.friction("beta")?, fields.friction("sigma")?);
     let number = |name| fields.rational(name);
     let piece = Piece {
         mu: fields.effect("mu", false)?.ok_or_else(|| missing("mu"))?,
-        friction: Friction::new(beta, sigma),
+        friction: Friction::new(beta.lo().clone(), sigma.lo().clone()),
         xi: number("xi")?,
         velocity: number("velocity")?,
         force: number("force")?,
@@ -156,13 +225,7 @@ fn motion(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
         let message = "not one piece of motion: at rest, a change of direction, or βτ/μ > 1";
         Refusal::new("out_of_range", At::Request, message)
     })?;
-    let span = |[lo, hi]: [BigRational; 2]| Span::of(lo, hi);
-    out.extend_from_slice(b"{\"xi\": ");
-    write_span(&span(arrival.xi), out);
-    out.extend_from_slice(b", \"velocity\": ");
-    write_span(&span(arrival.velocity), out);
-    out.push(b'}');
-    Ok(())
+    put(&arrival, out)
 }
 
 /// What `passivity check` says of a scene.
@@ -176,40 +239,32 @@ fn verdict(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
         let kind = first.map_or("scene", |diagnostic| diagnostic.kind().name());
         Refusal::new(kind, At::Field(at), error.to_string())
     })?;
-    let report = check::check(&scene).to_json();
-    out.extend_from_slice(report.to_string().as_bytes());
-    Ok(())
+    serde_json::to_writer(out, &check::check(&scene))
+        .map_err(|error| Refusal::new("undefined", At::Request, error.to_string()))
 }
 
-fn version(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
-    fields.only(&[])?;
-    let text = format!(
-        "{{\"name\": \"passivity\", \"version\": \"{}\", \"protocol\": {PROTOCOL}, \
-         \"ops\": [\"interval\", \"run\", \"motion\", \"check\", \"version\"]}}",
-        env!("CARGO_PKG_VERSION")
-    );
-    out.extend_from_slice(text.as_bytes());
-    Ok(())
-}
-
-/// The loop of a request: `beta` and `sigma`, and the effects whose keys are there.
-fn model(fields: &Fields<'_>) -> Result<Model<BigRational>, Refusal> {
-    let [beta_least, beta_most] = fields.friction("beta")?;
-    let [sigma_least, sigma_most] = fields.friction("sigma")?;
+/// The ledger of the loop of a request: `beta` and `sigma`, and the effects whose keys are there.
+fn ledger(fields: &Fields<'_>) -> Result<Ledger, Refusal> {
+    let one = || Interval::point(BigRational::one());
+    let effect = |name, zero_allowed| {
+        let value = fields.effect(name, zero_allowed)?;
+        Ok::<_, Refusal>(value.map(Interval::point))
+    };
+    let (beta, sigma) = (fields.friction("beta")?, fields.friction("sigma")?);
     let delay = fields.natural("delay", MAX_DELAY)?;
-    Ok(Model {
-        exact: beta_least == beta_most && sigma_least == sigma_most,
-        least: Friction::new(beta_least, sigma_least),
-        most: Friction::new(beta_most, sigma_most),
-        effects: Effects {
-            encoder: fields.flag("encoder", true)?,
-            delay: u16::try_from(delay).unwrap_or(u16::MAX),
-            damping: fields.effect("damping", true)?,
-            force_step: fields.effect("force_step", false)?,
-        },
+    let dimensionless = Loop {
+        viscous: Some(beta),
+        coulomb: Some(sigma),
+        resolution: fields.flag("encoder", true)?.then(one),
+        damping: effect("damping", true)?,
+        force_step: effect("force_step", false)?,
+        max_force: effect("max_force", false)?,
+        delay: u16::try_from(delay).map_err(|error| bad("delay", error.to_string()))?,
         unilateral: fields.flag("unilateral", false)?,
-        max_force: fields.effect("max_force", false)?,
-    })
+        ..Loop::new(one(), one())
+    };
+    Ledger::new(&dimensionless)
+        .map_err(|error| Refusal::new("bad_value", At::Request, error.to_string()))
 }
 
 /// Every number of a request is defined and Δτ is above zero, so that this is never seen.

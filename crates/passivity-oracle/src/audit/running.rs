@@ -1,14 +1,14 @@
-//! A running sum and the lowest point of its course.
+//! A running sum, and the lowest that it was, alone or with something that changes beside it.
 
 use num_integer::Integer as _;
 use passivity_core::{BigRational, Scalar};
 
-use crate::number::Written as _;
+use crate::number::Reduced;
 use crate::sum::Sum;
 
 /// A running sum that starts at zero, and the least value it had, the start included.
 #[derive(Clone, Debug)]
-pub(crate) struct Course {
+pub(crate) struct RunningSum {
     /// Sum and least value over the common denominator.
     now: i128,
     least: i128,
@@ -28,7 +28,7 @@ struct Big {
     least_near: f64,
 }
 
-impl Default for Course {
+impl Default for RunningSum {
     fn default() -> Self {
         Self {
             now: 0,
@@ -41,7 +41,7 @@ impl Default for Course {
     }
 }
 
-impl Course {
+impl RunningSum {
     /// The common denominator, as long as machine integers hold the sum.
     pub(crate) const fn denominator(&self) -> Option<i128> {
         match self.big {
@@ -90,19 +90,15 @@ impl Course {
         true
     }
 
-    /// Adds a step in lowest terms.
-    pub(crate) fn add(&mut self, step: &Result<(i128, i128), BigRational>) {
-        if let Ok((n, d)) = step
+    /// Adds a step.
+    pub(crate) fn add(&mut self, step: &Reduced) {
+        if let Reduced::Small(n, d) = step
             && let Some(scaled) = self.scaled(*n, *d)
             && self.add_scaled(scaled)
         {
             return;
         }
-        let step = match step {
-            Ok((n, d)) => BigRational::new((*n).into(), (*d).into()),
-            Err(step) => step.clone(),
-        };
-        self.add_big(&step);
+        self.add_big(&step.to_rational());
     }
 
     fn add_big(&mut self, step: &BigRational) {
@@ -142,7 +138,7 @@ impl Course {
         }
     }
 
-    /// The sum as a double, for pictures.
+    /// A double near the sum.
     pub(crate) fn near(&self) -> f64 {
         match &self.big {
             #[allow(clippy::cast_precision_loss)]
@@ -160,14 +156,13 @@ impl Course {
         (least, self.at)
     }
 
-    /// Goes on with another course, which started at zero where this one ends.
+    /// Goes on with another sum, which started at zero where this one ends.
     pub(crate) fn append(&mut self, other: &Self) {
         let (least, at) = other.least();
         let lowest = self.total() + least;
         let lower = lowest < self.least().0;
         let (before, steps) = (self.steps, other.steps);
-        let total = other.total();
-        self.add(&total.to_reduced().ok_or(total));
+        self.add(&other.total().into());
         if lower {
             self.at = before + at;
             match &mut self.big {
@@ -182,7 +177,10 @@ impl Course {
     }
 
     fn set_least(&mut self, lowest: BigRational) {
-        let scaled = lowest.to_reduced().and_then(|(n, d)| self.scaled(n, d));
+        let scaled = match Reduced::from(lowest.clone()) {
+            Reduced::Small(n, d) => self.scaled(n, d),
+            Reduced::Big(_) => None,
+        };
         match scaled {
             Some(least) => self.least = least,
             None => {
@@ -201,6 +199,46 @@ pub(crate) fn near(x: &BigRational) -> f64 {
     passivity_scene::number::nearest_f64(x)
 }
 
+/// Where an energy was lowest.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Lowest {
+    pub(crate) value: BigRational,
+    /// After how many intervals.
+    pub(crate) h: u64,
+    near: f64,
+}
+
+impl Lowest {
+    pub(crate) fn new(value: BigRational, h: u64) -> Self {
+        let near = near(&value);
+        Self { value, h, near }
+    }
+
+    /// Keeps the lower one of two, the earlier where they agree.
+    pub(crate) fn keep(slot: &mut Option<Self>, found: Self) {
+        if slot
+            .as_ref()
+            .is_none_or(|lowest| found.value < lowest.value)
+        {
+            *slot = Some(found);
+        }
+    }
+
+    /// Keeps the sum and what stands beside it after `h` intervals, if that is lower; compared in
+    /// doubles first.
+    pub(crate) fn keep_sum(slot: &mut Option<Self>, sum: &RunningSum, beside: &Reduced, h: u64) {
+        let now = sum.near() + beside.near();
+        let slack = 1e-6 * (1.0 + now.abs() + sum.near().abs());
+        if slot
+            .as_ref()
+            .is_some_and(|lowest| now > lowest.near + slack)
+        {
+            return;
+        }
+        Self::keep(slot, Self::new(sum.total() + beside.to_rational(), h));
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -212,14 +250,14 @@ mod tests {
 
     proptest! {
         #[test]
-        fn is_the_running_sum_and_its_least_value(
+        fn is_the_sum_and_its_least_value(
             steps in prop::collection::vec((-50..50_i128, 1..40_i128), 0..60),
             cut in 0..60_usize,
             wide: bool,
         ) {
             let scale = if wide { i128::MAX / 1000 } else { 1 };
             let (mut now, mut least, mut at) = (ratio(0, 1), ratio(0, 1), 0);
-            let (mut first, mut second) = (Course::default(), Course::default());
+            let (mut first, mut second) = (RunningSum::default(), RunningSum::default());
             for (i, (n, d)) in steps.iter().enumerate() {
                 let step = ratio(n * scale, *d);
                 now += &step;
@@ -228,7 +266,7 @@ mod tests {
                     at = i as u64 + 1;
                 }
                 let part = if i < cut { &mut first } else { &mut second };
-                part.add(&step.to_reduced().ok_or(step));
+                part.add(&step.into());
             }
             first.append(&second);
             prop_assert_eq!(first.total(), now);

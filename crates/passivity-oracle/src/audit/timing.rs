@@ -1,0 +1,83 @@
+//! How long the intervals of a trace last: evenly or not, late, missed.
+
+use num_traits::ToPrimitive as _;
+
+use crate::number::{Number, difference, is_positive};
+
+/// How long intervals were.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Timing {
+    /// Intervals of another length than one period.
+    pub(crate) uneven: u64,
+    /// Intervals longer than one period.
+    pub(crate) late: u64,
+    /// Samples that are missing: whole periods beyond the first, to the nearest.
+    pub(crate) missed: u64,
+    pub(crate) first_missed: Option<u64>,
+    /// The shortest and the longest.
+    pub(crate) range: Option<[Number; 2]>,
+}
+
+impl Timing {
+    /// Counts the interval `h`.
+    pub(crate) fn add(&mut self, dtau: &Number, h: u64) {
+        let one = Number::whole(1);
+        if *dtau != one {
+            self.uneven += 1;
+            let beyond = difference(dtau, &one);
+            let missed = nearest(&beyond);
+            if is_positive(&beyond) {
+                self.late += 1;
+            }
+            if missed > 0 {
+                self.missed = self.missed.saturating_add(missed);
+                self.first_missed.get_or_insert(h);
+            }
+        }
+        self.widen([dtau, dtau]);
+    }
+
+    fn widen(&mut self, [shortest, longest]: [&Number; 2]) {
+        let is_less = |a: &Number, b: &Number| is_positive(&difference(b, a));
+        match &mut self.range {
+            None => self.range = Some([shortest.clone(), longest.clone()]),
+            Some([least, most]) => {
+                if is_less(shortest, least) {
+                    *least = shortest.clone();
+                }
+                if is_less(most, longest) {
+                    *most = longest.clone();
+                }
+            }
+        }
+    }
+
+    /// Adds the intervals that came after the first `before`.
+    pub(crate) fn append(&mut self, other: Self, before: u64) {
+        self.uneven += other.uneven;
+        self.late += other.late;
+        self.missed = self.missed.saturating_add(other.missed);
+        if let (None, Some(first)) = (self.first_missed, other.first_missed) {
+            self.first_missed = Some(before + first);
+        }
+        if let Some([shortest, longest]) = &other.range {
+            self.widen([shortest, longest]);
+        }
+    }
+}
+
+/// The nearest whole number, at least 0 and at most the largest of 64 bits.
+fn nearest(x: &Number) -> u64 {
+    let rounded = match x {
+        Number::Small(n, d) => {
+            let (n, d) = (i128::from(*n), i128::from(*d));
+            num_integer::Integer::div_floor(&(2 * n + d), &(2 * d)).into()
+        }
+        Number::Big(x) => x.round().to_integer(),
+    };
+    match rounded.to_u64() {
+        Some(n) => n,
+        None if is_positive(x) => u64::MAX,
+        None => 0,
+    }
+}

@@ -1,0 +1,271 @@
+//! The row of an interval whose positions, or whose force, are known only between two ends.
+//!
+//! Every value here is one of the kernel's row, [`ledger::generated`] and [`ledger::row`], at some
+//! pair of positions (ξ₀, ξ₁) in the rectangle that the trace leaves; what is ours is where to look.
+//! Each position is within a tick, whose upper end belongs to it: with the force given, the row is
+//! continuous there. So the extremes are exact:
+//!
+//! * What depends on the distance |d| alone rises with it.
+//! * Generated energy is F·(ξ₁ − ξ₀) + V(ξ₁) − V(ξ₀): a function of ξ₁ less the same function of ξ₀.
+//!   With V convex its least value is where V′ = −F, its largest at an end. The quantized potential is
+//!   linear within a tick.
+//! * Net energy also has βd²/Δτ + σ|d| in it. On a line of equal d it is monotone (its slope is
+//!   V′(ξ₀) − V′(ξ₁), of one sign; constant for the quantized potential on a pair of ticks). So its
+//!   extremes are on the edge of the rectangle, where generated energy is a parabola, known from three
+//!   of its values, and net energy a parabola with a kink at d = 0.
+//! * All of it is linear in F, so extreme at an end of the force.
+
+use std::cmp::Ordering;
+
+use passivity_core::ledger::{self, HeldInterval, Row};
+use passivity_core::{Criterion, Interval, Loop, Ordered, Step, dissipation};
+
+use crate::ends::Ends;
+use crate::figure::Figure;
+use crate::number::Written;
+use crate::parabola::Parabola;
+
+/// A sampling interval as far as it is known.
+pub(crate) struct Rectangle<'a, S> {
+    pub(crate) ends: &'a Ends<S>,
+    pub(crate) start: &'a Figure<S>,
+    pub(crate) end: &'a Figure<S>,
+    pub(crate) force: &'a Figure<S>,
+    pub(crate) dtau: &'a S,
+}
+
+/// The two accounts of generated energy: against the wall's law, and against its quantized form.
+type Accounts<S> = [S; 2];
+
+impl<S: Written> Rectangle<'_, S> {
+    /// The row without extra storage; `None` when a number is undefined.
+    pub(crate) fn row(&self) -> Option<Row<Figure<S>>> {
+        let (near, far) = (self.nearest()?, self.farthest()?);
+        let least = self.row_at(&self.ends.least, near);
+        let most = self.row_at(&self.ends.most, far);
+        let still = self.start.is_exact() && self.end.is_exact();
+        let by_distance = |lo: S, hi: S, exact: bool| {
+            if exact {
+                Some(Figure::Exact(lo))
+            } else {
+                Figure::between(lo, hi)
+            }
+        };
+        let dissipated_lower = by_distance(
+            least.dissipated_lower,
+            most.dissipated_lower,
+            still && self.ends.friction_is_exact(),
+        )?;
+        let [generated_linear, generated_quantized] = self.generated()?;
+        let [mut net_linear, mut net_quantized] = [&generated_linear, &generated_quantized]
+            .map(|generated| dissipated_lower.minus(generated));
+        if !still {
+            // The figures of a row belong to the same two positions. Where the law is bent, only
+            // the quantized potential is a parabola all along an edge.
+            let [against_law, against_steps] = self.net()?;
+            net_quantized = Some(against_steps);
+            if self.ends.least.law().is_linear() {
+                net_linear = Some(against_law);
+            }
+        }
+        Some(Row {
+            generated_linear,
+            generated_quantized,
+            bound_22: by_distance(least.bound_22, most.bound_22, still)?,
+            bound_quantized: by_distance(least.bound_quantized, most.bound_quantized, still)?,
+            dissipated_lower,
+            net_linear: net_linear?,
+            net_quantized: net_quantized?,
+            margin: self.margin(near, far)?,
+        })
+    }
+
+    fn held(&self, [from, to]: [&S; 2], force: &S) -> HeldInterval<S> {
+        HeldInterval {
+            step: Step::new(from.clone(), to.clone()),
+            force: force.clone(),
+            dtau: self.dtau.clone(),
+            extra_storage: None,
+        }
+    }
+
+    fn row_at(&self, of: &Loop<S>, positions: [&S; 2]) -> Row<S> {
+        ledger::row(of, &self.held(positions, self.force.lo()))
+    }
+
+    /// A pair of positions as near to each other as can be.
+    fn nearest(&self) -> Option<[&S; 2]> {
+        let (start, end) = (self.start, self.end);
+        Some(if start.hi().compare(end.lo())? == Ordering::Less {
+            [start.hi(), end.lo()]
+        } else if end.hi().compare(start.lo())? == Ordering::Less {
+            [start.lo(), end.hi()]
+        } else if start.lo().compare(end.lo())? == Ordering::Less {
+            [end.lo(), end.lo()]
+        } else {
+            [start.lo(), start.lo()]
+        })
+    }
+
+    /// A pair of positions as far from each other as can be.
+    fn farthest(&self) -> Option<[&S; 2]> {
+        let outward = [self.start.lo(), self.end.hi()];
+        let inward = [self.start.hi(), self.end.lo()];
+        let length = |[from, to]: [&S; 2]| (to.clone() - from.clone()).abs();
+        let longer = length(outward).compare(&length(inward))? != Ordering::Less;
+        Some(if longer { outward } else { inward })
+    }
+
+    /// Margin of the criterion times the mean speed: linear in it, so extreme at an end.
+    fn margin(&self, near: [&S; 2], far: [&S; 2]) -> Option<Figure<S>> {
+        let speeds = [near, far].map(|[from, to]| {
+            let d = to.clone() - from.clone();
+            dissipation::mean_speed(&d, self.dtau)
+        });
+        let margins = |of: &Criterion<S>| speeds.each_ref().map(|v| of.margin(v));
+        let [least, most] = &self.ends.criteria;
+        let ([a, b], [c, d]) = (margins(least), margins(most));
+        Figure::between(a.min(b), c.max(d))
+    }
+
+    /// What is generated at a pair of positions under a force.
+    fn generated_at(&self, positions: [&S; 2], force: &S) -> Accounts<S> {
+        ledger::generated(&self.ends.least, &self.held(positions, force))
+    }
+
+    fn forces(&self) -> impl Iterator<Item = &S> {
+        let (lo, hi) = (self.force.lo(), self.force.hi());
+        std::iter::once(lo).chain((!self.force.is_exact()).then_some(hi))
+    }
+
+    /// Generated energy at its extremes.
+    ///
+    /// A function of ξ₁ less one of ξ₀: the extremes of each, taken with the other one fixed.
+    fn generated(&self) -> Option<[Figure<S>; 2]> {
+        let (from, to) = (self.start.lo(), self.end.lo());
+        let mut found: [Option<Interval<S>>; 2] = [None, None];
+        for force in self.forces() {
+            let base = self.generated_at([from, to], force);
+            let mut of_start = base.clone().map(Interval::point);
+            let mut of_end = of_start.clone();
+            let points = |of: &Figure<S>| {
+                // Where the law's force balances the held one, when that is within.
+                let balance = (-force.clone()).max(of.lo().clone()).min(of.hi().clone());
+                let several = !of.is_exact();
+                [of.hi().clone(), balance]
+                    .into_iter()
+                    .filter(move |_| several)
+            };
+            for xi in points(self.start) {
+                widen(&mut of_start, self.generated_at([&xi, to], force));
+            }
+            for xi in points(self.end) {
+                widen(&mut of_end, self.generated_at([from, &xi], force));
+            }
+            let both = of_start.into_iter().zip(of_end).zip(base);
+            for (known, ((start, end), base)) in found.iter_mut().zip(both) {
+                let at = |a: &S, b: &S| a.clone() + b.clone() - base.clone();
+                let here = Interval::new(at(start.lo(), end.lo()), at(start.hi(), end.hi()))?;
+                *known = Some(
+                    known
+                        .take()
+                        .map_or_else(|| here.clone(), |k| k.joined(&here)),
+                );
+            }
+        }
+        let [linear, quantized] = found;
+        let exact = self.start.is_exact() && self.end.is_exact() && self.force.is_exact();
+        let figure = |range: Interval<S>| match exact {
+            true => Figure::Exact(range.lo().clone()),
+            false => Figure::Enclosed(range),
+        };
+        Some([figure(linear?), figure(quantized?)])
+    }
+
+    /// `dissipated_lower` less generated energy, at its extremes.
+    fn net(&self) -> Option<[Figure<S>; 2]> {
+        let mut found: [Option<Interval<S>>; 2] = [None, None];
+        for force in self.forces() {
+            for (from, to) in self.edges() {
+                let half_way = |a: &S, b: &S| (a.clone() + b.clone()).half();
+                let [start, end] = [half_way(from[0], to[0]), half_way(from[1], to[1])];
+                let values = [from, [&start, &end], to].map(|at| self.generated_at(at, force));
+                let d = |[from, to]: [&S; 2]| to.clone() - from.clone();
+                let [first, between, last] = values;
+                let accounts = first.into_iter().zip(between).zip(last);
+                for (known, ((a, b), c)) in found.iter_mut().zip(accounts) {
+                    let curve = through([a, b, c], [d(from), d(to)])?;
+                    let here = self.net_along(&curve, [d(from), d(to)])?;
+                    *known = Some(
+                        known
+                            .take()
+                            .map_or_else(|| here.clone(), |k| k.joined(&here)),
+                    );
+                }
+            }
+        }
+        let [linear, quantized] = found;
+        let exact = self.start.is_exact() && self.end.is_exact() && self.force.is_exact();
+        let figure = |range: Interval<S>| match exact {
+            true => Figure::Exact(range.lo().clone()),
+            false => Figure::Enclosed(range),
+        };
+        Some([figure(linear?), figure(quantized?)])
+    }
+
+    /// The edges of the rectangle, each from one corner to the next.
+    fn edges(&self) -> impl Iterator<Item = ([&S; 2], [&S; 2])> {
+        let (a, b) = (self.start.lo(), self.start.hi());
+        let (c, d) = (self.end.lo(), self.end.hi());
+        let along_start = [c, d].map(|end| ([a, end], [b, end]));
+        let along_end = [a, b].map(|start| ([start, c], [start, d]));
+        // An exact position has no edge along it.
+        let (start, end) = (!self.start.is_exact(), !self.end.is_exact());
+        let along_start = along_start.into_iter().filter(move |_| start);
+        along_start.chain(along_end.into_iter().filter(move |_| end))
+    }
+
+    /// Net energy along an edge on which generated energy is αd² + γd + κ: at its least with the
+    /// least friction, at its most with the most.
+    fn net_along(&self, [alpha, gamma, kappa]: &[S; 3], [from, to]: [S; 2]) -> Option<Interval<S>> {
+        let (from, to) = (from.clone().min(to.clone()), from.max(to));
+        let range = |of: &Loop<S>| {
+            let friction = of.friction();
+            let parabola = Parabola {
+                square: friction.beta.over(self.dtau.clone()) - alpha.clone(),
+                magnitude: friction.sigma,
+                linear: -gamma.clone(),
+                constant: -kappa.clone(),
+            };
+            parabola.range(&from, &to)
+        };
+        let [least, _] = range(&self.ends.least)?;
+        let [_, most] = range(&self.ends.most)?;
+        Interval::new(least, most)
+    }
+}
+
+fn widen<S: Ordered>(ranges: &mut [Interval<S>; 2], values: Accounts<S>) {
+    for (range, value) in ranges.iter_mut().zip(values) {
+        *range = range.joined(&Interval::point(value));
+    }
+}
+
+/// α, γ and κ of the parabola αd² + γd + κ with these values at one end, in the middle and at the
+/// other end; `None` when one is undefined.
+fn through<S: Written>([a, b, c]: [S; 3], [from, to]: [S; 2]) -> Option<[S; 3]> {
+    let width = to - from.clone();
+    let slope = (c.clone() - a.clone()).over(width.clone());
+    // The second difference a − 2b + c is 2α(width/2)².
+    let alpha = (a.clone() - b.double() + c).double().over(width.square());
+    let gamma = slope - alpha.clone() * (from.double() + width.clone());
+    let kappa = a - from.clone() * (alpha.clone() * from + gamma.clone());
+    let found = [alpha, gamma, kappa];
+    if width.square().compare(&S::one())? == Ordering::Equal {
+        return Some(found);
+    }
+    // Dividing by a short width made the numbers longer than what they stand for.
+    let lowest = |x: &S| S::from_reduced(&x.to_reduced()?);
+    let [alpha, gamma, kappa] = found.each_ref().map(lowest);
+    Some([alpha?, gamma?, kappa?])
+}
