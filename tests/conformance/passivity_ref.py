@@ -428,19 +428,20 @@ def check(request):
     else:
         region = "unstable"
     critical = -coulomb / viscous if region in ("locally_stable", "limit_cycles") else None
-    # The square of the speed bound: the operator's, or that of an unforced start (TH-START).
+    # The square of the operator's speed bound.
     square = None
     if "max_speed" in scene.get("operator", {}):
         square = above_zero(scene["operator"]["max_speed"]) ** 2
-    elif "start" in scene:
-        x, v = (number(scene["start"].get(k, "0")) for k in ("position", "velocity"))
-        square = v * v + x * x / above_zero(scene["dimensionless"].get("mu"))
-    holds = region == "globally_stable" or (
-        region == "locally_stable" and square is not None
-        and coulomb**2 >= viscous**2 * square)
+    within = lambda square: region == "globally_stable" or (
+        region == "locally_stable" and coulomb**2 >= viscous**2 * square)
+    holds = region == "globally_stable" if square is None else within(square)
     not_covered = ["amplifier"] if "amplifier" in scene else []
-    if loop.limit is not None and loop.damping is not None:
-        not_covered = ["damping", "max_force"] + not_covered
+    # Left alone from the start, the device never passes V (TH-START), whatever the verdict.
+    unforced = None
+    if "start" in scene:
+        x, v = (number(scene["start"].get(k, "0")) for k in ("position", "velocity"))
+        start = v * v + x * x / above_zero(scene["dimensionless"].get("mu"))
+        unforced = {"holds": None if not_covered else within(start)}
     witness = None
     if not_covered:
         verdict = "not_covered"
@@ -454,7 +455,8 @@ def check(request):
         "region": region, "verdict": verdict, "not_covered": not_covered,
         "beta": both(loop.beta), "sigma": both(loop.sigma),
         "critical_speed": None if critical is None else both(critical),
-        "margin_at_all_speeds": both(min(viscous, coulomb)), "witness": witness,
+        "spare": {"viscous": both(viscous), "coulomb": both(coulomb)},
+        "unforced": unforced, "witness": witness,
     }
 
 
@@ -476,7 +478,8 @@ def cycle(loop, square):
         if square <= m * m:
             return None
         speed = F(isqrt(square.numerator * square.denominator * 10**60), square.denominator * 10**30)
-        a = min(a, speed - m)
+        # Strictly below the bound.
+        a = min(a, (speed - m) / 2)
     if loop.limit is not None and loop.limit < m + 1 + HALF:
         return None
     return {"from": str(1 - a), "to": str(F(1 + m))}

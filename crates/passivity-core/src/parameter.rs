@@ -322,7 +322,7 @@ parameters! {
         /// F > 0, step of the force of the D/A converter (TH-DAC); δ in KΔ.
         force_step: ForceStep = Row::new("wall.force_step", "force step", "F", Unit::FORCE)
             .hurts(Hurts::More);
-        /// T_a > 0, time constant of the amplifier's first-order lag (TH-LAG).
+        /// T_a > 0, time constant of the amplifier's first-order lag.
         time_constant: TimeConstant =
             Row::new("amplifier.time_constant", "amplifier time constant", "T_a", Unit::TIME);
         /// V > 0, a bound on the speed that the verdict may use.

@@ -21,7 +21,7 @@ class Check(unittest.TestCase):
     def test_verdict(self):
         report = passivity.check(SCENE)
         self.assertEqual(report["verdict"], "passive")
-        self.assertEqual(report["margin_at_all_speeds"]["lo"], "1/10")
+        self.assertEqual(report["spare"]["viscous"]["lo"], "1/10")
 
     def test_scene_file(self):
         with tempfile.TemporaryDirectory() as folder:

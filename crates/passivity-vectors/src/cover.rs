@@ -81,8 +81,8 @@ pub(super) fn regions() -> Group {
         ),
         ("NotCovered", json!({"amplifier": {"time_constant": "1/5"}})),
         (
-            "NotCovered",
-            json!({"wall": {"max_force": "5", "damping": "1/10"}}),
+            "Covered",
+            json!({"wall": {"max_force": "50", "damping": "1/10"}}),
         ),
     ];
     for (flag, sections) in &effects {
@@ -110,7 +110,10 @@ pub(super) fn regions() -> Group {
                 "on and beside the lines β = ½ and σ = ½; equality holds",
             ),
             ("SpeedBound", "the operator keeps to a speed"),
-            ("Start", "unforced motion from a position and a velocity"),
+            (
+                "Start",
+                "what holds of the device left alone from a position and a velocity; the verdict is about any operator",
+            ),
             (
                 "Covered",
                 "effects that a theorem covers lower the criterion",

@@ -75,7 +75,7 @@ fn th_active_cycle_exists_exactly_below_a_half() {
     }
 }
 
-/// TH-ACTIVE: under a speed bound a cycle that is found keeps to it.
+/// TH-ACTIVE: under a speed bound a cycle that is found stays strictly below it.
 #[kani::proof]
 fn th_active_cycle_keeps_to_a_speed_bound() {
     let friction = point();
@@ -87,10 +87,11 @@ fn th_active_cycle_keeps_to_a_speed_bound() {
         "the bound leaves no cycle"
     );
     if let Some(cycle) = cycle {
-        kani::cover!(cycle.to - cycle.from == bound, "the bound is used up");
+        let speed = cycle.to - cycle.from;
+        kani::cover!(speed.double() > bound, "most of the bound is used up");
         kani::assert(
-            cycle.to - cycle.from <= bound && cycle.gain > Ratio::zero(),
-            "TH-ACTIVE: the cycle keeps to the bound and gains",
+            speed < bound && cycle.gain > Ratio::zero(),
+            "TH-ACTIVE: the cycle stays below the bound and gains",
         );
     }
 }
