@@ -278,7 +278,8 @@ fn tree(dir: &Dir) -> std::path::PathBuf {
             .flat_map(|run| run.files.into_keys()),
     );
     files.extend([Claims::PATH, "proofs/evidence.json"].map(str::to_owned));
-    for file in files {
+    // What was recorded of a file that is gone since is stale, whatever the tree.
+    for file in files.into_iter().filter(|file| from.join(file).exists()) {
         let folder = to.join(&file);
         fs::create_dir_all(folder.parent().expect("a folder")).expect("a folder");
         fs::copy(from.join(&file), to.join(&file)).unwrap_or_else(|e| panic!("{file}: {e}"));
@@ -296,6 +297,7 @@ fn recorded_now(root: &Path) -> Evidence {
         record.statement = claims.statement(claim, record.engine).expect("a statement");
     }
     for run in &mut recorded.runs {
+        run.files.retain(|file, _| root.join(file).exists());
         for (file, sum) in &mut run.files {
             *sum = Sha256::of(&fs::read(root.join(file)).expect("a source"));
         }

@@ -83,22 +83,29 @@ pub fn rust_files(folder: &Path) -> Result<Vec<PathBuf>, EvidenceError> {
     Ok(files)
 }
 
-/// Whether the source of a module declares an item: `Row::violates_linear` needs both the type and
-/// the function.
+/// Whether the source of a module declares an item: `Row::violates_linear` needs both the type, or
+/// an `impl` of it, and the function.
 #[must_use]
 pub fn declares(source: &str, item: &str) -> bool {
     let words = ["fn", "struct", "enum", "trait", "type", "const", "const fn"];
+    let implemented = |name: &str| {
+        let generic = format!(" {name}<");
+        source
+            .lines()
+            .any(|line| line.starts_with("impl") && line.contains(&generic))
+    };
     item.split("::").all(|name| {
-        words.iter().any(|word| {
-            source
-                .match_indices(&format!("{word} {name}"))
-                .any(|(at, found)| {
-                    let after = source
-                        .get(at + found.len()..)
-                        .and_then(|rest| rest.chars().next());
-                    after.is_none_or(|c| !c.is_alphanumeric() && c != '_')
-                })
-        })
+        implemented(name)
+            || words.iter().any(|word| {
+                source
+                    .match_indices(&format!("{word} {name}"))
+                    .any(|(at, found)| {
+                        let after = source
+                            .get(at + found.len()..)
+                            .and_then(|rest| rest.chars().next());
+                        after.is_none_or(|c| !c.is_alphanumeric() && c != '_')
+                    })
+            })
     })
 }
 

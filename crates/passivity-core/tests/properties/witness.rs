@@ -111,6 +111,7 @@ fn th_active_exact_cycles() {
     assert_eq!(quantized(&friction, Some(&q(2, 1))), None);
     assert_eq!(
         quantized(&friction, Some(&q(33, 16))).unwrap().from,
-        q(15, 16)
+        // 1/16 is left, and a move of just the bound is too fast where it turns round.
+        q(16, 17)
     );
 }
