@@ -12,6 +12,7 @@
 (assert (and (<= (to_real floor2) x1) (< x1 (+ (to_real floor2) 1))))
 (assert (= x1 (+ (to_real floor1) 1.0)))
 (assert (= (to_real floor2) x1))
+(assert (= x0 (/ 1.0 2.0)))
 ; what would contradict the goal
 (assert (not (= (- (/ (* x1 x1) 2) (/ (* x0 x0) 2)) (- (* (- (+ (to_real floor1) (/ 1.0 2))) (- x1 x0))))))
 (check-sat)

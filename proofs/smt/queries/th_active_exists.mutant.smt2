@@ -15,6 +15,8 @@
 (define-fun def6 () Real (ite (<= 1.0 def5) 1.0 def5))
 (assert (<= 0.0 beta))
 (assert (<= 0.0 sigma))
+(assert (= beta (/ 1.0 1.0)))
+(assert (= sigma (/ 1.0 1.0)))
 ; what would contradict the goal
 (assert (not (not (or (and (> 0.0 (- (+ sigma sigma) 1.0)) (> 0.0 (- 1.0 (+ beta beta))) (> beta 0.0) (> 0.0 def2)) (and (> 0.0 (- (+ sigma sigma) 1.0)) (> 0.0 (- 1.0 (+ beta beta))) (> beta 0.0) (= def2 0.0)) (and (> 0.0 (- (+ sigma sigma) 1.0)) (= (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (> 0.0 def2)) (and (> 0.0 (- (+ sigma sigma) 1.0)) (= (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (= def2 0.0)) (and (> 0.0 (- (+ sigma sigma) 1.0)) (> (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (> 0.0 def2)) (and (> 0.0 (- (+ sigma sigma) 1.0)) (> (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (= def2 0.0)) (and (= (- (+ sigma sigma) 1.0) 0.0) (> 0.0 (- 1.0 (+ beta beta)))) (and (= (- (+ sigma sigma) 1.0) 0.0) (= (- 1.0 (+ beta beta)) 0.0)) (and (= (- (+ sigma sigma) 1.0) 0.0) (> (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (> 0.0 def6)) (and (= (- (+ sigma sigma) 1.0) 0.0) (> (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (= def6 0.0)) (and (> (- (+ sigma sigma) 1.0) 0.0) (> 0.0 (- 1.0 (+ beta beta)))) (and (> (- (+ sigma sigma) 1.0) 0.0) (= (- 1.0 (+ beta beta)) 0.0)) (and (> (- (+ sigma sigma) 1.0) 0.0) (> (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (> 0.0 def6)) (and (> (- (+ sigma sigma) 1.0) 0.0) (> (- 1.0 (+ beta beta)) 0.0) (> beta 0.0) (= def6 0.0))))))
 (check-sat)

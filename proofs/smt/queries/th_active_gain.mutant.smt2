@@ -21,6 +21,11 @@
 (assert (= (to_real floor4) def3))
 (assert (> a 0.0))
 (assert (<= 0.0 m))
+(assert (= n (/ 0.0 1.0)))
+(assert (= m (/ 1.0 1.0)))
+(assert (= a (/ 1.0 2.0)))
+(assert (= beta (/ 0.0 1.0)))
+(assert (= sigma (/ 0.0 1.0)))
 ; what would contradict the goal
 (assert (not (= (- (- (* (- (+ (to_real floor2) (/ 1.0 2))) (- def3 def1)) (* (- (+ (to_real floor4) (/ 1.0 2))) (- def3 def1))) (+ (* def6 (+ (* beta def6) sigma)) (* def6 (+ (* beta def6) sigma)))) (* (+ (- m 1.0) a) (- (+ (- m 1.0) 1.0) (+ (+ (* beta (+ (- m 1.0) a)) sigma) (+ (* beta (+ (- m 1.0) a)) sigma)))))))
 (check-sat)

@@ -7,6 +7,7 @@
 (declare-const delta Real)
 (declare-const L Real)
 (declare-const q Real)
+(declare-const q1 Real)
 (define-fun def1 () Real (+ (/ (* (- (* 1.0 q)) 1.0) delta) (/ 1.0 2)))
 (declare-const floor2 Int) ; floor of def1
 (assert (and (<= (to_real floor2) def1) (< def1 (+ (to_real floor2) 1))))
@@ -22,6 +23,10 @@
 (assert (and (<= (to_real floor11) def10) (< def10 (+ (to_real floor11) 1))))
 (assert (> delta 0.0))
 (assert (> L 0.0))
+(assert (= delta (/ 1.0 1.0)))
+(assert (= L (/ 2.0 3.0)))
+(assert (= q (/ 5.0 1.0)))
+(assert (= q1 (/ 5.0 1.0)))
 ; what would contradict the goal
 (assert (not (= def6 (/ (* (to_real floor11) delta) 1.0))))
 (check-sat)

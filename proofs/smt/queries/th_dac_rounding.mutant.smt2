@@ -12,6 +12,8 @@
 (define-fun def3 () Real (- (/ (* (to_real floor2) delta) 1.0) u))
 (define-fun def4 () Real (ite (>= def3 0) def3 (- def3)))
 (assert (> delta 0.0))
+(assert (= delta (/ 1.0 1.0)))
+(assert (= u (/ 1.0 2.0)))
 ; what would contradict the goal
 (assert (not (<= def4 (* delta (/ 1.0 3.0)))))
 (check-sat)

@@ -12,6 +12,11 @@
 (assert (<= 0 B))
 (assert (> delta 0))
 (assert (> L 0))
+(assert (= B (/ 1 1)))
+(assert (= delta (/ 1 1)))
+(assert (= L (/ 9 1)))
+(assert (= q (/ 9 4)))
+(assert (= q1 (/ 0 1)))
 ; what would contradict the goal
 (assert (not (= (+ (- (+ (* 1 q) (* (- B) (- q1 q)))) q) 0)))
 (check-sat)

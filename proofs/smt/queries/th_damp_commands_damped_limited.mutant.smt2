@@ -18,6 +18,11 @@
 (assert (<= 0 B))
 (assert (> delta 0))
 (assert (> L 0))
+(assert (= B (/ 1 1)))
+(assert (= delta (/ 1 1)))
+(assert (= L (/ 9 1)))
+(assert (= q (/ 9 4)))
+(assert (= q1 (/ 0 1)))
 ; what would contradict the goal
 (assert (not (= (+ def4 def6) 0)))
 (check-sat)

@@ -15,6 +15,11 @@
 (assert (<= 0.0 B))
 (assert (> delta 0.0))
 (assert (> L 0.0))
+(assert (= B (/ 1.0 1.0)))
+(assert (= delta (/ 1.0 1.0)))
+(assert (= L (/ 9.0 1.0)))
+(assert (= q (/ 9.0 4.0)))
+(assert (= q1 (/ 0.0 1.0)))
 ; what would contradict the goal
 (assert (not (= (+ (/ (* (to_real floor2) delta) 1.0) q) 0.0)))
 (check-sat)

@@ -25,6 +25,11 @@
 (assert (> delta 0.0))
 (assert (> L 0.0))
 (assert (or (= (to_real floor4) def1) (= (to_real floor4) 0.0)))
+(assert (= B (/ 1.0 1.0)))
+(assert (= delta (/ 1.0 1.0)))
+(assert (= L (/ 9.0 1.0)))
+(assert (= q (/ 9.0 4.0)))
+(assert (= q1 (/ 0.0 1.0)))
 ; what would contradict the goal
 (assert (not (= (+ def8 def11) 0.0)))
 (check-sat)

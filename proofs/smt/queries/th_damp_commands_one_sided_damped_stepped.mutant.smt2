@@ -22,6 +22,11 @@
 (assert (> delta 0.0))
 (assert (> L 0.0))
 (assert (or (= (to_real floor4) def1) (= (to_real floor4) 0.0)))
+(assert (= B (/ 1.0 1.0)))
+(assert (= delta (/ 1.0 1.0)))
+(assert (= L (/ 9.0 1.0)))
+(assert (= q (/ 9.0 4.0)))
+(assert (= q1 (/ 0.0 1.0)))
 ; what would contradict the goal
 (assert (not (= (+ (/ (* (to_real floor6) delta) 1.0) def7) 0.0)))
 (check-sat)

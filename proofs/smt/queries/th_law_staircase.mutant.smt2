@@ -52,6 +52,9 @@
 (assert (or (<= 0.0 (+ (to_real floor5) 1.0)) (<= (+ (+ (to_real floor5) 1.0) 1.0) 0.0)))
 (assert (<= x0 x1))
 (assert (= (to_real floor6) (to_real floor5)))
+(assert (= x0 (/ 1.0 2.0)))
+(assert (= lower (/ (- 9.0) 1.0)))
+(assert (= upper (/ 9.0 1.0)))
 ; what would contradict the goal
 (assert (not (= (- (- (- (+ (/ (* x1 x1) 2) (/ (* (- x1 (to_real floor6)) (- 1.0 (- x1 (to_real floor6)))) 2)) (+ (* def10 (+ (- def8 upper) (/ def10 2))) (* def12 (- x1 (to_real floor6))))) (+ (* def16 (+ (- def14 (- lower)) (/ def16 2))) (* def18 (- 1.0 (- x1 (to_real floor6)))))) (- (- (+ (/ (* x0 x0) 2) (/ (* (- x0 (to_real floor5)) (- 1.0 (- x0 (to_real floor5)))) 2)) (+ (* def20 (+ (- def8 upper) (/ def20 2))) (* def22 (- x0 (to_real floor5))))) (+ (* def24 (+ (- def14 (- lower)) (/ def24 2))) (* def26 (- 1.0 (- x0 (to_real floor5))))))) (* def28 (- x1 x0)))))
 (check-sat)

@@ -134,22 +134,16 @@ impl Formula {
         }
     }
 
-    /// Whether the formula holds of numbers; `None` when one is undefined.
+    /// Whether the formula holds of numbers; `None` when that depends on one that is undefined.
     pub fn holds<S: Ordered>(&self, of: &dyn Fn(&str) -> S) -> Option<bool> {
         let compare = |a: &Term, b: &Term| a.evaluate(of).compare(&b.evaluate(of));
-        Some(match self {
-            Self::Above(a, b) => compare(a, b)? == Ordering::Greater,
-            Self::Equal(a, b) => compare(a, b)? == Ordering::Equal,
-            Self::Not(f) => !f.holds(of)?,
-            Self::All(parts) => {
-                let truths: Option<Vec<bool>> = parts.iter().map(|f| f.holds(of)).collect();
-                truths?.into_iter().all(|truth| truth)
-            }
-            Self::Any(parts) => {
-                let truths: Option<Vec<bool>> = parts.iter().map(|f| f.holds(of)).collect();
-                truths?.into_iter().any(|truth| truth)
-            }
-        })
+        match self {
+            Self::Above(a, b) => Some(compare(a, b)? == Ordering::Greater),
+            Self::Equal(a, b) => Some(compare(a, b)? == Ordering::Equal),
+            Self::Not(f) => Some(!f.holds(of)?),
+            Self::All(parts) => decided_by(false, parts, of),
+            Self::Any(parts) => decided_by(true, parts, of),
+        }
     }
 
     /// Whether no two variables are multiplied and nothing is divided by one.
@@ -173,6 +167,15 @@ impl Formula {
             Self::All(parts) | Self::Any(parts) => parts.iter().for_each(|f| f.variables(names)),
         }
     }
+}
+
+/// `truth` when a part has it, its opposite when all parts have that.
+fn decided_by<S: Ordered>(truth: bool, parts: &[Formula], of: &dyn Fn(&str) -> S) -> Option<bool> {
+    let truths: Vec<Option<bool>> = parts.iter().map(|f| f.holds(of)).collect();
+    if truths.contains(&Some(truth)) {
+        return Some(truth);
+    }
+    (!truths.contains(&None)).then_some(!truth)
 }
 
 fn linear(term: &Term) -> bool {

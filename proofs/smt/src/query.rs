@@ -122,6 +122,15 @@ impl Query {
         self
     }
 
+    /// With a mutant that is looked for where these hold: a counterexample near at hand.
+    #[must_use]
+    pub fn at(mut self, hints: impl IntoIterator<Item = Formula>) -> Self {
+        if let Some((_, premises, _)) = &mut self.mutant {
+            premises.extend(hints);
+        }
+        self
+    }
+
     /// With whole floors.
     #[must_use]
     pub const fn whole(mut self) -> Self {

@@ -12,7 +12,7 @@ use passivity_core::{Friction, Law, Loop, Scalar as _, Step};
 use passivity_terms::Term;
 
 use super::effects::{later, past};
-use super::{half, n, v};
+use super::{half, n, v, values};
 use crate::Query;
 use crate::formula::{Formula, all, any, eq, ge, le, lt, nonnegative, positive};
 
@@ -105,7 +105,8 @@ fn parts() -> Vec<Query> {
             .but_not("the other order is another force", {
                 let last = Controller::of(&with_parts(false, false, true, false));
                 eq(&held(&order), &last.held_force(&[-held(&limited)]))
-            }),
+            })
+            .at(values([("delta", 1, 1), ("L", 2, 3), ("q", 5, 1), ("q1", 5, 1)])),
         Query::new("TH-LAW", "force", "a force that is only limited is the law of the wall")
             .given([gate_is_open_or_shut(), positive(&v("L"))])
             .then(all([
@@ -123,7 +124,8 @@ fn parts() -> Vec<Query> {
             .then(all([late_by(0), late_by(1), late_by(2), late_by(3)]))
             .but_not("not of the one after", {
                 eq(&late(2, &samples), &at_once.held_force(&samples[1..][..2]))
-            }),
+            })
+            .at(values([("q1", 1, 1), ("q2", 2, 1), ("q3", 3, 1), ("B", 0, 1), ("delta", 1, 1), ("L", 9, 1)])),
     ]
 }
 
@@ -172,11 +174,19 @@ fn combinations() -> Vec<Query> {
                 .given(allowed())
                 .given(gate)
                 .then(le(&off.abs(), &bound));
-            all.push(if damping || step {
+            let query = if damping || step {
                 query.but_not("it is not the law itself", eq(&off, &n(0)))
             } else {
                 query.but_not("it is not nothing", eq(&held(&the_loop), &n(0)))
-            });
+            };
+            let somewhere = [
+                ("B", 1, 1),
+                ("delta", 1, 1),
+                ("L", 9, 1),
+                ("q", 9, 4),
+                ("q1", 0, 1),
+            ];
+            all.push(query.at(values(somewhere)));
         }
     }
     all
@@ -298,6 +308,7 @@ fn accounts() -> Vec<Query> {
         )
         .then(eq(&whole, &parts))
         .but_not("the parts alone are not nothing", eq(&whole, &n(0)))
+        .at(values([("delta", 1, 1), ("L", 9, 1), ("B", 1, 1), ("y0", 1, 1), ("y1", 2, 1), ("end", 3, 1)]))
     };
     vec![
         late_by(1, "one sample with a law"),
@@ -435,6 +446,7 @@ fn staircases() -> Vec<Query> {
                 "the force at the start of the tick is another",
                 eq(&rise, &(law.force(&tick) * run.clone())),
             )
+            .at(values([("x0", 1, 2), ("lower", -9, 1), ("upper", 9, 1)]))
     };
     vec![
         Query::new(

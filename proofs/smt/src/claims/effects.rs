@@ -8,7 +8,7 @@ use passivity_core::generation::{bound_22, generated};
 use passivity_core::{Friction, Law, Loop, Scalar as _, Step, spring};
 use passivity_terms::Term;
 
-use super::{half, n, v};
+use super::{half, n, v, values};
 use crate::Query;
 use crate::formula::{all, eq, ge, gt, iff, le, nonnegative, positive};
 
@@ -249,7 +249,8 @@ fn single() -> Vec<Query> {
         .but_not(
             "not by at most ⅓δ",
             le(&rounding.abs(), &(step.clone() * Term::fraction(1, 3))),
-        ),
+        )
+        .at(values([("delta", 1, 1), ("u", 1, 2)])),
         Query::new("TH-DAC", "cost", "it adds at most ½δ|d|")
             .given([positive(&step), le(&v("r").abs(), &step.clone().half())])
             .then(le(&(v("r") * d.clone()), &(step.half() * d.abs())))

@@ -9,7 +9,7 @@ use passivity_core::spring::{linear_potential, quantization_potential, quantized
 use passivity_core::{Quantized, Scalar as _, Step, ledger};
 use passivity_terms::Term;
 
-use super::{half, n, v};
+use super::{half, n, v, values};
 use crate::Query;
 use crate::formula::{Formula, all, any, eq, ge, gt, le, lt, nonnegative};
 
@@ -78,7 +78,8 @@ pub(super) fn queries() -> Vec<Query> {
                     &(linear_potential(&step.end) - linear_potential(&step.start)),
                     &-(held_force(&step.start) * d.clone()),
                 ),
-            ),
+            )
+            .at(values([("x0", 1, 2)])),
         Query::new("EQ-16/17", "range", "quantization adds between 0 and 1/8 to the potential")
             .then(all([
                 nonnegative(&quantization_potential(&v("x"))),
@@ -147,7 +148,8 @@ pub(super) fn queries() -> Vec<Query> {
             .but_not("it is not nothing", eq(&difference, &n(0))),
         Query::new("TH-TELESCOPE", "bound", "from any start to any end the change of ½ρ(1 − ρ) is within 1/8")
             .then(le(&potential_change.abs(), &Term::fraction(1, 8)))
-            .but_not("it is not within 1/9", le(&potential_change.abs(), &Term::fraction(1, 9))),
+            .but_not("it is not within 1/9", le(&potential_change.abs(), &Term::fraction(1, 9)))
+            .at(values([("x0", 0, 1), ("x1", 1, 2)])),
         Query::new("TH-TELESCOPE", "sum", "the differences over two runs add up to that of both")
             .then(eq(
                 &(ledger::counterparts_differ_by(&v("x0"), &v("x1"))

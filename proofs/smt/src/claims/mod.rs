@@ -4,6 +4,7 @@ use passivity_core::Scalar as _;
 use passivity_terms::Term;
 
 use crate::Query;
+use crate::formula::{Formula, eq};
 
 mod boxes;
 mod controller;
@@ -43,4 +44,9 @@ fn n(n: i32) -> Term {
 /// ½.
 fn half() -> Term {
     n(1).half()
+}
+
+/// That variables have these values, n/d each: where a counterexample is near at hand.
+fn values<const N: usize>(of: [(&str, i32, i32); N]) -> [Formula; N] {
+    of.map(|(name, numerator, denominator)| eq(&v(name), &Term::fraction(numerator, denominator)))
 }

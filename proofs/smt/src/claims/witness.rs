@@ -4,7 +4,7 @@ use passivity_core::witness::{gain, gain_formula, quantized, smooth};
 use passivity_core::{Cycle, Friction, Scalar as _};
 use passivity_terms::{Term, paths};
 
-use super::{half, n, v};
+use super::{half, n, v, values};
 use crate::Query;
 use crate::formula::{
     Formula, all, any, eq, ge, gt, implies, le, lt, nonnegative, not, on_every_path, positive,
@@ -68,7 +68,14 @@ pub(super) fn queries() -> Vec<Query> {
                 &gain(&from, &to, &friction),
                 &gain_formula(&(v("m") - n(1)), &v("a"), &friction),
             ),
-        ),
+        )
+        .at(values([
+            ("n", 0, 1),
+            ("m", 1, 1),
+            ("a", 1, 2),
+            ("beta", 0, 1),
+            ("sigma", 0, 1),
+        ])),
         Query::new(
             "TH-ACTIVE",
             "none where passive",
@@ -99,13 +106,16 @@ pub(super) fn queries() -> Vec<Query> {
         .given(not_negative.clone())
         .given([short.clone()])
         .then(not(given_up))
-        .not_without("not where β ≥ ½ and σ ≥ ½", 1),
+        .not_without("not where β ≥ ½ and σ ≥ ½", 1)
+        .at(values([("beta", 1, 1), ("sigma", 1, 1)])),
         room_left(
             "room without friction",
+            [("beta", 0, 1), ("sigma", 0, 1)],
             [eq(&v("beta"), &n(0)), lt(&v("sigma"), &half())],
         ),
         room_left(
             "room with less than half",
+            [("beta", 1, 4), ("sigma", 1, 4)],
             [
                 all([positive(&v("beta")), lt(&v("beta"), &half())]),
                 lt(&v("sigma"), &half()),
@@ -113,18 +123,22 @@ pub(super) fn queries() -> Vec<Query> {
         ),
         room_left(
             "room with a half",
+            [("beta", 1, 2), ("sigma", 1, 4)],
             [eq(&v("beta"), &half()), lt(&v("sigma"), &half())],
         ),
         room_left(
             "room with more than half",
+            [("beta", 1, 1), ("sigma", 1, 4)],
             [gt(&v("beta"), &half()), lt(&v("sigma"), &half())],
         ),
         room_left(
             "room of a long cycle without viscous friction",
+            [("beta", 0, 1), ("sigma", 1, 1)],
             [eq(&v("beta"), &n(0)), ge(&v("sigma"), &half())],
         ),
         room_left(
             "room of a long cycle",
+            [("beta", 1, 4), ("sigma", 1, 1)],
             [
                 all([positive(&v("beta")), lt(&v("beta"), &half())]),
                 ge(&v("sigma"), &half()),
@@ -198,7 +212,7 @@ fn about_cycles(found: &[Search], says: impl Fn(&Cycle<Term>) -> Formula) -> For
 }
 
 /// In a cycle that the code considers friction leaves room, in one of four cases.
-fn room_left(part: &'static str, case: [Formula; 2]) -> Query {
+fn room_left(part: &'static str, example: [(&str, i32, i32); 2], case: [Formula; 2]) -> Query {
     let friction = friction();
     let found = paths::of(|| quantized(&friction, None));
     let with = |times: i32| {
@@ -216,4 +230,5 @@ fn room_left(part: &'static str, case: [Formula; 2]) -> Query {
         .but_not("nothing is left of a tick", {
             about_cycles(&found, |cycle| lt(&cycle.to, &cycle.from))
         })
+        .at(values(example))
 }
