@@ -295,7 +295,10 @@ fn recorded_now(root: &Path) -> Evidence {
     for record in &mut recorded.records {
         let claim = claims.find(&record.claim).expect("a claim");
         record.statement = claims.statement(claim, record.engine).expect("a statement");
-        record.sources = claim.files().into_iter().collect();
+        record.sources.retain(|file| root.join(file).exists());
+        record.sources.extend(claim.files());
+        record.sources.sort();
+        record.sources.dedup();
     }
     for run in &mut recorded.runs {
         run.files.retain(|file, _| root.join(file).exists());
@@ -354,7 +357,7 @@ fn a_changed_line_makes_the_evidence_that_covers_it_stale_and_no_other() {
         assert!(text.contains(old), "{file}");
         fs::write(&path, text.replace(old, new)).expect("an edit");
         let run = write(&["--check", "case", "--format", "json"]);
-        assert_eq!(run.code, 1, "{}", run.stderr);
+        assert_eq!(run.code, 1, "{file}: {}", run.stderr);
         let document = run.json();
         let stale: BTreeSet<String> = document["evidence"]
             .as_array()
