@@ -3,7 +3,7 @@
     Generated from the kernel's code by `passivity-rocq-bridge`; do not edit. *)
 
 From Coq Require Import Reals Lra.
-From Passivity Require Import Definitions BridgeTactics.
+From Passivity Require Import Definitions BridgeTactics ControllerTactics.
 Open Scope R_scope.
 
 (** [Loop::criterion] *)
@@ -19,6 +19,20 @@ Definition kernel_criterion_coulomb_0 (sigma delta B : R) : R :=
 Lemma bridge_criterion_coulomb_0 : forall sigma delta B,
   kernel_criterion_coulomb_0 sigma delta B = coulomb_surplus sigma delta B.
 Proof. unfold kernel_criterion_coulomb_0. bridge. Qed.
+
+(** [Loop::cost] *)
+Definition kernel_cost_viscous_0 (B : R) : R :=
+  (((1 * 1) * ((1 / 2) + 0)) + B).
+Lemma bridge_cost_viscous_0 : forall B,
+  kernel_cost_viscous_0 B = - viscous_surplus 0 0 B.
+Proof. unfold kernel_cost_viscous_0. bridge. Qed.
+
+(** [Loop::cost] *)
+Definition kernel_cost_coulomb_0 (delta B : R) : R :=
+  ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2)).
+Lemma bridge_cost_coulomb_0 : forall delta B,
+  kernel_cost_coulomb_0 delta B = - coulomb_surplus 0 delta B.
+Proof. unfold kernel_cost_coulomb_0. bridge. Qed.
 
 (** [Cost::bound] *)
 Definition kernel_cost_bound_0 (d delta B : R) : R :=
@@ -41,6 +55,20 @@ Lemma bridge_criterion_coulomb_1 : forall sigma delta B,
   kernel_criterion_coulomb_1 sigma delta B = coulomb_surplus sigma delta B.
 Proof. unfold kernel_criterion_coulomb_1. bridge. Qed.
 
+(** [Loop::cost] *)
+Definition kernel_cost_viscous_1 (B : R) : R :=
+  (((1 * 1) * ((1 / 2) + 1)) + B).
+Lemma bridge_cost_viscous_1 : forall B,
+  kernel_cost_viscous_1 B = - viscous_surplus 0 1 B.
+Proof. unfold kernel_cost_viscous_1. bridge. Qed.
+
+(** [Loop::cost] *)
+Definition kernel_cost_coulomb_1 (delta B : R) : R :=
+  ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2)).
+Lemma bridge_cost_coulomb_1 : forall delta B,
+  kernel_cost_coulomb_1 delta B = - coulomb_surplus 0 delta B.
+Proof. unfold kernel_cost_coulomb_1. bridge. Qed.
+
 (** [Cost::bound] *)
 Definition kernel_cost_bound_1 (d delta B : R) : R :=
   ((Rabs d) * (((((1 * 1) * ((1 / 2) + 1)) + B) * (Rabs d)) + ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2)))).
@@ -61,6 +89,20 @@ Definition kernel_criterion_coulomb_2 (sigma delta B : R) : R :=
 Lemma bridge_criterion_coulomb_2 : forall sigma delta B,
   kernel_criterion_coulomb_2 sigma delta B = coulomb_surplus sigma delta B.
 Proof. unfold kernel_criterion_coulomb_2. bridge. Qed.
+
+(** [Loop::cost] *)
+Definition kernel_cost_viscous_2 (B : R) : R :=
+  (((1 * 1) * ((1 / 2) + 2)) + B).
+Lemma bridge_cost_viscous_2 : forall B,
+  kernel_cost_viscous_2 B = - viscous_surplus 0 2 B.
+Proof. unfold kernel_cost_viscous_2. bridge. Qed.
+
+(** [Loop::cost] *)
+Definition kernel_cost_coulomb_2 (delta B : R) : R :=
+  ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2)).
+Lemma bridge_cost_coulomb_2 : forall delta B,
+  kernel_cost_coulomb_2 delta B = - coulomb_surplus 0 delta B.
+Proof. unfold kernel_cost_coulomb_2. bridge. Qed.
 
 (** [Cost::bound] *)
 Definition kernel_cost_bound_2 (d delta B : R) : R :=
@@ -83,6 +125,20 @@ Lemma bridge_criterion_coulomb_3 : forall sigma delta B,
   kernel_criterion_coulomb_3 sigma delta B = coulomb_surplus sigma delta B.
 Proof. unfold kernel_criterion_coulomb_3. bridge. Qed.
 
+(** [Loop::cost] *)
+Definition kernel_cost_viscous_3 (B : R) : R :=
+  (((1 * 1) * ((1 / 2) + 3)) + B).
+Lemma bridge_cost_viscous_3 : forall B,
+  kernel_cost_viscous_3 B = - viscous_surplus 0 3 B.
+Proof. unfold kernel_cost_viscous_3. bridge. Qed.
+
+(** [Loop::cost] *)
+Definition kernel_cost_coulomb_3 (delta B : R) : R :=
+  ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2)).
+Lemma bridge_cost_coulomb_3 : forall delta B,
+  kernel_cost_coulomb_3 delta B = - coulomb_surplus 0 delta B.
+Proof. unfold kernel_cost_coulomb_3. bridge. Qed.
+
 (** [Cost::bound] *)
 Definition kernel_cost_bound_3 (d delta B : R) : R :=
   ((Rabs d) * (((((1 * 1) * ((1 / 2) + 3)) + B) * (Rabs d)) + ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2)))).
@@ -103,6 +159,20 @@ Definition kernel_criterion_coulomb_plain (sigma : R) : R :=
 Lemma bridge_criterion_coulomb_plain : forall sigma,
   kernel_criterion_coulomb_plain sigma = coulomb_surplus sigma 0 0.
 Proof. unfold kernel_criterion_coulomb_plain. bridge. Qed.
+
+(** [Loop::criterion] *)
+Definition kernel_criterion_viscous_smooth (beta B : R) : R :=
+  (beta - (((1 * 1) * ((1 / 2) + 1)) + B)).
+Lemma bridge_criterion_viscous_smooth : forall beta B,
+  kernel_criterion_viscous_smooth beta B = viscous_surplus beta 1 B.
+Proof. unfold kernel_criterion_viscous_smooth. bridge. Qed.
+
+(** [Loop::criterion] *)
+Definition kernel_criterion_coulomb_smooth (sigma delta : R) : R :=
+  (sigma - (0 + (delta / 2))).
+Lemma bridge_criterion_coulomb_smooth : forall sigma delta,
+  kernel_criterion_coulomb_smooth sigma delta = coulomb_si_smooth sigma delta.
+Proof. unfold kernel_criterion_coulomb_smooth. bridge. Qed.
 
 (** [extra_storage::delay_storage] *)
 Definition kernel_delay_storage_1 (d1 : R) : R :=
@@ -154,11 +224,11 @@ Lemma bridge_damping_storage_3 : forall B d1 d2 d3 d4,
 Proof. unfold kernel_damping_storage_3. bridge. Qed.
 
 (** [controller::rounded] *)
-Definition kernel_rounded_force (F delta : R) : R :=
+Definition kernel_rounded (F delta : R) : R :=
   (((floor (((F * 1) / delta) + (1 / 2))) * delta) / 1).
-Lemma bridge_rounded_force : forall F delta,
-  kernel_rounded_force F delta = rounded_force F delta.
-Proof. unfold kernel_rounded_force. intros; unfold rounded_force; rewrite Rmult_1_r; field. Qed.
+Lemma bridge_rounded : forall F delta,
+  kernel_rounded F delta = rounded_force F delta.
+Proof. unfold kernel_rounded. intros; apply kernel_step. Qed.
 
 (** [Law::bilateral::force] *)
 Definition kernel_law_bilateral (x : R) : R :=
@@ -215,6 +285,14 @@ Definition kernel_law_unilateral_saturated (x hi : R) : R :=
 Lemma bridge_law_unilateral_saturated : forall x hi,
   0 <= hi -> kernel_law_unilateral_saturated x hi = clipped 0 hi x.
 Proof. unfold kernel_law_unilateral_saturated. intros; unfold clipped; rewrite (Rmax_left 0 (- hi)) by lra; reflexivity. Qed.
+
+(** [Law::quantized_potential] *)
+Definition kernel_law_quantized_potential (x lo hi : R) : R :=
+  (((((x * x) / 2) + (((x - (floor x)) * (1 - (x - (floor x)))) / 2)) - (((Rmax ((floor x) - (Rmax (- (floor ((1 / 2) - hi))) 0)) 0) * (((Rmax (- (floor ((1 / 2) - hi))) 0) - hi) + ((Rmax ((floor x) - (Rmax (- (floor ((1 / 2) - hi))) 0)) 0) / 2))) + ((Rmax (((floor x) + (1 / 2)) - hi) 0) * (x - (floor x))))) - (((Rmax ((- ((floor x) + 1)) - (Rmax (- (floor ((1 / 2) - (- lo)))) 0)) 0) * (((Rmax (- (floor ((1 / 2) - (- lo)))) 0) - (- lo)) + ((Rmax ((- ((floor x) + 1)) - (Rmax (- (floor ((1 / 2) - (- lo)))) 0)) 0) / 2))) + ((Rmax (((- ((floor x) + 1)) + (1 / 2)) - (- lo)) 0) * (1 - (x - (floor x)))))).
+Lemma bridge_law_quantized_potential : forall x lo hi,
+  kernel_law_quantized_potential x lo hi = quantized_clipped_potential lo hi x.
+Proof. unfold kernel_law_quantized_potential. intros; unfold quantized_clipped_potential, beyond, first_beyond, quantized_potential, linear_potential,
+    quantization_potential, residue; field. Qed.
 
 (** [Law::held_force] *)
 Definition kernel_law_bilateral_held (x : R) : R :=

@@ -3,7 +3,7 @@
     Generated from the kernel's code by `passivity-rocq-bridge`; do not edit. *)
 
 From Coq Require Import Reals Lra.
-From Passivity Require Import Definitions BridgeTactics.
+From Passivity Require Import Definitions BridgeTactics ControllerTactics.
 Open Scope R_scope.
 
 (** [Quantized::of::tick] *)
@@ -338,3 +338,68 @@ Definition kernel_counterparts_differ_by (x0 x1 : R) : R :=
 Lemma bridge_counterparts_differ_by : forall x0 x1,
   kernel_counterparts_differ_by x0 x1 = generated_quantized x0 x1 - generated_linear x0 x1.
 Proof. unfold kernel_counterparts_differ_by. bridge. Qed.
+
+(** [ledger::row] *)
+Definition kernel_any_row_wall (x0 x1 u : R) : R :=
+  (((u - (- ((floor x0) + (1 / 2)))) * (x1 - x0)) + (((x1 - x0) * (((x1 - x0) + ((x0 - (floor x0)) + (x0 - (floor x0)))) - 1)) / 2)).
+Lemma bridge_any_row_wall : forall x0 x1 u,
+  kernel_any_row_wall x0 x1 u = generated u x0 x1 (linear_potential x0) (linear_potential x1).
+Proof. unfold kernel_any_row_wall. bridge. Qed.
+
+(** [ledger::row] *)
+Definition kernel_any_row_wall_quantized (x0 x1 u : R) : R :=
+  (((u - (- ((floor x0) + (1 / 2)))) * (x1 - x0)) + ((((floor x1) - (floor x0)) * ((((floor x1) - (floor x0)) + ((x1 - (floor x1)) + (x1 - (floor x1)))) - 1)) / 2)).
+Lemma bridge_any_row_wall_quantized : forall x0 x1 u,
+  kernel_any_row_wall_quantized x0 x1 u = generated u x0 x1 (quantized_potential x0) (quantized_potential x1).
+Proof. unfold kernel_any_row_wall_quantized. bridge. Qed.
+
+(** [ledger::row] *)
+Definition kernel_any_row_wall_net (x0 x1 u beta sigma dtau gain : R) : R :=
+  ((((Rabs (x1 - x0)) * ((beta * ((Rabs (x1 - x0)) / dtau)) + sigma)) - (((u - (- ((floor x0) + (1 / 2)))) * (x1 - x0)) + (((x1 - x0) * (((x1 - x0) + ((x0 - (floor x0)) + (x0 - (floor x0)))) - 1)) / 2))) - gain).
+Lemma bridge_any_row_wall_net : forall x0 x1 u beta sigma dtau gain,
+  kernel_any_row_wall_net x0 x1 u beta sigma dtau gain = dissipated_lower beta sigma (x1 - x0) dtau - generated u x0 x1 (linear_potential x0) (linear_potential x1) - gain.
+Proof. unfold kernel_any_row_wall_net. bridge. Qed.
+
+(** [ledger::row] *)
+Definition kernel_any_row_wall_net_quantized (x0 x1 u beta sigma dtau gain : R) : R :=
+  ((((Rabs (x1 - x0)) * ((beta * ((Rabs (x1 - x0)) / dtau)) + sigma)) - (((u - (- ((floor x0) + (1 / 2)))) * (x1 - x0)) + ((((floor x1) - (floor x0)) * ((((floor x1) - (floor x0)) + ((x1 - (floor x1)) + (x1 - (floor x1)))) - 1)) / 2))) - gain).
+Lemma bridge_any_row_wall_net_quantized : forall x0 x1 u beta sigma dtau gain,
+  kernel_any_row_wall_net_quantized x0 x1 u beta sigma dtau gain = dissipated_lower beta sigma (x1 - x0) dtau - generated u x0 x1 (quantized_potential x0) (quantized_potential x1) - gain.
+Proof. unfold kernel_any_row_wall_net_quantized. bridge. Qed.
+
+(** [ledger::row] *)
+Definition kernel_any_row_smooth (x0 x1 u : R) : R :=
+  (((u - (- x0)) * (x1 - x0)) + (((x1 - x0) * (x1 - x0)) / 2)).
+Lemma bridge_any_row_smooth : forall x0 x1 u,
+  kernel_any_row_smooth x0 x1 u = generated u x0 x1 (linear_potential x0) (linear_potential x1).
+Proof. unfold kernel_any_row_smooth. bridge. Qed.
+
+(** [ledger::row] *)
+Definition kernel_any_row_smooth_quantized (x0 x1 u : R) : R :=
+  (((u - (- x0)) * (x1 - x0)) + (((x1 - x0) * (x1 - x0)) / 2)).
+Lemma bridge_any_row_smooth_quantized : forall x0 x1 u,
+  kernel_any_row_smooth_quantized x0 x1 u = generated u x0 x1 (linear_potential x0) (linear_potential x1).
+Proof. unfold kernel_any_row_smooth_quantized. bridge. Qed.
+
+(** [ledger::row] *)
+Definition kernel_any_row_smooth_bound (x0 x1 : R) : R :=
+  (((x1 - x0) * (x1 - x0)) / 2).
+Lemma bridge_any_row_smooth_bound : forall x0 x1,
+  kernel_any_row_smooth_bound x0 x1 = (x1 - x0) ^ 2 / 2.
+Proof. unfold kernel_any_row_smooth_bound. bridge. Qed.
+
+(** [ledger::row] *)
+Definition kernel_any_row_effects (x0 x1 u L : R) : R :=
+  (((u * (x1 - x0)) + ((x1 * (Rmin (Rmax x1 (Rmax 0 (- L))) L)) - (((Rmin (Rmax x1 (Rmax 0 (- L))) L) * (Rmin (Rmax x1 (Rmax 0 (- L))) L)) / 2))) - ((x0 * (Rmin (Rmax x0 (Rmax 0 (- L))) L)) - (((Rmin (Rmax x0 (Rmax 0 (- L))) L) * (Rmin (Rmax x0 (Rmax 0 (- L))) L)) / 2))).
+Lemma bridge_any_row_effects : forall x0 x1 u L,
+  0 <= L -> kernel_any_row_effects x0 x1 u L = generated u x0 x1 (controller_potential true (Some L) x0) (controller_potential true (Some L) x1).
+Proof. unfold kernel_any_row_effects. intros; unfold generated, controller_potential, controller_law, law_potential_of, clipped;
+  rewrite (Rmax_left 0) by lra; field. Qed.
+
+(** [ledger::row] *)
+Definition kernel_any_row_effects_margin (x0 x1 beta sigma dtau B delta : R) : R :=
+  (((beta - (((1 * 1) * ((1 / 2) + 1)) + B)) * ((Rabs (x1 - x0)) / dtau)) + (sigma - ((((1 * 1) / 2) + (B * (1 / 1))) + (delta / 2)))).
+Lemma bridge_any_row_effects_margin : forall x0 x1 beta sigma dtau B delta,
+  kernel_any_row_effects_margin x0 x1 beta sigma dtau B delta = margin (viscous_surplus beta 1 B) (coulomb_surplus sigma delta B)
+    (mean_speed (x1 - x0) dtau).
+Proof. unfold kernel_any_row_effects_margin. bridge. Qed.

@@ -1,40 +1,13 @@
 (** * Controller: the control law as a program computes it, every effect switched on or off.
 
-    From two successive measured positions, both late by the same delay: damp, cut off
-    outside a wall on one side, round to the D/A step, saturate; in that order.  So TH-UNI with
-    TH-DAMP, and saturation with TH-DAMP, are covered together, with the terms added up. *)
+    So TH-UNI with TH-DAMP, and saturation with TH-DAMP, are covered together, with the terms
+    added up.  BridgeController.v compares [controller] with the kernel's text. *)
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From Passivity Require Import Definitions Quantizer Calculus Model History Law Combined
   Passivity Laws Effects Start.
 Open Scope R_scope.
-
-(** A wall on one side pushes only when the measured position is inside. *)
-Definition gated (one_sided : bool) (q F : R) : R :=
-  if one_sided then (if Rlt_dec q 0 then 0 else F) else F.
-
-Definition stepped (step : option R) (u : R) : R :=
-  match step with Some delta => rounded_force u delta | None => u end.
-
-Definition limited (limit : option R) (u : R) : R :=
-  match limit with Some L => clipped (- L) L u | None => u end.
-
-(** The held force. *)
-Definition controller (one_sided : bool) (B : R) (step limit : option R) (q q' : R) : R :=
-  limited limit (stepped step (- gated one_sided q (q + B * (q - q')))).
-
-(** The force law that it softens or stiffens from: what is left without damping and step. *)
-Definition controller_law (one_sided : bool) (limit : option R) (x : R) : R :=
-  match one_sided, limit with
-  | false, None => x
-  | true, None => clipped_below 0 x
-  | false, Some L => clipped (- L) L x
-  | true, Some L => clipped 0 L x
-  end.
-
-Definition controller_potential (one_sided : bool) (limit : option R) (x : R) : R :=
-  law_potential_of x (controller_law one_sided limit x).
 
 Definition step_size (step : option R) : R := match step with Some delta => delta | None => 0 end.
 

@@ -41,3 +41,33 @@ Ltac decide_signs :=
             | assert (v * V < 0) by (apply Rmult_neg_pos; assumption); unfold margin in M; lra
             | apply margin_from_squares in M; lra ]
   end.
+
+(** ** Tolerances *)
+
+Lemma holds_up_to_less : forall viscous coulomb V W, W <= V ->
+  holds_up_to viscous coulomb V -> holds_up_to viscous coulomb W.
+Proof. intros viscous coulomb V W H P v Hv. apply P. lra. Qed.
+
+(** Every loop of the box from the signs at its ends. *)
+Ltac decide_box :=
+  intros;
+  match goal with
+  | |- _ /\ _ => split; decide_signs
+  | _ => decide_signs
+  end.
+
+(** Every bound of the tolerance from the signs at its ends. *)
+Ltac decide_bound :=
+  intros;
+  match goal with
+  | _ : 0 < ?lo, _ : ?lo <= ?hi |- _ => assert (0 < hi) by lra
+  end;
+  match goal with
+  | _ : ?lo <= ?V <= ?hi |- holds_up_to _ _ ?V =>
+      apply holds_up_to_less with hi; [lra | decide_signs]
+  | _ : ?lo <= ?V <= ?hi |- ~ holds_up_to ?v ?c ?V =>
+      let H := fresh in
+      intro H; assert (~ holds_up_to v c lo) by decide_signs;
+      apply (holds_up_to_less v c V lo) in H; [contradiction | lra]
+  | |- _ /\ _ => split; decide_signs
+  end.

@@ -154,6 +154,54 @@ Definition law_potential_of (x p : R) : R := x * p - p ^ 2 / 2.
 (** A force rounded to the nearest multiple of the D/A step. *)
 Definition rounded_force (F delta : R) : R := delta * floor (F / delta + 1 / 2).
 
+(** ** The potential of a clipped law over the quantizer's ticks (16)
+
+    [beyond]: what the part of the law that is beyond a limit would store from 0 to the tick
+    [tick] and [rho] of the next one; tick j is beyond when j + 1/2 is. *)
+
+Definition first_beyond (limit : R) : R := Rmax (- floor (1 / 2 - limit)) 0.
+
+Definition beyond (limit tick rho : R) : R :=
+  Rmax (tick - first_beyond limit) 0
+    * (first_beyond limit - limit + Rmax (tick - first_beyond limit) 0 / 2)
+  + Rmax (tick + 1 / 2 - limit) 0 * rho.
+
+(** From the other side tick n is tick - 1 - n, and what is left of it is 1 - rho. *)
+Definition quantized_clipped_potential (lo hi x : R) : R :=
+  quantized_potential x - beyond hi (floor x) (residue x)
+  - beyond (- lo) (- (floor x + 1)) (1 - residue x).
+
+(** ** The controller: the control law as a program computes it
+
+    From two successive measured positions, both late by the same delay: damp, cut off outside
+    a wall on one side, round to the D/A step, saturate; in that order. *)
+
+(** A wall on one side pushes only when the measured position is inside. *)
+Definition gated (one_sided : bool) (q F : R) : R :=
+  if one_sided then (if Rlt_dec q 0 then 0 else F) else F.
+
+Definition stepped (step : option R) (u : R) : R :=
+  match step with Some delta => rounded_force u delta | None => u end.
+
+Definition limited (limit : option R) (u : R) : R :=
+  match limit with Some L => clipped (- L) L u | None => u end.
+
+(** The held force. *)
+Definition controller (one_sided : bool) (B : R) (step limit : option R) (q q' : R) : R :=
+  limited limit (stepped step (- gated one_sided q (q + B * (q - q')))).
+
+(** The force law that it softens or stiffens from: what is left without damping and step. *)
+Definition controller_law (one_sided : bool) (limit : option R) (x : R) : R :=
+  match one_sided, limit with
+  | false, None => x
+  | true, None => clipped_below 0 x
+  | false, Some L => clipped (- L) L x
+  | true, Some L => clipped 0 L x
+  end.
+
+Definition controller_potential (one_sided : bool) (limit : option R) (x : R) : R :=
+  law_potential_of x (controller_law one_sided limit x).
+
 (** ** In SI units: (1), (2), (7), (11) *)
 
 Definition beta_of (b K T : R) : R := b / (K * T).
@@ -188,6 +236,15 @@ Definition stiffness_limit (b c T Delta v k B F : R) : R :=
 (** TH-STIFF: the two limits whose smaller is the stiffest wall at every speed. *)
 Definition viscous_limit (b T k B : R) : R := (b - B) / (T * (1 / 2 + k)).
 Definition coulomb_limit (c T Delta B F : R) : R := (c - B * Delta / T - F / 2) / (Delta / 2).
+
+(** TH-STIFF: the border values of the other parameters, the rest as it is. *)
+Definition longest_period (b K k B : R) : R := (b - B) / (K * (1 / 2 + k)).
+Definition shortest_period (c K Delta B F : R) : R := B * Delta / (c - K * Delta / 2 - F / 2).
+Definition coarsest_resolution (c K T B F : R) : R := (c - F / 2) / (K / 2 + B / T).
+
+(** The period with the largest product of period and margin at speed [v]. *)
+Definition best_period (b c K Delta v k B F : R) : R :=
+  (c - K * Delta / 2 - F / 2 + (b - B) * v) / (2 * (K * (1 / 2 + k) * v)).
 
 (** ** Regions (TH-REGION): sets of speeds v > 0 at which the criterion holds *)
 

@@ -198,3 +198,60 @@ Qed.
 Theorem TH_STIFF_all_plain : forall b c T Delta, 0 < T -> 0 < Delta ->
   viscous_limit b T 0 0 = 2 * b / T /\ coulomb_limit c T Delta 0 0 = 2 * c / Delta.
 Proof. intros. unfold viscous_limit, coulomb_limit. split; field; lra. Qed.
+
+(** TH-STIFF (longest period): what viscous friction has to spare. *)
+Theorem TH_STIFF_longest : forall b K T k B, 0 < K -> 0 <= k ->
+  (0 <= viscous_si b K T k B <-> T <= longest_period b K k B).
+Proof.
+  intros b K T k B HK Hk. unfold viscous_si, longest_period.
+  set (s := K * (1 / 2 + k)). assert (Hs : 0 < s) by (unfold s; nra).
+  assert (E : (b - B) / s * s = b - B) by (field; lra).
+  replace (b - K * T * (1 / 2 + k) - B) with (b - B - T * s) by (unfold s; ring). split; intro H.
+  - apply Rmult_le_reg_r with s; lra.
+  - apply Rmult_le_compat_r with (r := s) in H; lra.
+Qed.
+
+(** TH-STIFF (shortest period): with damping behind an encoder, what Coulomb friction has to
+    spare grows with the period, from nothing at the shortest one. *)
+Theorem TH_STIFF_shortest : forall c K T Delta B F, 0 < T -> 0 < c - K * Delta / 2 - F / 2 ->
+  (0 <= coulomb_si c K T Delta B F <-> shortest_period c K Delta B F <= T).
+Proof.
+  intros c K T Delta B F HT Hs. unfold coulomb_si, shortest_period.
+  set (s := c - K * Delta / 2 - F / 2) in *.
+  assert (E : B * Delta / s * s = B * Delta) by (field; lra).
+  assert (G : B * Delta / T * T = B * Delta) by (field; lra).
+  replace (c - K * Delta / 2 - B * Delta / T - F / 2) with (s - B * Delta / T) by (unfold s; ring).
+  split; intro H.
+  - apply Rmult_le_reg_r with s; [exact Hs |].
+    assert (B * Delta / T * T <= s * T) by (apply Rmult_le_compat_r; lra). lra.
+  - assert (M : B * Delta / s * s <= T * s) by (apply Rmult_le_compat_r; lra).
+    assert (B * Delta / T <= s); [| lra].
+    apply Rmult_le_reg_r with T; [exact HT | lra].
+Qed.
+
+(** TH-STIFF (best period): at a speed the margin times the period is a parabola that opens
+    downwards, with its peak at the best period. *)
+Theorem TH_STIFF_best : forall b c K T Delta v k B F, 0 < T -> 0 < K * (1 / 2 + k) * v ->
+  T * margin (viscous_si b K T k B) (coulomb_si c K T Delta B F) v
+  = K * (1 / 2 + k) * v
+      * (best_period b c K Delta v k B F ^ 2 - (T - best_period b c K Delta v k B F) ^ 2)
+    - B * Delta.
+Proof.
+  intros b c K T Delta v k B F HT He. unfold margin, viscous_si, coulomb_si, best_period.
+  set (e := K * (1 / 2 + k) * v) in *.
+  replace ((b - K * T * (1 / 2 + k) - B) * v) with ((b - B) * v - T * e) by (unfold e; ring).
+  field. lra.
+Qed.
+
+(** TH-STIFF (coarsest encoder). *)
+Theorem TH_STIFF_coarsest : forall c K T Delta B F, 0 < T -> 0 < K / 2 + B / T ->
+  (0 <= coulomb_si c K T Delta B F <-> Delta <= coarsest_resolution c K T B F).
+Proof.
+  intros c K T Delta B F HT Hs. unfold coulomb_si, coarsest_resolution.
+  set (s := K / 2 + B / T) in *.
+  assert (E : (c - F / 2) / s * s = c - F / 2) by (field; lra).
+  replace (c - K * Delta / 2 - B * Delta / T - F / 2) with (c - F / 2 - Delta * s)
+    by (unfold s; field; lra). split; intro H.
+  - apply Rmult_le_reg_r with s; lra.
+  - apply Rmult_le_compat_r with (r := s) in H; lra.
+Qed.

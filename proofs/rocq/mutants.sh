@@ -7,7 +7,8 @@ cd "$(dirname "$0")"
 # Quantizer.v is there for `floor`, which has a specification instead of a formula of the kernel.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-files=(Definitions.v Quantizer.v BridgeTactics.v BridgePaper.v BridgeEffects.v BridgeUnits.v)
+files=(Definitions.v Quantizer.v BridgeTactics.v ControllerTactics.v BridgePaper.v BridgeEffects.v
+  BridgeUnits.v BridgeController.v)
 cp "${files[@]}" "$work"
 
 compiles() { # stops at the first file that does not

@@ -303,7 +303,8 @@ fn recorded_now(root: &Path) -> Evidence {
     for run in &mut recorded.runs {
         run.files.retain(|file, _| root.join(file).exists());
         let sources = claims.claims.iter().flat_map(Claim::files);
-        run.files.extend(sources.map(|file| (file, Sha256::of(b""))));
+        run.files
+            .extend(sources.map(|file| (file, Sha256::of(b""))));
         for (file, sum) in &mut run.files {
             *sum = Sha256::of(&fs::read(root.join(file)).expect("a source"));
         }

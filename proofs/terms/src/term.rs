@@ -3,7 +3,7 @@
 use std::ops::{Add, Mul, Neg, Sub};
 use std::sync::Arc;
 
-use passivity_core::Scalar;
+use passivity_core::{Fixed, Interval, Scalar};
 
 /// A number that remembers how it is computed.
 ///
@@ -65,6 +65,15 @@ impl Term {
     #[must_use]
     pub fn fraction(n: i32, d: i32) -> Self {
         Self::integer(n).over(Self::integer(d))
+    }
+
+    /// The interval between two variables, of which nothing is known but their order.
+    #[must_use]
+    pub fn interval(lo: &str, hi: &str) -> Interval<Self> {
+        // No order is asked of terms: it is that of 0 and 1.
+        let ends = Interval::hull(Fixed::integer(0), Fixed::integer(1));
+        let name = |end: &Fixed| if *end == Fixed::integer(0) { lo } else { hi };
+        ends.map(|end| Self::variable(name(end)))
     }
 
     /// The top of the tree.

@@ -4,11 +4,11 @@ use std::cmp::Ordering;
 use std::fmt::Write;
 
 use passivity_core::verdict::{Speeds, decide};
-use passivity_core::{Region, start};
+use passivity_core::{Criterion, Interval, Loop, Region, Truth, start};
 use passivity_terms::paths::{self, Path, Sign};
-use passivity_terms::rocq;
+use passivity_terms::{Term, rocq};
 
-use crate::plain::{criterion, var};
+use crate::plain::{criterion, friction, var};
 
 fn premise(sign: &Sign) -> String {
     let term = rocq::print(&sign.term);
@@ -36,6 +36,18 @@ fn lemmas<T>(
     paths: &[Path<Option<T>>],
     conclusion: impl Fn(&T) -> String,
 ) {
+    lemmas_by("decide_signs", text, name, variables, paths, conclusion);
+}
+
+/// The same, proved by another tactic.
+fn lemmas_by<T>(
+    tactic: &str,
+    text: &mut String,
+    name: &str,
+    variables: &str,
+    paths: &[Path<Option<T>>],
+    conclusion: impl Fn(&T) -> String,
+) {
     for (i, path) in paths.iter().enumerate() {
         let premises = path
             .signs
@@ -47,7 +59,7 @@ fn lemmas<T>(
         // Writing to a string does not fail.
         let _ = write!(
             text,
-            "\nLemma {name}_{} : forall {variables} : R,\n  {premises}\n  {conclusion}.\nProof. decide_signs. Qed.\n",
+            "\nLemma {name}_{} : forall {variables} : R,\n  {premises}\n  {conclusion}.\nProof. {tactic}. Qed.\n",
             i + 1
         );
     }
@@ -113,7 +125,76 @@ pub(crate) fn decisions() -> String {
             )
         },
     );
+    boxes(&mut text);
     text
+}
+
+/// The boxes of which one end of each tolerance is decided: friction, and the bound on the speed.
+fn boxes(text: &mut String) {
+    let viscous = Term::interval("b0", "b1");
+    let coulomb = Term::interval("c0", "c1");
+    let printed = |beta: &Term, sigma: &Term| {
+        let Criterion { viscous, coulomb } = Loop {
+            viscous: Some(beta.clone()),
+            coulomb: Some(sigma.clone()),
+            ..Loop::plain(friction())
+        }
+        .criterion();
+        format!("{} {}", rocq::print(&viscous), rocq::print(&coulomb))
+    };
+    let of = Loop {
+        viscous: Some(viscous.clone()),
+        coulomb: Some(coulomb.clone()),
+        ..Loop::plain(friction()).map(|_, x| Interval::point(x.clone()))
+    };
+
+    text.push_str("\n(** ** [Loop::decide] over tolerances of both frictions, at every speed *)\n");
+    let all = paths::of(|| of.decide(&Speeds::All));
+    let ordered = "b0 <= b1 -> c0 <= c1 ->";
+    let member = printed(&var("b"), &var("c"));
+    let worst = printed(viscous.lo(), coulomb.lo());
+    let best = printed(viscous.hi(), coulomb.hi());
+    lemmas_by(
+        "decide_box",
+        text,
+        "box_all",
+        "b0 b1 c0 c1",
+        &all,
+        |truth| match truth {
+            Truth::Holds | Truth::Fails => {
+                let not = self::truth(*truth == Truth::Holds);
+                format!(
+                    "{ordered} forall b c, b0 <= b <= b1 -> c0 <= c <= c1 ->\n  {not}(holds_at_all {member})"
+                )
+            }
+            Truth::Depends => {
+                format!("{ordered} ~ (holds_at_all {worst}) /\\ (holds_at_all {best})")
+            }
+        },
+    );
+
+    text.push_str("\n(** ** [Loop::decide] over a tolerance of the bound on the speed *)\n");
+    let plain = Loop::plain(friction()).map(|_, x| Interval::point(x.clone()));
+    let bound = Speeds::UpTo(Term::interval("V0", "V1"));
+    let up_to = paths::of(|| plain.decide(&bound));
+    let member = printed(&var("beta"), &var("sigma"));
+    let ordered = "0 < V0 -> V0 <= V1 ->";
+    lemmas_by(
+        "decide_bound",
+        text,
+        "box_up_to",
+        "beta sigma V0 V1",
+        &up_to,
+        |truth| match truth {
+            Truth::Holds | Truth::Fails => {
+                let not = self::truth(*truth == Truth::Holds);
+                format!("{ordered} forall V, V0 <= V <= V1 ->\n  {not}(holds_up_to {member} V)")
+            }
+            Truth::Depends => {
+                format!("{ordered}\n  ~ (holds_up_to {member} V1) /\\ (holds_up_to {member} V0)")
+            }
+        },
+    );
 }
 
 const fn truth(holds: bool) -> &'static str {

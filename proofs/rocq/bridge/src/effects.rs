@@ -1,6 +1,8 @@
 //! The formulas of section 4: delay, virtual damping, D/A step, force laws.
 
-use passivity_core::{Law, Loop, Scalar, controller, extra_storage};
+use passivity_core::controller::rounded;
+use passivity_core::extra_storage;
+use passivity_core::{Law, Loop, Scalar as _};
 use passivity_terms::Term;
 
 use crate::formula::Formula;
@@ -16,65 +18,97 @@ pub(crate) fn formulas() -> Vec<Formula> {
     all
 }
 
+/// The dimensionless loop with damping, force steps and a delay.
+fn damped(delay: u16, encoder: bool) -> Loop<Term> {
+    Loop {
+        resolution: encoder.then(Term::one),
+        damping: Some(var("B")),
+        force_step: Some(var("delta")),
+        delay,
+        ..Loop::plain(friction())
+    }
+}
+
 fn criteria() -> Vec<Formula> {
     let mut all = Vec::new();
     for delay in DELAYS {
-        let the_loop = Loop {
-            delay,
-            damping: Some(var("B")),
-            force_step: Some(var("delta")),
-            ..Loop::plain(friction())
-        };
+        let the_loop = damped(delay, true);
         let criterion = the_loop.criterion();
-        all.push(
-            Formula::new(
+        let formula = |source, variables: &[&'static str], term, equals: &str, name: &str| {
+            let equals = equals.replace('k', &delay.to_string());
+            Formula::new(source, variables, term, equals).named(format!("{name}_{delay}"))
+        };
+        let cost = the_loop.cost();
+        all.extend([
+            formula(
                 "Loop::criterion",
                 &["beta", "B"],
                 criterion.viscous,
-                format!("viscous_surplus beta {delay} B"),
-            )
-            .named(format!("criterion_viscous_{delay}")),
-        );
-        all.push(
-            Formula::new(
+                "viscous_surplus beta k B",
+                "criterion_viscous",
+            ),
+            formula(
                 "Loop::criterion",
                 &["sigma", "delta", "B"],
                 criterion.coulomb,
                 "coulomb_surplus sigma delta B",
-            )
-            .named(format!("criterion_coulomb_{delay}")),
-        );
-        all.push(
-            Formula::new(
+                "criterion_coulomb",
+            ),
+            formula(
+                "Loop::cost",
+                &["B"],
+                cost.viscous.clone(),
+                "- viscous_surplus 0 k B",
+                "cost_viscous",
+            ),
+            formula(
+                "Loop::cost",
+                &["delta", "B"],
+                cost.coulomb.clone(),
+                "- coulomb_surplus 0 delta B",
+                "cost_coulomb",
+            ),
+            formula(
                 "Cost::bound",
                 &["d", "delta", "B"],
-                the_loop.cost().bound(&var("d")),
-                format!(
-                    "- (viscous_surplus 0 {delay} B * d ^ 2 + coulomb_surplus 0 delta B * Rabs d)"
-                ),
-            )
-            .named(format!("cost_bound_{delay}")),
-        );
+                cost.bound(&var("d")),
+                "- (viscous_surplus 0 k B * d ^ 2 + coulomb_surplus 0 delta B * Rabs d)",
+                "cost_bound",
+            ),
+        ]);
     }
-    let absent = Loop::plain(friction()).criterion();
-    all.push(
+    let plain = Loop::plain(friction()).criterion();
+    let smooth = damped(1, false).criterion();
+    all.extend([
         Formula::new(
             "Loop::criterion",
             &["beta"],
-            absent.viscous,
+            plain.viscous,
             "viscous_surplus beta 0 0",
         )
         .named("criterion_viscous_plain"),
-    );
-    all.push(
         Formula::new(
             "Loop::criterion",
             &["sigma"],
-            absent.coulomb,
+            plain.coulomb,
             "coulomb_surplus sigma 0 0",
         )
         .named("criterion_coulomb_plain"),
-    );
+        Formula::new(
+            "Loop::criterion",
+            &["beta", "B"],
+            smooth.viscous,
+            "viscous_surplus beta 1 B",
+        )
+        .named("criterion_viscous_smooth"),
+        Formula::new(
+            "Loop::criterion",
+            &["sigma", "delta"],
+            smooth.coulomb,
+            "coulomb_si_smooth sigma delta",
+        )
+        .named("criterion_coulomb_smooth"),
+    ]);
     all
 }
 
@@ -124,16 +158,15 @@ fn storages() -> Vec<Formula> {
             .named(format!("damping_storage_{delay}")),
         );
     }
-    // A step as the controller keeps it: δ as a quotient by 1.
+    let one = Term::one();
     all.push(
         Formula::new(
             "controller::rounded",
             &["F", "delta"],
-            controller::rounded(&var("F"), &var("delta"), &Term::one()),
+            rounded(&var("F"), &var("delta"), &one),
             "rounded_force F delta",
         )
-        .named("rounded_force")
-        .by("intros; unfold rounded_force; rewrite Rmult_1_r; field"),
+        .by("intros; apply kernel_step"),
     );
     all
 }
@@ -196,6 +229,18 @@ fn laws() -> Vec<Formula> {
         .named("law_unilateral_saturated")
         .given("0 <= hi")
         .by("intros; unfold clipped; rewrite (Rmax_left 0 (- hi)) by lra; reflexivity"),
+        Formula::new(
+            "Law::quantized_potential",
+            &["x", "lo", "hi"],
+            Law {
+                lower: Some(var("lo")),
+                upper: Some(var("hi")),
+            }
+            .quantized_potential(&x),
+            "quantized_clipped_potential lo hi x",
+        )
+        .named("law_quantized_potential")
+        .by("intros; unfold quantized_clipped_potential, beyond, first_beyond, quantized_potential, linear_potential,\n    quantization_potential, residue; field"),
         Formula::new(
             "Law::held_force",
             &["x"],

@@ -11,6 +11,7 @@
 //! It is **not** a translation of Rust: what is compared is the formula that the code computed
 //! when it ran on variables. Loops over a list are run for the lengths that are listed.
 
+mod controller;
 mod decision;
 mod effects;
 mod formula;
@@ -29,6 +30,7 @@ pub fn formulas() -> Vec<(&'static str, Vec<Formula>)> {
         ("BridgePaper.v", plain::formulas()),
         ("BridgeEffects.v", effects::formulas()),
         ("BridgeUnits.v", units::formulas()),
+        ("BridgeController.v", controller::formulas()),
     ]
 }
 
@@ -48,7 +50,7 @@ fn bridge(formulas: &[Formula]) -> String {
         "(** * Bridge: each formula of the kernel is the definition that the theorems use.\n\n    \
          Generated from the kernel's code by `passivity-rocq-bridge`; do not edit. *)\n\n\
          From Coq Require Import Reals Lra.\n\
-         From Passivity Require Import Definitions BridgeTactics.\n\
+         From Passivity Require Import Definitions BridgeTactics ControllerTactics.\n\
          Open Scope R_scope.\n",
     );
     for formula in formulas {

@@ -1,9 +1,9 @@
 //! The formulas of the paper: quantizer, springs, generation, dissipation, criterion, ledger.
 
-use passivity_core::ledger::HeldInterval;
+use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::{
-    Criterion, Friction, Loop, Quantized, Step, dissipation, generation, ledger, quantizer, region,
-    spring, start, witness,
+    Criterion, Friction, Loop, Quantized, Step, dissipation, generation, quantizer, region, spring,
+    start, witness,
 };
 use passivity_terms::Term;
 
@@ -35,6 +35,7 @@ pub(crate) fn formulas() -> Vec<Formula> {
     all.extend(criteria());
     all.extend(witnesses());
     all.extend(row());
+    all.extend(row_of_any_force());
     all
 }
 
@@ -330,6 +331,97 @@ fn row() -> Vec<Formula> {
             &["x0", "x1"],
             ledger::counterparts_differ_by(&var("x0"), &var("x1")),
             "generated_quantized x0 x1 - generated_linear x0 x1",
+        ),
+    ]
+}
+
+/// The row of a loop with every effect, one sample late, under any force.
+fn row_of_any_force() -> Vec<Formula> {
+    let the_loop = Loop {
+        unilateral: true,
+        max_force: Some(var("L")),
+        damping: Some(var("B")),
+        force_step: Some(var("delta")),
+        delay: 1,
+        ..Loop::plain(friction())
+    };
+    let interval = HeldInterval {
+        step: step(),
+        force: var("u"),
+        dtau: var("dtau"),
+        extra_storage: Some(var("gain")),
+    };
+    let row = ledger::row(&the_loop, &interval);
+    let wall = ledger::row(&Loop::plain(friction()), &interval);
+    let smooth = ledger::row(&Loop::smooth(friction()), &interval);
+    let against = |potential: &str| format!("generated u x0 x1 ({potential} x0) ({potential} x1)");
+    let account = ["x0", "x1", "u", "beta", "sigma", "dtau", "gain"];
+    let lower = "dissipated_lower beta sigma (x1 - x0) dtau";
+    let net = |wall| format!("{lower} - {} - gain", against(wall));
+    let formula = |name: &str, variables: &[&'static str], term: Term, equals: String| {
+        Formula::new("ledger::row", variables, term, equals).named(format!("any_row_{name}"))
+    };
+    let effects = ["x0", "x1", "u", "L"];
+    let by_law = "intros; unfold generated, controller_potential, controller_law, law_potential_of, clipped;\n  \
+                  rewrite (Rmax_left 0) by lra; field";
+    vec![
+        formula(
+            "wall",
+            &effects[..3],
+            wall.generated_linear,
+            against("linear_potential"),
+        ),
+        formula(
+            "wall_quantized",
+            &effects[..3],
+            wall.generated_quantized,
+            against("quantized_potential"),
+        ),
+        formula(
+            "wall_net",
+            &account,
+            wall.net_linear,
+            net("linear_potential"),
+        ),
+        formula(
+            "wall_net_quantized",
+            &account,
+            wall.net_quantized,
+            net("quantized_potential"),
+        ),
+        formula(
+            "smooth",
+            &effects[..3],
+            smooth.generated_linear,
+            against("linear_potential"),
+        ),
+        formula(
+            "smooth_quantized",
+            &effects[..3],
+            smooth.generated_quantized,
+            against("linear_potential"),
+        ),
+        formula(
+            "smooth_bound",
+            &effects[..2],
+            smooth.bound_22,
+            "(x1 - x0) ^ 2 / 2".into(),
+        ),
+        formula(
+            "effects",
+            &effects,
+            row.generated_linear,
+            against("controller_potential true (Some L)"),
+        )
+        .given("0 <= L")
+        .by(by_law),
+        formula(
+            "effects_margin",
+            &["x0", "x1", "beta", "sigma", "dtau", "B", "delta"],
+            row.margin,
+            "margin (viscous_surplus beta 1 B) (coulomb_surplus sigma delta B)\n    \
+             (mean_speed (x1 - x0) dtau)"
+                .into(),
         ),
     ]
 }

@@ -1,6 +1,6 @@
-//! The formulas with units: (7), (11), the limits of TH-STIFF.
+//! The formulas with units: (3), (4), (7), (11), the limits of TH-STIFF.
 
-use passivity_core::{Loop, stiffness};
+use passivity_core::{Loop, Parameter, stiffness};
 use passivity_terms::Term;
 
 use crate::formula::Formula;
@@ -8,7 +8,7 @@ use crate::plain::var;
 
 const ALL: [&str; 6] = ["b", "c", "K", "T", "Delta", "v"];
 
-/// The paper's loop in SI units: friction, sampling and an encoder.
+/// Friction and an encoder.
 fn plain() -> Loop<Term> {
     Loop {
         viscous: Some(var("b")),
@@ -18,13 +18,22 @@ fn plain() -> Loop<Term> {
     }
 }
 
-/// Every effect that the criterion knows, with a delay of two samples.
+/// Every effect that costs friction, with a delay of two samples.
 fn full() -> Loop<Term> {
     Loop {
-        delay: 2,
         damping: Some(var("B")),
         force_step: Some(var("F")),
+        delay: 2,
         ..plain()
+    }
+}
+
+/// No encoder, and force steps.
+fn smooth() -> Loop<Term> {
+    Loop {
+        resolution: None,
+        damping: None,
+        ..full()
     }
 }
 
@@ -36,12 +45,7 @@ pub(crate) fn formulas() -> Vec<Formula> {
 }
 
 fn parameters() -> Vec<Formula> {
-    let the_loop = plain();
-    let friction = the_loop.friction();
-    let inertia = Loop {
-        inertia: Some(var("m")),
-        ..plain()
-    };
+    let friction = plain().friction();
     let mut all = vec![
         Formula::new(
             "Loop::friction",
@@ -60,15 +64,52 @@ fn parameters() -> Vec<Formula> {
         Formula::new(
             "Loop::dimensionless_speed",
             &["v", "T", "Delta"],
-            the_loop.dimensionless_speed(&var("v")),
+            plain().dimensionless_speed(&var("v")),
             "v * T / Delta",
         ),
     ];
-    // If the inertia were lost, the generated file would lack the formula.
-    all.extend(inertia.dimensionless().inertia.map(|mu| {
-        Formula::new("Loop::dimensionless", &["m", "K", "T"], mu, "mu_of m K T")
-            .named("loop_mu")
-            .by("intros; unfold mu_of; f_equal; field")
+    // A loop in which every parameter is the variable x, and its dimensionless form.
+    let with_all = Parameter::ALL
+        .iter()
+        .skip(2)
+        .fold(plain(), |the_loop, parameter| {
+            the_loop.with(*parameter, var("x"))
+        })
+        .with(Parameter::Resolution, var("Delta"));
+    let without = with_all.dimensionless();
+    let units = [
+        (Parameter::Inertia, "mu_of x K T"),
+        (Parameter::Viscous, "beta_of x K T"),
+        (Parameter::Coulomb, "sigma_of x K Delta"),
+        (Parameter::Damping, "beta_of x K T"),
+        (Parameter::MaxForce, "sigma_of x K Delta"),
+        (Parameter::ForceStep, "sigma_of x K Delta"),
+        (Parameter::TimeConstant, "x / T"),
+        (Parameter::MaxSpeed, "x * T / Delta"),
+        (Parameter::OperatorForce, "sigma_of x K Delta"),
+        (Parameter::ArmMass, "mu_of x K T"),
+        (Parameter::ArmDamping, "beta_of x K T"),
+        (Parameter::ArmStiffness, "x / K"),
+        (Parameter::StartPosition, "x / Delta"),
+        (Parameter::StartVelocity, "x * T / Delta"),
+    ];
+    all.extend(units.into_iter().filter_map(|(parameter, equals)| {
+        let term = without.get(parameter)?.clone();
+        let name = parameter.row().name.replace(' ', "_").replace('Δ', "Delta");
+        let formula = Formula::new(
+            "Loop::dimensionless",
+            &["x", "K", "T", "Delta"],
+            term,
+            equals,
+        )
+        .named(format!("dimensionless_{name}"));
+        Some(
+            formula
+                .given("K <> 0")
+                .given("T <> 0")
+                .given("Delta <> 0")
+                .by("bridge_units"),
+        )
     }));
     all
 }
@@ -77,12 +118,7 @@ fn criteria() -> Vec<Formula> {
     let with_units = full().criterion();
     let plain = plain();
     let dimensionless = plain.dimensionless_criterion();
-    let smooth = Loop {
-        resolution: None,
-        force_step: Some(var("F")),
-        ..self::plain()
-    }
-    .criterion();
+    let smooth = smooth().criterion();
     vec![
         Formula::new(
             "Loop::criterion",
@@ -140,46 +176,140 @@ fn criteria() -> Vec<Formula> {
     ]
 }
 
+/// The border value of each parameter, with every effect and without.
 fn limits() -> Vec<Formula> {
-    let the_loop = full();
+    let (full, plain, smooth) = (full(), plain(), smooth());
     let v = var("v");
     let with_effects = ["b", "c", "K", "T", "Delta", "v", "B", "F"];
+    let undamped = Loop {
+        damping: None,
+        ..full.clone()
+    };
     let mut all = vec![
         Formula::new(
             "stiffness::viscous_limit",
             &["b", "K", "T", "B"],
-            stiffness::viscous_limit(&the_loop),
+            stiffness::viscous_limit(&full),
             "viscous_limit b T 2 B",
         ),
         Formula::new(
             "stiffness::limit_at_speed",
             &with_effects,
-            stiffness::limit_at_speed(&the_loop, &v),
+            stiffness::limit_at_speed(&full, &v),
             "stiffness_limit b c T Delta v 2 B F",
         ),
         Formula::new(
             "stiffness::limit_at_all_speeds",
             &with_effects,
-            stiffness::limit_at_all_speeds(&the_loop),
+            stiffness::limit_at_all_speeds(&full),
             "Rmin (viscous_limit b T 2 B) (coulomb_limit c T Delta B F)",
+        )
+        .by("intros; apply f_equal2; bridge"),
+        Formula::new(
+            "stiffness::limit_up_to_speed",
+            &with_effects,
+            stiffness::limit_up_to_speed(&full, &v),
+            "Rmin (stiffness_limit b c T Delta v 2 B F) (coulomb_limit c T Delta B F)",
         )
         .by("intros; apply f_equal2; bridge"),
         Formula::new(
             "stiffness::limit_at_speed",
             &ALL,
-            stiffness::limit_at_speed(&plain(), &v),
+            stiffness::limit_at_speed(&plain, &v),
             "stiffness_limit b c T Delta v 0 0 0",
         )
         .named("limit_at_speed_plain"),
-    ];
-    // Without an encoder there is no such limit: then the generated file lacks the formula.
-    all.extend(stiffness::coulomb_limit(&the_loop).map(|limit| {
         Formula::new(
-            "stiffness::coulomb_limit",
-            &["c", "K", "T", "Delta", "B", "F"],
-            limit,
-            "coulomb_limit c T Delta B F",
+            "stiffness::viscous_limit",
+            &["b", "K", "T"],
+            stiffness::viscous_limit(&smooth),
+            "viscous_limit b T 2 0",
         )
+        .named("viscous_limit_smooth"),
+        Formula::new(
+            "stiffness::viscous_needed",
+            &["b", "K", "T", "B"],
+            stiffness::viscous_needed(&full),
+            "b - viscous_si b K T 2 B",
+        ),
+        Formula::new(
+            "stiffness::viscous_needed_at_speed",
+            &with_effects,
+            stiffness::viscous_needed_at_speed(&full, &v),
+            "b - margin (viscous_si b K T 2 B) (coulomb_si c K T Delta B F) v / v",
+        )
+        .by("bridge_limit"),
+        Formula::new(
+            "stiffness::coulomb_needed",
+            &["c", "K", "T", "Delta", "B", "F"],
+            stiffness::coulomb_needed(&full),
+            "c - coulomb_si c K T Delta B F",
+        ),
+        Formula::new(
+            "stiffness::coulomb_needed_up_to_speed",
+            &with_effects,
+            stiffness::coulomb_needed_up_to_speed(&full, &v),
+            "c - Rmin (coulomb_si c K T Delta B F)\n    \
+             (margin (viscous_si b K T 2 B) (coulomb_si c K T Delta B F) v)",
+        )
+        .by("intros; apply f_equal2; [reflexivity | apply f_equal2; bridge]"),
+        Formula::new(
+            "stiffness::longest_period",
+            &["b", "K", "B"],
+            stiffness::longest_period(&full),
+            "longest_period b K 2 B",
+        )
+        .by("bridge_limit"),
+        Formula::new(
+            "stiffness::longest_period_at_speed",
+            &["b", "c", "K", "T", "Delta", "v", "F"],
+            stiffness::longest_period_at_speed(&undamped, &v),
+            "2 * best_period b c K Delta v 2 0 F",
+        )
+        .given("K <> 0")
+        .given("v <> 0")
+        .by("bridge_limit"),
+        Formula::new(
+            "stiffness::best_period_at_speed",
+            &["b", "c", "K", "Delta", "v", "B", "F"],
+            stiffness::best_period_at_speed(&full, &v),
+            "best_period b c K Delta v 2 B F",
+        )
+        .by("bridge_limit"),
+    ];
+    // Without an encoder, or without damping, there are no such limits: then the generated file
+    // lacks the formula, and the test that every definition is compared fails.
+    let optional = [
+        (
+            "stiffness::coulomb_limit",
+            vec!["c", "K", "T", "Delta", "B", "F"],
+            stiffness::coulomb_limit(&full),
+            "coulomb_limit c T Delta B F",
+        ),
+        (
+            "stiffness::shortest_period",
+            vec!["c", "K", "Delta", "B", "F"],
+            stiffness::shortest_period(&full),
+            "shortest_period c K Delta B F",
+        ),
+    ];
+    all.extend(
+        optional
+            .into_iter()
+            .filter_map(|(source, variables, limit, equals)| {
+                Some(Formula::new(source, &variables, limit?, equals).by("bridge_limit"))
+            }),
+    );
+    all.extend(stiffness::coarsest_resolution(&full).map(|coarsest| {
+        Formula::new(
+            "stiffness::coarsest_resolution",
+            &["c", "K", "T", "Delta", "B", "F"],
+            coarsest,
+            "coarsest_resolution c K T B F",
+        )
+        .given("T <> 0")
+        .given("K / 2 + B / T <> 0")
+        .by("bridge_coarsest")
     }));
     all
 }

@@ -3,7 +3,7 @@
 
 use passivity_core::verdict::{End, Speeds};
 use passivity_core::{
-    Criterion, Fixed, Friction, Interval, Loop, Parameter, Region, Scalar as _, Truth, stiffness,
+    Criterion, Friction, Interval, Loop, Parameter, Region, Scalar as _, Truth, stiffness,
 };
 use passivity_terms::{Term, paths};
 
@@ -53,11 +53,7 @@ fn loop_of<V>(with: &[Parameter], of: impl Fn(Parameter, &str) -> V) -> Loop<V> 
 
 /// The interval between the variables `name0` and `name1`.
 fn interval(name: &str) -> Interval<Term> {
-    let ends = Interval::hull(Fixed::integer(0), Fixed::integer(1));
-    ends.map(|end| {
-        let upper = *end == Fixed::integer(1);
-        v(&format!("{name}{}", u8::from(upper)))
-    })
+    Term::interval(&format!("{name}0"), &format!("{name}1"))
 }
 
 /// That `x` is in the interval.
