@@ -37,10 +37,8 @@ pub(super) fn report(sources: &Sources, folder: &Path) -> Result<Report, Evidenc
     let mut queries: BTreeMap<String, Vec<Line>> = BTreeMap::new();
     for line in lines {
         versions.insert(line.engine.clone(), line.version.clone());
-        // A statement has several scripts: `NAME.smt2`, `NAME.premises.smt2`, `NAME.mutant.smt2`.
-        let (name, _) = line.script.split_once('.').ok_or_else(|| {
-            EvidenceError::within("smt.jsonl", format!("`{}` is no script", line.script))
-        })?;
+        // A statement has several scripts: `NAME`, `NAME.premises`, `NAME.mutant`.
+        let (name, _) = line.script.split_once('.').unwrap_or((&line.script, ""));
         queries.entry(name.to_owned()).or_default().push(line);
     }
     let parts = queries
