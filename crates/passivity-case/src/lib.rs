@@ -3,7 +3,7 @@
 //! [`argue`](argument::argue) builds the argument of a scene in Goal Structuring Notation, and
 //! [`draw`](draw::draw) draws it. Evidence is bound by hash to the text of its claim and to the
 //! sources that it covers: what changed since is *stale*, what was never run is *not run here*. The
-//! document is HTML; its print style sheet is the layout on paper, and [`print`] has a browser print
+//! document is HTML; its print style sheet is the layout on paper, and [`mod@print`] has a browser print
 //! it as PDF.
 //!
 //! What it is **not**: a claim of compliance with any standard, and no judge. It shows what was

@@ -1,7 +1,7 @@
 //! Many points at once: the paper's own scene in lanes, for sweeps.
 //!
 //! A batch holds [`WIDTH`] points as a structure of arrays. Each lane runs the very arithmetic of the
-//! scalar loop ([`crate::motion`]), both sides of its branches computed and selected, so that the
+//! scalar loop (`motion`), both sides of its branches computed and selected, so that the
 //! results are the same to the last bit. The compiler turns the loop over lanes into vector
 //! instructions, once for each of the instruction sets named below; which one runs is found out at
 //! run time. Lanes that have come to rest, are growing, or have run all their intervals are
