@@ -17,7 +17,7 @@ impl Report {
         let mut out = String::new();
         let mut line = |label: &str, value: &str| {
             // Writing to a string cannot fail.
-            let _ = writeln!(out, "  {label:<26}{}", wrapped(value, 28));
+            let _ = writeln!(out, "  {label:<24}  {}", wrapped(value, 28));
         };
         line("region", self.region_text());
         line("β = b/(KT)", &range(&self.beta));
