@@ -78,3 +78,17 @@ fn a_scene_that_is_not_passive_does_not_stand_in_the_green() {
     let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
     assert!(svg.contains("less what further effects cost"));
 }
+
+#[test]
+fn a_scene_that_no_theorem_covers_is_in_the_legend_and_not_in_the_plane() {
+    let dir = Dir::new();
+    let scene = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"\n[amplifier]\n\
+                 time_constant = \"1/5\"\n";
+    let lag = dir.write("lag.toml", scene);
+    let run = dir.run(&["plane", &lag, "--plot", "plane.svg"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
+    assert!(svg.contains("not in the plane: not covered"), "{svg}");
+    // The legend's is the only circle.
+    assert_eq!(svg.matches("<circle").count(), 1);
+}

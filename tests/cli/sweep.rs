@@ -156,3 +156,27 @@ fn what_cannot_be_taken_up_or_written_is_said() {
         );
     }
 }
+
+#[test]
+fn the_critical_lines_are_those_of_the_scene_with_its_effects() {
+    let dir = Dir::new();
+    let write = |name: &str, more: &str| {
+        let scene = format!("[dimensionless]\nmu = \"50\"\nbeta = \"1\"\nsigma = \"1\"\n{more}");
+        dir.write(name, scene)
+    };
+    let drawn = |scene: &str, intervals: &str| {
+        let mut all = args(scene, "0:4:5", "0:2:5");
+        all.extend(["--plot", "grid.svg", "--intervals", intervals]);
+        let run = dir.run(&all);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        std::fs::read_to_string(dir.path("grid.svg")).expect("a picture")
+    };
+    let plain = drawn(&write("plain.toml", ""), "100");
+    let late = drawn(&write("late.toml", "[sampling]\ndelay = 1\n"), "100");
+    assert!(plain.contains("critical lines") && late.contains("critical lines"));
+    let lag = write("lag.toml", "[amplifier]\ntime_constant = \"1/5\"\n");
+    let lag = drawn(&lag, "100");
+    assert!(lag.contains("there is no critical line"), "{lag}");
+    // Too short a run to be sure of anything.
+    assert!(drawn(&write("short.toml", ""), "1").contains("crosses: undecided"));
+}

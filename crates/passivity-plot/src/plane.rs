@@ -32,6 +32,9 @@ pub struct Mark {
     pub speed: Option<(f64, String)>,
     /// The verdict, for the legend.
     pub verdict: String,
+    /// Whether a theorem covers all its effects. If not, its place in the plane says nothing: the
+    /// legend has it, the plane has not.
+    pub covered: bool,
 }
 
 impl Mark {
@@ -56,6 +59,7 @@ impl Mark {
             has_costs: !at.is_plain(),
             speed: bound.filter(|(v, _)| *v > 0.0),
             verdict: report.verdict.name().replace('_', " "),
+            covered: report.not_covered.is_empty(),
         })
     }
 
@@ -119,7 +123,17 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 fn draw_on(root: &Area<'_>, marks: &[Mark]) -> Drawn {
     root.fill(&WHITE)?;
     let (left, right) = root.split_horizontally(PLOT_WIDTH);
-    let reach = |of: fn(&Mark) -> f64| marks.iter().map(of).fold(0.0_f64, f64::max);
+    let placed = |(_, (mark, _)): &(usize, (&Mark, &RGBColor))| mark.covered;
+    let placed: Vec<_> = marks
+        .iter()
+        .zip(COLOURS.iter().cycle())
+        .enumerate()
+        .filter(placed)
+        .collect();
+    let reach = |of: fn(&Mark) -> f64| {
+        let all = placed.iter().map(|(_, (mark, _))| of(mark));
+        all.fold(0.0_f64, f64::max)
+    };
     // At least the paper's window; room for the arrows to 2β and 2σ unless they lead far out.
     let width = (reach(|m| m.beta[1]) * 1.25).max(1.25);
     let height = (reach(|m| m.sigma[1]) * 1.25).max(1.25);
@@ -159,8 +173,8 @@ fn draw_on(root: &Area<'_>, marks: &[Mark]) -> Drawn {
     let border = BLACK.mix(0.6).stroke_width(1);
     chart.draw_series(LineSeries::new([(0.5, low_end), (0.5, height)], border))?;
     chart.draw_series(LineSeries::new([(left_end, 0.5), (width, 0.5)], border))?;
-    for (mark, colour) in marks.iter().zip(COLOURS.iter().cycle()) {
-        draw_ways(&mut chart, mark, *colour, window)?;
+    for (_, (mark, colour)) in &placed {
+        draw_ways(&mut chart, mark, **colour, window)?;
         if let Some((speed, _)) = &mark.speed {
             let line = critical_line(*speed, window);
             chart.draw_series(LineSeries::new(line, colour.stroke_width(2)))?;
@@ -176,7 +190,7 @@ fn draw_on(root: &Area<'_>, marks: &[Mark]) -> Drawn {
     }
     let to_pixel = |x: f64, y: f64| chart.backend_coord(&(x, y));
     let mut spots = Vec::new();
-    for (number, (mark, colour)) in marks.iter().zip(COLOURS.iter().cycle()).enumerate() {
+    for (number, (mark, colour)) in &placed {
         let (beta, sigma) = mark.middle();
         let place = to_pixel(beta, sigma);
         root.draw(&Circle::new(place, 5, colour.filled()))?;
@@ -186,7 +200,7 @@ fn draw_on(root: &Area<'_>, marks: &[Mark]) -> Drawn {
         root.draw(&Text::new(
             label,
             spot,
-            ("sans-serif", 15).into_font().color(colour),
+            ("sans-serif", 15).into_font().color(*colour),
         ))?;
     }
     legend(&right, marks)
@@ -371,19 +385,14 @@ fn legend(area: &Area<'_>, marks: &[Mark]) -> Drawn {
             15,
         )?;
         y += 19;
-        text(
-            30,
-            y,
-            format!(
-                "({}, {}): {}",
-                five(mark.middle().0),
-                five(mark.middle().1),
-                mark.verdict
-            ),
-            12,
-        )?;
+        let place = if mark.covered {
+            format!("({}, {})", five(mark.middle().0), five(mark.middle().1))
+        } else {
+            "not in the plane".to_owned()
+        };
+        text(30, y, format!("{place}: {}", mark.verdict), 12)?;
         y += 17;
-        if let Some((_, name)) = &mark.speed {
+        if let Some((_, name)) = mark.speed.as_ref().filter(|_| mark.covered) {
             area.draw(&PathElement::new(
                 [(4, y + 6), (22, y + 6)],
                 colour.stroke_width(2),
@@ -449,6 +458,7 @@ mod tests {
             has_costs: false,
             speed: None,
             verdict: String::new(),
+            covered: true,
         };
         assert!(draw(&[mark]).is_err());
     }

@@ -6,7 +6,7 @@ use std::time::Instant;
 #[cfg(feature = "plot")]
 use passivity_plot::save;
 #[cfg(feature = "plot")]
-use passivity_sim::plot::sweep::draw;
+use passivity_sim::plot::sweep::{Borders, draw};
 use passivity_sim::report::Sweep;
 use passivity_sim::sweep::{Grid, Range, Row, open, run as sweep};
 
@@ -104,7 +104,9 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     written.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
-        let picture = draw(&grid, &rows).map_err(Failure::input)?;
+        let covered = scene.not_covered().is_empty();
+        let borders = covered.then(|| Borders::of(&point.at));
+        let picture = draw(&grid, &rows, borders).map_err(Failure::input)?;
         save(&picture, path).map_err(Failure::input)?;
     }
     let simulated = grid.len() - before;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use passivity_core::BigRational;
+use passivity_core::{BigRational, Cost, Loop};
 use passivity_plot::PlotError;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
@@ -12,29 +12,78 @@ use crate::outcome::{ExactOutcome, PaperOutcome};
 use crate::plot::{Area, COLOURS, DASHED, Drawn, label, svg};
 use crate::sweep::{Grid, Row};
 
+/// Where the criterion has its borders in the plane: what the scene's effects cost of β and σ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Borders {
+    /// ½ + k + B: below it the criterion fails at high speeds.
+    pub beta: f64,
+    /// ½(1 + δ) + B: below it the criterion fails at low speeds.
+    pub sigma: f64,
+}
+
+impl Borders {
+    /// The borders of the dimensionless loop that is swept.
+    #[must_use]
+    pub fn of(swept: &Loop<BigRational>) -> Self {
+        let Cost { viscous, coulomb } = swept.cost();
+        Self {
+            beta: to_double(&viscous),
+            sigma: to_double(&coulomb),
+        }
+    }
+}
+
 /// Draws a sweep as SVG text: (a) growing, (b) never at rest, a shade for each speed from black for
-/// the slowest to light grey, with the critical lines (9) of the speeds; in (b) dots where the paper's
-/// detector sees the oscillation of some speed too.
+/// the slowest to light grey; in (b) dots where the paper's detector sees the oscillation of some
+/// speed too. Crosses mark the points of which some speed is undecided.
+///
+/// The critical lines (9) of the speeds are those of the scene with all its effects; without
+/// `borders`, where no theorem covers the scene, there are none.
 ///
 /// # Errors
 ///
 /// A sweep that cannot be drawn.
-pub fn draw(grid: &Grid, rows: &[Option<Row>]) -> Result<String, PlotError> {
+pub fn draw(
+    grid: &Grid,
+    rows: &[Option<Row>],
+    borders: Option<Borders>,
+) -> Result<String, PlotError> {
     svg((1280, 640), "sweep", |root| {
+        let lines = match borders {
+            Some(_) => "dashed: critical lines, with the speed at the start",
+            None => "no theorem covers all effects of the scene: there is no critical line",
+        };
+        let undecided = rows.iter().flatten().any(|row| row.is_undecided());
+        let crosses = if undecided {
+            "; crosses: undecided"
+        } else {
+            ""
+        };
         let root = root.titled(
-            "Outcome in the (β, σ) plane; dashed: critical lines, with the speed at the start",
+            &format!("Outcome in the (β, σ) plane; {lines}{crosses}"),
             ("sans-serif", 18),
         )?;
         let (a, b) = root.split_horizontally(640);
-        panel(&a, "(a) growing", grid, rows, ExactOutcome::Growing)?;
-        panel(
-            &b,
-            "(b) never at rest; dots: |ξ̇| ≥ 0.01 at the end",
+        let drawing = Drawing {
             grid,
             rows,
+            borders,
+        };
+        drawing.panel(&a, "(a) growing", ExactOutcome::Growing)?;
+        drawing.panel(
+            &b,
+            "(b) never at rest; dots: |ξ̇| ≥ 0.01 at the end",
             ExactOutcome::NeverAtRest,
         )
     })
+}
+
+/// What both panels show.
+#[derive(Clone, Copy)]
+struct Drawing<'a> {
+    grid: &'a Grid,
+    rows: &'a [Option<Row>],
+    borders: Option<Borders>,
 }
 
 /// The indices of the speeds, the slowest first.
@@ -100,63 +149,67 @@ fn span(cells: &[Cell]) -> Range<f64> {
 /// A drawing in the (β, σ) plane.
 type Plane<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-fn panel(
-    area: &Area<'_>,
-    title: &str,
-    grid: &Grid,
-    rows: &[Option<Row>],
-    shown: ExactOutcome,
-) -> Drawn {
-    let (columns, lines) = (cells(&grid.beta), cells(&grid.sigma));
-    let (width, height) = (span(&columns), span(&lines));
-    let mut chart = ChartBuilder::on(area)
-        .margin(12)
-        .caption(title, ("sans-serif", 17))
-        .x_label_area_size(44)
-        .y_label_area_size(54)
-        .build_cartesian_2d(width.clone(), height.clone())?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .x_desc("β = b/(KT)")
-        .y_desc("σ = c/(KΔ)")
-        .x_label_formatter(&|x| label(*x, &width))
-        .y_label_formatter(&|y| label(*y, &height))
-        .axis_desc_style(("sans-serif", 15))
-        .label_style(("sans-serif", 12))
-        .draw()?;
-    let speeds = by_speed(grid);
-    let row = |column: &Cell, line: &Cell, speed| {
-        let index = grid.index([column.index, line.index, speed]);
-        rows.get(index).copied().flatten()
-    };
-    let places = || {
-        columns
-            .iter()
-            .flat_map(|c| lines.iter().map(move |l| (c, l)))
-    };
-    // The fastest first: a slower one that does the same lies over it.
-    for (rank, (speed, _)) in speeds.iter().enumerate().rev() {
-        let colour = shade(rank, speeds.len()).filled();
-        for (column, line) in places() {
-            if row(column, line, *speed).is_some_and(|row| row.exact == shown) {
-                let corners = [(column.low, line.low), (column.high, line.high)];
-                chart.draw_series([Rectangle::new(corners, colour)])?;
+impl Drawing<'_> {
+    fn panel(self, area: &Area<'_>, title: &str, shown: ExactOutcome) -> Drawn {
+        let grid = self.grid;
+        let (columns, lines) = (cells(&grid.beta), cells(&grid.sigma));
+        let (width, height) = (span(&columns), span(&lines));
+        let mut chart = ChartBuilder::on(area)
+            .margin(12)
+            .caption(title, ("sans-serif", 17))
+            .x_label_area_size(44)
+            .y_label_area_size(54)
+            .build_cartesian_2d(width.clone(), height.clone())?;
+        chart
+            .configure_mesh()
+            .disable_mesh()
+            .x_desc("β = b/(KT)")
+            .y_desc("σ = c/(KΔ)")
+            .x_label_formatter(&|x| label(*x, &width))
+            .y_label_formatter(&|y| label(*y, &height))
+            .axis_desc_style(("sans-serif", 15))
+            .label_style(("sans-serif", 12))
+            .draw()?;
+        let speeds = by_speed(grid);
+        let row = |column: &Cell, line: &Cell, speed| {
+            let index = grid.index([column.index, line.index, speed]);
+            self.rows.get(index).copied().flatten()
+        };
+        let places = || {
+            columns
+                .iter()
+                .flat_map(|c| lines.iter().map(move |l| (c, l)))
+        };
+        // The fastest first: a slower one that does the same lies over it.
+        for (rank, (speed, _)) in speeds.iter().enumerate().rev() {
+            let colour = shade(rank, speeds.len()).filled();
+            for (column, line) in places() {
+                if row(column, line, *speed).is_some_and(|row| row.exact == shown) {
+                    let corners = [(column.low, line.low), (column.high, line.high)];
+                    chart.draw_series([Rectangle::new(corners, colour)])?;
+                }
             }
         }
-    }
-    if shown == ExactOutcome::NeverAtRest {
         for (column, line) in places() {
-            let mut all = speeds
-                .iter()
-                .filter_map(|(speed, _)| row(column, line, *speed));
-            if all.any(|row| row.paper == PaperOutcome::LimitCycle) {
-                let place = (column.middle(), line.middle());
+            let all = || {
+                let at = speeds.iter();
+                at.filter_map(|(speed, _)| row(column, line, *speed))
+            };
+            let place = (column.middle(), line.middle());
+            let oscillates = |row: Row| row.paper == PaperOutcome::LimitCycle;
+            if shown == ExactOutcome::NeverAtRest && all().any(oscillates) {
                 chart.draw_series([Circle::new(place, 2, COLOURS[7].filled())])?;
             }
+            if all().any(|row| row.is_undecided()) {
+                let colour = COLOURS[1].stroke_width(2);
+                chart.draw_series([Cross::new(place, 4, colour)])?;
+            }
+        }
+        match self.borders {
+            Some(borders) => borders.draw(&mut chart, &speeds, &width, &height),
+            None => Ok(()),
         }
     }
-    critical_lines(&mut chart, &speeds, &width, &height)
 }
 
 /// From black for the slowest speed to light grey.
@@ -166,47 +219,83 @@ fn shade(rank: usize, speeds: usize) -> RGBColor {
     RGBColor(level, level, level)
 }
 
-/// The borders β = ½ and σ = ½, and the critical line (9) of each speed.
-fn critical_lines(
-    chart: &mut Plane<'_>,
-    speeds: &[(usize, f64)],
-    width: &Range<f64>,
-    height: &Range<f64>,
-) -> Drawn {
-    for border in [
-        [(0.5, height.start), (0.5, height.end)],
-        [(width.start, 0.5), (width.end, 0.5)],
-    ] {
-        chart.draw_series(LineSeries::new(border, BLACK.mix(DASHED)))?;
-    }
-    for ((_, speed), colour) in speeds.iter().zip(COLOURS.into_iter().cycle()) {
-        let Some(ends) = critical_line(*speed, width, height) else {
-            continue;
-        };
-        let style = colour.mix(DASHED).stroke_width(2);
+impl Borders {
+    /// The borders of β and σ, and the critical line (9) of each speed.
+    fn draw(
+        self,
+        chart: &mut Plane<'_>,
+        speeds: &[(usize, f64)],
+        width: &Range<f64>,
+        height: &Range<f64>,
+    ) -> Drawn {
+        for border in [
+            [(self.beta, height.start), (self.beta, height.end)],
+            [(width.start, self.sigma), (width.end, self.sigma)],
+        ] {
+            chart.draw_series(LineSeries::new(border, BLACK.mix(DASHED)))?;
+        }
+        for ((_, speed), colour) in speeds.iter().zip(COLOURS.into_iter().cycle()) {
+            let Some(ends) = self.critical_line(*speed, width, height) else {
+                continue;
+            };
+            let style = colour.mix(DASHED).stroke_width(2);
+            chart
+                .draw_series(LineSeries::new(ends, style))?
+                .label(format!("{speed} ticks/sample"))
+                .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
+        }
         chart
-            .draw_series(LineSeries::new(ends, style))?
-            .label(format!("{speed} ticks/sample"))
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
+            .configure_series_labels()
+            .position(SeriesLabelPosition::UpperRight)
+            .background_style(WHITE.mix(0.85))
+            .border_style(BLACK.mix(0.3))
+            .label_font(("sans-serif", 13))
+            .draw()?;
+        Ok(())
     }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
-        .background_style(WHITE.mix(0.85))
-        .border_style(BLACK.mix(0.3))
-        .label_font(("sans-serif", 13))
-        .draw()?;
-    Ok(())
+
+    /// The part of (β − λ)V + (σ − ½(1 + δ) − B) = 0 (9) within the picture.
+    fn critical_line(
+        self,
+        speed: f64,
+        width: &Range<f64>,
+        height: &Range<f64>,
+    ) -> Option<[(f64, f64); 2]> {
+        let sigma = |beta: f64| self.sigma - (beta - self.beta) * speed;
+        if speed == 0.0 {
+            return Some([(width.start, self.sigma), (width.end, self.sigma)]);
+        }
+        let beta = |sigma: f64| self.beta - (sigma - self.sigma) / speed;
+        let left = width.start.max(beta(height.end));
+        let right = width.end.min(beta(height.start));
+        (left < right).then(|| [(left, sigma(left)), (right, sigma(right))])
+    }
 }
 
-/// The part of (β − ½)V + (σ − ½) = 0 (9) within the picture.
-fn critical_line(speed: f64, width: &Range<f64>, height: &Range<f64>) -> Option<[(f64, f64); 2]> {
-    let sigma = |beta: f64| 0.5 - (beta - 0.5) * speed;
-    if speed == 0.0 {
-        return Some([(width.start, 0.5), (width.end, 0.5)]);
+#[cfg(test)]
+mod tests {
+    use passivity_core::{Friction, Scalar as _};
+
+    use super::*;
+
+    #[test]
+    fn critical_lines_go_through_what_the_effects_cost() {
+        let zero = BigRational::zero;
+        let plain = Loop::plain(Friction::new(zero(), zero()));
+        let half = |beta, sigma| Borders { beta, sigma };
+        assert_eq!(Borders::of(&plain), half(0.5, 0.5));
+        let late = Loop {
+            delay: 1,
+            damping: Some(BigRational::one()),
+            force_step: Some(BigRational::one()),
+            ..plain
+        };
+        let borders = Borders::of(&late);
+        assert_eq!(borders, half(2.5, 2.0));
+        // At β = 2.5 every critical line has σ = 2.
+        let [(b0, s0), (b1, s1)] = borders
+            .critical_line(2.0, &(0.0..3.0), &(0.0..9.0))
+            .unwrap();
+        assert_eq!((b0, s0, b1, s1), (0.0, 7.0, 3.0, 1.0));
     }
-    let beta = |sigma: f64| 0.5 - (sigma - 0.5) / speed;
-    let left = width.start.max(beta(height.end));
-    let right = width.end.min(beta(height.start));
-    (left < right).then(|| [(left, sigma(left)), (right, sigma(right))])
 }

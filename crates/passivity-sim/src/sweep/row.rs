@@ -18,6 +18,12 @@ pub struct Row {
 }
 
 impl Row {
+    /// Whether the run ended before its outcome was certain.
+    #[must_use]
+    pub fn is_undecided(self) -> bool {
+        self.exact == ExactOutcome::Undecided
+    }
+
     pub(super) fn of(end: &End) -> Self {
         Self {
             paper: end.outcome.paper,
