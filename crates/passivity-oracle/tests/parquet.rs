@@ -200,7 +200,8 @@ fn a_wrong_value_has_its_row() {
 
 #[test]
 fn every_prefix_and_every_flipped_byte_ends_in_a_report_or_an_error() {
-    let counts: Vec<i64> = (0..40).map(|i| i * i % 17).collect();
+    // Six groups of rows: every byte of the file is tried, so it is kept short.
+    let counts: Vec<i64> = (0..12).map(|i| i * i % 17).collect();
     let path = write(
         "hostile",
         &[("count", Column::Whole(counts))],
