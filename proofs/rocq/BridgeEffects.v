@@ -300,3 +300,31 @@ Definition kernel_law_bilateral_held (x : R) : R :=
 Lemma bridge_law_bilateral_held : forall x,
   kernel_law_bilateral_held x = held_force x.
 Proof. unfold kernel_law_bilateral_held. bridge. Qed.
+
+(** [Law::switching_energy] *)
+Definition kernel_switching_false_false (x : R) : R :=
+  0.
+Lemma bridge_switching_false_false : forall x,
+  kernel_switching_false_false x = switching_energy false false (linear_potential x).
+Proof. unfold kernel_switching_false_false. cbv beta iota delta [switching_energy]; bridge. Qed.
+
+(** [Law::switching_energy] *)
+Definition kernel_switching_false_true (x : R) : R :=
+  ((x * x) - ((x * x) / 2)).
+Lemma bridge_switching_false_true : forall x,
+  kernel_switching_false_true x = switching_energy false true (linear_potential x).
+Proof. unfold kernel_switching_false_true. cbv beta iota delta [switching_energy]; bridge. Qed.
+
+(** [Law::switching_energy] *)
+Definition kernel_switching_true_false (x : R) : R :=
+  (- ((x * x) - ((x * x) / 2))).
+Lemma bridge_switching_true_false : forall x,
+  kernel_switching_true_false x = switching_energy true false (linear_potential x).
+Proof. unfold kernel_switching_true_false. cbv beta iota delta [switching_energy]; bridge. Qed.
+
+(** [Law::switching_energy] *)
+Definition kernel_switching_true_true (x : R) : R :=
+  0.
+Lemma bridge_switching_true_true : forall x,
+  kernel_switching_true_true x = switching_energy true true (linear_potential x).
+Proof. unfold kernel_switching_true_true. cbv beta iota delta [switching_energy]; bridge. Qed.

@@ -237,6 +237,13 @@ Lemma bridge_speed_squared : forall mu x v,
   kernel_speed_squared mu x v = start_speed_squared mu x v.
 Proof. unfold kernel_speed_squared. bridge. Qed.
 
+(** [start::speed_squared_with_memory] *)
+Definition kernel_speed_squared_with_memory (mu x v extra : R) : R :=
+  (((v * v) + ((x * x) / mu)) + ((extra + extra) / mu)).
+Lemma bridge_speed_squared_with_memory : forall mu x v extra,
+  kernel_speed_squared_with_memory mu x v extra = start_speed_squared_with_memory mu x v extra.
+Proof. unfold kernel_speed_squared_with_memory. bridge. Qed.
+
 (** [start::margin_of_squares] *)
 Definition kernel_margin_of_squares (viscous coulomb V2 : R) : R :=
   ((coulomb * coulomb) - ((viscous * viscous) * V2)).

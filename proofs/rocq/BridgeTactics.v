@@ -7,7 +7,7 @@ Open Scope R_scope.
 (** Everything down to sums, products, quotients, floors and magnitudes. *)
 Ltac open_definitions :=
   unfold viscous_surplus, coulomb_surplus, margin, margin_8, surplus, jitter_surplus,
-    critical_sigma, critical_speed, start_speed_squared, margin_of_squares,
+    critical_sigma, critical_speed, start_speed_squared_with_memory, start_speed_squared, margin_of_squares,
     cycle_gain, cycle_work, cycle_friction, bound_quantized, bound_22, bound_21,
     generated_quantized, quantization_effect, generated_linear, generated, ticks,
     quantized_storage, storage, quantized_potential, linear_potential, quantization_potential,

@@ -134,17 +134,57 @@ Proof.
     split; [exact I |]. unfold start_extra. lra.
 Qed.
 
-(** TH-START (controller): unforced, the same control law never lets the speed pass W. *)
-Theorem TH_START_controller : (forall t, hand t = 0) -> 0 < coulomb ->
+(** TH-START (controller): unforced, the same control law never lets the speed pass a W whose
+    kinetic energy covers the storage at the start, what delay and damping remember included.
+    The last premise leaves out only a start at rest with just enough Coulomb friction and too
+    little viscous friction. *)
+Theorem TH_START_controller : (forall t, hand t * vel t <= 0) -> 0 <= coulomb ->
   forall W, 0 <= W -> 0 <= margin viscous coulomb W ->
   kinetic mu (vel 0) + controller_potential s limit (pos 0) + start_extra pos past k B <= kinetic mu W ->
+  0 < coulomb \/ 0 < W \/ 0 <= viscous ->
   forall t, 0 <= t -> Rabs (vel t) <= W.
 Proof.
-  intros Z C W HW M E t Ht. destruct (INR_covers t Ht) as (N & HN).
-  apply (TH_START_combined mu beta sigma _ _ B delta e k INR _ past
-    pos vel friction hand P INR_increasing INR_on_time controller_wall O controller_rendered Z W HW)
-    with (N := N); try exact M; try exact HN; [exact E | | left; exact C].
-  apply Rlt_le, C.
+  intros Z C W HW M E ND t Ht. destruct (INR_covers t Ht) as (N & HN).
+  exact (TH_START_combined mu beta sigma _ _ B delta e k INR _ past
+    pos vel friction hand P INR_increasing INR_on_time controller_wall O controller_rendered Z W HW
+    E C M ND N t HN).
+Qed.
+
+(** A wall that is one-sided or saturated stores no more than the linear spring. *)
+Lemma controller_potential_at_most : forall x, controller_potential s limit x <= x ^ 2 / 2.
+Proof.
+  intro x. unfold controller_potential, law_potential_of.
+  pose proof (pow2_ge_0 (x - controller_law s limit x)). nra.
+Qed.
+
+(** TH-START (memory): the W of the claim, W^2 = v(0)^2 + (xi(0)^2 + 2 E)/mu, with E the extra
+    storage of delay and damping at the start. *)
+Theorem TH_START_memory : (forall t, hand t * vel t <= 0) -> 0 <= coulomb ->
+  forall W, 0 <= W -> 0 <= margin viscous coulomb W ->
+  W ^ 2 = start_speed_squared_with_memory mu (pos 0) (vel 0) (start_extra pos past k B) ->
+  0 < coulomb \/ 0 < W \/ 0 <= viscous ->
+  forall t, 0 <= t -> Rabs (vel t) <= W.
+Proof.
+  intros Z C W HW M E. apply (TH_START_controller Z C W HW M).
+  pose proof (controller_potential_at_most (pos 0)). pose proof (mu_positive _ _ _ P).
+  unfold kinetic at 2. rewrite E. unfold start_speed_squared_with_memory, start_speed_squared, kinetic.
+  replace (mu * (vel 0 ^ 2 + pos 0 ^ 2 / mu + 2 * start_extra pos past k B / mu) / 2)
+    with (mu * vel 0 ^ 2 / 2 + pos 0 ^ 2 / 2 + start_extra pos past k B) by (field; lra).
+  lra.
+Qed.
+
+(** TH-START (rested): with a controller that remembers rest at the starting position only, that
+    is W^2 = v(0)^2 + xi(0)^2/mu. *)
+Theorem TH_START_rested : (forall t, hand t * vel t <= 0) -> 0 <= coulomb ->
+  (forall j, past j = pos 0) ->
+  forall W, 0 <= W -> 0 <= margin viscous coulomb W ->
+  W ^ 2 = start_speed_squared mu (pos 0) (vel 0) ->
+  0 < coulomb \/ 0 < W \/ 0 <= viscous ->
+  forall t, 0 <= t -> Rabs (vel t) <= W.
+Proof.
+  intros Z C R W HW M E. apply (TH_START_memory Z C W HW M).
+  unfold start_speed_squared_with_memory. rewrite TH_DELAY_TH_DAMP_at_rest by exact R.
+  rewrite E. unfold Rdiv. rewrite Rmult_0_r, Rmult_0_l. ring.
 Qed.
 
 End Runs.

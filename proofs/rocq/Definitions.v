@@ -171,6 +171,10 @@ Definition quantized_clipped_potential (lo hi x : R) : R :=
   quantized_potential x - beyond hi (floor x) (residue x)
   - beyond (- lo) (- (floor x + 1)) (1 - residue x).
 
+(** What switching a wall with potential [p] adds to what is stored (ERR-IV-C). *)
+Definition switching_energy (was_on is_on : bool) (p : R) : R :=
+  (if is_on then p else 0) - (if was_on then p else 0).
+
 (** ** The controller: the control law as a program computes it
 
     From two successive measured positions, both late by the same delay: damp, cut off outside
@@ -222,6 +226,10 @@ Definition coulomb_si_smooth (c F : R) : R := c - F / 2.
 
 (** V^2 of TH-START: the square of the speed that an unforced motion never passes. *)
 Definition start_speed_squared (mu x v : R) : R := v ^ 2 + x ^ 2 / mu.
+
+(** The same with the extra storage at the start of a controller that remembers a motion. *)
+Definition start_speed_squared_with_memory (mu x v extra : R) : R :=
+  start_speed_squared mu x v + 2 * extra / mu.
 
 (** The margin at V >= 0 of a criterion with viscous < 0 < coulomb has the sign of this. *)
 Definition margin_of_squares (viscous coulomb V2 : R) : R := coulomb ^ 2 - viscous ^ 2 * V2.

@@ -120,6 +120,22 @@ Proof.
     split; [exact I |]. unfold storage. lra.
 Qed.
 
+(** TH-RUN (more friction): a friction force beyond sigma and beta that opposes the motion, or holds
+    the device at rest, is a force like the operator's, and takes energy: what the operator draws
+    is still covered. *)
+Theorem TH_RUN_more_friction : forall more operator : R -> R,
+  (forall t, hand t = operator t - more t) -> (forall t, 0 <= more t * vel t) ->
+  forall t, 0 <= t ->
+  (forall u, 0 <= u <= t -> criterion_8 beta sigma (vel u)) ->
+  ex_RInt (fun u => operator u * vel u) 0 t ->
+  storage mu (pos t) (vel t) - storage mu (pos 0) (vel 0) <= operator_energy vel operator 0 t.
+Proof.
+  intros more operator E M t Ht H8 I. destruct (TH_RUN t Ht H8) as [J R].
+  eapply Rle_trans; [exact R |]. unfold operator_energy.
+  apply RInt_le; [exact Ht | exact J | exact I |].
+  intros u _. rewrite E. specialize (M u). nra.
+Qed.
+
 (** TH-RUN (mean speeds): it is enough that the criterion holds at the mean speed of each
     interval reached, the last one up to where the run ends. *)
 Theorem TH_RUN_mean : forall N t, INR N <= t <= INR (S N) ->

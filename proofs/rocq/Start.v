@@ -82,6 +82,17 @@ Proof.
   - assert ((beta - need * (1 - g)) * (W + eps) <= (beta - need * (1 - g)) * w) by nra. lra.
 Qed.
 
+(** A force that never acts along the motion puts no energy in. *)
+Lemma nothing_put_in : forall vel hand a b, a <= b ->
+  ex_RInt (fun u => hand u * vel u) a b -> (forall u : R, hand u * vel u <= 0) ->
+  operator_energy vel hand a b <= 0.
+Proof.
+  intros vel hand a b ab I H. unfold operator_energy.
+  replace 0 with (RInt (fun _ => 0) a b) by (rewrite RInt_const; apply Rmult_0_r).
+  apply RInt_le; [exact ab | exact I | apply (@ex_RInt_const R_NormedModule) |].
+  intros u _. apply H.
+Qed.
+
 Section Bootstrap.
 
 Variables mu beta sigma : R.
@@ -94,7 +105,8 @@ Hypothesis J : on_time ts.
 Hypothesis L : wall f V B delta e.
 Hypothesis O : obeys mu beta sigma ts held pos vel friction hand.
 Hypothesis D : rendered f B delta e k ts pos past held.
-Hypothesis unforced : forall t, hand t = 0.
+(** Left alone: no outer force puts energy in.  More friction than sigma, at rest or not, may act. *)
+Hypothesis unforced : forall t, hand t * vel t <= 0.
 
 Let need := viscous_need (INR k) B.
 Let coulomb := sigma - coulomb_need e delta B.
@@ -106,7 +118,7 @@ Hypothesis W_energy :
   kinetic mu (vel (ts 0%nat)) + V (pos (ts 0%nat)) + extra_at ts pos past k B 0 <= kinetic mu W.
 Hypothesis coulomb_holds : 0 <= coulomb.
 Hypothesis margin_holds : 0 <= margin (beta - need) coulomb W.
-Hypothesis not_degenerate : 0 < coulomb \/ 0 < W.
+Hypothesis not_degenerate : 0 < coulomb \/ 0 < W \/ 0 <= beta - need.
 
 Lemma need_positive : 0 < need.
 Proof.
@@ -130,6 +142,21 @@ Proof.
   - assert ((beta - need) * W <= (beta - need) * w) by nra. lra.
 Qed.
 
+(** With the criterion at every speed, every interval pays. *)
+Lemma every_speed_pays : forall h r, 0 <= beta - need -> ts h < r <= ts (S h) ->
+  0 <= jitter_surplus beta need coulomb (pos r - pos (ts h)) (r - ts h).
+Proof.
+  intros h r Enough Hr. pose proof (J h) as Jh. pose proof need_positive as Np.
+  rewrite jitter_surplus_at_speed by lra. apply Rmult_le_pos; [apply Rabs_pos |].
+  assert (0 <= mean_speed (pos r - pos (ts h)) (r - ts h)).
+  { unfold mean_speed. apply Rmult_le_pos; [apply Rabs_pos |].
+    apply Rlt_le, Rinv_0_lt_compat. lra. }
+  assert (0 <= beta - need * (r - ts h)) by nra.
+  assert (0 <= (beta - need * (r - ts h)) * mean_speed (pos r - pos (ts h)) (r - ts h))
+    by (apply Rmult_le_pos; assumption).
+  lra.
+Qed.
+
 (** If all intervals reached pay, the speed at the end is at most W. *)
 Lemma paid_speed : forall N t, ts N <= t <= ts (S N) ->
   (forall h r, reached ts N t h r -> ts h < r ->
@@ -138,11 +165,10 @@ Lemma paid_speed : forall N t, ts N <= t <= ts (S N) ->
 Proof.
   intros N t Ht Hp.
   destruct (TH_COMBINED_jitter mu beta sigma f V B delta e k ts held past pos vel friction hand
-    P T L O D N t Ht Hp) as [_ E].
-  assert (Z : operator_energy vel hand (ts 0%nat) t = 0).
-  { unfold operator_energy. rewrite (RInt_ext _ (fun _ => 0)).
-    - rewrite RInt_const. apply Rmult_0_r.
-    - intros x _. rewrite unforced. apply Rmult_0_l. }
+    P T L O D N t Ht Hp) as [I E].
+  assert (Z : operator_energy vel hand (ts 0%nat) t <= 0).
+  { apply nothing_put_in; [| exact I | exact unforced].
+    pose proof (sample_order ts T 0 N ltac:(lia)). lra. }
   pose proof (potential_nonneg _ _ (law_potential _ _ _ _ _ L) (pos t)) as V0. cbv beta in V0.
   pose proof (extra_nonneg k B (push (pos t - pos (ts N)) (step ts pos past N))
     (damping_nonneg _ _ _ _ _ L)) as X0.
@@ -152,9 +178,16 @@ Proof.
 Qed.
 
 (** TH-START (any effects): an unforced motion never passes a speed W whose kinetic energy
-    covers the storage at the start, if the criterion holds up to W. *)
+    covers the storage at the start, if the criterion holds up to W.  What delay and damping
+    remember from before the start is part of that storage. *)
 Theorem TH_START_combined : forall N t, ts N <= t <= ts (S N) -> Rabs (vel t) <= W.
 Proof.
+  destruct (Rle_lt_dec 0 (beta - need)) as [Enough | Short].
+  { (* The criterion holds at every speed: every interval pays. *)
+    intros N t Ht. apply (paid_speed N t Ht). intros h r [[_ ->] | [-> ->]] Hl.
+    - apply every_speed_pays; [exact Enough |]. specialize (T h). lra.
+    - apply every_speed_pays; [exact Enough | lra]. }
+  assert (Moves : 0 < coulomb \/ 0 < W) by (destruct not_degenerate as [A | [A | A]]; lra).
   assert (Start : Rabs (vel (ts 0%nat)) <= W).
   { apply (paid_speed 0 (ts 0%nat)); [specialize (T 0%nat); lra |].
     intros h r [[H _] | [-> ->]] Hl; [lia | lra]. }
@@ -218,7 +251,8 @@ Variables mu beta sigma : R.
 Variables pos vel friction hand : R -> R.
 Hypothesis P : physical mu beta sigma.
 Hypothesis O : paper_motion mu beta sigma pos vel friction hand.
-Hypothesis unforced : forall t, hand t = 0.
+(** Left alone: no outer force puts energy in.  More friction than sigma, at rest or not, may act. *)
+Hypothesis unforced : forall t, hand t * vel t <= 0.
 
 (** TH-START: unforced, with beta < 1/2 < sigma, if the criterion holds at the V with
     V^2 = v(0)^2 + xi(0)^2/mu then the speed never passes V. *)
@@ -246,18 +280,14 @@ Theorem TH_START_storage : beta < 1 / 2 < sigma -> forall W, 0 <= W ->
   forall t, 0 <= t -> storage mu (pos t) (vel t) <= storage mu (pos 0) (vel 0).
 Proof.
   intros Hbs W HW E M t Ht.
-  destruct (TH_RUN mu beta sigma pos vel friction hand P O t Ht) as [_ R].
+  destruct (TH_RUN mu beta sigma pos vel friction hand P O t Ht) as [I R].
   - intros u Hu Hv. pose proof (TH_START Hbs W HW E M u ltac:(lra)) as S.
     rewrite viscous_plain, coulomb_plain in *. unfold margin in M. unfold margin_8.
     pose proof (Rabs_pos_lt _ Hv) as Sp. set (w := Rabs (vel u)) in *.
     apply Rmult_le_reg_l with w; [exact Sp |]. rewrite Rmult_0_r.
     replace (w * (beta - 1 / 2 + (sigma - 1 / 2) / w))
       with ((beta - 1 / 2) * w + (sigma - 1 / 2)) by (field; lra). nra.
-  - assert (Z : operator_energy vel hand 0 t = 0).
-    { unfold operator_energy. rewrite (RInt_ext _ (fun _ => 0)).
-      - rewrite RInt_const. apply Rmult_0_r.
-      - intros x _. rewrite unforced. apply Rmult_0_l. }
-    lra.
+  - pose proof (nothing_put_in vel hand 0 t Ht I unforced). lra.
 Qed.
 
 (** EQ-10: started at xi(0) = 0, the criterion at the initial speed is enough. *)

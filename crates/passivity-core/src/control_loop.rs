@@ -149,7 +149,7 @@ impl<S: Scalar> Loop<S> {
         above.over(below)
     }
 
-    /// The loop in dimensionless form (3), (4), (7): K, T and Δ are 1.
+    /// The loop in dimensionless form (3), (4), (7): K, T and Δ are 1 (EQ-1..7).
     ///
     /// # Example
     ///

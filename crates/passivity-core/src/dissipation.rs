@@ -64,6 +64,8 @@ impl<S: Scalar> Friction<S> {
 }
 
 /// v̄ = |d|/Δτ, mean speed in ticks per sampling period; `dtau` > 0 in sampling periods.
+///
+/// It is the speed of the device at some instant of the step (28) (EQ-28).
 #[must_use]
 pub fn mean_speed<S: Scalar>(displacement: &S, dtau: &S) -> S {
     displacement.abs().over(dtau.clone())

@@ -113,6 +113,29 @@ impl<S: Scalar> Law<S> {
         potential
     }
 
+    /// The energy that switching the wall at ξ ticks adds to what is stored, in KΔ² (ERR-IV-C).
+    ///
+    /// A wall that is switched off gives up V(ξ) and nobody gains it. One that is switched on at a
+    /// depth has V(ξ) to give that nobody put in: ½ξ² for the linear spring.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_core::{Fixed, Law, Scalar};
+    ///
+    /// let (wall, depth) = (Law::bilateral(), Fixed::integer(4));
+    /// assert_eq!(wall.switching_energy(false, true, &depth), Fixed::integer(8));
+    /// assert_eq!(wall.switching_energy(true, false, &depth), Fixed::integer(-8));
+    /// ```
+    #[must_use]
+    pub fn switching_energy(&self, was_on: bool, is_on: bool, xi: &S) -> S {
+        match (was_on, is_on) {
+            (false, true) => self.potential(xi),
+            (true, false) => -self.potential(xi),
+            (false, false) | (true, true) => S::zero(),
+        }
+    }
+
     /// Whether the law is the linear spring everywhere.
     #[must_use]
     pub const fn is_linear(&self) -> bool {

@@ -189,7 +189,7 @@ impl<S: Ordered> Loop<Interval<S>> {
     }
 
     /// Whether the criterion holds over the box at every speed asked for: for all of its loops, for
-    /// none, or for some. `None` when a number is undefined.
+    /// none, or for some (TH-CHECK). `None` when a number is undefined.
     ///
     /// # Example
     ///

@@ -3,7 +3,7 @@
 //! Nothing else in them can fail, so the counterexample is one of the claim itself.
 
 use passivity_core::{
-    Criterion, Friction, Scalar, Step, generation, quantizer::held_force, spring,
+    Criterion, Friction, Law, Scalar, Step, generation, quantizer::held_force, spring,
 };
 
 use crate::Dyadic;
@@ -87,5 +87,18 @@ fn err_19_start_quantized_counterpart() {
     kani::assert(
         generated <= generation::bound_quantized(&step.displacement()),
         "ERR-19-start: the quantized counterpart is within its bound from any start",
+    );
+}
+
+/// ERR-IV-C: a wall that is switched on at a depth has energy to give that nobody put in.
+#[kani::proof]
+#[kani::should_panic]
+fn err_iv_c_switching_adds_nothing() {
+    let depth = position();
+    let added = Law::bilateral().switching_energy(false, true, &depth);
+    kani::cover!(Dyadic::zero() < depth, "within the wall");
+    kani::assert(
+        added <= Dyadic::zero(),
+        "ERR-IV-C: switching the wall on adds nothing to what is stored",
     );
 }

@@ -91,6 +91,24 @@ sampled! {
         prop_assert_eq!((without.delay, without.unilateral), (the_loop.delay, the_loop.unilateral));
     }
 
+    fn eq_1_7_stored_energy(
+        the_loop in a_loop(), mass in positive(), x in number(), v in number()
+    ) {
+        let with_start = Loop {
+            inertia: Some(mass.clone()),
+            start_position: Some(x.clone()),
+            start_velocity: Some(v.clone()),
+            ..the_loop
+        };
+        let without = with_start.dimensionless();
+        let stored = half() * squared(without.start_velocity.as_ref().unwrap())
+            * without.inertia.unwrap()
+            + half() * squared(&without.start_position.unwrap());
+        let in_si = half() * mass * squared(&v) + half() * &with_start.stiffness * squared(&x);
+        let energy_unit = &with_start.stiffness * squared(&length(&with_start));
+        prop_assert_eq!(energy_unit * stored, in_si);
+    }
+
     fn eq_27_with_units_is_11(the_loop in a_loop()) {
         prop_assert_eq!(the_loop.criterion(), criterion_written_out(&the_loop));
     }

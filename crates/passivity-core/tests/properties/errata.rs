@@ -1,12 +1,16 @@
-//! The paper's slips, kept as exact numbers: ERR-21/22, ERR-27, ERR-19-start.
+//! The paper's slips, kept as exact numbers: ERR-21/22, ERR-27, ERR-19-start, ERR-IV-C.
 
 use passivity_core::generation::{
     bound_22, generated, generated_as_in_19, generated_linear, generated_quantized,
 };
 use passivity_core::quantizer::held_force;
-use passivity_core::{Criterion, Fixed, Friction, Loop, Scalar, Step, ledger, spring};
+use passivity_core::{
+    BigRational, Criterion, Fixed, Friction, Law, Loop, Scalar, Step, ledger, spring,
+};
+use proptest::prelude::*;
 
-use crate::common::{half, q, squared};
+use crate::common::{half, position, q, sampled, squared, zero};
+use crate::law::law;
 
 #[test]
 fn err_21_22_counterexample() {
@@ -88,4 +92,42 @@ fn err_19_start_counterexample() {
     // From the sampling instant on, the account is in order.
     let whole = Step::new(sample, step.end.clone());
     assert!(generated_linear(&whole) <= bound_22(&whole.displacement()));
+}
+
+/// Out of the wall a tick a sample, from the depth n at which it was switched on, with β = σ = ½: the
+/// criterion holds at every speed, and the operator draws ½n², at an unchanged speed.
+#[test]
+fn err_iv_c_counterexample() {
+    let friction = Friction::new(half(), half());
+    let criterion = Criterion::of_friction(&friction);
+    assert_eq!(criterion.margin_at_all_speeds(), zero());
+    for depth in 1..9 {
+        let drawn = (1..=depth).fold(zero(), |drawn, n| {
+            let step = Step::new(q(n, 1), q(n - 1, 1));
+            let given = held_force(&step.start) * step.displacement();
+            drawn + given - friction.dissipated_at_constant_velocity(&q(-1, 1), &q(1, 1))
+        });
+        assert_eq!(drawn, half() * squared(&q(depth, 1)));
+        // That is what the wall had when it was switched on, and nothing was stored before.
+        let injected = Law::bilateral().switching_energy(false, true, &q(depth, 1));
+        assert_eq!(drawn, injected);
+    }
+}
+
+sampled! {
+    fn err_iv_c_switching_energy(xi in position()) {
+        let wall: Law<BigRational> = Law::bilateral();
+        let stored = half() * squared(&xi);
+        prop_assert_eq!(wall.switching_energy(false, true, &xi), stored.clone());
+        prop_assert_eq!(wall.switching_energy(true, false, &xi), -stored);
+        prop_assert_eq!(wall.switching_energy(true, true, &xi), zero());
+        prop_assert_eq!(wall.switching_energy(false, false, &xi), zero());
+    }
+
+    /// Whatever the law: off at any time costs nothing, and on again gives back what off took.
+    fn err_iv_c_off_never_costs(law in law(), xi in position()) {
+        let (off, on) = (law.switching_energy(true, false, &xi), law.switching_energy(false, true, &xi));
+        prop_assert!(off <= zero());
+        prop_assert_eq!(off + on, zero());
+    }
 }

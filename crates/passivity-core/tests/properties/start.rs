@@ -1,5 +1,7 @@
 //! TH-START: the speed that an unforced motion never passes, in squares.
 
+use passivity_core::extra_storage::{damping_storage, delay_storage};
+use passivity_core::quantizer::held_force;
 use passivity_core::verdict::{Speeds, decide};
 use passivity_core::{BigRational, Criterion, Fixed, Scalar, spring, start};
 use proptest::prelude::*;
@@ -25,6 +27,39 @@ sampled! {
         prop_assert_eq!(start::speed_squared(&mu, &xi, &v), expected.clone());
         // ½μV² is the storage at the start, so while storage never grows the speed stays below V.
         prop_assert_eq!(spring::storage(&mu, &xi, &v), half() * mu * expected);
+    }
+
+    fn th_start_memory_is_storage_at_the_start(
+        mu in positive(), xi in position(), v in number(),
+        past in prop::collection::vec(position(), 1..5), damping in nonnegative()
+    ) {
+        let extra = delay_storage(&past) + damping_storage(&damping, &past);
+        let v2 = start::speed_squared_with_memory(&mu, &xi, &v, &extra);
+        prop_assert_eq!(half() * &mu * &v2, spring::storage(&mu, &xi, &v) + extra);
+        // After rest there is none.
+        let rested = delay_storage(&vec![zero(); past.len()]);
+        let without = start::speed_squared(&mu, &xi, &v);
+        prop_assert_eq!(start::speed_squared_with_memory(&mu, &xi, &v, &rested), without.clone());
+        prop_assert!(v2 >= without);
+    }
+
+    /// A force that is one sample late, and no viscous friction: in the first interval the
+    /// velocity changes by (force − friction)/μ, whatever the sample before the start was.
+    fn th_start_late_force_stays_below_v_with_memory(
+        mu in positive(), before in position(), sigma in positive()
+    ) {
+        let force = held_force(&before);
+        let pushed = if force > zero() { &force - &sigma } else { -&force - &sigma };
+        if pushed > zero() {
+            // The speed after a time τ ≤ 1, from rest at ξ = 0, squared; the criterion holds up to
+            // it where −(3/2)V + σ − ½ ≥ 0.
+            let extra = delay_storage(std::slice::from_ref(&before));
+            let v2 = start::speed_squared_with_memory(&mu, &zero(), &zero(), &extra);
+            let criterion = Criterion { viscous: q(-3, 2), coulomb: &sigma - half() };
+            if start::holds_up_to(&criterion, &v2) == Some(true) {
+                prop_assert!(squared(&(pushed / &mu)) <= v2);
+            }
+        }
     }
 
     fn th_start_speed_stays_below_v(
@@ -60,6 +95,27 @@ sampled! {
     fn th_start_without_deflection_is_10(mu in positive(), v in number()) {
         prop_assert_eq!(start::speed_squared(&mu, &zero(), &v), squared(&v));
     }
+}
+
+/// From rest at ξ = 0, with a force that is one sample late and ten ticks away a sample before:
+/// the speed of a device that remembers rest is 0 for ever, and this one is at 8 after a sample.
+#[test]
+fn th_start_forgets_nothing_that_the_controller_remembers() {
+    let (mu, sigma) = (q(1, 1), q(3, 2));
+    let speed = (held_force(&q(-10, 1)) - &sigma) / &mu;
+    assert_eq!(speed, q(8, 1));
+    assert_eq!(start::speed_squared(&mu, &zero(), &zero()), zero());
+    let extra = delay_storage(&[q(10, 1)]);
+    let v2 = start::speed_squared_with_memory(&mu, &zero(), &zero(), &extra);
+    assert_eq!(v2, q(100, 1));
+    assert!(squared(&speed) <= v2);
+    // The criterion, −(3/2)V + 1 ≥ 0, held at V = 0 and does not hold at the speed that is true.
+    let criterion = Criterion {
+        viscous: q(-3, 2),
+        coulomb: q(1, 1),
+    };
+    assert_eq!(start::holds_up_to(&criterion, &zero()), Some(true));
+    assert_eq!(start::holds_up_to(&criterion, &v2), Some(false));
 }
 
 #[test]

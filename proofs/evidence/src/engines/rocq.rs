@@ -81,13 +81,13 @@ pub(super) fn report(sources: &Sources, folder: &Path) -> Result<Report, Evidenc
         files: BTreeSet::new(),
         name,
     };
+    // The theories, what they are compared with, and what compares the extracted checker.
     let of_the_development = |path: &String| {
         let path = Path::new(path);
-        let is_source = path.extension().is_some_and(|extension| extension == "v");
-        is_source
-            || path
-                .file_name()
-                .is_some_and(|n| n == "assumptions.expected")
+        path.extension()
+            .is_some_and(|extension| extension == "v" || extension == "expected")
+            || path.starts_with(format!("{FOLDER}/checker"))
+            || path.ends_with("bridge/examples/verdicts.rs")
     };
     let files = sources.under(FOLDER)?;
     Ok(Report::done(

@@ -15,6 +15,7 @@ pub(crate) fn formulas() -> Vec<Formula> {
     let mut all = criteria();
     all.extend(storages());
     all.extend(laws());
+    all.extend(switching());
     all
 }
 
@@ -169,6 +170,23 @@ fn storages() -> Vec<Formula> {
         .by("intros; apply kernel_step"),
     );
     all
+}
+
+/// What switching a wall adds to what is stored, on and off and neither.
+fn switching() -> Vec<Formula> {
+    let x = var("x");
+    let cases = [(false, false), (false, true), (true, false), (true, true)];
+    let formula = |(was_on, is_on): (bool, bool)| {
+        Formula::new(
+            "Law::switching_energy",
+            &["x"],
+            Law::bilateral().switching_energy(was_on, is_on, &x),
+            format!("switching_energy {was_on} {is_on} (linear_potential x)"),
+        )
+        .named(format!("switching_{was_on}_{is_on}"))
+        .by("cbv beta iota delta [switching_energy]; bridge")
+    };
+    cases.map(formula).to_vec()
 }
 
 fn laws() -> Vec<Formula> {

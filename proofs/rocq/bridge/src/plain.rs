@@ -253,6 +253,12 @@ fn criteria() -> Vec<Formula> {
             "start_speed_squared mu x v",
         ),
         Formula::new(
+            "start::speed_squared_with_memory",
+            &["mu", "x", "v", "extra"],
+            start::speed_squared_with_memory(&var("mu"), &var("x"), &v, &var("extra")),
+            "start_speed_squared_with_memory mu x v extra",
+        ),
+        Formula::new(
             "start::margin_of_squares",
             &["viscous", "coulomb", "V2"],
             start::margin_of_squares(&criterion(), &var("V2")),

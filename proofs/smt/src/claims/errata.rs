@@ -3,7 +3,7 @@
 use passivity_core::generation::{bound_22, generated, generated_quantized};
 use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::quantizer::held_force;
-use passivity_core::{Friction, Loop, Scalar as _, Step, spring};
+use passivity_core::{Friction, Law, Loop, Scalar as _, Step, spring};
 
 use super::{n, v};
 use crate::Query;
@@ -78,6 +78,24 @@ pub(super) fn queries() -> Vec<Query> {
                 .into_iter()
                 .chain([eq(&v("sample").floor(), &v("x0").floor())]),
             le(&opened, &bound_22(&d)),
+        ),
+        Query::new(
+            "ERR-IV-C",
+            "as printed",
+            "switching the wall on at a depth adds nothing to what is stored",
+        )
+        .then(le(
+            &Law::bilateral().switching_energy(false, true, &v("x")),
+            &n(0),
+        ))
+        .refuted()
+        .rescued(
+            "switching it off adds nothing at any depth",
+            [],
+            le(
+                &Law::bilateral().switching_energy(true, false, &v("x")),
+                &n(0),
+            ),
         ),
     ]
 }

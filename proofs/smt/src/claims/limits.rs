@@ -57,6 +57,24 @@ fn unforced() -> Vec<Query> {
         .not_without("not when storage grows", 1),
         Query::new(
             "TH-START",
+            "memory",
+            "½μV² is the storage at the start, with what the controller remembers",
+        )
+        .given([positive(&mu)])
+        .then(eq(
+            &(mu.clone() * start::speed_squared_with_memory(&mu, &v("x0"), &v("v0"), &v("extra")))
+                .half(),
+            &(before.clone() + v("extra")),
+        ))
+        .but_not(
+            "without what it remembers it is not",
+            eq(
+                &(mu.clone() * square.clone()).half(),
+                &(before.clone() + v("extra")),
+            ),
+        ),
+        Query::new(
+            "TH-START",
             "storage of v",
             "½μV² is the storage at the start",
         )
