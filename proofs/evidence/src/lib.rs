@@ -10,6 +10,7 @@ mod collect;
 mod engines;
 pub mod imported;
 pub mod mutants;
+mod reads;
 mod sources;
 mod table;
 pub mod trace;
