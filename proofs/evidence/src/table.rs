@@ -110,11 +110,10 @@ pub fn table(
 /// What has changed since, in a few words.
 fn since(changes: &[Change]) -> String {
     const NAMED: usize = 2;
-    let named: Vec<String> = changes
-        .iter()
-        .take(NAMED)
-        .map(ToString::to_string)
-        .collect();
+    // Code says more than what it is built by.
+    let mut named: Vec<String> = changes.iter().map(ToString::to_string).collect();
+    named.sort_by_key(|change| change.contains("Cargo."));
+    named.truncate(NAMED);
     let more = match changes.len().saturating_sub(NAMED) {
         0 => String::new(),
         more => format!(" and {more} more"),
