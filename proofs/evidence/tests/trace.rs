@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use passivity_collect::{COMMITTED, root, table, trace};
+use passivity_collect::{COMMITTED, code_rests_on, root, table, trace};
 use passivity_evidence::{Claims, Engine, Evidence, Freshness, Outcome, assess, in_tree};
 
 fn claims() -> Claims {
@@ -169,6 +169,31 @@ fn every_property_test_names_a_claim() {
             !trace::named(&claims, name).is_empty(),
             "{name} begins with no claim's id"
         );
+    }
+}
+
+/// A record that was bound to less than its claim's code rests on would stay fresh when it is not.
+#[test]
+fn every_committed_record_is_bound_to_all_that_the_claims_code_rests_on() {
+    let (claims, evidence) = (claims(), committed());
+    let files = code_rests_on(&root(), &claims).unwrap();
+    for (claim, files) in claims.claims.iter().zip(files) {
+        assert!(files.is_superset(&claim.files()), "{}", claim.id);
+        for record in evidence.records.iter().filter(|r| r.claim == claim.id) {
+            let elsewhere = |run: &passivity_evidence::Run| run.commit.is_some();
+            if !matches!(record.outcome, Outcome::Shown(_))
+                || evidence.run(record.engine).is_some_and(elsewhere)
+            {
+                continue;
+            }
+            let bound: BTreeSet<String> = record.sources.iter().cloned().collect();
+            let free: Vec<_> = files.difference(&bound).collect();
+            assert!(
+                free.is_empty(),
+                "{} is not bound to {free:?}: run `proofs/prove --all --commit`",
+                record.id()
+            );
+        }
     }
 }
 
