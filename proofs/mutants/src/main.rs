@@ -67,7 +67,7 @@ pub(crate) const SUBJECTS: [Subject; 2] = [
             "check/report.rs",
             "check/unforced.rs",
         ],
-        tests: &["--lib", "--test", "scenes", "--test", "verdicts"],
+        tests: &["--lib", "--test", "verdicts"],
     },
 ];
 
