@@ -107,8 +107,8 @@ prove-prusti: ## the contracts on the kernel, where `cargo prusti` is installed
 	@echo "== Prusti on crates/passivity-core"
 	@proofs/prusti
 
-mutate: ## change the kernel's formulas one by one; a test must notice each change (up to an hour)
-	@echo "== cargo mutants on crates/passivity-core"
+mutate: ## change what decides a verdict in one place after the other; a test must notice each (hours)
+	@echo "== cargo mutants and swaps of our own on crates/passivity-core and crates/passivity-scene"
 	@proofs/mutate
 
 test-python: ## build the Python wheel and test it from a fresh virtual environment

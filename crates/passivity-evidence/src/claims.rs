@@ -62,7 +62,7 @@ pub struct Claim {
     /// Whether the claim is that a statement of the paper is false as printed.
     #[serde(default)]
     pub refutes: bool,
-    /// The kernel's items that implement it.
+    /// The items that implement it, of the kernel and of the reader of scene files.
     pub code: Vec<Item>,
     /// The engines that are expected to show it.
     pub evidence: Vec<Engine>,
@@ -75,11 +75,12 @@ pub struct Claim {
     pub caveats: Vec<String>,
 }
 
-/// An item of the kernel: in files `generation::bound_22`, the module first.
+/// An item of the kernel, in files `generation::bound_22`, the module first; or of the reader of
+/// scene files, `scene/check/report::check`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Item {
-    /// The module of the kernel.
+    /// The module of the kernel; after `scene/` the file in the crate that reads scene files.
     pub module: String,
     /// The item within it, as in `Row::violates_linear`.
     pub name: String,
@@ -89,7 +90,10 @@ impl Item {
     /// The source file, from the root of the workspace.
     #[must_use]
     pub fn file(&self) -> String {
-        format!("crates/passivity-core/src/{}.rs", self.module)
+        match self.module.strip_prefix("scene/") {
+            Some(within) => format!("crates/passivity-scene/src/{within}.rs"),
+            None => format!("crates/passivity-core/src/{}.rs", self.module),
+        }
     }
 }
 
@@ -286,6 +290,11 @@ mod tests {
         let claims = Claims::parse("c", CLAIMS).unwrap();
         let files: Vec<String> = claims.claims[0].files().into_iter().collect();
         assert_eq!(files, ["crates/passivity-core/src/generation.rs"]);
+        let of_scenes = Item::try_from("scene/check/report::check".to_owned()).unwrap();
+        assert_eq!(
+            of_scenes.file(),
+            "crates/passivity-scene/src/check/report.rs"
+        );
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Whether records still speak of what is there now.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::path::Path;
 
@@ -132,6 +134,16 @@ pub fn assess(
     evidence: &Evidence,
     now: impl Fn(&str) -> Result<Now, EvidenceError>,
 ) -> Result<Vec<Assessed>, EvidenceError> {
+    // Records share most of their sources.
+    let seen: RefCell<BTreeMap<String, Now>> = RefCell::default();
+    let now = |path: &str| {
+        if let Some(known) = seen.borrow().get(path) {
+            return Ok(*known);
+        }
+        let found = now(path)?;
+        seen.borrow_mut().insert(path.to_owned(), found);
+        Ok(found)
+    };
     let mut all = Vec::new();
     for claim in &claims.claims {
         for engine in Engine::ALL {
@@ -140,7 +152,7 @@ pub fn assess(
             let freshness = match record {
                 None if !required => continue,
                 None => Freshness::NotRun("no record".to_owned()),
-                Some(record) => freshness(claims, claim, evidence, record, &now)?,
+                Some(record) => freshness(claims, claim, evidence, record, now)?,
             };
             all.push(Assessed {
                 claim: claim.id.clone(),

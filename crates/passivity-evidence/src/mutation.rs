@@ -17,9 +17,9 @@ pub struct Mutation {
     pub tool: Tool,
     /// Mutants that compile.
     pub mutants: u64,
-    /// Those that a test noticed, or that did not come to an end.
+    /// Those that a test noticed.
     pub caught: u64,
-    /// Those that no test noticed, each with the reason why it cannot be.
+    /// Those that no test noticed, or with which the tests came to no end, each with the reason.
     pub survivors: Vec<Survivor>,
     /// The time it took.
     pub seconds: f64,

@@ -1,15 +1,18 @@
 //! From what the engines left behind to [`Evidence`].
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use passivity_evidence::{
-    Claim, Claims, Evidence, EvidenceError, FORMAT, Failure, Outcome, Record, Run, RunOutcome,
-    Sha256, Shown,
+    Claim, Claims, Engine, Evidence, EvidenceError, FORMAT, Failure, Outcome, Record, Run,
+    RunOutcome, Sha256, Shown, read,
 };
+
+use crate::COMMITTED;
 
 use crate::engines::{Done, Part, Ran, Report, reports};
 use crate::mutants;
+use crate::reads::Reads;
 use crate::sources::Sources;
 
 /// Gathers what the engines left in a folder, and the last mutation run.
@@ -35,18 +38,64 @@ pub fn collect(root: &Path, folder: &Path, claims: &Claims) -> Result<Evidence, 
             ));
         }
     }
+    let collector = Collector::new(root, claims)?;
     let mut files: Vec<BTreeMap<String, Sha256>> = vec![BTreeMap::new(); reports.len()];
     for claim in &claims.claims {
         for (report, files) in reports.iter().zip(&mut files) {
             evidence
                 .records
-                .extend(record(root, claims, claim, report, files)?);
+                .extend(collector.record(claim, report, files)?);
         }
     }
     for (report, files) in reports.into_iter().zip(files) {
         evidence.runs.push(run(report, files)?);
     }
+    let kept = folder.join("kept.txt");
+    if kept.exists() {
+        let kept = read(&kept)?;
+        keep(root, claims, &mut evidence, kept.split_whitespace())?;
+    }
     Ok(evidence)
+}
+
+/// Puts the committed runs and records of engines, which were not asked again because nothing that
+/// they rest on has changed, in the place of new ones.
+fn keep<'a>(
+    root: &Path,
+    claims: &Claims,
+    evidence: &mut Evidence,
+    engines: impl Iterator<Item = &'a str>,
+) -> Result<(), EvidenceError> {
+    let committed = Evidence::parse(COMMITTED, &read(&root.join(COMMITTED))?)?;
+    for name in engines {
+        let named = |run: &&Run| run.engine.name() == name;
+        let Some(old) = committed.runs.iter().find(named) else {
+            return Err(EvidenceError::within(
+                COMMITTED,
+                format!("no run of `{name}` is there to keep"),
+            ));
+        };
+        for run in evidence
+            .runs
+            .iter_mut()
+            .filter(|run| run.engine == old.engine)
+        {
+            *run = old.clone();
+        }
+        let mut records = Vec::new();
+        for claim in &claims.claims {
+            for engine in Engine::ALL {
+                let from = if engine == old.engine {
+                    &committed
+                } else {
+                    &*evidence
+                };
+                records.extend(from.find(&claim.id, engine).cloned());
+            }
+        }
+        evidence.records = records;
+    }
+    Ok(())
 }
 
 pub(crate) fn run(report: Report, files: BTreeMap<String, Sha256>) -> Result<Run, EvidenceError> {
@@ -69,112 +118,103 @@ pub(crate) fn run(report: Report, files: BTreeMap<String, Sha256>) -> Result<Run
     })
 }
 
-/// What an engine says of a claim, here or elsewhere; `None` when it has nothing to say and was not
-/// asked to. The sums of what it rests on are added to `files`.
-pub(crate) fn record(
-    root: &Path,
-    claims: &Claims,
-    claim: &Claim,
-    report: &Report,
-    files: &mut BTreeMap<String, Sha256>,
-) -> Result<Option<Record>, EvidenceError> {
-    let engine = report.engine;
-    let parts: Vec<&Part> = report
-        .parts()
-        .iter()
-        .filter(|part| part.claims.contains(&claim.id))
-        .collect();
-    if parts.is_empty() && !claim.evidence.contains(&engine) {
-        return Ok(None);
+/// What records are made with.
+pub(crate) struct Collector<'a> {
+    claims: &'a Claims,
+    tree: Sources,
+    reads: Reads,
+}
+
+impl<'a> Collector<'a> {
+    /// Reads the sources of the tree at `root`.
+    pub(crate) fn new(root: &Path, claims: &'a Claims) -> Result<Self, EvidenceError> {
+        let tree = Sources::new(root, None);
+        let reads = Reads::new(&tree)?;
+        Ok(Self {
+            claims,
+            tree,
+            reads,
+        })
     }
-    let scope = claim.scope.get(&engine).cloned();
-    let (outcome, scope, statement, sources) = match &report.ran {
-        Ran::No(why) => (
-            Outcome::NotRun(why.clone()),
-            scope,
-            claims.statement(claim, engine)?,
-            BTreeSet::new(),
-        ),
-        Ran::Yes(
-            done @ Done {
+
+    /// What an engine says of a claim, here or elsewhere; `None` when it has nothing to say and was
+    /// not asked to. The sums of what it rests on are added to `files`.
+    pub(crate) fn record(
+        &self,
+        claim: &Claim,
+        report: &Report,
+        files: &mut BTreeMap<String, Sha256>,
+    ) -> Result<Option<Record>, EvidenceError> {
+        let engine = report.engine;
+        let parts: Vec<&Part> = report
+            .parts()
+            .iter()
+            .filter(|part| part.claims.contains(&claim.id))
+            .collect();
+        if parts.is_empty() && !claim.evidence.contains(&engine) {
+            return Ok(None);
+        }
+        let mut scope = claim.scope.get(&engine).cloned();
+        let mut statement = self.claims.statement(claim, engine)?;
+        let (outcome, sums) = match &report.ran {
+            Ran::No(why) => (Outcome::NotRun(why.clone()), BTreeMap::new()),
+            Ran::Yes(Done {
                 imported: Some(imported),
                 ..
-            },
-        ) => {
-            let (scope, statement, sums) = match imported.bound(&claim.id, rested_on(done, &parts))
-            {
-                Some((then, sums)) => (then.scope.clone(), then.statement, sums),
-                None => (scope, claims.statement(claim, engine)?, BTreeMap::new()),
-            };
-            let sources = sums.keys().cloned().collect();
-            files.extend(sums);
-            (outcome(&parts)?, scope, statement, sources)
-        }
-        Ran::Yes(done) => {
-            let tree = Sources::new(root, done.commit.clone());
-            let sources = bound(claim, done, &parts);
-            for path in &sources {
-                if !files.contains_key(path) {
-                    files.insert(path.clone(), tree.sum(path)?);
+            }) => {
+                let mut sums = BTreeMap::new();
+                if let Some((then, at_commit)) = imported.bound(&claim.id) {
+                    (scope, statement) = (then.scope.clone(), then.statement);
+                    sums = at_commit;
                 }
+                (outcome(&parts)?, sums)
             }
-            (
-                outcome(&parts)?,
-                scope,
-                statement(&tree, claims, claim, done, report)?,
-                sources,
-            )
-        }
-    };
-    let cases: u64 = parts.iter().filter_map(|part| part.cases).sum();
-    let mut domains: Vec<String> = parts
-        .iter()
-        .filter_map(|part| part.domain.clone())
-        .collect();
-    domains.dedup();
-    Ok(Some(Record {
-        claim: claim.id.clone(),
-        engine,
-        outcome,
-        scope,
-        domains,
-        cases: (cases > 0).then_some(cases),
-        seconds: seconds(parts.iter().copied()),
-        parts: parts.iter().map(|part| part.name.clone()).collect(),
-        statement,
-        sources: sources.into_iter().collect(),
-    }))
-}
-
-/// The statement that was shown: for a run at another commit, as the claims were there.
-fn statement(
-    tree: &Sources,
-    claims: &Claims,
-    claim: &Claim,
-    done: &Done,
-    report: &Report,
-) -> Result<Sha256, EvidenceError> {
-    if done.commit.is_none() {
-        return claims.statement(claim, report.engine);
+            Ran::Yes(done) => (outcome(&parts)?, self.sums(claim, done, &parts, files)?),
+        };
+        let sources = sums.keys().cloned().collect();
+        files.extend(sums);
+        let cases: u64 = parts.iter().filter_map(|part| part.cases).sum();
+        let mut domains: Vec<String> = parts
+            .iter()
+            .filter_map(|part| part.domain.clone())
+            .collect();
+        domains.dedup();
+        Ok(Some(Record {
+            claim: claim.id.clone(),
+            engine,
+            outcome,
+            scope,
+            domains,
+            cases: (cases > 0).then_some(cases),
+            seconds: seconds(parts.iter().copied()),
+            parts: parts.iter().map(|part| part.name.clone()).collect(),
+            statement,
+            sources,
+        }))
     }
-    let then = Claims::parse(Claims::PATH, &tree.text(Claims::PATH)?)?;
-    let claim = then.find(&claim.id).ok_or_else(|| {
-        EvidenceError::within(Claims::PATH, format!("there was no claim `{}`", claim.id))
-    })?;
-    then.statement(claim, report.engine)
-}
 
-/// The files that a record rests on: the claim's code, and what its parts were read from.
-fn bound(claim: &Claim, done: &Done, parts: &[&Part]) -> BTreeSet<String> {
-    let mut files = claim.files();
-    files.extend(rested_on(done, parts).cloned());
-    files
-}
-
-/// The files that parts were read from.
-fn rested_on<'a>(done: &'a Done, parts: &'a [&Part]) -> impl Iterator<Item = &'a String> {
-    let own = parts.iter().flat_map(|part| &part.files);
-    done.shared.iter().chain(own)
+    /// The files that a record rests on, with their sums: the claim's code and what its parts are
+    /// written in, with all that these rest on, and what every part shares.
+    fn sums(
+        &self,
+        claim: &Claim,
+        done: &Done,
+        parts: &[&Part],
+        known: &BTreeMap<String, Sha256>,
+    ) -> Result<BTreeMap<String, Sha256>, EvidenceError> {
+        let mut roots = claim.files();
+        roots.extend(parts.iter().flat_map(|part| &part.files).cloned());
+        let mut files = self.reads.of(&self.tree, roots)?;
+        files.extend(done.shared.iter().cloned());
+        let of = |file: String| {
+            let sum = match known.get(&file) {
+                Some(sum) => *sum,
+                None => self.tree.sum(&file)?,
+            };
+            Ok((file, sum))
+        };
+        files.into_iter().map(of).collect()
+    }
 }
 
 /// What the parts show together, and no more than they do.

@@ -1,8 +1,9 @@
 //! What each engine left behind, read into parts: harnesses, queries, tests, theorems.
 //!
 //! `proofs/prove` runs the engines with `PASSIVITY_EVIDENCE_DIR` set. They leave `properties.txt`
-//! (the report of the property tests) and `properties.jsonl` (their cases), `kani-standin.jsonl`,
-//! `kani.jsonl`, `smt.jsonl`, `rocq.json` and `prusti.json`. What is not there did not run.
+//! and `verdicts.txt` (the reports of the tests of the kernel and of verdicts over scenes) and
+//! `properties.jsonl` (their cases), `kani-standin.jsonl`, `kani.jsonl`, `smt.jsonl`, `rocq.json` and
+//! `prusti.json`, and the version of the compiler in `rustc.txt`. What is not there did not run.
 
 mod harnesses;
 mod rocq;
@@ -15,6 +16,8 @@ use std::path::Path;
 use passivity_evidence::{Claims, Engine, EvidenceError, Shown, Tool, read};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
+
+pub(crate) use harnesses::shared as harness_build;
 
 use crate::imported::Imported;
 use crate::sources::Sources;
@@ -29,8 +32,21 @@ pub(crate) struct Part {
     pub(crate) cases: Option<u64>,
     pub(crate) seconds: f64,
     pub(crate) failure: Option<String>,
-    /// The files that are its own.
+    /// The files that are its own; it rests on what they rest on, too.
     pub(crate) files: BTreeSet<String>,
+}
+
+/// What every Rust program here is built by, whatever crate it is of.
+const BUILD: [&str; 3] = [
+    "Cargo.lock",
+    "Cargo.toml",
+    "crates/passivity-core/Cargo.toml",
+];
+
+/// What a Rust program is built by, beside its sources.
+fn built_by(manifests: &[&str]) -> BTreeSet<String> {
+    let files = BUILD.iter().chain(manifests);
+    files.map(|path| (*path).to_owned()).collect()
 }
 
 /// All that an engine left.
@@ -90,7 +106,7 @@ pub(crate) fn reports(
     // What Kani said elsewhere counts where it does not run.
     let mut kani = harnesses::kani(root, folder)?;
     if let (Ran::No(_), Some(imported)) = (&kani.ran, Imported::read(root)?) {
-        kani = imported.report(claims)?;
+        kani = imported.report(claims);
     }
     Ok(vec![
         smt::report(&Sources::new(root, None), folder)?,
@@ -147,24 +163,18 @@ fn lines<T: DeserializeOwned>(path: &Path) -> Result<Option<Vec<T>>, EvidenceErr
         .map(Some)
 }
 
-/// The files of a Rust test crate that hold the module of a part such as `region::th_region_x`, and
-/// those that hold no part and so are shared by all.
+/// The files of a Rust test crate that hold the module of a part such as `region::th_region_x`.
 pub(crate) struct Modules {
     files: BTreeSet<String>,
     folder: String,
 }
 
 impl Modules {
-    fn new(sources: &Sources, folder: &str) -> Result<Self, EvidenceError> {
-        Ok(Self::of_files(sources.under(folder)?, folder))
-    }
-
-    /// The modules in the files of a folder.
-    pub(crate) fn of_files(files: BTreeSet<String>, folder: &str) -> Self {
-        Self {
-            files,
+    pub(crate) fn new(sources: &Sources, folder: &str) -> Result<Self, EvidenceError> {
+        Ok(Self {
+            files: sources.under(folder)?,
             folder: folder.to_owned(),
-        }
+        })
     }
 
     pub(crate) fn of(&self, part: &str) -> Result<BTreeSet<String>, EvidenceError> {
@@ -181,12 +191,22 @@ impl Modules {
         }
         Ok(files)
     }
+}
 
-    pub(crate) fn shared(&self, parts: &[Part]) -> BTreeSet<String> {
-        let own: BTreeSet<&String> = parts.iter().flat_map(|part| &part.files).collect();
-        let shared = self.files.iter().filter(|file| !own.contains(file));
-        shared.cloned().collect()
+/// A tool of ours, and the compiler that built it where the run recorded one.
+fn built(name: &str, folder: &Path) -> Result<Vec<Tool>, EvidenceError> {
+    let path = folder.join("rustc.txt");
+    let mut tools = vec![tool(name, None)];
+    if path.exists() {
+        // `rustc 1.95.0 (59807616e 2026-04-14)`
+        let said = read(&path)?;
+        let version = said
+            .split_whitespace()
+            .nth(1)
+            .ok_or_else(|| EvidenceError::within("rustc.txt", "there is no version in it"))?;
+        tools.push(tool("rustc", Some(version.to_owned())));
     }
+    Ok(tools)
 }
 
 fn tool(name: &str, version: Option<String>) -> Tool {

@@ -3,17 +3,22 @@
 //! `make prove-kani REPORT=… COMMIT=…` writes it. Where the model checker does not run, its
 //! records are made of it; they are bound to the sources as they were at that commit.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use passivity_evidence::{Claims, Engine, Evidence, EvidenceError, Sha256, Shown, Tool, read};
 use serde::{Deserialize, Serialize};
 
-use crate::collect::{record, run};
-use crate::engines::{Done, Modules, Part, Report};
+use crate::collect::{Collector, run};
+use crate::engines::{Done, Modules, Part, Report, harness_build};
+use crate::reads::Reads;
+use crate::sources::Sources;
 
 /// Where the harnesses are, from the root of the workspace.
 pub const HARNESSES: &str = "proofs/kani/src";
+
+/// The list of the harnesses, from the root of the workspace.
+pub const LIST: &str = "proofs/kani/harnesses.toml";
 
 /// Where it is, from the root of the workspace.
 pub const FILE: &str = "proofs/kani/imported.json";
@@ -34,8 +39,8 @@ pub struct Imported {
     pub harnesses: Vec<Harness>,
     /// What the harnesses of a claim speak of, by its id.
     pub claims: BTreeMap<String, Bound>,
-    /// SHA-256 of each source of the harnesses at that commit.
-    pub harness_files: BTreeMap<String, Sha256>,
+    /// SHA-256 of each file that these rest on, as it was at that commit.
+    pub files: BTreeMap<String, Sha256>,
 }
 
 /// A harness that was proved.
@@ -60,41 +65,53 @@ pub struct Bound {
     pub scope: Option<String>,
     /// [`Claims::statement`], of the claims at that commit.
     pub statement: Sha256,
-    /// SHA-256 of each source file of the claim's code.
-    pub sources: BTreeMap<String, Sha256>,
+    /// The files that its code and its harnesses rested on.
+    pub sources: BTreeSet<String>,
 }
 
-/// The claims that harnesses speak of, from the text of `claims.toml` and the sources at a commit.
+/// Claims as they were at a commit, by their ids, and the sums of the files there.
+pub type AtCommit = (BTreeMap<String, Bound>, BTreeMap<String, Sha256>);
+
+/// The claims that harnesses speak of, as they and the sources are at a commit.
 ///
 /// # Errors
 ///
 /// A sentence, when the claims or a source can't be read, or a harness names an unknown claim.
-pub fn bind(
-    claims: &str,
-    harnesses: &[Harness],
-    read: impl Fn(&str) -> Result<String, EvidenceError>,
-) -> Result<BTreeMap<String, Bound>, EvidenceError> {
-    let claims = Claims::parse("claims.toml of that commit", claims)?;
-    let mut bound = BTreeMap::new();
+pub fn bind(root: &Path, commit: &str, harnesses: &[Harness]) -> Result<AtCommit, EvidenceError> {
+    let sources = Sources::new(root, Some(commit.to_owned()));
+    let claims = Claims::parse("claims.toml of that commit", &sources.text(Claims::PATH)?)?;
+    let (reads, modules) = (Reads::new(&sources)?, Modules::new(&sources, HARNESSES)?);
+    let mut roots: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
     for harness in harnesses {
         for id in &harness.claims {
             let claim = claims.find(id).ok_or_else(|| {
                 EvidenceError::new(format!("{}: unknown claim `{id}`", harness.name))
             })?;
-            let hash = |file: String| {
-                let text = read(&file)?;
-                Ok((file, Sha256::of(text.as_bytes())))
-            };
-            let sources: Result<_, EvidenceError> = claim.files().into_iter().map(hash).collect();
-            let entry = Bound {
-                scope: claim.scope.get(&Engine::Kani).cloned(),
-                statement: claims.statement(claim, Engine::Kani)?,
-                sources: sources?,
-            };
-            bound.insert(id.clone(), entry);
+            let roots = roots.entry(&claim.id).or_default();
+            roots.extend(claim.files());
+            roots.extend(modules.of(&harness.name)?);
         }
     }
-    Ok(bound)
+    let (mut bound, mut sums) = (BTreeMap::new(), BTreeMap::new());
+    for claim in &claims.claims {
+        let Some(roots) = roots.remove(claim.id.as_str()) else {
+            continue;
+        };
+        let mut files = reads.of(&sources, roots)?;
+        files.extend(harness_build());
+        for file in &files {
+            if !sums.contains_key(file) {
+                sums.insert(file.clone(), sources.sum(file)?);
+            }
+        }
+        let entry = Bound {
+            scope: claim.scope.get(&Engine::Kani).cloned(),
+            statement: claims.statement(claim, Engine::Kani)?,
+            sources: files,
+        };
+        bound.insert(claim.id.clone(), entry);
+    }
+    Ok((bound, sums))
 }
 
 impl Imported {
@@ -140,12 +157,10 @@ impl Imported {
     }
 
     /// What was said, in the form that all engines report in; of the claims that are still there.
-    pub(crate) fn report(self, claims: &Claims) -> Result<Report, EvidenceError> {
-        let files = self.harness_files.keys().cloned().collect();
-        let modules = Modules::of_files(files, HARNESSES);
+    pub(crate) fn report(self, claims: &Claims) -> Report {
         let part = |harness: &Harness| {
             let known = |id: &&String| claims.find(id).is_some();
-            Ok(Part {
+            Part {
                 claims: harness.claims.iter().filter(known).cloned().collect(),
                 name: harness.name.clone(),
                 shows: Shown::AllInputs { domains: 1 },
@@ -153,37 +168,28 @@ impl Imported {
                 cases: None,
                 seconds: harness.seconds,
                 failure: None,
-                files: modules.of(&harness.name)?,
-            })
+                files: BTreeSet::new(),
+            }
         };
-        let parts: Vec<Part> = self
-            .harnesses
-            .iter()
-            .map(part)
-            .collect::<Result<_, EvidenceError>>()?;
-        Ok(Report::done(
+        let parts: Vec<Part> = self.harnesses.iter().map(part).collect();
+        Report::done(
             Engine::Kani,
             Done {
                 tools: vec![self.tool.clone()],
-                shared: modules.shared(&parts),
+                shared: BTreeSet::new(),
                 parts,
                 commit: Some(self.commit.clone()),
                 imported: Some(Box::new(self)),
             },
-        ))
+        )
     }
 
-    /// A claim as it was at the commit, and the sums that `files` (those of its harnesses) and the
-    /// files of its code had there; `None` when no harness spoke of it.
-    pub(crate) fn bound<'a>(
-        &self,
-        claim: &str,
-        files: impl Iterator<Item = &'a String>,
-    ) -> Option<(&Bound, BTreeMap<String, Sha256>)> {
+    /// A claim as it was at the commit, and the sums of the files that it rested on there; `None`
+    /// when no harness spoke of it.
+    pub(crate) fn bound(&self, claim: &str) -> Option<(&Bound, BTreeMap<String, Sha256>)> {
         let bound = self.claims.get(claim)?;
-        let mut sums = bound.sources.clone();
-        sums.extend(files.filter_map(|file| Some((file.clone(), *self.harness_files.get(file)?))));
-        Some((bound, sums))
+        let of = |file: &String| Some((file.clone(), *self.files.get(file)?));
+        Some((bound, bound.sources.iter().filter_map(of).collect()))
     }
 
     /// Puts its records into recorded evidence, in the place of what the model checker said before.
@@ -197,12 +203,13 @@ impl Imported {
         claims: &Claims,
         evidence: &mut Evidence,
     ) -> Result<(), EvidenceError> {
-        let report = self.clone().report(claims)?;
+        let report = self.clone().report(claims);
+        let collector = Collector::new(root, claims)?;
         let (mut records, mut files) = (Vec::new(), BTreeMap::new());
         for claim in &claims.claims {
             for engine in evidence.runs.iter().map(|run| run.engine) {
                 records.extend(match engine {
-                    Engine::Kani => record(root, claims, claim, &report, &mut files)?,
+                    Engine::Kani => collector.record(claim, &report, &mut files)?,
                     _ => evidence.find(&claim.id, engine).cloned(),
                 });
             }

@@ -10,11 +10,15 @@ mod collect;
 mod engines;
 pub mod imported;
 pub mod mutants;
+mod reads;
 mod sources;
 mod table;
 pub mod trace;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+
+use passivity_evidence::{Claims, EvidenceError};
 
 pub use collect::collect;
 pub use table::{table, tools};
@@ -26,4 +30,17 @@ pub const COMMITTED: &str = "proofs/evidence.json";
 #[must_use]
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The files that the code of each claim rests on, in the order of the claims: those that name its
+/// items, and all that these name and call.
+///
+/// # Errors
+///
+/// A source that cannot be read.
+pub fn code_rests_on(root: &Path, claims: &Claims) -> Result<Vec<BTreeSet<String>>, EvidenceError> {
+    let sources = sources::Sources::new(root, None);
+    let reads = reads::Reads::new(&sources)?;
+    let of = |claim: &passivity_evidence::Claim| reads.of(&sources, claim.files());
+    claims.claims.iter().map(of).collect()
 }

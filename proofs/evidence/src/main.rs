@@ -7,10 +7,10 @@ use std::process::ExitCode;
 use passivity_collect::imported::Imported;
 use passivity_collect::{COMMITTED, collect, mutants, root, table, tools};
 use passivity_evidence::{
-    Claims, Evidence, EvidenceError, Freshness, Outcome, RunOutcome, assess, in_tree, read,
+    Claims, Engine, Evidence, EvidenceError, Freshness, Outcome, RunOutcome, assess, in_tree, read,
 };
 
-const USAGE: &str = "usage: passivity-collect collect FOLDER OUT | commit EVIDENCE | mutants FOLDER... | import | table | stale";
+const USAGE: &str = "usage: passivity-collect collect FOLDER OUT | commit EVIDENCE | mutants FOLDER... | import | table | stale | needed";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -22,6 +22,7 @@ fn main() -> ExitCode {
         ["import"] => import(),
         ["table"] => write_table(),
         ["stale"] => stale(),
+        ["needed"] => needed(),
         _ => Err(EvidenceError::new(USAGE)),
     };
     match outcome {
@@ -107,7 +108,8 @@ fn import() -> Result<(), EvidenceError> {
 fn write_table() -> Result<(), EvidenceError> {
     let evidence = evidence_in(&root().join(COMMITTED))?;
     let claims = Claims::read(&root())?;
-    write(&root().join("proofs/README.md"), &table(&claims, &evidence))
+    let text = table(&claims, &evidence, |path| in_tree(&root(), path))?;
+    write(&root().join("proofs/README.md"), &text)
 }
 
 /// Compares the survivors of mutation runs with the explained ones; writes `last.json`.
@@ -158,10 +160,25 @@ fn stale() -> Result<(), EvidenceError> {
     if stale == 0 {
         Ok(())
     } else {
-        Err(EvidenceError::new(
-            "run `make prove`, and commit its evidence",
-        ))
+        Err(EvidenceError::new("run `proofs/prove --commit`"))
     }
+}
+
+/// Lists the engines that have to run before the committed evidence speaks of what is there.
+fn needed() -> Result<(), EvidenceError> {
+    let evidence = evidence_in(&root().join(COMMITTED))?;
+    let now = |path: &str| in_tree(&root(), path);
+    let all = assess(&Claims::read(&root())?, &evidence, now)?;
+    for engine in Engine::ALL {
+        let of_engine = all.iter().filter(|assessed| assessed.engine == engine);
+        if of_engine
+            .clone()
+            .any(|assessed| assessed.freshness != Freshness::Fresh)
+        {
+            println!("{engine}");
+        }
+    }
+    Ok(())
 }
 
 fn write(path: &Path, text: &str) -> Result<(), EvidenceError> {

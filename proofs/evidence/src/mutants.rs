@@ -140,7 +140,8 @@ impl Runs {
         if run.end_time.is_none() {
             return Err(EvidenceError::within(&name, "the run was not finished"));
         }
-        self.version = run.cargo_mutants_version;
+        // Swaps of our own are left in the same form, without a version.
+        self.version = run.cargo_mutants_version.or(self.version.take());
         for outcome in run.outcomes {
             let durations = outcome.phase_results.iter().map(|phase| phase.duration);
             self.seconds += durations.sum::<f64>();
@@ -149,8 +150,9 @@ impl Runs {
             };
             self.files.insert(file);
             let noticed = match outcome.summary {
-                Summary::CaughtMutant | Summary::Timeout => true,
-                Summary::MissedMutant => false,
+                Summary::CaughtMutant => true,
+                // What does not come to an end says nothing: somebody has to say why it does not.
+                Summary::MissedMutant | Summary::Timeout => false,
                 Summary::Unviable => continue,
                 Summary::Success | Summary::Failure => {
                     let what = format!("`{mutant}` came to no end that is known");
@@ -255,14 +257,15 @@ mod tests {
                 ("a.rs:2:1: two", "MissedMutant"),
                 ("a.rs:3:1: three", "MissedMutant"),
                 ("a.rs:4:1: four", "Unviable"),
+                ("a.rs:5:1: five", "Timeout"),
             ],
         );
         let (mutation, faults) = judged(&[run], &[because("a.rs: two"), because("a.rs: gone")]);
         assert_eq!(
             (mutation.mutants, mutation.caught, mutation.survivors.len()),
-            (3, 1, 1)
+            (4, 1, 1)
         );
-        assert_eq!(faults.len(), 2, "{faults:?}");
+        assert_eq!(faults.len(), 3, "{faults:?}");
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use passivity_evidence::{
-    Claim, Claims, Engine, Evidence, Mutation, Outcome, Record, Run, RunOutcome,
+    Change, Claim, Claims, Engine, Evidence, EvidenceError, Freshness, Mutation, Now, Outcome,
+    Record, Run, RunOutcome, assess,
 };
 
 /// The engines that count as evidence, a column each.
@@ -15,9 +16,25 @@ const COLUMNS: [Engine; 5] = [
     Engine::Tests,
 ];
 
-/// The text of `proofs/README.md`.
-#[must_use]
-pub fn table(claims: &Claims, evidence: &Evidence) -> String {
+/// The text of `proofs/README.md`: what speaks of other sources than those that `now` gives is
+/// called stale.
+///
+/// # Errors
+///
+/// A source that cannot be looked up, and a claim that refers to what is not there.
+pub fn table(
+    claims: &Claims,
+    evidence: &Evidence,
+    now: impl Fn(&str) -> Result<Now, EvidenceError>,
+) -> Result<String, EvidenceError> {
+    let assessed = assess(claims, evidence, &now)?;
+    let changes = |id: &str, engine: Engine| {
+        let of = |a: &&passivity_evidence::Assessed| a.claim == id && a.engine == engine;
+        match assessed.iter().find(of).map(|a| &a.freshness) {
+            Some(Freshness::Stale(changes)) => changes.as_slice(),
+            _ => &[],
+        }
+    };
     let mut text = INTRODUCTION.to_owned();
     text.push_str("\n## What is claimed\n\n| id | claim | formula | paper | code |\n| --- | --- | --- | --- | --- |\n");
     for claim in &claims.claims {
@@ -53,7 +70,11 @@ pub fn table(claims: &Claims, evidence: &Evidence) -> String {
             let _ = write!(
                 text,
                 " {} |",
-                cell(evidence, evidence.find(&claim.id, engine))
+                cell(
+                    evidence,
+                    evidence.find(&claim.id, engine),
+                    changes(&claim.id, engine)
+                )
             );
         }
         let _ = writeln!(
@@ -64,7 +85,11 @@ pub fn table(claims: &Claims, evidence: &Evidence) -> String {
         );
     }
     engines(&mut text, evidence);
-    mutation(&mut text, evidence.mutation.as_ref());
+    if let Some(run) = &evidence.mutation {
+        mutation(&mut text, run, &run.changes(now)?);
+    } else {
+        text.push_str("\n## Mutants\n\n`make mutate`: not run here.\n");
+    }
     text.push_str("\n## Assumptions\n\n| id | what is assumed | how to check it on the bench |\n| --- | --- | --- |\n");
     for assumption in &claims.assumptions {
         let _ = writeln!(
@@ -79,11 +104,25 @@ pub fn table(claims: &Claims, evidence: &Evidence) -> String {
     for caveat in &claims.caveats {
         let _ = write!(text, "\n**{}.** {}\n", caveat.id, caveat.text);
     }
-    text
+    Ok(text)
 }
 
-/// What an engine says of a claim, and by how many parts.
-fn cell(evidence: &Evidence, record: Option<&Record>) -> String {
+/// What has changed since, in a few words.
+fn since(changes: &[Change]) -> String {
+    const NAMED: usize = 2;
+    // Code says more than what it is built by.
+    let mut named: Vec<String> = changes.iter().map(ToString::to_string).collect();
+    named.sort_by_key(|change| change.contains("Cargo."));
+    named.truncate(NAMED);
+    let more = match changes.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    format!("changed since: {}{more}", named.join(", "))
+}
+
+/// What an engine says of a claim, by how many parts, and whether that still speaks of what is there.
+fn cell(evidence: &Evidence, record: Option<&Record>, changes: &[Change]) -> String {
     let Some(record) = record else {
         return "–".to_owned();
     };
@@ -104,10 +143,15 @@ fn cell(evidence: &Evidence, record: Option<&Record>) -> String {
         Some(run) if run.engine == Engine::Kani => format!("; {}", tools(run)),
         _ => String::new(),
     };
-    format!(
+    let shown = format!(
         "{words}{scope} ({count} {}{tool})",
         if count == 1 { one } else { many }
-    )
+    );
+    if changes.is_empty() {
+        shown
+    } else {
+        format!("**stale**, {}; it was {shown}", since(changes))
+    }
 }
 
 /// The tools of a run and, when it was made elsewhere, its commit: `Kani 0.67.0, at commit 5cb3f4e2695e`.
@@ -145,12 +189,11 @@ fn engines(text: &mut String, evidence: &Evidence) {
     );
 }
 
-fn mutation(text: &mut String, mutation: Option<&Mutation>) {
+fn mutation(text: &mut String, mutation: &Mutation, changes: &[Change]) {
     text.push_str("\n## Mutants\n\n");
-    let Some(mutation) = mutation else {
-        text.push_str("`make mutate`: not run here.\n");
-        return;
-    };
+    if !changes.is_empty() {
+        let _ = writeln!(text, "**Stale**, {}. When it ran:\n", since(changes));
+    }
     let files: Vec<String> = mutation.sources.keys().map(|f| format!("`{f}`")).collect();
     let _ = writeln!(
         text,
@@ -211,5 +254,8 @@ the theorem about motions, and a generated file checks that its definitions are 
 
 `make prove` runs all engines and writes `target/evidence.json`; `evidence.json` here is the last one
 that was committed (`proofs/prove --commit`). Each record is bound by SHA-256 to the text of its claim, with its scope, assumptions
-and caveats, to the sources of its code, and to the harnesses, queries, tests or theorems that were run: `cargo run -p passivity-collect -- stale` lists the records that no longer speak of what is there.
+and caveats, and to every file that was read: the sources of its code and all that they call, the harness, query, test or
+theorem that was run, what printed it, the lists, the manifests and the lock file. A record that speaks of
+other files than those that are there is *stale*, and is called that here. `cargo run -p passivity-collect -- stale`
+lists them, and `make test` fails on one that this table calls fresh.
 ";

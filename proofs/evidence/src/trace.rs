@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use passivity_evidence::{Claim, Claims, Engine, EvidenceError, read};
 
 /// Beginnings of the ids of claims.
-const KINDS: [&str; 4] = ["EQ-", "ERR-", "TH-", "NUM-"];
+const KINDS: [&str; 5] = ["CHECK-", "EQ-", "ERR-", "TH-", "NUM-"];
 
 /// The ids that a text mentions, as they are written.
 ///

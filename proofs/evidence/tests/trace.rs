@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use passivity_collect::{COMMITTED, root, table, trace};
-use passivity_evidence::{Claims, Engine, Evidence, Outcome};
+use passivity_collect::{COMMITTED, code_rests_on, root, table, trace};
+use passivity_evidence::{Claims, Engine, Evidence, Freshness, Outcome, assess, in_tree};
 
 fn claims() -> Claims {
     Claims::read(&root()).unwrap()
@@ -71,12 +71,13 @@ fn every_id_in_a_doc_comment_is_a_claim() {
 
 #[test]
 fn every_claim_has_code_that_cites_it() {
-    let cited = trace::in_doc_comments(&root().join("crates/passivity-core/src")).unwrap();
+    let mut cited = trace::in_doc_comments(&root().join("crates/passivity-core/src")).unwrap();
+    cited.extend(trace::in_doc_comments(&root().join("crates/passivity-scene/src/check")).unwrap());
     for claim in &claims().claims {
         assert!(!claim.code.is_empty(), "{} has no code", claim.id);
         assert!(
             cited.contains_key(&claim.id),
-            "no doc comment of the kernel cites {}",
+            "no doc comment of the kernel or of `check` cites {}",
             claim.id
         );
         for item in &claim.code {
@@ -109,7 +110,8 @@ fn functions(folder: &Path) -> Vec<String> {
 #[test]
 fn every_claim_has_the_evidence_that_is_expected() {
     let claims = claims();
-    let tests = functions(&root().join("crates/passivity-core/tests/properties"));
+    let mut tests = functions(&root().join("crates/passivity-core/tests/properties"));
+    tests.extend(functions(&root().join("crates/passivity-scene/tests")));
     let harnesses = functions(&root().join("proofs/kani/src"));
     let queries: Vec<String> = std::fs::read_dir(root().join("proofs/smt/queries"))
         .unwrap()
@@ -155,17 +157,43 @@ fn every_claim_has_the_evidence_that_is_expected() {
 #[test]
 fn every_property_test_names_a_claim() {
     let claims = claims();
-    let folder = root().join("crates/passivity-core/tests/properties");
+    let mut all = functions(&root().join("crates/passivity-core/tests/properties"));
+    all.extend(functions(&root().join("crates/passivity-scene/tests")));
     let named = |name: &String| {
-        ["eq_", "err_", "th_", "num_"]
+        ["check_", "eq_", "err_", "th_", "num_"]
             .iter()
             .any(|kind| name.starts_with(kind))
     };
-    for name in functions(&folder).iter().filter(|name| named(name)) {
+    for name in all.iter().filter(|name| named(name)) {
         assert!(
             !trace::named(&claims, name).is_empty(),
             "{name} begins with no claim's id"
         );
+    }
+}
+
+/// A record that was bound to less than its claim's code rests on would stay fresh when it is not.
+#[test]
+fn every_committed_record_is_bound_to_all_that_the_claims_code_rests_on() {
+    let (claims, evidence) = (claims(), committed());
+    let files = code_rests_on(&root(), &claims).unwrap();
+    for (claim, files) in claims.claims.iter().zip(files) {
+        assert!(files.is_superset(&claim.files()), "{}", claim.id);
+        for record in evidence.records.iter().filter(|r| r.claim == claim.id) {
+            let elsewhere = |run: &passivity_evidence::Run| run.commit.is_some();
+            if !matches!(record.outcome, Outcome::Shown(_))
+                || evidence.run(record.engine).is_some_and(elsewhere)
+            {
+                continue;
+            }
+            let bound: BTreeSet<String> = record.sources.iter().cloned().collect();
+            let free: Vec<_> = files.difference(&bound).collect();
+            assert!(
+                free.is_empty(),
+                "{} is not bound to {free:?}: run `proofs/prove --all --commit`",
+                record.id()
+            );
+        }
     }
 }
 
@@ -175,10 +203,32 @@ fn committed() -> Evidence {
 
 #[test]
 fn the_table_is_that_of_the_committed_evidence() {
-    let expected = table(&claims(), &committed());
+    let now = |path: &str| in_tree(&root(), path);
+    let expected = table(&claims(), &committed(), now).unwrap();
     assert!(
         text("proofs/README.md") == expected,
-        "proofs/README.md is out of date: cargo run -p passivity-collect -- table"
+        "proofs/README.md is out of date: `proofs/prove --commit`, or `cargo run -p \
+         passivity-collect -- table` to have stale evidence called stale"
+    );
+}
+
+#[test]
+fn no_committed_record_of_an_engine_that_runs_here_is_stale() {
+    let evidence = committed();
+    let now = |path: &str| in_tree(&root(), path);
+    let mut stale = Vec::new();
+    for assessed in assess(&claims(), &evidence, now).unwrap() {
+        let run = evidence.run(assessed.engine);
+        // What ran elsewhere speaks of another commit; the table calls it stale.
+        let elsewhere = run.is_some_and(|run| run.commit.is_some());
+        if matches!(assessed.freshness, Freshness::Stale(_)) && !elsewhere {
+            stale.push(format!("{}: {}", assessed.id(), assessed.freshness));
+        }
+    }
+    assert!(
+        stale.is_empty(),
+        "the committed evidence does not speak of these sources: run `proofs/prove --commit`\n{}",
+        stale.join("\n")
     );
 }
 

@@ -5,11 +5,10 @@
 //! harness with its change on, and all of them with none.
 
 use std::collections::BTreeMap;
-use std::ffi::OsStr;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use passivity_standin::copy::{copy, workspace, write};
 use passivity_standin::list::{self, List};
 use passivity_standin::mutate::{Edit, SWITCH, VARIABLE, with_switches};
 
@@ -42,32 +41,6 @@ fn mutations(list: &List) -> BTreeMap<&[String; 3], (u32, Vec<&str>)> {
     found
 }
 
-/// Writes a file, unless it says that already: what stays the same is not built again.
-fn write(path: &Path, text: &[u8]) {
-    if fs::read(path).is_ok_and(|there| there == text) {
-        return;
-    }
-    fs::create_dir_all(path.parent().expect("a folder")).expect("folders can be made");
-    fs::write(path, text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
-}
-
-/// Copies the manifest and the sources of a folder; `change` may change a source.
-fn copy(from: &Path, to: &Path, change: &impl Fn(&Path, String) -> String) {
-    for entry in fs::read_dir(from).expect("the folder can be read") {
-        let path = entry.expect("the folder can be read").path();
-        let name = path.file_name().expect("a name");
-        if path.is_dir() {
-            copy(&path, &to.join(name), change);
-        } else if ["rs", "toml"]
-            .map(OsStr::new)
-            .contains(&path.extension().unwrap_or_default())
-        {
-            let text = fs::read_to_string(&path).expect("sources are text");
-            write(&to.join(name), change(&path, text).as_bytes());
-        }
-    }
-}
-
 /// Makes the copy, with a switch for each change of the kernel.
 fn copied(list: &List) -> PathBuf {
     let (root, copy_of) = (root(), root().join("target/kani-mutants"));
@@ -77,37 +50,27 @@ fn copied(list: &List) -> PathBuf {
     }
     let kernel = root.join(KERNEL).join("src");
     for member in MEMBERS {
-        copy(&root.join(member), &copy_of.join(member), &|path, text| {
-            let file = path.strip_prefix(&kernel).ok().and_then(Path::to_str);
-            match file {
-                Some("lib.rs") => format!("{text}\nmod mutation;\n"),
-                Some(file) => {
-                    let edits = edits.get(file).map_or(&[][..], Vec::as_slice);
-                    with_switches(&text, edits).unwrap_or_else(|e| panic!("{file}: {e}"))
+        copy(
+            &root.join(member),
+            &copy_of.join(member),
+            &mut |path, text| {
+                let file = path.strip_prefix(&kernel).ok().and_then(Path::to_str);
+                match file {
+                    Some("lib.rs") => format!("{text}\nmod mutation;\n"),
+                    Some(file) => {
+                        let edits = edits.get(file).map_or(&[][..], Vec::as_slice);
+                        with_switches(&text, edits).unwrap_or_else(|e| panic!("{file}: {e}"))
+                    }
+                    None => text,
                 }
-                None => text,
-            }
-        });
+            },
+        );
     }
     write(
         &copy_of.join(KERNEL).join("src/mutation.rs"),
         SWITCH.as_bytes(),
     );
-    let workspace = fs::read_to_string(root.join("Cargo.toml")).expect("the workspace's manifest");
-    let (head, rest) = workspace.split_once("members = [").expect("members");
-    let (_, tail) = rest
-        .split_once("[workspace.package]")
-        .expect("what members share");
-    let members = MEMBERS.map(|member| format!("{member:?}")).join(", ");
-    let workspace = format!("{head}members = [{members}]\n[workspace.package]{tail}");
-    write(&copy_of.join("Cargo.toml"), workspace.as_bytes());
-    // Cargo takes out of the lock file what the copy does not have, so what was copied is kept aside.
-    let lock = fs::read(root.join("Cargo.lock")).expect("the lock file");
-    let kept = copy_of.join("Cargo.lock.copied");
-    if fs::read(&kept).ok().as_ref() != Some(&lock) {
-        write(&copy_of.join("Cargo.lock"), &lock);
-        write(&kept, &lock);
-    }
+    workspace(&root, &copy_of, &MEMBERS);
     copy_of
 }
 

@@ -1,6 +1,7 @@
 //! A claim as a question to a solver, its twin and its mutant.
 
 use std::fmt::Write as _;
+use std::panic::Location;
 
 use passivity_terms::smt::Printer;
 
@@ -35,6 +36,8 @@ pub struct Query {
     pub part: &'static str,
     /// The statement in one sentence.
     pub says: &'static str,
+    /// The source file that it is written in, from the root of the workspace.
+    pub source: &'static str,
     /// The premises.
     pub premises: Vec<Formula>,
     /// The goal.
@@ -67,11 +70,13 @@ pub struct Script {
 impl Query {
     /// A query of the claim, true of all numbers until premises are added.
     #[must_use]
+    #[track_caller]
     pub const fn new(claim: &'static str, part: &'static str, says: &'static str) -> Self {
         Self {
             claim,
             part,
             says,
+            source: Location::caller().file(),
             premises: Vec::new(),
             goal: Formula::All(Vec::new()),
             mutant: None,

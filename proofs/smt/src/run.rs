@@ -190,6 +190,7 @@ fn report(
         "version": solver.version,
         "claim": query.claim,
         "says": query.says,
+        "source": query.source,
         "script": script.name,
         "expected": script.expected.word(),
         "passed": fault.is_none(),

@@ -15,6 +15,7 @@
 //!
 //! It is not a model checker: what it sampled, it has not proved.
 
+pub mod copy;
 mod explore;
 pub mod list;
 pub mod mutate;

@@ -9,6 +9,19 @@ use std::ops::Range;
 /// A change of a text: the number of its switch, what stands there, and what comes in its place.
 pub type Edit<'a> = (u32, &'a str, &'a str);
 
+/// A change at a place of a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place<'a> {
+    /// The number of its switch.
+    pub number: u32,
+    /// Where in the text it begins.
+    pub at: usize,
+    /// What stands there.
+    pub old: &'a str,
+    /// What comes in its place.
+    pub new: &'a str,
+}
+
 /// The text of a module `mutation` for the crate whose sources have switches. The environment says
 /// which one is on.
 pub const SWITCH: &str = "\
@@ -32,17 +45,46 @@ pub const VARIABLE: &str = "PASSIVITY_MUTATION";
 /// A sentence, when what an edit replaces is not there exactly once, or not in the body of a
 /// function whose closing brace stands below its beginning.
 pub fn with_switches(text: &str, edits: &[Edit]) -> Result<String, String> {
-    let mut bodies: BTreeMap<(usize, usize), Vec<&Edit>> = BTreeMap::new();
-    for edit in edits {
-        let (_, old, _) = edit;
-        let (at, 1) = (text.find(old), text.matches(old).count()) else {
+    let mut places = Vec::new();
+    for &(number, old, new) in edits {
+        let mut found = text.match_indices(old);
+        let (Some((at, _)), None) = (found.next(), found.next()) else {
             return Err(format!("`{old}` is not there exactly once"));
         };
-        let at = at.unwrap_or_default();
-        let body = body_around(text, at)
-            .filter(|body| at + old.len() <= body.end)
-            .ok_or_else(|| format!("`{old}` does not stand in the body of a function"))?;
-        bodies.entry((body.start, body.end)).or_default().push(edit);
+        places.push(Place {
+            number,
+            at,
+            old,
+            new,
+        });
+    }
+    with_places(text, &places)
+}
+
+/// Whether a change stands in the body of a function, as it has to.
+#[must_use]
+pub fn is_in_a_body(text: &str, place: &Place) -> bool {
+    body_of(text, place).is_some()
+}
+
+fn body_of(text: &str, place: &Place) -> Option<Range<usize>> {
+    body_around(text, place.at).filter(|body| place.at + place.old.len() <= body.end)
+}
+
+/// The text with every change in it, none of which is on until its switch is.
+///
+/// # Errors
+///
+/// A sentence, when a change does not stand in the body of a function.
+pub fn with_places(text: &str, places: &[Place]) -> Result<String, String> {
+    let mut bodies: BTreeMap<(usize, usize), Vec<&Place>> = BTreeMap::new();
+    for place in places {
+        let body = body_of(text, place)
+            .ok_or_else(|| format!("`{}` does not stand in the body of a function", place.old))?;
+        bodies
+            .entry((body.start, body.end))
+            .or_default()
+            .push(place);
     }
     let mut out = String::new();
     let mut done = 0;
@@ -53,8 +95,15 @@ pub fn with_switches(text: &str, edits: &[Edit]) -> Result<String, String> {
         let body = &text[start..end];
         out.push_str(before);
         out.push('\n');
-        for (number, old, new) in edits {
-            let changed = body.replacen(old, new, 1);
+        for Place {
+            number,
+            at,
+            old,
+            new,
+        } in edits
+        {
+            let (head, tail) = (&text[start..*at], &text[at + old.len()..end]);
+            let changed = format!("{head}{new}{tail}");
             out.push_str(&format!(
                 "if crate::mutation::is({number}) {{\n{changed}\n}} else "
             ));

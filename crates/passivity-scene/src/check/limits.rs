@@ -1,4 +1,4 @@
-//! How far each parameter can go, or has to go: the limit of the criterion in each alone.
+//! How far each parameter can go, or has to go: the limit of the criterion in each alone (CHECK-LIMITS).
 
 use passivity_core::parameter::Hurts;
 use passivity_core::verdict::{End, Speeds};

@@ -1,16 +1,24 @@
 //! The proof harnesses: decided by Kani, and run as tests.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use passivity_evidence::{Engine, EvidenceError, Shown};
 use serde::Deserialize;
 
-use super::{Done, Modules, Part, Report, lines, tool};
-use crate::imported::HARNESSES;
+use super::{Done, Modules, Part, Report, built, built_by, lines, tool};
+use crate::imported::{HARNESSES, LIST};
 use crate::sources::Sources;
 
 /// What runs them as tests.
-const STAND_IN: &str = "proofs/standin/src";
+const STAND_IN: &str = "proofs/standin";
+
+/// What every harness is built of.
+pub(crate) fn shared() -> BTreeSet<String> {
+    let mut files = built_by(&["proofs/kani/Cargo.toml"]);
+    files.extend([LIST, "proofs/kani/src/lib.rs"].map(str::to_owned));
+    files
+}
 
 /// What Kani said of a harness.
 #[derive(Deserialize)]
@@ -24,8 +32,6 @@ struct Decided {
     seconds: Option<f64>,
     /// Why it was not run.
     reason: Option<String>,
-    /// The commit, when Kani ran elsewhere.
-    commit: Option<String>,
 }
 
 /// What running a harness as a test said.
@@ -62,17 +68,14 @@ pub(super) fn kani(root: &Path, folder: &Path) -> Result<Report, EvidenceError> 
     if let Some(why) = lines.iter().find_map(|line| line.reason.clone()) {
         return Ok(Report::absent(Engine::Kani, why));
     }
-    let (version, commit) = (first.version.clone(), first.commit.clone());
-    if lines
-        .iter()
-        .any(|line| line.version != version || line.commit != commit)
-    {
+    let version = first.version.clone();
+    if lines.iter().any(|line| line.version != version) {
         return Err(EvidenceError::within(
             name,
-            "its lines are of several versions or commits",
+            "its lines are of several versions",
         ));
     }
-    let sources = Sources::new(root, commit.clone());
+    let sources = Sources::new(root, None);
     let modules = Modules::new(&sources, HARNESSES)?;
     let part = |line: Decided| {
         let seconds = line.seconds.ok_or_else(|| {
@@ -94,9 +97,9 @@ pub(super) fn kani(root: &Path, folder: &Path) -> Result<Report, EvidenceError> 
         Engine::Kani,
         Done {
             tools: vec![tool("Kani", Some(version))],
-            shared: modules.shared(&parts),
+            shared: shared(),
             parts,
-            commit,
+            commit: None,
             imported: None,
         },
     ))
@@ -127,12 +130,12 @@ pub(super) fn stand_in(root: &Path, folder: &Path) -> Result<Report, EvidenceErr
         })
     };
     let parts: Vec<Part> = lines.into_iter().map(part).collect::<Result<_, _>>()?;
-    let mut shared = modules.shared(&parts);
+    let mut shared = shared();
     shared.extend(sources.under(STAND_IN)?);
     Ok(Report::done(
         Engine::StandIn,
         Done {
-            tools: vec![tool("cargo test -p passivity-kani", None)],
+            tools: built("cargo test -p passivity-kani", folder)?,
             shared,
             parts,
             commit: None,

@@ -12,6 +12,17 @@ use crate::sources::Sources;
 /// The development, from the root of the workspace.
 const FOLDER: &str = "proofs/rocq";
 
+/// What decides whether a run of it succeeds, within that folder.
+const CHECKED_BY: [&str; 7] = [
+    "Makefile",
+    "_CoqProject",
+    "assumptions.expected",
+    "axioms.sh",
+    "statements.expected",
+    "statements.sh",
+    "theorems.toml",
+];
+
 /// What `proofs/prove` recorded of the run.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -45,6 +56,7 @@ pub(super) fn report(sources: &Sources, folder: &Path) -> Result<Report, Evidenc
     if let Some(why) = run.not_run {
         return Ok(Report::absent(Engine::Rocq, why));
     }
+    let development = Development::new(sources)?;
     let list = format!("{FOLDER}/theorems.toml");
     let theorems: List = toml::from_str(&sources.text(&list)?)
         .map_err(|error| EvidenceError::within(&list, error))?;
@@ -65,6 +77,7 @@ pub(super) fn report(sources: &Sources, folder: &Path) -> Result<Report, Evidenc
     let count =
         f64::from(u32::try_from(claims.len()).map_err(|e| EvidenceError::within(&list, e))?);
     let part = |(name, claims): (String, Vec<String>)| Part {
+        files: development.under(name.split('.').next()),
         claims,
         shows: Shown::AllReals,
         domain: None,
@@ -78,28 +91,77 @@ pub(super) fn report(sources: &Sources, folder: &Path) -> Result<Report, Evidenc
         } else {
             Some("it is not in assumptions.expected".to_owned())
         },
-        files: BTreeSet::new(),
         name,
     };
-    // The theories, what they are compared with, and what compares the extracted checker.
-    let of_the_development = |path: &String| {
-        let path = Path::new(path);
-        path.extension()
-            .is_some_and(|extension| extension == "v" || extension == "expected")
-            || path.starts_with(format!("{FOLDER}/checker"))
-            || path.ends_with("bridge/examples/verdicts.rs")
-    };
-    let files = sources.under(FOLDER)?;
     Ok(Report::done(
         Engine::Rocq,
         Done {
             tools: vec![tool("Rocq", run.version)],
             parts: claims.into_iter().map(part).collect(),
-            shared: files.into_iter().filter(of_the_development).collect(),
+            shared: development.shared(sources)?,
             commit: None,
             imported: None,
         },
     ))
+}
+
+/// The files of the development, and which of them each requires.
+struct Development(BTreeMap<String, BTreeSet<String>>);
+
+impl Development {
+    fn new(sources: &Sources) -> Result<Self, EvidenceError> {
+        let mut files = BTreeMap::new();
+        for path in sources.under(FOLDER)? {
+            let within = path.strip_prefix(FOLDER).and_then(|p| p.strip_prefix('/'));
+            let Some(name) = within.and_then(|name| name.strip_suffix(".v")) else {
+                continue;
+            };
+            // `From Passivity Require Import Definitions Quantizer.`, on a line or several.
+            let text = sources.text(&path)?;
+            let sentences = text.split("From Passivity Require").skip(1);
+            let named = sentences.filter_map(|rest| rest.split_once(".\n"));
+            let words = named.flat_map(|(names, _)| names.split_whitespace());
+            files.insert(name.to_owned(), words.map(str::to_owned).collect());
+        }
+        Ok(Self(files))
+    }
+
+    /// The files of modules and of all that they require, from the root of the workspace.
+    fn under<'a>(&'a self, modules: impl IntoIterator<Item = &'a str>) -> BTreeSet<String> {
+        let mut waiting: Vec<&str> = modules.into_iter().collect();
+        let mut found = BTreeSet::new();
+        while let Some(module) = waiting.pop() {
+            if let Some(required) = self.0.get(module)
+                && found.insert(format!("{FOLDER}/{module}.v"))
+            {
+                waiting.extend(required.iter().map(String::as_str));
+            }
+        }
+        found
+    }
+
+    /// What every theorem rests on: the lemmas that the definitions are the kernel's, what prints
+    /// them, what compares axioms and statements with the committed lists, and what compares the
+    /// extracted checker with the kernel.
+    fn shared(&self, sources: &Sources) -> Result<BTreeSet<String>, EvidenceError> {
+        let printed = [
+            "BridgePaper",
+            "BridgeEffects",
+            "BridgeUnits",
+            "BridgeController",
+            "Decisions",
+        ];
+        let mut files = self.under(printed);
+        for folder in ["bridge/src", "bridge/examples", "checker"] {
+            files.extend(sources.under(&format!("{FOLDER}/{folder}"))?);
+        }
+        files.extend(CHECKED_BY.map(|name| format!("{FOLDER}/{name}")));
+        files.extend(
+            ["lib.rs", "paths.rs", "rocq.rs", "term.rs"]
+                .map(|name| format!("proofs/terms/src/{name}")),
+        );
+        Ok(files)
+    }
 }
 
 #[cfg(test)]
@@ -124,6 +186,22 @@ mod tests {
         assert!(!report.parts().is_empty());
         for part in report.parts() {
             assert_eq!(part.failure, None, "{}", part.name);
+        }
+    }
+
+    #[test]
+    fn a_theorem_rests_on_what_its_file_requires() {
+        let sources = Sources::new(&crate::root(), None);
+        let development = Development::new(&sources).unwrap();
+        let under = development.under(["Generation"]);
+        let expected = ["Definitions", "Generation", "Quantizer"];
+        let expected: BTreeSet<String> = expected.map(|name| format!("{FOLDER}/{name}.v")).into();
+        assert_eq!(under, expected);
+        let combined = development.under(["Counterparts"]);
+        assert!(combined.contains("proofs/rocq/Calculus.v"), "{combined:?}");
+        assert!(!combined.contains("proofs/rocq/Active.v"), "{combined:?}");
+        for file in development.shared(&sources).unwrap() {
+            assert!(crate::root().join(&file).exists(), "{file}");
         }
     }
 

@@ -6,11 +6,27 @@ use std::path::Path;
 use passivity_evidence::{Engine, EvidenceError, Shown};
 use serde::Deserialize;
 
-use super::{Done, Part, Report, lines, tool};
+use super::{Done, Part, Report, built_by, lines, tool};
 use crate::sources::Sources;
 
 /// The scripts, from the root of the workspace.
 const QUERIES: &str = "proofs/smt/queries";
+
+/// What prints every script, asks the solvers and reads their answers.
+const SHARED: [&str; 12] = [
+    "crates/passivity-core/src/rational.rs",
+    "proofs/smt/Cargo.toml",
+    "proofs/smt/install",
+    "proofs/smt/requirements.txt",
+    "proofs/smt/run_cvc5.py",
+    "proofs/smt/src/formula.rs",
+    "proofs/smt/src/query.rs",
+    "proofs/smt/src/replay.rs",
+    "proofs/smt/src/run.rs",
+    "proofs/smt/src/solvers.rs",
+    "proofs/terms/Cargo.toml",
+    "proofs/terms/src/smt.rs",
+];
 
 /// What one solver said of one script.
 #[derive(Deserialize)]
@@ -20,6 +36,8 @@ struct Line {
     claim: String,
     says: String,
     script: String,
+    /// The file that it is written in.
+    source: String,
     passed: bool,
     fault: Option<String>,
     seconds: f64,
@@ -52,7 +70,7 @@ pub(super) fn report(sources: &Sources, folder: &Path) -> Result<Report, Evidenc
                 .into_iter()
                 .map(|(name, version)| tool(&name, Some(version)))
                 .collect(),
-            shared: BTreeSet::new(),
+            shared: built_by(&SHARED),
             commit: None,
             imported: None,
         },
@@ -86,6 +104,13 @@ fn part(name: String, lines: &[Line], scripts: &BTreeSet<String>) -> Result<Part
         None => None,
     };
     let own = format!("{QUERIES}/{name}.");
+    let mut files: BTreeSet<String> = lines.iter().map(|line| line.source.clone()).collect();
+    files.extend(
+        scripts
+            .iter()
+            .filter(|path| path.starts_with(&own))
+            .cloned(),
+    );
     Ok(Part {
         claims: claims.into_iter().cloned().collect(),
         shows: Shown::AllReals,
@@ -93,11 +118,7 @@ fn part(name: String, lines: &[Line], scripts: &BTreeSet<String>) -> Result<Part
         cases: None,
         seconds: lines.iter().map(|line| line.seconds).sum(),
         failure,
-        files: scripts
-            .iter()
-            .filter(|path| path.starts_with(&own))
-            .cloned()
-            .collect(),
+        files,
         name,
     })
 }

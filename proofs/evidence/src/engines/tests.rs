@@ -1,17 +1,38 @@
-//! The property tests: what the test runner says decides, the records add the cases.
+//! The tests that claims name: what the test runner says decides, the records add the cases.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use passivity_evidence::{Claims, Engine, EvidenceError, Shown, read};
 use serde::Deserialize;
 
-use super::{Done, Modules, Part, Report, lines, tool};
+use super::{Done, Modules, Part, Report, built, built_by, lines};
 use crate::sources::Sources;
 use crate::trace;
 
-/// The tests, from the root of the workspace.
-const TESTS: &str = "crates/passivity-core/tests/properties";
+/// A test program, and what it left.
+struct Program {
+    /// What the test runner said.
+    said: &'static str,
+    /// The file of the tests, or the folder of their modules, from the root of the workspace.
+    tests: &'static str,
+    /// What every test of it is built of.
+    shared: &'static [&'static str],
+}
+
+/// The tests of the kernel, and of what `check` says of scenes.
+const PROGRAMS: [Program; 2] = [
+    Program {
+        said: "properties.txt",
+        tests: "crates/passivity-core/tests/properties",
+        shared: &["crates/passivity-core/tests/properties/main.rs"],
+    },
+    Program {
+        said: "verdicts.txt",
+        tests: "crates/passivity-scene/tests/verdicts.rs",
+        shared: &["crates/passivity-scene/Cargo.toml"],
+    },
+];
 
 /// What a test that samples recorded.
 #[derive(Deserialize)]
@@ -26,12 +47,11 @@ pub(super) fn report(
     folder: &Path,
     claims: &Claims,
 ) -> Result<Report, EvidenceError> {
-    let path = folder.join("properties.txt");
-    if !path.exists() {
-        return Ok(Report::absent(
-            Engine::Tests,
-            "the tests of passivity-core were not run",
-        ));
+    for program in &PROGRAMS {
+        if !folder.join(program.said).exists() {
+            let why = format!("there is no `{}`: the tests were not run", program.said);
+            return Ok(Report::absent(Engine::Tests, why));
+        }
     }
     let recorded: Option<Vec<Sampled>> = lines(&folder.join("properties.jsonl"))?;
     let sampled: BTreeMap<String, Sampled> = recorded
@@ -39,15 +59,44 @@ pub(super) fn report(
         .flatten()
         .map(|line| (line.test.clone(), line))
         .collect();
-    let modules = Modules::new(sources, TESTS)?;
     let mut parts = Vec::new();
-    for line in read(&path)?.lines() {
-        // `test region::th_region_x ... ok`, as the test runner prints it.
+    for program in &PROGRAMS {
+        let path = folder.join(program.said);
+        let before = parts.len();
+        for line in read(&path)?.lines() {
+            parts.extend(program.part(sources, claims, &sampled, line)?);
+        }
+        if parts.len() == before {
+            let name = path.display().to_string();
+            return Err(EvidenceError::within(&name, "no test ran"));
+        }
+    }
+    Ok(Report::done(
+        Engine::Tests,
+        Done {
+            tools: built("cargo test", folder)?,
+            shared: built_by(&[]),
+            parts,
+            commit: None,
+            imported: None,
+        },
+    ))
+}
+
+impl Program {
+    /// The test that a line of the test runner speaks of: `test region::th_region_x ... ok`.
+    fn part(
+        &self,
+        sources: &Sources,
+        claims: &Claims,
+        sampled: &BTreeMap<String, Sampled>,
+        line: &str,
+    ) -> Result<Option<Part>, EvidenceError> {
         let Some((name, outcome)) = line
             .strip_prefix("test ")
             .and_then(|rest| rest.split_once(" ... "))
         else {
-            continue;
+            return Ok(None);
         };
         let function = name
             .rsplit_once("::")
@@ -57,7 +106,13 @@ pub(super) fn report(
             .get(name)
             .map_or((1, 0.0), |line| (line.cases, line.seconds));
         let outcome = outcome.trim();
-        parts.push(Part {
+        let mut files: BTreeSet<String> = self.shared.iter().map(|s| (*s).to_owned()).collect();
+        if self.tests.ends_with(".rs") {
+            files.insert(self.tests.to_owned());
+        } else {
+            files.extend(Modules::new(sources, self.tests)?.of(name)?);
+        }
+        Ok(Some(Part {
             claims: trace::named(claims, function),
             name: name.to_owned(),
             shows: Shown::Sampled { cases },
@@ -65,21 +120,7 @@ pub(super) fn report(
             cases: Some(cases),
             seconds,
             failure: (outcome != "ok").then(|| outcome.to_owned()),
-            files: modules.of(name)?,
-        });
+            files,
+        }))
     }
-    if parts.is_empty() {
-        let name = path.display().to_string();
-        return Err(EvidenceError::within(&name, "no test ran"));
-    }
-    Ok(Report::done(
-        Engine::Tests,
-        Done {
-            tools: vec![tool("cargo test -p passivity-core", None)],
-            shared: modules.shared(&parts),
-            parts,
-            commit: None,
-            imported: None,
-        },
-    ))
 }

@@ -2,17 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_collect::imported::{self, HARNESSES, Imported};
-use passivity_evidence::{Claims, EvidenceError, Sha256, Tool};
+use passivity_collect::imported::{self, Imported, LIST};
+use passivity_evidence::{Sha256, Tool};
 use passivity_standin::list::{self, List};
 
 use crate::judge;
 use crate::report::{self, Run};
 use crate::sources::Sources;
 use crate::{Stop, USAGE};
-
-/// Where the list of harnesses is in the tree.
-const LIST: &str = "proofs/kani/harnesses.toml";
 
 /// What was asked for.
 #[derive(Debug, Default, PartialEq)]
@@ -75,6 +72,7 @@ pub(crate) fn take(root: &Path, arguments: &Arguments) -> Result<(), Stop> {
         return Err(format!("{path} shows nothing:\n{}", wrong.join("\n")).into());
     }
     let imported = bound(
+        root,
         &run,
         arguments,
         &list,
@@ -97,6 +95,7 @@ pub(crate) fn take(root: &Path, arguments: &Arguments) -> Result<(), Stop> {
 
 /// What the report shows, bound to the sources of its commit.
 fn bound(
+    root: &Path,
     run: &Run,
     arguments: &Arguments,
     list: &List,
@@ -126,6 +125,7 @@ fn bound(
         .iter()
         .map(harness)
         .collect::<Result<_, String>>()?;
+    let (claims, files) = imported::bind(root, &sources.commit, &harnesses)?;
     Ok(Imported {
         tool: Tool {
             name: "Kani".into(),
@@ -134,11 +134,9 @@ fn bound(
         below: vec![format!("CBMC {cbmc}"), solver],
         commit: sources.commit.clone(),
         report_sha256,
-        claims: imported::bind(&sources.read(Claims::PATH)?, &harnesses, |path| {
-            sources.read(path).map_err(EvidenceError::new)
-        })?,
+        claims,
         harnesses,
-        harness_files: sources.hashes(HARNESSES)?,
+        files,
     })
 }
 
@@ -169,9 +167,10 @@ mod tests {
 
     use std::collections::BTreeMap;
 
+    use passivity_collect::imported::HARNESSES;
     use passivity_collect::tools;
     use passivity_evidence::{
-        Engine, Evidence, FORMAT, Freshness, Run as EngineRun, RunOutcome, assess, in_tree,
+        Claims, Engine, Evidence, FORMAT, Freshness, Run as EngineRun, RunOutcome, assess, in_tree,
     };
 
     use super::*;
@@ -218,9 +217,19 @@ mod tests {
                 "crates/passivity-core/src/generation.rs",
                 "fn bound_22() {}",
             );
-            for file in ["generation", "errata", "domain"] {
-                here.write(&format!("{HARNESSES}/{file}.rs"), "// harnesses");
+            for file in ["generation", "errata", "domain", "lib"] {
+                let text = format!("use crate::domain;\n// {file}");
+                here.write(&format!("{HARNESSES}/{file}.rs"), &text);
             }
+            for other in ["crates/passivity-scene", "proofs/terms", "proofs/smt"] {
+                here.write(&format!("{other}/src/lib.rs"), "");
+            }
+            here.write("crates/passivity-core/tests/properties/main.rs", "");
+            for crate_folder in ["crates/passivity-core", "proofs/kani"] {
+                here.write(&format!("{crate_folder}/Cargo.toml"), "[package]");
+            }
+            here.write("Cargo.toml", "[workspace]");
+            here.write("Cargo.lock", "version = 4");
             here.git(&["init", "-q"]);
             here.git(&["add", "-A"]);
             let (name, mail) = ("user.name=Somebody", "user.email=somebody@example.org");
@@ -325,10 +334,12 @@ mod tests {
             Sha256::of(b"fn bound_22() {}")
         );
         let claims = Claims::read(&here.0).expect("claims");
-        let table = passivity_collect::table(&claims, &evidence);
-        let cell = "proved for all inputs in 3 domains for *a part* (3 harnesses";
+        let table = passivity_collect::table(&claims, &evidence, |path| in_tree(&here.0, path))
+            .expect("sources");
+        let cell = "**stale**, changed since: crates/passivity-core/src/generation.rs, proofs/kani/harnesses.toml; it was \
+                    proved for all inputs in 3 domains for *a part* (3 harnesses";
         assert!(table.contains(&format!("{cell}; {words})")), "{table}");
-        assert_eq!(changed, ["crates/passivity-core/src/generation.rs"]);
+        assert_eq!(changed, ["crates/passivity-core/src/generation.rs", LIST]);
     }
 
     #[test]
@@ -338,7 +349,13 @@ mod tests {
         assert_eq!(here.changed(), Vec::<String>::new());
         here.write(&format!("{HARNESSES}/domain.rs"), "// a wider domain");
         assert_eq!(here.changed(), ["proofs/kani/src/domain.rs"]);
-        here.write(&format!("{HARNESSES}/domain.rs"), "// harnesses");
+        here.write(
+            &format!("{HARNESSES}/domain.rs"),
+            "use crate::domain;\n// domain",
+        );
+        here.write("Cargo.lock", "version = 5");
+        assert_eq!(here.changed(), ["Cargo.lock"]);
+        here.write("Cargo.lock", "version = 4");
         here.write(Claims::PATH, &CLAIM.replace("One.", "Two."));
         assert_eq!(here.changed(), ["claim text"]);
     }

@@ -1,10 +1,7 @@
 //! The sources as they are at a commit, from `git`.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
-
-use passivity_evidence::Sha256;
 
 /// The sources of a commit.
 pub(crate) struct Sources<'a> {
@@ -35,23 +32,6 @@ impl<'a> Sources<'a> {
     pub(crate) fn read(&self, path: &str) -> Result<String, String> {
         git(self.root, &["show", &format!("{}:{path}", self.commit)])
             .map_err(|why| format!("`{path}` of that commit can't be read: {why}"))
-    }
-
-    /// SHA-256 of each file under a folder.
-    pub(crate) fn hashes(&self, folder: &str) -> Result<BTreeMap<String, Sha256>, String> {
-        let listed = git(
-            self.root,
-            &[
-                "ls-tree",
-                "-r",
-                "--name-only",
-                "--full-tree",
-                &self.commit,
-                folder,
-            ],
-        )?;
-        let hash = |path: &str| Ok((path.to_string(), Sha256::of(self.read(path)?.as_bytes())));
-        listed.lines().map(hash).collect()
     }
 }
 

@@ -7,7 +7,7 @@ use passivity_core::{
 };
 use passivity_terms::{Term, paths};
 
-use super::{n, v};
+use super::words::{n, v};
 use crate::Query;
 use crate::formula::{
     Formula, all, any, eq, ge, iff, le, lt, nonnegative, not, on_every_path, positive,

@@ -12,7 +12,7 @@ use passivity_core::{Friction, Law, Loop, Scalar as _, Step};
 use passivity_terms::Term;
 
 use super::effects::{later, past};
-use super::{half, n, v, values};
+use super::words::{half, n, v, values};
 use crate::Query;
 use crate::formula::{Formula, all, any, eq, ge, le, lt, nonnegative, positive};
 

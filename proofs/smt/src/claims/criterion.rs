@@ -7,7 +7,7 @@ use passivity_core::region::critical_speed;
 use passivity_core::{Criterion, Friction, Loop, Region, Scalar as _, Step, spring};
 use passivity_terms::{Term, paths};
 
-use super::{half, n, v};
+use super::words::{half, n, v};
 use crate::Query;
 use crate::formula::{
     Formula, all, any, eq, ge, gt, iff, implies, le, lt, nonnegative, on_every_path, positive,

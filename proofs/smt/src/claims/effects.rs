@@ -8,7 +8,7 @@ use passivity_core::generation::{bound_22, generated};
 use passivity_core::{Friction, Law, Loop, Scalar as _, Step, spring};
 use passivity_terms::Term;
 
-use super::{half, n, v, values};
+use super::words::{half, n, v, values};
 use crate::Query;
 use crate::formula::{all, eq, ge, gt, iff, le, nonnegative, positive};
 

@@ -5,7 +5,7 @@ use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::quantizer::held_force;
 use passivity_core::{Friction, Law, Loop, Scalar as _, Step, spring};
 
-use super::{n, v};
+use super::words::{n, v};
 use crate::Query;
 use crate::formula::{eq, le, nonnegative, positive};
 

@@ -9,7 +9,7 @@ use passivity_core::spring::{linear_potential, quantization_potential, quantized
 use passivity_core::{Quantized, Scalar as _, Step, ledger};
 use passivity_terms::Term;
 
-use super::{half, n, v, values};
+use super::words::{half, n, v, values};
 use crate::Query;
 use crate::formula::{Formula, all, any, eq, ge, gt, le, lt, nonnegative};
 

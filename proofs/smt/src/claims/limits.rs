@@ -4,7 +4,7 @@ use passivity_core::verdict::{Speeds, decide};
 use passivity_core::{Criterion, Loop, Parameter, Scalar as _, spring, start, stiffness};
 use passivity_terms::{Term, paths};
 
-use super::{half, n, v};
+use super::words::{half, n, v};
 use crate::Query;
 use crate::formula::{
     Formula, all, eq, gt, iff, implies, le, lt, nonnegative, not, on_every_path, positive,

@@ -4,7 +4,7 @@ use passivity_core::witness::{gain, gain_formula, quantized, smooth};
 use passivity_core::{Cycle, Friction, Scalar as _};
 use passivity_terms::{Term, paths};
 
-use super::{half, n, v, values};
+use super::words::{half, n, v, values};
 use crate::Query;
 use crate::formula::{
     Formula, all, any, eq, ge, gt, implies, le, lt, nonnegative, not, on_every_path, positive,

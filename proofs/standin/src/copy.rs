@@ -1,0 +1,63 @@
+//! Copies of crates, in which changes can be tried.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::Path;
+
+/// Writes a file, unless it says that already: what stays the same is not built again.
+///
+/// # Panics
+///
+/// When it cannot be written.
+pub fn write(path: &Path, text: &[u8]) {
+    if fs::read(path).is_ok_and(|there| there == text) {
+        return;
+    }
+    fs::create_dir_all(path.parent().expect("a folder")).expect("folders can be made");
+    fs::write(path, text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+}
+
+/// Copies the manifests and the sources of a folder; `change` may change one.
+///
+/// # Panics
+///
+/// When the folder cannot be read, or the copy not be written.
+pub fn copy(from: &Path, to: &Path, change: &mut dyn FnMut(&Path, String) -> String) {
+    for entry in fs::read_dir(from).expect("the folder can be read") {
+        let path = entry.expect("the folder can be read").path();
+        let name = path.file_name().expect("a name");
+        if path.is_dir() {
+            copy(&path, &to.join(name), change);
+        } else if ["rs", "toml"]
+            .map(OsStr::new)
+            .contains(&path.extension().unwrap_or_default())
+        {
+            let text = fs::read_to_string(&path).expect("sources are text");
+            write(&to.join(name), change(&path, text).as_bytes());
+        }
+    }
+}
+
+/// Makes a workspace of the copied `members`, with the versions of the one at `root`.
+///
+/// # Panics
+///
+/// When the workspace's manifest is not as it was.
+pub fn workspace(root: &Path, copy_of: &Path, members: &[&str]) {
+    let workspace = fs::read_to_string(root.join("Cargo.toml")).expect("the workspace's manifest");
+    let (head, rest) = workspace.split_once("members = [").expect("members");
+    let (_, tail) = rest
+        .split_once("[workspace.package]")
+        .expect("what members share");
+    let members: Vec<String> = members.iter().map(|member| format!("{member:?}")).collect();
+    let members = members.join(", ");
+    let workspace = format!("{head}members = [{members}]\n[workspace.package]{tail}");
+    write(&copy_of.join("Cargo.toml"), workspace.as_bytes());
+    // Cargo takes out of the lock file what the copy does not have, so what was copied is kept aside.
+    let lock = fs::read(root.join("Cargo.lock")).expect("the lock file");
+    let kept = copy_of.join("Cargo.lock.copied");
+    if fs::read(&kept).ok().as_ref() != Some(&lock) {
+        write(&copy_of.join("Cargo.lock"), &lock);
+        write(&kept, &lock);
+    }
+}
