@@ -205,13 +205,13 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
             cost.viscous_number, cost.coulomb_number
         ),
     );
-    if let Some(v) = &report.critical_speed {
+    if let Some(speed) = report.critical_ticks_text() {
         let formula = "equality at the critical speed v_c".to_owned();
         push(
             Step::CriticalSpeed,
             "TH-REGION",
             formula,
-            format!("v_c = {} ticks/sample", report.safe_critical_speed(v)),
+            format!("v_c = {speed}"),
         );
     }
     if let Some(v) = &report.speed_bound {

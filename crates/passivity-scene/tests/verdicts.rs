@@ -203,6 +203,58 @@ fn where_every_period_passes_or_every_one_fails_nothing_depends() {
     assert_eq!(fails, Verdict::NotGuaranteed);
 }
 
+/// Figures for people are in the units of the scene file: each limit, typed into its place, passes,
+/// and a little beyond it does not.
+#[test]
+fn limits_are_written_as_the_scene_writes_its_parameters() {
+    // Each line has the value that is replaced between two bars.
+    const LINES: [(&str, &str); 5] = [
+        ("viscous", "viscous = \"|2e-3| N m s/deg\""),
+        ("coulomb", "[device]\ncoulomb = \"|500| mN m\""),
+        ("rate", "[sampling]\nrate = \"|1| kHz\""),
+        ("counts", "[encoder]\ncounts_per_revolution = |720|"),
+        ("stiffness", "[wall]\nstiffness = \"|0.9| N m/deg\""),
+    ];
+    let scene = |changed: &str, value: &str| {
+        let mut order = LINES;
+        order.swap(0, 1); // The section comes first.
+        let mut text = String::new();
+        for (key, line) in order {
+            let parts: Vec<&str> = line.split('|').collect();
+            let value = if key == changed { value } else { parts[1] };
+            text += &format!("{}{value}{}\n", parts[0], parts[2]);
+        }
+        report(&format!("{text}[operator]\nmax_speed = \"300 deg/s\"\n"))
+    };
+    let first = scene("", "");
+    assert_eq!(first.speeds_text(), "at every speed");
+    assert_eq!(first.speed_bound_text(), "300 deg/s");
+    let text = first.to_text();
+    for expected in ["N m/deg at every speed", "margin (8) at 300 deg/s"] {
+        assert!(text.contains(expected), "{text}");
+    }
+    assert_eq!(first.limits.len(), LINES.len());
+    for (limit, (key, _)) in first
+        .limits
+        .iter()
+        .zip([LINES[0], LINES[1], LINES[4], LINES[2], LINES[3]])
+    {
+        let typed = limit.typed.as_deref().expect(key);
+        assert!(text.contains(typed), "{key} = {typed} in {text}");
+        assert!(scene(key, typed).at_every_speed, "{key} = {typed}");
+        let at_least = limit.promise(first.motion).starts_with("at least");
+        let factor = if at_least { "0.998" } else { "1.002" };
+        let mut beyond = number(typed) * number(factor);
+        if key == "counts" {
+            beyond = beyond.floor();
+        }
+        assert!(
+            !scene(key, &beyond.to_string()).at_every_speed,
+            "{key} = {beyond}"
+        );
+    }
+}
+
 /// A number with few digits, and perhaps a tolerance.
 fn quantity(least: u32, most: u32) -> impl Strategy<Value = String> {
     (least..most, prop::option::weighted(0.4, 0..40_u32)).prop_map(|(n, tolerance)| {

@@ -261,6 +261,7 @@ impl Reader<'_> {
             value,
             nominal,
             text,
+            written: amount.written(reciprocal),
             span: node.span.clone(),
         })
     }
