@@ -91,7 +91,7 @@ fn an_unforced_motion_says_what_it_assumes_of_the_controllers_memory() {
     let json = report.to_json();
     assert_eq!(json["unforced"]["holds"], true);
     let assumes = json["unforced"]["assumes"].as_str().unwrap();
-    assert!(assumes.contains("rested there for as long as the controller remembers"));
+    assert!(assumes.contains("rested there before, for as long as delay and damping look back"));
     let text = report
         .to_text()
         .split_whitespace()
@@ -149,7 +149,7 @@ fn comparisons_do_not_apply_to_a_delay() {
     let late = dimensionless("2", "2", "[sampling]\ndelay = 1\n");
     assert_eq!((late.colgate, late.abbott_okamura), (None, None));
     let text = late.to_text();
-    assert!(text.contains("does not apply to a delay"));
+    assert!(text.contains("does not apply with a delay"));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What can go wrong for the hand, and what the criterion says of it.
+//! The hazards for the operator, and what the criterion says about each.
 
 use passivity_core::Region;
 use passivity_scene::check::{Report, Verdict};

@@ -51,11 +51,11 @@ fn verdict(document: &mut Document, study: &Study) {
     }
     let pair = |viscous, coulomb| format!("{} of β, {} of σ", range(viscous), range(coulomb));
     row(
-        "What the effects cost",
+        "What the effects require of β and σ",
         pair(&report.cost.viscous, &report.cost.coulomb),
     );
     row(
-        "To spare at every speed",
+        "Spare at every speed",
         pair(&report.spare.viscous, &report.spare.coulomb),
     );
     if let Some(margin) = &report.margin_at_speed_bound {
@@ -111,7 +111,7 @@ fn limits(document: &mut Document, study: &Study) {
         let alone = if limit.printed.is_some() {
             ""
         } else {
-            ", which is not enough alone"
+            "; this alone does not suffice"
         };
         [
             limit.name(motion).into(),

@@ -1,4 +1,4 @@
-//! How far each parameter can go, or has to go: the limit of the criterion in each alone.
+//! Limits of the parameters: where the criterion is met with equality, one parameter at a time.
 
 use num_traits::Signed as _;
 use passivity_core::parameter::Hurts;

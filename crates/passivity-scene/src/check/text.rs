@@ -49,7 +49,8 @@ impl Report {
             line("critical speed", &text);
         }
         self.stiffness_lines(&mut line);
-        let applies = |truth: Option<Truth>| truth.map_or("does not apply to a delay", Truth::name);
+        let applies =
+            |truth: Option<Truth>| truth.map_or("does not apply with a delay", Truth::name);
         line("Colgate, b ≥ KT/2", applies(self.colgate));
         line("Abbott and Okamura", applies(self.abbott_okamura));
         line("effects", &words(&self.effects));
@@ -57,7 +58,7 @@ impl Report {
             line("because", &self.because.join(", "));
         }
         if let Some(text) = self.unforced_text() {
-            line("left alone at the start", &text);
+            line("with the hand off", &text);
         }
         let mut text = format!("{}: {}\n{out}", self.scene, self.headline());
         text.push_str(&self.witness_text());
@@ -183,10 +184,12 @@ impl Report {
         };
         Some(match unforced.holds {
             Truth::Holds => format!(
-                "never faster than {speed} (TH-START), if {}",
+                "from the start on never faster than {speed} (TH-START), if {}",
                 super::unforced::ASSUMES
             ),
-            Truth::Fails => format!("the criterion fails at the speed of its start, {speed}"),
+            Truth::Fails => {
+                format!("not shown: the criterion fails at the speed of the start, {speed}")
+            }
             Truth::Depends => "not shown".to_owned(),
         })
     }
@@ -236,7 +239,7 @@ impl Report {
             let enough = if limit.printed.is_some() {
                 ""
             } else {
-                ", and it is not enough alone"
+                "; this alone does not suffice"
             };
             let promise = limit.promise(self.motion);
             let _ = writeln!(out, "    {name}: {promise} (now {now}){enough}");

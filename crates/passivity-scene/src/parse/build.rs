@@ -1,4 +1,4 @@
-//! From the tree to the scene: which keys there are and what each of them means.
+//! Builds the scene from the tree: the keys and their meaning.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! Taking typed values out of the tree, and collecting everything that is wrong on the way.
+//! Reads typed values from the tree and collects all mistakes.
 
 use std::ops::Range;
 use std::path::Path;
