@@ -195,7 +195,7 @@ fn broken_traces_get_one_message_with_the_row_and_keep_what_came_before() {
             "row 2: expected a row, found a blank line",
             Some(0),
         ),
-        ("xi,xi\n1,2\n", "the column `xi` is there twice", None),
+        ("xi,xi\n1,2\n", "the column `xi` is given twice", None),
         ("xi,count\n1,2\n", "found `xi` and `count`", None),
         (
             "tau\n1\n",
@@ -217,12 +217,12 @@ fn broken_traces_get_one_message_with_the_row_and_keep_what_came_before() {
         assert!(run.stderr.contains(says), "{shown:?}: {}", run.stderr);
         // A header that cannot be read leaves nothing to write.
         assert_eq!(written.filter(|_| rows.is_some()), rows, "{shown:?}");
-        if rows.is_some() {
-            assert!(
-                run.stdout.contains("What came before it is accounted for"),
-                "{}",
-                run.stdout
-            );
+        if let Some(rows) = rows {
+            let accounted = match rows {
+                0 => "INVALID TRACE: there is no interval before the error",
+                _ => "INVALID TRACE: the account covers the rows before the error",
+            };
+            assert!(run.stdout.contains(accounted), "{}", run.stdout);
         }
     }
 }
@@ -263,7 +263,7 @@ fn a_pipe_is_a_trace() {
         let text = String::from_utf8(run.stdout).unwrap();
         assert!(run.status.success(), "{trace}: {text}");
         assert!(
-            text.contains("intervals                 1\n"),
+            text.contains("intervals                    1\n"),
             "{trace}: {text}"
         );
     }

@@ -616,6 +616,34 @@ fn missing_and_corrupt_evidence_is_said_and_writes_nothing() {
 }
 
 #[test]
+fn figures_are_in_the_units_of_the_scene() {
+    let dir = Dir::new();
+    let scene = dir.write(
+        "tip.toml",
+        "# From the data sheet.\n[device]\ncoulomb = \"0.04 N\"\n[sampling]\nrate = \"1 kHz\"\n\
+         [encoder]\nresolution = \"0.03 mm\"\n[wall]\nstiffness = \"1 N/mm\"\n\
+         [operator]\nmax_speed = \"40 mm/s\"\n",
+    );
+    let run = dir.run(&["case", &scene, "--out", "case"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(
+        run.stdout.contains("at every speed up to 40 mm/s"),
+        "{}",
+        run.stdout
+    );
+    let html = read(&dir, "case/case.html");
+    for says in [
+        "Margin (8) at 40 mm/s",
+        "50 mm/s (1.6666 ticks/sample)",
+        "at most 1.1428 N/mm",
+        "at least 0.8 kHz",
+        "at most 0.04 mm",
+    ] {
+        assert!(html.contains(says), "{says}");
+    }
+}
+
+#[test]
 fn the_people_and_the_date_are_those_that_were_given() {
     let dir = Dir::new();
     let scene = dir.write("good.toml", GOOD);

@@ -197,7 +197,7 @@ impl<'a> Builder<'a> {
         let figure = match margin {
             Some(margin) => format!("Margin (8) at the speed bound {}", range(margin)),
             None => format!(
-                "To spare at every speed: {} of β and {} of σ",
+                "Spare at every speed: {} of β and {} of σ",
                 range(&report.spare.viscous),
                 range(&report.spare.coulomb)
             ),
@@ -277,7 +277,7 @@ impl<'a> Builder<'a> {
             self.argument.hang(PARAMETERS, solution);
         }
         if !open.is_empty() {
-            let text = format!("The source of these is stated: {}.", open.join(", "));
+            let text = format!("The scene file states the source of: {}.", open.join(", "));
             let goal = Node::new(Kind::Goal, "G-sources", text).at(self.parameters_section());
             self.argument.hang(PARAMETERS, goal);
         }
@@ -291,7 +291,7 @@ impl<'a> Builder<'a> {
         }
         let words: Vec<&str> = effects.iter().map(|effect| effect.words()).collect();
         let text = format!(
-            "No more energy is generated with what no theorem covers: {}.",
+            "Effects that no theorem covers generate no further energy: {}.",
             words.join("; ")
         );
         let goal = Node::new(Kind::Goal, "G-not-covered", text).at(limits_section());
@@ -306,8 +306,8 @@ impl<'a> Builder<'a> {
         let encoder = self.report().sigma.is_some();
         let unit = if encoder { "ticks" } else { "units of length" };
         let text = format!(
-            "The hand gains energy without end: moving from {} to {} {unit} and back, each way \
-             within one sampling interval, gains at least {} KΔ² every time round.",
+            "The hand draws energy without end: moving from {} to {} {unit} and back, each way \
+             within one sampling interval, draws at least {} KΔ² in each round trip.",
             short(&witness.from),
             short(&witness.to),
             short(&witness.gain_per_cycle),

@@ -14,7 +14,7 @@ use passivity_evidence::Sha256;
 /// A file of a case is no larger than this.
 const MOST_BYTES: u64 = 1 << 30;
 
-/// How a written case stands to what is there now.
+/// The differences between a written case and the present scenes, claims and evidence.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Findings {
     /// What makes the case out of date, a line each: files, scenes and verdicts that changed.

@@ -1,4 +1,4 @@
-//! What a document says, before it is HTML: headings, paragraphs, tables and figures.
+//! The content of a document before it becomes HTML: headings, paragraphs, tables and figures.
 
 /// A piece of a line of text.
 #[derive(Clone, Debug, PartialEq, Eq)]

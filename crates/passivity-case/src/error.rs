@@ -1,4 +1,4 @@
-//! Why a case could not be written or checked.
+//! Errors in writing or checking a case.
 
 use std::fmt;
 use std::path::Path;

@@ -140,7 +140,7 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
     let caption = format!(
         "One motion of «{}», {from}, simulated in double precision: it {outcome}. The lowest panel \
          is the energy ledger: {:.5} KΔ² generated and {:.5} KΔ² dissipated in all; the energy \
-         balance (13) closes to {:.1e} in every interval. The picture is no part of the proof.",
+         balance (13) is met within {:.1e} KΔ² in every interval. The picture is no part of the proof.",
         study.name(),
         totals.generated_linear,
         totals.dissipated,

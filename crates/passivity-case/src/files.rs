@@ -1,4 +1,4 @@
-//! Reading files of which no more is read than they may have.
+//! Reading files up to a bound on their size.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! A case in a folder: written whole or not at all.
+//! The folder of a case, which is written completely or not at all.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,4 +1,4 @@
-//! A document as one HTML file that needs nothing else: no script, no font, no other file.
+//! A document as one self-contained HTML file, without scripts, fonts or other files.
 
 use std::fmt::Write as _;
 

@@ -1,4 +1,4 @@
-//! Who wrote a case, for which use, and who approved it: what no program can find out.
+//! The fields of a case that people fill in: author, reviewer, approval, intended use, date.
 
 use std::path::Path;
 

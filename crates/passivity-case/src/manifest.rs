@@ -107,6 +107,10 @@ impl Manifest {
     /// A file that is not there, is too large, or is no manifest: with the place.
     pub fn read(folder: &Path) -> Result<Self, CaseError> {
         let path = folder.join(MANIFEST);
+        if !path.exists() {
+            let what = format!("this folder holds no safety case: it has no file {MANIFEST}");
+            return Err(CaseError::within(folder, what));
+        }
         let text = read_text(&path, MOST_BYTES)?;
         let manifest: Self =
             serde_json::from_str(&text).map_err(|error| CaseError::within(&path, error))?;

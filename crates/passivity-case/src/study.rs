@@ -2,12 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_core::{BigRational, Interval};
 use passivity_evidence::Sha256;
 use passivity_scene::check::{Report, Verdict};
-use passivity_scene::display::range;
 use passivity_scene::explain::{Explanation, explain};
-use passivity_scene::{Given, Motion, Scene};
+use passivity_scene::{Given, Scene};
 
 use crate::criterion::Criterion;
 use crate::document::slug;
@@ -106,19 +104,7 @@ impl Study {
     /// At which speeds the verdict was asked: `at every speed`, or up to a bound.
     #[must_use]
     pub fn speeds(&self) -> String {
-        let report = self.report();
-        let Some(ticks) = report
-            .speed_bound
-            .as_ref()
-            .filter(|_| self.has_speed_limit())
-        else {
-            return "at every speed".to_owned();
-        };
-        let bound = match &report.speed_bound_si {
-            Some(si) => format!("{} {}", range(si), speed_unit(self.scene.motion)),
-            None => format!("{} ticks/sample", range(ticks)),
-        };
-        format!("at every speed up to {bound}")
+        self.report().speeds_text()
     }
 
     /// The criterion with the numbers of the scene, over the tolerances.
@@ -217,20 +203,6 @@ fn trailing_comment(line: &str) -> Option<&str> {
         }
     }
     None
-}
-
-/// The unit of speed of a motion.
-pub(crate) const fn speed_unit(motion: Motion) -> &'static str {
-    match motion {
-        Motion::Linear => "m/s",
-        Motion::Rotary => "rad/s",
-        Motion::Dimensionless => "ticks/sample",
-    }
-}
-
-/// An interval with its unit.
-pub(crate) fn with_unit(x: &Interval<BigRational>, unit: &str) -> String {
-    format!("{} {unit}", range(x)).trim_end().to_owned()
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What is typed: the one table that help, man page and completions are made from.
+//! The command-line arguments, from which help, man page and completions are made.
 
 use clap::{Parser, Subcommand};
 

@@ -1,4 +1,4 @@
-//! How the command ends: exit codes and failures.
+//! Exit codes and failures of the command.
 
 use std::fmt::Display;
 use std::io;
@@ -62,7 +62,10 @@ impl Failure {
         if error.kind() == io::ErrorKind::BrokenPipe {
             return Self::Closed;
         }
-        Self::Input(format!("{what}: {error}"))
+        let error = error.to_string();
+        // The number of the system's error tells people nothing.
+        let words = error.split(" (os error").next();
+        Self::Input(format!("{what}: {}", words.unwrap_or(&error)))
     }
 
     /// Says what went wrong on standard error and gives the exit code.

@@ -1,4 +1,4 @@
-//! The command `passivity`: glue between what is typed and the libraries that do the work.
+//! The command `passivity`, which connects the command line with the libraries that do the work.
 
 mod args;
 mod exit;

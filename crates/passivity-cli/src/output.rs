@@ -10,10 +10,10 @@ use crate::exit::Failure;
 /// For whom the result is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum Format {
-    /// For people.
+    /// Text for people.
     #[default]
     Text,
-    /// For programs: one JSON document.
+    /// One JSON document for programs.
     Json,
 }
 

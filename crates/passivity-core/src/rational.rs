@@ -4,16 +4,16 @@ use core::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive};
 
 use crate::fraction::{Fixed, Wide};
 use crate::scalar::{Ordered, Scalar};
 
 /// Big rationals in lowest terms: exact on any size, and the slowest instance.
 ///
-/// Division by zero gives zero here, because the type has no undefined value; every caller in this
-/// crate divides by a quantity that its documentation says is not zero. Use [`Wide`] where that is
-/// not known beforehand.
+/// The type has no undefined value, so [`over`](Scalar::over) panics on a divisor of zero, as `/`
+/// does: every caller in this crate divides by a quantity that its documentation says is not zero.
+/// Use [`Wide`] where that is not known beforehand.
 impl Scalar for BigRational {
     fn integer(n: i32) -> Self {
         Self::from_integer(BigInt::from(n))
@@ -48,11 +48,7 @@ impl Scalar for BigRational {
     }
 
     fn over(self, divisor: Self) -> Self {
-        if divisor.is_zero() {
-            divisor
-        } else {
-            self / divisor
-        }
+        self / divisor
     }
 }
 

@@ -1,4 +1,4 @@
-//! What a trace says of a number: the number itself, or between which ends it lies.
+//! A number as a trace gives it: exact, or enclosed between two ends.
 
 use passivity_core::{BigRational, Fixed, Interval, Ordered, Scalar, Wide, rational};
 

@@ -93,7 +93,7 @@ fn a_doubled_reversed_or_late_force_does_not_hold_by_the_law() {
         text.contains("FAILS: the operator surely drew more than was stored at the start, by ")
     );
     assert!(
-        text.contains("the other sign and 0 samples of delay it is"),
+        text.contains("with the opposite sign and 0 samples of delay it agrees"),
         "{text}"
     );
     let doubled = trace("count", &path, |i| law(&path, i, 0, 2.0));

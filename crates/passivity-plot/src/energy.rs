@@ -1,4 +1,4 @@
-//! The course of energy along a trace: what friction has to spare, and the passivity observer.
+//! Energy along a trace: what friction dissipated beyond what was generated, and the passivity observer.
 
 use plotters::prelude::*;
 

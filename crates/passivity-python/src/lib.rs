@@ -92,6 +92,11 @@ fn audit_arrays(
 ) -> PyResult<String> {
     let scene = read_scene(path, object)?;
     let mut rows = rows_file(out)?;
+    let lengths = [Some(data.len()), times.as_ref().map(|(_, data)| data.len())];
+    if lengths.iter().flatten().any(|length| length % 8 != 0) {
+        let message = "expected 64-bit numbers, found bytes that are not a multiple of 8";
+        return Err(PyValueError::new_err(message));
+    }
     let positions = match column {
         "count" => Positions::Counts(words(data).map(i64::from_ne_bytes).collect()),
         name => Positions::Numbers(

@@ -49,8 +49,8 @@ pub enum Rounding {
     Up,
 }
 
-/// A number x ≥ 0 with that many significant digits, rounded to one side, plain between 10⁻⁴ and
-/// 10⁶ and with an exponent elsewhere.
+/// A number with that many significant digits, rounded to one side, plain between 10⁻⁴ and 10⁶ and
+/// with an exponent elsewhere.
 ///
 /// # Example
 ///
@@ -63,10 +63,18 @@ pub enum Rounding {
 /// assert_eq!(rounded(&two_thirds, 5, Rounding::Up), "0.66667");
 /// let small = BigRational::new(1.into(), 7_000_000.into());
 /// assert_eq!(rounded(&small, 3, Rounding::Up), "1.43e-7");
+/// assert_eq!(rounded(&-small, 3, Rounding::Up), "-1.42e-7");
 /// assert_eq!(rounded(&BigRational::new(1.into(), 2.into()), 5, Rounding::Up), "0.5");
 /// ```
 #[must_use]
 pub fn rounded(x: &BigRational, digits: u32, to: Rounding) -> String {
+    if x.is_negative() {
+        let opposite = match to {
+            Rounding::Down => Rounding::Up,
+            Rounding::Up => Rounding::Down,
+        };
+        return format!("-{}", rounded(&-x, digits, opposite));
+    }
     if !x.is_positive() {
         return "0".to_owned();
     }

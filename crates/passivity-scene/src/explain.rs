@@ -205,13 +205,13 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
             cost.viscous_number, cost.coulomb_number
         ),
     );
-    if let Some(v) = &report.critical_speed {
+    if let Some(speed) = report.critical_ticks_text() {
         let formula = "equality at the critical speed v_c".to_owned();
         push(
             Step::CriticalSpeed,
             "TH-REGION",
             formula,
-            format!("v_c = {} ticks/sample", report.safe_critical_speed(v)),
+            format!("v_c = {speed}"),
         );
     }
     if let Some(v) = &report.speed_bound {
@@ -230,9 +230,9 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
         push(
             Step::Witness,
             "TH-ACTIVE",
-            "a cycle ξ → ξ + d → ξ with positive gain".to_owned(),
+            "a cycle ξ → ξ + d → ξ that draws energy".to_owned(),
             format!(
-                "{} → {} → {}: gains {} KΔ² a round",
+                "{} → {} → {}: draws {} KΔ² in each round trip",
                 witness.from, witness.to, witness.from, witness.gain_per_cycle
             ),
         );
@@ -296,7 +296,7 @@ fn held_force(scene: &Scene) -> (String, &'static str) {
         force = format!("{force} + B·{velocity}");
     }
     let side = if scene.given.unilateral {
-        ", and the bracket is 0 when that sample is below 0"
+        ", where the bracket is 0 if the sample is below 0"
     } else {
         ""
     };
@@ -384,7 +384,7 @@ impl Cost {
             coulomb: sum(&coulomb),
             coulomb_number: readable(&cost.coulomb),
             storage: if stored {
-                " + what the extra storage loses"
+                " + the decrease of the extra storage"
             } else {
                 ""
             },
@@ -408,19 +408,23 @@ fn sentence(id: &str) -> &'static str {
              measured against the linear spring, if the criterion holds at the mean speed"
         }
         "TH-RUN" => {
-            "over any number of intervals the operator draws no more than was stored at the start, \
-             whatever the operator does"
+            "over any number of intervals the operator draws no more energy than was stored at the \
+             start, whatever the operator does"
         }
         "TH-START" => {
             "an unforced motion never gets faster than V, so the criterion at V is enough"
         }
-        "TH-ACTIVE" => "below ½ in β or σ an exact cycle draws energy every time round",
-        "TH-SMOOTH" => "without an encoder the terms of quantization go",
-        "TH-UNI" => "a wall on one side generates no more than one on both",
-        "TH-LAW" => "no force law that is nowhere stiffer than K generates more than the spring",
+        "TH-ACTIVE" => {
+            "if β or σ is below ½, an explicit cycle of motion draws energy in each round trip"
+        }
+        "TH-SMOOTH" => "without an encoder the terms of quantization vanish",
+        "TH-UNI" => "a one-sided wall generates no more energy than a two-sided one",
+        "TH-LAW" => {
+            "a force law that is nowhere stiffer than K generates no more energy than the spring"
+        }
         "TH-DAC" => "a force step δ costs ½δ of Coulomb friction",
-        "TH-DELAY" => "each whole sample of delay costs 1 of effective viscous friction",
-        "TH-DAMP" => "virtual damping B costs B of both effective frictions: it is paid, not won",
+        "TH-DELAY" => "each sample of delay raises the β that is required by 1",
+        "TH-DAMP" => "virtual damping B raises the β and the σ that are required by B each",
         _ => "see the table of claims",
     }
 }

@@ -44,7 +44,8 @@ pub fn interval(x: &Interval<BigRational>) -> Value {
     })
 }
 
-/// The double nearest to an exact number as a JSON number, or null when it is past the doubles.
+/// The double nearest to an exact number as a JSON number, or null when it is past the doubles: its
+/// ends are exact beside it.
 #[must_use]
 pub fn approx(x: &BigRational) -> Value {
     // `from_f64` refuses infinities.
@@ -150,11 +151,16 @@ pub fn read_interval(value: &Value) -> Result<Interval<BigRational>, NumberError
         None => Err(NumberError::new(
             NumberErrorKind::Malformed,
             0,
-            format!("an interval needs `{name}`"),
+            format!("the end `{name}` of an interval is missing"),
         )),
     };
-    Interval::new(end("lo")?, end("hi")?)
-        .ok_or_else(|| NumberError::new(NumberErrorKind::Malformed, 0, "an interval needs lo ≤ hi"))
+    Interval::new(end("lo")?, end("hi")?).ok_or_else(|| {
+        NumberError::new(
+            NumberErrorKind::Malformed,
+            0,
+            "the end `lo` of an interval is above its end `hi`",
+        )
+    })
 }
 
 /// What a JSON value is, in words.

@@ -26,8 +26,10 @@ pub mod parse;
 pub mod point;
 pub mod scene;
 pub mod units;
+pub mod written;
 
 pub use diagnostic::{Diagnostic, SceneError};
 pub use passivity_core::{Effect, Exact};
 pub use point::Point;
 pub use scene::{ForceSamples, Given, Motion, Scene};
+pub use written::Written;

@@ -1,4 +1,4 @@
-//! Exact literals: a decimal is the rational number it spells.
+//! Exact literals: a decimal is read as the rational number that it denotes.
 
 use std::fmt;
 
@@ -312,7 +312,11 @@ fn small_exponent(text: &str, at: usize, most: u32) -> Result<i64, NumberError> 
 
 /// The value of ASCII digits; 0 for none.
 fn natural(digits: &str) -> BigUint {
-    BigUint::parse_bytes(digits.as_bytes(), 10).unwrap_or_default()
+    match BigUint::parse_bytes(digits.as_bytes(), 10) {
+        Some(value) => value,
+        None if digits.is_empty() => BigUint::ZERO,
+        None => unreachable!("only digits are read as a number"),
+    }
 }
 
 fn signed(n: BigUint) -> BigInt {
@@ -368,8 +372,10 @@ fn nearest_magnitude(n: &BigUint, d: &BigUint) -> f64 {
         quotient += BigUint::one();
     }
     // At most 2^53: exact. A carry to 2^53 is the next power of two, as it should be.
-    let significand = quotient.to_u64().unwrap_or(u64::MAX);
-    compose(significand, exponent)
+    match quotient.to_u64() {
+        Some(significand) => compose(significand, exponent),
+        None => unreachable!("a quotient of at most 53 bits"),
+    }
 }
 
 /// ⌊n/d·2^−exponent⌋, and how what is left compares with one half.

@@ -5,6 +5,8 @@ use std::ops::Range;
 use num_traits::Zero;
 use passivity_core::{BigRational, Effect, Exact, Interval, Loop, Parameter, Scalar};
 
+use crate::written::Written;
+
 /// How the device moves, which fixes the units of everything.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Motion {
@@ -27,6 +29,8 @@ pub struct Given {
     pub nominal: Exact,
     /// The text of the value in the file, as in `9e-6 N m s/rad ± 10%`; empty for a default.
     pub text: String,
+    /// The unit in which the file writes the value.
+    pub written: Written,
     /// Where the value stands in the file, in bytes.
     pub span: Range<usize>,
 }
@@ -40,6 +44,7 @@ impl Given {
             value: Interval::point(Exact::one()),
             nominal: Exact::one(),
             text: String::new(),
+            written: Written::si(""),
             span: 0..0,
         }
     }

@@ -87,7 +87,7 @@ fn what_is_no_unit_is_refused_with_its_place() {
         (
             "Nm^2",
             0..4,
-            "it is not clear to what the power belongs here",
+            "it is not clear which unit the power belongs to",
         ),
         (
             "N m/rad s",

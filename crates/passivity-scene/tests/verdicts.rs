@@ -97,7 +97,7 @@ fn an_unforced_motion_says_what_it_assumes_of_the_controllers_memory() {
     let json = report.to_json();
     assert_eq!(json["unforced"]["holds"], true);
     let assumes = json["unforced"]["assumes"].as_str().unwrap();
-    assert!(assumes.contains("rested there for as long as the controller remembers"));
+    assert!(assumes.contains("rested there before, for as long as delay and damping look back"));
     let text = report
         .to_text()
         .split_whitespace()
@@ -155,7 +155,7 @@ fn comparisons_do_not_apply_to_a_delay() {
     let late = dimensionless("2", "2", "[sampling]\ndelay = 1\n");
     assert_eq!((late.colgate, late.abbott_okamura), (None, None));
     let text = late.to_text();
-    assert!(text.contains("does not apply to a delay"));
+    assert!(text.contains("does not apply with a delay"));
 }
 
 #[test]
@@ -207,6 +207,58 @@ fn where_every_period_passes_or_every_one_fails_nothing_depends() {
     // β ≥ ½ asks for T ≤ 0.6 and σ ≥ ½ for T ≥ 1.
     let fails = both("0.4", "0.6", &[]);
     assert_eq!(fails, Verdict::NotGuaranteed);
+}
+
+/// Figures for people are in the units of the scene file: each limit, typed into its place, passes,
+/// and a little beyond it does not.
+#[test]
+fn limits_are_written_as_the_scene_writes_its_parameters() {
+    // Each line has the value that is replaced between two bars.
+    const LINES: [(&str, &str); 5] = [
+        ("viscous", "viscous = \"|2e-3| N m s/deg\""),
+        ("coulomb", "[device]\ncoulomb = \"|500| mN m\""),
+        ("rate", "[sampling]\nrate = \"|1| kHz\""),
+        ("counts", "[encoder]\ncounts_per_revolution = |720|"),
+        ("stiffness", "[wall]\nstiffness = \"|0.9| N m/deg\""),
+    ];
+    let scene = |changed: &str, value: &str| {
+        let mut order = LINES;
+        order.swap(0, 1); // The section comes first.
+        let mut text = String::new();
+        for (key, line) in order {
+            let parts: Vec<&str> = line.split('|').collect();
+            let value = if key == changed { value } else { parts[1] };
+            text += &format!("{}{value}{}\n", parts[0], parts[2]);
+        }
+        report(&format!("{text}[operator]\nmax_speed = \"300 deg/s\"\n"))
+    };
+    let first = scene("", "");
+    assert_eq!(first.speeds_text(), "at every speed");
+    assert_eq!(first.speed_bound_text(), "300 deg/s");
+    let text = first.to_text();
+    for expected in ["N m/deg at every speed", "margin (8) at 300 deg/s"] {
+        assert!(text.contains(expected), "{text}");
+    }
+    assert_eq!(first.limits.len(), LINES.len());
+    for (limit, (key, _)) in first
+        .limits
+        .iter()
+        .zip([LINES[0], LINES[1], LINES[4], LINES[2], LINES[3]])
+    {
+        let typed = limit.typed.as_deref().expect(key);
+        assert!(text.contains(typed), "{key} = {typed} in {text}");
+        assert!(scene(key, typed).at_every_speed, "{key} = {typed}");
+        let at_least = limit.promise(first.motion).starts_with("at least");
+        let factor = if at_least { "0.998" } else { "1.002" };
+        let mut beyond = number(typed) * number(factor);
+        if key == "counts" {
+            beyond = beyond.floor();
+        }
+        assert!(
+            !scene(key, &beyond.to_string()).at_every_speed,
+            "{key} = {beyond}"
+        );
+    }
 }
 
 /// A number with few digits, and perhaps a tolerance.

@@ -1,4 +1,4 @@
-//! What accuracy costs: every method on one scene, its error against the reference and its time.
+//! Accuracy: the error of every method on one scene against the reference, and its computing time.
 
 use std::time::Instant;
 

@@ -1,4 +1,4 @@
-//! From where on divergence is certain.
+//! The radius beyond which divergence is certain.
 //!
 //! Without quantization and Coulomb friction the loop is linear from sample to sample, x′ = Ax. Let z
 //! be an eigenvalue of A with |z| > 1 and ℓ its left eigenvector, ℓA = zℓ. Quantization (an error of
@@ -190,7 +190,7 @@ impl Growth {
         match self.factor {
             Some(factor) if self.square < OVERFLOW * OVERFLOW => format!(
                 "the radius {:.6} ticks of the growing mode (a factor of {factor:.9} a sample): \
-                 quantization and Coulomb friction cannot hold it any more",
+                 beyond it quantization and Coulomb friction cannot stop the growth",
                 self.mode.as_ref().map_or(self.square.sqrt(), |m| m.radius)
             ),
             _ => format!("{OVERFLOW:e} ticks, where numbers end"),

@@ -1,4 +1,4 @@
-//! Many points at once: the paper's own scene in lanes, for sweeps.
+//! Many points at once: the paper's own scene in vector lanes, for sweeps.
 //!
 //! A batch holds [`WIDTH`] points as a structure of arrays. Each lane runs the very arithmetic of the
 //! scalar loop (`motion`), both sides of its branches computed and selected, so that the

@@ -1,4 +1,4 @@
-//! What became of a run: by the paper's threshold, and by what is certain.
+//! The outcome of a run: by the paper's threshold, and by what is certain.
 //!
 //! The paper calls a run converged when |ξ̇| < 0.01 at its end. With μ = 50 that is the largest
 //! chatter at a tick's edge, (½ − σ)/μ for σ → 0, so it calls most limit cycles converged. The
@@ -139,7 +139,7 @@ impl Facts {
                 ExactOutcome::AtRest,
                 Some(h),
                 format!(
-                    "ξ̇ = 0 and |u| ≤ σ = {}, so nothing moves it any more",
+                    "ξ̇ = 0 and |u| ≤ σ = {}, so the device stays at rest",
                     self.sigma
                 ),
             ),
@@ -156,7 +156,8 @@ impl Facts {
                 _ => (
                     ExactOutcome::Undecided,
                     None,
-                    "neither rest nor certain growth within the intervals".to_owned(),
+                    "the motion neither came to rest nor was certain to grow within the intervals"
+                        .to_owned(),
                 ),
             },
         };

@@ -1,4 +1,4 @@
-//! A scene compiled for simulation: exactly its effects, and the loop that runs them.
+//! A scene compiled for simulation: its effects and no others, and the loop that runs them.
 
 use passivity_core::parameter::Values;
 use passivity_core::{BigRational, Effect, Loop, Parameter};
@@ -245,21 +245,21 @@ impl Plan {
     /// use passivity_sim::{Plain, Plan};
     ///
     /// let plan = Plan::plain(&Plain { mu: 50.0, beta: 0.6, sigma: 0.4, xi: 0.0, velocity: 1.0 }, 9);
-    /// assert_eq!(plan.describe()[0], "loop `plain`: law and motion in one loop, specialised");
+    /// assert_eq!(plan.describe()[0], "loop `plain`: controller and motion in one specialised loop");
     /// ```
     #[must_use]
     pub fn describe(&self) -> Vec<String> {
         let mut lines = vec![match self.loop_name() {
-            "plain" => "loop `plain`: law and motion in one loop, specialised".to_owned(),
+            "plain" => "loop `plain`: controller and motion in one specialised loop".to_owned(),
             "law" => format!(
-                "loop `law`: law {} of 64, motion specialised to the scene's frictions",
+                "loop `law`: controller {} of 64, with the motion specialised to the scene's friction",
                 self.law.effects
             ),
             _ => "loop `flow`: power series of the linear motion between reversals".to_owned(),
         }];
         lines.extend(self.describe_law());
         if self.forces.is_some() {
-            lines.push("operator: F ← the interval's force".to_owned());
+            lines.push("operator: F ← the force of this interval".to_owned());
         }
         lines.push(self.describe_motion());
         if self.growth.is_possible() {
@@ -276,7 +276,10 @@ impl Plan {
             "sample: q ← ξ".to_owned()
         }];
         if law.has(law::DELAY) {
-            lines.push(format!("delay: q ← the sample of {} before", law.delay));
+            lines.push(format!(
+                "delay: q ← the sample taken {} intervals earlier",
+                law.delay
+            ));
         }
         lines.push(if law.has(law::DAMPING) {
             format!("law: u ← −(q + {}·(q − q′))", law.damping)

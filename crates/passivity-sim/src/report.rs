@@ -1,4 +1,4 @@
-//! What programs are told of a simulation, a sweep and a measurement of accuracy: the types that
+//! The reports of a simulation, a sweep and a measurement of accuracy for programs: the types that
 //! `--format json` writes.
 //!
 //! JSON has no infinities: a figure without a finite value is an error.

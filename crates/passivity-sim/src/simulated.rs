@@ -1,4 +1,4 @@
-//! What a simulation gives: its end, its sums, and every interval on the way.
+//! The result of a simulation: its end, its sums, and every interval.
 
 use passivity_core::BigRational;
 

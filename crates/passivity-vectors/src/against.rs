@@ -205,7 +205,7 @@ fn judge(test: &Test, answer: &Value, found: &mut Found) {
     }
 }
 
-/// Everything expected must be there; what is there besides is not asked about.
+/// Every expected field must be there; further fields are ignored.
 fn differs(expected: &Value, actual: &Value, field: &str, found: &mut Found) {
     match (expected, actual) {
         (Value::Object(expected), Value::Object(actual)) => {

@@ -1,4 +1,4 @@
-//! Making tests: a request in, the library's own answer out.
+//! Makes a test from a request and the library's own answer.
 
 use passivity_core::BigRational;
 use passivity_oracle::protocol;

@@ -1,4 +1,4 @@
-//! Where the elements of an argument go: a tree from the top, contexts and counter goals beside.
+//! The layout of an argument: a tree from the top, with contexts and counter goals at the side.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! What the paper got wrong, computed by the kernel, and why its conclusion stands.
+//! The errors of the paper, computed by the kernel, and why its conclusion holds.
 
 use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::{BigRational, Friction, Loop, Scalar as _, Step};

@@ -1,4 +1,4 @@
-//! The words and letters of the document.
+//! The glossary of the document.
 
 use crate::document::{Document, Row};
 

@@ -1,11 +1,10 @@
-//! What can go wrong for the hand, and what the criterion says of it.
+//! The hazards for the operator, and what the criterion says about each.
 
 use passivity_core::Region;
 use passivity_scene::check::{Report, Verdict};
 
 use crate::case::Case;
 use crate::document::{Document, Row};
-use crate::study::{speed_unit, with_unit};
 
 pub(super) fn write(document: &mut Document, case: &Case) {
     document.heading(2, "hazards", "Hazards");
@@ -34,12 +33,10 @@ pub(super) fn write(document: &mut Document, case: &Case) {
     }
 }
 
-/// The critical speed in brackets, in the units of the device where it has any.
+/// The critical speed, after `of`.
 fn speed(report: &Report) -> String {
-    let unit = speed_unit(report.motion);
-    let speed = report.critical_speed_si.as_ref();
-    let speed = speed.or(report.critical_speed.as_ref());
-    speed.map_or_else(String::new, |v| format!(" ({})", with_unit(v, unit)))
+    let speed = report.critical_speed_text();
+    speed.map_or_else(String::new, |speed| format!(" of {speed}"))
 }
 
 fn row(hazard: &str, shows: &str, here: String) -> Row {

@@ -1,4 +1,4 @@
-//! What this case does not say.
+//! What this case does not show.
 
 use std::collections::BTreeSet;
 
@@ -25,8 +25,8 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         (
             "Effects that no theorem covers: ",
             "lag of the amplifier and the drive's bandwidth, friction that changes with speed or \
-             position (Stribeck, stiction above Coulomb's level), saturation together with virtual \
-             damping, flexible structure between motor and hand, backlash, and force ripple.",
+             position (Stribeck, stiction above Coulomb's level), flexible structure between motor and \
+             hand, backlash, and force ripple.",
         ),
         (
             "One degree of freedom: ",

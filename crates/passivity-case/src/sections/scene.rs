@@ -8,7 +8,7 @@ use passivity_scene::explain::{self, Step};
 use crate::case::Case;
 use crate::document::{Block, Document, Line, Row};
 use crate::figures;
-use crate::study::{Source, Study, speed_unit, with_unit};
+use crate::study::{Source, Study};
 
 pub(super) fn write(document: &mut Document, case: &Case, study: &Study) {
     document.heading(2, study.anchor("scene"), study.name());
@@ -51,27 +51,19 @@ fn verdict(document: &mut Document, study: &Study) {
     }
     let pair = |viscous, coulomb| format!("{} of β, {} of σ", range(viscous), range(coulomb));
     row(
-        "What the effects cost",
+        "What the effects require of β and σ",
         pair(&report.cost.viscous, &report.cost.coulomb),
     );
     row(
-        "To spare at every speed",
+        "Spare at every speed",
         pair(&report.spare.viscous, &report.spare.coulomb),
     );
-    let unit = speed_unit(study.scene.motion);
-    if let (Some(margin), Some(v)) = (&report.margin_at_speed_bound, &report.speed_bound) {
-        let si = report.speed_bound_si.as_ref();
-        let v = si.map_or_else(
-            || format!("{} ticks/sample", range(v)),
-            |si| with_unit(si, unit),
-        );
-        row(&format!("Margin (8) at {v}"), range(margin));
+    if let Some(margin) = &report.margin_at_speed_bound {
+        let name = format!("Margin (8) at {}", report.speed_bound_text());
+        row(&name, range(margin));
     }
-    if let Some(v) = &report.critical_speed {
-        let safe = |v| report.safe_critical_speed(v);
-        let si = report.critical_speed_si.as_ref();
-        let si = si.map_or(String::new(), |si| format!("{} {unit} = ", safe(si)));
-        row("Critical speed", format!("{si}{} ticks/sample", safe(v)));
+    if let Some(speed) = report.critical_speed_text() {
+        row("Critical speed", speed);
     }
     let applies = |truth: Option<Truth>| match truth {
         Some(truth) => truth.name().to_owned(),
@@ -119,7 +111,7 @@ fn limits(document: &mut Document, study: &Study) {
         let alone = if limit.printed.is_some() {
             ""
         } else {
-            ", which is not enough alone"
+            "; this alone does not suffice"
         };
         [
             limit.name(motion).into(),

@@ -1,4 +1,4 @@
-//! Where the parts of this document are of use to readers of standards.
+//! Which parts of the document help with which clauses of the standards.
 
 use crate::document::{Document, Line, Row};
 

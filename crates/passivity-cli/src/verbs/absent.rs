@@ -1,4 +1,4 @@
-//! Verbs that this build leaves out: each is still known, and says which feature has it.
+//! Commands that this build leaves out: each names the feature that provides it.
 
 /// Modules of verbs, each with the feature that it needs.
 macro_rules! absent {

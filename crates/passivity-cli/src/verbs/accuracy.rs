@@ -1,4 +1,4 @@
-//! `passivity accuracy`: what accuracy costs in time.
+//! `passivity accuracy`: error and computing time of the simulation methods.
 
 use std::path::PathBuf;
 
@@ -14,7 +14,7 @@ use crate::output::{Format, emit, emit_json, read_scene};
 use crate::progress::Progress;
 use crate::verbs::simulate::{speed_at_start, words};
 
-/// Compare every method and step on a scene: error against the reference, and time per interval.
+/// Compare the simulation methods on a scene: error against the reference, and time per interval.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity accuracy scenes/re35.toml --speed 5
@@ -23,16 +23,16 @@ pub(crate) struct Args {
     /// Scene file.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// How many intervals to run at most; the reference takes microseconds for each.
-    #[arg(long, value_name = "N", default_value_t = 2000)]
+    /// The largest number of intervals to simulate; the reference method takes microseconds for each.
+    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u64).range(1..))]
     intervals: u64,
-    /// Speed at the start in ticks per sample, instead of the scene's.
+    /// The speed at the start in ticks per sample, in place of the scene's.
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
-    /// Where to draw error against time: a name that ends in .svg or .png.
+    /// Draw error against computing time into this file, as SVG or PNG according to its extension.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
-    /// For people or for programs.
+    /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
@@ -71,7 +71,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
 fn text(name: &str, table: &Table) -> String {
     let mut lines = vec![
         format!(
-            "{name}: {} intervals, {} by the reference",
+            "{name}: {} intervals; outcome of the reference: {}",
             table.intervals,
             words(table.reference)
         ),
@@ -83,7 +83,7 @@ fn text(name: &str, table: &Table) -> String {
     for row in &table.rows {
         let mut note = String::new();
         if !row.same_outcome {
-            note += " (not the reference's)";
+            note += " (differs from the reference)";
         } else if row.late != 0 {
             note += &format!(" ({:+} intervals)", row.late);
         }
@@ -101,10 +101,13 @@ fn text(name: &str, table: &Table) -> String {
         lines.push(format!("{:<16}left out: {reason}", method.to_string()));
     }
     if table.intervals == 0 {
-        lines.push("Nothing moves: the start is at rest (give another with --speed).".to_owned());
+        lines.push(
+            "The device starts at rest and does not move; --speed sets a speed at the start."
+                .to_owned(),
+        );
     }
     lines.push(
-        "Errors are relative: to the reach of the motion, its greatest speed, the energy dissipated."
+        "Errors are relative to the largest displacement, the largest speed and the energy dissipated."
             .to_owned(),
     );
     lines.join("\n")

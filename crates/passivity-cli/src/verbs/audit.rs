@@ -13,31 +13,31 @@ use passivity_plot::save;
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
 
-/// Account for a recorded or simulated trace, exactly, interval by interval.
+/// Compute the exact energy account of a recorded or simulated trace, interval by interval.
 ///
 /// The trace is CSV with a header, or Parquet, with one of the columns `xi` (ticks), `x [unit]` or
 /// `count` (encoder counts), and perhaps `t [s]` (or `tau`) and `f [unit]`, the force that was
-/// commanded at each sample and held until the next. Where there are forces the account is of them,
-/// and beside it stands how they differ from the wall's law; `--law` accounts for the law's own
-/// force instead. The rows that `simulate --out` writes are a trace as well. Of counts, every figure
-/// is an exact enclosure and every answer has three values.
+/// commanded at each sample and held until the next. If the trace has forces, the account is that of
+/// these forces, and their differences from the wall's force law are reported beside it; `--law`
+/// selects the force of the law instead. The file that `simulate --out` writes is a trace as well.
+/// From encoder counts, every figure is an exact interval and every answer is yes, no or undecided.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity audit trace.csv --scene scenes/re35.toml
   passivity audit log.parquet --scene scene.toml --format json --out rows.csv --plot energy.svg
 
-What is judged: under the wall's own force without delay or damping, each interval, by what it
-generated and what friction surely dissipated; else the whole, by what the operator has drawn so far
-and what was stored at the start.
+How the trace is judged: if the force is that of the wall's law without delay or damping, every
+interval must generate no more energy than friction surely dissipated. Otherwise the operator must
+never have drawn more energy than was stored at the start.
 
-Exit codes: 0 it holds; 1 it fails, or it depends; 2 the trace or the scene is bad (what came before
-the mistake is accounted for) or nothing was recorded; 3 the scene has an effect that no theorem
+Exit codes: 0 it holds; 1 it fails or is undecided; 2 the trace or the scene is invalid (the rows
+before the error are accounted for) or the trace is empty; 3 the scene has an effect that no theorem
 covers.")]
 pub(crate) struct Args {
     /// The trace; `-` reads CSV from standard input.
     #[arg(value_name = "TRACE")]
     trace: PathBuf,
-    /// The scene it was recorded in.
+    /// The scene in which it was recorded.
     #[arg(long, value_name = "FILE")]
     scene: PathBuf,
     /// Write the rows of the ledger to a CSV file.
@@ -46,13 +46,13 @@ pub(crate) struct Args {
     /// Draw energy against time, as SVG or PNG.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
-    /// Account for the force of the scene's own law, also where the trace has forces.
+    /// Use the force of the scene's law even if the trace has forces.
     #[arg(long)]
     law: bool,
-    /// How many cores to use; 0 for all.
+    /// The number of processor cores to use; 0 for all.
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=1024))]
     threads: u16,
-    /// For people or for programs.
+    /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }

@@ -69,7 +69,7 @@ pub(crate) struct Args {
     /// Also measure what accuracy costs in time; the figures differ from run to run.
     #[arg(long, conflicts_with = "check")]
     accuracy: bool,
-    /// For people or for programs.
+    /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }

@@ -18,7 +18,7 @@ use crate::output::{Format, emit, emit_json, read_scene};
 pub(crate) struct Args {
     /// The scene file.
     scene: PathBuf,
-    /// For people or for programs.
+    /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }

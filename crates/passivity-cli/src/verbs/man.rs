@@ -5,13 +5,14 @@ use clap::CommandFactory as _;
 use crate::exit::{Exit, Failure};
 use crate::output::emit;
 
-/// Print the man page, of the command or of a verb.
+/// Print the man page of the program or of one of its commands.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity man > passivity.1
   passivity man check | man -l -")]
 pub(crate) struct Args {
-    /// The verb; the page of the command itself without one.
+    /// The command; by default the page of the program itself.
+    #[arg(value_name = "COMMAND")]
     verb: Option<String>,
 }
 
@@ -23,7 +24,9 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         None => command,
         Some(verb) => {
             let found = command.find_subcommand(verb).ok_or_else(|| {
-                Failure::input(format!("no verb `{verb}`: `passivity help` lists them"))
+                Failure::input(format!(
+                    "there is no command `{verb}`; `passivity help` lists the commands"
+                ))
             })?;
             found.clone()
         }

@@ -11,7 +11,7 @@ use serde::Serialize;
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
 
-/// Draw the (β, σ) plane (Figs. 3 and 4 of the paper) with the scenes in it.
+/// Draw the (β, σ) plane of the paper's Figs. 3 and 4 and mark the scenes in it.
 ///
 /// Shows the regions, the critical line of each scene at its speed bound, and where another
 /// stiffness, sampling period or encoder resolution would move it.
@@ -23,10 +23,10 @@ pub(crate) struct Args {
     /// Scene files.
     #[arg(required = true, value_name = "SCENE")]
     scenes: Vec<PathBuf>,
-    /// Where to write the picture: a name that ends in .svg or .png.
+    /// Draw the plane into this file, as SVG or PNG according to its extension.
     #[arg(long, value_name = "FILE")]
     plot: PathBuf,
-    /// For people or for programs.
+    /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }

@@ -21,16 +21,16 @@ use crate::progress::Progress;
 
 /// Simulate a scene: the motion between samples in closed form, with the energy ledger.
 ///
-/// Exit code 0 when the device comes to rest, 1 when it does not or nothing is certain.
+/// Exit codes: 0 the device comes to rest; 1 it does not, or the outcome is not certain; 2 bad input.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Methods:
-  closed-form     doubles, no step size (default)
+  closed-form     closed form in double precision, without a step size (default)
   exact           rational numbers, for scenes without viscous friction
-  reference:50    this many decimal digits
-  enclosure       rigorous intervals, refined until they decide
-  euler:10        semi-implicit Euler, this many steps an interval
-  rk4:10          Runge-Kutta of order 4, this many steps an interval
-  adaptive:1e-9   Dormand-Prince with events, this tolerance
+  reference:50    closed form with the given number of decimal digits
+  enclosure       rigorous bounds, with more digits until they decide the outcome
+  euler:10        semi-implicit Euler with the given number of steps in each interval
+  rk4:10          Runge-Kutta of order 4 with the given number of steps in each interval
+  adaptive:1e-9   Dormand-Prince with event detection and the given tolerance
 
 Examples:
   passivity simulate scenes/re35.toml --speed 5 --plot motion.svg
@@ -40,25 +40,25 @@ pub(crate) struct Args {
     /// Scene file.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// The method, with its parameter after a colon.
+    /// The simulation method, with its parameter after a colon; see the list below.
     #[arg(long, value_name = "METHOD", default_value = "closed-form")]
     method: String,
-    /// How many intervals to run, instead of what the scene says.
-    #[arg(long, value_name = "N")]
+    /// The number of sampling intervals to simulate, in place of the scene's.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     intervals: Option<u64>,
-    /// Speed at the start in ticks per sample, instead of the scene's.
+    /// The speed at the start in ticks per sample, in place of the scene's.
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
-    /// Where to write the ledger, a CSV row per interval.
+    /// Write the energy ledger to this CSV file, one row per interval.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Where to draw the motion: a name that ends in .svg or .png.
+    /// Draw the motion into this file, as SVG or PNG according to its extension.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
-    /// How many intervals to draw; all of them when not given.
+    /// The number of intervals to draw; by default all.
     #[arg(long, value_name = "N", requires = "plot")]
     plot_until: Option<u64>,
-    /// For people or for programs.
+    /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
@@ -240,7 +240,7 @@ fn text(report: &Simulation, plan: &Plan, run: &Simulated) -> String {
     let mut lines = vec![
         format!("{}: {}{at}", report.scene, words(end.outcome.exact)),
         format!("  {}", end.outcome.because),
-        format!("  the start   ξ = {xi} ticks, ξ̇ = {velocity} ticks/sample"),
+        format!("  start       ξ = {xi} ticks, ξ̇ = {velocity} ticks/sample"),
         format!(
             "  by the paper's detector (|ξ̇| < 0.01 at the end): {}",
             end.outcome.paper.name().replace('_', " ")
@@ -251,7 +251,7 @@ fn text(report: &Simulation, plan: &Plan, run: &Simulated) -> String {
         ),
         format!("  effects     {}", effects.join(", ")),
         format!(
-            "  at the end  ξ = {} ticks, ξ̇ = {} ticks/sample",
+            "  end         ξ = {} ticks, ξ̇ = {} ticks/sample",
             end.xi, end.velocity
         ),
     ];
@@ -261,7 +261,10 @@ fn text(report: &Simulation, plan: &Plan, run: &Simulated) -> String {
         totals.generated_linear, totals.generated_quantized, totals.dissipated
     ));
     if end.intervals == 0 && end.outcome.exact == ExactOutcome::AtRest {
-        lines.push("  nothing moves: the start is at rest (give another with --speed)".to_owned());
+        lines.push(
+            "  the device starts at rest and does not move; --speed sets a speed at the start"
+                .to_owned(),
+        );
     }
     lines.push(format!(
         "  balance     (13) holds in every interval to {:.1e} KΔ²",

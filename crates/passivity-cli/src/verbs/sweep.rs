@@ -16,8 +16,8 @@ use crate::progress::Progress;
 
 /// Simulate every point of a grid of (β, σ, speed at the start), on all cores (Fig. 5 of the paper).
 ///
-/// Everything but β, σ and the speed is the scene's. Ranges are start:stop:count, both ends included,
-/// or lists as in 1,2,5. A sweep that was killed is taken up again with --resume.
+/// All other parameters are those of the scene. A range is start:stop:count with both ends included, or
+/// a list such as 1,2,5. An interrupted sweep is continued with --resume.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 --speed 1/2,1,2,5 \\
@@ -34,22 +34,22 @@ pub(crate) struct Args {
     /// Values of σ.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     sigma: String,
-    /// Speeds at the start, in ticks per sample; the scene's when not given.
+    /// Speeds at the start, in ticks per sample; by default the scene's.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     speed: Option<String>,
-    /// How many intervals to run, instead of what the scene says.
-    #[arg(long, value_name = "N")]
+    /// The number of sampling intervals to simulate, in place of the scene's.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     intervals: Option<u64>,
-    /// Where to write the outcomes, a row per point: CSV, or Parquet when the name ends in .parquet.
+    /// Write the outcomes to this file, one row per point: CSV, or Parquet if its name ends in .parquet.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Go on with what a sweep that was stopped has left in --out.
+    /// Continue the interrupted sweep whose results are in the file of --out.
     #[arg(long, requires = "out")]
     resume: bool,
-    /// Where to draw Fig. 5: a name that ends in .svg or .png.
+    /// Draw Fig. 5 into this file, as SVG or PNG according to its extension.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
-    /// For people or for programs.
+    /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
@@ -128,7 +128,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
 fn text(report: &Sweep) -> String {
     let (exact, paper) = (&report.exact, &report.paper);
     format!(
-        "{}: {} points, {} of them now in {:.3} s\n  \
+        "{}: {} points, of which {} were simulated now, in {:.3} s\n  \
          exactly       {} at rest, {} never at rest, {} growing, {} undecided\n  \
          by the paper  {} converged, {} limit cycles, {} unstable",
         report.scene,

@@ -25,7 +25,7 @@ pub(crate) struct Args {
     /// Run a command that speaks the line protocol, and list where its answers differ.
     #[arg(long, value_name = "COMMAND")]
     against: Option<String>,
-    /// For people or for programs.
+    /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
@@ -59,7 +59,11 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             emit_json(&json!({"tests": outcome.tests, "differences": listed}))?;
         } else {
             for d in differences.iter().take(LISTED) {
-                emit(&format!("{} {}: {}: {}", d.group, d.id, d.field, d.message))?;
+                let field = match d.field.as_str() {
+                    "" => String::new(),
+                    field => format!("{field}: "),
+                };
+                emit(&format!("{} {}: {field}{}", d.group, d.id, d.message))?;
             }
             if differences.len() > LISTED {
                 emit(&format!("and {} more", differences.len() - LISTED))?;

@@ -1,4 +1,4 @@
-//! The account of a stretch of a trace: sums, tallies, the intervals worth showing.
+//! The account of a part of a trace: sums, counts, and the intervals that are reported.
 
 use passivity_core::{BigRational, Truth};
 

@@ -1,4 +1,4 @@
-//! A stretch of a trace, as read.
+//! A part of a trace, as it was read.
 
 use crate::audit::error::TraceError;
 use crate::number::Number;

@@ -187,7 +187,7 @@ pub(crate) fn parse(block: &Block, layout: &Layout) -> Chunk {
             if torn && error.kind != "blank_row" {
                 error
                     .message
-                    .push_str(" (the last line has no line break: it may be torn)");
+                    .push_str(" (the last line has no line break: it may be incomplete)");
             }
             chunk.error = Some(error.row(row));
             return chunk;
@@ -328,7 +328,7 @@ fn whole(field: &[u8]) -> Result<i64, TraceError> {
         Number::Small(n, d) if n % d == 0 => Ok(n / d),
         _ => {
             let message = format!(
-                "expected a count, a whole number of 64 bits, found `{}`",
+                "expected a count, which is a whole number of at most 64 bits, found `{}`",
                 shown(field)
             );
             Err(TraceError::new("count", message))

@@ -1,4 +1,4 @@
-//! What is wrong with a trace, and where.
+//! Errors in a trace, with their place.
 
 use std::fmt;
 

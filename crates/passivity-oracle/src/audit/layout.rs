@@ -249,7 +249,7 @@ impl<'n> Names<'n> {
             }
             let unit = unit.map_err(|message| header(message).column(name))?;
             if found.is_some() {
-                return Err(header(format!("the column `{base}` is there twice")).column(name));
+                return Err(header(format!("the column `{base}` is given twice")).column(name));
             }
             found = Some((i, unit));
         }

@@ -1,4 +1,4 @@
-//! Puts the chunks of a trace together: the intervals between them, and one account of all.
+//! Joins the chunks of a trace: the intervals between them, and one account for all.
 
 use std::io::Write;
 

@@ -1,4 +1,4 @@
-//! Parquet traces: the same columns, read a stretch at a time.
+//! Parquet traces: the same columns, read in batches.
 
 use std::cell::Cell;
 use std::fs::File;

@@ -1,4 +1,4 @@
-//! What an audit found: one type for programs and people.
+//! The report of an audit, for programs and people.
 
 use passivity_core::BigRational;
 use passivity_scene::{Effect, Scene};

@@ -1,4 +1,4 @@
-//! A running sum, and the lowest that it was, alone or with something that changes beside it.
+//! A running sum and its least value so far.
 
 use num_integer::Integer as _;
 use passivity_core::{BigRational, Scalar};

@@ -1,4 +1,4 @@
-//! The intervals of a trace: how long they last, and which are too long to be a motion.
+//! The intervals of a trace: their durations, and displacements that are too large to be a motion.
 
 use super::chunk::{Chunk, Samples};
 use super::error::TraceError;

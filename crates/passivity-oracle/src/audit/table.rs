@@ -1,4 +1,4 @@
-//! Rows of counts that were computed before.
+//! A table of the rows of counts that were computed before.
 
 use std::collections::HashMap;
 

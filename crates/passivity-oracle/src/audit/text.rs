@@ -14,7 +14,7 @@ struct Lines(String);
 
 impl Lines {
     fn put(&mut self, label: &str, value: &str) {
-        self.0.push_str(&format!("  {label:<26}{value}\n"));
+        self.0.push_str(&format!("  {label:<29}{value}\n"));
     }
 }
 
@@ -27,10 +27,13 @@ impl Report {
     #[must_use]
     pub fn to_text(&self) -> String {
         let mut out = Lines(format!("{}: {}\n", self.scene, self.headline()));
-        self.energies(&mut out);
-        self.intervals(&mut out);
-        self.running(&mut out);
-        self.sampling(&mut out);
+        // Of nothing there is no account.
+        if self.intervals > 0 {
+            self.energies(&mut out);
+            self.intervals(&mut out);
+            self.running(&mut out);
+            self.sampling(&mut out);
+        }
         if let Some(agreement) = &self.force {
             out.put("force", &agreement.to_text());
         }
@@ -39,13 +42,11 @@ impl Report {
         }
         if self.last_row_unended {
             let row = self.samples;
-            let text = format!("row {row} has no line break: it may be torn");
+            let text = format!("row {row} has no line break and may be incomplete");
             out.put("last row", &text);
         }
         if let Some(error) = &self.error {
-            out.0.push_str(&format!(
-                "  The trace is broken there: {error}.\n  What came before it is accounted for above.\n"
-            ));
+            out.0.push_str(&format!("  Error in the trace: {error}.\n"));
         }
         out.0
     }
@@ -56,7 +57,7 @@ impl Report {
             let lowest = supply.and_then(|s| s.surely_drawn.as_ref().zip(s.surely_drawn_after));
             lowest.map_or_else(String::new, |(drawn, after)| {
                 let drawn = approx(drawn);
-                format!(", by {drawn} KΔ² at the most, after row {}", after + 1)
+                format!(", by {drawn} KΔ² after row {}", after + 1)
             })
         };
         match (self.verdict, self.judged) {
@@ -67,8 +68,8 @@ impl Report {
                 "HOLDS: the operator never drew more than was stored at the start".to_owned()
             }
             (Verdict::Fails, Judged::Interval) => format!(
-                "FAILS: {} intervals generated more than friction surely dissipates{}",
-                self.totals.violates_linear,
+                "FAILS: {} generated more than friction surely dissipates{}",
+                intervals(self.totals.violates_linear),
                 first_row(self.totals.first_linear)
             ),
             (Verdict::Fails, Judged::Running) => {
@@ -76,8 +77,8 @@ impl Report {
                 format!("FAILS: the operator surely drew more than was stored at the start{drawn}")
             }
             (Verdict::Depends, Judged::Interval) => format!(
-                "DEPENDS: {} intervals may have generated more than friction dissipates{}",
-                self.totals.depends_linear,
+                "DEPENDS: {} may have generated more than friction dissipates{}",
+                intervals(self.totals.depends_linear),
                 first_row(self.first.possible_linear.as_ref().map(|shown| shown.h))
             ),
             (Verdict::Depends, Judged::Running) => {
@@ -88,7 +89,11 @@ impl Report {
                 format!("NOT COVERED by a theorem: {}", words.join("; "))
             }
             (Verdict::Broken, _) => {
-                "BROKEN TRACE: the account is that of its first part".to_owned()
+                if self.intervals > 0 {
+                    "INVALID TRACE: the account covers the rows before the error".to_owned()
+                } else {
+                    "INVALID TRACE: there is no interval before the error".to_owned()
+                }
             }
         }
     }
@@ -104,10 +109,10 @@ impl Report {
         }
         let totals = &self.totals;
         for (label, figure) in [
-            ("generated, linear", &totals.generated_linear),
-            ("generated, quantized", &totals.generated_quantized),
+            ("generated, linear spring", &totals.generated_linear),
+            ("generated, quantized spring", &totals.generated_quantized),
             ("dissipated at least", &totals.dissipated_lower),
-            ("net, linear", &totals.net_linear),
+            ("dissipated less generated", &totals.net_linear),
         ] {
             out.put(label, &format!("{} KΔ²", shown(figure)));
         }
@@ -116,16 +121,16 @@ impl Report {
     fn intervals(&self, out: &mut Lines) {
         let short = |surely: u64, open: u64| match (surely, open) {
             (0, 0) => "none".to_owned(),
-            (n, 0) => format!("{n} intervals"),
-            (n, open) => format!("{n} intervals, {open} open"),
+            (n, 0) => intervals(n),
+            (n, open) => format!("{}, {open} undecided", intervals(n)),
         };
         let totals = &self.totals;
         let linear = short(totals.violates_linear, totals.depends_linear);
-        out.put("short, linear account", &linear);
+        out.put("deficit, linear spring", &linear);
         let quantized = short(totals.violates_quantized, totals.depends_quantized);
-        out.put("short, account of (22)", &quantized);
+        out.put("deficit, quantized spring", &quantized);
         let (fails, depends) = (totals.criterion_fails, totals.criterion_depends);
-        let criterion = format!("{fails} intervals, {depends} open");
+        let criterion = format!("{}, {depends} undecided", intervals(fails));
         out.put("criterion fails in", &criterion);
         if let Some(worst) = &self.worst
             && let Some(net) = worst.ledger.row.net_linear()
@@ -133,7 +138,7 @@ impl Report {
             let net = approx(net.lo());
             out.put(
                 "worst interval",
-                &format!("row {}, net {net} KΔ²", worst.row),
+                &format!("row {}, where {net} KΔ² was left", worst.row),
             );
         }
     }
@@ -142,7 +147,7 @@ impl Report {
         if let Some(supply) = &self.running.supply {
             let least = approx(&supply.least);
             let text = format!("{least} KΔ² after row {}", supply.after + 1);
-            out.put("lowest running energy", &text);
+            out.put("least energy balance", &text);
         }
         let (energy, least) = (approx(&self.observer.energy), approx(&self.observer.least));
         let text = format!("{energy} KΔ², lowest {least}");
@@ -156,10 +161,17 @@ impl Report {
         out.put(
             "sampling",
             &format!(
-                "{shortest} … {longest} periods, {late} intervals late, {missed} samples missed"
+                "{shortest} … {longest} periods, {} late, {missed} samples missed",
+                intervals(late)
             ),
         );
     }
+}
+
+/// `1 interval`, or `3 intervals`.
+fn intervals(count: u64) -> String {
+    let ending = if count == 1 { "" } else { "s" };
+    format!("{count} interval{ending}")
 }
 
 /// `, the first at row 3`, where there is one.
@@ -177,21 +189,25 @@ fn shown(figure: &Figure<BigRational>) -> String {
 impl Agreement {
     fn to_text(&self) -> String {
         if self.agrees {
-            return format!("the wall's law in all {} rows", self.compared);
+            return format!("agrees with the wall's law in all {} rows", self.compared);
         }
         let mut text = format!(
-            "not the wall's law in {} of {} rows",
+            "differs from the wall's law in {} of {} rows",
             self.mismatches, self.compared
         );
         text.push_str(&first_row(self.first_mismatch_row.map(|row| row - 1)));
         let found = &self.found;
         if found.mismatches == 0 {
             let sign = if found.reversed {
-                "the other sign and "
+                "the opposite sign and "
             } else {
                 ""
             };
-            let _ = write!(text, "; with {sign}{} samples of delay it is", found.delay);
+            let _ = write!(
+                text,
+                "; with {sign}{} samples of delay it agrees",
+                found.delay
+            );
         } else if let Some(fit) = self.fit.filter(|fit| fit.residual < NOISE) {
             let (scale, delay) = (significant(fit.scale), fit.delay);
             let _ = write!(
@@ -200,12 +216,15 @@ impl Agreement {
             );
         } else if found.mismatches < self.mismatches {
             let sign = if found.reversed {
-                "the other sign and "
+                "the opposite sign and "
             } else {
                 ""
             };
             let (delay, left) = (found.delay, found.mismatches);
-            let _ = write!(text, "; with {sign}{delay} samples of delay in {left}");
+            let _ = write!(
+                text,
+                "; with {sign}{delay} samples of delay it differs in {left}"
+            );
         }
         text
     }

@@ -1,4 +1,4 @@
-//! How long the intervals of a trace last: evenly or not, late, missed.
+//! The durations of the intervals of a trace: uneven, late and missed samples.
 
 use num_traits::ToPrimitive as _;
 

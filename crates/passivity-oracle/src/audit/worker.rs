@@ -1,4 +1,4 @@
-//! One core's work: the account of the intervals inside a chunk.
+//! The work of one core: the account of the intervals inside a chunk.
 //!
 //! A row of counts depends on nothing but a few small integers, and a trace has few different
 //! rows: each is computed once and looked up from then on. Everything else is computed row by row.
@@ -310,8 +310,10 @@ impl Walk<'_> {
             self.key.extend([*n, *d]);
         }
         let from = (self.at + 1).saturating_sub(task.ledger.window());
-        self.key
-            .extend(counts.get(from..self.at + 2).unwrap_or_default());
+        let Some(window) = counts.get(from..self.at + 2) else {
+            return false;
+        };
+        self.key.extend(window);
         true
     }
 

@@ -1,4 +1,4 @@
-//! Keys that stand twice in one object of a request: which of the two was meant, nobody can tell.
+//! Keys that are given twice in one object of a request, which makes the request ambiguous.
 
 use serde_json::Value;
 

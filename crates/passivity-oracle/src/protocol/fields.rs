@@ -27,11 +27,17 @@ impl<'a> Fields<'a> {
             .find(|key| !matches!(key.as_str(), "id" | "op") && !known.contains(&key.as_str()));
         match unknown {
             None => Ok(()),
-            Some(key) => Err(Refusal::new(
-                "unknown_field",
-                At::Field(key.clone()),
-                format!("this operation has the fields {}", known.join(", ")),
-            )),
+            Some(key) => {
+                let expected = match known {
+                    [] => "this operation has no fields".to_owned(),
+                    known => format!("expected one of {}", known.join(", ")),
+                };
+                Err(Refusal::new(
+                    "unknown_field",
+                    At::Field(key.clone()),
+                    format!("unknown field `{key}`; {expected}"),
+                ))
+            }
         }
     }
 
@@ -177,7 +183,10 @@ pub(super) fn sample(
     match number(value, &place)? {
         Number::Small(n, 1) => Ok(Reading::Count(n)),
         Number::Small(n, d) if n % d == 0 => Ok(Reading::Count(n / d)),
-        _ => Err(bad(&place(), "expected a count: a whole number of 64 bits")),
+        _ => Err(bad(
+            &place(),
+            "expected a count, which is a whole number of at most 64 bits",
+        )),
     }
 }
 
@@ -187,7 +196,7 @@ fn refused(error: &NumberError, place: String) -> Refusal {
 }
 
 pub(super) fn missing(name: &str) -> Refusal {
-    let message = format!("this operation needs `{name}`");
+    let message = format!("the field `{name}` is missing");
     Refusal::new("missing_field", At::Field(name.to_owned()), message)
 }
 

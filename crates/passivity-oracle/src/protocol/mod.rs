@@ -72,12 +72,16 @@ pub fn answer(line: &[u8], out: &mut Vec<u8>) {
         Err(error) => {
             // Requests are one line, so the column is the byte.
             let at = At::Byte(error.column().max(1));
-            let refusal = Refusal::new("bad_json", at, format!("no JSON: {}", plain(&error)));
+            let refusal = Refusal::new(
+                "bad_json",
+                at,
+                format!("this is not JSON: {}", plain(&error)),
+            );
             return refuse(&Value::Null, &refusal, out);
         }
     };
     if let Some(duplicate) = duplicate::find(line, &request) {
-        let message = format!("the key `{}` stands twice in one object", duplicate.key);
+        let message = format!("the key `{}` is given twice in one object", duplicate.key);
         let refusal = Refusal::new("duplicate_key", At::Byte(duplicate.at), message);
         return refuse(request.get("id").unwrap_or(&Value::Null), &refusal, out);
     }

@@ -42,7 +42,10 @@ pub(super) fn run(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal>
         other => Err(Refusal::new(
             "unknown_op",
             At::Field("op".to_owned()),
-            format!("no operation `{other}`: there are {}", OPS.join(", ")),
+            format!(
+                "unknown operation `{other}`; expected one of {}",
+                OPS.join(", ")
+            ),
         )),
     }
 }

@@ -1,4 +1,4 @@
-//! Which verdict: the criterion over the box of a scene's tolerances.
+//! The verdict: the criterion over the box of a scene's tolerances.
 
 use std::cmp::Ordering;
 

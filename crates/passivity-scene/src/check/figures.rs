@@ -1,4 +1,4 @@
-//! The figures of a box of loops: the least and the largest that each takes over the tolerances.
+//! The figures of a box of loops: the least and the largest value of each over the tolerances.
 
 use passivity_core::verdict::End;
 use passivity_core::{Criterion, Interval, Loop, Ordered, Parameter, Region, Truth, region};

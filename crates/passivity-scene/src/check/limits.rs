@@ -1,12 +1,17 @@
-//! How far each parameter can go, or has to go: the limit of the criterion in each alone (CHECK-LIMITS).
+//! Limits of the parameters: where the criterion is met with equality, one parameter at a time
+//! (CHECK-LIMITS).
 
+use num_traits::Signed as _;
 use passivity_core::parameter::Hurts;
 use passivity_core::verdict::{End, Speeds};
 use passivity_core::{BigRational, Exact, Interval, Loop, Parameter, Truth, stiffness};
 use serde::Serialize;
 
+use super::text::unit_of;
 use super::{Number, figure};
-use crate::display::{self, Rounding};
+use crate::display::Rounding;
+use crate::scene::Scene;
+use crate::written::{Form, Written};
 
 /// On which side of a limit the criterion holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -32,10 +37,14 @@ pub struct Limit {
     pub side: Side,
     /// Whether the parameter alone, moved to the hardest end of `border`, is enough.
     pub suffices: bool,
-    /// The hardest end of `border` with five digits or a few more, rounded to the side on which the
-    /// criterion holds: typed into the scene, it passes. `None` where the parameter alone is not
-    /// enough.
+    /// The hardest end of `border` in SI with five digits or a few more, rounded to the side on
+    /// which the criterion holds: typed into the scene, it passes. `None` where the parameter alone
+    /// is not enough.
     pub printed: Option<String>,
+    /// How the scene file writes the parameter.
+    pub written: Written,
+    /// The same as `printed` in the form and unit of the scene file, without the unit.
+    pub typed: Option<String>,
 }
 
 impl Limit {
@@ -60,10 +69,11 @@ const LIMITED: [Parameter; 5] = [
 
 /// The limits of every parameter that the criterion limits, at the speeds asked for.
 pub(super) fn limits<S: Number>(
+    scene: &Scene,
     bounds: &Loop<Interval<S>>,
     speeds: &Speeds<Interval<S>>,
 ) -> Vec<Limit> {
-    let of = |parameter| limit(parameter, bounds, speeds);
+    let of = |parameter| limit(parameter, scene, bounds, speeds);
     LIMITED.into_iter().filter_map(of).collect()
 }
 
@@ -71,6 +81,7 @@ pub(super) fn limits<S: Number>(
 /// it is enough.
 pub(super) fn limit<S: Number>(
     parameter: Parameter,
+    scene: &Scene,
     bounds: &Loop<Interval<S>>,
     speeds: &Speeds<Interval<S>>,
 ) -> Option<Limit> {
@@ -106,18 +117,43 @@ pub(super) fn limit<S: Number>(
         border: border_figure,
         side,
         printed: None,
+        written: written(parameter, scene),
+        typed: None,
     };
     let rounding = match side {
         Side::AtLeast => Rounding::Up,
         Side::AtMost => Rounding::Down,
     };
-    let passes = |text: &String| {
-        let typed = crate::number::parse(text).ok()?;
-        S::of(&Exact::of(&typed)).map(|x| suffices(&x))
+    let first_that_passes = |written: &Written| {
+        let passes = |text: &String| {
+            let number = crate::number::parse(text).ok()?;
+            if written.form() != Form::Value && !number.is_positive() {
+                return None;
+            }
+            S::of(&written.typed(&number)).map(|x| suffices(&x))
+        };
+        let hardest = limit.hardest();
+        // Where π cancels in the unit of the file, the limit may be a short number after all.
+        let short = written.short(hardest).into_iter();
+        let rounded = (5..20).filter_map(|digits| written.rounded(hardest, digits, rounding));
+        short.chain(rounded).find(|text| passes(text) == Some(true))
     };
-    let texts = (5..20).map(|digits| display::rounded(limit.hardest(), digits, rounding));
-    let printed = texts.into_iter().find(|text| passes(text) == Some(true));
-    Some(Limit { printed, ..limit })
+    let printed = first_that_passes(&Written::si(""));
+    // A unit with π where the scene has none: then the limit is shown in SI.
+    let typed = first_that_passes(&limit.written);
+    Some(Limit {
+        printed,
+        typed,
+        ..limit
+    })
+}
+
+/// How the scene file writes a parameter: in SI where it does not have it.
+fn written(parameter: Parameter, scene: &Scene) -> Written {
+    match scene.given.get(parameter) {
+        Some(given) if !given.text.is_empty() => given.written.clone(),
+        _ => Written::si(unit_of(parameter, scene.motion)),
+    }
 }
 
 /// What the parameter is now; zero for an absent friction.

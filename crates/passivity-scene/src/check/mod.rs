@@ -1,4 +1,4 @@
-//! The verdict over a scene: passive or not, how far from the border, and what to change.
+//! The verdict on a scene: passive or not, the margins, and what to change.
 //!
 //! [`check`] asks the kernel whether the criterion holds over the box of the scene's tolerances
 //! (CHECK-VERDICT) and collects every figure of the [`Report`], which is what programs get as JSON and people as text.

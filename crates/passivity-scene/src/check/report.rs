@@ -10,6 +10,7 @@ use serde::ser::{SerializeStruct as _, Serializer};
 use super::decide::{self, Verdict};
 use super::figures::Figures;
 use super::limits::{self, Limit};
+use super::text::speed_unit;
 use super::unforced::{StartSpeed, Unforced};
 use super::{BITS, Number, figure};
 use crate::json::{
@@ -17,6 +18,7 @@ use crate::json::{
     write_optional_rational, write_rational,
 };
 use crate::scene::{Motion, Scene};
+use crate::written::Written;
 
 /// A cycle that draws energy from the display (TH-ACTIVE): ticks, or the unit of length without an
 /// encoder.
@@ -70,6 +72,12 @@ pub struct Report {
     /// How the device moves: it fixes the units of people's text.
     #[serde(skip)]
     pub motion: Motion,
+    /// The unit in which people read speeds: the scene's, or SI where it gives no speed.
+    #[serde(skip)]
+    pub speed_written: Written,
+    /// The unit in which the scene gives the stiffness.
+    #[serde(skip)]
+    pub stiffness_written: Written,
     /// The region of the (β, σ) plane; `None` when it depends on tolerances.
     #[serde(serialize_with = "region")]
     pub region: Option<Region>,
@@ -197,7 +205,7 @@ fn checked<S: Number>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Repor
     let [viscous_cost, coulomb_cost] = figures.cost();
     let [viscous_spare, coulomb_spare] = figures.spare();
     let stiffest = |speeds: &Speeds<Interval<S>>| {
-        let limit = limits::limit(Parameter::Stiffness, bounds, speeds);
+        let limit = limits::limit(Parameter::Stiffness, scene, bounds, speeds);
         let none = || Interval::point(Scalar::zero());
         has_units.then(|| limit.map_or_else(none, |limit| limit.border))
     };
@@ -206,6 +214,8 @@ fn checked<S: Number>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Repor
     Some(Report {
         scene: scene.name.clone(),
         motion: scene.motion,
+        speed_written: speed_written(scene),
+        stiffness_written: scene.given.stiffness.written.clone(),
         effects: scene.effects(),
         region,
         verdict,
@@ -240,7 +250,7 @@ fn checked<S: Number>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Repor
             Verdict::Depends => decide::deciding(scene, bounds),
             _ => Vec::new(),
         },
-        limits: limits::limits(bounds, of_limits),
+        limits: limits::limits(scene, bounds, of_limits),
         witness: match cycle {
             Some(cycle) => Some(witness(cycle, bounds, has_units)?),
             None => None,
@@ -248,6 +258,16 @@ fn checked<S: Number>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Repor
         unforced: unforced(scene, bounds, &not_covered)?,
         not_covered,
     })
+}
+
+/// The unit of the speeds in a scene file: of the bound, else of the start, else SI.
+fn speed_written(scene: &Scene) -> Written {
+    let given = &scene.given;
+    let speed = given.max_speed.as_ref().or(given.start_velocity.as_ref());
+    match speed {
+        Some(given) => given.written.clone(),
+        None => Written::si(speed_unit(scene.motion)),
+    }
 }
 
 /// A cycle as it is reported.

@@ -9,6 +9,7 @@ use super::limits::{Limit, Side};
 use super::report::Report;
 use crate::display::{Rounding, approx, range, rounded, wrapped};
 use crate::scene::Motion;
+use crate::written::Form;
 
 impl Report {
     /// The report as text, a screen for a scene.
@@ -40,15 +41,16 @@ impl Report {
         );
         if let Some(margin) = &self.margin_at_speed_bound {
             line(
-                &format!("margin (8) at {}", self.bound_text()),
+                &format!("margin (8) at {}", self.speed_bound_text()),
                 &range(margin),
             );
         }
-        if let Some(ticks) = &self.critical_speed {
-            line("critical speed", &self.critical_text(ticks));
+        if let Some(text) = self.critical_speed_text() {
+            line("critical speed", &text);
         }
         self.stiffness_lines(&mut line);
-        let applies = |truth: Option<Truth>| truth.map_or("does not apply to a delay", Truth::name);
+        let applies =
+            |truth: Option<Truth>| truth.map_or("does not apply with a delay", Truth::name);
         line("Colgate, b ≥ KT/2", applies(self.colgate));
         line("Abbott and Okamura", applies(self.abbott_okamura));
         line("effects", &words(&self.effects));
@@ -56,7 +58,7 @@ impl Report {
             line("because", &self.because.join(", "));
         }
         if let Some(text) = self.unforced_text() {
-            line("left alone at the start", &text);
+            line("with the hand off", &text);
         }
         let mut text = format!("{}: {}\n{out}", self.scene, self.headline());
         text.push_str(&self.witness_text());
@@ -87,11 +89,12 @@ impl Report {
     }
 
     /// The speeds that the headline and the limits speak of.
-    fn speeds_text(&self) -> String {
+    #[must_use]
+    pub fn speeds_text(&self) -> String {
         if self.at_every_speed || self.speed_bound.is_none() {
             "at every speed".to_owned()
         } else {
-            format!("at every speed up to {}", self.bound_text())
+            format!("at every speed up to {}", self.speed_bound_text())
         }
     }
 
@@ -109,39 +112,53 @@ impl Report {
         }
     }
 
-    fn bound_text(&self) -> String {
+    /// The bound on the speed, in the unit of the scene.
+    #[must_use]
+    pub fn speed_bound_text(&self) -> String {
         match (&self.speed_bound_si, &self.speed_bound) {
-            (Some(v), _) => format!("{} {}", range(v), speed_unit(self.motion)),
+            (Some(v), _) => self.speed_written.text(v, speed_unit(self.motion)),
             (None, Some(v)) => format!("{} ticks/sample", range(v)),
             (None, None) => "every speed".to_owned(),
         }
     }
 
     /// The critical speed, on the side of it on which the criterion holds over all tolerances.
-    fn critical_text(&self, ticks: &Interval<BigRational>) -> String {
-        let safe = |v: &Interval<BigRational>| self.safe_critical_speed(v);
-        match &self.critical_speed_si {
+    #[must_use]
+    pub fn critical_speed_text(&self) -> Option<String> {
+        let ticks = self.critical_ticks_text()?;
+        Some(match &self.critical_speed_si {
             Some(v) => {
-                let unit = speed_unit(self.motion);
-                format!("{} {unit} ({} ticks/sample)", safe(v), safe(ticks))
+                let ((v, side), unit) = (self.safe_end(v), speed_unit(self.motion));
+                let speed = self.speed_written.rounded_text(v, side, unit);
+                format!("{speed} ({ticks})")
             }
-            None => format!("{} ticks/sample", safe(ticks)),
-        }
+            None => ticks,
+        })
     }
 
-    /// A critical speed, rounded to the side of it on which the criterion holds.
+    /// The critical speed in ticks per sample.
     #[must_use]
-    pub fn safe_critical_speed(&self, v: &Interval<BigRational>) -> String {
+    pub fn critical_ticks_text(&self) -> Option<String> {
+        let (ticks, side) = self.safe_end(self.critical_speed.as_ref()?);
+        Some(format!("{} ticks/sample", rounded(ticks, 5, side)))
+    }
+
+    /// The end of a critical speed from which the criterion holds over all tolerances, and the side
+    /// of it on which it does.
+    const fn safe_end<'a>(&self, v: &'a Interval<BigRational>) -> (&'a BigRational, Rounding) {
         match self.region {
-            Some(Region::LimitCycles) => rounded(v.hi(), 5, Rounding::Up),
-            _ => rounded(v.lo(), 5, Rounding::Down),
+            Some(Region::LimitCycles) => (v.hi(), Rounding::Up),
+            _ => (v.lo(), Rounding::Down),
         }
     }
 
     fn stiffness_lines(&self, line: &mut impl FnMut(&str, &str)) {
-        let unit = stiffness_unit(self.motion);
-        let safe = |k: &Interval<BigRational>| rounded(k.lo(), 5, Rounding::Down);
-        let bound = self.bound_text();
+        let unit = unit_of(Parameter::Stiffness, self.motion);
+        let safe = |k: &Interval<BigRational>| {
+            let written = &self.stiffness_written;
+            written.rounded_text(k.lo(), Rounding::Down, unit)
+        };
+        let bound = self.speed_bound_text();
         let rows = [
             (&self.max_stiffness_all_speeds, "at every speed".to_owned()),
             (&self.max_stiffness_at_speed_bound, format!("up to {bound}")),
@@ -149,7 +166,7 @@ impl Report {
         let mut label = "stiffest wall";
         for (k, speeds) in rows {
             if let Some(k) = k {
-                line(label, &format!("{} {unit} {speeds}", safe(k)));
+                line(label, &format!("{} {speeds}", safe(k)));
                 label = "";
             }
         }
@@ -159,15 +176,20 @@ impl Report {
         let unforced = self.unforced.as_ref()?;
         let v = |x: &Interval<BigRational>| rounded(x.hi(), 5, Rounding::Up);
         let speed = match &unforced.speed_si {
-            Some(si) => format!("{} {}", v(si), speed_unit(self.motion)),
+            Some(si) => {
+                let unit = speed_unit(self.motion);
+                self.speed_written.rounded_text(si.hi(), Rounding::Up, unit)
+            }
             None => format!("{} ticks/sample", v(&unforced.speed)),
         };
         Some(match unforced.holds {
             Truth::Holds => format!(
-                "never faster than {speed} (TH-START), if {}",
+                "from the start on never faster than {speed} (TH-START), if {}",
                 super::unforced::ASSUMES
             ),
-            Truth::Fails => format!("the criterion fails at the speed of its start, {speed}"),
+            Truth::Fails => {
+                format!("not shown: the criterion fails at the speed of the start, {speed}")
+            }
             Truth::Depends => "not shown".to_owned(),
         })
     }
@@ -217,7 +239,7 @@ impl Report {
             let enough = if limit.printed.is_some() {
                 ""
             } else {
-                ", and it is not enough alone"
+                "; this alone does not suffice"
             };
             let promise = limit.promise(self.motion);
             let _ = writeln!(out, "    {name}: {promise} (now {now}){enough}");
@@ -231,6 +253,11 @@ impl Limit {
     #[must_use]
     pub fn name(&self, motion: Motion) -> String {
         let row = self.parameter.row();
+        match self.written.form() {
+            Form::Value => {}
+            Form::Reciprocal => return format!("sampling rate 1/{}", row.symbol),
+            Form::Count => return "counts per revolution of the encoder, 2π/Δ".to_owned(),
+        }
         if motion != Motion::Dimensionless {
             return format!("{} {}", row.name, row.symbol);
         }
@@ -243,21 +270,32 @@ impl Limit {
     /// What the parameter is now, with its unit.
     #[must_use]
     pub fn now(&self, motion: Motion) -> String {
-        format!("{}{}", range(&self.now), unit_of(self.parameter, motion))
+        let si_unit = unit_of(self.parameter, motion);
+        let text = self.written.text(&self.now, si_unit);
+        text.trim_end().to_owned()
     }
 
     /// What the parameter has to be, rounded to the safe side, with its unit: `at most 1.07 N/m`.
     #[must_use]
     pub fn promise(&self, motion: Motion) -> String {
-        let (relation, rounding) = match self.side {
-            Side::AtLeast => ("at least", Rounding::Up),
-            Side::AtMost => ("at most", Rounding::Down),
+        let rounding = match self.side {
+            Side::AtLeast => Rounding::Up,
+            Side::AtMost => Rounding::Down,
         };
-        let figure = match &self.printed {
-            Some(printed) => printed.clone(),
-            None => rounded(self.hardest(), 5, rounding),
+        let si_unit = unit_of(self.parameter, motion);
+        let inverse = self.written.form() != Form::Value;
+        let text = match (&self.typed, &self.printed) {
+            (Some(typed), _) => format!("{typed}{}", self.written.unit()),
+            (None, Some(printed)) if !inverse => format!("{printed} {si_unit}"),
+            _ => self.written.rounded_text(self.hardest(), rounding, si_unit),
         };
-        format!("{relation} {figure}{}", unit_of(self.parameter, motion))
+        let relation = match self.side {
+            Side::AtLeast if inverse => "at most",
+            Side::AtMost if inverse => "at least",
+            Side::AtLeast => "at least",
+            Side::AtMost => "at most",
+        };
+        format!("{relation} {}", text.trim_end())
     }
 }
 
@@ -276,9 +314,9 @@ fn short(x: &BigRational) -> String {
     }
 }
 
-/// A parameter's SI unit after a space; empty for a dimensionless scene.
+/// A parameter's SI unit; empty for a dimensionless scene.
 #[must_use]
-pub(crate) fn unit_of(parameter: Parameter, motion: Motion) -> String {
+pub(crate) fn unit_of(parameter: Parameter, motion: Motion) -> &'static str {
     use passivity_core::parameter::Unit;
     let [linear, rotary] = match parameter.row().unit {
         Unit::INERTIA => ["kg", "kg m²"],
@@ -290,9 +328,9 @@ pub(crate) fn unit_of(parameter: Parameter, motion: Motion) -> String {
         _ => ["N/m", "N m/rad"],
     };
     match motion {
-        Motion::Linear => format!(" {linear}"),
-        Motion::Rotary => format!(" {rotary}"),
-        Motion::Dimensionless => String::new(),
+        Motion::Linear => linear,
+        Motion::Rotary => rotary,
+        Motion::Dimensionless => "",
     }
 }
 
@@ -303,15 +341,5 @@ pub(crate) const fn speed_unit(motion: Motion) -> &'static str {
         Motion::Linear => "m/s",
         Motion::Rotary => "rad/s",
         Motion::Dimensionless => "ticks/sample",
-    }
-}
-
-/// The unit of stiffness of a motion.
-#[must_use]
-pub(crate) const fn stiffness_unit(motion: Motion) -> &'static str {
-    match motion {
-        Motion::Linear => "N/m",
-        Motion::Rotary => "N m/rad",
-        Motion::Dimensionless => "",
     }
 }

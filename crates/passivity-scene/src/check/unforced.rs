@@ -1,4 +1,4 @@
-//! The question "left alone from here?": how fast an unforced motion can ever get (TH-START).
+//! The largest speed of an unforced motion from the scene's start (TH-START).
 
 use std::cmp::Ordering;
 
@@ -11,7 +11,7 @@ use crate::scene::Scene;
 
 /// What TH-START assumes of the controller's memory, in words.
 pub(super) const ASSUMES: &str =
-    "before its start the device had rested there for as long as the controller remembers";
+    "the device had rested there before, for as long as delay and damping look back";
 
 /// What holds of the device when the hand lets go of it at the scene's start.
 ///

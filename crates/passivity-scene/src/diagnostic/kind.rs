@@ -1,4 +1,4 @@
-//! The kinds of mistakes, each with a name that stays.
+//! The kinds of mistakes, each with a name that does not change between versions.
 
 use crate::number::NumberErrorKind;
 

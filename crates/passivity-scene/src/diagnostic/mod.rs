@@ -1,4 +1,4 @@
-//! What is wrong with a scene file: where, what was found and what was expected.
+//! Mistakes in a scene file: the place, what was found and what was expected.
 
 mod kind;
 mod render;

@@ -1,4 +1,4 @@
-//! Diagnostics as people read them: the line, a mark under the place, and what was expected.
+//! Diagnostics for people: the line, a mark under the place, and what was expected.
 
 use std::fmt;
 use std::ops::Range;

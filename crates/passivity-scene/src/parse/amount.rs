@@ -8,6 +8,7 @@ use passivity_core::{BigRational, Exact, Interval, Scalar, pi};
 use crate::diagnostic::Kind;
 use crate::number::{Limits, NumberError, parse_prefix};
 use crate::units::{Unit, UnitError};
+use crate::written::{Form, Written};
 
 /// The longest number of a quantity, in bytes: a verdict multiplies several of them.
 pub const MAX_NUMBER_CHARS: usize = 500;
@@ -138,9 +139,24 @@ impl Amount {
         })
     }
 
+    /// The unit in SI units.
+    fn one(&self) -> Exact {
+        Exact::of(self.unit.scale()) * power_of_pi(self.unit.pi_power())
+    }
+
+    /// The unit as the text writes it, of the parameter or of its reciprocal.
+    pub(super) fn written(&self, reciprocal: bool) -> Written {
+        let unit = self.unit_text.as_ref().map_or("", |(unit, _)| unit);
+        if reciprocal {
+            Written::new(Form::Reciprocal, unit, Exact::one().over(self.one()))
+        } else {
+            Written::new(Form::Value, unit, self.one())
+        }
+    }
+
     /// The values in SI units, with the tolerance and without.
     pub(super) fn exact(&self) -> (Interval<Exact>, Exact) {
-        let unit = Exact::of(self.unit.scale()) * power_of_pi(self.unit.pi_power());
+        let unit = self.one();
         let of = |x: &BigRational| Exact::of(x) * unit.clone();
         let lo = of(&(&self.nominal - &self.tolerance));
         let hi = of(&(&self.nominal + &self.tolerance));

@@ -1,4 +1,4 @@
-//! From the tree to the scene: which keys there are and what each of them means.
+//! Builds the scene from the tree: the keys and their meaning.
 
 use std::collections::BTreeMap;
 
@@ -11,6 +11,7 @@ use crate::parse::node::{Content, Entry};
 use crate::parse::operator;
 use crate::parse::reader::{Reader, Section, Spec, UnitNote};
 use crate::scene::{DEFAULT_INTERVALS, Given, Motion, Scene};
+use crate::written::{Form, Written};
 
 /// The most intervals that a scene may ask a simulation for.
 pub const MAX_INTERVALS: u64 = 1_000_000_000;
@@ -328,6 +329,7 @@ fn counts_per_revolution(
         value: Interval::point(nominal.clone()),
         nominal,
         text: counts.to_string(),
+        written: Written::new(Form::Count, "", pi::pi() + pi::pi()),
         span: entry.node.span.clone(),
     })
 }

@@ -1,4 +1,4 @@
-//! The sections and keys of a scene file, and what a wrong one may have meant.
+//! The sections and keys of a scene file, and suggestions for misspelt ones.
 
 use passivity_core::Parameter;
 

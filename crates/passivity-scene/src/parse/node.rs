@@ -73,7 +73,7 @@ fn syntax(source: &str, error: &toml_edit::TomlError) -> Diagnostic {
     };
     let span = error.span().unwrap_or(source.len()..source.len());
     let shown = match kind {
-        Kind::Duplicate => "this key or section is there twice".to_owned(),
+        Kind::Duplicate => "this key or section is given twice".to_owned(),
         _ => format!("this is not TOML: {message}"),
     };
     Diagnostic::new(kind, shown).at(span)

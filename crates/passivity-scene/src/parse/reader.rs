@@ -1,4 +1,4 @@
-//! Taking typed values out of the tree, and collecting everything that is wrong on the way.
+//! Reads typed values from the tree and collects all mistakes.
 
 use std::ops::Range;
 use std::path::Path;
@@ -261,6 +261,7 @@ impl Reader<'_> {
             value,
             nominal,
             text,
+            written: amount.written(reciprocal),
             span: node.span.clone(),
         })
     }

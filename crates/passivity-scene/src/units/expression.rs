@@ -119,7 +119,7 @@ impl<'a> Reader<'a> {
         if compound && self.at > base_end {
             let mut error = malformed(
                 start..self.at,
-                "it is not clear to what the power belongs here",
+                "it is not clear which unit the power belongs to",
             );
             error.help = Some("write a space between the units, as in `N m^2`".to_owned());
             return Err(error);

@@ -1,4 +1,4 @@
-//! What a number must do to carry a motion, beside what the kernel's formulas ask of it.
+//! The operations that a motion needs of a number, beyond those of the kernel's formulas.
 
 use passivity_core::Ordered;
 

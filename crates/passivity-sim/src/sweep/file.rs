@@ -158,8 +158,8 @@ pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Ope
         .append(true)
         .open(journal)
         .map_err(|error| failed(journal, &error))?;
-    let long = file.metadata().map_or(0, |file| file.len());
-    if long > length {
+    let metadata = file.metadata().map_err(|error| failed(journal, &error))?;
+    if metadata.len() > length {
         file.set_len(length)
             .map_err(|error| failed(journal, &error))?;
     }
