@@ -5,6 +5,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cmp::Ordering;
 use core::ops::{Add, Mul, Sub};
 
 use num_bigint::BigInt;
@@ -98,6 +99,19 @@ impl Polynomial {
     /// The value at x.
     #[must_use]
     pub fn at(&self, x: &BigRational) -> BigRational {
+        let [numerator, denominator] = self.fraction_at(x);
+        BigRational::new(numerator, denominator)
+    }
+
+    /// How the value at x compares with zero, without the value in lowest terms.
+    #[must_use]
+    pub fn sign_at(&self, x: &BigRational) -> Ordering {
+        let [numerator, _] = self.fraction_at(x);
+        numerator.cmp(&BigInt::ZERO)
+    }
+
+    /// Numerator and denominator of the value at x; the denominator is above zero.
+    fn fraction_at(&self, x: &BigRational) -> [BigInt; 2] {
         // Whole numbers only, over the common denominator: Σ aₖnᵏdᵐ⁻ᵏ / dᵐ at x = n/d.
         let common = self.common_denominator();
         let (mut sum, mut power) = (BigInt::zero(), BigInt::one());
@@ -108,7 +122,7 @@ impl Polynomial {
             let whole = a.numer() * (&common / a.denom());
             sum = sum * x.numer() + whole * &power;
         }
-        BigRational::new(sum, common * power)
+        [sum, common * power]
     }
 
     /// The derivative.
@@ -148,6 +162,42 @@ impl Polynomial {
         Some((Self::new(quotient), Self::new(rest)))
     }
 
+    /// A positive multiple of the remainder of a division, with whole coprime coefficients; zero of
+    /// a division by zero.
+    ///
+    /// Computed in whole numbers, which a quotient is not made of.
+    #[must_use]
+    pub fn remainder(&self, divisor: &Self) -> Self {
+        let [mut rest, divisor] = [self, divisor].map(Self::whole);
+        let Some((leading, others)) = divisor.split_last() else {
+            return Self::new([]);
+        };
+        let scale = leading.abs();
+        while let Some(from) = rest.len().checked_sub(divisor.len()) {
+            let Some(mut factor) = rest.pop() else { break };
+            if leading.is_negative() {
+                factor = -factor;
+            }
+            for slot in &mut rest {
+                *slot *= &scale;
+            }
+            for (slot, a) in rest.iter_mut().skip(from).zip(others) {
+                *slot -= &factor * a;
+            }
+        }
+        Self::new(rest.into_iter().map(BigRational::from_integer)).primitive()
+    }
+
+    /// The coefficients of the primitive multiple.
+    fn whole(&self) -> Vec<BigInt> {
+        let primitive = self.primitive();
+        primitive
+            .coefficients
+            .iter()
+            .map(BigRational::to_integer)
+            .collect()
+    }
+
     /// The positive multiple whose coefficients are whole and have no common divisor.
     ///
     /// Two polynomials have the same one exactly when one is a positive multiple of the other.
@@ -161,7 +211,15 @@ impl Polynomial {
         if divisor.is_zero() {
             return self.clone();
         }
-        self.scaled(&BigRational::new(common, divisor))
+        // The numerators are divided, then the common denominator is put on: one product each.
+        let whole = |a: &BigRational| a.numer() / &divisor * (&common / a.denom());
+        Self {
+            coefficients: self
+                .coefficients
+                .iter()
+                .map(|a| BigRational::from_integer(whole(a)))
+                .collect(),
+        }
     }
 
     /// The greatest common divisor of two polynomials, with whole coprime coefficients; its sign is
@@ -169,8 +227,9 @@ impl Polynomial {
     #[must_use]
     pub fn common_divisor(&self, other: &Self) -> Self {
         let (mut a, mut b) = (self.primitive(), other.primitive());
-        while let Some((_, rest)) = a.divided_by(&b) {
-            a = core::mem::replace(&mut b, rest.primitive());
+        while !b.is_zero() {
+            let rest = a.remainder(&b);
+            a = core::mem::replace(&mut b, rest);
         }
         a
     }

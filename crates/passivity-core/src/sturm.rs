@@ -6,10 +6,11 @@
 //! positive in the middle. This decides TH-LTI at every frequency at once.
 
 use alloc::vec::Vec;
+use core::cmp::Ordering;
 
-use num_bigint::{BigInt, Sign};
+use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One as _, Signed as _, Zero as _};
+use num_traits::One as _;
 
 use crate::interval::Interval;
 use crate::polynomial::Polynomial;
@@ -78,7 +79,7 @@ impl Certificate {
         is_sturm_sequence(&self.sequence, &self.simple)
             && changes == self.sign_changes
             && roots_inside(&self.simple, changes, interval) == Some(0)
-            && self.simple.at(&middle(interval)).is_positive()
+            && self.simple.sign_at(&middle(interval)) == Ordering::Greater
     }
 }
 
@@ -115,7 +116,9 @@ pub fn decide(polynomial: &Polynomial, interval: &Interval<BigRational>) -> Deci
     // Between two neighbouring roots the sign is that of any one point, and one of these points
     // is below zero now.
     let pieces = between_roots(&isolated_roots(polynomial, interval), interval);
-    let negative = pieces.into_iter().find(|x| polynomial.at(x).is_negative());
+    let negative = pieces
+        .into_iter()
+        .find(|x| polynomial.sign_at(x) == Ordering::Less);
     Decision::NegativeAt(negative.unwrap_or_else(|| middle(interval)))
 }
 
@@ -157,7 +160,7 @@ pub fn not_positive(
         }
     }
     let pieces = between_roots(&roots, interval);
-    let negative = |x: &BigRational| polynomial.at(x).is_negative();
+    let negative = |x: &BigRational| polynomial.sign_at(x) == Ordering::Less;
     let mut found: Vec<Interval<BigRational>> = Vec::new();
     let mut open = pieces
         .first()
@@ -227,10 +230,7 @@ fn sturm_sequence(polynomial: &Polynomial) -> Vec<Polynomial> {
     let mut sequence = Vec::new();
     let (mut a, mut b) = (polynomial.primitive(), polynomial.derivative().primitive());
     while !a.is_zero() {
-        let rest = match a.divided_by(&b) {
-            Some((_, rest)) => rest.scaled(&minus_one).primitive(),
-            None => Polynomial::new([]),
-        };
+        let rest = a.remainder(&b).scaled(&minus_one);
         sequence.push(core::mem::replace(&mut a, core::mem::replace(&mut b, rest)));
     }
     sequence
@@ -244,9 +244,7 @@ fn is_sturm_sequence(sequence: &[Polynomial], polynomial: &Polynomial) -> bool {
     };
     let minus_one = -BigRational::one();
     let follows = |triple: &[Polynomial]| match triple {
-        [a, b, c] => a
-            .divided_by(b)
-            .is_some_and(|(_, rest)| same(Some(c), &rest.scaled(&minus_one))),
+        [a, b, c] => same(Some(c), &a.remainder(b).scaled(&minus_one)),
         _ => false,
     };
     same(sequence.first(), polynomial)
@@ -257,8 +255,8 @@ fn is_sturm_sequence(sequence: &[Polynomial], polynomial: &Polynomial) -> bool {
 
 /// How often the sign changes along the sequence at x, zeros left out.
 fn sign_changes(sequence: &[Polynomial], x: &BigRational) -> usize {
-    let signs = sequence.iter().map(|p| p.at(x).numer().sign());
-    let signs: Vec<_> = signs.filter(|sign| *sign != Sign::NoSign).collect();
+    let signs = sequence.iter().map(|p| p.sign_at(x));
+    let signs: Vec<_> = signs.filter(|sign| *sign != Ordering::Equal).collect();
     signs
         .windows(2)
         .filter(|pair| pair.first() != pair.last())
@@ -273,7 +271,7 @@ fn roots_inside(
     [at_lo, at_hi]: [usize; 2],
     interval: &Interval<BigRational>,
 ) -> Option<usize> {
-    let at_end = usize::from(simple.at(interval.hi()).is_zero());
+    let at_end = usize::from(simple.sign_at(interval.hi()) == Ordering::Equal);
     at_lo.checked_sub(at_hi)?.checked_sub(at_end)
 }
 
@@ -285,7 +283,7 @@ fn isolated_roots(
 ) -> Vec<Interval<BigRational>> {
     let square_free = square_free(polynomial);
     let sequence = sturm_sequence(&square_free);
-    let is_root = |x: &BigRational| square_free.at(x).is_zero();
+    let is_root = |x: &BigRational| square_free.sign_at(x) == Ordering::Equal;
     let mut found = Vec::new();
     if is_root(interval.lo()) {
         found.push(Interval::point(interval.lo().clone()));
@@ -316,7 +314,7 @@ fn halved(
     root: &Interval<BigRational>,
 ) -> Interval<BigRational> {
     let middle = middle(root);
-    if square_free.at(&middle).is_zero() {
+    if square_free.sign_at(&middle) == Ordering::Equal {
         return Interval::point(middle);
     }
     if sign_changes(sequence, root.lo()) == sign_changes(sequence, &middle) {
