@@ -74,6 +74,32 @@ pub fn enclosure(
     }
 }
 
+/// An enclosure of ½H(1) + Σ|gⱼ| for j ≥ 1, the viscous friction that is enough for the controller
+/// behind any law that is nowhere steeper, such as a one-sided or saturated wall (TH-LTI, TH-LAW).
+///
+/// Safe, not sharp: each later step is charged half of every product |gⱼDₕDₕ₋ⱼ|, whatever the
+/// signs. As tight as [`enclosure`], and `None` where that is.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{BigRational, Interval, Scalar, absolute_sum, transfer::TransferFunction};
+///
+/// let [one, two] = [1, 2].map(BigRational::integer);
+/// let late = TransferFunction::damped(&one.clone().half()).unwrap().delayed(1);
+/// // g₁ = 1, g₂ = −½: 2 instead of 5/4.
+/// assert_eq!(absolute_sum::viscous_bound(&late, &one), Some(Interval::point(two)));
+/// ```
+#[must_use]
+pub fn viscous_bound(
+    controller: &TransferFunction<BigRational>,
+    width: &BigRational,
+) -> Option<Interval<BigRational>> {
+    let half = controller.at_one() / BigInt::from(2);
+    let tails = enclosure(&controller.tails(), width)?;
+    Some(tails.map(|end| end + &half))
+}
+
 /// ‖c‖₁ of a response that ends.
 fn finite(controller: &TransferFunction<BigRational>) -> BigRational {
     total(&controller.impulse_response(controller.numerator().len()))

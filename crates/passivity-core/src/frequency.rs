@@ -34,12 +34,13 @@ use crate::transfer::TransferFunction;
 ///
 /// let [one, five] = [1, 5].map(BigRational::integer);
 /// let half = one.clone().half();
+/// let width = half.clone().half().half().half();
 /// let late = TransferFunction::damped(&half).unwrap().delayed(1);
 /// let cost = ViscousCost::of(&late);
 /// let least = five.half().half();
 /// assert!(cost.decide(&least).is_nonnegative());
-/// assert_eq!(cost.enclosure(&one), Interval::point(least));
-/// assert_eq!(cost.worst(&half.clone().half()), [Interval::point(half)]);
+/// assert_eq!(cost.enclosure(&width), Interval::point(least));
+/// assert_eq!(cost.worst(&width), [Interval::point(half)]);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ViscousCost {

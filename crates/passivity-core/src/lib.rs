@@ -51,10 +51,12 @@ extern crate alloc;
 
 pub mod absolute_sum;
 pub mod actuator;
+mod circle;
 pub mod control_loop;
 pub mod controller;
 pub mod criterion;
 pub mod dissipation;
+pub mod drift;
 pub mod edge_cycle;
 pub mod effect;
 pub mod exponential;
@@ -80,6 +82,7 @@ pub mod stiffness;
 pub mod sturm;
 pub mod transfer;
 pub mod verdict;
+pub mod wave;
 pub mod witness;
 
 pub use control_loop::Cost;

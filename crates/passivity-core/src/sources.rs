@@ -13,10 +13,12 @@ macro_rules! sources {
 pub const SOURCES: &[(&str, &str)] = sources! {
     "absolute_sum.rs"
     "actuator.rs"
+    "circle.rs"
     "control_loop.rs"
     "controller.rs"
     "criterion.rs"
     "dissipation.rs"
+    "drift.rs"
     "edge_cycle.rs"
     "effect.rs"
     "exponential.rs"
@@ -43,5 +45,6 @@ pub const SOURCES: &[(&str, &str)] = sources! {
     "sturm.rs"
     "transfer.rs"
     "verdict.rs"
+    "wave.rs"
     "witness.rs"
 };

@@ -139,8 +139,9 @@ pub fn has_root(polynomial: &Polynomial, interval: &Interval<BigRational>) -> bo
 /// let number = BigRational::integer;
 /// let interval = Interval::hull(number(-1), number(1));
 /// let parabola = Polynomial::new([number(-1).half().half(), number(0), number(1)]); // x² − ¼
-/// let where_not_above = sturm::not_positive(&parabola, &interval, &number(1));
-/// assert_eq!(where_not_above, [Interval::hull(-number(1).half(), number(1).half())]);
+/// let half = number(1).half();
+/// let where_not_above = sturm::not_positive(&parabola, &interval, &half);
+/// assert_eq!(where_not_above, [Interval::hull(-half.clone(), half)]);
 /// ```
 #[must_use]
 pub fn not_positive(

@@ -1,5 +1,6 @@
 //! TH-LTI: ‖c‖₁ of a controller, exact or enclosed.
 
+use passivity_core::frequency::ViscousCost;
 use passivity_core::{BigRational, Interval, absolute_sum};
 use proptest::prelude::*;
 
@@ -35,6 +36,15 @@ sampled! {
         prop_assert!(partial(&controller, 30) <= *sum.hi());
         let tighter = absolute_sum::enclosure(&controller, &q(1, 1_000_000_000)).unwrap();
         prop_assert!(tighter.lo() <= sum.hi() && tighter.hi() >= sum.lo());
+    }
+
+    /// ½H(1) + Σ|gⱼ|, and never below the sharp cost of the linear wall.
+    fn th_lti_bound_of_any_law(controller in finite_controller()) {
+        let tails = controller.tail_sums(8);
+        let expected = tails.iter().fold(controller.at_one() / q(2, 1), |sum, g| sum + magnitude(g));
+        let bound = absolute_sum::viscous_bound(&controller, &q(1, 1)).unwrap();
+        prop_assert_eq!(bound, Interval::point(expected.clone()));
+        prop_assert!(ViscousCost::of(&controller).decide(&expected).is_nonnegative());
     }
 
     /// With poles and a numerator above zero it is H(1), with alternating signs H(−1).

@@ -14,18 +14,18 @@ fn damped(damping: BigRational) -> Controller {
 }
 
 /// λ(θ) by the form of Colgate and Schenkel, in doubles.
-fn colgate_schenkel(controller: &Controller, theta: f64) -> f64 {
-    let sum = |coefficients: &[BigRational]| {
+fn colgate_schenkel([numerator, denominator]: &[Vec<f64>; 2], theta: f64) -> f64 {
+    let sum = |coefficients: &[f64]| {
         coefficients
             .iter()
             .enumerate()
             .fold((0.0, 0.0), |(re, im), (j, c)| {
-                let (c, angle) = (c.to_f64().unwrap(), theta * j as f64);
+                let angle = theta * j as f64;
                 (re + c * angle.cos(), im - c * angle.sin())
             })
     };
-    let (nr, ni) = sum(controller.numerator());
-    let (dr, di) = sum(controller.denominator());
+    let (nr, ni) = sum(numerator);
+    let (dr, di) = sum(denominator);
     let size = dr * dr + di * di;
     let (hr, hi) = ((nr * dr + ni * di) / size, (ni * dr - nr * di) / size);
     // Re[(1 − e^(−iθ))H]
@@ -44,7 +44,9 @@ sampled! {
         let enclosure = cost.enclosure(&billionth());
         prop_assert!(enclosure.hi() - enclosure.lo() <= billionth());
         // A grid, and a finer one about its best point.
-        let at = |theta: f64| colgate_schenkel(&controller, theta);
+        let doubles = [controller.numerator(), controller.denominator()]
+            .map(|side| side.iter().map(|c| c.to_f64().unwrap()).collect());
+        let at = |theta: f64| colgate_schenkel(&doubles, theta);
         let mut span = (1e-3, std::f64::consts::PI);
         let mut best = f64::MIN;
         for _ in 0..3 {
@@ -61,7 +63,7 @@ sampled! {
         let (lo, hi) = (enclosure.lo().to_f64().unwrap(), enclosure.hi().to_f64().unwrap());
         prop_assert!(hi >= best - 1e-9 * scale, "{} below {}", hi, best);
         // Towards θ = 0 the grid ends at 10⁻³.
-        prop_assert!(lo <= best + 1e-5 * scale, "{} above {}", lo, best);
+        prop_assert!(lo <= best + 1e-7 * scale, "{} above {}", lo, best);
     }
 
     /// R/Q is ½H(1) + Σ gⱼ cos jθ, exactly, at angles whose cosine is rational.
@@ -80,7 +82,7 @@ sampled! {
     /// The ends of the enclosure are decided: enough above, too little below, with what shows it.
     fn th_lti_both_sides_of_the_border(controller in controller()) {
         let cost = ViscousCost::of(&controller);
-        let enclosure = cost.enclosure(&q(1, 10_000));
+        let enclosure = cost.enclosure(&q(1, 1000));
         let tiny = BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(30));
         let beside = if enclosure.is_point() { tiny } else { zero() };
         match cost.decide(enclosure.hi()) {
@@ -96,7 +98,7 @@ sampled! {
             Decision::NegativeAt(x) => prop_assert!(cost.at(&x) > too_little),
         }
         // Wherever it is worst, it is so within the width.
-        let worst = cost.worst(&q(1, 1000));
+        let worst = cost.worst(&q(1, 100));
         prop_assert!(!worst.is_empty());
     }
 

@@ -1,8 +1,11 @@
 //! TH-LTI, the converse: motions of one frequency that draw energy.
 
+use num_traits::ToPrimitive as _;
+use passivity_core::drift::Drift;
 use passivity_core::frequency::ViscousCost;
-use passivity_core::periodic::{Drift, commands, gain, harmonic, held_forces};
+use passivity_core::periodic::{commands, gain, held_forces};
 use passivity_core::transfer::TransferFunction;
+use passivity_core::wave::{Wave, harmonic};
 use passivity_core::{BigRational, Friction, Loop, controller};
 use proptest::prelude::*;
 
@@ -117,6 +120,65 @@ sampled! {
             prop_assert!(drift.step.is_integer() && drift.samples.is_integer());
         }
     }
+}
+
+sampled! {
+    /// A wave exists for any controller however little below the border, and not on it; where its
+    /// period can be written down, its gain computed from the forces is at least what is said.
+    fn th_lti_wave_below_the_border(
+        controller in any_controller(), digits in prop_oneof![0u32..3, 3u32..12], sigma in 0i64..5
+    ) {
+        let little = BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(digits));
+        let border = ViscousCost::of(&controller).enclosure(&(&little / q(2, 1)));
+        let beta = border.lo() - little;
+        prop_assume!(beta >= zero());
+        let friction = Friction::new(beta, q(sigma, 2));
+        let wave = Wave::of(&controller, &friction).unwrap();
+        prop_assert!(wave.gain_at_least > zero());
+        let enough = Friction::new(border.hi().clone(), zero());
+        prop_assert_eq!(Wave::of(&controller, &enough), None);
+        if let Some(positions) = written_down(&wave, 64) {
+            let measured: Vec<_> = positions.iter().map(|xi| xi + half()).collect();
+            let forces = commands(&controller, &measured).unwrap();
+            prop_assert!(gain(&forces, &positions, &friction) >= wave.gain_at_least);
+        }
+    }
+}
+
+/// The positions of a wave that is not too long and not too large.
+fn written_down(wave: &Wave, most: u32) -> Option<Vec<BigRational>> {
+    let period = wave.period.to_u32().filter(|p| *p <= most)?;
+    let amplitude = wave.amplitude.to_f64().filter(|a| *a < 1e9)?;
+    let theta = std::f64::consts::TAU * wave.turns.to_f64()? / f64::from(period);
+    let position = |h: u32| {
+        let xi = (theta * (f64::from(h) - 0.5)).sin() / (2.0 * (theta / 2.0).sin());
+        q((amplitude * xi).round() as i64, 1)
+    };
+    Some((0..period).map(position).collect())
+}
+
+#[test]
+fn th_lti_waves_written_down() {
+    // A delay of k samples, worst at the lowest frequencies: periods of 8 and of 64, and longer.
+    for (k, tenths, most) in [
+        (0, 4, 8),
+        (1, 13, 64),
+        (2, 24, 64),
+        (1, 14, 512),
+        (3, 34, 512),
+    ] {
+        let controller = Controller::wall().delayed(k);
+        let friction = Friction::new(q(tenths, 10), q(3, 2));
+        let wave = Wave::of(&controller, &friction).unwrap();
+        let positions = written_down(&wave, most).unwrap();
+        let c = response(&controller, 4);
+        assert!(gain_by_hand(&c, &positions, &friction) >= wave.gain_at_least);
+    }
+    // 10⁻³⁰ below the border, too long to write down.
+    let controller = Controller::damped(&half()).unwrap().delayed(1);
+    let less = BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(30));
+    let wave = Wave::of(&controller, &Friction::new(q(5, 4) - less, q(1, 1))).unwrap();
+    assert!(wave.period.bits() > 40);
 }
 
 #[test]
