@@ -33,7 +33,7 @@ use crate::transfer::TransferFunction;
 
 /// How many terms of a response are summed up at most before it is given up.
 ///
-/// With the slowest pole at 1 − 10⁻⁴ a sum to 30 digits takes about 700 000.
+/// With the slowest pole at r it takes about ln(1/width)/(1 − r).
 pub const MOST_TERMS: u32 = 1 << 20;
 
 /// The longest fixed-point numbers that powers of the companion matrix are tried in, in bits.

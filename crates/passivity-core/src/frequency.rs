@@ -18,7 +18,7 @@ use num_rational::BigRational;
 
 use crate::interval::Interval;
 use crate::polynomial::Polynomial;
-use crate::scalar::{Ordered as _, Scalar as _};
+use crate::scalar::{Ordered as _, Scalar};
 use crate::sturm::{self, Decision};
 use crate::transfer::TransferFunction;
 
@@ -101,8 +101,10 @@ impl ViscousCost {
     #[must_use]
     pub fn enclosure(&self, width: &BigRational) -> Interval<BigRational> {
         let enough = |beta: &BigRational| self.decide(beta).is_nonnegative();
-        // No mean is above the largest value.
-        let mut lo = self.mean.clone();
+        // No mean and no value is above the largest one.
+        let ends = cosines();
+        let [at_lo, at_hi] = [ends.lo(), ends.hi()].map(|end| self.at(end));
+        let mut lo = Scalar::max(Scalar::max(at_lo, at_hi), self.mean.clone());
         if enough(&lo) {
             return Interval::point(lo);
         }
@@ -110,15 +112,29 @@ impl ViscousCost {
         let mut hi = &lo + &step;
         while !enough(&hi) {
             step = step.double();
-            lo = core::mem::replace(&mut hi, &self.mean + &step);
+            lo = hi.clone();
+            hi = &lo + &step;
         }
+        // By halves, and in between from a value that is reached: in the middle of a narrow band
+        // where β is short λ(θ) is all but largest.
+        let mut halve = false;
         while (&hi - &lo).compare(width) == Some(Ordering::Greater) {
-            let middle = (&lo + &hi).half();
-            if enough(&middle) {
-                hi = middle;
-            } else {
-                lo = middle;
+            let mut probe = (&lo + &hi).half();
+            if !halve {
+                lo = Scalar::max(lo.clone(), self.reached_above(&lo, width));
+                let beyond = &lo + width.clone().half();
+                probe = Scalar::min(beyond, (&lo + &hi).half());
             }
+            halve = !halve;
+            if enough(&probe) {
+                hi = probe;
+            } else {
+                lo = probe;
+            }
+        }
+        // A value that is reached may be the largest.
+        if enough(&lo) {
+            return Interval::point(lo);
         }
         let simple = simplest_above(&lo, &hi);
         if !enough(&simple) {
@@ -128,6 +144,16 @@ impl ViscousCost {
             return Interval::point(simple);
         }
         Interval::hull(lo, simple)
+    }
+
+    /// The largest λ(θ) in the middle of a band where β is short, rounded down to whole quarters of
+    /// `width`.
+    fn reached_above(&self, beta: &BigRational, width: &BigRational) -> BigRational {
+        let bands = self.short_at(beta, width).into_iter();
+        let middles = bands.map(|band| self.at(&(band.lo() + band.hi()).half()));
+        let most = middles.fold(beta.clone(), Scalar::max);
+        let quarter = width.clone().half().half();
+        (most / &quarter).floor() * quarter
     }
 
     /// Where λ(θ) is largest: intervals of cos θ, from left to right, that together hold every such

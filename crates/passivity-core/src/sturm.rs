@@ -154,10 +154,9 @@ pub fn not_positive(
     }
     let mut roots = isolated_roots(polynomial, interval);
     let square_free = square_free(polynomial);
-    let sequence = sturm_sequence(&square_free);
     for root in &mut roots {
         while *width < root.hi() - root.lo() {
-            *root = halved(&square_free, &sequence, root);
+            *root = halved(&square_free, root);
         }
     }
     let pieces = between_roots(&roots, interval);
@@ -308,20 +307,15 @@ fn isolated_roots(
     found
 }
 
-/// The half of an enclosure of one root that holds the root, or the middle where that is the root.
-fn halved(
-    square_free: &Polynomial,
-    sequence: &[Polynomial],
-    root: &Interval<BigRational>,
-) -> Interval<BigRational> {
+/// The half of an enclosure of one simple root that holds the root, or the middle where that is the
+/// root.
+fn halved(square_free: &Polynomial, root: &Interval<BigRational>) -> Interval<BigRational> {
     let middle = middle(root);
-    if square_free.sign_at(&middle) == Ordering::Equal {
-        return Interval::point(middle);
-    }
-    if sign_changes(sequence, root.lo()) == sign_changes(sequence, &middle) {
-        Interval::hull(middle, root.hi().clone())
-    } else {
-        Interval::hull(root.lo().clone(), middle)
+    match square_free.sign_at(&middle) {
+        Ordering::Equal => Interval::point(middle),
+        // The sign changes at the root and nowhere else.
+        sign if sign == square_free.sign_at(root.lo()) => Interval::hull(middle, root.hi().clone()),
+        _ => Interval::hull(root.lo().clone(), middle),
     }
 }
 

@@ -210,7 +210,7 @@ fn angle(
     beta: &BigRational,
     power: u32,
 ) -> Option<(BigInt, BigInt, BigRational)> {
-    let circle = Circle::to(128 + 2 * power);
+    let circle = Circle::to(32 + 2 * power);
     let period = BigInt::from(1) << power;
     for target in targets(cost, beta, 2 * power) {
         let below = (target * BigRational::from_integer(period.clone())).to_integer();
@@ -220,8 +220,13 @@ fn angle(
                 continue;
             }
             let cosine = within_range(&circle.cosine(&turns));
-            let spare = (cost.at(cosine.lo()) - beta).half();
-            if spare.is_positive()? && exceeds(cost, &(beta + &spare), &cosine) {
+            let half = (cost.at(cosine.lo()) - beta).half();
+            if half.is_positive() != Some(true) {
+                continue;
+            }
+            // A unit fraction: the decision is about as long as its numbers.
+            let spare = half.recip().ceil().recip();
+            if exceeds(cost, &(beta + &spare), &cosine) {
                 return Some((turns.numer().clone(), turns.denom().clone(), spare));
             }
         }

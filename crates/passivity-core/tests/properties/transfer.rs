@@ -1,5 +1,6 @@
 //! TH-LTI: digital controllers, their responses and whether they are stable.
 
+use passivity_core::extra_storage::{one_pole_spare, one_pole_storage};
 use passivity_core::transfer::{Refused, TransferFunction, is_stable};
 use passivity_core::{BigRational, Fixed, Scalar as _};
 use proptest::prelude::*;
@@ -131,6 +132,31 @@ sampled! {
         }
         prop_assert_eq!(filtered.impulse_response(expected.len()), expected);
         prop_assert_eq!(filtered.at_one(), q(1, 1));
+    }
+}
+
+sampled! {
+    /// The step of a one-pole filter leaves a square to spare, and its damping draws no more than
+    /// the charge and the change of storage, over any motion.
+    fn th_lti_one_pole_step(
+        a in 0i64..20, start in small(), steps in prop::collection::vec(small(), 1..12)
+    ) {
+        let a = q(a, 20);
+        let one = q(1, 1);
+        let share = (&one - &a) / (&one + &a);
+        let stored = |w: &BigRational| w * w / (q(2, 1) * (&one - &a));
+        let mut w = start.clone();
+        let (mut drawn, mut charged) = (zero(), zero());
+        for d in &steps {
+            let root = (&one + &a) * &w + (&one - &a) * d;
+            let square = &root * &root / (q(2, 1) * (&one + &a));
+            prop_assert_eq!(one_pole_spare(&a, &w, d), square);
+            drawn -= d * &w;
+            charged += &share * d * d;
+            w = &a * &w + (&one - &a) * d;
+        }
+        prop_assert_eq!(one_pole_storage(&a, &w), stored(&w));
+        prop_assert!(drawn + stored(&w) <= charged + stored(&start));
     }
 }
 
