@@ -58,3 +58,35 @@ pub fn damping_storage<S: Scalar>(damping: &S, past: &[S]) -> S {
     let squares = past.iter().fold(S::zero(), |sum, d| sum + d.square());
     (damping.clone() * squares).half()
 }
+
+/// Storage of a one-pole filter of displacements, S(w) = w²/(2(1 − a)) (TH-LTI), in KΔ² per unit of
+/// damping; `pole` is a in [0, 1), `filtered` is w.
+///
+/// The filter's next value is w′ = aw + (1 − a)D. Damping by it generates D·(−w) for each unit.
+#[must_use]
+pub fn one_pole_storage<S: Scalar>(pole: &S, filtered: &S) -> S {
+    filtered.square().over((S::one() - pole.clone()).double())
+}
+
+/// What a step keeps to spare when filtered damping is charged ρD², ρ = (1 − a)/(1 + a), instead of
+/// D² (TH-LTI): D·w + ρD² − (S(w′) − S(w)), with w′ = aw + (1 − a)D; in KΔ² per unit of damping.
+///
+/// It is the square ((1 + a)w + (1 − a)D)²/(2(1 + a)), so it is never below zero.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{Fixed, Scalar, extra_storage::one_pole_spare};
+///
+/// // a = ½, w = 1, D = −3 is where nothing is left.
+/// let spare = one_pole_spare(&Fixed::new(1, 2), &Fixed::integer(1), &Fixed::integer(-3));
+/// assert_eq!(spare, Fixed::integer(0));
+/// ```
+#[must_use]
+pub fn one_pole_spare<S: Scalar>(pole: &S, filtered: &S, displacement: &S) -> S {
+    let (a, w, d) = (pole.clone(), filtered.clone(), displacement.clone());
+    let share = (S::one() - a.clone()).over(S::one() + a.clone());
+    let next = a.clone() * w.clone() + (S::one() - a) * d.clone();
+    let gained = one_pole_storage(pole, &next) - one_pole_storage(pole, &w);
+    d.clone() * w + share * d.square() - gained
+}

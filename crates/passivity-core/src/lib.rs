@@ -49,19 +49,28 @@
 
 extern crate alloc;
 
+pub mod absolute_sum;
+pub mod actuator;
+mod circle;
 pub mod control_loop;
 pub mod controller;
 pub mod criterion;
 pub mod dissipation;
+pub mod drift;
+pub mod edge_cycle;
 pub mod effect;
+pub mod exponential;
 pub mod extra_storage;
 pub mod fraction;
+pub mod frequency;
 pub mod generation;
 pub mod interval;
 pub mod law;
 pub mod ledger;
 pub mod parameter;
+pub mod periodic;
 pub mod pi;
+pub mod polynomial;
 pub mod quantizer;
 pub mod rational;
 pub mod region;
@@ -70,7 +79,10 @@ pub mod sources;
 pub mod spring;
 pub mod start;
 pub mod stiffness;
+pub mod sturm;
+pub mod transfer;
 pub mod verdict;
+pub mod wave;
 pub mod witness;
 
 pub use control_loop::Cost;

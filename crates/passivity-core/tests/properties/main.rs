@@ -4,6 +4,8 @@
 //! NUM-EXACT is about the numbers and tables themselves. Every expected value is computed here from the
 //! paper's or the theory's formula, not by the kernel's own functions.
 
+mod absolute_sum;
+mod actuator;
 mod agreement;
 mod boxes;
 mod common;
@@ -11,21 +13,26 @@ mod control_loop;
 mod controller;
 mod criterion;
 mod dissipation;
+mod edge_cycle;
 mod errata;
 mod exact;
 mod extra_storage;
 mod fraction;
+mod frequency;
 mod generation;
 mod interval;
 mod law;
 mod ledger;
 mod parameter;
+mod periodic;
 mod quantizer;
 mod region;
 mod smooth;
 mod spring;
 mod start;
 mod stiffness;
+mod sturm;
+mod transfer;
 mod verdict;
 mod walk;
 mod witness;

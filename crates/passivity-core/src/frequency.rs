@@ -1,0 +1,227 @@
+//! What a digital controller costs of viscous friction, frequency by frequency (TH-LTI).
+//!
+//! Summed over a motion at rest for ever before its start, the force of a controller H draws at most
+//! Σ λ(θ)·|D̂(θ)|², where D̂ is the spectrum of the displacements Dₕ and
+//!
+//! λ(θ) = ½H(1) + Σ gⱼ cos jθ = Re[(1 − e^(−iθ))H(e^(iθ))] / (2(1 − cos θ)),
+//!
+//! gⱼ the tail sums. Viscous friction takes β at every frequency. So it is enough exactly when
+//! β ≥ λ, the largest of all λ(θ). With x = cos θ and H = N/D it is a question about a polynomial on
+//! [−1, 1], because Q(x) = |D(e^(iθ))|² is a polynomial in x and positive there.
+
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_integer::Integer as _;
+use num_rational::BigRational;
+
+use crate::interval::Interval;
+use crate::polynomial::Polynomial;
+use crate::scalar::{Ordered as _, Scalar};
+use crate::sturm::{self, Decision};
+use crate::transfer::TransferFunction;
+
+/// λ(θ) = R(x)/Q(x) with x = cos θ, dimensionless as β is.
+///
+/// # Example
+///
+/// A delay of one sample and virtual damping of ½KT cost 5/4, not 2; at the angle 60°.
+///
+/// ```
+/// use passivity_core::{BigRational, Interval, Scalar};
+/// use passivity_core::{frequency::ViscousCost, transfer::TransferFunction};
+///
+/// let [one, five] = [1, 5].map(BigRational::integer);
+/// let half = one.clone().half();
+/// let width = half.clone().half().half().half();
+/// let late = TransferFunction::damped(&half).unwrap().delayed(1);
+/// let cost = ViscousCost::of(&late);
+/// let least = five.half().half();
+/// assert!(cost.decide(&least).is_nonnegative());
+/// assert_eq!(cost.enclosure(&width), Interval::point(least));
+/// assert_eq!(cost.worst(&width), [Interval::point(half)]);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct ViscousCost {
+    /// R, in x = cos θ.
+    numerator: Polynomial,
+    /// Q, in x = cos θ; positive on [−1, 1].
+    denominator: Polynomial,
+    /// ½H(1), the mean of λ(θ) over all angles.
+    mean: BigRational,
+}
+
+impl ViscousCost {
+    /// The cost of a controller.
+    #[must_use]
+    pub fn of(controller: &TransferFunction<BigRational>) -> Self {
+        // From the tail sums, Σ gⱼz⁻ʲ = T/D: R = ½H(1)·|D|² + Re(T·D̄). Nothing is divided out.
+        let mean = controller.at_one().half();
+        let tails = controller.tails();
+        let d = controller.denominator();
+        let denominator = real_part_of_product(d, d);
+        let modulated = real_part_of_product(tails.numerator(), d);
+        Self {
+            numerator: &denominator.scaled(&mean) + &modulated,
+            denominator,
+            mean,
+        }
+    }
+
+    /// λ(θ) at x = cos θ in [−1, 1].
+    #[must_use]
+    pub fn at(&self, cosine: &BigRational) -> BigRational {
+        self.numerator.at(cosine).over(self.denominator.at(cosine))
+    }
+
+    /// P = βQ − R, not negative at x = cos θ exactly when β ≥ λ(θ).
+    #[must_use]
+    pub fn spare(&self, beta: &BigRational) -> Polynomial {
+        &self.denominator.scaled(beta) - &self.numerator
+    }
+
+    /// Whether β ≥ λ(θ) at every frequency, exactly, with the certificate or the cos θ where not.
+    #[must_use]
+    pub fn decide(&self, beta: &BigRational) -> Decision {
+        sturm::decide(&self.spare(beta), &cosines())
+    }
+
+    /// Where β ≤ λ(θ): intervals of cos θ, from left to right, too wide by at most `width` at either
+    /// end.
+    #[must_use]
+    pub fn short_at(&self, beta: &BigRational, width: &BigRational) -> Vec<Interval<BigRational>> {
+        sturm::not_positive(&self.spare(beta), &cosines(), width)
+    }
+
+    /// An enclosure of λ, the least β that is enough at every frequency; at most `width` > 0 wide.
+    ///
+    /// A point where λ is the simplest fraction of what would be enclosed. Both ends are decided
+    /// exactly: the upper one is enough, and the lower one is not, or is λ.
+    #[must_use]
+    pub fn enclosure(&self, width: &BigRational) -> Interval<BigRational> {
+        let enough = |beta: &BigRational| self.decide(beta).is_nonnegative();
+        // No mean and no value is above the largest one.
+        let ends = cosines();
+        let [at_lo, at_hi] = [ends.lo(), ends.hi()].map(|end| self.at(end));
+        let mut lo = Scalar::max(Scalar::max(at_lo, at_hi), self.mean.clone());
+        if enough(&lo) {
+            return Interval::point(lo);
+        }
+        let mut step = BigRational::one();
+        let mut hi = &lo + &step;
+        while !enough(&hi) {
+            step = step.double();
+            lo = hi.clone();
+            hi = &lo + &step;
+        }
+        // By halves, and in between from a value that is reached: in the middle of a narrow band
+        // where β is short λ(θ) is all but largest.
+        let mut halve = false;
+        while (&hi - &lo).compare(width) == Some(Ordering::Greater) {
+            let mut probe = (&lo + &hi).half();
+            if !halve {
+                lo = Scalar::max(lo.clone(), self.reached_above(&lo, width));
+                let beyond = &lo + width.clone().half();
+                probe = Scalar::min(beyond, (&lo + &hi).half());
+            }
+            halve = !halve;
+            if enough(&probe) {
+                hi = probe;
+            } else {
+                lo = probe;
+            }
+        }
+        // A value that is reached may be the largest.
+        if enough(&lo) {
+            return Interval::point(lo);
+        }
+        let simple = simplest_above(&lo, &hi);
+        if !enough(&simple) {
+            return Interval::hull(simple, hi);
+        }
+        if sturm::has_root(&self.spare(&simple), &cosines()) {
+            return Interval::point(simple);
+        }
+        Interval::hull(lo, simple)
+    }
+
+    /// The largest λ(θ) in the middle of a band where β is short, rounded down to whole quarters of
+    /// `width`.
+    fn reached_above(&self, beta: &BigRational, width: &BigRational) -> BigRational {
+        let bands = self.short_at(beta, width).into_iter();
+        let middles = bands.map(|band| self.at(&(band.lo() + band.hi()).half()));
+        let most = middles.fold(beta.clone(), Scalar::max);
+        let quarter = width.clone().half().half();
+        (most / &quarter).floor() * quarter
+    }
+
+    /// Where λ(θ) is largest: intervals of cos θ, from left to right, that together hold every such
+    /// frequency and only such where λ(θ) is within `width` of λ; single ones are about as wide.
+    #[must_use]
+    pub fn worst(&self, width: &BigRational) -> Vec<Interval<BigRational>> {
+        self.short_at(self.enclosure(width).lo(), width)
+    }
+}
+
+/// All x = cos θ.
+fn cosines() -> Interval<BigRational> {
+    Interval::hull(-BigRational::one(), BigRational::one())
+}
+
+/// Re[a(w)·b(w̄)] at w = e^(−iθ), as a polynomial in cos θ; from the coefficients of w⁰, w¹, ….
+fn real_part_of_product(a: &[BigRational], b: &[BigRational]) -> Polynomial {
+    let length = a.len().max(b.len());
+    let mut series: Vec<BigRational> = Vec::new();
+    series.resize(length, BigRational::zero());
+    for (i, left) in a.iter().enumerate() {
+        for (j, right) in b.iter().enumerate() {
+            // wⁱ·w̄ʲ has the real part cos((i − j)θ).
+            if let Some(slot) = series.get_mut(i.abs_diff(j)) {
+                *slot += left * right;
+            }
+        }
+    }
+    Polynomial::of_cosines(&series)
+}
+
+/// The fraction of least denominator in (lo, hi], for 0 ≤ lo < hi.
+fn simplest_above(lo: &BigRational, hi: &BigRational) -> BigRational {
+    // By continued fractions: as long as no whole number is between the ends their common whole
+    // part is kept, and the simplest fraction between the reciprocals of what is left comes next.
+    let (mut lo, mut hi) = (lo.clone(), hi.clone());
+    let mut closed_above = true;
+    let mut wholes: Vec<BigInt> = Vec::new();
+    let last = loop {
+        let whole = lo.numer().div_floor(lo.denom());
+        let kept = BigRational::from_integer(whole.clone());
+        let at_lo = kept == lo;
+        let next = if at_lo && !closed_above {
+            kept.clone()
+        } else {
+            &kept + BigRational::one()
+        };
+        if next < hi || (closed_above && next == hi) {
+            break next;
+        }
+        wholes.push(whole);
+        let reciprocal = (hi - &kept).recip();
+        if at_lo {
+            // Above there is no end; from below it is closed exactly when the old end above was.
+            let floor = BigRational::from_integer(reciprocal.numer().div_floor(reciprocal.denom()));
+            let least = closed_above && floor == reciprocal;
+            break if least {
+                floor
+            } else {
+                floor + BigRational::one()
+            };
+        }
+        // Reciprocals turn the order round: the closed end changes sides.
+        hi = (lo - &kept).recip();
+        lo = reciprocal;
+        closed_above = !closed_above;
+    };
+    wholes.into_iter().rev().fold(last, |fraction, whole| {
+        fraction.recip() + BigRational::from_integer(whole)
+    })
+}

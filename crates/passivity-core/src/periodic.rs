@@ -1,0 +1,153 @@
+//! Motions that repeat, and draw energy each time round: the converse of TH-LTI.
+//!
+//! Over a period that ends where it began storage has not changed, so what the operator gains is the
+//! work of the held force less friction: computed from the controller and friction alone. A motion
+//! that starts at rest comes as near to the repeating one as one likes, so where a period gains, so
+//! does a motion that is long enough, without end.
+
+use alloc::collections::VecDeque;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+
+use crate::controller::Controller;
+use crate::dissipation::Friction;
+use crate::scalar::{Ordered, Scalar};
+use crate::transfer::TransferFunction;
+
+/// A motion that repeats: its positions at the samples of a period, and what the operator gains.
+///
+/// Between two samples the device moves at constant speed, and after the last one back to the first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion<S> {
+    /// The positions, in ticks, or in the unit of length without an encoder.
+    pub positions: Vec<S>,
+    /// Energy that the operator gains each time round, in KΔ².
+    pub gain: S,
+}
+
+/// The forces held from each sample on, when the motion has repeated for ever.
+///
+/// With a controller of the kernel and all its effects; for one whose response does not end see
+/// [`commands`].
+#[must_use]
+pub fn held_forces<S: Scalar>(controller: &Controller<S>, positions: &[S]) -> Vec<S> {
+    let measured: Vec<S> = positions.iter().map(|xi| controller.measured(xi)).collect();
+    let known = controller.memory() + 1;
+    let at = |later: usize| {
+        // The present sample, the one before it, and so on round the period.
+        let samples = measured.iter().rev().cycle().skip(later).take(known);
+        controller.held_force(&samples.cloned().collect::<Vec<S>>())
+    };
+    (0..positions.len()).rev().map(at).collect()
+}
+
+/// The commands of a linear controller from each sample on, when the motion has repeated for ever;
+/// `measured` are the measured positions of a period.
+///
+/// Exact also where the response does not end: the state at the start of a period is the one that
+/// the period leads back to, a linear equation of the denominator's order. `None` when a number is
+/// undefined.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{Fixed, Scalar, periodic::commands, transfer::TransferFunction};
+///
+/// let lag = TransferFunction::new([Fixed::integer(1)], [Fixed::integer(1), Fixed::new(-1, 2)]);
+/// // y = q + ½y′: with q = 1, −1, 1, … it is ±2/3. The force is −y.
+/// let forces = commands(&lag.unwrap(), &[1, -1].map(Fixed::integer)).unwrap();
+/// assert_eq!(forces, [Fixed::new(-2, 3), Fixed::new(2, 3)]);
+/// ```
+#[must_use]
+pub fn commands<S: Ordered>(controller: &TransferFunction<S>, measured: &[S]) -> Option<Vec<S>> {
+    let (leading, others) = controller.denominator().split_first()?;
+    let round = |state: &[S], driven: bool| -> (Vec<S>, Vec<S>) {
+        let mut state: VecDeque<S> = state.iter().cloned().collect();
+        let mut outputs = Vec::with_capacity(measured.len());
+        for earlier in (0..measured.len()).rev() {
+            let samples = measured.iter().rev().cycle().skip(earlier);
+            let taps = controller.numerator().iter().zip(samples);
+            let input = taps.fold(S::zero(), |sum, (n, q)| sum + n.clone() * q.clone());
+            let input = if driven { input } else { S::zero() };
+            let past = others.iter().zip(&state);
+            let output = past
+                .fold(input, |rest, (d, y)| rest - d.clone() * y.clone())
+                .over(leading.clone());
+            outputs.push(output.clone());
+            state.push_front(output);
+            state.truncate(others.len());
+        }
+        (outputs, state.into_iter().collect())
+    };
+    let order = others.len();
+    let nothing = vec![S::zero(); order];
+    let (_, forced) = round(&nothing, true);
+    // (1 − A)·s = forced, where A is what a period without input makes of a state.
+    let columns: Vec<Vec<S>> = (0..order)
+        .map(|k| {
+            let unit: Vec<S> = (0..order)
+                .map(|i| if i == k { S::one() } else { S::zero() })
+                .collect();
+            let (_, after) = round(&unit, false);
+            unit.into_iter().zip(after).map(|(s, a)| s - a).collect()
+        })
+        .collect();
+    let row = |i: usize| {
+        columns
+            .iter()
+            .filter_map(move |column| column.get(i).cloned())
+    };
+    let rows = forced
+        .into_iter()
+        .enumerate()
+        .map(|(i, f)| row(i).chain([f]).collect());
+    let (outputs, _) = round(&solved(rows.collect())?, true);
+    Some(outputs.into_iter().map(|y| -y).collect())
+}
+
+/// The solution of linear equations, each a row of coefficients and the right-hand side last;
+/// `None` when there is not exactly one.
+fn solved<S: Ordered>(mut rows: Vec<Vec<S>>) -> Option<Vec<S>> {
+    let mut done: Vec<Vec<S>> = Vec::with_capacity(rows.len());
+    for column in 0..rows.len() {
+        let has_pivot = |row: &Vec<S>| {
+            let sign = row.get(column).and_then(Ordered::sign);
+            matches!(sign, Some(Ordering::Less | Ordering::Greater))
+        };
+        let pivot = rows.swap_remove(rows.iter().position(has_pivot)?);
+        let leading = pivot.get(column)?.clone();
+        let pivot: Vec<S> = pivot.into_iter().map(|x| x.over(leading.clone())).collect();
+        for row in rows.iter_mut().chain(&mut done) {
+            let factor = row.get(column)?.clone();
+            for (x, p) in row.iter_mut().zip(&pivot) {
+                *x = x.clone() - factor.clone() * p.clone();
+            }
+        }
+        done.push(pivot);
+    }
+    done.into_iter().map(|mut row| row.pop()).collect()
+}
+
+/// What the operator gains each time round: work of the held forces less friction (23), in KΔ².
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{Fixed, Friction, Loop, Scalar, controller::Controller, periodic};
+///
+/// let friction = Friction::new(Fixed::integer(0), Fixed::integer(0));
+/// let wall = Controller::of(&Loop::plain(friction));
+/// let positions = [0, 1].map(Fixed::integer);
+/// let forces = periodic::held_forces(&wall, &positions);
+/// assert_eq!(periodic::gain(&forces, &positions, &friction), Fixed::integer(1));
+/// ```
+#[must_use]
+pub fn gain<S: Scalar>(forces: &[S], positions: &[S], friction: &Friction<S>) -> S {
+    let next = positions.iter().skip(1).chain(positions.first());
+    let steps = forces.iter().zip(positions).zip(next);
+    steps.fold(S::zero(), |sum, ((force, from), to)| {
+        let d = to.clone() - from.clone();
+        sum + force.clone() * d.clone() - friction.dissipated_lower(&d, &d.abs())
+    })
+}

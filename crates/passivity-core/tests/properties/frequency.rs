@@ -1,0 +1,184 @@
+//! TH-LTI: the least viscous friction that is enough at every frequency.
+
+use num_traits::ToPrimitive as _;
+use passivity_core::frequency::ViscousCost;
+use passivity_core::sturm::Decision;
+use passivity_core::{BigRational, Interval, absolute_sum};
+use proptest::prelude::*;
+
+use crate::common::{half, magnitude, q, sampled, squared, zero};
+use crate::transfer::{Controller, controller, finite_controller, response};
+
+fn damped(damping: BigRational) -> Controller {
+    Controller::damped(&damping).unwrap()
+}
+
+/// λ(θ) by the form of Colgate and Schenkel, in doubles.
+fn colgate_schenkel([numerator, denominator]: &[Vec<f64>; 2], theta: f64) -> f64 {
+    let sum = |coefficients: &[f64]| {
+        coefficients
+            .iter()
+            .enumerate()
+            .fold((0.0, 0.0), |(re, im), (j, c)| {
+                let angle = theta * j as f64;
+                (re + c * angle.cos(), im - c * angle.sin())
+            })
+    };
+    let (nr, ni) = sum(numerator);
+    let (dr, di) = sum(denominator);
+    let size = dr * dr + di * di;
+    let (hr, hi) = ((nr * dr + ni * di) / size, (ni * dr - nr * di) / size);
+    // Re[(1 − e^(−iθ))H]
+    let real = (1.0 - theta.cos()) * hr - theta.sin() * hi;
+    real / (2.0 * (1.0 - theta.cos()))
+}
+
+fn billionth() -> BigRational {
+    q(1, 1_000_000_000)
+}
+
+sampled! {
+    /// The enclosure is within 10⁻⁹ of the largest value on a fine grid, and never below it.
+    fn th_lti_cost_is_the_largest_on_a_grid(controller in controller()) {
+        let cost = ViscousCost::of(&controller);
+        let enclosure = cost.enclosure(&billionth());
+        prop_assert!(enclosure.hi() - enclosure.lo() <= billionth());
+        // A grid, and a finer one about its best point.
+        let doubles = [controller.numerator(), controller.denominator()]
+            .map(|side| side.iter().map(|c| c.to_f64().unwrap()).collect());
+        let at = |theta: f64| colgate_schenkel(&doubles, theta);
+        let mut span = (1e-3, std::f64::consts::PI);
+        let mut best = f64::MIN;
+        for _ in 0..3 {
+            let step = (span.1 - span.0) / 2000.0;
+            let grid = (0..=2000).map(|n| span.0 + step * f64::from(n));
+            let (value, theta) = grid.map(|theta| (at(theta), theta))
+                .max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+            best = best.max(value);
+            span = ((theta - step).max(1e-3), (theta + step).min(std::f64::consts::PI));
+        }
+        let at_zero = cost.at(&q(1, 1)).to_f64().unwrap();
+        let best = best.max(at_zero);
+        let scale = 1.0 + best.abs();
+        let (lo, hi) = (enclosure.lo().to_f64().unwrap(), enclosure.hi().to_f64().unwrap());
+        prop_assert!(hi >= best - 1e-9 * scale, "{} below {}", hi, best);
+        // Towards θ = 0 the grid ends at 10⁻³.
+        prop_assert!(lo <= best + 1e-7 * scale, "{} above {}", lo, best);
+    }
+
+    /// R/Q is ½H(1) + Σ gⱼ cos jθ, exactly, at angles whose cosine is rational.
+    fn th_lti_cost_is_the_sum_of_tails(controller in finite_controller(), n in -12i64..13) {
+        let x = q(n, 12);
+        let mut expected = controller.at_one() * half();
+        let (mut before, mut cosine) = (q(1, 1), x.clone());
+        for g in controller.tail_sums(8) {
+            expected += g * &cosine;
+            let next = q(2, 1) * &x * &cosine - before;
+            before = std::mem::replace(&mut cosine, next);
+        }
+        prop_assert_eq!(ViscousCost::of(&controller).at(&x), expected);
+    }
+
+    /// The ends of the enclosure are decided: enough above, too little below, with what shows it.
+    fn th_lti_both_sides_of_the_border(controller in controller()) {
+        let cost = ViscousCost::of(&controller);
+        let enclosure = cost.enclosure(&q(1, 1000));
+        let tiny = BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(30));
+        let beside = if enclosure.is_point() { tiny } else { zero() };
+        match cost.decide(enclosure.hi()) {
+            Decision::Nonnegative(certificate) => {
+                let everywhere = Interval::hull(q(-1, 1), q(1, 1));
+                prop_assert!(certificate.shows(&cost.spare(enclosure.hi()), &everywhere));
+            }
+            Decision::NegativeAt(x) => prop_assert!(false, "short at {}", x),
+        }
+        let too_little = enclosure.lo() - beside;
+        match cost.decide(&too_little) {
+            Decision::Nonnegative(_) => prop_assert!(false, "{} is enough", too_little),
+            Decision::NegativeAt(x) => prop_assert!(cost.at(&x) > too_little),
+        }
+        // Wherever it is worst, it is so within the width.
+        let worst = cost.worst(&q(1, 100));
+        prop_assert!(!worst.is_empty());
+    }
+
+    /// No motion draws more than the storage at the start from a loop that meets the criterion.
+    fn th_lti_no_motion_draws_from_a_passive_loop(
+        controller in controller(),
+        start in -40i64..40,
+        steps in prop::collection::vec((-30i64..31, 1i64..9), 1..60),
+        seed in 0usize..4,
+    ) {
+        let width = q(1, 1_000_000);
+        let beta = ViscousCost::of(&controller).enclosure(&width).hi().clone();
+        let sigma = absolute_sum::enclosure(&controller, &width).unwrap().hi() * half();
+        // Motions of one kind: any; steady; to and fro across edges; nearly of one frequency.
+        let steps: Vec<BigRational> = steps.iter().enumerate().map(|(h, (n, d))| match seed {
+            0 => q(*n, *d),
+            1 => q(5, 1),
+            2 => q(if h % 2 == 0 { 1 } else { -1 }, *d),
+            _ => q((10.0 * (h as f64 * f64::from(*d as i32) / 4.0).cos()).round() as i64, 1),
+        }).collect();
+        let mut xi = q(start, 16);
+        let stored = controller.at_one() * half() * squared(&xi);
+        let c = response(&controller, steps.len());
+        let rest = xi.floor() + half();
+        let mut measured: Vec<BigRational> = Vec::new();
+        let mut known = zero();
+        let mut drawn = zero();
+        for (h, d) in steps.iter().enumerate() {
+            measured.push(xi.floor() + half());
+            known += &c[h];
+            // Before the start it rested for ever: what is left of the response acts on that.
+            let mut force = -((controller.at_one() - &known) * &rest);
+            for (c, q) in c.iter().zip(measured.iter().rev()) {
+                force -= c * q;
+            }
+            drawn += force * d - &beta * squared(d) - &sigma * magnitude(d);
+            prop_assert!(drawn <= stored);
+            xi += d;
+        }
+    }
+}
+
+#[test]
+fn th_lti_figures() {
+    let exactly = |controller: &Controller| {
+        let enclosure = ViscousCost::of(controller).enclosure(&q(1, 1_000_000));
+        assert!(enclosure.is_point());
+        enclosure.lo().clone()
+    };
+    assert_eq!(exactly(&Controller::wall()), half());
+    for k in 0..5 {
+        assert_eq!(
+            exactly(&Controller::wall().delayed(k)),
+            half() + q(i64::from(k), 1)
+        );
+        // Undelayed damping costs all of B.
+        assert_eq!(
+            exactly(&damped(q(i64::from(k), 3))),
+            half() + q(i64::from(k), 3)
+        );
+    }
+    assert_eq!(exactly(&damped(half()).delayed(1)), q(5, 4));
+    assert_eq!(exactly(&damped(q(2, 1)).delayed(1)), q(41, 16));
+    // B(1 − a)/(1 + a) instead of B.
+    let filtered = |b: BigRational, a: BigRational| Controller::filtered_damping(&b, &a).unwrap();
+    assert_eq!(exactly(&filtered(q(1, 1), half())), q(5, 6));
+    let slow = exactly(&filtered(q(10, 1), q(19, 20)));
+    assert_eq!(slow, half() + q(10, 39));
+    assert!(slow > q(756, 1000) && slow < q(757, 1000));
+
+    // 10⁻³⁰ less is short, exactly at the angle 60°.
+    let late = ViscousCost::of(&damped(half()).delayed(1));
+    let less = q(5, 4) - BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(30));
+    assert!(late.decide(&q(5, 4)).is_nonnegative());
+    let Decision::NegativeAt(x) = late.decide(&less) else {
+        panic!("10⁻³⁰ less is enough")
+    };
+    assert!(magnitude(&(x - half())) < q(1, 1_000_000));
+    assert_eq!(late.worst(&q(1, 1000)), [Interval::point(half())]);
+    // The plain wall is the same at every frequency.
+    let flat = ViscousCost::of(&Controller::wall()).worst(&q(1, 1000));
+    assert_eq!(flat, [Interval::hull(q(-1, 1), q(1, 1))]);
+}

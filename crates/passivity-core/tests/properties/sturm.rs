@@ -1,0 +1,137 @@
+//! TH-LTI: the sign of a polynomial on [−1, 1], against the roots that it was made of.
+
+use passivity_core::polynomial::Polynomial;
+use passivity_core::sturm::{self, Decision};
+use passivity_core::{BigRational, Interval};
+use proptest::prelude::*;
+
+use crate::common::{magnitude, q, sampled, zero};
+use crate::transfer::small;
+
+fn everywhere() -> Interval<BigRational> {
+    Interval::hull(q(-1, 1), q(1, 1))
+}
+
+/// A polynomial with these roots, each as often as said.
+fn with_roots(roots: &[(BigRational, u32)], factor: &BigRational) -> Polynomial {
+    let mut product = Polynomial::constant(factor.clone());
+    for (root, times) in roots {
+        for _ in 0..*times {
+            product = &product * &Polynomial::new([-root, q(1, 1)]);
+        }
+    }
+    product
+}
+
+fn value(coefficients: &[BigRational], x: &BigRational) -> BigRational {
+    let mut power = q(1, 1);
+    let mut sum = zero();
+    for a in coefficients {
+        sum += a * &power;
+        power *= x;
+    }
+    sum
+}
+
+fn roots() -> impl Strategy<Value = Vec<(BigRational, u32)>> {
+    prop::collection::vec(((-20i64..21).prop_map(|n| q(n, 12)), 1u32..5), 0..5)
+}
+
+sampled! {
+    /// Decided as by the signs between the roots that are known, ends and multiple roots included.
+    fn th_lti_sturm_against_known_roots(roots in roots(), factor in small(), shift in any::<bool>()) {
+        let mut polynomial = with_roots(&roots, &factor);
+        if shift {
+            // A part without real roots.
+            polynomial = &polynomial * &Polynomial::new([q(1, 7), zero(), q(1, 1)]);
+        }
+        let mut stops: Vec<BigRational> = roots.iter().map(|(root, _)| root.clone()).collect();
+        stops.extend([q(-1, 1), q(1, 1)]);
+        stops.retain(|x| magnitude(x) <= q(1, 1));
+        stops.sort();
+        let between = stops.windows(2).map(|pair| (&pair[0] + &pair[1]) / q(2, 1));
+        let negative = between.into_iter().any(|x| polynomial.at(&x) < zero());
+        match sturm::decide(&polynomial, &everywhere()) {
+            Decision::Nonnegative(certificate) => {
+                prop_assert!(!negative);
+                prop_assert!(certificate.shows(&polynomial, &everywhere()));
+                // No certificate of one polynomial shows another.
+                let lower = &polynomial - &Polynomial::constant(q(1, 1_000_000));
+                prop_assert!(!certificate.shows(&lower, &everywhere()));
+            }
+            Decision::NegativeAt(x) => {
+                prop_assert!(negative);
+                prop_assert!(magnitude(&x) <= q(1, 1));
+                prop_assert!(value(polynomial.coefficients(), &x) < zero());
+            }
+        }
+    }
+
+    /// On a dense grid nothing is negative where so decided; lowered by its least value there and a
+    /// little more, it is.
+    fn th_lti_sturm_against_a_grid(coefficients in prop::collection::vec(small(), 1..8)) {
+        let polynomial = Polynomial::new(coefficients.clone());
+        let grid = (-200i64..=200).map(|n| value(&coefficients, &q(n, 200)));
+        let least = grid.min().unwrap();
+        let decided = sturm::decide(&polynomial, &everywhere()).is_nonnegative();
+        prop_assert!(!decided || least >= zero());
+        let raised = |by: BigRational| &polynomial - &Polynomial::constant(&least - by);
+        prop_assert!(!sturm::decide(&raised(q(-1, 1_000_000)), &everywhere()).is_nonnegative());
+        // The slope is at most Σ k·|aₖ|, and a grid point is within 1/400.
+        let slope = coefficients.iter().zip(0i64..).fold(zero(), |s, (a, k)| s + magnitude(a) * q(k, 1));
+        prop_assert!(sturm::decide(&raised(slope / q(400, 1)), &everywhere()).is_nonnegative());
+    }
+
+    /// A square is never negative; it touches zero exactly at its roots.
+    fn th_lti_sturm_squares(a in small(), b in small(), c in small()) {
+        let p = Polynomial::new([a, b, c]);
+        let square = &p * &p;
+        prop_assert!(sturm::decide(&square, &everywhere()).is_nonnegative());
+        prop_assert_eq!(
+            sturm::has_root(&square, &everywhere()),
+            sturm::has_root(&p, &everywhere())
+        );
+        let above = &square + &Polynomial::constant(q(1, 1_000));
+        prop_assert!(!sturm::has_root(&above, &everywhere()));
+    }
+
+    /// The bands where it is not positive hold every point of a grid that is not.
+    fn th_lti_sturm_bands(roots in roots(), factor in small()) {
+        let polynomial = with_roots(&roots, &factor);
+        let bands = sturm::not_positive(&polynomial, &everywhere(), &q(1, 1000));
+        for pair in bands.windows(2) {
+            prop_assert!(pair[0].hi() < pair[1].lo());
+        }
+        for x in (-120i64..=120).map(|n| q(n, 120)) {
+            let within = |slack: &BigRational| bands
+                .iter().any(|band| x >= band.lo() - slack && x <= band.hi() + slack);
+            if polynomial.at(&x) <= zero() {
+                prop_assert!(within(&zero()));
+            } else if within(&q(-1, 1000)) {
+                prop_assert!(false, "{} is positive", x);
+            }
+        }
+    }
+}
+
+#[test]
+fn th_lti_sturm_borders() {
+    let decide = |p: &[i64]| {
+        let p = Polynomial::new(p.iter().map(|a| q(*a, 1)));
+        sturm::decide(&p, &everywhere()).is_nonnegative()
+    };
+    assert!(decide(&[])); // 0
+    assert!(decide(&[1]));
+    assert!(!decide(&[-1]));
+    assert!(decide(&[1, 1])); // 0 at −1
+    assert!(decide(&[1, -1])); // 0 at 1
+    assert!(decide(&[1, 0, -1])); // 0 at both
+    assert!(!decide(&[-1, 0, 1])); // and below between them
+    assert!(!decide(&[0, 1])); // a sign change in the middle
+    assert!(decide(&[0, 0, 1])); // a double root there
+    assert!(!decide(&[0, 0, 0, 1])); // a triple one
+    assert!(decide(&[0, 0, 1, -1])); // x²(1 − x)
+    assert!(decide(&[1, -1, -1, 1])); // (1 − x)²(1 + x)
+    assert!(!decide(&[-1, -1, 1, 1])); // (x − 1)(1 + x)²
+    assert!(decide(&[4, -4, 1])); // (2 − x)²
+}
