@@ -130,7 +130,8 @@ fn body_around(text: &str, at: usize) -> Option<Range<usize>> {
         let word = line
             .trim_start()
             .trim_start_matches("pub(crate) ")
-            .trim_start_matches("pub ");
+            .trim_start_matches("pub ")
+            .trim_start_matches("const ");
         if word.starts_with("fn ") && indent(line) < here {
             break line;
         }
