@@ -19,7 +19,7 @@ use num_rational::BigRational;
 use crate::interval::Interval;
 use crate::polynomial::Polynomial;
 use crate::scalar::{Ordered as _, Scalar};
-use crate::sturm::{self, Decision};
+use crate::sturm::{self, SignOver};
 use crate::transfer::TransferFunction;
 
 /// λ(θ) = R(x)/Q(x) with x = cos θ, dimensionless as β is.
@@ -83,8 +83,8 @@ impl ViscousCost {
 
     /// Whether β ≥ λ(θ) at every frequency, exactly, with the certificate or the cos θ where not.
     #[must_use]
-    pub fn decide(&self, beta: &BigRational) -> Decision {
-        sturm::decide(&self.spare(beta), &cosines())
+    pub fn decide(&self, beta: &BigRational) -> SignOver {
+        sturm::sign_over(&self.spare(beta), &cosines())
     }
 
     /// Where β ≤ λ(θ): intervals of cos θ, from left to right, too wide by at most `width` at either

@@ -17,14 +17,14 @@ use crate::polynomial::Polynomial;
 
 /// Whether a polynomial is negative anywhere in an interval, and what shows it.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Decision {
+pub enum SignOver {
     /// It is nowhere negative.
     Nonnegative(Certificate),
     /// It is negative here.
     NegativeAt(BigRational),
 }
 
-impl Decision {
+impl SignOver {
     /// Whether the polynomial is nowhere negative.
     #[must_use]
     pub const fn is_nonnegative(&self) -> bool {
@@ -60,7 +60,7 @@ impl Certificate {
     ///
     /// let interval = Interval::hull(BigRational::integer(-1), BigRational::integer(1));
     /// let square = Polynomial::new([1, -2, 1].map(BigRational::integer)); // (1 − x)²
-    /// let sturm::Decision::Nonnegative(certificate) = sturm::decide(&square, &interval) else {
+    /// let sturm::SignOver::Nonnegative(certificate) = sturm::sign_over(&square, &interval) else {
     ///     panic!("a square is not negative")
     /// };
     /// assert!(certificate.shows(&square, &interval));
@@ -95,12 +95,12 @@ impl Certificate {
 /// let interval = Interval::hull(BigRational::integer(-1), BigRational::integer(1));
 /// // 1 − x² is zero at both ends and positive between them; less 1/1000 it is negative somewhere.
 /// let arch = Polynomial::new([1, 0, -1].map(BigRational::integer));
-/// assert!(sturm::decide(&arch, &interval).is_nonnegative());
+/// assert!(sturm::sign_over(&arch, &interval).is_nonnegative());
 /// let lowered = &arch - &Polynomial::constant(BigRational::new(1.into(), 1000.into()));
-/// assert!(!sturm::decide(&lowered, &interval).is_nonnegative());
+/// assert!(!sturm::sign_over(&lowered, &interval).is_nonnegative());
 /// ```
 #[must_use]
-pub fn decide(polynomial: &Polynomial, interval: &Interval<BigRational>) -> Decision {
+pub fn sign_over(polynomial: &Polynomial, interval: &Interval<BigRational>) -> SignOver {
     let [simple, repeated] = split(polynomial);
     let sequence = sturm_sequence(&simple);
     let sign_changes = [interval.lo(), interval.hi()].map(|x| sign_changes(&sequence, x));
@@ -111,7 +111,7 @@ pub fn decide(polynomial: &Polynomial, interval: &Interval<BigRational>) -> Deci
         sign_changes,
     };
     if certificate.shows(polynomial, interval) {
-        return Decision::Nonnegative(certificate);
+        return SignOver::Nonnegative(certificate);
     }
     // Between two neighbouring roots the sign is that of any one point, and one of these points
     // is below zero now.
@@ -119,7 +119,7 @@ pub fn decide(polynomial: &Polynomial, interval: &Interval<BigRational>) -> Deci
     let negative = pieces
         .into_iter()
         .find(|x| polynomial.sign_at(x) == Ordering::Less);
-    Decision::NegativeAt(negative.unwrap_or_else(|| middle(interval)))
+    SignOver::NegativeAt(negative.unwrap_or_else(|| middle(interval)))
 }
 
 /// Whether the polynomial has a root in the closed interval; true of the polynomial zero.

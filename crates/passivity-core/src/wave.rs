@@ -240,7 +240,7 @@ fn exceeds(cost: &ViscousCost, beta: &BigRational, cosine: &Interval<BigRational
     if cosine.is_point() {
         return over.sign_at(cosine.lo()) != Ordering::Less;
     }
-    sturm::decide(&over, cosine).is_nonnegative()
+    sturm::sign_over(&over, cosine).is_nonnegative()
 }
 
 /// The part of an enclosure of a cosine that is in [−1, 1].

@@ -2,7 +2,7 @@
 
 use num_traits::ToPrimitive as _;
 use passivity_core::frequency::ViscousCost;
-use passivity_core::sturm::Decision;
+use passivity_core::sturm::SignOver;
 use passivity_core::{BigRational, Interval, absolute_sum};
 use proptest::prelude::*;
 
@@ -86,16 +86,16 @@ sampled! {
         let tiny = BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(30));
         let beside = if enclosure.is_point() { tiny } else { zero() };
         match cost.decide(enclosure.hi()) {
-            Decision::Nonnegative(certificate) => {
+            SignOver::Nonnegative(certificate) => {
                 let everywhere = Interval::hull(q(-1, 1), q(1, 1));
                 prop_assert!(certificate.shows(&cost.spare(enclosure.hi()), &everywhere));
             }
-            Decision::NegativeAt(x) => prop_assert!(false, "short at {}", x),
+            SignOver::NegativeAt(x) => prop_assert!(false, "short at {}", x),
         }
         let too_little = enclosure.lo() - beside;
         match cost.decide(&too_little) {
-            Decision::Nonnegative(_) => prop_assert!(false, "{} is enough", too_little),
-            Decision::NegativeAt(x) => prop_assert!(cost.at(&x) > too_little),
+            SignOver::Nonnegative(_) => prop_assert!(false, "{} is enough", too_little),
+            SignOver::NegativeAt(x) => prop_assert!(cost.at(&x) > too_little),
         }
         // Wherever it is worst, it is so within the width.
         let worst = cost.worst(&q(1, 100));
@@ -173,7 +173,7 @@ fn th_lti_figures() {
     let late = ViscousCost::of(&damped(half()).delayed(1));
     let less = q(5, 4) - BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(30));
     assert!(late.decide(&q(5, 4)).is_nonnegative());
-    let Decision::NegativeAt(x) = late.decide(&less) else {
+    let SignOver::NegativeAt(x) = late.decide(&less) else {
         panic!("10⁻³⁰ less is enough")
     };
     assert!(magnitude(&(x - half())) < q(1, 1_000_000));

@@ -1,7 +1,7 @@
 //! TH-LTI: the sign of a polynomial on [−1, 1], against the roots that it was made of.
 
 use passivity_core::polynomial::Polynomial;
-use passivity_core::sturm::{self, Decision};
+use passivity_core::sturm::{self, SignOver};
 use passivity_core::{BigRational, Interval};
 use proptest::prelude::*;
 
@@ -51,15 +51,15 @@ sampled! {
         stops.sort();
         let between = stops.windows(2).map(|pair| (&pair[0] + &pair[1]) / q(2, 1));
         let negative = between.into_iter().any(|x| polynomial.at(&x) < zero());
-        match sturm::decide(&polynomial, &everywhere()) {
-            Decision::Nonnegative(certificate) => {
+        match sturm::sign_over(&polynomial, &everywhere()) {
+            SignOver::Nonnegative(certificate) => {
                 prop_assert!(!negative);
                 prop_assert!(certificate.shows(&polynomial, &everywhere()));
                 // No certificate of one polynomial shows another.
                 let lower = &polynomial - &Polynomial::constant(q(1, 1_000_000));
                 prop_assert!(!certificate.shows(&lower, &everywhere()));
             }
-            Decision::NegativeAt(x) => {
+            SignOver::NegativeAt(x) => {
                 prop_assert!(negative);
                 prop_assert!(magnitude(&x) <= q(1, 1));
                 prop_assert!(value(polynomial.coefficients(), &x) < zero());
@@ -73,20 +73,20 @@ sampled! {
         let polynomial = Polynomial::new(coefficients.clone());
         let grid = (-200i64..=200).map(|n| value(&coefficients, &q(n, 200)));
         let least = grid.min().unwrap();
-        let decided = sturm::decide(&polynomial, &everywhere()).is_nonnegative();
+        let decided = sturm::sign_over(&polynomial, &everywhere()).is_nonnegative();
         prop_assert!(!decided || least >= zero());
         let raised = |by: BigRational| &polynomial - &Polynomial::constant(&least - by);
-        prop_assert!(!sturm::decide(&raised(q(-1, 1_000_000)), &everywhere()).is_nonnegative());
+        prop_assert!(!sturm::sign_over(&raised(q(-1, 1_000_000)), &everywhere()).is_nonnegative());
         // The slope is at most Σ k·|aₖ|, and a grid point is within 1/400.
         let slope = coefficients.iter().zip(0i64..).fold(zero(), |s, (a, k)| s + magnitude(a) * q(k, 1));
-        prop_assert!(sturm::decide(&raised(slope / q(400, 1)), &everywhere()).is_nonnegative());
+        prop_assert!(sturm::sign_over(&raised(slope / q(400, 1)), &everywhere()).is_nonnegative());
     }
 
     /// A square is never negative; it touches zero exactly at its roots.
     fn th_lti_sturm_squares(a in small(), b in small(), c in small()) {
         let p = Polynomial::new([a, b, c]);
         let square = &p * &p;
-        prop_assert!(sturm::decide(&square, &everywhere()).is_nonnegative());
+        prop_assert!(sturm::sign_over(&square, &everywhere()).is_nonnegative());
         prop_assert_eq!(
             sturm::has_root(&square, &everywhere()),
             sturm::has_root(&p, &everywhere())
@@ -118,7 +118,7 @@ sampled! {
 fn th_lti_sturm_borders() {
     let decide = |p: &[i64]| {
         let p = Polynomial::new(p.iter().map(|a| q(*a, 1)));
-        sturm::decide(&p, &everywhere()).is_nonnegative()
+        sturm::sign_over(&p, &everywhere()).is_nonnegative()
     };
     assert!(decide(&[])); // 0
     assert!(decide(&[1]));
