@@ -103,11 +103,11 @@ fn the_guides_show_what_the_commands_say() {
             shown.len()
         );
         let dir = Dir::new();
-        let scenes = root()
-            .join("scenes")
-            .canonicalize()
-            .expect("the shipped scenes");
-        std::os::unix::fs::symlink(scenes, dir.path("scenes")).expect("a link to the scenes");
+        for shipped in ["scenes", "tests"] {
+            let folder = root().join(shipped).canonicalize();
+            let folder = folder.expect("a folder of the repository");
+            std::os::unix::fs::symlink(folder, dir.path(shipped)).expect("a link to the folder");
+        }
         let mut code = 0;
         for Shown { command, output } in shown {
             let script = format!("(exit {code}); {command}");

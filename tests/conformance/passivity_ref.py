@@ -6,6 +6,9 @@ fractions from the standard library, and shares no code with the Rust one. Run a
 
     passivity vectors --against 'python3 tests/conformance/passivity_ref.py'
 
+With `check-certificate FILE` it checks what `passivity audit --certificate FILE` wrote: exit code 0
+when the violation is real, 1 when it is not or a figure differs.
+
 Numbers in round brackets are equations of the paper (Diolaiti, Niemeyer, Barbagli, Salisbury, "A
 Criterion for the Passivity of Haptic Devices"); ids such as TH-LIN are claims of this project.
 """
@@ -521,8 +524,30 @@ def plain(identity):
     return identity
 
 
+def checked(path):
+    """The exit code for a certificate."""
+    sys.dont_write_bytecode = True
+    from certificate import check_certificate
+    from passivity_ref import Refused  # as the module above knows it: this one may be __main__
+
+    try:
+        with open(path, encoding="utf-8") as file:
+            print(check_certificate(file.read()))
+    except OSError as error:
+        print(f"error: {path}: {error.strerror}", file=sys.stderr)
+        return 2
+    except (Refused, ValueError, RecursionError) as refusal:
+        print(f"refused: {refusal}", file=sys.stderr)
+        return 1
+    return 0
+
+
 def main():
     sys.set_int_max_str_digits(0)
+    if len(sys.argv) == 3 and sys.argv[1] == "check-certificate":
+        sys.exit(checked(sys.argv[2]))
+    if len(sys.argv) > 1:
+        sys.exit("expected no arguments, or `check-certificate FILE`")
     for line in sys.stdin:
         sys.stdout.write(json.dumps(answer(line)) + "\n")
         sys.stdout.flush()

@@ -2,9 +2,9 @@
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use passivity_oracle::audit::{Options, Verdict, audit};
+use passivity_oracle::audit::{Audit, Options, Verdict, audit};
 #[cfg(feature = "plot")]
 use passivity_plot::energy::{Point, draw};
 #[cfg(feature = "plot")]
@@ -46,6 +46,9 @@ pub(crate) struct Args {
     /// Draw energy against time, as SVG or PNG.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
+    /// Write the first violated interval to a JSON file, with all that its figures follow from.
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
     /// Use the force of the scene's law even if the trace has forces.
     #[arg(long)]
     law: bool,
@@ -60,7 +63,7 @@ pub(crate) struct Args {
 /// Audits and reports.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
-    let place = |what: &std::path::Path| what.display().to_string();
+    let place = |what: &Path| what.display().to_string();
     keep_the_trace(args)?;
     let mut rows = match &args.out {
         Some(path) => Some(BufWriter::new(
@@ -84,6 +87,9 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         let picture = draw(&title, &course).map_err(Failure::input)?;
         save(&picture, path).map_err(Failure::input)?;
     }
+    if let Some(path) = &args.certificate {
+        certify(&report, path)?;
+    }
     match args.format {
         Format::Text => emit(&report.to_text())?,
         Format::Json => emit_json(&report.to_json())?,
@@ -99,9 +105,24 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     })
 }
 
+/// Writes the certificate of the first violated interval, or says why there is none.
+fn certify(report: &Audit, path: &Path) -> Result<(), Failure> {
+    let Some(certificate) = report.certificate() else {
+        let because = match report.report().not_covered.is_empty() {
+            true => "no interval surely generated more than friction surely dissipates",
+            false => "the scene has an effect that no theorem covers",
+        };
+        eprintln!("no certificate is written: {because}");
+        return Ok(());
+    };
+    let text = serde_json::to_string_pretty(certificate);
+    let text = text.map_err(|error| Failure::input(format!("no certificate: {error}")))?;
+    std::fs::write(path, text + "\n").map_err(|error| Failure::io(path.display(), &error))
+}
+
 /// Refuses to write over what is to be read.
 fn keep_the_trace(args: &Args) -> Result<(), Failure> {
-    let outputs = [&args.out, &args.plot];
+    let outputs = [&args.out, &args.plot, &args.certificate];
     for output in outputs.into_iter().flatten() {
         for input in [&args.trace, &args.scene] {
             // What does not exist yet is no input.

@@ -2,6 +2,7 @@
 
 mod account;
 mod arrays;
+mod certificate;
 mod chunk;
 mod comparison;
 mod csv;
@@ -21,6 +22,7 @@ mod worker;
 
 pub use account::Point;
 pub use arrays::{Positions, audit_arrays};
+pub use certificate::Certificate;
 pub use error::TraceError;
 pub use layout::Form;
 pub use report::{

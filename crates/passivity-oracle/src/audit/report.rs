@@ -5,6 +5,7 @@ use passivity_scene::{Effect, Scene};
 use serde::{Serialize, Serializer};
 
 use crate::audit::account::{Place, Point};
+use crate::audit::certificate::Certificate;
 use crate::audit::comparison::Comparison;
 use crate::audit::error::TraceError;
 use crate::audit::layout::Form;
@@ -256,6 +257,7 @@ pub struct Audit {
     report: Report,
     points: Vec<Point>,
     tallies: Tallies,
+    certificate: Option<Certificate>,
 }
 
 impl Audit {
@@ -301,6 +303,15 @@ impl Audit {
             possible_quantized,
             criterion,
         ] = account.firsts.each_ref().map(Option::as_ref);
+        let nominal = taken_as_nominal(scene, task);
+        let certificate = match linear {
+            // Of a scene with an effect that no theorem covers, the account is not that of the loop.
+            Some(place) if scene.not_covered().is_empty() => {
+                let found = Certificate::new(&scene.name, nominal.clone(), task.ledger, place);
+                Some(found.ok_or_else(undefined)?)
+            }
+            _ => None,
+        };
         let verdict = match (&findings.error, judged) {
             (Some(_), _) => Verdict::Broken,
             (None, _) if !scene.not_covered().is_empty() => Verdict::NotCovered,
@@ -318,7 +329,7 @@ impl Audit {
             },
             effects: scene.effects(),
             not_covered: scene.not_covered(),
-            nominal: taken_as_nominal(scene, task),
+            nominal,
             samples: findings.samples,
             intervals: account.intervals,
             running: Running {
@@ -356,6 +367,7 @@ impl Audit {
             report,
             points: account.points,
             tallies: account.tallies,
+            certificate,
         })
     }
 
@@ -387,6 +399,13 @@ impl Audit {
     #[must_use]
     pub const fn error(&self) -> Option<&TraceError> {
         self.report.error.as_ref()
+    }
+
+    /// The first violated interval with all that its figures follow from; `None` when no interval
+    /// is violated, or when the scene has an effect that no theorem covers.
+    #[must_use]
+    pub const fn certificate(&self) -> Option<&Certificate> {
+        self.certificate.as_ref()
     }
 
     /// The course of the energy, for a plot; empty unless it was asked for.
