@@ -74,12 +74,9 @@ fn copied(list: &List) -> PathBuf {
     copy_of
 }
 
-/// Builds the tests of the copied harnesses and finds the binary: beside this test, so that what
-/// the copy needs of other crates is built once.
+/// Builds the tests of the copied harnesses and finds the binary. The copy has a target folder of
+/// its own: cargo takes its members for those of the tree.
 fn build(copy_of: &Path) -> PathBuf {
-    let this = std::env::current_exe().expect("this test is a file");
-    // target/debug/deps/mutations-….
-    let target = this.ancestors().nth(3).expect("cargo's target folder");
     let output = Command::new(env!("CARGO"))
         .args([
             "test",
@@ -90,7 +87,7 @@ fn build(copy_of: &Path) -> PathBuf {
             "--no-run",
         ])
         .current_dir(copy_of)
-        .env("CARGO_TARGET_DIR", target)
+        .env("CARGO_TARGET_DIR", "target")
         .output()
         .expect("cargo runs");
     let said = String::from_utf8_lossy(&output.stderr);
