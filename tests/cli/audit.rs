@@ -354,6 +354,15 @@ fn the_course_of_energy_is_drawn() {
     }
 }
 
+/// Audits a trace of a scene, with a certificate of the first violation, written as `format`.
+fn certified(dir: &Dir, scene: &str, trace: &str, format: &str) -> Run {
+    dir.write("scene.toml", scene);
+    dir.write("trace.csv", trace);
+    let audit = ["audit", "trace.csv", "--scene", "scene.toml"];
+    let how = ["--certificate", "certificate.json", "--format", format];
+    dir.run(&[audit, how].concat())
+}
+
 /// Lets the second implementation check a certificate: its exit code, and what it says.
 fn checked(dir: &Dir, file: &str) -> Run {
     let reference =
@@ -391,18 +400,7 @@ fn the_second_implementation_confirms_violations_and_refuses_changed_figures() {
         (&stepped, "count\n0\n0\n4\n9\n"),
     ] {
         let dir = Dir::new();
-        dir.write("scene.toml", scene);
-        dir.write("trace.csv", trace);
-        let run = dir.run(&[
-            "audit",
-            "trace.csv",
-            "--scene",
-            "scene.toml",
-            "--certificate",
-            "certificate.json",
-            "--format",
-            "json",
-        ]);
+        let run = certified(&dir, scene, trace, "json");
         let row = &run.json()["first_violation"]["row"];
         assert!(row.is_u64(), "{scene}{trace}: no row is violated");
         let found = checked(&dir, "certificate.json");
@@ -466,16 +464,7 @@ fn without_a_violation_there_is_no_certificate() {
             "the scene has an effect that no theorem covers",
         ),
     ] {
-        dir.write("scene.toml", scene);
-        dir.write("trace.csv", trace);
-        let run = dir.run(&[
-            "audit",
-            "trace.csv",
-            "--scene",
-            "scene.toml",
-            "--certificate",
-            "certificate.json",
-        ]);
+        let run = certified(&dir, &scene, trace, "text");
         assert!(
             run.stderr.contains("no certificate is written: "),
             "{}",

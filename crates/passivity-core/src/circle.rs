@@ -23,14 +23,8 @@ impl Circle {
     const SPARE: u32 = 32;
 
     pub(crate) fn to(bits: u32) -> Self {
-        let working = bits + Self::SPARE;
-        let unit = BigRational::from_integer(BigInt::from(1) << working);
-        let pi = pi::pi().enclosure(working);
-        let pi = pi.map_or_else(BigRational::zero, |pi| pi.lo() * unit);
-        Self {
-            bits,
-            pi: pi.to_integer(),
-        }
+        let [pi, _] = pi::scaled(bits + Self::SPARE);
+        Self { bits, pi }
     }
 
     /// sin(2πx) in units of 2^−`bits`, for 0 ≤ x.

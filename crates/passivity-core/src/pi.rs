@@ -287,7 +287,7 @@ impl Exact {
 }
 
 /// Whole numbers around π·2^`bits`, by Machin's π = 16·arctan(1/5) − 4·arctan(1/239).
-fn scaled(bits: u32) -> [BigInt; 2] {
+pub(crate) fn scaled(bits: u32) -> [BigInt; 2] {
     // Each series has fewer terms than bits, each off by less than 1 unit in the last place, and
     // the first term left out is below 1 as well: 24 spare bits cover (16 + 4)·(bits + 25) units
     // for every width up to 2¹⁸ bits.

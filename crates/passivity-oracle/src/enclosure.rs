@@ -166,20 +166,10 @@ impl<S: Written> Rectangle<'_, S> {
             for (known, ((start, end), base)) in found.iter_mut().zip(both) {
                 let at = |a: &S, b: &S| a.clone() + b.clone() - base.clone();
                 let here = Interval::new(at(start.lo(), end.lo()), at(start.hi(), end.hi()))?;
-                *known = Some(
-                    known
-                        .take()
-                        .map_or_else(|| here.clone(), |k| k.joined(&here)),
-                );
+                join(known, here);
             }
         }
-        let [linear, quantized] = found;
-        let exact = self.start.is_exact() && self.end.is_exact() && self.force.is_exact();
-        let figure = |range: Interval<S>| match exact {
-            true => Figure::Exact(range.lo().clone()),
-            false => Figure::Enclosed(range),
-        };
-        Some([figure(linear?), figure(quantized?)])
+        self.figures(found)
     }
 
     /// `dissipated_lower` less generated energy, at its extremes.
@@ -196,14 +186,15 @@ impl<S: Written> Rectangle<'_, S> {
                 for (known, ((a, b), c)) in found.iter_mut().zip(accounts) {
                     let curve = through([a, b, c], [d(from), d(to)])?;
                     let here = self.net_along(&curve, [d(from), d(to)])?;
-                    *known = Some(
-                        known
-                            .take()
-                            .map_or_else(|| here.clone(), |k| k.joined(&here)),
-                    );
+                    join(known, here);
                 }
             }
         }
+        self.figures(found)
+    }
+
+    /// What was found of both accounts: exact where positions and force are.
+    fn figures(&self, found: [Option<Interval<S>>; 2]) -> Option<[Figure<S>; 2]> {
         let [linear, quantized] = found;
         let exact = self.start.is_exact() && self.end.is_exact() && self.force.is_exact();
         let figure = |range: Interval<S>| match exact {
@@ -243,6 +234,14 @@ impl<S: Written> Rectangle<'_, S> {
         let [_, most] = range(&self.ends.most)?;
         Interval::new(least, most)
     }
+}
+
+/// Adds a range to what is known so far.
+fn join<S: Ordered>(known: &mut Option<Interval<S>>, here: Interval<S>) {
+    *known = Some(match known.take() {
+        Some(known) => known.joined(&here),
+        None => here,
+    });
 }
 
 fn widen<S: Ordered>(ranges: &mut [Interval<S>; 2], values: Accounts<S>) {

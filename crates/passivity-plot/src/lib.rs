@@ -4,6 +4,7 @@
 //! a font that is part of the program when the file's name ends in `.png`. So a picture looks the
 //! same on every machine.
 
+pub mod critical;
 pub mod energy;
 mod file;
 pub mod plane;

@@ -9,6 +9,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 
 use crate::PlotError;
+use crate::critical::Borders;
 
 /// A scene in the plane.
 ///
@@ -176,7 +177,8 @@ fn draw_on(root: &Area<'_>, marks: &[Mark]) -> Drawn {
     for (_, (mark, colour)) in &placed {
         draw_ways(&mut chart, mark, **colour, window)?;
         if let Some((speed, _)) = &mark.speed {
-            let line = critical_line(*speed, window);
+            let line = Borders::PAPER.critical_line(*speed, &(left_end..width), &(low_end..height));
+            let line = line.into_iter().flatten();
             chart.draw_series(LineSeries::new(line, colour.stroke_width(2)))?;
         }
         let ([left, right], [low, high]) = (mark.beta, mark.sigma);
@@ -235,26 +237,6 @@ fn free_spot(taken: &[(i32, i32)], place: (i32, i32)) -> (i32, i32) {
 struct Window {
     x: (f64, f64),
     y: (f64, f64),
-}
-
-/// The critical line (9), σ = ½ − v(β − ½), within the window.
-fn critical_line(speed: f64, window: Window) -> Vec<(f64, f64)> {
-    let sigma = |beta: f64| 0.5 - speed * (beta - 0.5);
-    let beta = |sigma: f64| 0.5 + (0.5 - sigma) / speed;
-    let ((left, right), (low, high)) = (window.x, window.y);
-    // Through (½, ½), falling: it enters by the left or the upper edge and leaves by the right or
-    // the lower one.
-    let start = if sigma(left) <= high {
-        (left, sigma(left))
-    } else {
-        (beta(high), high)
-    };
-    let end = if sigma(right) >= low {
-        (right, sigma(right))
-    } else {
-        (beta(low), low)
-    };
-    vec![start, end]
 }
 
 type Chart<'a, 'b> = ChartContext<
@@ -427,25 +409,6 @@ fn five(x: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn critical_lines_pass_through_the_corner_and_stay_in_the_window() {
-        for speed in [0.01, 0.5, 1.0, 3.0, 100.0] {
-            let window = Window {
-                x: (-0.5, 1.5),
-                y: (-0.25, 1.25),
-            };
-            let line = critical_line(speed, window);
-            let ((x0, y0), (x1, y1)) = (line[0], line[1]);
-            // Collinear with (½, ½): a cross product of numbers below 2, so rounding is < 1e-14.
-            let cross = (x1 - x0) * (0.5 - y0) - (y1 - y0) * (0.5 - x0);
-            assert!(cross.abs() < 1e-14, "{speed}: {cross}");
-            for (x, y) in line {
-                assert!(x >= window.x.0 && x <= window.x.1);
-                assert!(y >= window.y.0 && y <= window.y.1);
-            }
-        }
-    }
 
     #[test]
     fn a_point_too_far_out_is_an_error() {

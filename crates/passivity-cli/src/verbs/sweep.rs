@@ -4,9 +4,9 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 #[cfg(feature = "plot")]
-use passivity_plot::save;
+use passivity_plot::{critical::Borders, save};
 #[cfg(feature = "plot")]
-use passivity_sim::plot::sweep::{Borders, draw};
+use passivity_sim::plot::sweep::draw;
 use passivity_sim::report::Sweep;
 use passivity_sim::sweep::{Grid, Range, Row, open, run as sweep};
 

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use passivity_core::{BigRational, Cost, Loop};
+use passivity_core::BigRational;
 use passivity_plot::PlotError;
+use passivity_plot::critical::Borders;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 
@@ -11,27 +12,6 @@ use crate::number::to_double;
 use crate::outcome::{ExactOutcome, PaperOutcome};
 use crate::plot::{Area, COLOURS, DASHED, Drawn, label, svg};
 use crate::sweep::{Grid, Row};
-
-/// Where the criterion has its borders in the plane: what the scene's effects cost of β and σ.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Borders {
-    /// ½ + k + B: below it the criterion fails at high speeds.
-    pub beta: f64,
-    /// ½(1 + δ) + B: below it the criterion fails at low speeds.
-    pub sigma: f64,
-}
-
-impl Borders {
-    /// The borders of the dimensionless loop that is swept.
-    #[must_use]
-    pub fn of(swept: &Loop<BigRational>) -> Self {
-        let Cost { viscous, coulomb } = swept.cost();
-        Self {
-            beta: to_double(&viscous),
-            sigma: to_double(&coulomb),
-        }
-    }
-}
 
 /// Draws a sweep as SVG text: (a) growing, (b) never at rest, a shade for each speed from black for
 /// the slowest to light grey; in (b) dots where the paper's detector sees the oscillation of some
@@ -206,7 +186,7 @@ impl Drawing<'_> {
             }
         }
         match self.borders {
-            Some(borders) => borders.draw(&mut chart, &speeds, &width, &height),
+            Some(borders) => draw_borders(&mut chart, borders, &speeds, &width, &height),
             None => Ok(()),
         }
     }
@@ -219,83 +199,36 @@ fn shade(rank: usize, speeds: usize) -> RGBColor {
     RGBColor(level, level, level)
 }
 
-impl Borders {
-    /// The borders of β and σ, and the critical line (9) of each speed.
-    fn draw(
-        self,
-        chart: &mut Plane<'_>,
-        speeds: &[(usize, f64)],
-        width: &Range<f64>,
-        height: &Range<f64>,
-    ) -> Drawn {
-        for border in [
-            [(self.beta, height.start), (self.beta, height.end)],
-            [(width.start, self.sigma), (width.end, self.sigma)],
-        ] {
-            chart.draw_series(LineSeries::new(border, BLACK.mix(DASHED)))?;
-        }
-        for ((_, speed), colour) in speeds.iter().zip(COLOURS.into_iter().cycle()) {
-            let Some(ends) = self.critical_line(*speed, width, height) else {
-                continue;
-            };
-            let style = colour.mix(DASHED).stroke_width(2);
-            chart
-                .draw_series(LineSeries::new(ends, style))?
-                .label(format!("{speed} ticks/sample"))
-                .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
-        }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
-            .background_style(WHITE.mix(0.85))
-            .border_style(BLACK.mix(0.3))
-            .label_font(("sans-serif", 13))
-            .draw()?;
-        Ok(())
+/// The borders of β and σ, and the critical line (9) of each speed.
+fn draw_borders(
+    chart: &mut Plane<'_>,
+    borders: Borders,
+    speeds: &[(usize, f64)],
+    width: &Range<f64>,
+    height: &Range<f64>,
+) -> Drawn {
+    for border in [
+        [(borders.beta, height.start), (borders.beta, height.end)],
+        [(width.start, borders.sigma), (width.end, borders.sigma)],
+    ] {
+        chart.draw_series(LineSeries::new(border, BLACK.mix(DASHED)))?;
     }
-
-    /// The part of (β − λ)V + (σ − ½(1 + δ) − B) = 0 (9) within the picture.
-    fn critical_line(
-        self,
-        speed: f64,
-        width: &Range<f64>,
-        height: &Range<f64>,
-    ) -> Option<[(f64, f64); 2]> {
-        let sigma = |beta: f64| self.sigma - (beta - self.beta) * speed;
-        if speed == 0.0 {
-            return Some([(width.start, self.sigma), (width.end, self.sigma)]);
-        }
-        let beta = |sigma: f64| self.beta - (sigma - self.sigma) / speed;
-        let left = width.start.max(beta(height.end));
-        let right = width.end.min(beta(height.start));
-        (left < right).then(|| [(left, sigma(left)), (right, sigma(right))])
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use passivity_core::{Friction, Scalar as _};
-
-    use super::*;
-
-    #[test]
-    fn critical_lines_go_through_what_the_effects_cost() {
-        let zero = BigRational::zero;
-        let plain = Loop::plain(Friction::new(zero(), zero()));
-        let half = |beta, sigma| Borders { beta, sigma };
-        assert_eq!(Borders::of(&plain), half(0.5, 0.5));
-        let late = Loop {
-            delay: 1,
-            damping: Some(BigRational::one()),
-            force_step: Some(BigRational::one()),
-            ..plain
+    for ((_, speed), colour) in speeds.iter().zip(COLOURS.into_iter().cycle()) {
+        let Some(ends) = borders.critical_line(*speed, width, height) else {
+            continue;
         };
-        let borders = Borders::of(&late);
-        assert_eq!(borders, half(2.5, 2.0));
-        // At β = 2.5 every critical line has σ = 2.
-        let [(b0, s0), (b1, s1)] = borders
-            .critical_line(2.0, &(0.0..3.0), &(0.0..9.0))
-            .unwrap();
-        assert_eq!((b0, s0, b1, s1), (0.0, 7.0, 3.0, 1.0));
+        let style = colour.mix(DASHED).stroke_width(2);
+        chart
+            .draw_series(LineSeries::new(ends, style))?
+            .label(format!("{speed} ticks/sample"))
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
     }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperRight)
+        .background_style(WHITE.mix(0.85))
+        .border_style(BLACK.mix(0.3))
+        .label_font(("sans-serif", 13))
+        .draw()?;
+    Ok(())
 }
