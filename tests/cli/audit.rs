@@ -461,7 +461,7 @@ fn without_a_violation_there_is_no_certificate() {
         (
             "[dimensionless]\nbeta = \"0\"\nsigma = \"0\"\n".to_owned() + uncovered,
             "xi\n0\n3\n",
-            "the scene has an effect that no theorem covers",
+            "the scene has an effect that the account of a log leaves out",
         ),
     ] {
         let run = certified(&dir, &scene, trace, "text");

@@ -110,49 +110,78 @@ fn total(response: &[BigRational]) -> BigRational {
     magnitudes.fold(BigRational::zero(), |sum, c| sum + c)
 }
 
-/// The sum in fixed point, with the two errors of the derivation.
 fn summed(
     controller: &TransferFunction<BigRational>,
     width: &BigRational,
 ) -> Option<Interval<BigRational>> {
-    let [numerator, denominator] = whole(controller);
-    let (leading, others) = denominator.split_first()?;
-    let growth = growth(leading, others)?;
-    // So many bits that the errors of all steps together, and G times that of the state, stay below
-    // a quarter of the width each.
-    let whole_growth = growth.ceil().to_integer();
-    let steps: BigInt = &whole_growth * &whole_growth * BigInt::from(MOST_TERMS) * 4;
-    let bits = steps.bits() + width.recip().ceil().to_integer().bits();
-    let one = BigInt::one() << bits;
-    let unit = BigRational::new(BigInt::one(), one.clone());
-    let error_of_a_term = &growth * &unit;
-    // Where the state is as small as this what comes after it is below a quarter of the width.
-    let quarter = width / BigInt::from(4);
-    let enough = (quarter / (&growth * &unit)).floor().to_integer();
-    let after = growth - BigRational::one();
+    let Terms { terms, unit, error } = Terms::of(controller, &(width / BigInt::from(2)))?;
+    let sum = terms.iter().fold(BigInt::zero(), |sum, c| sum + c.abs());
+    let computed = BigRational::from_integer(sum) * unit;
+    Interval::new(&computed - &error, computed + error)
+}
 
-    let mut state: VecDeque<BigInt> = others.iter().map(|_| BigInt::zero()).collect();
-    let (mut sum, mut size) = (BigInt::zero(), BigInt::zero());
-    for j in 0..usize::try_from(MOST_TERMS).ok()? {
-        let driven = numerator.get(j).map_or_else(BigInt::zero, |n| n * &one);
-        let past = others.iter().zip(&state);
-        let rest = past.fold(driven, |rest, (d, c)| rest - d * c);
-        let c = rest.div_floor(leading);
-        sum += c.abs();
-        size += c.abs();
-        state.push_front(c);
-        size -= state.pop_back()?.abs();
-        if j + 1 >= numerator.len() && size <= enough {
-            let terms = BigRational::from_integer(BigInt::from(j) + 1);
-            let computed = BigRational::from_integer(sum) * &unit;
-            let rounding = &error_of_a_term * terms;
-            let state = BigRational::from_integer(size) * &unit + &error_of_a_term;
-            let lo = &computed - &rounding;
-            let hi = computed + rounding + after * state;
-            return Interval::new(lo, hi);
+/// A response in whole multiples of a unit, cut where what comes after is small.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Terms {
+    /// c₀, c₁, …, in units.
+    pub(crate) terms: Vec<BigInt>,
+    /// The unit.
+    pub(crate) unit: BigRational,
+    /// What Σ|cⱼ − the term of j| over all j is at most.
+    pub(crate) error: BigRational,
+}
+
+impl Terms {
+    /// The terms of a response, exact where it ends; else in fixed point, with the two errors of the
+    /// derivation together at most `width` > 0. `None` like [`enclosure`].
+    pub(crate) fn of(
+        controller: &TransferFunction<BigRational>,
+        width: &BigRational,
+    ) -> Option<Self> {
+        let [numerator, denominator] = whole(controller);
+        let (leading, others) = denominator.split_first()?;
+        if others.is_empty() {
+            return Some(Self {
+                terms: numerator,
+                unit: BigRational::new(BigInt::one(), leading.clone()),
+                error: BigRational::zero(),
+            });
         }
+        let growth = growth(leading, others)?;
+        // So many bits that the errors of all steps together, and G times that of the state, stay
+        // below a quarter of the width each.
+        let whole_growth = growth.ceil().to_integer();
+        let steps: BigInt = &whole_growth * &whole_growth * BigInt::from(MOST_TERMS) * 4;
+        let bits = steps.bits() + width.recip().ceil().to_integer().bits();
+        let one = BigInt::one() << bits;
+        let unit = BigRational::new(BigInt::one(), one.clone());
+        let error_of_a_term = &growth * &unit;
+        // Where the state is as small as this what comes after it is below a quarter of the width.
+        let quarter = width / BigInt::from(4);
+        let enough = (quarter / (&growth * &unit)).floor().to_integer();
+        let after = growth - BigRational::one();
+
+        let mut state: VecDeque<BigInt> = others.iter().map(|_| BigInt::zero()).collect();
+        let (mut terms, mut size) = (Vec::new(), BigInt::zero());
+        for j in 0..usize::try_from(MOST_TERMS).ok()? {
+            let driven = numerator.get(j).map_or_else(BigInt::zero, |n| n * &one);
+            let past = others.iter().zip(&state);
+            let rest = past.fold(driven, |rest, (d, c)| rest - d * c);
+            let c = rest.div_floor(leading);
+            size += c.abs();
+            terms.push(c.clone());
+            state.push_front(c);
+            size -= state.pop_back()?.abs();
+            if j + 1 >= numerator.len() && size <= enough {
+                let count = BigRational::from_integer(BigInt::from(j) + 1);
+                let rounding = &error_of_a_term * count;
+                let state = BigRational::from_integer(size) * &unit + &error_of_a_term;
+                let error = rounding + after * state;
+                return Some(Self { terms, unit, error });
+            }
+        }
+        None
     }
-    None
 }
 
 /// Numerator and denominator with whole coefficients, d₀ > 0.

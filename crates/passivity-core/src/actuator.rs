@@ -175,13 +175,25 @@ impl Actuator<BigRational> {
     /// ```
     #[must_use]
     pub fn cost(&self, width: &BigRational) -> Option<Interval<BigRational>> {
-        let half = BigRational::one().half() + self.mean_delay();
+        self.cost_with(&self.mean_delay(), &BigRational::zero(), width)
+    }
+
+    /// The same with another mean delay, and the variance off by `error`, down to zero.
+    pub(crate) fn cost_with(
+        &self,
+        mean_delay: &BigRational,
+        error: &BigRational,
+        width: &BigRational,
+    ) -> Option<Interval<BigRational>> {
+        let half = BigRational::one().half() + mean_delay;
         let of = |root: &BigRational| (&half + root).half();
         let mut bits = 64;
         while bits <= MOST_BITS {
             let variance = self.variance(bits);
-            let [below, above] =
-                [variance.lo(), variance.hi()].map(|v| root(&(half.square() + v), bits));
+            let [below, above] = [variance.lo(), variance.hi()].map(|v| {
+                let off = Scalar::max(v + error, BigRational::zero());
+                root(&(half.square() + off), bits)
+            });
             let cost = Interval::hull(of(below.lo()), of(above.hi()));
             if cost.hi() - cost.lo() <= *width {
                 return Some(cost);

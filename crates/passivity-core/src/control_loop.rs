@@ -41,8 +41,11 @@ impl<V> Loop<V> {
             Effect::Coulomb => self.coulomb.is_some(),
             Effect::Encoder => self.resolution.is_some(),
             Effect::Delay => self.delay > 0,
+            Effect::Latency => self.latency.is_some(),
             Effect::Unilateral => self.unilateral,
             Effect::Damping => self.damping.is_some(),
+            Effect::DampingFilter => self.damping_time_constant.is_some(),
+            Effect::Controller => self.controller.is_some(),
             Effect::Saturation => self.max_force.is_some(),
             Effect::ForceStep => self.force_step.is_some(),
             Effect::Amplifier => self.time_constant.is_some(),
@@ -63,7 +66,28 @@ impl<V> Loop<V> {
     /// Whether sampling and (at most) an encoder are all there is beside friction, so that
     /// TH-ACTIVE applies.
     pub const fn is_plain(&self) -> bool {
-        self.delay == 0 && self.damping.is_none() && self.force_step.is_none()
+        self.delay == 0
+            && self.damping.is_none()
+            && self.force_step.is_none()
+            && !self.has_computed_costs()
+    }
+
+    /// Whether no closed form says what the loop costs, so that it has to be computed
+    /// ([`with_costs`](Self::with_costs)).
+    ///
+    /// A delay and damping behind a one-sided or saturated wall cost the sum of what either does
+    /// (TH-LAW); in a linear loop they partly cancel (TH-LTI).
+    pub const fn has_computed_costs(&self) -> bool {
+        let both = self.delay > 0 && self.damping.is_some() && self.is_linear();
+        both || self.controller.is_some()
+            || self.damping_time_constant.is_some()
+            || self.latency.is_some()
+            || self.time_constant.is_some()
+    }
+
+    /// Whether the force is linear in the measured positions: no one-sided wall and no saturation.
+    pub const fn is_linear(&self) -> bool {
+        !self.unilateral && self.max_force.is_none()
     }
 
     /// The parameters that are given, in the order of the table.
@@ -197,7 +221,8 @@ impl<S: Scalar> Loop<S> {
     /// that is enough at every speed has to be.
     ///
     /// KT(½ + k) + B of viscous friction (TH-DELAY, TH-DAMP), and KΔ/2 + BΔ/T + F/2 of Coulomb
-    /// friction (TH-DAMP, TH-DAC); without an encoder the terms in Δ go (TH-SMOOTH).
+    /// friction (TH-DAMP, TH-DAC); without an encoder the terms in Δ go (TH-SMOOTH). Where the loop
+    /// has computed costs those take their place: KT·λ, and with a controller KΔ·½‖c‖₁ (TH-LTI).
     ///
     /// # Example
     ///
@@ -210,24 +235,43 @@ impl<S: Scalar> Loop<S> {
     /// ```
     #[must_use]
     pub fn cost(&self) -> Cost<S> {
-        let samples_late = S::one().half() + S::integer(i32::from(self.delay));
-        let mut viscous = self.viscous_unit() * samples_late;
-        let mut coulomb = match &self.resolution {
-            Some(_) => self.force_unit().half(),
-            None => S::zero(),
+        let [in_sum, of_damping] = self.cost_in_closed_form();
+        let viscous = match &self.viscous_cost {
+            Some(cost) => self.viscous_unit() * cost.clone(),
+            None => in_sum,
         };
-        if let Some(damping) = &self.damping {
-            viscous = viscous + damping.clone();
-            if let Some(resolution) = &self.resolution {
-                // One tick between two samples is a speed of Δ/T.
-                let tick_speed = resolution.clone().over(self.period.clone());
-                coulomb = coulomb + damping.clone() * tick_speed;
-            }
-        }
+        let mut coulomb = match &self.coulomb_cost {
+            _ if !self.has_encoder() => S::zero(),
+            Some(cost) => self.force_unit() * cost.clone(),
+            None => of_damping,
+        };
         if let Some(step) = &self.force_step {
             coulomb = coulomb + step.clone().half();
         }
         Cost { viscous, coulomb }
+    }
+
+    /// KT(½ + k) + B, and KΔ/2 + BΔ/T of an encoder; behind a filter of time constant τ the latter is
+    /// KΔ/2 + BΔ/(T + τ) (TH-LTI).
+    fn cost_in_closed_form(&self) -> [S; 2] {
+        let samples_late = S::one().half() + S::integer(i32::from(self.delay));
+        let viscous = self.viscous_unit() * samples_late;
+        let coulomb = self.force_unit().half();
+        match &self.damping {
+            None => [viscous, coulomb],
+            Some(damping) => {
+                // One tick between two samples is a speed of Δ/T.
+                let time = match &self.damping_time_constant {
+                    Some(tau) => self.period.clone() + tau.clone(),
+                    None => self.period.clone(),
+                };
+                let tick_speed = self.length().over(time);
+                [
+                    viscous + damping.clone(),
+                    coulomb + damping.clone() * tick_speed,
+                ]
+            }
+        }
     }
 
     /// The criterion (11), with the terms that the effects add: friction less the

@@ -13,10 +13,16 @@ pub enum Effect {
     Encoder,
     /// A delay of whole samples.
     Delay,
+    /// A latency of any length.
+    Latency,
     /// A wall on one side only.
     Unilateral,
     /// Virtual damping by backward difference.
     Damping,
+    /// A one-pole filter on the virtual damping.
+    DampingFilter,
+    /// A digital controller in place of the spring.
+    Controller,
     /// Saturation of the actuator.
     Saturation,
     /// Quantization of the force by a D/A converter.
@@ -31,14 +37,17 @@ pub enum Effect {
 
 impl Effect {
     /// Every effect, in the order in which they are listed everywhere.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 15] = [
         Self::Hold,
         Self::Viscous,
         Self::Coulomb,
         Self::Encoder,
         Self::Delay,
+        Self::Latency,
         Self::Unilateral,
         Self::Damping,
+        Self::DampingFilter,
+        Self::Controller,
         Self::Saturation,
         Self::ForceStep,
         Self::Amplifier,
@@ -55,8 +64,11 @@ impl Effect {
             Self::Coulomb => "coulomb",
             Self::Encoder => "encoder",
             Self::Delay => "delay",
+            Self::Latency => "latency",
             Self::Unilateral => "unilateral",
             Self::Damping => "damping",
+            Self::DampingFilter => "damping_filter",
+            Self::Controller => "controller",
             Self::Saturation => "max_force",
             Self::ForceStep => "force_step",
             Self::Amplifier => "amplifier",
@@ -74,8 +86,11 @@ impl Effect {
             Self::Coulomb => "Coulomb friction",
             Self::Encoder => "quantization by the encoder",
             Self::Delay => "delay of whole samples",
+            Self::Latency => "latency before the output changes",
             Self::Unilateral => "a wall on one side only",
             Self::Damping => "virtual damping by backward difference",
+            Self::DampingFilter => "one-pole filter on the virtual damping",
+            Self::Controller => "a digital controller",
             Self::Saturation => "saturation of the actuator",
             Self::ForceStep => "quantization by the D/A converter",
             Self::Amplifier => "first-order lag of the amplifier",
@@ -93,8 +108,11 @@ impl Effect {
             Self::Coulomb => "device.coulomb",
             Self::Encoder => "encoder",
             Self::Delay => "sampling.delay",
+            Self::Latency => "sampling.latency",
             Self::Unilateral => "wall.unilateral",
             Self::Damping => "wall.damping",
+            Self::DampingFilter => "wall.damping_time_constant",
+            Self::Controller => "controller",
             Self::Saturation => "wall.max_force",
             Self::ForceStep => "wall.force_step",
             Self::Amplifier => "amplifier.time_constant",
@@ -109,13 +127,15 @@ impl Effect {
         match self {
             Self::Hold | Self::Viscous | Self::Coulomb | Self::Encoder => Some("TH-INTERVAL"),
             Self::Delay => Some("TH-DELAY"),
+            Self::Latency => Some("TH-LATENCY"),
             Self::Unilateral => Some("TH-UNI"),
             Self::Damping => Some("TH-DAMP"),
+            Self::DampingFilter | Self::Controller => Some("TH-LTI"),
             Self::Saturation => Some("TH-LAW"),
             Self::ForceStep => Some("TH-DAC"),
             // Passivity is a statement about every operator, and an arm is part of one.
             Self::Force | Self::Arm => Some("TH-RUN"),
-            Self::Amplifier => None,
+            Self::Amplifier => Some("TH-LAG"),
         }
     }
 }

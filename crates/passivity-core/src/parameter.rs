@@ -3,7 +3,12 @@
 //! The table makes the type [`Loop`] too, so that a parameter that is added here is in every loop,
 //! every list and every conversion, and each `match` that does not know it fails to compile.
 
+use alloc::sync::Arc;
 use core::cmp::Ordering;
+
+use num_rational::BigRational;
+
+use crate::transfer::TransferFunction;
 
 /// Which values a parameter may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,6 +90,8 @@ impl Unit {
     pub const FORCE: Self = Self::new(1, 0, 1);
     /// K, of a stiffness.
     pub const STIFFNESS: Self = Self::new(1, 0, 0);
+    /// 1, of a pure number.
+    pub const NONE: Self = Self::new(0, 0, 0);
     /// T, of a time.
     pub const TIME: Self = Self::new(0, 1, 0);
     /// Δ, of a position.
@@ -96,7 +103,7 @@ impl Unit {
 /// A row of the table: all that is known of a parameter beside its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// The key in a scene file, with its section.
+    /// The key in a scene file, with its section; empty for what is computed from other parameters.
     pub key: &'static str,
     /// Other keys that give the same parameter in another form.
     pub other_keys: &'static [&'static str],
@@ -230,12 +237,15 @@ macro_rules! parameters {
             pub delay: u16,
             /// Whether the wall is x ≥ 0 only (TH-UNI).
             pub unilateral: bool,
+            /// H(z) of a digital controller in place of the spring and its damping, in units of the
+            /// stiffness (TH-LTI).
+            pub controller: Option<Arc<TransferFunction<BigRational>>>,
         }
 
         impl<V> Loop<V> {
             /// A wall on both sides with the required parameters and nothing else.
             pub const fn new($( $rfield: V, )+) -> Self {
-                Self { $( $rfield, )+ $( $ofield: None, )+ delay: 0, unilateral: false }
+                Self { $( $rfield, )+ $( $ofield: None, )+ delay: 0, unilateral: false, controller: None }
             }
 
             /// What is known of a parameter; `None` when it is absent.
@@ -266,6 +276,7 @@ macro_rules! parameters {
                     }, )+
                     delay: self.delay,
                     unilateral: self.unilateral,
+                    controller: self.controller.clone(),
                 })
             }
 
@@ -276,6 +287,7 @@ macro_rules! parameters {
                     $( $ofield: self.$ofield.as_ref().map(|value| f(Parameter::$oname, value)), )+
                     delay: self.delay,
                     unilateral: self.unilateral,
+                    controller: self.controller.clone(),
                 }
             }
         }
@@ -317,14 +329,33 @@ parameters! {
         damping: Damping = Row::new("wall.damping", "virtual damping", "B", Unit::VISCOUS)
             .values(Values::NonNegative)
             .hurts(Hurts::More);
+        /// τ ≥ 0, time constant of a one-pole filter on the virtual damping (TH-LTI).
+        damping_time_constant: DampingTimeConstant =
+            Row::new("wall.damping_time_constant", "time constant of the damping's filter", "τ", Unit::TIME)
+            .or_keys(&["wall.damping_cutoff"])
+            .values(Values::NonNegative)
+            .hurts(Hurts::Less);
         /// F_max > 0, the largest force that the actuator gives (TH-LAW).
         max_force: MaxForce = Row::new("wall.max_force", "largest force", "F_max", Unit::FORCE);
         /// F > 0, step of the force of the D/A converter (TH-DAC); δ in KΔ.
         force_step: ForceStep = Row::new("wall.force_step", "force step", "F", Unit::FORCE)
             .hurts(Hurts::More);
-        /// T_a > 0, time constant of the amplifier's first-order lag.
+        /// L ≥ 0, time after a sample before the output changes (TH-LATENCY); it adds to the delay.
+        latency: Latency = Row::new("sampling.latency", "latency", "L", Unit::TIME)
+            .values(Values::NonNegative)
+            .hurts(Hurts::More);
+        /// T_a > 0, time constant of the amplifier's first-order lag (TH-LAG).
         time_constant: TimeConstant =
-            Row::new("amplifier.time_constant", "amplifier time constant", "T_a", Unit::TIME);
+            Row::new("amplifier.time_constant", "amplifier time constant", "T_a", Unit::TIME)
+            .hurts(Hurts::More);
+        /// What all but friction and D/A steps costs of viscous friction, in KT: computed from the
+        /// other parameters where they say it in no closed form (TH-LTI, TH-LAG, TH-LATENCY).
+        viscous_cost: ViscousCost = Row::new("", "viscous cost", "λ", Unit::NONE)
+            .hurts(Hurts::More);
+        /// What an encoder costs of Coulomb friction, in KΔ: computed like `viscous_cost` (TH-LTI).
+        coulomb_cost: CoulombCost = Row::new("", "Coulomb cost", "½‖c‖₁", Unit::NONE)
+            .values(Values::NonNegative)
+            .hurts(Hurts::More);
         /// V > 0, a bound on the speed that the verdict may use.
         max_speed: MaxSpeed = Row::new("operator.max_speed", "speed bound", "V", Unit::SPEED)
             .hurts(Hurts::More);

@@ -14,6 +14,7 @@ use crate::controller::Controller;
 use crate::dissipation::Friction;
 use crate::scalar::{Ordered, Scalar};
 use crate::transfer::TransferFunction;
+use crate::witness::Cycle;
 
 /// A motion that repeats: its positions at the samples of a period, and what the operator gains.
 ///
@@ -24,6 +25,15 @@ pub struct Motion<S> {
     pub positions: Vec<S>,
     /// Energy that the operator gains each time round, in KΔ².
     pub gain: S,
+}
+
+impl<S> From<Cycle<S>> for Motion<S> {
+    fn from(cycle: Cycle<S>) -> Self {
+        Self {
+            positions: vec![cycle.from, cycle.to],
+            gain: cycle.gain,
+        }
+    }
 }
 
 /// The forces held from each sample on, when the motion has repeated for ever.

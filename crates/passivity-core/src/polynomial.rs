@@ -222,6 +222,44 @@ impl Polynomial {
         }
     }
 
+    /// Whether the polynomial is above zero on [−1, 1], where that is easily seen; `false` says nothing.
+    ///
+    /// With x = (1 − s)/(1 + s) and s ≥ 0 it is Σ aᵢ(1 − s)ⁱ(1 + s)ⁿ⁻ⁱ over (1 + s)ⁿ, which is above zero
+    /// everywhere, and at x = −1 in the limit, where all coefficients are.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_core::{BigRational, Scalar, polynomial::Polynomial};
+    ///
+    /// let of = |coefficients: [i32; 3]| Polynomial::new(coefficients.map(BigRational::integer));
+    /// assert!(of([2, 0, -1]).is_plainly_positive()); // 2 − x²
+    /// assert!(!of([1, 0, -1]).is_plainly_positive()); // zero at both ends
+    /// ```
+    #[must_use]
+    pub fn is_plainly_positive(&self) -> bool {
+        let whole = self.whole();
+        let mut power = vec![BigInt::one()]; // (1 + s)^(n − i)
+        let mut sum: Vec<BigInt> = Vec::new();
+        for a in whole.iter().rev() {
+            // sum·(1 − s) + a·power
+            let mut next: Vec<BigInt> = power.iter().map(|p| a * p).collect();
+            for (i, c) in sum.iter().enumerate() {
+                for (slot, term) in next.iter_mut().skip(i).zip([c.clone(), -c]) {
+                    *slot += term;
+                }
+            }
+            sum = next;
+            power.push(BigInt::ZERO);
+            for i in (1..power.len()).rev() {
+                if let [before, at] = power.get_mut(i - 1..=i).unwrap_or_default() {
+                    *at += &*before;
+                }
+            }
+        }
+        !sum.is_empty() && sum.iter().all(|c| c.is_positive())
+    }
+
     /// The greatest common divisor of two polynomials, with whole coprime coefficients; its sign is
     /// not determined.
     #[must_use]

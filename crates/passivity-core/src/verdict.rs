@@ -139,7 +139,7 @@ impl<S: Ordered> Loop<Interval<S>> {
     /// Whether the sampling period pulls both ways: virtual damping behind an encoder.
     #[must_use]
     pub const fn period_pulls_both_ways(&self) -> bool {
-        self.damping.is_some() && self.resolution.is_some()
+        self.damping.is_some() && self.resolution.is_some() && self.coulomb_cost.is_none()
     }
 
     /// The loops of the box among which the criterion is hardest to meet, whatever is asked: all

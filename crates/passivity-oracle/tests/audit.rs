@@ -405,7 +405,7 @@ fn a_ledger_is_a_trace() {
 }
 
 #[test]
-fn a_scene_that_no_theorem_covers_says_so() {
+fn a_scene_whose_force_changes_within_an_interval_is_not_accounted_for() {
     let scene =
         scene("[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n[amplifier]\ntime_constant = \"1/5\"");
     let (audit, _) = audited(b"xi\n0\n1\n", &scene, 1, 0);

@@ -1,6 +1,7 @@
 //! The (β, σ) plane of Figs. 3 and 4: regions, critical lines, and where each scene sits.
 
-use passivity_core::{BigRational, Interval, Scalar as _};
+use passivity_core::rational::{from_wide, to_wide};
+use passivity_core::{BigRational, Interval, Loop, Parameter, Scalar as _, Wide};
 use passivity_scene::Scene;
 use passivity_scene::check::Report;
 use passivity_scene::display::range;
@@ -23,10 +24,12 @@ pub struct Mark {
     pub beta: [f64; 2],
     /// The least and the largest σ less the cost.
     pub sigma: [f64; 2],
-    /// k, samples of delay: what β less the cost tends to for a stiff wall is −k.
-    pub delay: f64,
-    /// B in KT: virtual damping, which a tick costs of σ.
-    pub damping: f64,
+    /// Where walls of other stiffness stand, from stiff to soft.
+    pub softer: Vec<(f64, f64)>,
+    /// Where the scene stands with half the sampling period.
+    pub faster: (f64, f64),
+    /// Where it stands with half the resolution.
+    pub finer: (f64, f64),
     /// Whether effects beyond sampling and quantization cost anything.
     pub has_costs: bool,
     /// The speed of its critical line (9), in ticks per sample, and what the legend calls it.
@@ -51,12 +54,18 @@ impl Mark {
         let bound = report.speed_bound.as_ref();
         let bound = bound.map(|v| (middle(v), format!("{} ticks/sample", range(v))));
         let at = scene.point().at;
+        // Factors of softness in geometric steps of 9/8, 64 down and 64 up.
+        let step = BigRational::new(9.into(), 8.into());
+        let factors = (-64..=64_i32).map(|power| step.pow(power));
         Some(Self {
             name: report.scene.clone(),
             beta: ends(&report.spare.viscous),
             sigma: ends(&report.spare.coulomb),
-            delay: at.delay.into(),
-            damping: at.damping.as_ref().map_or(0.0, nearest_f64),
+            softer: factors
+                .filter_map(|x| moved(&at, Parameter::Stiffness, &x.recip()))
+                .collect(),
+            faster: moved(&at, Parameter::Period, &half)?,
+            finer: moved(&at, Parameter::Resolution, &half)?,
             has_costs: !at.is_plain(),
             speed: bound.filter(|(v, _)| *v > 0.0),
             verdict: report.verdict.name().replace('_', " "),
@@ -70,6 +79,20 @@ impl Mark {
         (a, b)
     }
 }
+
+/// Where a dimensionless loop stands with one parameter times a factor; `None` where a figure is
+/// beyond what the kernel computes.
+fn moved(at: &Loop<BigRational>, parameter: Parameter, factor: &BigRational) -> Option<(f64, f64)> {
+    let wide = at.map(|_, x| Interval::point(to_wide(x)));
+    let value = wide.get(parameter)?.map(|x| x.clone() * to_wide(factor));
+    let loops = wide.with(parameter, value).with_costs(COST_BITS)?;
+    let criterion = loops.map(|_, x| x.hi().clone()).dimensionless_criterion();
+    let place = |spare: &Wide| from_wide(spare).map(|x| nearest_f64(&x) + 0.5);
+    Some((place(&criterion.viscous)?, place(&criterion.coulomb)?))
+}
+
+/// Bits of the costs of a place in the picture: past those of a double.
+const COST_BITS: u32 = 64;
 
 const WIDTH: u32 = 1000;
 const HEIGHT: u32 = 640;
@@ -246,36 +269,16 @@ type Chart<'a, 'b> = ChartContext<
 >;
 
 /// Where stiffness, sampling period and resolution move a mark (Fig. 4).
-///
-/// With k samples of delay and virtual damping B: another stiffness moves it along the line through
-/// (−k, 0), half the period to twice β + k and B less of σ, half the resolution to twice σ + B.
 fn draw_ways(chart: &mut Chart<'_, '_>, mark: &Mark, colour: RGBColor, window: Window) -> Drawn {
     let thin = colour.mix(0.55).stroke_width(1);
     let (beta, sigma) = mark.middle();
     let (width, height) = (window.x.1, window.y.1);
-    // Softer walls lie further out on the line through the limit of stiff ones.
-    let origin = (-mark.delay, 0.0);
-    let (dx, dy) = (beta - origin.0, sigma - origin.1);
-    let reach = |toward: f64, way: f64| {
-        if way > 0.0 {
-            toward / way
-        } else {
-            f64::INFINITY
-        }
-    };
-    let out = reach(width - origin.0, dx).min(reach(height - origin.1, dy));
-    let inside = if dx > 0.0 {
-        ((window.x.0 - origin.0) / dx).max(0.0)
-    } else {
-        0.0
-    };
-    if out.is_finite() && inside < out {
-        let at = |f: f64| (origin.0 + f * dx, origin.1 + f * dy);
-        let dashes = DashedLineSeries::new([at(inside), at(out)], 3, 4, thin);
-        chart.draw_series(dashes)?;
-    }
-    let faster = (2.0 * beta + mark.delay, sigma - mark.damping);
-    let finer = (beta, (2.0 * sigma + mark.damping).min(height));
+    let seen =
+        |(x, y): &(f64, f64)| (window.x.0..=width).contains(x) && (window.y.0..=height).contains(y);
+    let softer = mark.softer.iter().copied().filter(seen);
+    chart.draw_series(DashedLineSeries::new(softer, 3, 4, thin))?;
+    let faster = mark.faster;
+    let finer = (mark.finer.0, mark.finer.1.min(height));
     let right = faster.0.min(width);
     // Where it leads out of the picture, the way there is drawn as far as the edge.
     let share = if faster.0 > beta {
@@ -416,8 +419,9 @@ mod tests {
             name: "far".to_owned(),
             beta: [0.0, f64::INFINITY],
             sigma: [1.0; 2],
-            delay: 0.0,
-            damping: 0.0,
+            softer: Vec::new(),
+            faster: (1.2, 0.6),
+            finer: (0.6, 1.2),
             has_costs: false,
             speed: None,
             verdict: String::new(),

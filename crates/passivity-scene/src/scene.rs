@@ -111,6 +111,20 @@ impl Scene {
         effects
     }
 
+    /// The effects that make the force change within an interval, or of which the account of a log
+    /// knows too little: a log of the scene is not accounted for.
+    #[must_use]
+    pub fn unaccounted(&self) -> Vec<Effect> {
+        let mut effects = self.effects();
+        effects.retain(|effect| {
+            matches!(
+                effect,
+                Effect::Latency | Effect::Amplifier | Effect::DampingFilter | Effect::Controller
+            )
+        });
+        effects
+    }
+
     /// Whether the scene says where the motion starts.
     #[must_use]
     pub const fn has_start(&self) -> bool {

@@ -19,6 +19,8 @@ pub enum Form {
     Reciprocal,
     /// A whole number, inversely: counts per revolution for the resolution.
     Count,
+    /// Its reciprocal over 2π: the cutoff of a filter for its time constant.
+    Cutoff,
 }
 
 /// The form and the unit in which a scene file writes a parameter.
@@ -65,7 +67,9 @@ impl Written {
     pub(crate) fn typed(&self, number: &BigRational) -> Exact {
         match self.form {
             Form::Value => self.one.clone() * Exact::of(number),
-            Form::Reciprocal | Form::Count => self.one.clone().over(Exact::of(number)),
+            Form::Reciprocal | Form::Cutoff | Form::Count => {
+                self.one.clone().over(Exact::of(number))
+            }
         }
     }
 

@@ -67,7 +67,7 @@ const fn point(
 }
 
 /// σ = c·N/(2πK): for the RE35, (10⁻³·N/K)/π.
-const EXPECTED: [Expected; 13] = [
+const EXPECTED: [Expected; 15] = [
     point(
         "re35",
         "6.28",
@@ -183,13 +183,32 @@ const EXPECTED: [Expected; 13] = [
         Verdict::Passive,
     ),
     point(
-        "not-covered",
+        "amplifier-lag",
         "628",
         "9/10",
         "819.2",
         "globally_stable",
-        Verdict::NotCovered,
+        Verdict::Passive,
     ),
+    point(
+        "filtered-damping",
+        "3140",
+        "9/2",
+        "4096",
+        "globally_stable",
+        Verdict::Passive,
+    ),
+    Expected {
+        sigma_over_pi: false,
+        ..point(
+            "digital-controller",
+            "50",
+            "5/4",
+            "3/2",
+            "globally_stable",
+            Verdict::Passive,
+        )
+    },
 ];
 
 #[test]
@@ -276,7 +295,14 @@ fn the_papers_rig_is_exact_to_the_last_digit() {
 #[test]
 fn the_effects_of_a_scene_are_its_keys() {
     let covered = scene("every-covered-effect");
-    let left_out = [Effect::Saturation, Effect::Amplifier, Effect::Arm];
+    let left_out = [
+        Effect::Latency,
+        Effect::DampingFilter,
+        Effect::Controller,
+        Effect::Saturation,
+        Effect::Amplifier,
+        Effect::Arm,
+    ];
     let expected: Vec<Effect> = Effect::ALL
         .into_iter()
         .filter(|effect| !left_out.contains(effect))
@@ -288,7 +314,7 @@ fn the_effects_of_a_scene_are_its_keys() {
         covered.given.operator_force.as_ref().unwrap().text,
         "1 mN m"
     );
-    assert_eq!(scene("not-covered").not_covered(), [Effect::Amplifier]);
+    assert_eq!(scene("amplifier-lag").unaccounted(), [Effect::Amplifier]);
     let phantom = scene("phantom-premium");
     assert!(phantom.given.viscous.is_none() && phantom.given.unilateral);
     assert_eq!(phantom.motion, Motion::Linear);

@@ -155,19 +155,7 @@ fn comparisons_do_not_apply_to_a_delay() {
     let late = dimensionless("2", "2", "[sampling]\ndelay = 1\n");
     assert_eq!((late.colgate, late.abbott_okamura), (None, None));
     let text = late.to_text();
-    assert!(text.contains("does not apply with a delay"));
-}
-
-#[test]
-fn passive_at_every_speed_stands_beside_no_other_verdict() {
-    let lagging = dimensionless("2", "2", "[amplifier]\ntime_constant = \"1\"\n");
-    assert_eq!(lagging.verdict, Verdict::NotCovered);
-    assert!(
-        !lagging
-            .to_text()
-            .to_lowercase()
-            .contains("passive at every speed")
-    );
+    assert!(text.contains("does not apply: delay, filter, controller or amplifier"));
 }
 
 #[test]
@@ -371,7 +359,7 @@ fn on_drawn_scenes<S: Strategy>(
 #[test]
 fn check_limits_pass_when_typed_back() {
     let name = "check_limits_pass_when_typed_back";
-    on_drawn_scenes(name, 500, (scenes(), 0..3_u16), |(parameters, delay)| {
+    on_drawn_scenes(name, 60, (scenes(), 0..3_u16), |(parameters, delay)| {
         let first = report(&written(&parameters, delay));
         let speeds = |report: &Report| report.at_every_speed || !first.at_every_speed;
         for limit in &first.limits {
@@ -406,8 +394,51 @@ fn check_limits_pass_when_typed_back() {
     });
 }
 
+/// λ of k samples of delay with damping B, in doubles: ½ + Σ cos jθ − B·cos (k + 1)θ, 1 ≤ j ≤ k, is a
+/// polynomial in cos θ of degree k + 1 whose derivative is at most (k + 1)²(k + B), so that 10⁵ steps
+/// of cos θ miss its maximum by no more than 10⁻⁵(k + 1)²(k + B), and by their squares near a maximum
+/// inside.
+fn lambda_by_hand(delay: u16, damping: f64) -> f64 {
+    let at = |cosine: f64| {
+        let cos = |j: u16| (f64::from(j) * cosine.acos()).cos();
+        0.5 + (1..=delay).map(cos).sum::<f64>() - damping * cos(delay + 1)
+    };
+    let steps = (0..=100_000).map(|i| at(f64::from(i) / 50_000.0 - 1.0));
+    steps.fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The same with a delay and damping together, in doubles; `None` within a ten-thousandth of the
+/// border, which is more than λ is off by.
+fn holds_together(parameters: &[(&str, BigRational)], delay: u16) -> Option<bool> {
+    let given = |key: &str| {
+        let found = parameters.iter().find(|(k, _)| *k == key);
+        found.map(|(_, x)| num_traits::ToPrimitive::to_f64(x).unwrap())
+    };
+    let of = |key: &str| given(key).unwrap_or(0.0);
+    let unit = of("stiffness") * of("period");
+    let spent = unit * lambda_by_hand(delay, of("damping") / unit);
+    let viscous = of("viscous") - spent;
+    let held = of("stiffness") * of("resolution") + of("force_step");
+    let damped = of("damping") * of("resolution") / of("period");
+    let coulomb = of("coulomb") - held / 2.0 - damped;
+    let at_end = match given("max_speed") {
+        Some(speed) => [
+            viscous * speed + coulomb,
+            spent * speed + held / 2.0 + damped,
+        ],
+        None => [viscous, spent],
+    };
+    let margins = [[coulomb, held / 2.0 + damped], at_end];
+    let clear = margins
+        .iter()
+        .all(|[margin, size]| margin.abs() > 1e-4 * size);
+    clear.then(|| margins.iter().all(|[margin, _]| *margin >= 0.0))
+}
+
 /// The criterion (11) with the effects, written out from the theory, of a device without tolerances.
-fn holds_by_hand(parameters: &[(&str, BigRational)], delay: u16) -> bool {
+///
+/// `None` where that is not exact and too near to the border.
+fn holds_by_hand(parameters: &[(&str, BigRational)], delay: u16) -> Option<bool> {
     let given = |key: &str| {
         parameters
             .iter()
@@ -415,6 +446,9 @@ fn holds_by_hand(parameters: &[(&str, BigRational)], delay: u16) -> bool {
             .map(|(_, x)| x.clone())
     };
     let of = |key: &str| given(key).unwrap_or_else(|| number("0"));
+    if delay > 0 && of("damping") > number("0") {
+        return holds_together(parameters, delay);
+    }
     let (period, tick, stiffness) = (of("period"), of("resolution"), of("stiffness"));
     let late = number("1/2") + BigRational::from_integer(delay.into());
     let viscous = of("viscous") - &stiffness * &period * late - of("damping");
@@ -423,10 +457,10 @@ fn holds_by_hand(parameters: &[(&str, BigRational)], delay: u16) -> bool {
         - of("damping") * tick / period;
     let zero = number("0");
     // A margin that is linear in the speed holds at all speeds if it does near rest and at the end.
-    match given("max_speed") {
+    Some(match given("max_speed") {
         Some(speed) => coulomb >= zero && viscous * speed + coulomb >= zero,
         None => coulomb >= zero && viscous >= zero,
-    }
+    })
 }
 
 /// What is said of a scene with tolerances is so of each device within them, at its corners too; and
@@ -436,7 +470,7 @@ fn check_verdict_is_that_of_every_device_within_the_tolerances() {
     let name = "check_verdict_is_that_of_every_device_within_the_tolerances";
     let places = prop::collection::vec(-2..=2_i64, 9);
     let inputs = (scenes(), 0..3_u16, places);
-    on_drawn_scenes(name, 1500, inputs, |(parameters, delay, places)| {
+    on_drawn_scenes(name, 250, inputs, |(parameters, delay, places)| {
         let whole = report(&written(&parameters, delay));
         // Where in its tolerance each parameter is: at an end, half-way, in the middle.
         let pick = |text: &str, place: i64| match text.split_once(" ± ") {
@@ -449,7 +483,9 @@ fn check_verdict_is_that_of_every_device_within_the_tolerances() {
         };
         let with_places = parameters.iter().zip(&places);
         let point: Vec<_> = with_places.map(|((k, x), at)| (*k, pick(x, *at))).collect();
-        let holds = holds_by_hand(&point, delay);
+        let Some(holds) = holds_by_hand(&point, delay) else {
+            return Ok(());
+        };
         let texts: Vec<_> = point.iter().map(|(k, x)| (*k, x.to_string())).collect();
         let point = report(&written(&texts, delay));
         prop_assert_eq!(point.verdict == Verdict::Passive, holds);

@@ -69,7 +69,7 @@ pub(super) fn regions() -> Group {
             ));
         }
     }
-    let effects: [(&'static str, Value); 8] = [
+    let effects: [(&'static str, Value); 7] = [
         ("Covered", json!({"wall": {"unilateral": true}})),
         ("Covered", json!({"wall": {"max_force": "50"}})),
         ("Covered", json!({"wall": {"force_step": "1/5"}})),
@@ -79,7 +79,6 @@ pub(super) fn regions() -> Group {
             "Covered",
             json!({"sampling": {"delay": 2}, "wall": {"damping": "1/10", "force_step": "1/5", "unilateral": true}}),
         ),
-        ("NotCovered", json!({"amplifier": {"time_constant": "1/5"}})),
         (
             "Covered",
             json!({"wall": {"max_force": "50", "damping": "1/10"}}),
@@ -118,7 +117,6 @@ pub(super) fn regions() -> Group {
                 "Covered",
                 "effects that a theorem covers lower the criterion",
             ),
-            ("NotCovered", "an effect that no theorem covers"),
         ],
         tests,
     }

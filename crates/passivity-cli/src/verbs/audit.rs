@@ -110,7 +110,7 @@ fn certify(report: &Audit, path: &Path) -> Result<(), Failure> {
     let Some(certificate) = report.certificate() else {
         let because = match report.report().not_covered.is_empty() {
             true => "no interval surely generated more than friction surely dissipates",
-            false => "the scene has an effect that no theorem covers",
+            false => "the scene has an effect that the account of a log leaves out",
         };
         eprintln!("no certificate is written: {because}");
         return Ok(());

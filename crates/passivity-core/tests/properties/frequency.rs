@@ -93,6 +93,10 @@ sampled! {
             SignOver::NegativeAt(x) => prop_assert!(false, "short at {}", x),
         }
         let too_little = enclosure.lo() - beside;
+        // The quick answer is the same, on both sides, near and far.
+        for beta in [enclosure.hi() + q(1, 1), enclosure.hi().clone(), too_little.clone(), enclosure.lo() - q(1, 1)] {
+            prop_assert_eq!(cost.is_enough(&beta), cost.decide(&beta).is_nonnegative());
+        }
         match cost.decide(&too_little) {
             SignOver::Nonnegative(_) => prop_assert!(false, "{} is enough", too_little),
             SignOver::NegativeAt(x) => prop_assert!(cost.at(&x) > too_little),

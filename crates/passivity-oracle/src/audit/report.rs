@@ -29,7 +29,7 @@ pub enum Verdict {
     Fails,
     /// The counts, or the tolerances, leave it open.
     Depends,
-    /// The scene has an effect that no theorem covers.
+    /// The scene has an effect that the account of a log leaves out.
     NotCovered,
     /// The trace is broken: the account ends there.
     Broken,
@@ -305,8 +305,8 @@ impl Audit {
         ] = account.firsts.each_ref().map(Option::as_ref);
         let nominal = taken_as_nominal(scene, task);
         let certificate = match linear {
-            // Of a scene with an effect that no theorem covers, the account is not that of the loop.
-            Some(place) if scene.not_covered().is_empty() => {
+            // Of a scene with an effect that is left out, the account is not that of the loop.
+            Some(place) if scene.unaccounted().is_empty() => {
                 let found = Certificate::new(&scene.name, nominal.clone(), task.ledger, place);
                 Some(found.ok_or_else(undefined)?)
             }
@@ -314,7 +314,7 @@ impl Audit {
         };
         let verdict = match (&findings.error, judged) {
             (Some(_), _) => Verdict::Broken,
-            (None, _) if !scene.not_covered().is_empty() => Verdict::NotCovered,
+            (None, _) if !scene.unaccounted().is_empty() => Verdict::NotCovered,
             (None, Judged::Interval) => of_intervals(&totals),
             (None, Judged::Running) => of_supply(lowest),
         };
@@ -328,7 +328,7 @@ impl Audit {
                 false => Force::Law,
             },
             effects: scene.effects(),
-            not_covered: scene.not_covered(),
+            not_covered: scene.unaccounted(),
             nominal,
             samples: findings.samples,
             intervals: account.intervals,
@@ -402,7 +402,7 @@ impl Audit {
     }
 
     /// The first violated interval with all that its figures follow from; `None` when no interval
-    /// is violated, or when the scene has an effect that no theorem covers.
+    /// is violated, or when the scene has an effect that the account leaves out.
     #[must_use]
     pub const fn certificate(&self) -> Option<&Certificate> {
         self.certificate.as_ref()

@@ -86,7 +86,7 @@ impl Report {
             }
             (Verdict::NotCovered, _) => {
                 let words: Vec<&str> = self.not_covered.iter().map(|e| e.words()).collect();
-                format!("NOT COVERED by a theorem: {}", words.join("; "))
+                format!("NOT ACCOUNTED FOR in a log: {}", words.join("; "))
             }
             (Verdict::Broken, _) => {
                 if self.intervals > 0 {

@@ -2,14 +2,16 @@
 
 use std::cmp::Ordering;
 
+use passivity_core::drawn::{Drawn, Search};
 use passivity_core::parameter::Hurts;
+use passivity_core::periodic::Motion;
 use passivity_core::verdict::{End, Speeds};
 use passivity_core::{
-    BigRational, Cycle, Friction, Interval, Loop, Ordered, Parameter, Truth, quantizer, witness,
+    BigRational, Cycle, Enclosed, Friction, Interval, Loop, Ordered, Parameter, Truth, quantizer,
+    witness,
 };
 use serde::Serialize;
 
-use super::Number;
 use crate::scene::Scene;
 
 /// What a scene's wall is.
@@ -51,15 +53,12 @@ pub(super) fn speeds<S: Ordered>(bounds: &Loop<Interval<S>>) -> Speeds<Interval<
     }
 }
 
-/// A cycle that draws energy whatever the parameters within their tolerances: one for the most
+/// A motion that draws energy whatever the parameters within their tolerances: one for the most
 /// friction, because less friction only raises the gain.
-pub(super) fn find_witness<S: Number>(
+pub(super) fn find_witness<S: Enclosed>(
     scene: &Scene,
     bounds: &Loop<Interval<S>>,
-) -> Option<Cycle<BigRational>> {
-    if !scene.given.is_plain() {
-        return None;
-    }
+) -> Option<Drawn> {
     let easiest = bounds.at(End::Easiest);
     let friction = easiest.friction();
     // The slowest that the bound may be, in ticks per sample.
@@ -72,25 +71,62 @@ pub(super) fn find_witness<S: Number>(
     });
     // Friction that is bounded by a rational, ever more tightly where π keeps it from being one.
     let tries = [64, 256, 1024, 4096, 16_384].into_iter();
-    let mut cycles = tries.filter_map(|bits| {
+    let mut found = tries.filter_map(|bits| {
         let most = |x: &S| Some(x.enclosed(bits)?.hi().clone());
         let friction = Friction::new(most(&friction.beta)?, most(&friction.sigma)?);
         let bound = match &bound {
             Some(v) => Some(v.enclosed(bits)?.lo().clone()),
             None => None,
         };
-        if scene.given.has_encoder() {
-            witness::quantized(&friction, bound.as_ref())
+        if scene.given.is_plain() {
+            let cycle = if scene.given.has_encoder() {
+                witness::quantized(&friction, bound.as_ref())
+            } else {
+                witness::smooth(&friction, bound.as_ref())
+            }?;
+            within_saturation(bounds, &cycle)?.then(|| Drawn::Motion(Motion::from(cycle)))
         } else {
-            witness::smooth(&friction, bound.as_ref())
+            drawn(bounds, &friction, bound.as_ref(), bits)
         }
     });
-    let cycle = cycles.next()?;
-    within_saturation(bounds, &cycle)?.then_some(cycle)
+    found.next()
+}
+
+/// A motion that draws energy from a loop with memory.
+fn drawn<S: Enclosed>(
+    bounds: &Loop<Interval<S>>,
+    friction: &Friction<BigRational>,
+    speed_bound: Option<&BigRational>,
+    bits: u32,
+) -> Option<Drawn> {
+    let part = bounds.linear_part(bits)?;
+    let in_forces = |force: &S, unit: S| force.clone().over(unit).enclosed(bits);
+    let least = bounds.map(|_, x| x.lo().clone()).force_unit();
+    let most = bounds.map(|_, x| x.hi().clone()).force_unit();
+    let force_step = match &bounds.force_step {
+        Some(step) => Some(Interval::hull(
+            in_forces(step.lo(), most.clone())?.lo().clone(),
+            in_forces(step.hi(), least)?.hi().clone(),
+        )),
+        None => None,
+    };
+    let max_force = match &bounds.max_force {
+        Some(force) => Some(in_forces(force.lo(), most)?.lo().clone()),
+        None => None,
+    };
+    Search {
+        part: &part,
+        friction,
+        encoder: bounds.has_encoder(),
+        force_step: force_step.as_ref(),
+        max_force: max_force.as_ref(),
+        speed_bound,
+    }
+    .find()
 }
 
 /// Whether the actuator can give the forces of the cycle, so that the law is the spring in it.
-fn within_saturation<S: Number>(
+fn within_saturation<S: Enclosed>(
     bounds: &Loop<Interval<S>>,
     cycle: &Cycle<BigRational>,
 ) -> Option<bool> {
@@ -111,7 +147,10 @@ fn within_saturation<S: Number>(
 /// The keys of the parameters that decide a verdict that depends: those whose tolerance alone flips
 /// it, with all others at their hardest, or all at their easiest; where none does alone, all that
 /// have a tolerance and a part in the criterion.
-pub(super) fn deciding<S: Number>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Vec<&'static str> {
+pub(super) fn deciding<S: Enclosed>(
+    scene: &Scene,
+    bounds: &Loop<Interval<S>>,
+) -> Vec<&'static str> {
     let part = |(parameter, given): (Parameter, &crate::scene::Given)| {
         let takes_part = parameter.row().hurts != Hurts::Neither;
         (takes_part && given.has_tolerance()).then_some((parameter, given.key))
@@ -126,7 +165,7 @@ pub(super) fn deciding<S: Number>(scene: &Scene, bounds: &Loop<Interval<S>>) -> 
                     Interval::point(end.of(other, range).clone())
                 }
             });
-            pinned.decide(&speeds(&pinned)) == Some(Truth::Depends)
+            pinned.truth(&speeds(&pinned)) == Some(Truth::Depends)
         })
     };
     let decisive = toleranced.iter().filter(|(parameter, _)| alone(*parameter));

@@ -145,15 +145,21 @@ impl<S: Ordered> Figures<'_, S> {
         all.unwrap_or_else(|| unreachable!("a box has corners"))
     }
 
-    /// b ≥ KT/2 + B, for comparison; `None` where it does not apply because of a delay.
+    /// b ≥ KT/2 + B, for comparison; `None` where it does not apply: with a delay, a latency, a filter
+    /// on the damping, a controller or an amplifier.
     pub(super) fn colgate(&self) -> Option<Truth> {
         let margin = |corner: &Loop<S>| {
             let damping = corner.damping.clone().unwrap_or_else(S::zero);
             corner.viscous_friction() - corner.viscous_unit().half() - damping
         };
-        (self.bounds.delay == 0)
+        self.is_compared()
             .then(|| self.between(margin))?
             .is_nonnegative()
+    }
+
+    /// Whether conditions for a wall that acts at once, with no damping but a plain one, apply.
+    const fn is_compared(&self) -> bool {
+        self.bounds.delay == 0 && !self.bounds.has_computed_costs()
     }
 
     /// K ≤ min(2b/T, 2c/Δ), for comparison; without an encoder K ≤ 2b/T, and `None` where it does
@@ -169,7 +175,7 @@ impl<S: Ordered> Figures<'_, S> {
                 viscous
             }
         };
-        (self.bounds.delay == 0)
+        self.is_compared()
             .then(|| self.between(margin))?
             .is_nonnegative()
     }

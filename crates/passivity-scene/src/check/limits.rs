@@ -1,14 +1,15 @@
 //! Limits of the parameters: where the criterion is met with equality, one parameter at a time
 //! (CHECK-LIMITS).
 
+use num_bigint::BigInt;
 use num_traits::Signed as _;
 use passivity_core::parameter::Hurts;
 use passivity_core::verdict::{End, Speeds};
-use passivity_core::{BigRational, Exact, Interval, Loop, Parameter, Truth, stiffness};
+use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Parameter, Truth, stiffness};
 use serde::Serialize;
 
+use super::figure;
 use super::text::unit_of;
-use super::{Number, figure};
 use crate::display::Rounding;
 use crate::scene::Scene;
 use crate::written::{Form, Written};
@@ -59,16 +60,20 @@ impl Limit {
 }
 
 /// The parameters that limits are computed of.
-const LIMITED: [Parameter; 5] = [
+const LIMITED: [Parameter; 9] = [
     Parameter::Viscous,
     Parameter::Coulomb,
     Parameter::Stiffness,
     Parameter::Period,
     Parameter::Resolution,
+    Parameter::Damping,
+    Parameter::DampingTimeConstant,
+    Parameter::Latency,
+    Parameter::TimeConstant,
 ];
 
 /// The limits of every parameter that the criterion limits, at the speeds asked for.
-pub(super) fn limits<S: Number>(
+pub(super) fn limits<S: Enclosed>(
     scene: &Scene,
     bounds: &Loop<Interval<S>>,
     speeds: &Speeds<Interval<S>>,
@@ -79,7 +84,7 @@ pub(super) fn limits<S: Number>(
 
 /// The limit of one parameter; `None` where the criterion does not limit it, or where no value of
 /// it is enough.
-pub(super) fn limit<S: Number>(
+pub(super) fn limit<S: Enclosed>(
     parameter: Parameter,
     scene: &Scene,
     bounds: &Loop<Interval<S>>,
@@ -91,7 +96,9 @@ pub(super) fn limit<S: Number>(
         Hurts::Neither => return None,
     };
     let both_ways = bounds.period_pulls_both_ways();
-    let border = if parameter == Parameter::Period && both_ways {
+    let border = if is_searched(parameter, bounds) {
+        searched(parameter, side, bounds, speeds)?
+    } else if parameter == Parameter::Period && both_ways {
         longest_period(bounds, speeds)?
     } else {
         border(parameter, side, bounds, speeds)?
@@ -107,7 +114,7 @@ pub(super) fn limit<S: Number>(
     }
     let suffices = |x: &S| {
         let moved = bounds.clone().with(parameter, Interval::point(x.clone()));
-        moved.decide(speeds) == Some(Truth::Holds)
+        moved.surely_holds(speeds)
     };
     let (border_figure, now) = (figure(&border)?, now(parameter, bounds)?);
     let limit = Limit {
@@ -157,13 +164,13 @@ fn written(parameter: Parameter, scene: &Scene) -> Written {
 }
 
 /// What the parameter is now; zero for an absent friction.
-fn now<S: Number>(parameter: Parameter, bounds: &Loop<Interval<S>>) -> Option<Interval<S>> {
+fn now<S: Enclosed>(parameter: Parameter, bounds: &Loop<Interval<S>>) -> Option<Interval<S>> {
     let default = || Some(Interval::point(S::integer(parameter.row().default?)));
     bounds.get(parameter).cloned().or_else(default)
 }
 
 /// The border of a parameter, from that at the hardest to that at the easiest end of the others.
-fn border<S: Number>(
+fn border<S: Enclosed>(
     parameter: Parameter,
     side: Side,
     bounds: &Loop<Interval<S>>,
@@ -182,7 +189,7 @@ fn border<S: Number>(
 }
 
 /// Where a loop meets the criterion with equality, at every speed or at every speed up to a bound.
-fn at<S: Number>(parameter: Parameter, corner: &Loop<S>, speeds: &Speeds<S>) -> Option<S> {
+fn at<S: Enclosed>(parameter: Parameter, corner: &Loop<S>, speeds: &Speeds<S>) -> Option<S> {
     let bound = match speeds {
         Speeds::All => None,
         Speeds::UpTo(v) => Some(v),
@@ -203,12 +210,105 @@ fn at<S: Number>(parameter: Parameter, corner: &Loop<S>, speeds: &Speeds<S>) -> 
     }
 }
 
+/// Whether no formula says the border of a parameter, because what the effects cost depends on it, or
+/// differs over the tolerances of others.
+fn is_searched<S: Enclosed>(parameter: Parameter, bounds: &Loop<Interval<S>>) -> bool {
+    let constant =
+        bounds.controller.is_some() && bounds.latency.is_none() && bounds.time_constant.is_none();
+    let varies = bounds.has_computed_costs() && !constant;
+    match parameter {
+        Parameter::Damping
+        | Parameter::DampingTimeConstant
+        | Parameter::Latency
+        | Parameter::TimeConstant => true,
+        // A controller in units of the stiffness costs the same whatever K and T are.
+        Parameter::Stiffness | Parameter::Period => varies,
+        Parameter::Viscous | Parameter::Coulomb | Parameter::Resolution => {
+            let cost = bounds.viscous_cost.as_ref();
+            let given = bounds
+                .get(parameter)
+                .is_some_and(|x| x.hi().is_positive() == Some(true));
+            varies && given && !cost.is_none_or(Interval::is_point)
+        }
+        _ => false,
+    }
+}
+
+/// The border of a parameter that is in the scene, bracketed: from its value on by factors of two,
+/// then by halves.
+///
+/// `None` where no value from 2⁻⁴⁰ to 2⁴⁰ times what it is changes the answer.
+fn searched<S: Enclosed>(
+    parameter: Parameter,
+    side: Side,
+    bounds: &Loop<Interval<S>>,
+    speeds: &Speeds<Interval<S>>,
+) -> Option<Interval<S>> {
+    const DOUBLINGS: u32 = 40;
+    let now = bounds.get(parameter)?;
+    let passes = |x: &S| {
+        let moved = bounds.clone().with(parameter, Interval::point(x.clone()));
+        moved.surely_holds(speeds)
+    };
+    let from = match side {
+        Side::AtMost => now.hi().clone(),
+        Side::AtLeast => now.lo().clone(),
+    };
+    let holds = passes(&from);
+    // Towards where it fails, or where it holds.
+    let grows = holds == (side == Side::AtMost);
+    let at = |steps: u32| {
+        let power = BigRational::from_integer(BigInt::from(1) << steps);
+        let factor = S::of(&Exact::of(&power))?;
+        Some(if grows {
+            from.clone() * factor
+        } else {
+            from.clone().over(factor)
+        })
+    };
+    for steps in 0..DOUBLINGS {
+        let (before, after) = (at(steps)?, at(steps + 1)?);
+        if passes(&after) != holds {
+            let [passing, failing] = if holds {
+                [before, after]
+            } else {
+                [after, before]
+            };
+            return bisected(passing, &failing, passes);
+        }
+    }
+    None
+}
+
+/// The border between a value that passes and one that fails, bracketed to 2^−40 of the way.
+fn bisected<S: Enclosed>(
+    passing: S,
+    failing: &S,
+    passes: impl Fn(&S) -> bool,
+) -> Option<Interval<S>> {
+    const STEPS: u32 = 40;
+    let width = failing.clone() - passing.clone();
+    // Each from the ends again, so that the numbers stay short.
+    let at = |k: u64| {
+        let share = BigRational::new(k.into(), (1_u64 << STEPS).into());
+        Some(passing.clone() + width.clone() * S::of(&Exact::of(&share))?)
+    };
+    let mut k = 0;
+    for step in (0..STEPS).rev() {
+        let further = k + (1 << step);
+        if passes(&at(further)?) {
+            k = further;
+        }
+    }
+    Some(Interval::hull(at(k)?, at(k + 1)?))
+}
+
 /// The longest period where a shorter one costs Coulomb friction as well, bracketed.
 ///
 /// The periods that pass are an interval, because the margin is concave in the period. It starts at
 /// or before the shortest period near rest and the period of the largest margin, whichever is
 /// longer, and ends before the longest that viscous friction allows without BΔ/T.
-fn longest_period<S: Number>(
+fn longest_period<S: Enclosed>(
     bounds: &Loop<Interval<S>>,
     speeds: &Speeds<Interval<S>>,
 ) -> Option<Interval<S>> {
@@ -240,19 +340,5 @@ fn longest_period<S: Number>(
     if !passes(&passing) {
         return None;
     }
-    // Bisection over k/2^STEPS of the way from one to the other.
-    const STEPS: u32 = 48;
-    let width = failing - passing.clone();
-    let at = |k: u64| {
-        let share = BigRational::new(k.into(), (1_u64 << STEPS).into());
-        Some(passing.clone() + width.clone() * S::of(&Exact::of(&share))?)
-    };
-    let mut k = 0;
-    for step in (0..STEPS).rev() {
-        let further = k + (1 << step);
-        if passes(&at(further)?) {
-            k = further;
-        }
-    }
-    Some(Interval::hull(at(k)?, at(k + 1)?))
+    bisected(passing, &failing, passes)
 }

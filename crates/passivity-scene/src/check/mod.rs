@@ -15,39 +15,10 @@ pub use limits::{Limit, Side};
 pub use report::{Costs, Report, Spare, Witness, check};
 pub use unforced::Unforced;
 
-use passivity_core::{BigRational, Exact, Interval, Ordered, Wide, rational};
+use passivity_core::{BigRational, Enclosed, Exact, Interval};
 
 /// Bits of the figures of a report whose π does not cancel.
-const BITS: u32 = 200;
-
-/// A number that a report is computed with: without π, or with it.
-pub(crate) trait Number: Ordered {
-    /// An exact number; `None` where this kind of number cannot hold it.
-    fn of(x: &Exact) -> Option<Self>;
-
-    /// The number, or a close enclosure of it; `None` for an undefined one.
-    fn enclosed(&self, bits: u32) -> Option<Interval<BigRational>>;
-}
-
-impl Number for Wide {
-    fn of(x: &Exact) -> Option<Self> {
-        x.to_wide()
-    }
-
-    fn enclosed(&self, _bits: u32) -> Option<Interval<BigRational>> {
-        rational::from_wide(self).map(Interval::point)
-    }
-}
-
-impl Number for Exact {
-    fn of(x: &Exact) -> Option<Self> {
-        Some(x.clone())
-    }
-
-    fn enclosed(&self, bits: u32) -> Option<Interval<BigRational>> {
-        self.enclosure(bits)
-    }
-}
+pub(crate) const BITS: u32 = 200;
 
 /// An exact range as a close enclosure in rationals; `None` for an undefined number.
 #[must_use]
@@ -56,7 +27,7 @@ pub fn enclosure(range: &Interval<Exact>) -> Option<Interval<BigRational>> {
 }
 
 /// A figure as it is reported: from the lower bound of one end to the upper bound of the other.
-fn figure<S: Number>(range: &Interval<S>) -> Option<Interval<BigRational>> {
+fn figure<S: Enclosed>(range: &Interval<S>) -> Option<Interval<BigRational>> {
     let (lo, hi) = (range.lo().enclosed(BITS)?, range.hi().enclosed(BITS)?);
     Some(Interval::hull(lo.lo().clone(), hi.hi().clone()))
 }

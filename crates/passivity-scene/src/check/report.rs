@@ -1,8 +1,9 @@
 //! Every figure of a check, exact or exactly enclosed: one type for programs and people.
 
+use passivity_core::drawn::Drawn;
 use passivity_core::verdict::Speeds;
 use passivity_core::{
-    BigRational, Cycle, Effect, Interval, Loop, Parameter, Region, Scalar, Truth, Wide,
+    BigRational, Effect, Enclosed, Interval, Loop, Parameter, Region, Scalar, Truth, Wide,
 };
 use serde::Serialize;
 use serde::ser::{SerializeStruct as _, Serializer};
@@ -12,7 +13,7 @@ use super::figures::Figures;
 use super::limits::{self, Limit};
 use super::text::speed_unit;
 use super::unforced::{StartSpeed, Unforced};
-use super::{BITS, Number, figure};
+use super::{BITS, figure};
 use crate::json::{
     write_interval as interval, write_optional_interval as optional_interval,
     write_optional_rational, write_rational,
@@ -20,16 +21,22 @@ use crate::json::{
 use crate::scene::{Motion, Scene};
 use crate::written::Written;
 
-/// A cycle that draws energy from the display (TH-ACTIVE): ticks, or the unit of length without an
-/// encoder.
+/// A motion that draws energy from the display each time round (TH-ACTIVE, TH-LTI): ticks, or the
+/// unit of length without an encoder.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Witness {
     /// Where it starts and ends.
     #[serde(serialize_with = "write_rational")]
     pub from: BigRational,
-    /// Where it turns.
+    /// Where it is farthest from there; of a formula, a place on the way.
     #[serde(serialize_with = "write_rational")]
     pub to: BigRational,
+    /// Its positions at the samples of a period, in between at constant speed and after the last one
+    /// back to the first; empty where the motion is a formula.
+    #[serde(serialize_with = "rationals")]
+    pub positions: Vec<BigRational>,
+    /// The formula of a motion that may be too long to write down.
+    pub wave: Option<WaveFormula>,
     /// What the operator gains at least each time round, in KΔ².
     #[serde(serialize_with = "write_rational")]
     pub gain_per_cycle: BigRational,
@@ -39,13 +46,25 @@ pub struct Witness {
     pub gain_per_cycle_joules: Option<BigRational>,
 }
 
+/// Steps A·cos(2πqh/p), h = 0 … p − 1, each position rounded to a whole tick: a wave of period p.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct WaveFormula {
+    /// q, as a whole number in decimals.
+    pub turns: String,
+    /// p, in samples.
+    pub period: String,
+    /// A, in whole ticks a sample.
+    pub amplitude: String,
+}
+
 /// What the effects of a scene ask of β and σ.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Costs {
-    /// Of effective viscous friction: ½ + k + B.
+    /// Of effective viscous friction: ½ + k + B, or λ or κ where the effects act together.
     #[serde(serialize_with = "interval")]
     pub viscous: Interval<BigRational>,
-    /// Of effective Coulomb friction: ½(1 + δ) + B; without an encoder ½δ.
+    /// Of effective Coulomb friction: ½(‖c‖₁ + δ), with ½‖c‖₁ = ½ + B of damping; without an encoder
+    /// ½δ.
     #[serde(serialize_with = "interval")]
     pub coulomb: Interval<BigRational>,
 }
@@ -127,11 +146,11 @@ pub struct Report {
     /// The stiffest wall at every speed up to V, SI.
     #[serde(serialize_with = "optional_interval")]
     pub max_stiffness_at_speed_bound: Option<Interval<BigRational>>,
-    /// Colgate's b ≥ KT/2 + B, for comparison: no quantization, no Coulomb friction. `None` with a
-    /// delay, to which it does not apply.
+    /// Colgate's b ≥ KT/2 + B, for comparison: no quantization, no Coulomb friction. `None` where it
+    /// does not apply: with a delay, a latency, filtered damping, a controller or an amplifier.
     #[serde(serialize_with = "truth")]
     pub colgate: Option<Truth>,
-    /// Abbott and Okamura's K ≤ min(2b/T, 2c/Δ), for comparison. `None` with a delay.
+    /// Abbott and Okamura's K ≤ min(2b/T, 2c/Δ), for comparison. `None` like `colgate`.
     #[serde(serialize_with = "truth")]
     pub abbott_okamura: Option<Truth>,
     /// A cycle that draws energy, where the verdict is that the wall is not passive.
@@ -173,14 +192,14 @@ pub fn check(scene: &Scene) -> Report {
 }
 
 /// The report, or `None` where a figure is undefined.
-fn checked<S: Number>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Report> {
+fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Report> {
     let figures = Figures { bounds };
     let asked = decide::speeds(bounds);
-    let at_every_speed = bounds.decide(&Speeds::All)? == Truth::Holds;
+    let at_every_speed = bounds.truth(&Speeds::All)? == Truth::Holds;
     let truth = if at_every_speed {
         Truth::Holds
     } else {
-        bounds.decide(&asked)?
+        bounds.truth(&asked)?
     };
     let not_covered = scene.not_covered();
     let cycle = match truth {
@@ -270,24 +289,47 @@ fn speed_written(scene: &Scene) -> Written {
     }
 }
 
-/// A cycle as it is reported.
-fn witness<S: Number>(
-    cycle: Cycle<BigRational>,
+/// A motion as it is reported.
+fn witness<S: Enclosed>(
+    drawn: Drawn,
     bounds: &Loop<Interval<S>>,
     has_units: bool,
 ) -> Option<Witness> {
     let least = bounds.map(|_, x| x.lo().clone());
     let energy_unit = (least.force_unit() * least.length()).enclosed(BITS)?;
-    Some(Witness {
-        gain_per_cycle_joules: has_units.then(|| &cycle.gain * energy_unit.lo()),
-        from: cycle.from,
-        to: cycle.to,
-        gain_per_cycle: cycle.gain,
+    let joules = |gain: &BigRational| has_units.then(|| gain * energy_unit.lo());
+    Some(match drawn {
+        Drawn::Motion(motion) => {
+            let from = motion.positions.first()?.clone();
+            let far = |x: &&BigRational| Scalar::abs(&(*x - &from));
+            let to = motion.positions.iter().max_by_key(far)?.clone();
+            Witness {
+                gain_per_cycle_joules: joules(&motion.gain),
+                from,
+                to,
+                positions: motion.positions,
+                wave: None,
+                gain_per_cycle: motion.gain,
+            }
+        }
+        Drawn::Wave(wave) => Witness {
+            gain_per_cycle_joules: joules(&wave.gain_at_least),
+            from: BigRational::zero(),
+            // The wave goes up and down by A·p/(πq), which is more.
+            to: BigRational::from_integer(&wave.period * &wave.amplitude / (4 * &wave.turns)),
+            positions: Vec::new(),
+            gain_per_cycle: wave.gain_at_least,
+            wave: Some(WaveFormula {
+                turns: wave.turns.to_string(),
+                period: wave.period.to_string(),
+                amplitude: wave.amplitude.to_string(),
+            }),
+        },
     })
 }
 
 /// What TH-START says of the scene's start.
-fn unforced<S: Number>(
+fn unforced<S: Enclosed>(
     scene: &Scene,
     bounds: &Loop<Interval<S>>,
     not_covered: &[Effect],
@@ -296,7 +338,7 @@ fn unforced<S: Number>(
         return Some(None);
     };
     let holds = if not_covered.is_empty() {
-        bounds.decide(&start.speeds())?
+        bounds.truth(&start.speeds())?
     } else {
         Truth::Depends
     };
@@ -316,7 +358,8 @@ fn because(scene: &Scene, verdict: Verdict) -> Vec<&'static str> {
     let mut ids = Vec::new();
     match verdict {
         Verdict::NotCovered => return ids,
-        Verdict::NotPassive => ids.push("TH-ACTIVE"),
+        Verdict::NotPassive if scene.given.is_plain() => ids.push("TH-ACTIVE"),
+        Verdict::NotPassive => ids.push("TH-LTI"),
         _ => ids.extend(["TH-REGION", "TH-INTERVAL", "TH-RUN"]),
     }
     if !scene.given.has_encoder() {
@@ -324,12 +367,21 @@ fn because(scene: &Scene, verdict: Verdict) -> Vec<&'static str> {
     }
     // A cycle that gains energy is no matter of what an interval generates at most.
     let beside = (verdict == Verdict::NotPassive).then_some("TH-INTERVAL");
+    // A delay and damping that partly cancel are one controller.
+    let together = scene.given.delay > 0 && scene.has(Effect::Damping) && scene.given.is_linear();
+    if together && !ids.contains(&"TH-LTI") {
+        ids.push("TH-LTI");
+    }
     for id in scene.effects().into_iter().filter_map(Effect::theorem) {
         if !ids.contains(&id) && beside != Some(id) {
             ids.push(id);
         }
     }
     ids
+}
+
+fn rationals<S: Serializer>(list: &[BigRational], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(list.iter().map(crate::json::rational))
 }
 
 fn region<S: Serializer>(region: &Option<Region>, serializer: S) -> Result<S::Ok, S::Error> {

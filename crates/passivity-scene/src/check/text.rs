@@ -49,8 +49,12 @@ impl Report {
             line("critical speed", &text);
         }
         self.stiffness_lines(&mut line);
-        let applies =
-            |truth: Option<Truth>| truth.map_or("does not apply with a delay", Truth::name);
+        let applies = |truth: Option<Truth>| {
+            truth.map_or(
+                "does not apply: delay, filter, controller or amplifier",
+                Truth::name,
+            )
+        };
         line("Colgate, b ≥ KT/2", applies(self.colgate));
         line("Abbott and Okamura", applies(self.abbott_okamura));
         line("effects", &words(&self.effects));
@@ -212,13 +216,28 @@ impl Report {
             (Some(joules), None) => format!("{} J", least(joules)),
             (None, _) => format!("{} KΔ²", least(&witness.gain_per_cycle)),
         };
-        format!(
-            "  Witness: move from {} to {} {unit} and back, each way at constant speed within one\n  \
-             sampling interval. Each round trip draws at least {energy},\n  \
-             if friction is no more than the scene allows.\n",
-            short(&witness.from),
-            short(&witness.to),
-        )
+        let way = match (&witness.wave, witness.positions.as_slice()) {
+            (Some(wave), _) => format!(
+                "repeat {} samples, steps of {}·cos(2π·{}·h/{}) ticks at sample h, positions \
+                 rounded to whole ticks",
+                wave.period, wave.amplitude, wave.turns, wave.period
+            ),
+            (None, [from, to]) => format!(
+                "move from {} to {} {unit} and back, each way at constant speed within one \
+                 sampling interval",
+                short(from),
+                short(to)
+            ),
+            (None, positions) => format!(
+                "move through {} {unit}, one a sampling interval at constant speed, and round again",
+                listed(positions)
+            ),
+        };
+        let text = format!(
+            "Witness: {way}. Each time round draws at least {energy}, if friction is no more than \
+             the scene allows."
+        );
+        format!("  {}\n", wrapped(&text, 2))
     }
 
     fn limits_text(&self) -> String {
@@ -256,6 +275,7 @@ impl Limit {
         match self.written.form() {
             Form::Value => {}
             Form::Reciprocal => return format!("sampling rate 1/{}", row.symbol),
+            Form::Cutoff => return "cutoff of the filter on the damping, 1/(2πτ)".to_owned(),
             Form::Count => return "counts per revolution of the encoder, 2π/Δ".to_owned(),
         }
         if motion != Motion::Dimensionless {
@@ -302,6 +322,18 @@ impl Limit {
 fn words(effects: &[Effect]) -> String {
     let words: Vec<&str> = effects.iter().map(|effect| effect.words()).collect();
     words.join("; ")
+}
+
+/// Positions as a list; of a long one the beginning, with how many there are.
+fn listed(positions: &[BigRational]) -> String {
+    const SHOWN: usize = 12;
+    let first: Vec<String> = positions.iter().take(SHOWN).map(short).collect();
+    let more = positions.len().saturating_sub(SHOWN);
+    let rest = match more {
+        0 => String::new(),
+        _ => format!(", … ({} positions)", positions.len()),
+    };
+    format!("{}{rest}", first.join(", "))
 }
 
 /// A rational as it is when that is short enough to read, else rounded.

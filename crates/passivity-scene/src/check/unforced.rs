@@ -4,9 +4,8 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 use passivity_core::verdict::Speeds;
-use passivity_core::{BigRational, Interval, Loop, Ordered, Scalar, Truth, start};
+use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Ordered, Scalar, Truth, start};
 
-use super::Number;
 use crate::scene::Scene;
 
 /// What TH-START assumes of the controller's memory, in words.
@@ -35,7 +34,7 @@ pub(super) struct StartSpeed<S> {
     known: Option<Interval<S>>,
 }
 
-impl<S: Number> StartSpeed<S> {
+impl<S: Enclosed> StartSpeed<S> {
     /// The bound of a scene with a start; `None` without one, or when the inertia is needed and not
     /// given.
     pub(super) fn of(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Self> {
@@ -55,7 +54,12 @@ impl<S: Number> StartSpeed<S> {
         let inertia = bounds.inertia.as_ref()?;
         let square =
             |v: &S, x: &S, k: &S, m: &S| start::speed_squared(&m.clone().over(k.clone()), x, v);
-        let stiffness = &bounds.stiffness;
+        // A controller stores ½H(1)ξ² where the wall alone stores ½ξ².
+        let at_one = match &bounds.controller {
+            Some(controller) => S::of(&Exact::of(&controller.at_one()))?,
+            None => S::one(),
+        };
+        let stiffness = bounds.stiffness.map(|k| k.clone() * at_one.clone());
         Some(Self {
             squared: Interval::hull(
                 square(velocity.lo(), position.lo(), stiffness.lo(), inertia.hi()),

@@ -144,33 +144,29 @@ impl Amount {
         Exact::of(self.unit.scale()) * power_of_pi(self.unit.pi_power())
     }
 
-    /// The unit as the text writes it, of the parameter or of its reciprocal.
-    pub(super) fn written(&self, reciprocal: bool) -> Written {
+    /// The unit as the text writes it, and what the number in it stands for.
+    pub(super) fn written(&self, form: Form) -> Written {
         let unit = self.unit_text.as_ref().map_or("", |(unit, _)| unit);
-        if reciprocal {
-            Written::new(Form::Reciprocal, unit, Exact::one().over(self.one()))
-        } else {
-            Written::new(Form::Value, unit, self.one())
-        }
+        Written::new(form, unit, typed_one(form, &self.one()))
     }
 
-    /// The values in SI units, with the tolerance and without.
-    pub(super) fn exact(&self) -> (Interval<Exact>, Exact) {
-        let unit = self.one();
-        let of = |x: &BigRational| Exact::of(x) * unit.clone();
-        let lo = of(&(&self.nominal - &self.tolerance));
-        let hi = of(&(&self.nominal + &self.tolerance));
-        (Interval::hull(lo, hi), of(&self.nominal))
+    /// The values in SI units, with the tolerance and without; every number must be above 0 where
+    /// its reciprocal is the value.
+    pub(super) fn exact(&self, form: Form) -> (Interval<Exact>, Exact) {
+        let written = self.written(form);
+        let lo = written.typed(&(&self.nominal - &self.tolerance));
+        let hi = written.typed(&(&self.nominal + &self.tolerance));
+        (Interval::hull(lo, hi), written.typed(&self.nominal))
     }
+}
 
-    /// The reciprocals in SI units, with the tolerance and without; every value must be above 0.
-    pub(super) fn exact_reciprocal(&self) -> (Interval<Exact>, Exact) {
-        let (value, nominal) = self.exact();
-        let flip = |x: &Exact| Exact::one().over(x.clone());
-        (
-            Interval::hull(flip(value.hi()), flip(value.lo())),
-            flip(&nominal),
-        )
+/// The SI value where the file writes 1 of a unit.
+fn typed_one(form: Form, unit: &Exact) -> Exact {
+    let two_pi = pi::pi() + pi::pi();
+    match form {
+        Form::Value => unit.clone(),
+        Form::Reciprocal => Exact::one().over(unit.clone()),
+        Form::Count | Form::Cutoff => Exact::one().over(two_pi * unit.clone()),
     }
 }
 

@@ -8,8 +8,8 @@ use passivity_core::{BigRational, Exact, Interval, Loop, Parameter, pi};
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::parse::keys::{sections, shorten, wrong_key, wrong_section};
 use crate::parse::node::{Content, Entry};
-use crate::parse::operator;
 use crate::parse::reader::{Reader, Section, Spec, UnitNote};
+use crate::parse::{controller, costs, operator};
 use crate::scene::{DEFAULT_INTERVALS, Given, Motion, Scene};
 use crate::written::{Form, Written};
 
@@ -44,6 +44,11 @@ impl Parameters {
         }
     }
 
+    /// What was read of a parameter.
+    pub(super) fn get(&self, parameter: Parameter) -> Option<&Given> {
+        self.0.get(&parameter)
+    }
+
     /// Takes a parameter from a section, by whichever of its keys stands there; whether one does.
     pub(super) fn read(
         &mut self,
@@ -64,6 +69,7 @@ impl Parameters {
         let is_there = found.iter().any(Option::is_some);
         for (key, entry) in [key].into_iter().chain(other).zip(found) {
             let given = entry.and_then(|entry| match key {
+                "wall.damping_cutoff" => reader.cutoff(entry, &Spec::new(parameter, key)),
                 "sampling.rate" => reader.reciprocal(entry, &Spec::new(parameter, key)),
                 "encoder.counts_per_revolution" => counts_per_revolution(&entry, key, reader),
                 _ => reader.quantity(entry, &Spec::new(parameter, key)),
@@ -84,9 +90,18 @@ impl Parameters {
         if dimensionless {
             given.resolution = Some(Given::unit(Parameter::Resolution));
         }
-        // Damping of zero is no damping: the loop without it is the same.
-        self.0
-            .retain(|parameter, given| *parameter != Parameter::Damping || !given.is_zero());
+        // Damping of zero is no damping, and a filter with no time constant no filter: the loop
+        // without them is the same.
+        let is_zero = |given: Option<&Given>| given.is_some_and(Given::is_zero);
+        if is_zero(self.0.get(&Parameter::Damping)) {
+            self.0.remove(&Parameter::Damping);
+            self.0.remove(&Parameter::DampingTimeConstant);
+        }
+        for parameter in [Parameter::DampingTimeConstant, Parameter::Latency] {
+            if is_zero(self.0.get(&parameter)) {
+                self.0.remove(&parameter);
+            }
+        }
         let rest = self.0.into_iter();
         Some(rest.fold(given, |given, (parameter, value)| {
             given.with(parameter, value)
@@ -130,6 +145,9 @@ pub(super) fn scene(name: &str, entries: Vec<Entry>, reader: &mut Reader<'_>) ->
             reader,
         );
     }
+    let controller = sections
+        .take("controller")
+        .and_then(|section| controller::read(section, &parameters, reader));
     let operator = sections.take("operator");
     let forces = operator.and_then(|section| operator::read(section, &mut parameters, reader));
     if let Some(section) = sections.take("start") {
@@ -150,6 +168,8 @@ pub(super) fn scene(name: &str, entries: Vec<Entry>, reader: &mut Reader<'_>) ->
     let mut given = parameters.assembled(reader.dimensionless)?;
     given.delay = delay;
     given.unilateral = unilateral;
+    given.controller = controller;
+    let given = costs::computed(given, reader)?;
     Some(Scene {
         name: given_name.unwrap_or_else(|| name.to_owned()),
         motion,
@@ -275,12 +295,21 @@ fn read_wall(
         reader,
     );
     let rest = [
-        Parameter::Damping,
+        Parameter::DampingTimeConstant,
         Parameter::MaxForce,
         Parameter::ForceStep,
     ];
-    for parameter in rest {
-        parameters.read(parameter, &mut section, reader);
+    let filter = section.span.clone();
+    let [is_filtered, _, _] =
+        rest.map(|parameter| parameters.read(parameter, &mut section, reader));
+    let is_damped = parameters.read(Parameter::Damping, &mut section, reader);
+    if is_filtered && !is_damped {
+        let message = "the filter on the virtual damping has no damping to filter";
+        let diagnostic = Diagnostic::new(Kind::MissingKey, message)
+            .at(filter)
+            .key("wall.damping")
+            .expected("`damping` beside `damping_cutoff` or `damping_time_constant`");
+        reader.report(diagnostic);
     }
     let unilateral = section.take("unilateral");
     let unilateral = unilateral.and_then(|entry| reader.flag(&entry, "wall.unilateral"));
@@ -353,6 +382,7 @@ fn read_sampling(
         parameters,
         reader,
     );
+    parameters.read(Parameter::Latency, &mut section, reader);
     let delay = section.take("delay").and_then(|entry| {
         let whole = reader.whole(&entry, "sampling.delay", (0, u16::MAX.into()))?;
         u16::try_from(whole).ok()

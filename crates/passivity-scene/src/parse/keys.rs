@@ -6,12 +6,13 @@ use crate::diagnostic::{Diagnostic, Kind};
 
 /// The sections of a scene file, in the order in which they are listed; the first holds what
 /// stands before any section.
-const SECTIONS: [&str; 11] = [
+const SECTIONS: [&str; 12] = [
     "",
     "device",
     "sampling",
     "encoder",
     "wall",
+    "controller",
     "amplifier",
     "operator",
     "operator.arm",
@@ -21,18 +22,20 @@ const SECTIONS: [&str; 11] = [
 ];
 
 /// The keys that are no parameters, with their sections.
-const OTHER_KEYS: [&str; 5] = [
+const OTHER_KEYS: [&str; 7] = [
     ".name",
     "sampling.delay",
     "wall.unilateral",
+    "controller.numerator",
+    "controller.denominator",
     "operator.arm",
     "run.intervals",
 ];
 
 /// Every key with its section, `section.key`: those of the parameters and the others.
 pub(super) fn all_keys() -> impl Iterator<Item = &'static str> {
-    let of_parameters = Parameter::ALL.iter().flat_map(|parameter| {
-        let row = parameter.row();
+    let rows = Parameter::ALL.iter().map(|parameter| parameter.row());
+    let of_parameters = rows.filter(|row| !row.key.is_empty()).flat_map(|row| {
         let keys = [row.key].into_iter().chain(row.other_keys.iter().copied());
         keys.chain(row.dimensionless_key)
     });
@@ -40,7 +43,7 @@ pub(super) fn all_keys() -> impl Iterator<Item = &'static str> {
 }
 
 /// Words that people use for a key, with its section.
-const SYNONYMS: [(&str, &str); 27] = [
+const SYNONYMS: [(&str, &str); 31] = [
     ("m", "device.inertia"),
     ("b", "device.viscous"),
     ("c", "device.coulomb"),
@@ -54,7 +57,11 @@ const SYNONYMS: [(&str, &str); 27] = [
     ("frequency", "sampling.rate"),
     ("sample_rate", "sampling.rate"),
     ("sampling_rate", "sampling.rate"),
-    ("latency", "sampling.delay"),
+    ("computing_time", "sampling.latency"),
+    ("cutoff", "wall.damping_cutoff"),
+    ("filter", "wall.damping_cutoff"),
+    ("num", "controller.numerator"),
+    ("den", "controller.denominator"),
     ("counts", "encoder.counts_per_revolution"),
     ("cpr", "encoder.counts_per_revolution"),
     ("ppr", "encoder.counts_per_revolution"),

@@ -2,6 +2,8 @@
 
 mod amount;
 mod build;
+mod controller;
+mod costs;
 mod file;
 mod keys;
 mod measure;

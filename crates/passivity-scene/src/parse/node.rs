@@ -24,6 +24,7 @@ pub(super) enum Content {
     Number(String),
     Bool(bool),
     Table(Vec<Entry>),
+    List(Vec<Node>),
     /// Anything else, in words.
     Other(&'static str),
 }
@@ -52,6 +53,7 @@ impl Node {
             Content::Number(_) => "a number",
             Content::Bool(_) => "a boolean",
             Content::Table(_) => "a table",
+            Content::List(_) => "a list",
             Content::Other(words) => words,
         }
     }
@@ -95,26 +97,38 @@ fn entries(source: &str, table: &dyn TableLike) -> Vec<Entry> {
 }
 
 fn item_node(source: &str, item: &Item) -> Node {
-    let span = item.span().unwrap_or(0..0);
-    let literal = source.get(span.clone()).unwrap_or_default();
     let content = match item {
-        Item::Value(toml_edit::Value::String(text)) => {
+        Item::Value(value) => return value_node(source, value),
+        Item::Table(table) => Content::Table(entries(source, table)),
+        Item::ArrayOfTables(_) => Content::Other("a list of tables"),
+        Item::None => Content::Other("nothing"),
+    };
+    Node {
+        content,
+        span: item.span().unwrap_or(0..0),
+    }
+}
+
+fn value_node(source: &str, value: &toml_edit::Value) -> Node {
+    let span = value.span().unwrap_or(0..0);
+    let literal = source.get(span.clone()).unwrap_or_default();
+    let content = match value {
+        toml_edit::Value::String(text) => {
             let text = text.value().clone();
             // Between single quotes: a literal, or a basic string without escapes.
             let inner = span.start + 1;
             let verbatim = source.get(inner..span.end.saturating_sub(1)) == Some(text.as_str());
             Content::Text(text, verbatim.then_some(inner))
         }
-        Item::Value(toml_edit::Value::Integer(_) | toml_edit::Value::Float(_)) => {
+        toml_edit::Value::Integer(_) | toml_edit::Value::Float(_) => {
             Content::Number(literal.replace('_', ""))
         }
-        Item::Value(toml_edit::Value::Boolean(flag)) => Content::Bool(*flag.value()),
-        Item::Value(toml_edit::Value::Datetime(_)) => Content::Other("a date"),
-        Item::Value(toml_edit::Value::Array(_)) => Content::Other("a list"),
-        Item::Value(toml_edit::Value::InlineTable(table)) => Content::Table(entries(source, table)),
-        Item::Table(table) => Content::Table(entries(source, table)),
-        Item::ArrayOfTables(_) => Content::Other("a list of tables"),
-        Item::None => Content::Other("nothing"),
+        toml_edit::Value::Boolean(flag) => Content::Bool(*flag.value()),
+        toml_edit::Value::Datetime(_) => Content::Other("a date"),
+        toml_edit::Value::Array(list) => {
+            Content::List(list.iter().map(|item| value_node(source, item)).collect())
+        }
+        toml_edit::Value::InlineTable(table) => Content::Table(entries(source, table)),
     };
     Node { content, span }
 }
@@ -137,7 +151,7 @@ fn json_node(value: &Value) -> Node {
         Value::Bool(flag) => Content::Bool(*flag),
         Value::Number(number) => Content::Number(number.as_str().to_owned()),
         Value::String(text) => Content::Text(text.clone(), None),
-        Value::Array(_) => Content::Other("a list"),
+        Value::Array(items) => Content::List(items.iter().map(json_node).collect()),
         Value::Object(fields) => Content::Table(
             fields
                 .iter()

@@ -15,6 +15,7 @@ use crate::parse::measure::{Measure, describe};
 use crate::parse::node::{Content, Entry, Node};
 use crate::scene::{Given, Motion};
 use crate::units::Unit;
+use crate::written::Form;
 
 /// A section of the file, from which keys are taken; what stays is unknown.
 pub(super) struct Section {
@@ -46,13 +47,17 @@ impl Spec {
         let row = parameter.row();
         let measure = match key {
             "device.mass" => Measure::Mass,
-            "sampling.rate" => Measure::Rate,
+            "sampling.rate" | "wall.damping_cutoff" => Measure::Rate,
             _ => Measure::of(row.unit),
         };
         Self {
             key,
             measure,
-            values: row.values,
+            // What is read as a reciprocal cannot be zero.
+            values: match measure {
+                Measure::Rate => Values::Positive,
+                _ => row.values,
+            },
         }
     }
 }
@@ -88,13 +93,19 @@ impl Reader<'_> {
     /// Reads a quantity; what is wrong with it goes to the problems.
     pub(super) fn quantity(&mut self, entry: Entry, spec: &Spec) -> Option<Given> {
         self.amount(&entry.node, spec)
-            .and_then(|amount| self.given(&entry.node, spec, &amount, false))
+            .and_then(|amount| self.given(&entry.node, spec, &amount, Form::Value))
     }
 
     /// Reads a rate as the time that is its reciprocal.
     pub(super) fn reciprocal(&mut self, entry: Entry, spec: &Spec) -> Option<Given> {
         self.amount(&entry.node, spec)
-            .and_then(|amount| self.given(&entry.node, spec, &amount, true))
+            .and_then(|amount| self.given(&entry.node, spec, &amount, Form::Reciprocal))
+    }
+
+    /// Reads the cutoff f of a one-pole filter as its time constant 1/(2πf).
+    pub(super) fn cutoff(&mut self, entry: Entry, spec: &Spec) -> Option<Given> {
+        self.amount(&entry.node, spec)
+            .and_then(|amount| self.given(&entry.node, spec, &amount, Form::Cutoff))
     }
 
     fn expected(&self, spec: &Spec) -> String {
@@ -209,13 +220,7 @@ impl Reader<'_> {
     }
 
     /// The value in SI units, when its sign is allowed, tolerance included.
-    fn given(
-        &mut self,
-        node: &Node,
-        spec: &Spec,
-        amount: &Amount,
-        reciprocal: bool,
-    ) -> Option<Given> {
+    fn given(&mut self, node: &Node, spec: &Spec, amount: &Amount, form: Form) -> Option<Given> {
         // The unit's place was noted within the text: now it is known where the text stands.
         if let Some(note) = self
             .unit_notes
@@ -251,17 +256,13 @@ impl Reader<'_> {
             self.report(diagnostic);
             return None;
         }
-        let (value, nominal) = if reciprocal {
-            amount.exact_reciprocal()
-        } else {
-            amount.exact()
-        };
+        let (value, nominal) = amount.exact(form);
         Some(Given {
             key: spec.key,
             value,
             nominal,
             text,
-            written: amount.written(reciprocal),
+            written: amount.written(form),
             span: node.span.clone(),
         })
     }

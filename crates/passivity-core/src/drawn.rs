@@ -1,0 +1,362 @@
+//! A motion that draws energy from a loop of any linear controller, delay, latency and lag: the
+//! converse of TH-LTI, TH-LATENCY and TH-LAG, its gain computed from the held force and friction.
+//!
+//! The device moves at constant speed within each interval, so what an actuator does with a command
+//! counts only by its mean over the interval: a response κ₀, κ₁, … of its own, with sum 1 and the
+//! mean delay Σ jκⱼ = m. A longer delay moves part of the response to later terms; for a command
+//! that changes by at most M a sample the mean force then changes by at most M·dm.
+
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+
+use crate::absolute_sum::Terms;
+use crate::actuator::Actuator;
+use crate::controller::rounded;
+use crate::dissipation::Friction;
+use crate::edge_cycle::{EdgeCycle, MOST_TAPS};
+use crate::exponential::decay;
+use crate::frequency::ViscousCost;
+use crate::interval::Interval;
+use crate::linear_part::{LinearPart, MOST_DEGREE};
+use crate::periodic::Motion;
+use crate::quantizer::Quantized;
+use crate::scalar::{Ordered as _, Scalar};
+use crate::transfer::TransferFunction;
+use crate::wave::{Wave, harmonic};
+
+/// The most terms of a lag's response that a motion is computed with.
+const MOST_TERMS: usize = 512;
+
+/// Bits after the point of a lag's response.
+const BITS: u32 = 64;
+
+/// A loop in which such a motion is looked for; dimensionless.
+#[derive(Clone, Debug)]
+pub struct Search<'a> {
+    /// Controller, delay and actuator, over all tolerances.
+    pub part: &'a LinearPart,
+    /// The most friction that the tolerances allow.
+    pub friction: &'a Friction<BigRational>,
+    /// Whether the position is measured through an encoder.
+    pub encoder: bool,
+    /// δ, the largest step of the D/A converter.
+    pub force_step: Option<&'a Interval<BigRational>>,
+    /// The least that the largest force of the actuator may be.
+    pub max_force: Option<&'a BigRational>,
+    /// The slowest that the bound on the speed may be, in ticks per sample.
+    pub speed_bound: Option<&'a BigRational>,
+}
+
+/// A motion that draws energy each time round.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Drawn {
+    /// Position by position.
+    Motion(Motion<BigRational>),
+    /// As a formula: its period may be too long to write down.
+    Wave(Wave),
+}
+
+/// A law in the form H(1)q + Σ gⱼ(qⱼ − qⱼ₋₁).
+struct Response {
+    /// H(1).
+    sum: BigRational,
+    /// g₀ = 0, g₁, ….
+    tails: Terms,
+    /// What Σ|gⱼ| may be off by, over the tolerances and by rounding.
+    error: BigRational,
+}
+
+impl Response {
+    /// The forces commanded from each sample on, when the measured positions have repeated for ever.
+    fn commands(&self, measured: &[BigRational]) -> Vec<BigRational> {
+        let period = measured.len();
+        // The tails of the same place in the period act together.
+        let mut folded: Vec<BigInt> = Vec::new();
+        folded.resize(period, BigInt::ZERO);
+        for (j, tail) in self.tails.terms.iter().enumerate() {
+            if let Some(slot) = folded.get_mut(j % period.max(1)) {
+                *slot += tail;
+            }
+        }
+        let later = measured.iter().skip(1).chain(measured.first());
+        // The fall of each sample from the one before: of sample h it stands at h − 1.
+        let falls: Vec<BigRational> = measured
+            .iter()
+            .zip(later)
+            .map(|(q, next)| q - next)
+            .collect();
+        let at = |(h, q): (usize, &BigRational)| {
+            // gⱼ goes with the fall from the sample j − 1 before to the one j before.
+            let before = falls.iter().rev().cycle().skip(period - 1 - h);
+            let terms = folded.iter().zip(before);
+            let remembered = terms
+                .filter(|(_, fall)| **fall != BigRational::zero())
+                .fold(BigRational::zero(), |sum, (tail, fall)| sum + fall * tail);
+            -(&self.sum * q + remembered * &self.tails.unit)
+        };
+        measured.iter().enumerate().map(at).collect()
+    }
+}
+
+/// What an actuator makes of a command, on average over each interval.
+struct Smoothed {
+    /// κ₀, κ₁, …
+    response: Vec<BigRational>,
+    /// The same as a transfer function, up to rounding.
+    transfer: TransferFunction<BigRational>,
+    /// How far the mean force may be off for a command that changes by at most 1 a sample.
+    error: BigRational,
+}
+
+impl Search<'_> {
+    /// A motion that draws energy whatever the parameters within their tolerances; `None` where none
+    /// is found.
+    ///
+    /// Across one edge where σ < s*, and one of a single frequency where β < λ(θ); see
+    /// [`EdgeCycle`], [`harmonic`] and [`Wave`].
+    #[must_use]
+    pub fn find(&self) -> Option<Drawn> {
+        let (law, wobble) = self.part.middle()?;
+        let smoothed = match &self.part.actuator {
+            Some(actuator) => Some(Smoothed::of(actuator)?),
+            None => None,
+        };
+        let whole = match &smoothed {
+            Some(smoothed) => product(&law, &smoothed.transfer)?,
+            None => law.clone(),
+        };
+        let unit = BigRational::new(BigInt::from(1), BigInt::from(1) << BITS);
+        let tails = Terms::of(&law.tails(), &unit)?;
+        let response = Response {
+            sum: law.at_one(),
+            error: &tails.error + &wobble,
+            tails,
+        };
+        let held =
+            |positions: &[BigRational]| self.mean_forces(&response, smoothed.as_ref(), positions);
+        let late = whole.clone().delayed(self.part.delay);
+        if self.encoder {
+            let taps = late.impulse_response(MOST_TAPS);
+            let last = taps.iter().rposition(|c| *c != BigRational::zero())?;
+            let best = EdgeCycle::of(taps.get(..=last)?);
+            let found = best.and_then(|best| best.motion(held, self.friction, self.speed_bound));
+            if let Some(found) = found {
+                return Some(Drawn::Motion(found));
+            }
+        }
+        let length = late.numerator().len().max(late.denominator().len());
+        if length > MOST_DEGREE {
+            return None;
+        }
+        let cost = ViscousCost::of(&late);
+        if let Some(found) = harmonic(&cost, held, self.friction, self.speed_bound) {
+            return Some(Drawn::Motion(found));
+        }
+        // A formula is of a force that is linear and known exactly.
+        let exact = wobble == BigRational::zero()
+            && smoothed.is_none_or(|smoothed| smoothed.error == BigRational::zero());
+        if !exact || self.max_force.is_some() || self.speed_bound.is_some() {
+            return None;
+        }
+        let rounding = match self.force_step {
+            Some(step) => step.hi().clone().half(),
+            None => BigRational::zero(),
+        };
+        let sigma = &self.friction.sigma + rounding;
+        Wave::of(&late, &Friction::new(self.friction.beta.clone(), sigma)).map(Drawn::Wave)
+    }
+
+    /// The mean force over each interval of a period, lowered against the motion by what it may be
+    /// off over the tolerances; `None` where the actuator cannot give it.
+    fn mean_forces(
+        &self,
+        response: &Response,
+        smoothed: Option<&Smoothed>,
+        positions: &[BigRational],
+    ) -> Option<Vec<BigRational>> {
+        let measured: Vec<BigRational> = positions.iter().map(|xi| self.measured(xi)).collect();
+        let mut forces = response.commands(&measured);
+        let mut error = &response.error * largest_change(&measured);
+        if let Some(step) = self.force_step {
+            if step.is_point() && error == BigRational::zero() {
+                let one = BigRational::one();
+                forces = forces.iter().map(|u| rounded(u, step.lo(), &one)).collect();
+            } else {
+                error += step.hi().clone().half();
+            }
+        }
+        if let Some(most) = self.max_force {
+            for force in &forces {
+                if (Scalar::abs(force) + &error).compare(most)? == Ordering::Greater {
+                    return None;
+                }
+            }
+        }
+        if let Some(smoothed) = smoothed {
+            // The command may change by so much more than it seems to.
+            error += &smoothed.error * (largest_change(&forces) + error.clone().double());
+            forces = filtered(&smoothed.response, &forces);
+        }
+        let late = usize::from(self.part.delay) % positions.len().max(1);
+        forces.rotate_right(late);
+        let next = positions.iter().skip(1).chain(positions.first());
+        let ways = positions.iter().zip(next);
+        let lowered =
+            forces
+                .into_iter()
+                .zip(ways)
+                .map(|(force, (from, to))| match to.compare(from) {
+                    Some(Ordering::Greater) => force - &error,
+                    Some(Ordering::Less) => force + &error,
+                    _ => force,
+                });
+        Some(lowered.collect())
+    }
+
+    fn measured(&self, xi: &BigRational) -> BigRational {
+        if self.encoder {
+            Quantized::of(xi).measured()
+        } else {
+            xi.clone()
+        }
+    }
+}
+
+impl Smoothed {
+    /// The mean of a latency's and a lag's output over an interval.
+    ///
+    /// With e₁ = e^(−f/θ) and e₂ = e^(−(1 − f)/θ) the output x at a sample becomes
+    /// e₁e₂x + (1 − e₁)e₂p + (1 − e₂)u, where p is the command before u, and its mean is
+    /// θ(1 − e₁e₂)x + [f − θ(1 − e₁)e₂]p + [1 − f − θ(1 − e₂)]u.
+    ///
+    /// With e₁ and e₂ off by D together no jκⱼ is off by more than 18θD/(1 − e₁e₂)³ in sum: the three
+    /// weights change by at most 3θD, the powers of e = e₁e₂ by jeʲ⁻¹D, Σ jeʲ ≤ 1/(1 − e)² and
+    /// Σ j(j + 1)eʲ⁻¹ = 2/(1 − e)³.
+    fn of(actuator: &Actuator<Interval<BigRational>>) -> Option<Self> {
+        let one = BigRational::one();
+        let middle = |x: &Interval<BigRational>| (x.lo() + x.hi()).half();
+        let radius = |x: &Interval<BigRational>| (x.hi() - x.lo()).half();
+        let (latency, theta) = (middle(&actuator.latency), middle(&actuator.time_constant));
+        let over_box = radius(&actuator.latency) + radius(&actuator.time_constant);
+        let whole = u16::try_from(latency.to_integer()).ok()?;
+        let fraction = &latency - latency.floor();
+        let rest = &one - &fraction;
+        if theta == BigRational::zero() {
+            let taps = [rest, fraction];
+            let transfer = TransferFunction::new(taps, [one]).ok()?.delayed(whole);
+            return Some(Self {
+                response: transfer.numerator().to_vec(),
+                transfer,
+                error: over_box,
+            });
+        }
+        let decays = [&fraction, &rest].map(|time| decay(&(time / &theta), 2 * BITS));
+        let width = decays
+            .iter()
+            .fold(BigRational::zero(), |sum, e| sum + radius(e));
+        let [e1, e2] = decays.map(|e| on_grid(&middle(&e)));
+        let width = width + unit().double();
+        let e = &e1 * &e2;
+        let left = &one - &e;
+        let of_output = &theta * &left;
+        let of_last = &fraction - &theta * (&one - &e1) * &e2;
+        let of_now = &rest - &theta * (&one - &e2);
+        let (to_last, to_now) = ((&one - &e1) * &e2, &one - &e2);
+        let numerator = [
+            of_now.clone(),
+            &of_last - &e * &of_now + &of_output * to_now,
+            &of_output * to_last - &e * &of_last,
+        ];
+        let transfer = TransferFunction::new(numerator, [one.clone(), -e.clone()]).ok()?;
+        let cube = &left * &left * &left;
+        let mut error = over_box + BigRational::integer(18) * &theta * width / cube;
+        // Terms until what is left of Σ jκⱼ is below a unit, on the grid.
+        let mut response: Vec<BigRational> = Vec::new();
+        let terms = transfer.impulse_response(MOST_TERMS);
+        let mut mass = one.clone();
+        let mut ended = false;
+        for (j, term) in (0_i32..).zip(&terms) {
+            let kept = on_grid(term);
+            error += Scalar::abs(&(term - &kept)) * BigRational::integer(j + 1);
+            mass -= term;
+            response.push(kept);
+            // κ falls by e a term, so what follows is mass·(j + 1 + 1/(1 − e)) in Σ jκⱼ.
+            let after = &mass * (BigRational::integer(j + 1) + left.recip());
+            if after.compare(&unit())? == Ordering::Less {
+                error += after;
+                ended = true;
+                break;
+            }
+        }
+        if !ended {
+            return None;
+        }
+        // The last term takes what is missing of the sum of 1.
+        let sum = response.iter().fold(BigRational::zero(), |sum, k| sum + k);
+        let missing = one - sum;
+        error += Scalar::abs(&missing) * BigRational::from_integer(response.len().into());
+        *response.last_mut()? += missing;
+        let mut late = Vec::new();
+        late.resize(usize::from(whole), BigRational::zero());
+        late.append(&mut response);
+        Some(Self {
+            response: late,
+            transfer: transfer.delayed(whole),
+            error,
+        })
+    }
+}
+
+fn unit() -> BigRational {
+    BigRational::new(BigInt::from(1), BigInt::from(1) << BITS)
+}
+
+/// The number rounded down to the grid of [`BITS`].
+fn on_grid(x: &BigRational) -> BigRational {
+    (x / unit()).floor() * unit()
+}
+
+/// A response that ends, applied to a period of commands.
+fn filtered(response: &[BigRational], commands: &[BigRational]) -> Vec<BigRational> {
+    let at = |later: usize| {
+        let before = commands.iter().rev().cycle().skip(later);
+        let terms = response.iter().zip(before);
+        terms.fold(BigRational::zero(), |sum, (k, u)| sum + k * u)
+    };
+    (0..commands.len()).rev().map(at).collect()
+}
+
+/// The largest change from one to the next round a period.
+fn largest_change(values: &[BigRational]) -> BigRational {
+    let next = values.iter().skip(1).chain(values.first());
+    let changes = values
+        .iter()
+        .zip(next)
+        .map(|(from, to)| Scalar::abs(&(to - from)));
+    changes.fold(BigRational::zero(), Scalar::max)
+}
+
+/// One controller after the other.
+fn product(
+    first: &TransferFunction<BigRational>,
+    second: &TransferFunction<BigRational>,
+) -> Option<TransferFunction<BigRational>> {
+    let convolved = |a: &[BigRational], b: &[BigRational]| {
+        let mut out: Vec<BigRational> = Vec::new();
+        out.resize((a.len() + b.len()).saturating_sub(1), BigRational::zero());
+        for (i, x) in a.iter().enumerate() {
+            for (slot, y) in out.iter_mut().skip(i).zip(b) {
+                *slot += x * y;
+            }
+        }
+        out
+    };
+    TransferFunction::new(
+        convolved(first.numerator(), second.numerator()),
+        convolved(first.denominator(), second.denominator()),
+    )
+    .ok()
+}

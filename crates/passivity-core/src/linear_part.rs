@@ -1,0 +1,263 @@
+//! What the linear part of a loop and its actuator cost of friction, as numbers: the controller, its
+//! delay, the latency before the output changes and the lag of the amplifier (TH-LTI, TH-LATENCY,
+//! TH-LAG).
+//!
+//! Dimensionless: the viscous cost in KT, the Coulomb cost of an encoder in KΔ. The parameters are
+//! intervals, and so are the costs; of a point they are as tight as asked for, and
+//! [`decide`](LinearPart::decide) compares without an error.
+//!
+//! - A linear loop costs λ of viscous friction, the largest value over all frequencies.
+//! - Behind a one-sided or saturated wall it costs H(1)(½ + k) + Σ|gⱼ|, the absolute tail sums: safe,
+//!   not sharp.
+//! - Behind an actuator it costs H(1)·κ + Σ|gⱼ|, where κ counts all delays: safe, and sharp without
+//!   a controller.
+//! - An encoder costs ½‖c‖₁ of Coulomb friction in each of them.
+
+use alloc::sync::Arc;
+use core::cmp::Ordering;
+
+use num_rational::BigRational;
+
+use crate::absolute_sum;
+use crate::actuator::Actuator;
+use crate::control_loop::Cost;
+use crate::frequency::ViscousCost;
+use crate::interval::Interval;
+use crate::scalar::{Ordered as _, Scalar};
+use crate::transfer::TransferFunction;
+
+/// The highest degree of the polynomial in cos θ that λ is decided with. Beyond it the absolute tail
+/// sums are used.
+pub const MOST_DEGREE: usize = 24;
+
+/// The law that makes a command of the measured positions.
+#[derive(Clone, Debug, PartialEq)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "one of them is made for a decision, and none are kept"
+)]
+pub enum Command {
+    /// The spring with virtual damping behind a one-pole filter,
+    /// 1 + B(1 − z⁻¹)(1 − a)/(1 − az⁻¹).
+    Spring {
+        /// B ≥ 0, in KT.
+        damping: Interval<BigRational>,
+        /// a, from 0 to below 1.
+        pole: Interval<BigRational>,
+    },
+    /// Any stable controller.
+    Controller(Arc<TransferFunction<BigRational>>),
+}
+
+/// A controller with its delays, and what is done with its command.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearPart {
+    /// The law, without delay.
+    pub command: Command,
+    /// k, whole samples of delay.
+    pub delay: u16,
+    /// Latency and time constant of the actuator, in periods; `None` without either.
+    pub actuator: Option<Actuator<Interval<BigRational>>>,
+    /// Whether the force is linear in the measured positions.
+    pub linear: bool,
+}
+
+impl LinearPart {
+    /// The costs, enclosed; the viscous one at most `width` wide for a point.
+    ///
+    /// `None` where that takes more than the kernel computes: a pole too near to the unit circle, or
+    /// a lag of too many periods.
+    #[must_use]
+    pub fn cost(&self, width: &BigRational) -> Option<Cost<Interval<BigRational>>> {
+        let viscous = match (&self.actuator, self.linear) {
+            (Some(actuator), _) => {
+                let kappa = self.kappa(actuator, width)?;
+                sum(&scaled(&kappa, &self.at_one()), &self.tails(width)?)
+            }
+            (None, true) => match self.by_frequency() {
+                Some((cost, wobble)) => widened(&cost.enclosure(width), &wobble),
+                None if self.delay == 0 => self.without_delay(width)?,
+                None => self.crude(width)?,
+            },
+            (None, false) => self.crude(width)?,
+        };
+        Some(Cost {
+            viscous,
+            coulomb: self.coulomb_cost(width)?,
+        })
+    }
+
+    /// Whether β is at least the viscous cost, for every β of an interval and every value of the
+    /// parameters, or for none; `None` where it depends, or where `width` does not tell.
+    ///
+    /// For a point, and a point β, a linear loop's answer is exact.
+    #[must_use]
+    pub fn decide(&self, beta: &Interval<BigRational>, width: &BigRational) -> Option<bool> {
+        if self.actuator.is_none() && self.linear {
+            if let Some((cost, wobble)) = self.by_frequency() {
+                let enough = |beta: &BigRational| cost.is_enough(beta);
+                if enough(&(beta.lo() - &wobble)) {
+                    return Some(true);
+                }
+                return (!enough(&(beta.hi() + &wobble))).then_some(false);
+            }
+        }
+        if let (Some(answer), true) = (self.decide_actuator(beta), beta.is_point()) {
+            return Some(answer);
+        }
+        let cost = self.cost(width)?.viscous;
+        if beta.lo().compare(cost.hi())? != Ordering::Less {
+            return Some(true);
+        }
+        (beta.hi().compare(cost.lo())? == Ordering::Less).then_some(false)
+    }
+
+    /// The exact decision behind an actuator whose parameters and tail sums are points.
+    fn decide_actuator(&self, beta: &Interval<BigRational>) -> Option<bool> {
+        let actuator = self.actuator.as_ref()?;
+        let tails = self.tails(&BigRational::one())?;
+        let at_one = self.at_one();
+        let point = |x: &Interval<BigRational>| x.is_point().then(|| x.lo().clone());
+        let exact = Actuator {
+            latency: point(&actuator.latency)? + BigRational::from_integer(self.delay.into()),
+            time_constant: point(&actuator.time_constant)?,
+        };
+        let rest = beta.lo() - point(&tails)?;
+        if at_one == BigRational::zero() {
+            return rest.is_nonnegative();
+        }
+        exact.decide(&(rest / at_one))
+    }
+
+    /// ½‖c‖₁: a delay does not change it.
+    pub(crate) fn coulomb_cost(&self, width: &BigRational) -> Option<Interval<BigRational>> {
+        match &self.command {
+            Command::Spring { damping, pole } => {
+                let half = BigRational::one().half();
+                let kept = |b: &BigRational, a: &BigRational| &half + b * (BigRational::one() - a);
+                Some(Interval::hull(
+                    kept(damping.lo(), pole.hi()),
+                    kept(damping.hi(), pole.lo()),
+                ))
+            }
+            Command::Controller(controller) => {
+                let whole = absolute_sum::enclosure(controller, width)?;
+                Some(whole.map(|x| x.clone().half()))
+            }
+        }
+    }
+
+    /// H(1).
+    #[must_use]
+    pub fn at_one(&self) -> BigRational {
+        match &self.command {
+            Command::Spring { .. } => BigRational::one(),
+            Command::Controller(controller) => controller.at_one(),
+        }
+    }
+
+    /// Σ|gⱼ| of the law without delay: B of damping, filtered or not.
+    fn tails(&self, width: &BigRational) -> Option<Interval<BigRational>> {
+        match &self.command {
+            Command::Spring { damping, .. } => Some(damping.clone()),
+            Command::Controller(controller) => absolute_sum::enclosure(&controller.tails(), width),
+        }
+    }
+
+    /// H(1)(½ + k) + Σ|gⱼ|.
+    fn crude(&self, width: &BigRational) -> Option<Interval<BigRational>> {
+        let samples = BigRational::one().half() + BigRational::from_integer(self.delay.into());
+        let of_wall = self.at_one() * samples;
+        Some(self.tails(width)?.map(|tail| tail + &of_wall))
+    }
+
+    /// ½ + B(1 − a)/(1 + a), the closed form of filtered damping; no more than the absolute tails of
+    /// another controller.
+    fn without_delay(&self, width: &BigRational) -> Option<Interval<BigRational>> {
+        let Command::Spring { damping, pole } = &self.command else {
+            return self.crude(width);
+        };
+        let one = BigRational::one();
+        let of =
+            |b: &BigRational, a: &BigRational| one.clone().half() + b * ((&one - a) / (&one + a));
+        Some(Interval::hull(
+            of(damping.lo(), pole.hi()),
+            of(damping.hi(), pole.lo()),
+        ))
+    }
+
+    /// λ(θ) for the middle of the parameters, and how far it is at most from that of any others;
+    /// `None` where a closed form says it, or where the degree is too high.
+    fn by_frequency(&self) -> Option<(ViscousCost, BigRational)> {
+        let (middle, wobble) = self.middle()?;
+        let length = middle.numerator().len().max(middle.denominator().len());
+        let degree = length + usize::from(self.delay);
+        let closed = self.delay == 0 && matches!(self.command, Command::Spring { .. });
+        (!closed && degree <= MOST_DEGREE)
+            .then(|| (ViscousCost::of(&middle.delayed(self.delay)), wobble))
+    }
+
+    /// The law at the middle of its parameters, and Σ|Δgⱼ| from it at most: with
+    /// gⱼ = −B(1 − a)aʲ⁻¹ a change of B by ΔB makes ΔB, and one of a by Δa at most 2BΔa/(1 − a).
+    pub(crate) fn middle(&self) -> Option<(TransferFunction<BigRational>, BigRational)> {
+        match &self.command {
+            Command::Controller(controller) => {
+                Some((controller.as_ref().clone(), BigRational::zero()))
+            }
+            Command::Spring { damping, pole } => {
+                let middle = |x: &Interval<BigRational>| (x.lo() + x.hi()).half();
+                let radius = |x: &Interval<BigRational>| (x.hi() - x.lo()).half();
+                let (b, a) = (middle(damping), middle(pole));
+                let per_pole = b.clone().double() / (BigRational::one() - pole.hi());
+                let wobble = radius(damping) + per_pole * radius(pole);
+                let law = TransferFunction::filtered_damping(&b, &a).ok()?;
+                Some((law, wobble))
+            }
+        }
+    }
+
+    /// κ of the actuator with the whole samples of delay before it (TH-LAG).
+    ///
+    /// Over a box it is that of the middle with the mean delay at its ends, and a variance that is
+    /// off by at most the widths: a delay that grows by dm changes Var = ∫G² − m² by 2∫(G − m)dG,
+    /// where dG ≥ 0 and ∫dG = dm, and G varies by at most 1, so by at most 2dm.
+    fn kappa(
+        &self,
+        actuator: &Actuator<Interval<BigRational>>,
+        width: &BigRational,
+    ) -> Option<Interval<BigRational>> {
+        let delay = BigRational::from_integer(self.delay.into());
+        let middle = |x: &Interval<BigRational>| (x.lo() + x.hi()).half();
+        let Actuator {
+            latency,
+            time_constant,
+        } = actuator;
+        let at_middle = Actuator {
+            latency: middle(latency) + &delay,
+            time_constant: middle(time_constant),
+        };
+        if latency.is_point() && time_constant.is_point() {
+            return at_middle.cost(width);
+        }
+        let error = latency.hi() - latency.lo() + time_constant.hi() - time_constant.lo();
+        let ends = [
+            (latency.lo() + time_constant.lo() + &delay, -error.clone()),
+            (latency.hi() + time_constant.hi() + &delay, error),
+        ];
+        let [lo, hi] = ends.map(|(mean, error)| at_middle.cost_with(&mean, &error, width));
+        Some(lo?.joined(&hi?))
+    }
+}
+
+/// An interval times a number that is not negative.
+fn scaled(x: &Interval<BigRational>, by: &BigRational) -> Interval<BigRational> {
+    x.map(|end| end * by)
+}
+
+fn sum(a: &Interval<BigRational>, b: &Interval<BigRational>) -> Interval<BigRational> {
+    Interval::hull(a.lo() + b.lo(), a.hi() + b.hi())
+}
+
+fn widened(x: &Interval<BigRational>, by: &BigRational) -> Interval<BigRational> {
+    Interval::hull(x.lo() - by, x.hi() + by)
+}

@@ -1,0 +1,345 @@
+//! Loops with any linear controller, filter, delay, latency and lag: what they cost, decided exactly,
+//! and the motions that draw energy below it, computed again from the encoder and the difference
+//! equation alone (TH-LTI, TH-LATENCY, TH-LAG).
+
+use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
+use passivity_core::{BigRational, Interval};
+use passivity_scene::check::{Report, Verdict, check};
+use passivity_scene::{Scene, number};
+use proptest::prelude::*;
+
+fn q(text: &str) -> BigRational {
+    number::parse(text).unwrap()
+}
+
+/// The report on a dimensionless scene with these further sections.
+fn report(beta: &BigRational, sigma: &str, sections: &str) -> Report {
+    let text = format!("[dimensionless]\nbeta = \"{beta}\"\nsigma = \"{sigma}\"\n{sections}");
+    check(&Scene::from_toml("scene", &text).unwrap_or_else(|error| panic!("{error}\n{text}")))
+}
+
+fn approx(x: &BigRational) -> f64 {
+    x.to_f64().unwrap()
+}
+
+/// Verdicts at β, and 10⁻³⁰ below.
+fn beside(beta: &str, sections: &str) -> [Report; 2] {
+    let least = q("1e-30");
+    [q(beta), q(beta) - least].map(|beta| report(&beta, "10", sections))
+}
+
+#[test]
+fn a_delay_and_damping_partly_cancel() {
+    let [at, below] = beside("5/4", "[sampling]\ndelay = 1\n[wall]\ndamping = \"1/2\"\n");
+    assert_eq!(at.cost.viscous, Interval::point(q("5/4")));
+    assert_eq!(
+        (at.verdict, below.verdict),
+        (Verdict::Passive, Verdict::NotPassive)
+    );
+    // THEORY's motion of period 6: D = 1, ½, −½, −1, −½, ½ times an amplitude.
+    assert_eq!(below.witness.unwrap().positions.len(), 6);
+    let [at, below] = beside("41/16", "[sampling]\ndelay = 1\n[wall]\ndamping = \"2\"\n");
+    assert_eq!(at.cost.viscous, Interval::point(q("41/16")));
+    assert_eq!(
+        (at.verdict, below.verdict),
+        (Verdict::Passive, Verdict::NotPassive)
+    );
+    assert!(at.because.contains(&"TH-LTI"));
+}
+
+#[test]
+fn a_one_sided_wall_pays_for_delay_and_damping_one_by_one() {
+    let sections = "[sampling]\ndelay = 1\n[wall]\nunilateral = true\ndamping = \"1/2\"\n";
+    let [at, below] = beside("2", sections);
+    assert_eq!(at.cost.viscous, Interval::point(q("2")));
+    assert_eq!(
+        (at.verdict, below.verdict),
+        (Verdict::Passive, Verdict::NotGuaranteed)
+    );
+    // Far enough below, a motion inside the wall draws energy.
+    assert_eq!(
+        report(&q("6/5"), "10", sections).verdict,
+        Verdict::NotPassive
+    );
+}
+
+#[test]
+fn filtered_damping_costs_what_the_filter_leaves() {
+    // a = τ/(T + τ) = ½ for τ = T: ½ + B/3 and ½ + B/2.
+    let sections = "[wall]\ndamping = \"1\"\ndamping_time_constant = \"1\"\n";
+    let at = report(&q("5/6"), "1", sections);
+    assert_eq!(at.cost.viscous, Interval::point(q("5/6")));
+    assert_eq!(at.cost.coulomb, Interval::point(q("1")));
+    assert_eq!(at.verdict, Verdict::Passive);
+    // B = 10, a = 0.95: 0.756 instead of 10.5.
+    let slow = "[wall]\ndamping = \"10\"\ndamping_time_constant = \"19\"\n";
+    let cost = report(&q("1"), "3", slow).cost;
+    assert_eq!(cost.viscous, Interval::point(q("1/2") + q("10/39")));
+    assert_eq!(cost.coulomb, Interval::point(q("1")));
+    // A cutoff f is the time constant 1/(2πf), which has a π in it.
+    let cutoff =
+        "[wall]\ndamping = \"1\"\ndamping_cutoff = \"0.1591549430918953357688837633725144\"\n";
+    let cost = report(&q("1"), "2", cutoff).cost;
+    assert!((approx(cost.viscous.lo()) - 5.0 / 6.0).abs() < 1e-15);
+    assert!(cost.viscous.hi() - cost.viscous.lo() < q("1e-50"));
+}
+
+#[test]
+fn latency_and_lag_cost_their_kappa() {
+    // κ = ½(0.8 + √0.85) for 0.3 samples, and 1.51354… for a lag of one sample.
+    let late = report(&q("1"), "10", "[sampling]\nlatency = \"0.3\"\n")
+        .cost
+        .viscous;
+    let root = |x: &BigRational| (x.clone() + x.clone() - q("0.8")).pow(2);
+    assert!(root(late.lo()) <= q("0.85") && root(late.hi()) >= q("0.85"));
+    assert!(late.hi() - late.lo() < q("1e-50"));
+    let lag = report(&q("2"), "10", "[amplifier]\ntime_constant = \"1\"\n")
+        .cost
+        .viscous;
+    assert!((approx(lag.lo()) - 1.51354).abs() < 5e-6);
+    // A whole sample of latency is a sample of delay.
+    let whole = report(&q("3/2"), "1/2", "[sampling]\nlatency = \"1\"\n");
+    assert_eq!(whole.cost.viscous, Interval::point(q("3/2")));
+    assert_eq!(whole.verdict, Verdict::Passive);
+    let short = report(&q("3/2"), "1/2", "[sampling]\nlatency = \"1.01\"\n");
+    assert_eq!(short.verdict, Verdict::NotPassive);
+}
+
+#[test]
+fn latency_draws_what_its_witness_says() {
+    let late = report(&q("0.7"), "10", "[sampling]\nlatency = \"0.3\"\n");
+    assert_eq!(late.verdict, Verdict::NotPassive);
+    let witness = late.witness.unwrap();
+    // The command of the sample before acts for the first 0.3 of an interval.
+    let positions = &witness.positions;
+    let n = positions.len();
+    let mut gain = BigRational::zero();
+    for h in 0..n {
+        let held = |i: usize| -(positions[(i + n) % n].floor() + q("1/2"));
+        let d = &positions[(h + 1) % n] - &positions[h];
+        let mean = held(h + n - 1) * q("0.3") + held(h) * q("0.7");
+        gain += mean * &d - q("0.7") * &d * &d - q("10") * d.abs();
+    }
+    assert_eq!(gain, witness.gain_per_cycle);
+    assert!(gain.is_positive());
+}
+
+#[test]
+fn between_mean_delay_and_kappa_nothing_is_promised() {
+    // ½ + m = 0.8 < κ = 0.86098: constant speeds draw nothing here.
+    let late = report(&q("0.83"), "10", "[sampling]\nlatency = \"0.3\"\n");
+    assert_eq!(late.verdict, Verdict::NotGuaranteed);
+}
+
+#[test]
+fn the_best_pattern_across_an_edge_is_the_witness_of_coulomb_friction() {
+    // c = (½, −1, 1.2, 0.4): s* = 1.15 < ½‖c‖₁ = 1.55, λ = 3.15 by THEORY 7.
+    let sections = "[controller]\nnumerator = [\"0.5\", \"-1\", \"1.2\", \"0.4\"]\n";
+    let verdict = |sigma: &str| report(&q("4"), sigma, sections).verdict;
+    assert_eq!(verdict("1.55"), Verdict::Passive);
+    assert_eq!(verdict("1.549"), Verdict::NotGuaranteed);
+    assert_eq!(verdict("1.15"), Verdict::NotGuaranteed);
+    assert_eq!(verdict("1.149"), Verdict::NotPassive);
+}
+
+#[test]
+fn controllers_that_no_loop_can_have_are_refused() {
+    let refused = |lists: &str| {
+        let text = format!("[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n[controller]\n{lists}\n");
+        Scene::from_toml("scene", &text).unwrap_err().to_string()
+    };
+    for (lists, says) in [
+        (
+            "numerator = [\"1\"]\ndenominator = [\"1\", \"-1\"]",
+            "not stable",
+        ),
+        (
+            "numerator = [\"1\"]\ndenominator = [\"1\", \"-2\"]",
+            "not stable",
+        ),
+        (
+            "numerator = [\"1\"]\ndenominator = [\"0\", \"1\"]",
+            "not proper",
+        ),
+        ("numerator = [\"-1\"]", "pushes away from the wall"),
+        ("numerator = []", "has 0 entries"),
+        ("numerator = [\"x\"]", "no exact number"),
+        ("numerator = [true]", "a boolean"),
+        ("denominator = [\"1\"]", "[controller] has no `numerator`"),
+        ("numerator = \"1\"", "is text"),
+        (
+            "numerator = [\"1\"]\ndenominator = [\"1\", \"0\", \"-0.9999999999\"]",
+            "forgets too slowly",
+        ),
+    ] {
+        let error = refused(lists);
+        assert!(error.contains(says), "{lists}: {error}");
+    }
+    let both = "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n[wall]\ndamping = \"1\"\n[controller]\nnumerator = [\"1\"]\n";
+    let error = Scene::from_toml("scene", both).unwrap_err().to_string();
+    assert!(error.contains("cannot both be given"), "{error}");
+}
+
+/// A controller whose poles are products of ones inside the unit circle, as texts and in doubles.
+fn controllers() -> impl Strategy<Value = (Vec<BigRational>, Vec<BigRational>, u16)> {
+    let hundredths = |range: std::ops::RangeInclusive<i64>| {
+        range.prop_map(|n| BigRational::new(n.into(), 100.into()))
+    };
+    let numerator = prop::collection::vec(hundredths(-200..=200), 1..=7);
+    let poles = prop::collection::vec(hundredths(-80..=80), 0..=4);
+    // 1 − 2r·cos φ·z⁻¹ + r²z⁻² with r² ≤ 0.64.
+    let pair = (hundredths(0..=64), hundredths(-99..=99));
+    (numerator, poles, prop::option::of(pair), 0..3_u16).prop_map(
+        |(numerator, poles, pair, delay)| {
+            let mut denominator = vec![q("1")];
+            let mut times = |factor: &[BigRational]| {
+                let mut product = vec![q("0"); denominator.len() + factor.len() - 1];
+                for (i, a) in denominator.iter().enumerate() {
+                    for (j, b) in factor.iter().enumerate() {
+                        product[i + j] += a * b;
+                    }
+                }
+                denominator = product;
+            };
+            for pole in poles {
+                times(&[q("1"), -pole]);
+            }
+            if let Some((squared, cosine)) = pair {
+                // |2r·cos φ| < 2r ≤ 1 + r²: with half of 1 + r² it is inside.
+                times(&[q("1"), cosine * (q("1") + &squared) * q("0.9"), squared]);
+            }
+            (numerator, denominator, delay)
+        },
+    )
+}
+
+/// λ(θ) = Re[(1 − e^(−iθ))·e^(−ikθ)·H(e^(iθ))]/(2(1 − cos θ)) in doubles.
+fn lambda_at(theta: f64, n: &[f64], d: &[f64], delay: u16) -> f64 {
+    let sum = |c: &[f64]| {
+        c.iter().enumerate().fold((0.0, 0.0), |(re, im), (j, c)| {
+            let (sin, cos) = (-theta * j as f64).sin_cos();
+            (re + c * cos, im + c * sin)
+        })
+    };
+    let times = |(a, b): (f64, f64), (c, d): (f64, f64)| (a * c - b * d, a * d + b * c);
+    let (dr, di) = sum(d);
+    let size = dr * dr + di * di;
+    let h = times(sum(n), (dr / size, -di / size));
+    let (sin, cos) = (-theta * f64::from(delay)).sin_cos();
+    let h = times(h, (cos, sin));
+    let (sin, cos) = theta.sin_cos();
+    times((1.0 - cos, sin), h).0 / (2.0 * (1.0 - cos))
+}
+
+/// Σ gain of a motion round its period, by running the difference equation until it repeats.
+fn drawn(
+    positions: &[BigRational],
+    [n, d]: [&[BigRational]; 2],
+    delay: u16,
+    [beta, sigma]: [f64; 2],
+) -> f64 {
+    let q: Vec<f64> = positions
+        .iter()
+        .map(|x| approx(&(x.floor() + BigRational::new(1.into(), 2.into()))))
+        .collect();
+    let x: Vec<f64> = positions.iter().map(approx).collect();
+    let [n, d] = [n, d].map(|c| c.iter().map(approx).collect::<Vec<f64>>());
+    let p = q.len();
+    // |poles| ≤ 0.9 or so: after 800 samples what was before is below 10⁻³⁰ of it.
+    let rounds = 800 / p + 2;
+    let mut outputs: Vec<f64> = vec![0.0; rounds * p];
+    for h in 0..rounds * p {
+        let driven: f64 = n
+            .iter()
+            .enumerate()
+            .map(|(j, c)| c * q[(h + rounds * p - j) % p])
+            .sum();
+        let past: f64 = (1..d.len())
+            .filter(|j| *j <= h)
+            .map(|j| d[j] * outputs[h - j])
+            .sum();
+        outputs[h] = (driven - past) / d[0];
+    }
+    let last = (rounds - 1) * p;
+    (0..p)
+        .map(|h| {
+            let step = x[(h + 1) % p] - x[h];
+            let force = -outputs[last + h - usize::from(delay)];
+            force * step - beta * step * step - sigma * step.abs()
+        })
+        .sum()
+}
+
+#[test]
+fn random_controllers_cost_the_largest_value_over_all_frequencies() {
+    let config = ProptestConfig {
+        cases: 20,
+        ..ProptestConfig::default()
+    };
+    let mut runner = proptest::test_runner::TestRunner::new_with_rng(
+        config,
+        proptest::test_runner::TestRng::deterministic_rng(
+            proptest::test_runner::RngAlgorithm::ChaCha,
+        ),
+    );
+    let result = runner.run(&controllers(), |(numerator, denominator, delay)| {
+        let sum = |c: &[BigRational]| c.iter().fold(BigRational::zero(), |sum, x| sum + x);
+        prop_assume!(!sum(&numerator).is_negative());
+        let list = |c: &[BigRational]| {
+            let texts: Vec<String> = c.iter().map(|x| format!("\"{x}\"")).collect();
+            texts.join(", ")
+        };
+        let sections = format!(
+            "[sampling]\ndelay = {delay}\n[controller]\nnumerator = [{}]\ndenominator = [{}]\n",
+            list(&numerator),
+            list(&denominator)
+        );
+        let whole = report(&q("1"), "1", &sections);
+        let (lo, hi) = (whole.cost.viscous.lo(), whole.cost.viscous.hi());
+        let [n, d] = [&numerator, &denominator].map(|c| c.iter().map(approx).collect::<Vec<f64>>());
+        let grid = (1..=4000)
+            .map(|i| lambda_at(std::f64::consts::PI * f64::from(i) / 4000.0, &n, &d, delay));
+        let most = grid.fold(f64::NEG_INFINITY, f64::max);
+        // A grid of 4000 angles misses the largest value by |λ″|(π/8000)²/2, which the bound on the
+        // poles keeps below 10⁻³ of the sums that λ(θ) is made of.
+        let size: f64 =
+            n.iter().map(|c| c.abs()).sum::<f64>() / d.iter().sum::<f64>().abs().min(1.0);
+        prop_assert!(
+            approx(hi) > most - 1e-9 * (1.0 + most.abs()),
+            "{} {most}",
+            approx(hi)
+        );
+        prop_assert!(
+            approx(lo) < most + 0.02 * (1.0 + size),
+            "{} {most}",
+            approx(lo)
+        );
+        // 10⁻⁴ on both sides, with as much Coulomb friction as is asked for.
+        let sigma = whole.cost.coulomb.hi().clone() + q("1");
+        let verdict = |beta: BigRational| report(&beta, &sigma.to_string(), &sections);
+        let above = hi.clone() + q("1e-4");
+        prop_assume!(above.is_positive());
+        prop_assert_eq!(verdict(above).verdict, Verdict::Passive);
+        let beta = lo - q("1e-4");
+        if beta.is_positive() {
+            let below = verdict(beta.clone());
+            prop_assert_eq!(below.verdict, Verdict::NotPassive);
+            let witness = below.witness.unwrap();
+            if witness.wave.is_none() {
+                let friction = [approx(&beta), approx(&sigma)];
+                let lists = [numerator.as_slice(), denominator.as_slice()];
+                let again = drawn(&witness.positions, lists, delay, friction);
+                let said = approx(&witness.gain_per_cycle);
+                // Doubles: each term is rounded to 2⁻⁵³ of the squares that the sum is made of.
+                let x: Vec<f64> = witness.positions.iter().map(approx).collect();
+                let squares: f64 = x.iter().map(|x| x * x).sum();
+                prop_assert!(
+                    (again - said).abs() < 1e-9 * (1.0 + squares) * (1.0 + size),
+                    "{again} {said}"
+                );
+            }
+        }
+        Ok(())
+    });
+    result.unwrap();
+}
