@@ -227,19 +227,10 @@ Qed.
 Theorem TH_LTI_fir_all_speeds : lambda <= beta -> 0 <= coulomb -> forall t, 0 <= t ->
   - operator_energy vel hand 0 t <= kinetic mu (vel 0) + V (pos 0) + filter_memory.
 Proof.
-  intros Hb Hc t Ht.
-  assert (C : criterion_holds viscous coulomb vel t).
-  { intros u _ Hv. unfold margin_8.
-    assert (0 <= coulomb / Rabs (vel u)).
-    { apply Rdiv_le_0_compat; [exact Hc | apply Rabs_pos_lt; exact Hv]. }
-    unfold viscous. lra. }
-  destruct (TH_LTI_fir t Ht C) as [_ E].
-  assert (0 <= kinetic mu (vel t)).
-  { unfold kinetic. pose proof (mu_positive _ _ _ P). pose proof (pow2_ge_0 (vel t)). nra. }
-  assert (0 <= V (pos t)).
-  { unfold V, spring_potential. pose proof (pow2_ge_0 (pos t)).
-    assert (0 <= H * pos t ^ 2) by (apply Rmult_le_pos; [exact sum_nonneg | assumption]). lra. }
-  lra.
+  intros Hb Hc. unfold coulomb in Hc.
+  apply (linear_run_all_speeds mu beta sigma pos vel friction hand (heard pos past n)
+    held_by_filter H (tail c n) lambda _ n P O sum_nonneg filter_bounded (heard_rests pos past n)
+    filter_commanded Hb). lra.
 Qed.
 
 End Fir.

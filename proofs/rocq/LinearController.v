@@ -161,4 +161,24 @@ Proof.
     unfold start. unfold W in E. simpl (0 + m)%nat in E. lra.
 Qed.
 
+(** With enough friction at every speed the operator never draws more than the storage at the
+    start. *)
+Lemma linear_run_all_speeds : lambda <= beta -> coulomb <= sigma -> forall t, 0 <= t ->
+  - operator_energy vel hand 0 t <= start.
+Proof.
+  intros Hb Hc t Ht.
+  assert (C : criterion_holds (beta - lambda) (sigma - coulomb) vel t).
+  { intros u _ Hv. unfold margin_8.
+    assert (0 <= (sigma - coulomb) / Rabs (vel u)).
+    { apply Rdiv_le_0_compat; [lra | apply Rabs_pos_lt; exact Hv]. }
+    lra. }
+  destruct (linear_run t Ht C) as [_ E].
+  assert (0 <= kinetic mu (vel t)).
+  { unfold kinetic. pose proof (mu_positive _ _ _ P). pose proof (pow2_ge_0 (vel t)). nra. }
+  assert (0 <= V (pos t)).
+  { unfold V, spring_potential. pose proof (pow2_ge_0 (pos t)).
+    assert (0 <= H * pos t ^ 2) by (apply Rmult_le_pos; assumption). lra. }
+  lra.
+Qed.
+
 End Run.
