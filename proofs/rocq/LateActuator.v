@@ -7,7 +7,8 @@
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From Passivity Require Import Definitions Quantizer Calculus Model History Law Combined
-  Passivity Laws Effects Controller ActuatorCost InstantRun Weighted Angles PositiveActuator.
+  Passivity Laws Effects Controller ActuatorCost InstantRun Weighted Angles LinearController
+  FiniteResponse GatedController PositiveKernel PositiveActuator DelayedTails.
 Open Scope R_scope.
 
 (** The force at [t] in interval [h]: the steps of the command, each as far as it has come.  The
@@ -186,138 +187,212 @@ Section Actuator.
 
 Variables mu beta sigma kappa : R.
 Variables pos vel friction hand force late behind : R -> R.
-Variables (one_sided : bool) (force_step limit : option R) (measure : R -> R) (e : R).
+Variables past c : nat -> R.
+Variables (n : nat) (one_sided : bool) (force_step limit : option R) (measure : R -> R) (e : R).
 Hypothesis P : physical mu beta sigma.
 Hypothesis step_ok : step_positive force_step.
 Hypothesis limit_ok : limit_nonneg limit.
-(** With an encoder [measured] and 1/2; without one the identity and 0. *)
+(** With an encoder [measured] and 1/2; without one the identity and 0.  Either tells the side. *)
 Hypothesis measure_error : forall x, Rabs (measure x - x) <= e.
+Hypothesis measure_side : forall x, measure x < 0 <-> x < 0.
+Hypothesis sum_nonneg : 0 <= tail c n 0.
 Hypothesis delays : only_delays late.
 Hypothesis covers : behind_covers late behind.
 (** [kappa] is enough for the mean and the variance (TH_LAG_kappa_squares). *)
 Hypothesis enough_mean : 0 <= spare_mean kappa (mean_of behind).
 Hypothesis enough_square : 0 <= spare_square kappa (mean_of behind) (variance_of behind).
-
-(** The program's command at a sample: one-sided or not, rounded, limited. *)
-Definition wall_command (h : nat) : R :=
-  let q := measure (pos (INR h)) in controller one_sided 0 force_step limit q q.
+(** The device had rested. *)
+Hypothesis rested : forall j, past j = pos 0.
 
 Hypothesis O : obeys mu beta sigma INR (fun _ => 0) pos vel friction (fun t => hand t + force t).
-Hypothesis acts : actuates late wall_command force.
+(** The commands are the program's (GatedController.v). *)
+Let u := held_by_gated pos past c n 0 one_sided force_step limit measure.
+Hypothesis acts : actuates late u force.
 
-Let f := controller_law one_sided limit.
-Let V := controller_potential one_sided limit.
-Let coulomb := e + step_size force_step / 2.
+Let H := tail c n 0.
+Let f (x : R) : R := controller_law one_sided limit (H * x).
+Let V := scaled_potential H one_sided limit.
+Let a (j : nat) : R := Rabs (tail c n j).
+Let coulomb := e * response_norm c n + step_size force_step / 2.
 Let K : kinematic pos vel := is_kinematic _ _ _ _ _ _ _ _ _ O.
-Let phases (n : nat) (t : R) : R := late (INR n + t).
+Let phases (m : nat) (t : R) : R := late (INR m + t).
+Let full (i : nat) : R := way vel (INR i) (INR (S i)).
 
-Lemma wall_command_error : forall h, Rabs (wall_command h + f (pos (INR h))) <= coulomb.
+Lemma law_stiffness : forall x y, Rabs (f x - f y) <= H * Rabs (x - y).
 Proof.
-  intro h. unfold wall_command. set (x := pos (INR h)). set (q := measure x).
-  pose proof (controller_commands one_sided 0 force_step limit q q (Rle_refl 0) step_ok limit_ok) as C.
-  unfold commands in C. fold f in C. rewrite Rmult_0_l, Rplus_0_l in C.
-  pose proof (controller_law_lipschitz one_sided limit q x) as L. fold f in L.
-  pose proof (measure_error x) as M. fold q in M.
-  set (F := controller one_sided 0 force_step limit q q) in *.
-  replace (F + f x) with (- (- F - f q) + - (f q - f x)) by ring.
-  eapply Rle_trans; [apply Rabs_triang |]. rewrite !Rabs_Ropp. unfold coulomb. lra.
+  intros x y. unfold f. eapply Rle_trans; [apply controller_law_lipschitz |].
+  rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_right H) by (apply Rle_ge, sum_nonneg). lra.
+Qed.
+
+(** A step before the start is none, a later one no longer than its way. *)
+Lemma step_way : forall i j, (1 <= j)%nat -> Rabs (step INR pos past i j) <= heard_way vel i j.
+Proof.
+  intros i j Hj. unfold step, heard_way, sample.
+  destruct (Nat.leb_spec j i) as [L | L]; destruct (Nat.leb_spec (pred j) i) as [L' | L']; try lia.
+  - pose proof (way_at_least pos vel K (INR (i - j)) (INR (S (i - j)))
+      ltac:(rewrite S_INR; lra)) as W.
+    replace (i - pred j)%nat with (S (i - j)) by lia. exact W.
+  - replace (i - pred j)%nat with 0%nat by lia. rewrite rested. simpl (INR 0).
+    replace (pos 0 - pos 0) with 0 by ring. rewrite Rabs_R0. lra.
+  - rewrite !rested. replace (pos 0 - pos 0) with 0 by ring. rewrite Rabs_R0. lra.
+Qed.
+
+Lemma actuator_command : forall i,
+  Rabs (u i + f (pos (INR i))) <= sum_to n (fun j => a j * heard_way vel i j) + coulomb.
+Proof.
+  intro i. pose proof (gated_commanded pos past c n 0 one_sided force_step limit measure e step_ok
+    limit_ok measure_error measure_side sum_nonneg i) as C.
+  simpl (sum_to 0 _) in C. rewrite Rmult_0_r, Rplus_0_l in C.
+  eapply Rle_trans; [exact C |]. apply Rplus_le_compat_r. apply sum_to_le. intros j Hj.
+  apply Rmult_le_compat_l; [apply Rabs_pos | apply step_way; lia].
 Qed.
 
 (** No sample is farther away than the way since. *)
-Lemma sample_distance : forall h t n, INR h <= t -> (n <= h)%nat ->
-  Rabs (pos t - pos (INR (h - n)))
-  <= way vel (INR h) t + sum_to n (fun j => way vel (INR (h - j)) (INR (S (h - j)))).
+Lemma sample_distance : forall h t m, INR h <= t -> (m <= h)%nat ->
+  Rabs (pos t - pos (INR (h - m)))
+  <= way vel (INR h) t + sum_to m (fun j => full (h - j)).
 Proof.
-  intros h t n Ht. induction n as [| n IH]; intro Hn.
+  intros h t m Ht. induction m as [| m IH]; intro Hm.
   - simpl. rewrite Nat.sub_0_r, Rplus_0_r. apply (way_at_least pos vel K). exact Ht.
-  - specialize (IH ltac:(lia)). rewrite sum_to_S.
-    replace (S (h - S n)) with (h - n)%nat by lia.
-    pose proof (way_at_least pos vel K (INR (h - S n)) (INR (h - n))
+  - specialize (IH ltac:(lia)). rewrite sum_to_S. unfold full at 2.
+    replace (S (h - S m)) with (h - m)%nat by lia.
+    pose proof (way_at_least pos vel K (INR (h - S m)) (INR (h - m))
       ltac:(apply le_INR; lia)) as Wy.
-    fold (way vel (INR (h - S n)) (INR (h - n))) in Wy.
-    replace (pos t - pos (INR (h - S n)))
-      with ((pos t - pos (INR (h - n))) + (pos (INR (h - n)) - pos (INR (h - S n)))) by ring.
+    fold (way vel (INR (h - S m)) (INR (h - m))) in Wy.
+    replace (pos t - pos (INR (h - S m)))
+      with ((pos t - pos (INR (h - m))) + (pos (INR (h - m)) - pos (INR (h - S m)))) by ring.
     eapply Rle_trans; [apply Rabs_triang |]. lra.
 Qed.
 
 Lemma actuator_close : forall h t, INR h < t < INR (S h) ->
-  Rabs (force t + f (pos t)) <= behind_at_most vel phases h t + coulomb.
+  Rabs (force t + f (pos t))
+  <= H * (way vel (INR h) t + ways_before vel phases h t) + tails_extra late vel a n h t + coulomb.
 Proof.
   intros h t Ht. rewrite (acts h t Ht). rewrite S_INR in Ht.
-  set (s := fun n => late (INR n + (t - INR h))).
-  set (b := fun n => wall_command (h - n) + f (pos t)).
-  set (B := fun n => way vel (INR h) t
-    + sum_to n (fun j => way vel (INR (h - j)) (INR (S (h - j)))) + coulomb).
+  set (s := fun m => late (INR m + (t - INR h))).
+  set (b := fun m => u (h - m)%nat + f (pos t)).
+  set (y := fun m => sum_to n (fun j => a j * heard_way vel (h - m) j)).
+  set (B := fun m => H * (way vel (INR h) t + sum_to m (fun j => full (h - j))) + y m + coulomb).
   pose proof (falling_mean s b B h) as M.
-  assert (E1 : superposed late wall_command h t + f (pos t)
+  assert (E1 : superposed late u h t + f (pos t)
     = b 0%nat - sum_to h (fun j => s (pred j) * (b (pred j) - b j))).
   { assert (Sx : sum_to h (fun j => s (pred j) * (b (pred j) - b j))
       = sum_to h (fun j => late (INR (pred j) + (t - INR h))
-          * (wall_command (h - pred j) - wall_command (h - j))))
+          * (u (h - pred j)%nat - u (h - j)%nat)))
       by (apply sum_to_ext; intros; unfold s, b; ring).
     rewrite Sx. unfold superposed, b. rewrite Nat.sub_0_r. ring. }
-  assert (E2 : behind_at_most vel phases h t + coulomb
-    = B 0%nat - sum_to h (fun j => s (pred j) * (B (pred j) - B j))).
+  assert (Ex : y 0%nat - sum_to h (fun i => s (pred i) * (y (pred i) - y i))
+               = tails_extra late vel a n h t).
+  { unfold tails_extra.
+    rewrite (sum_to_ext n (fun j => a j * ways_before vel (tail_kernel late j) h t)
+      (fun j => a j * heard_way vel h j + - 1 * sum_to h (fun i => a j * (s (pred i)
+        * (heard_way vel (h - pred i) j - heard_way vel (h - i) j))))).
+    - rewrite sum_to_plus, sum_to_scal, sum_to_swap. unfold y at 1. rewrite Nat.sub_0_r.
+      rewrite (sum_to_ext h (fun i => s (pred i) * (y (pred i) - y i)) (fun i => sum_to n (fun j =>
+        a j * (s (pred i) * (heard_way vel (h - pred i) j - heard_way vel (h - i) j))))); [ring |].
+      intros i _. unfold y.
+      rewrite (sum_to_ext n (fun j => a j * (s (pred i) * _)) (fun j => s (pred i)
+        * (a j * heard_way vel (h - pred i) j + - 1 * (a j * heard_way vel (h - i) j))))
+        by (intros; ring).
+      rewrite sum_to_scal, sum_to_plus, sum_to_scal. ring.
+    - intros j Hj. rewrite <- (tail_ways late vel j h t) by lia. rewrite sum_to_scal.
+      unfold s. ring. }
+  assert (E2 : H * (way vel (INR h) t + ways_before vel phases h t) + tails_extra late vel a n h t
+      + coulomb = B 0%nat - sum_to h (fun j => s (pred j) * (B (pred j) - B j))).
   { assert (Sx : sum_to h (fun j => s (pred j) * (B (pred j) - B j))
-      = sum_to h (fun j => - 1 * (phases (pred j) (t - INR h)
-          * way vel (INR (h - j)) (INR (S (h - j)))))).
-    { apply sum_to_ext. intros [| j] Hj; [lia |]. simpl pred. unfold B. rewrite sum_to_S.
-      unfold s, phases. ring. }
-    rewrite Sx, sum_to_scal. unfold behind_at_most, B. simpl (sum_to 0 _). ring. }
+      = - H * ways_before vel phases h t + sum_to h (fun i => s (pred i) * (y (pred i) - y i))).
+    { unfold ways_before. rewrite <- sum_to_scal, <- sum_to_plus. apply sum_to_ext.
+      intros [| j] Hj; [lia |]. simpl pred. unfold B. rewrite sum_to_S.
+      unfold s, phases, full. ring. }
+    rewrite Sx, <- Ex. unfold B. simpl (sum_to 0 _). ring. }
   rewrite E1, E2. apply M.
-  - intro n. unfold s. apply (late_falls _ delays). rewrite S_INR. lra.
-  - intro n. apply (late_share _ delays).
-  - intros n Hn. unfold b, B.
-    replace (wall_command (h - n) + f (pos t))
-      with ((wall_command (h - n) + f (pos (INR (h - n)))) + (f (pos t) - f (pos (INR (h - n)))))
-      by ring.
-    eapply Rle_trans; [apply Rabs_triang |].
-    pose proof (wall_command_error (h - n)).
-    pose proof (controller_law_lipschitz one_sided limit (pos t) (pos (INR (h - n)))) as L.
-    fold f in L. pose proof (sample_distance h t n ltac:(lra) Hn). lra.
+  - intro m. unfold s. apply (late_falls _ delays). rewrite S_INR. lra.
+  - intro m. apply (late_share _ delays).
+  - intros m Hm. unfold b, B, y.
+    replace (u (h - m)%nat + f (pos t))
+      with ((f (pos t) - f (pos (INR (h - m)))) + (u (h - m)%nat + f (pos (INR (h - m))))) by ring.
+    eapply Rle_trans; [apply Rabs_triang |]. rewrite Rplus_assoc. apply Rplus_le_compat.
+    + eapply Rle_trans; [apply law_stiffness |].
+      apply Rmult_le_compat_l; [exact sum_nonneg | apply sample_distance; lra || exact Hm].
+    + apply actuator_command.
 Qed.
 
 Lemma actuator_work_integrable : forall h s t, INR h <= s <= t -> t <= INR (S h) ->
-  ex_RInt (fun u => force u * vel u) s t.
+  ex_RInt (fun v => force v * vel v) s t.
 Proof.
-  intros h s t H1 H2. apply ex_RInt_ext with (fun u => superposed late wall_command h u * vel u).
-  - intros u Hu. rewrite Rmin_left, Rmax_right in Hu by lra.
-    rewrite (acts h u) by lra. reflexivity.
-  - apply ex_RInt_cont. intro u. apply continuous_Rmult; [| apply (velocity_continuous _ _ K)].
+  intros h s t H1 H2. apply ex_RInt_ext with (fun v => superposed late u h v * vel v).
+  - intros v Hv. rewrite Rmin_left, Rmax_right in Hv by lra.
+    rewrite (acts h v) by lra. reflexivity.
+  - apply ex_RInt_cont. intro v. apply continuous_Rmult; [| apply (velocity_continuous _ _ K)].
     unfold superposed.
-    apply (continuous_minus (fun _ => wall_command h)); [apply continuous_const |].
+    apply (continuous_minus (fun _ => u h)); [apply continuous_const |].
     apply continuous_sum_to. intro j. apply continuous_Rmult; [| apply continuous_const].
     apply (continuous_comp (fun t => INR (pred j) + (t - INR h)) late);
       [| apply (late_is_continuous _ delays)].
     apply (ex_derive_continuous (fun t => INR (pred j) + (t - INR h))). auto_derive. exact I.
 Qed.
 
-(** TH-LAG (any actuator): the criterion is (beta - kappa)|v| + (sigma - e - delta/2) >= 0, for the
-    wall and for the one that is one-sided or saturated. *)
+Lemma law_is_continuous : forall x, continuous f x.
+Proof.
+  intro x. apply (continuous_comp (fun x => H * x) (controller_law one_sided limit)).
+  - apply continuous_Rmult; [apply continuous_const | apply continuous_id].
+  - apply continuity_pt_filterlim. intros eps He. exists eps. split; [exact He |].
+    intros z [_ Hz]. eapply Rle_lt_trans; [apply controller_law_lipschitz | exact Hz].
+Qed.
+
+Lemma scaled_derivative : forall x, is_derive V x (f x).
+Proof.
+  intro x. pose proof (controller_law_potential one_sided limit limit_ok) as [D _].
+  assert (L : is_derive (fun x => H * x) x H) by (auto_derive; [exact I | ring]).
+  pose proof (is_derive_comp _ _ x _ _ (D (H * x)) L) as C.
+  assert (H0 : 0 <= H) by exact sum_nonneg. destruct H0 as [H0 | H0].
+  - pose proof (is_derive_scal _ x (/ H) _ C) as S.
+    unfold scal in S. simpl in S. unfold mult in S. simpl in S.
+    replace (f x) with (/ H * (H * controller_law one_sided limit (H * x)))
+      by (unfold f; field; lra).
+    apply is_derive_ext with (2 := S). intro v. unfold V, scaled_potential. over_R.
+    unfold Rdiv. apply Rmult_comm.
+  - assert (Z : f x = 0).
+    { unfold f. rewrite <- H0, Rmult_0_l. destruct one_sided, limit as [l |]; simpl in *;
+        unfold clipped, clipped_below, Rmin, Rmax; repeat destruct Rle_dec; lra. }
+    rewrite Z. apply is_derive_ext with (fun _ : R => V x).
+    + intro v. unfold V, scaled_potential. rewrite <- H0, !Rmult_0_l. reflexivity.
+    + apply (@is_derive_const R_AbsRing R_NormedModule).
+Qed.
+
+(** TH-LAG (any controller, any actuator): with the tails g_1, ..., g_n the criterion is
+    (beta - H(1) kappa - |g_1| - ... - |g_n|)|v| + (sigma - e|c|_1 - delta/2) >= 0, for the wall and
+    for the one that is one-sided or saturated; after rest. *)
 Theorem TH_LAG_actuator : forall t, 0 <= t ->
-  criterion_holds (beta - kappa) (sigma - coulomb) vel t ->
+  criterion_holds (beta - (H * kappa + tails_norm (tail c n) n)) (sigma - coulomb) vel t ->
   passive_run vel hand (kinetic mu (vel 0) + V (pos 0)) (kinetic mu (vel t) + V (pos t)) t.
 Proof.
   set (nu := sqrt ((1 / 2 + mean_of behind) ^ 2 + variance_of behind)).
   set (weight := fun t => (nu + 1 / 2) + behind t).
-  assert (Ph : forall n t, continuous (phases n) t).
-  { intros n t. apply (continuous_comp (fun t => INR n + t) late);
+  assert (Ph : forall m t, continuous (phases m) t).
+  { intros m t. apply (continuous_comp (fun t => INR m + t) late);
       [| apply (late_is_continuous _ delays)].
-    apply (ex_derive_continuous (fun t => INR n + t)). auto_derive. exact I. }
-  apply (positive_run mu beta sigma kappa coulomb (phase_mass weight behind) pos vel friction hand
-    force f V weight phases P O).
-  - intro x. apply continuity_pt_filterlim. intros eps He. exists eps. split; [exact He |].
-    intros z [_ Hz]. eapply Rle_lt_trans; [apply controller_law_lipschitz | exact Hz].
-  - apply controller_law_potential, limit_ok.
-  - exact Ph.
-  - intros n t _. apply (late_share _ delays).
+    apply (ex_derive_continuous (fun t => INR m + t)). auto_derive. exact I. }
+  pose proof (late_is_continuous _ delays) as Lc. pose proof (late_falls _ delays) as Lf.
+  pose proof (late_share _ delays) as Ls.
+  assert (A0 : forall j, 0 <= a j) by (intro; apply Rabs_pos).
+  apply (positive_run mu beta sigma H kappa (sum_to n a) coulomb (phase_mass weight behind)
+    pos vel friction hand force f V weight phases (tails_extra late vel a n)
+    (tails_held late vel a n) (tails_towards late vel a n) P O sum_nonneg law_is_continuous
+    scaled_derivative Ph).
+  - intros m t _. apply Ls.
   - exact (phase_weight_continuous late behind covers).
   - exact (phase_weight_positive late behind covers).
-  - exact (weight_shares late behind covers (late_is_continuous _ delays)).
+  - exact (weight_shares late behind covers Lc).
   - intros N t Ht. apply (weight_schur late behind covers); [| exact Ht].
     apply TH_LAG_kappa_squares; [apply (mean_nonneg late behind covers)
       | apply (variance_nonneg late behind covers) | split; assumption].
   - exact actuator_work_integrable.
+  - intros h t Ht. eexists. apply (tails_integrable late Lc pos vel a n K h t Ht).
+  - exact (tails_paid late Lc Lf Ls pos vel a n K A0).
+  - apply tails_arrive.
+  - apply (tails_towards_nonneg late Lc Lf Ls pos vel a n K A0).
+  - apply tails_start.
   - exact actuator_close.
 Qed.
 

@@ -7,7 +7,7 @@ From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From Passivity Require Import Definitions Quantizer Calculus Model History Law Combined
   Passivity Laws Effects Controller ActuatorCost InstantRun LagForm LagVariance Lag
-  Weighted PositiveActuator LateActuator.
+  Weighted FiniteResponse GatedController LateActuator.
 Open Scope R_scope.
 
 (** What has not yet come of a step, [x] periods after its sample. *)
@@ -223,28 +223,34 @@ Qed.
 
 End LateLag.
 
-(** TH-LAG (with latency): the product's wall, one-sided or not, rounded, saturated, behind a
+(** TH-LAG (with latency): the product's controller, one-sided or not, rounded, saturated, behind a
     latency of k + f periods and a first-order lag; after rest. *)
-Theorem TH_LAG_latency : forall mu beta sigma kappa pos vel friction hand force k f theta
+Theorem TH_LAG_latency : forall mu beta sigma kappa pos vel friction hand force past c n k f theta
     one_sided force_step limit measure e,
   physical mu beta sigma -> 0 <= f < 1 -> 0 < theta ->
-  step_positive force_step -> limit_nonneg limit -> (forall x, Rabs (measure x - x) <= e) ->
+  step_positive force_step -> limit_nonneg limit ->
+  (forall x, Rabs (measure x - x) <= e) -> (forall x, measure x < 0 <-> x < 0) ->
+  0 <= tail c n 0 ->
   0 <= spare_mean kappa (late_lag_mean k f theta) ->
   0 <= spare_square kappa (late_lag_mean k f theta) (late_lag_variance f theta) ->
+  (forall j, past j = pos 0) ->
   obeys mu beta sigma INR (fun _ => 0) pos vel friction (fun t => hand t + force t) ->
-  actuates (late_lag k f theta) (wall_command pos one_sided force_step limit measure) force ->
+  actuates (late_lag k f theta)
+    (held_by_gated pos past c n 0 one_sided force_step limit measure) force ->
   forall t, 0 <= t ->
-  criterion_holds (beta - kappa) (sigma - (e + step_size force_step / 2)) vel t ->
-  passive_run vel hand (kinetic mu (vel 0) + controller_potential one_sided limit (pos 0))
-                       (kinetic mu (vel t) + controller_potential one_sided limit (pos t)) t.
+  criterion_holds (beta - (tail c n 0 * kappa + tails_norm (tail c n) n))
+                  (sigma - (e * response_norm c n + step_size force_step / 2)) vel t ->
+  passive_run vel hand
+    (kinetic mu (vel 0) + scaled_potential (tail c n 0) one_sided limit (pos 0))
+    (kinetic mu (vel t) + scaled_potential (tail c n 0) one_sided limit (pos t)) t.
 Proof.
-  intros mu beta sigma kappa pos vel friction hand force k f theta one_sided force_step limit
-    measure e P Hf Ht Hs Hl Hm K1 K2 O A.
+  intros mu beta sigma kappa pos vel friction hand force past c n k f theta one_sided force_step
+    limit measure e P Hf Ht Hs Hl Hm Hd H0 K1 K2 R O A.
   rewrite <- (late_lag_mean_is k f theta Hf Ht) in K1, K2.
   rewrite <- (late_lag_variance_is k f theta Hf Ht) in K2.
   exact (TH_LAG_actuator mu beta sigma kappa pos vel friction hand force (late_lag k f theta)
-    (late_lag_behind k f theta) one_sided force_step limit measure e P Hs Hl Hm
-    (late_lag_delays k f theta Ht) (late_lag_covers k f theta Ht) K1 K2 O A).
+    (late_lag_behind k f theta) past c n one_sided force_step limit measure e P Hs Hl Hm Hd H0
+    (late_lag_delays k f theta Ht) (late_lag_covers k f theta Ht) K1 K2 R O A).
 Qed.
 
 (** TH-LAG (variance with latency): never above the bound that needs no exponential. *)
@@ -322,23 +328,28 @@ Proof.
     rewrite X. ring.
 Qed.
 
-(** TH-LAG (any wall): the lag of the amplifier under a wall that is one-sided, rounded, saturated,
-    with the same kappa; the amplifier had settled before the start. *)
-Theorem TH_LAG_wall : forall mu beta sigma kappa pos vel friction hand force theta
+(** TH-LAG (any controller): the lag of the amplifier behind the product's controller, one-sided or
+    not, rounded, saturated; device and amplifier had settled before the start. *)
+Theorem TH_LAG_controller : forall mu beta sigma kappa pos vel friction hand force past c n theta
     one_sided force_step limit measure e,
   physical mu beta sigma -> 0 < theta ->
-  step_positive force_step -> limit_nonneg limit -> (forall x, Rabs (measure x - x) <= e) ->
+  step_positive force_step -> limit_nonneg limit ->
+  (forall x, Rabs (measure x - x) <= e) -> (forall x, measure x < 0 <-> x < 0) ->
+  0 <= tail c n 0 ->
   0 <= spare_mean kappa theta -> 0 <= spare_square kappa theta (lag_variance theta) ->
+  (forall j, past j = pos 0) ->
   obeys mu beta sigma INR (fun _ => 0) pos vel friction (fun t => hand t + force t) ->
-  let u := wall_command pos one_sided force_step limit measure in
+  let u := held_by_gated pos past c n 0 one_sided force_step limit measure in
   lagging theta u force -> force 0 = u 0%nat ->
   forall t, 0 <= t ->
-  criterion_holds (beta - kappa) (sigma - (e + step_size force_step / 2)) vel t ->
-  passive_run vel hand (kinetic mu (vel 0) + controller_potential one_sided limit (pos 0))
-                       (kinetic mu (vel t) + controller_potential one_sided limit (pos t)) t.
+  criterion_holds (beta - (tail c n 0 * kappa + tails_norm (tail c n) n))
+                  (sigma - (e * response_norm c n + step_size force_step / 2)) vel t ->
+  passive_run vel hand
+    (kinetic mu (vel 0) + scaled_potential (tail c n 0) one_sided limit (pos 0))
+    (kinetic mu (vel t) + scaled_potential (tail c n 0) one_sided limit (pos t)) t.
 Proof.
-  intros mu beta sigma kappa pos vel friction hand force theta one_sided force_step limit
-    measure e P Ht Hs Hl Hm K1 K2 O u Lg F0.
+  intros mu beta sigma kappa pos vel friction hand force past c n theta one_sided force_step
+    limit measure e P Ht Hs Hl Hm Hd H0 K1 K2 R O u Lg F0.
   pose proof (decay_between theta Ht) as E.
   assert (M : late_lag_mean 0 0 theta = theta) by (unfold late_lag_mean; simpl; ring).
   assert (V : late_lag_variance 0 theta = lag_variance theta).
@@ -346,7 +357,7 @@ Proof.
     replace (exp (- (1 - 0) / theta)) with (lag_decay theta)
       by (unfold lag_decay; f_equal; field; lra).
     field. lra. }
-  apply (TH_LAG_latency mu beta sigma kappa pos vel friction hand force 0 0 theta one_sided
-    force_step limit measure e P ltac:(lra) Ht Hs Hl Hm); rewrite ?M, ?V; try assumption.
+  apply (TH_LAG_latency mu beta sigma kappa pos vel friction hand force past c n 0 0 theta one_sided
+    force_step limit measure e P ltac:(lra) Ht Hs Hl Hm Hd H0); rewrite ?M, ?V; try assumption.
   apply TH_LAG_superposed; assumption.
 Qed.

@@ -1,244 +1,75 @@
-(** * PositiveActuator: any actuator that only delays, under any 1-Lipschitz law.
+(** * PositiveActuator: a run under a force that looks back, with a 1-Lipschitz law or stiffer.
 
-    At phase t of interval h the force is as far from the law at the present position as the way
-    since the sample, the ways of the intervals before weighted with [late] n t, and quantization.
-    [late] n t is the share of the force that is still behind the sample n before.  A weight on
-    the phases (Schur's test) bounds what such a force draws by kappa times the integral of v^2. *)
+    At [t] in interval h the force is as far from the law at the present position as H times the
+    way since the sample and the ways before, weighted (PositiveKernel.v), with something [extra]
+    that is paid for elsewhere, and quantization. *)
 
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Passivity Require Import Definitions Quantizer Calculus Model History Law Combined
-  Passivity Effects InstantRun Weighted Angles.
+From Passivity Require Import Definitions Calculus Model History Law Combined
+  Passivity Effects InstantRun Weighted Angles PositiveKernel.
 Open Scope R_scope.
-
-(** The integral over a period's phases, against the weight. *)
-Definition phase_mass (weight g : R -> R) : R := RInt (fun t => g t * weight t) 0 1.
-
-(** The way of the device from [s] to [t]. *)
-Definition way (vel : R -> R) (s t : R) : R := RInt (fun u => Rabs (vel u)) s t.
-
-(** How far the actuator's force may be from the law, quantization apart. *)
-Definition behind_at_most (vel : R -> R) (late : nat -> R -> R) (h : nat) (t : R) : R :=
-  way vel (INR h) t
-  + sum_to h (fun j => late (pred j) (t - INR h) * way vel (INR (h - j)) (INR (S (h - j)))).
 
 Section Positive.
 
-Variables mu beta sigma kappa coulomb held_back : R.
+Variables mu beta sigma H kappa more coulomb held_back : R.
 Variables pos vel friction hand force f V weight : R -> R.
-Variable late : nat -> R -> R.
+Variables late extra : nat -> R -> R.
+Variables (extra_at_sample : nat -> R) (extra_to : nat -> R -> R).
 Hypothesis P : physical mu beta sigma.
 Hypothesis O : obeys mu beta sigma INR (fun _ => 0) pos vel friction (fun t => hand t + force t).
+Hypothesis H_nonneg : 0 <= H.
 Hypothesis f_continuous : forall x, continuous f x.
-Hypothesis f_potential : potential f V.
+Hypothesis V_derivative : forall x, is_derive V x (f x).
 Hypothesis late_continuous : forall n t, continuous (late n) t.
 Hypothesis late_nonneg : forall n t, 0 <= t <= 1 -> 0 <= late n t.
 Hypothesis weight_continuous : forall t, continuous weight t.
 Hypothesis weight_positive : forall t, 0 < weight t.
-
-Let total := phase_mass weight (fun _ => 1).
-Let share (j : nat) : R := phase_mass weight (late (pred j)).
-(** The shares of all samples are at most [held_back]. *)
-Hypothesis shares : forall N, sum_to N share <= held_back.
-(** Schur's test. *)
+Hypothesis shares : forall N, sum_to N (fun j => phase_mass weight (late (pred j))) <= held_back.
 Hypothesis schur : forall N t, 0 <= t <= 1 ->
-  total / 2 * (1 + sum_to N (fun j => late (pred j) t)) + held_back / 2 <= kappa * weight t.
+  phase_mass weight (fun _ => 1) / 2 * (1 + sum_to N (fun j => late (pred j) t)) + held_back / 2
+  <= kappa * weight t.
 Hypothesis work_integrable : forall h s t, INR h <= s <= t -> t <= INR (S h) ->
   ex_RInt (fun u => force u * vel u) s t.
+(** What [extra] draws is paid by [more], with a storage of its own. *)
+Hypothesis extra_integrable : forall h t, INR h <= t <= INR (S h) ->
+  ex_RInt (fun u => Rabs (vel u) * extra h u) (INR h) t.
+Hypothesis extra_paid : forall h t, INR h <= t <= INR (S h) ->
+  RInt (fun u => Rabs (vel u) * extra h u) (INR h) t + (extra_to h t - extra_at_sample h)
+  <= more * square_integral vel (INR h) t.
+Hypothesis extra_arrives : forall h, extra_to h (INR (S h)) = extra_at_sample (S h).
+Hypothesis extra_to_nonneg : forall h t, INR h <= t <= INR (S h) -> 0 <= extra_to h t.
+Hypothesis extra_start : extra_at_sample 0 = 0.
 Hypothesis close : forall h t, INR h < t < INR (S h) ->
-  Rabs (force t + f (pos t)) <= behind_at_most vel late h t + coulomb.
+  Rabs (force t + f (pos t))
+  <= H * (way vel (INR h) t + ways_before vel late h t) + extra h t + coulomb.
 
 Let K : kinematic pos vel := is_kinematic _ _ _ _ _ _ _ _ _ O.
 Let r (u : R) : R := Rabs (vel u).
-Let full (i : nat) : R := way vel (INR i) (INR (S i)).
-Let load (h : nat) (t : R) : R := RInt (fun u => r u ^ 2 * 1 / weight (u - INR h)) (INR h) t.
-Let far (h : nat) (t : R) (j : nat) : R := RInt (fun u => r u * late (pred j) (u - INR h)) (INR h) t.
-Let loads (h : nat) (t : R) (j : nat) : R :=
-  RInt (fun u => r u ^ 2 * late (pred j) (u - INR h) / weight (u - INR h)) (INR h) t.
 
-Lemma r_continuous : forall t, continuous r t.
+Lemma speed_continuous : forall t, continuous r t.
 Proof. intro t. apply continuous_Rabs, (velocity_continuous _ _ K). Qed.
-
-Lemma shifted_continuous : forall (g : R -> R) h, (forall t, continuous g t) ->
-  forall t, continuous (fun u => g (u - INR h)) t.
-Proof.
-  intros g h C t. apply (continuous_comp (fun u => u - INR h) g); [| apply C].
-  apply (ex_derive_continuous (fun u => u - INR h)). auto_derive. exact I.
-Qed.
-
-Lemma shifted_positive : forall h u, 0 < weight (u - INR h).
-Proof. intros. apply weight_positive. Qed.
-
-Lemma loads_continuous : forall (g : R -> R) h, (forall t, continuous g t) ->
-  forall t, continuous (fun u => r u ^ 2 * g (u - INR h) / weight (u - INR h)) t.
-Proof.
-  intros g h C t. apply continuous_div.
-  - apply continuous_Rmult; [apply continuous_square, r_continuous | apply shifted_continuous, C].
-  - apply shifted_continuous, weight_continuous.
-  - pose proof (shifted_positive h t). lra.
-Qed.
-
-Lemma mass_nonneg : forall g, (forall t, continuous g t) -> (forall t, 0 <= t <= 1 -> 0 <= g t) ->
-  0 <= phase_mass weight g.
-Proof.
-  intros g C N. apply RInt_ge_0; [lra | |].
-  - apply ex_RInt_cont. intro t. apply continuous_Rmult; auto.
-  - intros t Ht. apply Rmult_le_pos; [apply N; lra | apply Rlt_le, weight_positive].
-Qed.
-
-Lemma loads_nonneg : forall (g : R -> R) h t, (forall t, continuous g t) ->
-  (forall t, 0 <= t <= 1 -> 0 <= g t) -> INR h <= t <= INR (S h) ->
-  0 <= RInt (fun u => r u ^ 2 * g (u - INR h) / weight (u - INR h)) (INR h) t.
-Proof.
-  intros g h t C N Ht. rewrite S_INR in Ht.
-  apply RInt_ge_0; [lra | apply ex_RInt_cont, (loads_continuous g h C) |].
-  intros u Hu. apply Rdiv_le_0_compat; [| apply weight_positive].
-  apply Rmult_le_pos; [apply pow2_ge_0 | apply N; lra].
-Qed.
-
-Lemma mass_shifted : forall (g : R -> R) h, (forall t, continuous g t) ->
-  RInt (fun u => g (u - INR h) * weight (u - INR h)) (INR h) (INR h + 1) = phase_mass weight g.
-Proof.
-  intros g h C. apply is_RInt_unique.
-  assert (I : is_RInt (fun t => g t * weight t) (1 * INR h + - INR h) (1 * (INR h + 1) + - INR h)
-                (phase_mass weight g)).
-  { replace (1 * INR h + - INR h) with 0 by ring.
-    replace (1 * (INR h + 1) + - INR h) with 1 by ring.
-    apply RInt_is, ex_RInt_cont. intro t. apply continuous_Rmult; auto. }
-  apply is_RInt_comp_lin in I. apply is_RInt_ext with (2 := I).
-  intros u _. unfold scal. simpl. unfold mult. simpl.
-  replace (1 * u + - INR h) with (u - INR h) by ring. over_R. ring.
-Qed.
-
-(** The part of an interval weighs no more than the whole. *)
-Lemma weighted_phase : forall (g : R -> R) h t, (forall t, continuous g t) ->
-  (forall t, 0 <= t <= 1 -> 0 <= g t) -> INR h <= t <= INR (S h) ->
-  RInt (fun u => r u * g (u - INR h)) (INR h) t ^ 2
-  <= phase_mass weight g
-     * RInt (fun u => r u ^ 2 * g (u - INR h) / weight (u - INR h)) (INR h) t.
-Proof.
-  intros g h t C N Ht. pose proof (loads_nonneg g h t C N Ht) as L0. rewrite S_INR in Ht.
-  eapply Rle_trans.
-  - apply (weighted_squares r (fun u => g (u - INR h)) (fun u => weight (u - INR h)));
-      [lra | exact r_continuous | apply shifted_continuous, C
-       | apply shifted_continuous, weight_continuous | apply shifted_positive |].
-    intros u Hu. apply N. lra.
-  - rewrite Rmult_comm. apply Rmult_le_compat_r; [exact L0 |].
-    assert (C3 : forall u, continuous (fun u => g (u - INR h) * weight (u - INR h)) u).
-    { intro u. apply continuous_Rmult; apply shifted_continuous; assumption. }
-    rewrite <- (mass_shifted g h C), (RInt_split _ (INR h) t (INR h + 1)) by (apply ex_RInt_cont, C3).
-    assert (0 <= RInt (fun u => g (u - INR h) * weight (u - INR h)) t (INR h + 1)).
-    { apply RInt_ge_0; [lra | apply ex_RInt_cont, C3 |].
-      intros u Hu. apply Rmult_le_pos; [apply N; lra | apply Rlt_le, weight_positive]. }
-    lra.
-Qed.
-
-Lemma way_nonneg : forall s t, s <= t -> 0 <= way vel s t.
-Proof.
-  intros s t St. apply RInt_ge_0; [exact St | apply (speed_integrable pos vel K) |].
-  intros. apply Rabs_pos.
-Qed.
-
-Lemma way_square : forall h t, INR h <= t <= INR (S h) -> way vel (INR h) t ^ 2 <= total * load h t.
-Proof.
-  intros h t Ht.
-  pose proof (weighted_phase (fun _ => 1) h t (fun t => continuous_const 1 t)
-    (fun _ _ => Rle_0_1) Ht) as W.
-  replace (way vel (INR h) t) with (RInt (fun u => r u * 1) (INR h) t); [exact W |].
-  apply RInt_ext. intros u _. apply Rmult_1_r.
-Qed.
-
-Lemma total_nonneg : 0 <= total.
-Proof. apply mass_nonneg; [intro; apply continuous_const | intros; lra]. Qed.
-
-Lemma load_nonneg : forall h t, INR h <= t <= INR (S h) -> 0 <= load h t.
-Proof.
-  intros h t Ht. apply (loads_nonneg (fun _ => 1) h t); [intro; apply continuous_const | | exact Ht].
-  intros; lra.
-Qed.
-
-(** What the ways before weigh, sample by sample. *)
-Lemma far_paid : forall h t j, INR h <= t <= INR (S h) ->
-  full (h - j) * far h t j
-  <= (share j * load (h - j) (INR (S (h - j))) + total * loads h t j) / 2.
-Proof.
-  intros h t j Ht.
-  assert (Hf : INR (h - j) <= INR (S (h - j)) <= INR (S (h - j))) by (rewrite S_INR; lra).
-  apply product_of_squares.
-  - exact total_nonneg.
-  - apply load_nonneg, Hf.
-  - apply mass_nonneg; [apply late_continuous | intros; apply late_nonneg; assumption].
-  - apply (loads_nonneg (late (pred j))); [apply late_continuous | | exact Ht].
-    intros; apply late_nonneg; assumption.
-  - apply way_square, Hf.
-  - apply (weighted_phase (late (pred j))); [apply late_continuous | | exact Ht].
-    intros; apply late_nonneg; assumption.
-Qed.
-
-(** Schur's test over an interval. *)
-Lemma schur_interval : forall h t, INR h <= t <= INR (S h) ->
-  total / 2 * (load h t + sum_to h (loads h t)) + held_back / 2 * load h t
-  <= kappa * square_integral vel (INR h) t.
-Proof.
-  intros h t Ht. rewrite S_INR in Ht.
-  assert (C1 : forall u, continuous (fun u => r u ^ 2 * 1 / weight (u - INR h)) u)
-    by (intro u; apply (loads_continuous (fun _ => 1) h); intro; apply continuous_const).
-  assert (Cj : forall j u, continuous
-    (fun u => r u ^ 2 * late (pred j) (u - INR h) / weight (u - INR h)) u)
-    by (intros j u; apply (loads_continuous (late (pred j)) h); apply late_continuous).
-  assert (I : is_RInt (fun u => total / 2 * (r u ^ 2 * 1 / weight (u - INR h)
-      + sum_to h (fun j => r u ^ 2 * late (pred j) (u - INR h) / weight (u - INR h)))
-      + held_back / 2 * (r u ^ 2 * 1 / weight (u - INR h))) (INR h) t
-    (total / 2 * (load h t + sum_to h (loads h t)) + held_back / 2 * load h t)).
-  { apply (@is_RInt_plus R_NormedModule (fun u => total / 2 * (r u ^ 2 * 1 / weight (u - INR h)
-      + sum_to h (fun j => r u ^ 2 * late (pred j) (u - INR h) / weight (u - INR h))))).
-    - apply (@is_RInt_scal R_NormedModule).
-      apply (@is_RInt_plus R_NormedModule (fun u => r u ^ 2 * 1 / weight (u - INR h))).
-      + apply RInt_is, ex_RInt_cont, C1.
-      + apply RInt_sum_to. intro j. apply ex_RInt_cont, Cj.
-    - apply (@is_RInt_scal R_NormedModule). apply RInt_is, ex_RInt_cont, C1. }
-  assert (J : is_RInt (fun u => kappa * vel u ^ 2) (INR h) t (kappa * square_integral vel (INR h) t)).
-  { apply (@is_RInt_scal R_NormedModule), RInt_is, (square_integrable pos vel K). }
-  apply (is_RInt_le _ _ _ _ _ _ (proj1 Ht) I J).
-  intros u Hu. pose proof (shifted_positive h u) as W0.
-  pose proof (schur h (u - INR h) ltac:(lra)) as Sc.
-  assert (Sum : sum_to h (fun j => r u ^ 2 * late (pred j) (u - INR h) / weight (u - INR h))
-                = r u ^ 2 / weight (u - INR h) * sum_to h (fun j => late (pred j) (u - INR h))).
-  { rewrite <- sum_to_scal. apply sum_to_ext. intros j _. field. lra. }
-  rewrite Sum.
-  replace (total / 2 * (r u ^ 2 * 1 / weight (u - INR h)
-      + r u ^ 2 / weight (u - INR h) * sum_to h (fun j => late (pred j) (u - INR h)))
-      + held_back / 2 * (r u ^ 2 * 1 / weight (u - INR h)))
-    with (r u ^ 2 / weight (u - INR h)
-      * (total / 2 * (1 + sum_to h (fun j => late (pred j) (u - INR h))) + held_back / 2))
-    by (field; lra).
-  replace (kappa * vel u ^ 2)
-    with (r u ^ 2 / weight (u - INR h) * (kappa * weight (u - INR h)))
-    by (unfold r; rewrite pow2_abs; field; lra).
-  apply Rmult_le_compat_l; [| exact Sc].
-  apply Rdiv_le_0_compat; [apply pow2_ge_0 | exact W0].
-Qed.
 
 (** What the force draws in an interval. *)
 Lemma force_work : forall h t, INR h <= t <= INR (S h) ->
   RInt (fun u => force u * vel u) (INR h) t + (V (pos t) - V (pos (INR h)))
-  <= way vel (INR h) t ^ 2 / 2 + sum_to h (fun j => full (h - j) * far h t j)
-     + coulomb * way vel (INR h) t.
+  <= H * (way vel (INR h) t ^ 2 / 2 + RInt (fun u => r u * ways_before vel late h u) (INR h) t)
+     + RInt (fun u => r u * extra h u) (INR h) t + coulomb * way vel (INR h) t.
 Proof.
-  intros h t Ht. rewrite S_INR in Ht.
+  intros h t Ht.
   assert (Cp : forall u, continuous (fun u => f (pos u) * vel u) u).
   { intro u. apply continuous_Rmult; [| apply (velocity_continuous _ _ K)].
     apply (continuous_comp pos f); [apply (pos_continuous _ _ K) | apply f_continuous]. }
   assert (Iv : is_RInt (fun u => f (pos u) * vel u) (INR h) t (V (pos t) - V (pos (INR h)))).
   { apply (is_RInt_primitive (fun u => V (pos u))); [| exact Cp].
     intro u. pose proof (is_derive_comp V pos u (f (pos u)) (vel u)
-      (potential_derivative _ _ f_potential (pos u)) (velocity_is_derivative _ _ K u)) as D.
+      (V_derivative (pos u)) (velocity_is_derivative _ _ K u)) as D.
     rewrite Rmult_comm. exact D. }
   assert (If : is_RInt (fun u => force u * vel u) (INR h) t
                  (RInt (fun u => force u * vel u) (INR h) t)).
-  { apply RInt_is. apply (work_integrable h); rewrite ?S_INR; lra. }
+  { apply RInt_is. apply (work_integrable h); lra. }
   assert (Dw : forall u, is_derive (way vel (INR h)) u (r u)).
-  { intro u. apply (is_derive_RInt r (way vel (INR h)) (INR h)); [| apply r_continuous].
+  { intro u. apply (is_derive_RInt r (way vel (INR h)) (INR h)); [| apply speed_continuous].
     apply filter_forall. intro x. apply RInt_is, (speed_integrable pos vel K). }
   assert (Iw : is_RInt (fun u => r u * way vel (INR h) u) (INR h) t (way vel (INR h) t ^ 2 / 2)).
   { replace (way vel (INR h) t ^ 2 / 2)
@@ -248,80 +79,40 @@ Proof.
         * exists (r u). exact Du.
         * replace (Derive (fun x => way vel (INR h) x) u) with (r u)
             by (symmetry; apply is_derive_unique; exact Du). field.
-      + intro u. apply continuous_Rmult; [apply r_continuous |].
+      + intro u. apply continuous_Rmult; [apply speed_continuous |].
         apply (ex_derive_continuous (way vel (INR h))). exists (r u). apply Dw.
     - unfold way at 2. rewrite RInt_point. change zero with 0. field. }
-  assert (Cf : forall j u, continuous (fun u => full (h - j) * (r u * late (pred j) (u - INR h))) u).
-  { intros j u. apply continuous_Rmult; [apply continuous_const |].
-    apply continuous_Rmult; [apply r_continuous | apply shifted_continuous, late_continuous]. }
-  assert (Is : is_RInt (fun u => sum_to h (fun j => full (h - j) * (r u * late (pred j) (u - INR h))))
-    (INR h) t (sum_to h (fun j => full (h - j) * far h t j))).
-  { rewrite (sum_to_ext h (fun j => full (h - j) * far h t j)
-      (fun j => RInt (fun u => full (h - j) * (r u * late (pred j) (u - INR h))) (INR h) t)).
-    - apply RInt_sum_to. intro j. apply ex_RInt_cont, Cf.
-    - intros j _. symmetry. apply is_RInt_unique. apply (@is_RInt_scal R_NormedModule).
-      apply RInt_is, ex_RInt_cont. intro u.
-      apply continuous_Rmult; [apply r_continuous | apply shifted_continuous, late_continuous]. }
+  assert (Is : is_RInt (fun u => r u * ways_before vel late h u) (INR h) t
+                 (RInt (fun u => r u * ways_before vel late h u) (INR h) t)).
+  { apply RInt_is. eexists. exact (ways_before_work pos vel late K late_continuous h t Ht). }
+  assert (Ie : is_RInt (fun u => r u * extra h u) (INR h) t
+                 (RInt (fun u => r u * extra h u) (INR h) t)).
+  { apply RInt_is. exact (extra_integrable h t Ht). }
   assert (Ic : is_RInt (fun u => coulomb * r u) (INR h) t (coulomb * way vel (INR h) t)).
   { apply (@is_RInt_scal R_NormedModule), RInt_is, (speed_integrable pos vel K). }
   apply (is_RInt_le (fun u => force u * vel u + f (pos u) * vel u)
-    (fun u => (r u * way vel (INR h) u
-       + sum_to h (fun j => full (h - j) * (r u * late (pred j) (u - INR h)))) + coulomb * r u)
+    (fun u => (H * (r u * way vel (INR h) u + r u * ways_before vel late h u)
+       + r u * extra h u) + coulomb * r u)
     (INR h) t _ _ (proj1 Ht)).
   - apply (@is_RInt_plus R_NormedModule (fun u => force u * vel u)); [exact If | exact Iv].
-  - apply (@is_RInt_plus R_NormedModule (fun u => r u * way vel (INR h) u
-       + sum_to h (fun j => full (h - j) * (r u * late (pred j) (u - INR h))))); [| exact Ic].
+  - apply (@is_RInt_plus R_NormedModule (fun u => H * (r u * way vel (INR h) u
+       + r u * ways_before vel late h u) + r u * extra h u)); [| exact Ic].
+    apply (@is_RInt_plus R_NormedModule (fun u => H * (r u * way vel (INR h) u
+       + r u * ways_before vel late h u))); [| exact Ie].
+    apply (@is_RInt_scal R_NormedModule).
     apply (@is_RInt_plus R_NormedModule (fun u => r u * way vel (INR h) u)); [exact Iw | exact Is].
-  - intros u Hu. pose proof (close h u ltac:(rewrite S_INR; lra)) as Cl.
+  - intros u Hu. pose proof (close h u ltac:(lra)) as Cl.
     replace (force u * vel u + f (pos u) * vel u) with ((force u + f (pos u)) * vel u) by ring.
     eapply Rle_trans; [apply Rle_abs |]. rewrite Rabs_mult. fold (r u).
     apply (Rmult_le_compat_r (r u)) in Cl; [| apply Rabs_pos].
-    eapply Rle_trans; [exact Cl |]. apply Req_le. unfold behind_at_most.
-    rewrite (sum_to_ext h (fun j => full (h - j) * (r u * late (pred j) (u - INR h)))
-      (fun j => r u * (late (pred j) (u - INR h) * way vel (INR (h - j)) (INR (S (h - j))))))
-      by (intros j _; unfold full; ring).
-    rewrite sum_to_scal. ring.
+    eapply Rle_trans; [exact Cl |]. apply Req_le. ring.
 Qed.
 
-(** ** The run: what is held back is stored, and given back sample by sample. *)
+(** ** The run *)
 
-Let held (h : nat) : R :=
-  sum_to h (fun j => load (h - j) (INR (S (h - j))) * (held_back - sum_to (pred j) share)) / 2.
+Let held (h : nat) : R := H * kernel_held held_back vel weight late h + extra_at_sample h.
 Let held_towards (h : nat) (t : R) : R :=
-  (held_back * load h t
-   + sum_to h (fun j => load (h - j) (INR (S (h - j))) * (held_back - sum_to j share))) / 2.
-
-Lemma held_arrives : forall h, held_towards h (INR (S h)) = held (S h).
-Proof.
-  intro h. unfold held, held_towards. rewrite sum_to_first. f_equal.
-  replace (S h - 1)%nat with h by lia. simpl pred. simpl (sum_to 0 share).
-  rewrite Rminus_0_r. ring_simplify. f_equal.
-Qed.
-
-Lemma held_grows : forall h t,
-  held_towards h t - held h
-  = held_back / 2 * load h t
-    - sum_to h (fun j => share j * load (h - j) (INR (S (h - j)))) / 2.
-Proof.
-  intros h t. unfold held, held_towards.
-  rewrite (sum_to_ext h (fun j => load (h - j) (INR (S (h - j))) * (held_back - sum_to (pred j) share))
-    (fun j => load (h - j) (INR (S (h - j))) * (held_back - sum_to j share)
-              + share j * load (h - j) (INR (S (h - j))))).
-  - rewrite sum_to_plus. field.
-  - intros [| j] Hj; [lia |]. simpl pred. rewrite sum_to_S. ring.
-Qed.
-
-Lemma held_nonneg : forall h t, INR h <= t <= INR (S h) -> 0 <= held_towards h t.
-Proof.
-  intros h t Ht. unfold held_towards.
-  assert (0 <= held_back) by (apply (shares 0)).
-  pose proof (load_nonneg h t Ht).
-  assert (0 <= held_back * load h t) by (apply Rmult_le_pos; assumption).
-  assert (0 <= sum_to h (fun j => load (h - j) (INR (S (h - j))) * (held_back - sum_to j share))).
-  { apply sum_to_nonneg. intros j _. pose proof (shares j).
-    apply Rmult_le_pos; [apply load_nonneg; rewrite S_INR; lra | lra]. }
-  lra.
-Qed.
+  H * kernel_towards held_back vel weight late h t + extra_to h t.
 
 Let work (t : R) : R := RInt (fun u => force u * vel u) 0 t.
 
@@ -336,40 +127,41 @@ Qed.
 
 Lemma positive_charge : forall h t, INR h <= t <= INR (S h) ->
   (forall u, INR h <= u <= t -> vel u <> 0 ->
-     0 <= margin_8 (beta - kappa) (sigma - coulomb) (vel u)) ->
+     0 <= margin_8 (beta - (H * kappa + more)) (sigma - coulomb) (vel u)) ->
   generated 0 (pos (INR h)) (pos t) (V (pos (INR h))) (V (pos t))
   + (held_towards h t + work t) - (held h + work (INR h)) <= dissipated beta sigma vel (INR h) t.
 Proof.
   intros h t Ht H8.
-  pose proof (instant_friction beta sigma kappa coulomb pos vel K (INR h) t (proj1 Ht) H8) as F.
-  fold (way vel (INR h) t) in F.
-  pose proof (force_work h t Ht) as G. pose proof (schur_interval h t Ht) as Sc.
-  pose proof (way_square h t Ht) as Wq. pose proof (held_grows h t) as Hg.
-  assert (Q : sum_to h (fun j => full (h - j) * far h t j)
-    <= sum_to h (fun j => share j * load (h - j) (INR (S (h - j)))) / 2
-       + total / 2 * sum_to h (loads h t)).
-  { eapply Rle_trans; [apply sum_to_le; intros j _; apply (far_paid h t j Ht) |].
-    rewrite (sum_to_ext h _ (fun j => / 2 * (share j * load (h - j) (INR (S (h - j))))
-      + total / 2 * loads h t j)) by (intros; field).
-    rewrite sum_to_plus, !sum_to_scal. change (fun j => loads h t j) with (loads h t). lra. }
+  pose proof (instant_friction beta sigma (H * kappa + more) coulomb pos vel K (INR h) t
+    (proj1 Ht) H8) as F.
+  fold (way vel (INR h) t) in F. pose proof (force_work h t Ht) as G.
+  pose proof (kernel_paid kappa 1 held_back pos vel weight late K Rle_0_1 late_continuous
+    late_nonneg weight_continuous weight_positive schur h t Ht) as Kp.
+  apply (Rmult_le_compat_l H) in Kp; [| exact H_nonneg].
+  set (before := RInt (fun u => r u * ways_before vel late h u) (INR h) t) in *.
+  set (besides := RInt (fun u => r u * extra h u) (INR h) t) in *.
+  change (H * (1 * (way vel (INR h) t ^ 2 / 2) + before
+    + (kernel_towards held_back vel weight late h t - kernel_held held_back vel weight late h))
+    <= H * (kappa * square_integral vel (INR h) t)) in Kp.
+  assert (Ep : besides + (extra_to h t - extra_at_sample h) <= more * square_integral vel (INR h) t)
+    by exact (extra_paid h t Ht).
   assert (S1 : work t - work (INR h) = RInt (fun u => force u * vel u) (INR h) t).
   { unfold work. rewrite (RInt_split _ 0 (INR h) t); [ring | |].
     - apply (work_to h). lra.
     - apply (work_integrable h); lra. }
-  unfold generated. lra.
+  unfold generated, held, held_towards. lra.
 Qed.
 
-(** TH-LAG (any actuator): if (beta - kappa)|v| + (sigma - coulomb) >= 0 at every instant, the
-    operator has put in at least the growth of the storage, after rest. *)
 Lemma positive_run : forall t, 0 <= t ->
-  criterion_holds (beta - kappa) (sigma - coulomb) vel t ->
+  criterion_holds (beta - (H * kappa + more)) (sigma - coulomb) vel t ->
   passive_run vel hand (kinetic mu (vel 0) + V (pos 0)) (kinetic mu (vel t) + V (pos t)) t.
 Proof.
   intros t Ht H8. destruct (INR_covers t Ht) as (N & HN).
   destruct (EQ_14_run mu beta sigma INR (fun _ => 0) pos vel friction (fun u => hand u + force u)
     P O V (fun h => held h + work (INR h)) (fun h t => held_towards h t + work t) INR_increasing)
     with (N := N) (t := t) as (I & E).
-  - intro h. rewrite held_arrives. reflexivity.
+  - intro h. unfold held, held_towards.
+    rewrite (kernel_arrives held_back vel weight late), extra_arrives. reflexivity.
   - exact HN.
   - intros h u Hr.
     destruct (reached_range _ INR_increasing N t HN h u Hr) as (R0 & R1 & R2).
@@ -387,8 +179,11 @@ Proof.
     split; [eexists; exact Ih |].
     unfold operator_energy at 1. rewrite (is_RInt_unique _ _ _ _ Ih).
     assert (W0 : work 0 = 0) by (unfold work; rewrite RInt_point; reflexivity).
-    assert (H0 : held 0 = 0) by (unfold held; simpl; field).
-    pose proof (held_nonneg N t HN). rewrite W0, H0 in E. lra.
+    assert (H0 : held 0 = 0) by (unfold held, kernel_held; rewrite extra_start; simpl; field).
+    assert (0 <= H * kernel_towards held_back vel weight late N t).
+    { apply Rmult_le_pos; [exact H_nonneg |].
+      apply (kernel_nonneg held_back pos vel weight late K); assumption. }
+    pose proof (extra_to_nonneg N t HN). unfold held_towards in E. rewrite W0, H0 in E. lra.
 Qed.
 
 End Positive.
