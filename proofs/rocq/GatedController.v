@@ -176,6 +176,26 @@ Proof.
     rewrite Z. lra.
 Qed.
 
+Lemma scaled_derivative : forall H s l, 0 <= H -> limit_nonneg l -> forall x,
+  is_derive (scaled_potential H s l) x (controller_law s l (H * x)).
+Proof.
+  intros H s l H0 Hl x. pose proof (controller_law_potential s l Hl) as [D _].
+  assert (L : is_derive (fun x => H * x) x H) by (auto_derive; [exact I | ring]).
+  pose proof (is_derive_comp _ _ x _ _ (D (H * x)) L) as C. destruct H0 as [H0 | <-].
+  - pose proof (is_derive_scal _ x (/ H) _ C) as Sc.
+    unfold scal in Sc. simpl in Sc. unfold mult in Sc. simpl in Sc.
+    replace (controller_law s l (H * x)) with (/ H * (H * controller_law s l (H * x)))
+      by (field; lra).
+    apply is_derive_ext with (2 := Sc). intro v. unfold scaled_potential. over_R.
+    unfold Rdiv. apply Rmult_comm.
+  - assert (Z : controller_law s l (0 * x) = 0).
+    { rewrite Rmult_0_l. destruct s, l as [b |]; simpl in *;
+        unfold clipped, clipped_below, Rmin, Rmax; repeat destruct Rle_dec; lra. }
+    rewrite Z. apply is_derive_ext with (fun _ : R => scaled_potential 0 s l x).
+    + intro v. unfold scaled_potential. rewrite !Rmult_0_l. reflexivity.
+    + apply (@is_derive_const R_AbsRing R_NormedModule).
+Qed.
+
 Lemma gated_scale : forall H s x, 0 <= H -> gated s (H * x) (H * x) = gated s x (H * x).
 Proof.
   intros H [|] x H0; [| reflexivity]. unfold gated.

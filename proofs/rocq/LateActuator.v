@@ -340,26 +340,6 @@ Proof.
     intros z [_ Hz]. eapply Rle_lt_trans; [apply controller_law_lipschitz | exact Hz].
 Qed.
 
-Lemma scaled_derivative : forall x, is_derive V x (f x).
-Proof.
-  intro x. pose proof (controller_law_potential one_sided limit limit_ok) as [D _].
-  assert (L : is_derive (fun x => H * x) x H) by (auto_derive; [exact I | ring]).
-  pose proof (is_derive_comp _ _ x _ _ (D (H * x)) L) as C.
-  assert (H0 : 0 <= H) by exact sum_nonneg. destruct H0 as [H0 | H0].
-  - pose proof (is_derive_scal _ x (/ H) _ C) as S.
-    unfold scal in S. simpl in S. unfold mult in S. simpl in S.
-    replace (f x) with (/ H * (H * controller_law one_sided limit (H * x)))
-      by (unfold f; field; lra).
-    apply is_derive_ext with (2 := S). intro v. unfold V, scaled_potential. over_R.
-    unfold Rdiv. apply Rmult_comm.
-  - assert (Z : f x = 0).
-    { unfold f. rewrite <- H0, Rmult_0_l. destruct one_sided, limit as [l |]; simpl in *;
-        unfold clipped, clipped_below, Rmin, Rmax; repeat destruct Rle_dec; lra. }
-    rewrite Z. apply is_derive_ext with (fun _ : R => V x).
-    + intro v. unfold V, scaled_potential. rewrite <- H0, !Rmult_0_l. reflexivity.
-    + apply (@is_derive_const R_AbsRing R_NormedModule).
-Qed.
-
 (** TH-LAG (any controller, any actuator): with the tails g_1, ..., g_n the criterion is
     (beta - H(1) kappa - |g_1| - ... - |g_n|)|v| + (sigma - e|c|_1 - delta/2) >= 0, for the wall and
     for the one that is one-sided or saturated; after rest. *)
@@ -379,7 +359,7 @@ Proof.
   apply (positive_run mu beta sigma H kappa (sum_to n a) coulomb (phase_mass weight behind)
     pos vel friction hand force f V weight phases (tails_extra late vel a n)
     (tails_held late vel a n) (tails_towards late vel a n) P O sum_nonneg law_is_continuous
-    scaled_derivative Ph).
+    (scaled_derivative H one_sided limit sum_nonneg limit_ok) Ph).
   - intros m t _. apply Ls.
   - exact (phase_weight_continuous late behind covers).
   - exact (phase_weight_positive late behind covers).
