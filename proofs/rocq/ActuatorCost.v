@@ -2,7 +2,7 @@
 
     A force that follows its command late, by m periods on average and with variance Var over the
     phase of the sample, costs kappa = ((1/2 + m) + sqrt ((1/2 + m)^2 + Var))/2 of viscous
-    friction.   *)
+    friction. *)
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -50,11 +50,11 @@ Lemma spare_monotone : forall kappa beta m Var, 0 <= m -> kappa <= beta ->
   0 <= spare_mean beta m /\ 0 <= spare_square beta m Var.
 Proof. intros kappa beta m Var Hm L. unfold spare_mean, spare_square. intros H1 H2. split; nra. Qed.
 
-(** ** A fraction of a period: latency
-
-    [p] is the share of the square of the displacement that is remembered. *)
+(** ** A fraction of a period: latency *)
 
 Definition latency_variance (f : R) : R := f * (1 - f).
+
+(** The share of the square of a displacement that is remembered. *)
 
 Definition latency_memory (kappa f : R) : R := f / 2 + f * (1 - f) / (4 * kappa).
 
@@ -78,7 +78,7 @@ Proof.
   replace (kappa * (a ^ 2 / f)) with (kappa / f * a ^ 2) by (field; lra). nra.
 Qed.
 
-(** TH-LATENCY (second part): then by [b], k whole samples of delay in all; n = 1/2 + k. *)
+(** TH-LATENCY (second part): then it moves by [b], k whole samples of delay in all. *)
 Lemma latency_second_part : forall kappa f k a b, 0 < f < 1 -> 0 <= k ->
   0 <= spare_mean kappa (k + f) -> 0 <= spare_square kappa (k + f) (latency_variance f) ->
   b ^ 2 / 2 + a * b + k * (a + b) ^ 2 + latency_memory kappa f * (a + b) ^ 2
