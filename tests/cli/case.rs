@@ -104,7 +104,7 @@ fn writes_a_case_that_refers_to_nothing_that_is_not_there() {
 fn exit_codes_are_those_of_the_verdict() {
     let dir = Dir::new();
     let lag = format!("{GOOD}[amplifier]\ntime_constant = \"1/5\"\n");
-    for (text, code) in [(GOOD, 0), (BAD, 1), (lag.as_str(), 3)] {
+    for (text, code) in [(GOOD, 0), (BAD, 1), (lag.as_str(), 1)] {
         let scene = dir.write("scene.toml", text);
         let run = dir.run(&["case", &scene, "--out", "case", "--format", "json"]);
         assert_eq!(run.code, code, "{}", run.stderr);

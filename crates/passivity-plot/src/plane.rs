@@ -36,9 +36,6 @@ pub struct Mark {
     pub speed: Option<(f64, String)>,
     /// The verdict, for the legend.
     pub verdict: String,
-    /// Whether a theorem covers all its effects. If not, its place in the plane says nothing: the
-    /// legend has it, the plane has not.
-    pub covered: bool,
 }
 
 impl Mark {
@@ -69,7 +66,6 @@ impl Mark {
             has_costs: !at.is_plain(),
             speed: bound.filter(|(v, _)| *v > 0.0),
             verdict: report.verdict.name().replace('_', " "),
-            covered: report.not_covered.is_empty(),
         })
     }
 
@@ -147,13 +143,8 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 fn draw_on(root: &Area<'_>, marks: &[Mark]) -> Drawn {
     root.fill(&WHITE)?;
     let (left, right) = root.split_horizontally(PLOT_WIDTH);
-    let placed = |(_, (mark, _)): &(usize, (&Mark, &RGBColor))| mark.covered;
-    let placed: Vec<_> = marks
-        .iter()
-        .zip(COLOURS.iter().cycle())
-        .enumerate()
-        .filter(placed)
-        .collect();
+    let coloured = marks.iter().zip(COLOURS.iter().cycle());
+    let placed: Vec<_> = coloured.enumerate().collect();
     let reach = |of: fn(&Mark) -> f64| {
         let all = placed.iter().map(|(_, (mark, _))| of(mark));
         all.fold(0.0_f64, f64::max)
@@ -370,14 +361,11 @@ fn legend(area: &Area<'_>, marks: &[Mark]) -> Drawn {
             15,
         )?;
         y += 19;
-        let place = if mark.covered {
-            format!("({}, {})", five(mark.middle().0), five(mark.middle().1))
-        } else {
-            "not in the plane".to_owned()
-        };
+        let (beta, sigma) = mark.middle();
+        let place = format!("({}, {})", five(beta), five(sigma));
         text(30, y, format!("{place}: {}", mark.verdict), 12)?;
         y += 17;
-        if let Some((_, name)) = mark.speed.as_ref().filter(|_| mark.covered) {
+        if let Some((_, name)) = &mark.speed {
             area.draw(&PathElement::new(
                 [(4, y + 6), (22, y + 6)],
                 colour.stroke_width(2),
@@ -425,7 +413,6 @@ mod tests {
             has_costs: false,
             speed: None,
             verdict: String::new(),
-            covered: true,
         };
         assert!(draw(&[mark]).is_err());
     }

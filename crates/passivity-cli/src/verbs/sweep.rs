@@ -104,8 +104,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     written.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
-        let covered = scene.not_covered().is_empty();
-        let borders = covered.then(|| Borders::of(&point.at));
+        let borders = Borders::of(&point.at);
         let picture = draw(&grid, &rows, borders).map_err(Failure::input)?;
         save(&picture, path).map_err(Failure::input)?;
     }

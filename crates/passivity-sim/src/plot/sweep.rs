@@ -17,22 +17,14 @@ use crate::sweep::{Grid, Row};
 /// the slowest to light grey; in (b) dots where the paper's detector sees the oscillation of some
 /// speed too. Crosses mark the points of which some speed is undecided.
 ///
-/// The critical lines (9) of the speeds are those of the scene with all its effects; without
-/// `borders`, where no theorem covers the scene, there are none.
+/// The critical lines (9) of the speeds are those of the scene with all its effects.
 ///
 /// # Errors
 ///
 /// A sweep that cannot be drawn.
-pub fn draw(
-    grid: &Grid,
-    rows: &[Option<Row>],
-    borders: Option<Borders>,
-) -> Result<String, PlotError> {
+pub fn draw(grid: &Grid, rows: &[Option<Row>], borders: Borders) -> Result<String, PlotError> {
     svg((1280, 640), "sweep", |root| {
-        let lines = match borders {
-            Some(_) => "dashed: critical lines, with the speed at the start",
-            None => "no theorem covers all effects of the scene: there is no critical line",
-        };
+        let lines = "dashed: critical lines, with the speed at the start";
         let undecided = rows.iter().flatten().any(|row| row.is_undecided());
         let crosses = if undecided {
             "; crosses: undecided"
@@ -63,7 +55,7 @@ pub fn draw(
 struct Drawing<'a> {
     grid: &'a Grid,
     rows: &'a [Option<Row>],
-    borders: Option<Borders>,
+    borders: Borders,
 }
 
 /// The indices of the speeds, the slowest first.
@@ -185,10 +177,7 @@ impl Drawing<'_> {
                 chart.draw_series([Cross::new(place, 4, colour)])?;
             }
         }
-        match self.borders {
-            Some(borders) => draw_borders(&mut chart, borders, &speeds, &width, &height),
-            None => Ok(()),
-        }
+        draw_borders(&mut chart, self.borders, &speeds, &width, &height)
     }
 }
 
