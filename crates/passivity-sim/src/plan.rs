@@ -5,7 +5,7 @@ use passivity_core::{BigRational, Effect, Loop, Parameter};
 use passivity_scene::Point;
 
 use crate::error::SimError;
-use crate::flow::Flow;
+use crate::flow::{Fast, Flow};
 use crate::growth::{Growth, System};
 use crate::law::{self, HeldForce, controller_in_doubles};
 use crate::motion::Constants;
@@ -61,6 +61,8 @@ pub struct Plan {
     pub(crate) forces: Option<Forces>,
     /// The motion with an amplifier's lag or an arm, when there is one.
     pub(crate) flow: Option<Flow<Double>>,
+    /// The same by propagators.
+    pub(crate) fast: Option<Fast>,
     /// ξ(0) and ξ̇(0).
     pub(crate) start: [f64; 2],
     /// How many intervals are run.
@@ -120,6 +122,7 @@ impl Plan {
             law: HeldForce::encoder(),
             forces: None,
             flow: None,
+            fast: None,
             start: [plain.xi, plain.velocity],
             intervals,
             growth: Growth::plain(&constants, 0.5),
@@ -157,6 +160,7 @@ impl Plan {
             constants,
             law: HeldForce::compile(&controller)?,
             forces,
+            fast: flow.as_ref().map(Fast::new),
             flow,
             start: [doubles.start_position, doubles.start_velocity].map(or_zero),
             intervals: point.intervals,
@@ -255,7 +259,8 @@ impl Plan {
                 "loop `law`: controller {} of 64, with the motion specialised to the scene's friction",
                 self.law.effects
             ),
-            _ => "loop `flow`: power series of the linear motion between reversals".to_owned(),
+            _ => "loop `flow`: propagator of the linear motion over an interval, power series about reversals"
+                .to_owned(),
         }];
         lines.extend(self.describe_law());
         if self.forces.is_some() {
