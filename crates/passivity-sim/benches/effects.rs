@@ -3,6 +3,7 @@
 //!
 //! Each scene has a grid of 1600 points: β up to twice its critical value, σ up to 1.5, speeds ½, 1, 2, 5
 //! and μ = 50. *Moving* are those of its points that never rest, σ < ½ and β above the critical value.
+//! `-- WORDS` measures the plain scene and those whose name has these words.
 //! Times are the least of several runs, so that other work on the machine does not count.
 
 use std::time::Instant;
@@ -155,8 +156,18 @@ fn main() {
         "| scene | moving points, ns | of plain | scalar loop, ns | grid, ns | of plain | grid, s |"
     );
     println!("| --- | --- | --- | --- | --- | --- | --- |");
+    // Cargo adds a flag of its own.
+    let words = std::env::args()
+        .skip(1)
+        .find(|word| !word.starts_with("--"));
     let mut plain: Option<[f64; 2]> = None;
     for scene in scenes() {
+        let named = words
+            .as_ref()
+            .is_none_or(|words| scene.name.contains(words));
+        if plain.is_some() && !named {
+            continue;
+        }
         let [moving, scalar] = each(&scene.plans(true));
         let [whole, _] = each(&scene.plans(false));
         let grid = scene.grid();

@@ -8,9 +8,12 @@
 //! at the ends of a piece and found by safeguarded Newton iteration on the series. That serves every
 //! kind of number; in doubles [`Fast`] does the same by propagators, and comes here for what they leave.
 
+mod events;
 mod fast;
 mod power;
 mod propagator;
+mod short;
+mod wide;
 
 use std::cmp::Ordering;
 
@@ -18,7 +21,8 @@ use passivity_core::{Effect, Loop};
 
 use crate::error::SimError;
 use crate::number::{Double, Real, Undecided};
-pub(crate) use fast::Fast;
+pub(crate) use events::{Event, decide};
+pub(crate) use fast::{Fast, Propagator};
 use power::{Series, horner, terms};
 
 /// The largest rate, per sampling period, that is simulated.

@@ -13,6 +13,7 @@
 )]
 
 mod batch;
+mod flow;
 mod law;
 
 use multiversion::multiversion;
@@ -23,6 +24,7 @@ use crate::phi;
 use crate::plan::{Plain, Plan};
 use crate::run;
 use batch::Batch;
+use flow::Flows;
 use law::Laws;
 
 /// Lanes in a batch: four AVX-512 vectors, enough to hide the latency of each.
@@ -48,21 +50,31 @@ pub enum Instructions {
 /// What is run for a number of intervals.
 struct Work {
     batch: Batch,
-    /// Its controllers; `None` for the paper's own.
-    laws: Option<Laws>,
+    kind: Kind,
     /// Whether its points take the longer series.
     medium: bool,
 }
 
+/// What the points of a batch are.
+enum Kind {
+    /// The paper's own scene.
+    Plain,
+    /// Any controller.
+    Law(Box<Laws>),
+    /// Any controller, with an amplifier or an arm.
+    Flow(Box<Flows>),
+}
+
 impl Work {
     #[inline(always)]
-    fn stretch(&mut self, intervals: u32) {
+    fn stretch(&mut self, points: &Points, intervals: u32) {
         let batch = &mut self.batch;
-        match (&mut self.laws, self.medium) {
-            (None, false) => batch::stretch::<false>(batch, intervals),
-            (None, true) => batch::stretch::<true>(batch, intervals),
-            (Some(laws), false) => law::stretch::<false>(batch, laws, intervals),
-            (Some(laws), true) => law::stretch::<true>(batch, laws, intervals),
+        match (&mut self.kind, self.medium) {
+            (Kind::Plain, false) => batch::stretch::<false>(batch, intervals),
+            (Kind::Plain, true) => batch::stretch::<true>(batch, intervals),
+            (Kind::Law(laws), false) => law::stretch::<false>(batch, laws, intervals),
+            (Kind::Law(laws), true) => law::stretch::<true>(batch, laws, intervals),
+            (Kind::Flow(flows), _) => flow::stretch(batch, flows, points, intervals),
         }
     }
 }
@@ -73,13 +85,13 @@ impl Work {
     "x86_64+sse4.1",
     "aarch64+neon"
 ))]
-fn best(work: &mut Work, intervals: u32) {
-    work.stretch(intervals);
+fn best(work: &mut Work, points: &Points, intervals: u32) {
+    work.stretch(points, intervals);
 }
 
 #[multiversion(targets("x86_64+avx2"))]
-fn avx2(work: &mut Work, intervals: u32) {
-    work.stretch(intervals);
+fn avx2(work: &mut Work, points: &Points, intervals: u32) {
+    work.stretch(points, intervals);
 }
 
 /// The widest instruction set that the lanes use on this processor.
@@ -204,10 +216,13 @@ impl Point {
     }
 }
 
-/// A batch with the point in each lane.
+/// The point in each lane.
+type Points = [Option<Point>; WIDTH];
+
+/// A batch with its points.
 struct Lanes {
     work: Work,
-    points: [Option<Point>; WIDTH],
+    points: Points,
     /// What all its points have in common.
     law: HeldForce,
     intervals: u64,
@@ -219,7 +234,11 @@ impl Lanes {
         Self {
             work: Work {
                 batch: Batch::new(),
-                laws: (!plan.is_plain()).then(|| Laws::new(&plan.law)),
+                kind: match &plan.fast {
+                    Some(fast) => Kind::Flow(Box::new(Flows::new(plan, fast))),
+                    None if plan.is_plain() => Kind::Plain,
+                    None => Kind::Law(Box::new(Laws::new(&plan.law))),
+                },
                 medium,
             },
             points: [const { None }; WIDTH],
@@ -247,9 +266,14 @@ impl Lanes {
             0.0
         };
         let alike = plan.law == self.law && plan.intervals == self.intervals;
-        let in_lanes = plan.flow.is_none() && plan.forces.is_none() && plan.viscous && plan.coulomb;
+        let kind = match (&self.work.kind, &plan.fast) {
+            (Kind::Flow(flows), Some(fast)) => fast.in_lanes() && flows.lags == fast.lags(),
+            (Kind::Plain | Kind::Law(_), None) => plan.constants.lambda <= phi::MEDIUM_LAMBDA,
+            _ => false,
+        };
+        let frictions = plan.viscous && plan.coulomb;
         let near = reach < FAR && radius < FAR;
-        alike && in_lanes && near && plan.constants.lambda <= phi::MEDIUM_LAMBDA
+        alike && kind && frictions && plan.forces.is_none() && near
     }
 
     /// Takes a point into a free lane, or gives it back.
@@ -258,8 +282,12 @@ impl Lanes {
             return Some(point);
         };
         self.work.batch.load(lane, &point.plan);
-        if let Some(laws) = &mut self.work.laws {
-            laws.load(lane, &point.plan);
+        match (&mut self.work.kind, &point.plan.fast) {
+            (Kind::Law(laws), _) => laws.load(lane, &point.plan),
+            (Kind::Flow(flows), Some(fast)) => {
+                flows.load(lane, &point.plan, &fast.propagator());
+            }
+            _ => {}
         }
         self.points[lane] = Some(point);
         None
@@ -276,23 +304,23 @@ impl Lanes {
         };
         let length = u32::try_from(least).map_or(STRETCH, |least| least.min(STRETCH));
         match instructions {
-            Instructions::Best => best(&mut self.work, length),
-            Instructions::Avx2 => avx2(&mut self.work, length),
-            Instructions::Baseline => self.work.stretch(length),
+            Instructions::Best => best(&mut self.work, &self.points, length),
+            Instructions::Avx2 => avx2(&mut self.work, &self.points, length),
+            Instructions::Baseline => self.work.stretch(&self.points, length),
         }
     }
 
     /// Hands over the ends of the points that are done, and frees their lanes.
     fn retire(&mut self, done: &mut impl FnMut(usize, End)) {
         for (lane, slot) in self.points.iter_mut().enumerate() {
-            let Work { batch, laws, .. } = &mut self.work;
+            let Work { batch, kind, .. } = &mut self.work;
             let busy = batch.busy[lane];
             let finished = busy <= 0.0 || batch.count[lane] >= self.intervals as f64;
             if let Some(point) = slot.take_if(|_| finished) {
                 let plan = &point.plan;
                 let end = Some(lane).filter(|_| busy != STRANGE);
                 let end = end.map(|lane| end_in(batch, lane, plan));
-                let end = end.filter(|end| laws.is_some() || !point.may_creep(end));
+                let end = end.filter(|end| !matches!(kind, Kind::Plain) || !point.may_creep(end));
                 done(point.index, end.unwrap_or_else(|| run::outcome(plan)));
                 batch.busy[lane] = 0.0;
             }

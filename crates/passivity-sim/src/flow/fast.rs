@@ -7,20 +7,22 @@
 //! second stop or a velocity that just touches 0, is left to the series of the whole interval,
 //! [`Flow::advance`].
 
-use super::propagator::{Inner, Map, Rates, Short, Table, dot};
+use super::events::{Event, decide};
+use super::propagator::{Map, Table};
+use super::short::{Inner, Rates, dot};
 use super::{Flow, Flowed, State};
 use crate::number::Double;
 
 /// The motion of a scene over an interval.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Fast {
-    rates: Rates,
+    pub(super) rates: Rates,
     /// σ; 0 without Coulomb friction.
-    sigma: f64,
+    pub(super) sigma: f64,
     coulomb: bool,
     lags: bool,
-    whole: Map,
-    table: Table,
+    pub(super) whole: Map,
+    pub(super) table: Table,
     /// Whether v̇, and v̈ as well, is 0 at most once within an interval.
     single: bool,
     /// ⅛ of the most that |v̈| can be within an interval, for each unit of |v|, |p| and |e| at its
@@ -30,23 +32,27 @@ pub(crate) struct Fast {
     careful: Flow<Double>,
 }
 
-/// What was gone of an interval: the way, ∫|v|, ∫v² and ∫ev.
-#[derive(Clone, Copy, Default)]
-struct Gone {
-    way: f64,
-    path: f64,
-    square: f64,
-    lagging: f64,
+/// The map over a whole interval, for lanes.
+pub(crate) struct Propagator {
+    /// The way, as it depends on v, p and e.
+    pub(crate) way: Inner,
+    /// The velocity at the end.
+    pub(crate) velocity: Inner,
+    /// The excess at the end, for an excess of 1.
+    pub(crate) excess: f64,
+    /// β′.
+    pub(crate) damping: f64,
+    /// k.
+    pub(crate) stiffness: f64,
 }
 
-/// A state at rest or about to move, with what is left of the interval.
-struct Stopped {
-    gone: Gone,
-    /// y + F − kξ.
-    net: f64,
-    /// e.
-    excess: f64,
-    left: f64,
+/// What was gone of an interval: the way, ∫|v|, ∫v² and ∫ev.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Gone {
+    pub(super) way: f64,
+    pub(super) path: f64,
+    square: f64,
+    lagging: f64,
 }
 
 impl Fast {
@@ -75,6 +81,27 @@ impl Fast {
             table,
             rates,
             careful: flow.clone(),
+        }
+    }
+
+    /// Whether there is an amplifier.
+    pub(crate) const fn lags(&self) -> bool {
+        self.lags
+    }
+
+    /// Whether signs decide where the velocity keeps its own, so that lanes can do the motion.
+    pub(crate) fn in_lanes(&self) -> bool {
+        self.single && self.coulomb && self.table.cells().is_some()
+    }
+
+    /// The map over an interval and what [`Self::keeps`] needs beside it.
+    pub(crate) const fn propagator(&self) -> Propagator {
+        Propagator {
+            way: self.whole.way,
+            velocity: self.whole.velocity,
+            excess: self.whole.excess,
+            damping: self.rates.damping,
+            stiffness: self.rates.stiffness,
         }
     }
 
@@ -122,7 +149,7 @@ impl Fast {
 
     /// y + F − kξ at the start, and what the amplifier still has to add to it.
     #[inline(always)]
-    fn driven(&self, start: &State<f64>, command: f64, force: f64) -> (f64, f64) {
+    pub(super) fn driven(&self, start: &State<f64>, command: f64, force: f64) -> (f64, f64) {
         let pulled = force - self.rates.stiffness * start.xi;
         if self.lags {
             (start.output + pulled, command - start.output)
@@ -133,7 +160,7 @@ impl Fast {
 
     /// An interval in which the velocity keeps its sign.
     #[inline(always)]
-    fn whole<const LEDGER: bool>(
+    pub(super) fn whole<const LEDGER: bool>(
         &self,
         start: &State<f64>,
         command: f64,
@@ -212,73 +239,34 @@ impl Fast {
         command: f64,
         force: f64,
     ) -> Option<Flowed<f64>> {
-        self.one_event::<LEDGER>(start, command, force)
-            .or_else(|| self.careful.advance_doubles(start, command, force, LEDGER))
+        let mut events = [Event::new(self, start.clone(), command, force)];
+        decide::<1, LEDGER>(&mut events);
+        let [event] = events;
+        event.end_or_carefully::<LEDGER>()
     }
 
-    /// The interval when there is at most one stop, and one start after it; else `None`.
-    pub(super) fn one_event<const LEDGER: bool>(
+    /// The interval by the power series of the whole of it.
+    #[cold]
+    pub(super) fn carefully<const LEDGER: bool>(
         &self,
         start: &State<f64>,
         command: f64,
         force: f64,
     ) -> Option<Flowed<f64>> {
-        let cells = self.table.cells()?;
-        let (net, excess) = self.driven(start, command, force);
-        let v = start.velocity;
-        let mut stopped = Stopped {
-            gone: Gone::default(),
-            net,
-            excess,
-            left: 1.0,
-        };
-        if v != 0.0 {
-            let inner = [v, net - self.sigma.copysign(v), excess];
-            let Some(cell) = self.crossed(&inner, cells)? else {
-                return Some(self.whole::<LEDGER>(start, command, &inner));
-            };
-            stopped = self.stop::<LEDGER>(cell, cells, net, &inner)?;
-        }
-        let at_end = self.whole.excess * excess;
-        let Stopped { net, excess, .. } = stopped;
-        let mut inner = [0.0, net - self.sigma.copysign(net), excess];
-        let mut direction = net;
-        if net.abs() <= self.sigma {
-            let net_at_end = net + (excess - at_end);
-            if net_at_end.abs() <= self.sigma {
-                return Some(stopped.gone.ended(start, command, 0.0, at_end));
-            }
-            // The excess falls as e^(−κt); friction lets go when the net force is ±σ.
-            let then = excess + net - self.sigma.copysign(net_at_end);
-            let wait = -(then / excess).ln() / self.rates.rate;
-            stopped.left -= wait;
-            if wait.is_nan() || stopped.left.is_nan() || stopped.left < 0.0 || wait < 0.0 {
-                return None;
-            }
-            (inner, direction) = ([0.0, 0.0, then], net_at_end);
-        }
-        let velocity = self.move_on::<LEDGER>(&mut stopped, &inner, direction)?;
-        Some(stopped.gone.ended(start, command, velocity, at_end))
+        self.careful.advance_doubles(start, command, force, LEDGER)
     }
 
     /// The cell of the table in which the velocity first comes to 0, or that it does not; `None` when
     /// that is not decided.
-    fn crossed(&self, inner: &Inner, cells: usize) -> Option<Option<usize>> {
+    #[inline(always)]
+    pub(super) fn crossed(&self, inner: &Inner, cells: usize) -> Option<Option<usize>> {
         let [v, ..] = *inner;
         let sign = 1.0_f64.copysign(v);
         let velocity = |cell: usize| dot(&self.table.map(cell).velocity, inner) * sign;
-        let (mut at, mut step) = (0, cells);
         if self.single && velocity(cells) < 0.0 {
-            // It changes its sign once.
-            while step > 1 {
-                step /= 2;
-                if velocity(at + step) > 0.0 {
-                    at += step;
-                }
-            }
-            return Some(Some(at));
+            return Some(Some(self.table.change(inner, sign)));
         }
-        at = self.first_doubt(inner, sign, 0, cells);
+        let at = self.first_doubt(inner, sign, 0, cells);
         if at == cells {
             return Some(None);
         }
@@ -308,122 +296,45 @@ impl Fast {
         cells
     }
 
-    /// Moves to the stop in a cell; `None` when the velocity just touches 0 there.
-    fn stop<const LEDGER: bool>(
+    /// Whether a motion from rest may come to 0 again: from `inner` it goes to `then` within a cell, and
+    /// from there in so many cells to a velocity at the end of the interval.
+    #[inline(always)]
+    pub(super) fn stops_again(
         &self,
-        cell: usize,
-        cells: usize,
-        net: f64,
         inner: &Inner,
-    ) -> Option<Stopped> {
-        // The error after a step of Newton's is about the square of the step.
-        const CLOSE: f64 = 1.0 / (1_u64 << 40) as f64;
-        let map = self.table.map(cell);
-        let state = self.led(map, inner);
-        let series = Short::new(&self.rates, state);
-        let ([before, ..], width) = (state, self.table.cell);
-        let after = dot(&self.table.map(cell + 1).velocity, inner);
-        let mut time = width * (before / (before - after));
-        let mut converged = false;
-        for _ in 0..8 {
-            let [v, slope] = series.rates(time);
-            let step = v / slope;
-            time = (time - step).clamp(0.0, width);
-            if step.abs() <= CLOSE * width {
-                converged = true;
-                break;
-            }
-        }
-        if !converged {
-            return None;
-        }
-        let [way, _, added] = series.added(time);
-        let [.., e] = *inner;
-        let [.., at_cell] = state;
-        let way = dot(&map.way, inner) + way;
-        let excess = at_cell + added;
-        let mut gone = Gone {
-            way,
-            ..Gone::default()
-        };
-        if LEDGER {
-            gone.path = way.abs();
-            gone.add(self.table.energies(cell).of(inner));
-            gone.add(series.energies(time));
-        }
-        Some(Stopped {
-            gone,
-            net: net + (e - excess) - self.rates.stiffness * way,
-            excess,
-            left: (cells - cell) as f64 * width - time,
-        })
-    }
-
-    /// The rest of the interval from a stop, in a direction that is kept; the velocity at its end, or
-    /// `None` when it may not be kept.
-    fn move_on<const LEDGER: bool>(
-        &self,
-        stopped: &mut Stopped,
-        inner: &Inner,
+        then: &Inner,
         direction: f64,
-    ) -> Option<f64> {
-        let width = self.table.cell;
+        cells: usize,
+        velocity: f64,
+    ) -> bool {
         let sign = 1.0_f64.copysign(direction);
-        // At most N: a whole number that fits.
-        let cells = (stopped.left / width).floor();
-        let rest = stopped.left - cells * width;
-        let cells = cells as usize;
-        let series = Short::new(&self.rates, *inner);
-        let [way, velocity, added] = series.added(rest);
-        let [_, p, e] = *inner;
-        let then = [velocity, p - added - self.rates.stiffness * way, e + added];
-        let map = self.table.map(cells);
-        let velocity = dot(&map.velocity, &then);
-        let second = if self.single {
-            velocity * sign < 0.0
-        } else {
-            // v ≥ v̇₀t − ½t²·|v̈|, with |v̈| ≤ 8·sag, in the first cell; in the last a part of one.
-            let sag = self.most_sag(inner) * width;
-            let last = (dot(&map.velocity, inner) * sign).min(velocity * sign);
-            p * sign * self.rates.inverse_mass <= 4.0 * sag
-                || cells == 0
-                || self.first_doubt(inner, sign, 1, cells) < cells
-                || last <= sag * width
-        };
-        if second {
-            return None;
+        if self.single {
+            return velocity * sign < 0.0 || velocity.is_nan();
         }
-        let way = way + dot(&map.way, &then);
-        let gone = &mut stopped.gone;
-        gone.way += way;
-        if LEDGER {
-            gone.path += way.abs();
-            gone.add(series.energies(rest));
-            gone.add(self.table.energies(cells).of(&then));
-        }
-        Some(velocity)
-    }
-
-    /// v, p and e after the time of a map.
-    fn led(&self, map: &Map, inner: &Inner) -> Inner {
-        let [_, p, e] = *inner;
-        let excess = map.excess * e;
-        let way = dot(&map.way, inner);
-        let p = p + (e - excess) - self.rates.stiffness * way;
-        [dot(&map.velocity, inner), p, excess]
+        let width = self.table.cell;
+        // v ≥ v̇₀t − ½t²·|v̈|, with |v̈| ≤ 8·sag, in the first part of a cell.
+        let [_, p, _] = *inner;
+        let first = p * sign * self.rates.inverse_mass > 4.0 * self.most_sag(inner) * width;
+        !first || self.first_doubt(then, sign, 0, cells) < cells
     }
 }
 
 impl Gone {
     /// Adds to ∫v² and ∫ev.
-    fn add(&mut self, [square, lagging]: [f64; 2]) {
+    pub(super) fn add(&mut self, [square, lagging]: [f64; 2]) {
         self.square += square;
         self.lagging += lagging;
     }
 
     /// The whole interval: how it ends from what was gone.
     #[inline(always)]
-    fn ended(self, start: &State<f64>, command: f64, velocity: f64, excess: f64) -> Flowed<f64> {
+    pub(super) fn ended(
+        self,
+        start: &State<f64>,
+        command: f64,
+        velocity: f64,
+        excess: f64,
+    ) -> Flowed<f64> {
         Flowed {
             end: State {
                 xi: start.xi + self.way,

@@ -9,45 +9,16 @@
 //! short time is summed from the power series, those of longer ones are products of it. Each is kept
 //! as what it *adds* to the state, so that a hundred products leave it good to a few ulp of that.
 //! [`Table`] has them for every 1/N of an interval: a motion over any time is one of them and a power
-//! series over less than 1/N, which [`TERMS`] terms exhaust.
+//! series over less than 1/N, [`Short`](super::short::Short).
 #![expect(
     clippy::indexing_slicing,
     reason = "every index is a constant below the length of a fixed array"
 )]
 
-/// Terms of a power series over 1/N. With 2·rate/N ≤ 1/16 the first one left out is (1/16)⁹/9! < 2⁻⁵⁴
-/// of the first one.
-const TERMS: usize = 9;
+use super::short::{INVERSE, Inner, Rates, dot};
 
 /// The most cells of an interval; faster motions than that have no table.
 const MOST_CELLS: u32 = 4096;
-
-/// 1/n.
-const INVERSE: [f64; TERMS + 1] = {
-    let mut inverse = [0.0; TERMS + 1];
-    let mut n = 1;
-    while n <= TERMS {
-        inverse[n] = 1.0 / n as f64;
-        n += 1;
-    }
-    inverse
-};
-
-/// The parameters of the motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rates {
-    /// 1/M.
-    pub(super) inverse_mass: f64,
-    /// β′, the device's viscous friction and the arm's damping.
-    pub(super) damping: f64,
-    /// k, the arm's stiffness.
-    pub(super) stiffness: f64,
-    /// κ, 0 without an amplifier.
-    pub(super) rate: f64,
-}
-
-/// v, p and e.
-pub(super) type Inner = [f64; 3];
 
 /// What a time of motion makes of v, p and e.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,11 +61,13 @@ impl Energies {
     /// Over the time `h`, by the power series.
     fn over(rates: &Rates, h: f64) -> Self {
         let units = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let [v, p, e] = units.map(|unit| Short::new(rates, unit));
-        let all = [&v.velocity, &p.velocity, &e.velocity];
+        let all = units.map(|unit| rates.series(&unit));
+        let [.., e] = &all;
         Self {
-            square: all.map(|a| all.map(|b| integral(a, b, h))),
-            lagging: all.map(|velocity| integral(&e.excess, velocity, h)),
+            square: all
+                .each_ref()
+                .map(|a| all.each_ref().map(|b| a.square_with(b, h))),
+            lagging: all.each_ref().map(|velocity| e.lagging_with(velocity, h)),
         }
     }
 
@@ -121,25 +94,6 @@ impl Energies {
     }
 }
 
-/// The integral of the product of two series from 0 to t.
-fn integral(a: &[f64; TERMS], b: &[f64; TERMS], t: f64) -> f64 {
-    let mut sum = 0.0;
-    for n in (0..TERMS).rev() {
-        let mut term = 0.0;
-        for i in 0..=n {
-            term += a[i] * b[n - i];
-        }
-        sum = sum * t + term * INVERSE[n + 1];
-    }
-    sum * t
-}
-
-/// The sum of products.
-#[inline(always)]
-pub(super) fn dot(a: &Inner, b: &Inner) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 /// A map less the identity: what it adds to v and e, and the way.
 #[derive(Clone, Copy)]
 struct Added {
@@ -161,8 +115,7 @@ impl Added {
         for column in 0..3 {
             let mut unit = [0.0; 3];
             unit[column] = 1.0;
-            let series = Short::new(rates, unit);
-            let [way, velocity, excess] = series.added(h);
+            let [way, velocity, excess] = rates.series(&unit).added_alone(h);
             added.way[column] = way;
             added.velocity[column] = velocity;
             if column == 2 {
@@ -336,65 +289,26 @@ impl Table {
         &self.maps[cells]
     }
 
+    /// The cell in which the velocity changes its sign, which it does once.
+    #[inline(always)]
+    pub(super) fn change(&self, inner: &Inner, sign: f64) -> usize {
+        let (mut at, mut step) = (0, self.maps.len() - 1);
+        while step > 1 {
+            // As many points as are on this side come before the change.
+            let part = (step / 8).max(1);
+            let mut before = 0.0;
+            for map in self.maps[at..at + step].iter().step_by(part).skip(1) {
+                let here = dot(&map.velocity, inner) * sign > 0.0;
+                before += if here { 1.0 } else { 0.0 };
+            }
+            at += before as usize * part;
+            step = part;
+        }
+        at
+    }
+
     /// The map over the whole interval.
     pub(super) fn whole(&self) -> Map {
         self.maps[self.maps.len() - 1]
-    }
-}
-
-/// The power series of the motion from a state, for times of at most 1/N: Σ vₙtⁿ and Σ eₙtⁿ.
-pub(super) struct Short {
-    velocity: [f64; TERMS],
-    excess: [f64; TERMS],
-}
-
-impl Short {
-    /// From v, p and e.
-    #[inline]
-    pub(super) fn new(rates: &Rates, [mut v, mut p, mut e]: Inner) -> Self {
-        let mut series = Self {
-            velocity: [0.0; TERMS],
-            excess: [0.0; TERMS],
-        };
-        for n in 0..TERMS {
-            (series.velocity[n], series.excess[n]) = (v, e);
-            let over = INVERSE[n + 1];
-            let lagging = rates.rate * e;
-            (v, p, e) = (
-                (p - rates.damping * v) * rates.inverse_mass * over,
-                (lagging - rates.stiffness * v) * over,
-                -lagging * over,
-            );
-        }
-        series
-    }
-
-    /// The way after the time `t`, and what has been added to v and e.
-    #[inline]
-    pub(super) fn added(&self, t: f64) -> [f64; 3] {
-        let (mut way, mut velocity, mut excess) = (0.0, 0.0, 0.0);
-        for n in (1..TERMS).rev() {
-            way = way * t + self.velocity[n] * INVERSE[n + 1];
-            velocity = velocity * t + self.velocity[n];
-            excess = excess * t + self.excess[n];
-        }
-        [(way * t + self.velocity[0]) * t, velocity * t, excess * t]
-    }
-
-    /// ∫v² and ∫ev up to the time `t`.
-    pub(super) fn energies(&self, t: f64) -> [f64; 2] {
-        [&self.velocity, &self.excess].map(|with| integral(&self.velocity, with, t))
-    }
-
-    /// v and v̇ after the time `t`.
-    #[inline]
-    pub(super) fn rates(&self, t: f64) -> [f64; 2] {
-        let (mut velocity, mut slope) = (0.0, 0.0);
-        for n in (1..TERMS).rev() {
-            slope = slope * t + velocity;
-            velocity = velocity * t + self.velocity[n];
-        }
-        slope = slope * t + velocity;
-        [velocity * t + self.velocity[0], slope]
     }
 }

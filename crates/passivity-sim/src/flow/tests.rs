@@ -2,6 +2,7 @@
 
 use approx::assert_abs_diff_eq;
 
+use super::events::{Event, decide};
 use super::*;
 use crate::motion::Constants;
 
@@ -154,9 +155,11 @@ fn propagators_lead_where_the_series_of_the_interval_leads() {
                     let got = fast.advance::<true>(&start, command, 0.0).unwrap();
                     let end = fast.advance::<false>(&start, command, 0.0).unwrap().end;
                     assert_eq!(end, got.end, "the ledger changes nothing");
+                    let mut event = [Event::new(&fast, start.clone(), command, 0.0)];
+                    decide::<1, false>(&mut event);
                     if fast.straight::<false>(&start, command, 0.0).is_some() {
                         straight += 1;
-                    } else if fast.one_event::<false>(&start, command, 0.0).is_some() {
+                    } else if event[0].end::<false>().is_some() {
                         events += 1;
                     } else {
                         careful += 1;

@@ -11,7 +11,7 @@ use crate::law::{self, HeldForce};
 use crate::plan::Plan;
 
 /// The magnitude from which on [`floor_lane`] is not used.
-const FAR: f64 = 1e15;
+pub(super) const FAR: f64 = 1e15;
 
 /// The controllers of a batch.
 pub(super) struct Laws {
@@ -24,9 +24,9 @@ pub(super) struct Laws {
     /// The held force.
     pub(super) held: Lane,
     /// For how many intervals the device has been at rest.
-    resting: Lane,
+    pub(super) resting: Lane,
     /// Past how many of them the controller has forgotten every other sample.
-    needed: f64,
+    pub(super) needed: f64,
 }
 
 impl Laws {

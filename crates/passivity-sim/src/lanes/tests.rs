@@ -246,3 +246,44 @@ fn a_plan_of_a_family_is_that_of_its_point() {
     let own = Plan::compile(&point).unwrap();
     assert_eq!(format!("{plan:?}"), format!("{own:?}"));
 }
+
+#[test]
+fn lanes_and_scalar_loop_agree_with_amplifier_and_arm() {
+    let kinds: [(Option<BigRational>, Option<[BigRational; 3]>); 6] = [
+        (Some(ratio(1, 5)), None),
+        (Some(ratio(1, 50)), None),
+        (Some(ratio(3, 1)), None),
+        (None, Some([ratio(10, 1), ratio(1, 5), ratio(2, 1)])),
+        (
+            Some(ratio(1, 5)),
+            Some([ratio(10, 1), ratio(1, 5), ratio(0, 1)]),
+        ),
+        // The scalar loop does this one.
+        (
+            Some(ratio(1, 5)),
+            Some([ratio(10, 1), ratio(1, 5), ratio(2, 1)]),
+        ),
+    ];
+    for (amplifier, arm) in kinds {
+        for effects in [law::ENCODER, law::ENCODER | law::DELAY | law::DAMPING, 63] {
+            for (mu, intervals) in [(50, 700), (3, 131)] {
+                let mut scene = scene(effects, 1, mu, intervals);
+                scene.at.time_constant = amplifier.clone();
+                if let Some([mass, damping, stiffness]) = arm.clone() {
+                    scene.at.arm_mass = Some(mass);
+                    scene.at.arm_damping = Some(damping);
+                    scene.at.arm_stiffness = Some(stiffness);
+                }
+                let plans = plans(
+                    &scene,
+                    &[0.0, 0.7, 1.4, 2.3],
+                    &[0.0, 0.2, 0.5, 0.75],
+                    &[-1.0, 0.0, 0.5, 4.0],
+                );
+                let what = format!("effects {effects:b}, μ = {mu}, {amplifier:?}, {arm:?}");
+                end_alike(Instructions::Best, &plans, &what);
+                end_alike(Instructions::Baseline, &plans, &what);
+            }
+        }
+    }
+}
