@@ -292,19 +292,31 @@ impl Table {
     /// The cell in which the velocity changes its sign, which it does once.
     #[inline(always)]
     pub(super) fn change(&self, inner: &Inner, sign: f64) -> usize {
-        let (mut at, mut step) = (0, self.maps.len() - 1);
-        while step > 1 {
-            // As many points as are on this side come before the change.
-            let part = (step / 8).max(1);
-            let mut before = 0.0;
-            for map in self.maps[at..at + step].iter().step_by(part).skip(1) {
-                let here = dot(&map.velocity, inner) * sign > 0.0;
-                before += if here { 1.0 } else { 0.0 };
+        // Where a straight line through the ends would be 0 is nearly where the velocity is; if four of
+        // them did not find the cell, halves do.
+        const LINES: u32 = 4;
+        let velocity = |cell: usize| dot(&self.maps[cell].velocity, inner) * sign;
+        let (mut low, mut high) = (0, self.maps.len() - 1);
+        let (mut first, mut last) = (velocity(low), velocity(high));
+        let mut tried = 0;
+        while high - low > 1 {
+            let part = if tried < LINES {
+                first / (first - last)
+            } else {
+                0.5
+            };
+            let at = (low + (part * (high - low) as f64) as usize).min(high - 1);
+            let (before, after) = (velocity(at), velocity(at + 1));
+            if before > 0.0 && after > 0.0 {
+                (low, first) = (at + 1, after);
+            } else if before > 0.0 {
+                return at;
+            } else {
+                (high, last) = (at, before);
             }
-            at += before as usize * part;
-            step = part;
+            tried += 1;
         }
-        at
+        low
     }
 
     /// The map over the whole interval.
