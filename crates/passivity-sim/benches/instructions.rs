@@ -2,11 +2,12 @@
 //! than doubles, counted by callgrind.
 //!
 //! `cargo bench -p passivity-sim --bench instructions` runs itself under valgrind, for 1000 and for
-//! 3000 intervals of each scene; the difference over 2000 is what an interval costs.
+//! 3000 intervals of each scene; the difference over 2000 is what an interval costs. `-- WORDS` counts
+//! the scenes whose name has these words.
 
 use std::process::Command;
 
-use passivity_core::{BigRational, Loop, Scalar};
+use passivity_core::{BigRational, Friction, Loop, Scalar};
 use passivity_scene::Point;
 use passivity_scene::point::Units;
 use passivity_sim::{Method, Plan, run, simulate};
@@ -89,6 +90,38 @@ impl Task {
     }
 }
 
+/// The paper's device on a cycle, where an interval in a few has a reversal.
+fn cycles() -> Vec<Task> {
+    let tenths = |n| BigRational::integer(n).over(BigRational::integer(10));
+    let mut cycle = base(1);
+    cycle.at = Loop {
+        inertia: Some(BigRational::integer(50)),
+        start_velocity: Some(BigRational::one()),
+        ..Loop::plain(Friction::new(tenths(9), tenths(4)))
+    };
+    let mut lagging = cycle.clone();
+    lagging.at.time_constant = Some(tenths(2));
+    let mut held = cycle.clone();
+    held.at.arm_mass = Some(BigRational::integer(10));
+    held.at.arm_damping = Some(tenths(2));
+    held.at.arm_stiffness = Some(BigRational::integer(2));
+    let mut both = held.clone();
+    both.at.time_constant = lagging.at.time_constant.clone();
+    let scenes = [
+        ("plain", cycle),
+        ("amplifier", lagging),
+        ("arm", held),
+        ("amplifier and arm", both),
+    ];
+    scenes
+        .map(|(name, point)| Task {
+            name: format!("on a cycle: {name}"),
+            point,
+            method: None,
+        })
+        .into()
+}
+
 /// The scenes: each effect by itself, then one more at a time, then other methods.
 fn tasks() -> Vec<Task> {
     let task = |name: String, point: &Point, method| Task {
@@ -108,6 +141,7 @@ fn tasks() -> Vec<Task> {
         let name = format!("{} effects: … + {name}", count + 1);
         tasks.push(task(name, &point, None));
     }
+    tasks.extend(cycles());
     for (encoder_only, method) in [
         (false, Method::ClosedForm),
         (true, Method::Exact),
@@ -151,9 +185,14 @@ fn main() {
         tasks[index].run(intervals as u64);
         return;
     }
+    // Cargo adds a flag of its own.
+    let words = args.iter().skip(1).find(|word| !word.starts_with("--"));
     let program = std::env::current_exe().unwrap_or_else(|error| panic!("{error}"));
     println!("| scene | what | instructions an interval |\n| --- | --- | --- |");
     for (index, task) in tasks.iter().enumerate() {
+        if words.is_some_and(|words| !task.name.contains(words)) {
+            continue;
+        }
         let count = |intervals: u64| -> Option<u64> {
             let output = Command::new("valgrind")
                 .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])

@@ -5,9 +5,15 @@
 //! sign of ξ̇. Its solution is the exponential of a matrix. It is evaluated by the power series of
 //! that exponential on pieces short enough that rate × piece ≤ ½, where n terms leave 2⁻ⁿ/n! of the
 //! first: the error is rounding, not a step size. Reversals are bracketed by the signs of ξ̇ and ξ̈
-//! at the ends of a piece and found by safeguarded Newton iteration on the series.
+//! at the ends of a piece and found by safeguarded Newton iteration on the series. That serves every
+//! kind of number; in doubles [`Fast`] does the same by propagators, and comes here for what they leave.
 
+mod events;
+mod fast;
 mod power;
+mod propagator;
+mod short;
+mod wide;
 
 use std::cmp::Ordering;
 
@@ -15,6 +21,8 @@ use passivity_core::{Effect, Loop};
 
 use crate::error::SimError;
 use crate::number::{Double, Real, Undecided};
+pub(crate) use events::{Event, decide};
+pub(crate) use fast::{Fast, Propagator};
 use power::{Series, horner, terms};
 
 /// The largest rate, per sampling period, that is simulated.
@@ -76,16 +84,20 @@ impl Flow<Double> {
         Ok(Some(Self { pieces, ..flow }))
     }
 
+    /// The largest rate of the motion, per sampling period.
+    fn fastest(&self) -> f64 {
+        let [damping, stiffness] = self.arm.map_or([0.0; 2], |arm| arm.map(|x| x.0));
+        let amplifier = self.rate.map_or(0.0, |rate| rate.0);
+        let friction = (self.beta.0 + damping) / self.mass.0;
+        amplifier
+            .max(friction)
+            .max((stiffness / self.mass.0).sqrt())
+    }
+
     /// How many pieces make rate × piece ≤ ½.
     fn pieces_needed(&self) -> Result<u32, SimError> {
-        let [damping, stiffness] = self.arm.map_or([0.0; 2], |arm| arm.map(|x| x.0));
-        let rates = [
-            self.rate.map_or(0.0, |rate| rate.0),
-            (self.beta.0 + damping) / self.mass.0,
-            (stiffness / self.mass.0).sqrt(),
-        ];
-        let rate = rates.into_iter().fold(0.0, f64::max);
-        if !rates.iter().all(|rate| *rate <= FASTEST) {
+        let rate = self.fastest();
+        if rate > FASTEST {
             return Err(SimError::TooFast {
                 rate,
                 limit: FASTEST,
@@ -393,121 +405,4 @@ impl<R: Real> Flow<R> {
 }
 
 #[cfg(test)]
-mod tests {
-    use approx::assert_abs_diff_eq;
-
-    use super::*;
-    use crate::motion::Constants;
-
-    fn plain(mass: f64, beta: f64, sigma: f64) -> Flow<Double> {
-        let mut flow = Flow {
-            mass: Double(mass),
-            beta: Double(beta),
-            sigma: Some(Double(sigma)),
-            rate: None,
-            arm: None,
-            pieces: 1,
-        };
-        flow.pieces = flow.pieces_needed().unwrap();
-        flow
-    }
-
-    #[test]
-    fn without_amplifier_and_arm_it_is_the_closed_form() {
-        for (mu, beta) in [(50.0, 0.6), (2.0, 1.0), (1.0, 30.0)] {
-            let (flow, k) = (plain(mu, beta, 0.3), Constants::new(mu, beta, 0.3));
-            for v in [-1.2, -0.01, 0.0, 0.004, 0.3] {
-                for u in [-2.5, -0.5, 0.2, 1.5] {
-                    let start = State {
-                        xi: 0.25,
-                        velocity: v,
-                        output: 0.0,
-                    };
-                    let got = flow.advance_doubles(&start, u, 0.0, true).unwrap();
-                    let want = k.advance::<true, true, true>(0.25, v, u);
-                    // A few ulp of the numbers at hand, all below 3, a piece.
-                    let tolerance = 1e-15 * f64::from(flow.pieces + 4);
-                    let close = |a: f64, b: f64| (a - b).abs() < tolerance;
-                    assert!(
-                        close(got.end.xi, want.xi)
-                            && close(got.end.velocity, want.velocity)
-                            && close(got.path, want.path)
-                            && close(got.square, want.square)
-                            && close(got.work, u * (want.xi - 0.25)),
-                        "μ {mu} v {v} u {u}: {got:?} {want:?}"
-                    );
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_swing_on_an_arm_is_a_cosine_and_loses_nothing() {
-        let mut flow = plain(1.0, 0.0, 0.0);
-        let omega: f64 = 7.0;
-        flow.arm = Some([0.0, omega * omega].map(Double));
-        flow.pieces = flow.pieces_needed().unwrap();
-        for sigma in [None, Some(Double(0.0))] {
-            flow.sigma = sigma;
-            let start = State {
-                xi: 1.0,
-                velocity: 0.0,
-                output: 0.0,
-            };
-            let got = flow.advance_doubles(&start, 0.0, 0.0, true).unwrap();
-            assert_abs_diff_eq!(got.end.xi, omega.cos(), epsilon = 1e-14);
-            assert_abs_diff_eq!(got.end.velocity, -omega * omega.sin(), epsilon = 1e-13);
-            // ∫ω² sin²(ωt) dt over the interval.
-            let square = omega * omega * (0.5 - (2.0 * omega).sin() / (4.0 * omega));
-            assert_abs_diff_eq!(got.square, square, epsilon = 1e-12);
-        }
-    }
-
-    #[test]
-    fn coulomb_friction_takes_two_sigma_from_each_half_swing() {
-        // ω = 2π, k = 1 ⇒ the turning points of a free swing lose 2σ/k each half period.
-        let omega = 2.0 * std::f64::consts::PI;
-        let mut flow = plain(1.0 / (omega * omega), 0.0, 0.125);
-        flow.arm = Some([0.0, 1.0].map(Double));
-        flow.pieces = flow.pieces_needed().unwrap();
-        let start = State {
-            xi: 2.0,
-            velocity: 0.0,
-            output: 0.0,
-        };
-        let got = flow.advance_doubles(&start, 0.0, 0.0, true).unwrap();
-        assert_abs_diff_eq!(got.end.xi, 1.5, epsilon = 1e-13);
-        assert_abs_diff_eq!(got.path, 7.0, epsilon = 1e-13);
-    }
-
-    #[test]
-    fn an_amplifier_lets_go_when_its_output_passes_friction() {
-        let mut flow = plain(1.0, 0.0, 0.5);
-        flow.rate = Some(Double(2.0));
-        flow.pieces = flow.pieces_needed().unwrap();
-        let start = State {
-            xi: 0.0,
-            velocity: 0.0,
-            output: 0.0,
-        };
-        let got = flow.advance_doubles(&start, 1.0, 0.0, true).unwrap();
-        // y = 1 − e^(−2t) passes ½ at t₀ = ln 2/2; then v = ∫(y − ½) = (t − t₀)/2 − (½ − e^(−2t))/2.
-        let (t0, e) = (0.5 * 2.0_f64.ln(), (-2.0_f64).exp());
-        let velocity = 0.5 * (1.0 - t0) - 0.5 * (0.5 - e);
-        assert_abs_diff_eq!(got.end.velocity, velocity, epsilon = 1e-14);
-        assert_abs_diff_eq!(got.end.output, 1.0 - e, epsilon = 1e-15);
-    }
-
-    #[test]
-    fn too_fast_an_amplifier_is_refused() {
-        let mut flow = plain(1.0, 0.0, 0.5);
-        flow.rate = Some(Double(5000.0));
-        assert_eq!(
-            flow.pieces_needed(),
-            Err(SimError::TooFast {
-                rate: 5000.0,
-                limit: FASTEST
-            })
-        );
-    }
-}
+mod tests;

@@ -155,7 +155,7 @@ impl HeldForce {
     }
 
     /// The position that the controller is given for ξ: the middle of its tick (5), or ξ itself.
-    fn sample(&self, xi: f64) -> f64 {
+    pub(crate) fn sample(&self, xi: f64) -> f64 {
         if self.has(ENCODER) {
             floor(xi) + 0.5
         } else {

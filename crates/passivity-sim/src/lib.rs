@@ -42,6 +42,7 @@ pub mod sweep;
 pub mod trace;
 
 mod error;
+mod family;
 mod flow;
 mod growth;
 mod law;

@@ -1,13 +1,14 @@
 //! A scene compiled for simulation: its effects and no others, and the loop that runs them.
 
 use passivity_core::parameter::Values;
-use passivity_core::{BigRational, Effect, Loop, Parameter};
+use passivity_core::{BigRational, Effect, Parameter};
 use passivity_scene::Point;
 
 use crate::error::SimError;
-use crate::flow::Flow;
-use crate::growth::{Growth, System};
-use crate::law::{self, HeldForce, controller_in_doubles};
+use crate::family::Family;
+use crate::flow::{Fast, Flow};
+use crate::growth::Growth;
+use crate::law::{self, HeldForce};
 use crate::motion::Constants;
 use crate::number::{Double, to_double};
 
@@ -48,7 +49,8 @@ pub(crate) struct Forces {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Plan {
-    effects: Vec<Effect>,
+    /// The effects of the scene.
+    pub(crate) effects: Vec<Effect>,
     /// Whether there is viscous friction.
     pub(crate) viscous: bool,
     /// Whether there is Coulomb friction.
@@ -61,6 +63,8 @@ pub struct Plan {
     pub(crate) forces: Option<Forces>,
     /// The motion with an amplifier's lag or an arm, when there is one.
     pub(crate) flow: Option<Flow<Double>>,
+    /// The same by propagators.
+    pub(crate) fast: Option<Fast>,
     /// ξ(0) and ξ̇(0).
     pub(crate) start: [f64; 2],
     /// How many intervals are run.
@@ -89,19 +93,6 @@ pub(crate) fn in_range(x: &BigRational, parameter: Parameter) -> Result<f64, Sim
     }
 }
 
-/// What of a dimensionless loop has a part in the motion, in doubles.
-fn in_doubles(point: &Point) -> Result<Loop<Double>, SimError> {
-    let moving = Loop {
-        max_speed: None,
-        operator_force: None,
-        ..point.at.clone()
-    };
-    for (parameter, x) in moving.given() {
-        in_range(x, parameter)?;
-    }
-    Ok(moving.map(|_, x| Double::from(x)))
-}
-
 impl Plan {
     /// The plan of the paper's own scene.
     #[must_use]
@@ -120,6 +111,7 @@ impl Plan {
             law: HeldForce::encoder(),
             forces: None,
             flow: None,
+            fast: None,
             start: [plain.xi, plain.velocity],
             intervals,
             growth: Growth::plain(&constants, 0.5),
@@ -133,35 +125,7 @@ impl Plan {
     /// A scene without inertia, a parameter out of the range of doubles, or a motion within the
     /// interval that is too fast for the power series.
     pub fn compile(point: &Point) -> Result<Self, SimError> {
-        let doubles = in_doubles(point)?;
-        let mass = doubles.inertia.ok_or(SimError::NoInertia)?;
-        let or_zero = |x: Option<Double>| x.map_or(0.0, |x| x.0);
-        let constants = Constants::new(mass.0, or_zero(doubles.viscous), or_zero(doubles.coulomb));
-        let controller = controller_in_doubles(&point.at);
-        let forces = match &point.forces {
-            Some(samples) => Some(Forces::new(samples)?),
-            None => None,
-        };
-        let flow = Flow::compile(&doubles, mass)?;
-        let growth = Growth::of(&System {
-            controller: &controller,
-            constants: &constants,
-            flow: flow.as_ref(),
-            largest_force: forces.as_ref().map(Forces::largest),
-        });
-        let effects = Effect::ALL.into_iter();
-        Ok(Self {
-            effects: effects.filter(|effect| point.has(*effect)).collect(),
-            viscous: doubles.viscous.is_some(),
-            coulomb: doubles.coulomb.is_some(),
-            constants,
-            law: HeldForce::compile(&controller)?,
-            forces,
-            flow,
-            start: [doubles.start_position, doubles.start_velocity].map(or_zero),
-            intervals: point.intervals,
-            growth,
-        })
+        Family::of(point)?.own()
     }
 
     /// The effects of the scene, in the order in which they are listed everywhere.
@@ -255,7 +219,8 @@ impl Plan {
                 "loop `law`: controller {} of 64, with the motion specialised to the scene's friction",
                 self.law.effects
             ),
-            _ => "loop `flow`: power series of the linear motion between reversals".to_owned(),
+            _ => "loop `flow`: propagator of the linear motion over an interval, power series about reversals"
+                .to_owned(),
         }];
         lines.extend(self.describe_law());
         if self.forces.is_some() {
@@ -317,7 +282,7 @@ impl Plan {
 
 impl Forces {
     /// The operator's forces; none at all is a force of zero.
-    fn new(samples: &[BigRational]) -> Result<Self, SimError> {
+    pub(crate) fn new(samples: &[BigRational]) -> Result<Self, SimError> {
         let force = |x| in_range(x, Parameter::OperatorForce);
         let mut samples: Vec<f64> = samples.iter().map(force).collect::<Result<_, _>>()?;
         if samples.is_empty() {

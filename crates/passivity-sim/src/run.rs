@@ -125,9 +125,14 @@ fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
         return by_friction::<false, W, _>(plan, Encoder(plan.law.memory(xi)), watch);
     }
     let law = Compiled::new(plan);
-    if let Some(flow) = &plan.flow {
-        let advance =
-            |state: &State<f64>, held, force| flow.advance_doubles(state, held, force, W::LEDGER);
+    if let Some(fast) = &plan.fast {
+        if W::LEDGER {
+            let fast = fast.clone().with_ledger();
+            let advance =
+                |state: &State<f64>, held, force| fast.advance::<true>(state, held, force);
+            return stepping(plan, law, advance, watch);
+        }
+        let advance = |state: &State<f64>, held, force| fast.advance::<false>(state, held, force);
         return stepping(plan, law, advance, watch);
     }
     if plan.forces.is_some() {

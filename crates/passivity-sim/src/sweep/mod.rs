@@ -12,9 +12,8 @@ use std::sync::mpsc;
 use passivity_scene::Point;
 
 use crate::error::SimError;
+use crate::family::Family;
 use crate::lanes;
-use crate::plan::{Plain, Plan};
-use crate::run;
 
 pub use file::{Opened, Rows, open};
 pub use grid::{Grid, MOST_POINTS, Range};
@@ -23,8 +22,8 @@ pub use row::Row;
 /// Runs the points of a grid that are not `done` yet; `sink` takes each in the order in which they
 /// end, with its index, and its error stops the sweep.
 ///
-/// The paper's own scene goes through vector lanes, any other through the loop of its plan, one
-/// point at a time; both use all cores.
+/// A scene whose only effects are friction and the controller's goes through vector lanes, any other
+/// through the loop of its plan, one point at a time; both use all cores.
 ///
 /// # Errors
 ///
@@ -60,7 +59,8 @@ pub fn run(
         return Ok(());
     }
     // One point compiled stands for all: they differ in β, σ and speed alone.
-    let first = Plan::compile(&grid.point(scene, 0))?;
+    let family = Family::of(&grid.point(scene, 0))?;
+    family.own()?;
     grid.check()?;
     let next = AtomicUsize::new(0);
     let cancelled = AtomicBool::new(false);
@@ -85,31 +85,16 @@ pub fn run(
                 cancelled.store(true, Ordering::Relaxed);
             }
         };
-        if first.is_plain() {
-            let (mu, [xi, _]) = (first.constants.mu, first.start);
-            let point = || {
-                let index = take()?;
-                let [beta, sigma, velocity] = grid.doubles(index);
-                Some((
-                    index,
-                    Plain {
-                        mu,
-                        beta,
-                        sigma,
-                        xi,
-                        velocity,
-                    },
-                ))
-            };
-            lanes::run(scene.intervals, point, |index, end| {
-                deliver(Ok((index, Row::of(&end))));
-            });
-        } else {
-            while let Some(index) = take() {
-                let plan = Plan::compile(&grid.point(scene, index));
-                deliver(plan.map(|plan| (index, Row::of(&run::outcome(&plan)))));
+        let next = || loop {
+            let index = take()?;
+            match family.with(grid.doubles(index)) {
+                Ok(plan) => return Some((index, plan)),
+                Err(error) => deliver(Err(error)),
             }
-        }
+        };
+        lanes::run_plans(lanes::Instructions::Best, next, |index, end| {
+            deliver(Ok((index, Row::of(&end))));
+        });
     };
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     std::thread::scope(|scope| {

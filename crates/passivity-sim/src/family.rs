@@ -1,0 +1,111 @@
+//! Scenes that differ in friction and speed at the start alone: what they share is compiled once.
+
+use passivity_core::{Controller, Effect, Loop};
+use passivity_scene::Point;
+
+use crate::error::SimError;
+use crate::flow::{Fast, Flow};
+use crate::growth::{Growth, System};
+use crate::law::{HeldForce, controller_in_doubles};
+use crate::motion::Constants;
+use crate::number::Double;
+use crate::plan::{Forces, Plan, in_range};
+
+/// A scene in doubles, with its controller and the operator's forces.
+#[derive(Clone, Debug)]
+pub(crate) struct Family {
+    the_loop: Loop<Double>,
+    mass: Double,
+    effects: Vec<Effect>,
+    controller: Controller<Double>,
+    law: HeldForce,
+    forces: Option<Forces>,
+    intervals: u64,
+}
+
+impl Family {
+    /// The family of a scene's dimensionless point.
+    ///
+    /// # Errors
+    ///
+    /// A scene without inertia, or a parameter out of the range of doubles.
+    pub(crate) fn of(point: &Point) -> Result<Self, SimError> {
+        let the_loop = in_doubles(point)?;
+        let controller = controller_in_doubles(&point.at);
+        let effects = Effect::ALL.into_iter();
+        Ok(Self {
+            mass: the_loop.inertia.ok_or(SimError::NoInertia)?,
+            the_loop,
+            effects: effects.filter(|effect| point.has(*effect)).collect(),
+            law: HeldForce::compile(&controller)?,
+            controller,
+            forces: match &point.forces {
+                Some(samples) => Some(Forces::new(samples)?),
+                None => None,
+            },
+            intervals: point.intervals,
+        })
+    }
+
+    /// The plan of the scene itself.
+    ///
+    /// # Errors
+    ///
+    /// A motion within the interval that is too fast.
+    pub(crate) fn own(&self) -> Result<Plan, SimError> {
+        self.plan(self.the_loop.clone())
+    }
+
+    /// The plan of the scene with these β, σ and speed at the start, all of them in range.
+    ///
+    /// # Errors
+    ///
+    /// A motion within the interval that is too fast.
+    pub(crate) fn with(&self, [beta, sigma, speed]: [f64; 3]) -> Result<Plan, SimError> {
+        self.plan(Loop {
+            viscous: Some(Double(beta)),
+            coulomb: Some(Double(sigma)),
+            start_velocity: Some(Double(speed)),
+            ..self.the_loop.clone()
+        })
+    }
+
+    fn plan(&self, the_loop: Loop<Double>) -> Result<Plan, SimError> {
+        let or_zero = |x: Option<Double>| x.map_or(0.0, |x| x.0);
+        let [beta, sigma] = [the_loop.viscous, the_loop.coulomb].map(or_zero);
+        let constants = Constants::new(self.mass.0, beta, sigma);
+        let flow = Flow::compile(&the_loop, self.mass)?;
+        let growth = Growth::of(&System {
+            controller: &self.controller,
+            constants: &constants,
+            flow: flow.as_ref(),
+            largest_force: self.forces.as_ref().map(Forces::largest),
+        });
+        Ok(Plan {
+            effects: self.effects.clone(),
+            viscous: the_loop.viscous.is_some(),
+            coulomb: the_loop.coulomb.is_some(),
+            constants,
+            law: self.law.clone(),
+            forces: self.forces.clone(),
+            fast: flow.as_ref().map(Fast::new),
+            flow,
+            start: [the_loop.start_position, the_loop.start_velocity].map(or_zero),
+            intervals: self.intervals,
+            growth,
+        })
+    }
+}
+
+/// What of a dimensionless loop has a part in the motion, in doubles.
+fn in_doubles(point: &Point) -> Result<Loop<Double>, SimError> {
+    let moving = Loop {
+        max_speed: None,
+        operator_force: None,
+        ..point.at.clone()
+    };
+    for (parameter, x) in moving.given() {
+        in_range(x, parameter)?;
+    }
+    Ok(moving.map(|_, x| Double::from(x)))
+}

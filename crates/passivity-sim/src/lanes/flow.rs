@@ -1,0 +1,161 @@
+//! Scenes with an amplifier's lag or an operator's arm, in lanes.
+//!
+//! Intervals in which the velocity surely keeps its sign are products of the state and the propagator
+//! of the scene, all lanes at once. What the scalar loop does in the others, [`decide`] does for the
+//! lanes that need it, some at a time.
+
+use super::batch::{Batch, Lane, select};
+use super::law::{FAR, Laws};
+use super::{Points, STRANGE, WIDTH};
+use crate::flow::{Event, Fast, Propagator, State, decide};
+use crate::plan::Plan;
+
+/// How many events go side by side: a vector of AVX-512.
+const SIDE_BY_SIDE: usize = 8;
+
+/// The motions of a batch.
+pub(super) struct Flows {
+    laws: Laws,
+    /// Whether there is an amplifier.
+    pub(super) lags: bool,
+    /// Its output.
+    output: Lane,
+    way: [Lane; 3],
+    velocity: [Lane; 3],
+    excess: Lane,
+    damping: Lane,
+    stiffness: Lane,
+    /// 1 where the interval of a lane has an event.
+    event: Lane,
+}
+
+impl Flows {
+    pub(super) fn new(plan: &Plan, fast: &Fast) -> Self {
+        let zero = [0.0; WIDTH];
+        Self {
+            laws: Laws::new(&plan.law),
+            lags: fast.lags(),
+            output: zero,
+            way: [zero; 3],
+            velocity: [zero; 3],
+            excess: zero,
+            damping: zero,
+            stiffness: zero,
+            event: zero,
+        }
+    }
+
+    pub(super) fn load(&mut self, lane: usize, plan: &Plan, propagator: &Propagator) {
+        self.laws.load(lane, plan);
+        let [xi, _] = plan.start;
+        self.output[lane] = plan.law.settled(xi);
+        for part in 0..3 {
+            self.way[part][lane] = propagator.way[part];
+            self.velocity[part][lane] = propagator.velocity[part];
+        }
+        self.excess[lane] = propagator.excess;
+        self.damping[lane] = propagator.damping;
+        self.stiffness[lane] = propagator.stiffness;
+    }
+}
+
+/// Runs every busy lane for `intervals` intervals.
+#[inline(always)]
+pub(super) fn stretch(batch: &mut Batch, flows: &mut Flows, points: &Points, intervals: u32) {
+    let mut events = Vec::with_capacity(WIDTH);
+    for _ in 0..intervals {
+        flows.laws.sample(batch);
+        if flows.lags {
+            straight::<true>(batch, flows);
+        } else {
+            straight::<false>(batch, flows);
+        }
+        let mut any = false;
+        for event in flows.event {
+            any |= event > 0.0;
+        }
+        if !any {
+            continue;
+        }
+        let mut lanes = [0; WIDTH];
+        for (i, point) in points.iter().enumerate() {
+            if flows.event[i] > 0.0
+                && let Some(point) = point
+                && let Some(fast) = &point.plan.fast
+            {
+                let start = State {
+                    xi: batch.xi[i],
+                    velocity: batch.v[i],
+                    output: flows.output[i],
+                };
+                lanes[events.len()] = i;
+                events.push(Event::new(fast, start, flows.laws.held[i], 0.0));
+            }
+        }
+        decide::<SIDE_BY_SIDE, false>(&mut events);
+        for (event, i) in events.drain(..).zip(lanes) {
+            if let Some(flowed) = event.end_or_carefully::<false>() {
+                let end = flowed.end;
+                batch.xi[i] = end.xi;
+                batch.v[i] = end.velocity;
+                flows.output[i] = end.output;
+            } else {
+                batch.busy[i] = STRANGE;
+            }
+        }
+    }
+}
+
+/// The interval of every lane whose velocity surely keeps its sign; the others are marked.
+///
+/// Signs are joined without short cuts, so that there is no branch.
+#[inline(always)]
+fn straight<const LAGS: bool>(batch: &mut Batch, flows: &mut Flows) {
+    // Copies, so that no store is in the way of a load.
+    let (mut xis, mut vs, mut outputs) = (batch.xi, batch.v, flows.output);
+    let (mut busies, mut restings, mut events) = (batch.busy, flows.laws.resting, [0.0; WIDTH]);
+    let needed = flows.laws.needed;
+    for i in 0..WIDTH {
+        let (xi, v, sigma) = (xis[i], vs[i], batch.sigma[i]);
+        let (held, stiffness) = (flows.laws.held[i], flows.stiffness[i]);
+        let (now, excess) = if LAGS {
+            (outputs[i], held - outputs[i])
+        } else {
+            (held, 0.0)
+        };
+        let net = now + (0.0 - stiffness * xi);
+        let direction = select(v == 0.0, net, v);
+        let sign = 1.0_f64.copysign(direction);
+        let p = net - sigma.copysign(direction);
+        let [w, u] = [&flows.way, &flows.velocity];
+        let way = w[0][i] * v + w[1][i] * p + w[2][i] * excess;
+        let velocity = u[0][i] * v + u[1][i] * p + u[2][i] * excess;
+        let end_excess = flows.excess[i] * excess;
+        let end_xi = xi + way;
+        let last = p + (excess - end_excess) - stiffness * (end_xi - xi);
+        let first = (p - flows.damping[i] * v) * sign;
+        let last = (last - flows.damping[i] * velocity) * sign;
+        let sticks = (v == 0.0) & (net.abs() <= sigma);
+        let keeps = !sticks & (velocity * sign >= 0.0) & ((first >= 0.0) | (last <= 0.0));
+
+        let taken = |output: f64| (output - stiffness * xi).abs() <= sigma;
+        let rests = (v == 0.0) & taken(now) & taken(held);
+        let resting = select(rests, restings[i] + 1.0, 0.0);
+        let strange = (xi.abs() >= FAR) | batch.exceeds(i);
+        let busy = busies[i];
+        let busy = select(strange & (busy > 0.0), STRANGE, busy);
+        let busy = select((resting > needed) & (busy > 0.0), 0.0, busy);
+        let goes = keeps & (busy > 0.0);
+        xis[i] = select(goes, end_xi, xi);
+        vs[i] = select(goes, velocity, v);
+        outputs[i] = select(goes, held - end_excess, outputs[i]);
+        busies[i] = busy;
+        restings[i] = resting;
+        events[i] = select((busy > 0.0) & !keeps, 1.0, 0.0);
+    }
+    for (count, busy) in batch.count.iter_mut().zip(busies) {
+        *count += select(busy > 0.0, 1.0, 0.0);
+    }
+    (batch.xi, batch.v, batch.busy) = (xis, vs, busies);
+    (flows.output, flows.laws.resting, flows.event) = (outputs, restings, events);
+}

@@ -1,0 +1,126 @@
+//! A controller with any of its effects, in lanes.
+//!
+//! Every lane of a batch has the same controller, so that what is not in it is skipped for all of them
+//! at once. Each effect is a loop of its own over the lanes, with the very operations of the table in
+//! [`law`]. A lane that meets what only the scalar loop decides is *strange*: it stops, and its point
+//! is run again there from its start.
+
+use super::batch::{Batch, Lane, floor_lane, select};
+use super::{STRANGE, WIDTH};
+use crate::law::{self, HeldForce};
+use crate::plan::Plan;
+
+/// The magnitude from which on [`floor_lane`] is not used.
+pub(super) const FAR: f64 = 1e15;
+
+/// The controllers of a batch.
+pub(super) struct Laws {
+    pub(super) law: HeldForce,
+    /// The samples under way, a ring that all lanes share the index of.
+    line: Vec<Lane>,
+    next: usize,
+    /// The sample before, for virtual damping.
+    previous: Lane,
+    /// The held force.
+    pub(super) held: Lane,
+    /// For how many intervals the device has been at rest.
+    pub(super) resting: Lane,
+    /// Past how many of them the controller has forgotten every other sample.
+    pub(super) needed: f64,
+}
+
+impl Laws {
+    pub(super) fn new(law: &HeldForce) -> Self {
+        let zero = [0.0; WIDTH];
+        let delay = if law.has(law::DELAY) { law.delay } else { 0 };
+        Self {
+            line: vec![zero; delay],
+            next: 0,
+            previous: zero,
+            held: zero,
+            resting: zero,
+            needed: law.forgets_after() as f64,
+            law: law.clone(),
+        }
+    }
+
+    pub(super) fn load(&mut self, lane: usize, plan: &Plan) {
+        let [xi, _] = plan.start;
+        let sample = self.law.sample(xi);
+        for samples in &mut self.line {
+            samples[lane] = sample;
+        }
+        self.previous[lane] = sample;
+        self.resting[lane] = 0.0;
+    }
+
+    /// The held forces of the samples at the positions of all lanes.
+    #[inline(always)]
+    pub(super) fn sample(&mut self, batch: &mut Batch) {
+        let law = &self.law;
+        let mut q = batch.xi;
+        if law.has(law::ENCODER) {
+            for q in &mut q {
+                *q = floor_lane(*q) + 0.5;
+            }
+        }
+        if let Some(samples) = self.line.get_mut(self.next) {
+            std::mem::swap(samples, &mut q);
+            self.next = (self.next + 1) % self.line.len();
+        }
+        let mut force = q;
+        if law.has(law::DAMPING) {
+            for i in 0..WIDTH {
+                force[i] += law.damping * (q[i] - self.previous[i]);
+            }
+            self.previous = q;
+        }
+        if law.has(law::UNILATERAL) {
+            for i in 0..WIDTH {
+                force[i] = select(q[i] < 0.0, 0.0, force[i]);
+            }
+        }
+        let mut held = force.map(|force| -force);
+        if law.has(law::FORCE_STEP) {
+            let [numerator, denominator] = law.force_step;
+            for (held, busy) in held.iter_mut().zip(&mut batch.busy) {
+                let steps = *held * denominator / numerator + 0.5;
+                *held = floor_lane(steps) * numerator / denominator;
+                *busy = select(steps.abs() >= FAR && *busy > 0.0, STRANGE, *busy);
+            }
+        }
+        if law.has(law::SATURATION) {
+            let most = law.max_force;
+            for held in &mut held {
+                *held = select(*held < -most, -most, select(*held > most, most, *held));
+            }
+        }
+        self.held = held;
+    }
+}
+
+/// Runs every busy lane for `intervals` intervals.
+#[inline(always)]
+pub(super) fn stretch<const MEDIUM: bool>(batch: &mut Batch, laws: &mut Laws, intervals: u32) {
+    for _ in 0..intervals {
+        laws.sample(batch);
+        for i in 0..WIDTH {
+            let (xi, v, held) = (batch.xi[i], batch.v[i], laws.held[i]);
+            let beyond = batch.beyond(i, held);
+            let rests = v == 0.0 && beyond == 0.0;
+            let resting = select(rests, laws.resting[i] + 1.0, 0.0);
+            let [new_xi, new_v] = batch.moved::<MEDIUM>(i, held, beyond);
+            // A speed that has underflowed under a force that friction just takes: no stop.
+            let creeps = new_v == 0.0 && v != 0.0 && held == batch.sigma[i].copysign(v);
+            let strange = creeps || xi.abs() >= FAR || batch.exceeds(i);
+            let busy = batch.busy[i];
+            let busy = select(strange && busy > 0.0, STRANGE, busy);
+            let busy = select(resting > laws.needed && busy > 0.0, 0.0, busy);
+            batch.xi[i] = select(busy > 0.0, new_xi, xi);
+            batch.v[i] = select(busy > 0.0, new_v, v);
+            batch.count[i] += select(busy > 0.0, 1.0, 0.0);
+            batch.busy[i] = busy;
+            laws.resting[i] = resting;
+        }
+    }
+}
