@@ -29,6 +29,11 @@ pub enum SimError {
         /// The effects of the scene that it cannot do.
         effects: Vec<Effect>,
     },
+    /// No method simulates some of the scene's effects.
+    NotSimulated {
+        /// The effects.
+        effects: Vec<Effect>,
+    },
     /// A parameter that is no finite double, or rounds to 0 or below where it must not.
     OutOfRange {
         /// The parameter's name.
@@ -72,6 +77,14 @@ pub enum SimError {
     File(String),
 }
 
+fn list(effects: &[Effect], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    for (i, effect) in effects.iter().enumerate() {
+        let comma = if i == 0 { "" } else { ", " };
+        write!(f, "{comma}{} (`{}`)", effect.words(), effect.key())?;
+    }
+    Ok(())
+}
+
 impl fmt::Display for SimError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -81,11 +94,11 @@ impl fmt::Display for SimError {
             ),
             Self::Unsupported { method, effects } => {
                 write!(f, "method `{method}` cannot simulate this scene: it has ")?;
-                for (i, effect) in effects.iter().enumerate() {
-                    let comma = if i == 0 { "" } else { ", " };
-                    write!(f, "{comma}{} (`{}`)", effect.words(), effect.key())?;
-                }
-                Ok(())
+                list(effects, f)
+            }
+            Self::NotSimulated { effects } => {
+                f.write_str("this scene is checked but not simulated: it has ")?;
+                list(effects, f)
             }
             Self::OutOfRange {
                 parameter,

@@ -11,6 +11,9 @@ use crate::motion::Constants;
 use crate::number::Double;
 use crate::plan::{Forces, Plan, in_range};
 
+/// The effects that no inner loop has.
+const NOT_SIMULATED: [Effect; 3] = [Effect::Latency, Effect::DampingFilter, Effect::Controller];
+
 /// A scene in doubles, with its controller and the operator's forces.
 #[derive(Clone, Debug)]
 pub(crate) struct Family {
@@ -30,6 +33,13 @@ impl Family {
     ///
     /// A scene without inertia, or a parameter out of the range of doubles.
     pub(crate) fn of(point: &Point) -> Result<Self, SimError> {
+        let left_out = NOT_SIMULATED
+            .into_iter()
+            .filter(|effect| point.has(*effect));
+        let effects: Vec<Effect> = left_out.collect();
+        if !effects.is_empty() {
+            return Err(SimError::NotSimulated { effects });
+        }
         let the_loop = in_doubles(point)?;
         let controller = controller_in_doubles(&point.at);
         let effects = Effect::ALL.into_iter();
