@@ -186,6 +186,17 @@ impl LinearPart {
         ))
     }
 
+    /// λ(θ) at the middle of the parameters; `None` behind an actuator or a law that is not linear, or
+    /// of too high a degree.
+    #[must_use]
+    pub fn frequency_response(&self) -> Option<ViscousCost> {
+        let (middle, _) = self.middle()?;
+        let length = middle.numerator().len().max(middle.denominator().len());
+        let seen = self.linear && self.actuator.is_none();
+        (seen && length + usize::from(self.delay) <= MOST_DEGREE)
+            .then(|| ViscousCost::of(&middle.delayed(self.delay)))
+    }
+
     /// λ(θ) for the middle of the parameters, and how far it is at most from that of any others;
     /// `None` where a closed form says it, or where the degree is too high.
     fn by_frequency(&self) -> Option<(ViscousCost, BigRational)> {

@@ -7,6 +7,7 @@
 pub mod critical;
 pub mod energy;
 mod file;
+pub mod frequency;
 pub mod plane;
 #[cfg(feature = "png")]
 mod png;

@@ -13,11 +13,17 @@ use crate::output::{Format, emit, emit_json, read_scene};
 /// Lists the effects in the scene and those left out, the equations in force, the theorems used,
 /// and what a simulation of the scene computes.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example:
-  passivity explain scenes/re35.toml")]
+#[command(after_help = "Examples:
+  passivity explain scenes/re35.toml
+  passivity explain scenes/filtered-damping.toml --plot frequency.svg")]
 pub(crate) struct Args {
     /// The scene file.
     scene: PathBuf,
+    /// Draw what the loop costs of β at each frequency into this file, as SVG or PNG according to its
+    /// extension; for a linear loop.
+    #[cfg(feature = "plot")]
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -36,6 +42,13 @@ struct Document {
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
     let explanation = explain(&scene);
+    #[cfg(feature = "plot")]
+    if let Some(path) = &args.plot {
+        let picture = passivity_plot::frequency::draw(&scene, &explanation.report);
+        let picture = picture
+            .map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
+        passivity_plot::save(&picture, path).map_err(Failure::input)?;
+    }
     let plan = plan(&scene);
     match args.format {
         Format::Text => {

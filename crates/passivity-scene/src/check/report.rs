@@ -12,7 +12,7 @@ use super::decide::{self, Verdict};
 use super::figures::Figures;
 use super::limits::{self, Limit};
 use super::text::speed_unit;
-use super::unforced::{StartSpeed, Unforced};
+use super::unforced::{self, StartSpeed, Unforced};
 use super::{BITS, figure};
 use crate::json::{
     write_interval as interval, write_optional_interval as optional_interval,
@@ -274,7 +274,7 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
             Some(cycle) => Some(witness(cycle, bounds, has_units)?),
             None => None,
         },
-        unforced: unforced(scene, bounds, &not_covered)?,
+        unforced: left_alone(scene, bounds, &not_covered)?,
         not_covered,
     })
 }
@@ -329,7 +329,7 @@ fn witness<S: Enclosed>(
 }
 
 /// What TH-START says of the scene's start.
-fn unforced<S: Enclosed>(
+fn left_alone<S: Enclosed>(
     scene: &Scene,
     bounds: &Loop<Interval<S>>,
     not_covered: &[Effect],
@@ -338,7 +338,7 @@ fn unforced<S: Enclosed>(
         return Some(None);
     };
     let holds = if not_covered.is_empty() {
-        bounds.truth(&start.speeds())?
+        unforced::holds(bounds, &start.speeds())?
     } else {
         Truth::Depends
     };

@@ -88,6 +88,30 @@ impl<S: Enclosed> StartSpeed<S> {
     }
 }
 
+/// Whether TH-START shows that a device left alone keeps to these speeds.
+///
+/// Of delay and damping it says so with the sum of their costs. Of a filter, a controller, a latency
+/// and an amplifier nothing is proved, so it depends.
+pub(super) fn holds<S: Enclosed>(
+    bounds: &Loop<Interval<S>>,
+    speeds: &Speeds<Interval<S>>,
+) -> Option<Truth> {
+    let by_sums = Loop {
+        viscous_cost: None,
+        coulomb_cost: None,
+        ..bounds.clone()
+    };
+    let is_proved = bounds.controller.is_none()
+        && bounds.damping_time_constant.is_none()
+        && bounds.latency.is_none()
+        && bounds.time_constant.is_none();
+    if is_proved {
+        by_sums.decide(speeds)
+    } else {
+        Some(Truth::Depends)
+    }
+}
+
 /// The magnitudes of the numbers of an interval.
 fn magnitude<S: Ordered>(range: &Interval<S>) -> Interval<S> {
     let ends = Interval::hull(range.lo().abs(), range.hi().abs());

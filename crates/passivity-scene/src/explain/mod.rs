@@ -1,13 +1,20 @@
 //! The derivation of a verdict with a scene's numbers filled in.
 
+mod equations;
+mod frequency;
+mod theorems;
+
 use std::fmt::Write as _;
 
-use passivity_core::{BigRational, Effect, Parameter};
+use passivity_core::{Effect, Parameter};
 use serde::{Serialize, Serializer};
 
 use crate::check::{Report, Verdict, check};
 use crate::display::{approx, range, wrapped};
 use crate::scene::{Motion, Scene};
+use equations::{Cost, held_force, motion, readable};
+pub use frequency::Frequency;
+use theorems::sentence;
 
 /// What a line of the derivation says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -18,12 +25,16 @@ pub enum Step {
     Sigma,
     /// μ from the parameters.
     Mu,
+    /// The digital controller H(z).
+    Controller,
     /// The force that is held.
     HeldForce,
     /// The equation of motion.
     Motion,
     /// What a sampling interval generates at most.
     Generated,
+    /// What the effects cost together, and at which frequency.
+    Cost,
     /// What friction dissipates at least.
     Dissipated,
     /// The criterion.
@@ -175,15 +186,24 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
             );
         }
     }
+    if let Some([formula, numbers]) = equations::controller(scene) {
+        push(Step::Controller, "TH-LTI", formula, numbers);
+    }
     let (law, law_id) = held_force(scene);
     push(Step::HeldForce, law_id, law, String::new());
     push(Step::Motion, "(6)", motion(scene), String::new());
     let cost = Cost::of(scene);
-    let bound = format!(
-        "E_g ≤ {}·d² + {}·|d|{}",
-        cost.viscous, cost.coulomb, cost.storage
-    );
+    let (viscous, coulomb) = (&cost.viscous, &cost.coulomb);
+    let charged = format!("{viscous}·d² + {coulomb}·|d|");
+    let bound = if cost.of_whole_motions {
+        format!("ΣE_g ≤ Σ({charged}){}", cost.storage)
+    } else {
+        format!("E_g ≤ {charged}{}", cost.storage)
+    };
     push(Step::Generated, cost.id, bound, String::new());
+    if let Some((id, [formula, numbers])) = equations::computed(scene, report) {
+        push(Step::Cost, id, formula, numbers);
+    }
     let friction = match (scene.has(Effect::Viscous), scene.has(Effect::Coulomb)) {
         (true, true) => "E_d ≥ β·d²/Δτ + σ·|d|",
         (true, false) => "E_d ≥ β·d²/Δτ",
@@ -265,168 +285,6 @@ fn units_text(scene: &Scene, report: &Report, which: char) -> String {
         nominal(unit),
         range(value)
     )
-}
-
-/// The force that is held, with exactly the scene's effects.
-fn held_force(scene: &Scene) -> (String, &'static str) {
-    let late = scene.given.delay;
-    let sample = if late == 0 {
-        "h".to_owned()
-    } else {
-        format!("h−{late}")
-    };
-    let before = format!("h−{}", u32::from(late) + 1);
-    let mut id = "(5)";
-    let mut force = if scene.given.has_encoder() {
-        format!("⌊ξ_{sample}⌋ + ½")
-    } else {
-        id = "TH-SMOOTH";
-        format!("ξ_{sample}")
-    };
-    if late > 0 {
-        id = "TH-DELAY";
-    }
-    if scene.has(Effect::Damping) {
-        id = "TH-DAMP";
-        let velocity = if scene.given.has_encoder() {
-            format!("(⌊ξ_{sample}⌋ − ⌊ξ_{before}⌋)")
-        } else {
-            format!("(ξ_{sample} − ξ_{before})")
-        };
-        force = format!("{force} + B·{velocity}");
-    }
-    let side = if scene.given.unilateral {
-        ", where the bracket is 0 if the sample is below 0"
-    } else {
-        ""
-    };
-    // Gated first, then negated, rounded and limited, as the controller does.
-    let mut held = format!("−({force})");
-    if scene.has(Effect::ForceStep) {
-        id = "TH-DAC";
-        held = format!("δ·⌊{held}/δ + ½⌋");
-    }
-    if scene.has(Effect::Saturation) {
-        id = "TH-LAW";
-        held = format!("sat({held})");
-    }
-    (format!("φ_V = {held} over [h, h+1){side}"), id)
-}
-
-/// The equation of motion, with exactly the scene's effects.
-fn motion(scene: &Scene) -> String {
-    let mut left = vec!["μ·ξ̈"];
-    if scene.has(Effect::Viscous) {
-        left.push("β·ξ̇");
-    }
-    if scene.has(Effect::Coulomb) {
-        left.push("σ·sgn(ξ̇)");
-    }
-    let wall = if scene.has(Effect::Amplifier) {
-        "the lagged φ_V"
-    } else {
-        "φ_V"
-    };
-    format!("{} = φ_H + {wall}", left.join(" + "))
-}
-
-/// What a step may generate, in letters and numbers.
-struct Cost {
-    viscous: String,
-    viscous_number: String,
-    coulomb: String,
-    coulomb_number: String,
-    storage: &'static str,
-    id: &'static str,
-}
-
-impl Cost {
-    fn of(scene: &Scene) -> Self {
-        let at = scene.point().at;
-        let delay = at.delay;
-        let cost = at.cost();
-        let mut viscous = vec!["½".to_owned()];
-        let mut coulomb = Vec::new();
-        let mut id = if at.has_encoder() {
-            "TH-LIN"
-        } else {
-            "TH-SMOOTH"
-        };
-        if delay > 0 {
-            viscous.push(delay.to_string());
-            id = "TH-DELAY";
-        }
-        match (at.has_encoder(), at.force_step.is_some()) {
-            (true, true) => coulomb.push("½(1 + δ)".to_owned()),
-            (true, false) => coulomb.push("½".to_owned()),
-            (false, true) => coulomb.push("½δ".to_owned()),
-            (false, false) => {}
-        }
-        if at.force_step.is_some() {
-            id = "TH-DAC";
-        }
-        if at.damping.is_some() {
-            viscous.push("B".to_owned());
-            if at.has_encoder() {
-                coulomb.push("B".to_owned());
-            }
-            id = "TH-DAMP";
-        }
-        let sum = |terms: &[String]| match terms {
-            [] => "0".to_owned(),
-            [one] => one.clone(),
-            many => format!("({})", many.join(" + ")),
-        };
-        let stored = delay > 0 || at.damping.is_some();
-        Self {
-            viscous: sum(&viscous),
-            viscous_number: readable(&cost.viscous),
-            coulomb: sum(&coulomb),
-            coulomb_number: readable(&cost.coulomb),
-            storage: if stored {
-                " + the decrease of the extra storage"
-            } else {
-                ""
-            },
-            id,
-        }
-    }
-}
-
-/// A rational as it is when short, else rounded.
-fn readable(x: &BigRational) -> String {
-    let exact = x.to_string();
-    if exact.len() <= 12 { exact } else { approx(x) }
-}
-
-/// What a theorem says, in a sentence.
-fn sentence(id: &str) -> &'static str {
-    match id {
-        "TH-REGION" => "a region is the set of speeds at which the criterion holds",
-        "TH-INTERVAL" => {
-            "within a sampling interval no more energy is generated than friction dissipates, \
-             measured against the linear spring, if the criterion holds at the mean speed"
-        }
-        "TH-RUN" => {
-            "over any number of intervals the operator draws no more energy than was stored at the \
-             start, whatever the operator does"
-        }
-        "TH-START" => {
-            "an unforced motion never gets faster than V, so the criterion at V is enough"
-        }
-        "TH-ACTIVE" => {
-            "if β or σ is below ½, an explicit cycle of motion draws energy in each round trip"
-        }
-        "TH-SMOOTH" => "without an encoder the terms of quantization vanish",
-        "TH-UNI" => "a one-sided wall generates no more energy than a two-sided one",
-        "TH-LAW" => {
-            "a force law that is nowhere stiffer than K generates no more energy than the spring"
-        }
-        "TH-DAC" => "a force step δ costs ½δ of Coulomb friction",
-        "TH-DELAY" => "each sample of delay raises the β that is required by 1",
-        "TH-DAMP" => "virtual damping B raises the β and the σ that are required by B each",
-        _ => "see the table of claims",
-    }
 }
 
 impl Explanation {
