@@ -273,32 +273,18 @@ impl Smoothed {
         let transfer = TransferFunction::new(numerator, [one.clone(), -e.clone()]).ok()?;
         let cube = &left * &left * &left;
         let mut error = over_box + BigRational::integer(18) * &theta * width / cube;
-        // Terms until what is left of Σ jκⱼ is below a unit, on the grid.
-        let mut response: Vec<BigRational> = Vec::new();
-        let terms = transfer.impulse_response(MOST_TERMS);
-        let mut mass = one.clone();
-        let mut ended = false;
-        for (j, term) in (0_i32..).zip(&terms) {
-            let kept = on_grid(term);
-            error += Scalar::abs(&(term - &kept)) * BigRational::integer(j + 1);
-            mass -= term;
-            response.push(kept);
-            // κ falls by e a term, so what follows is mass·(j + 1 + 1/(1 − e)) in Σ jκⱼ.
-            let after = &mass * (BigRational::integer(j + 1) + left.recip());
-            if after.compare(&unit())? == Ordering::Less {
-                error += after;
-                ended = true;
-                break;
-            }
-        }
-        if !ended {
+        // By what is left of the sum after each term: Σ|Δgⱼ| is what moves the mean delay.
+        let tails = Terms::of(&transfer.tails(), &unit())?;
+        if tails.terms.len() > MOST_TERMS {
             return None;
         }
-        // The last term takes what is missing of the sum of 1.
-        let sum = response.iter().fold(BigRational::zero(), |sum, k| sum + k);
-        let missing = one - sum;
-        error += Scalar::abs(&missing) * BigRational::from_integer(response.len().into());
-        *response.last_mut()? += missing;
+        error += &tails.error;
+        let left_after = |j: usize| {
+            let units = tails.terms.get(j).cloned().unwrap_or_default();
+            BigRational::from_integer(units) * &tails.unit
+        };
+        let mut response = alloc::vec![&one - left_after(1)];
+        response.extend((1..tails.terms.len()).map(|j| left_after(j) - left_after(j + 1)));
         let mut late = Vec::new();
         late.resize(usize::from(whole), BigRational::zero());
         late.append(&mut response);
