@@ -343,3 +343,99 @@ fn random_controllers_cost_the_largest_value_over_all_frequencies() {
     });
     result.unwrap();
 }
+
+/// A linear device of which some parameters have tolerances: key, value in thousandths of its unit, and
+/// percent.
+type Toleranced = Vec<(&'static str, i64, i64)>;
+
+fn toleranced() -> impl Strategy<Value = (Toleranced, Vec<i64>)> {
+    let percent = || prop::sample::select(vec![0_i64, 0, 2, 10]);
+    let of =
+        |key: &'static str, range: std::ops::RangeInclusive<i64>| (Just(key), range, percent());
+    let some = |key, range| prop::option::of(of(key, range));
+    let required = (
+        of("viscous", 500..=4000),
+        of("coulomb", 300..=3000),
+        of("period", 900..=1100),
+        of("stiffness", 900..=1100),
+    );
+    let optional = (
+        some("damping", 100..=1500),
+        some("damping_time_constant", 100..=2000),
+        some("latency", 50..=1500),
+        some("time_constant", 50..=1500),
+    );
+    let places = prop::collection::vec(-4..=4_i64, 8);
+    (required, optional, places).prop_map(|((b, c, t, k), (damping, filter, late, lag), places)| {
+        let mut all = vec![b, c, t, k];
+        let filter = filter.filter(|_| damping.is_some());
+        all.extend([damping, filter, late, lag].into_iter().flatten());
+        (all, places)
+    })
+}
+
+/// The scene where each value is at `place`/4 of its tolerance, or with its tolerances.
+fn device(parameters: &Toleranced, places: Option<&[i64]>, delay: u16) -> Report {
+    let value = |key: &str| {
+        let index = parameters.iter().position(|(k, ..)| *k == key)?;
+        let (_, thousandths, percent) = parameters[index];
+        let unit = match key {
+            "viscous" | "damping" => "N s/m",
+            "coulomb" => "N",
+            "stiffness" => "N/m",
+            _ => "s",
+        };
+        let text = match places {
+            None => format!("{thousandths}/1000 {unit} ± {percent}%"),
+            Some(places) => {
+                let share = places[index % places.len()] * percent;
+                let exact = BigRational::new((thousandths * (400 + share)).into(), 400_000.into());
+                format!("{exact} {unit}")
+            }
+        };
+        Some(format!("{key} = \"{text}\"\n"))
+    };
+    let section = |name: &str, keys: &[&str]| {
+        let lines: String = keys.iter().filter_map(|key| value(key)).collect();
+        if lines.is_empty() {
+            String::new()
+        } else {
+            format!("[{name}]\n{lines}")
+        }
+    };
+    let text = section("device", &["viscous", "coulomb"])
+        + &section("sampling", &["period", "latency"])
+        + &format!("delay = {delay}\n[encoder]\nresolution = \"1 m\"\n")
+        + &section("wall", &["stiffness", "damping", "damping_time_constant"])
+        + &section("amplifier", &["time_constant"]);
+    check(&Scene::from_toml("device", &text).unwrap_or_else(|error| panic!("{error}\n{text}")))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 6, ..ProptestConfig::default() })]
+
+    /// What is said of all devices within the tolerances is so of each: at corners and inside.
+    #[test]
+    fn what_is_said_of_a_box_is_so_of_its_devices(
+        (parameters, places) in toleranced(),
+        delay in 0..3_u16,
+    ) {
+        let whole = device(&parameters, None, delay).verdict;
+        for turn in 0..6 {
+            let mut at = places.clone();
+            at.rotate_left(turn);
+            // Corners in the even turns.
+            if turn % 2 == 0 {
+                at = at.iter().map(|place| if *place < 0 { -4 } else { 4 }).collect();
+            }
+            let one = device(&parameters, Some(&at), delay).verdict;
+            match whole {
+                Verdict::Passive => prop_assert_eq!(one, Verdict::Passive),
+                Verdict::NotPassive => prop_assert_eq!(one, Verdict::NotPassive),
+                Verdict::NotGuaranteed => prop_assert_ne!(one, Verdict::Passive),
+                Verdict::Depends => {}
+                Verdict::NotCovered => prop_assert!(false, "all of it is covered"),
+            }
+        }
+    }
+}

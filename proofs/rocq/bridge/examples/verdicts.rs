@@ -1,7 +1,8 @@
 //! Prints boxes of loops and what the kernel's `Loop::decide` says of each, for comparison with the
 //! checker that is extracted from Rocq: name, box and verdict, divided by tabs.
 //!
-//! The boxes are those of the shipped scenes, and random ones, always the same.
+//! The boxes are those of the shipped scenes whose costs have a closed form, and random ones, always
+//! the same.
 
 use std::error::Error;
 use std::io::Write;
@@ -31,6 +32,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         let stem = file.file_stem().ok_or("a scene without a name")?;
         let name = stem.to_string_lossy();
         let scene = Scene::read(&file)?;
+        if scene.given.has_computed_costs() {
+            // A controller, a filter or a lag: the checker knows of sums only.
+            continue;
+        }
         let of = scene.bounds().try_map(|_, ends| rational(ends));
         print(
             &mut out,
