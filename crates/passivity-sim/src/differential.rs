@@ -106,7 +106,13 @@ fn walked(dimensionless: &Loop<BigRational>, mut compare: impl FnMut(f64, f64, B
         compare(xi, force, kernel.sample(&mut remembered, &exact(xi)));
         // What both remember, for the test of growth.
         let samples = memory.latest_first().map(exact);
-        assert!(remembered.iter().cloned().eq(samples.take(kernel.memory())));
+        assert!(
+            remembered
+                .samples
+                .iter()
+                .cloned()
+                .eq(samples.take(kernel.memory()))
+        );
     }
     for xi in [-2.25, -0.5, 0.0, 0.5, 7.0] {
         let settled = kernel.settled(&kernel.measured(&exact(xi)));

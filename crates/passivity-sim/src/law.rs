@@ -113,7 +113,9 @@ impl HeldForce {
     ///
     /// A digital filter that is neither a wall nor a wall with virtual damping.
     pub(crate) fn compile(controller: &Controller<Double>) -> Result<Self, SimError> {
-        let damping = match (controller.filter.sum, controller.filter.tails.as_slice()) {
+        let filter = &controller.filter;
+        let damping = match (filter.sum, filter.tails.as_slice()) {
+            _ if !filter.ends() => return Err(SimError::Filter),
             (Double(1.0), []) => None,
             (Double(1.0), [tail]) => Some(-tail.0),
             _ => return Err(SimError::Filter),

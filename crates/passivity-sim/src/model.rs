@@ -231,7 +231,8 @@ impl<R: Real> Model<R> {
             held: self.controller.sample(memory, &state.xi).decided()?,
             force: self.force(h),
         };
-        if !memory.front().is_none_or(Real::is_defined) {
+        let remembered = [memory.samples.front(), memory.past.front()];
+        if !remembered.into_iter().flatten().all(Real::is_defined) {
             return Err(Undecided); // A sample that a delayed force will ask for.
         }
         let rests = match state.velocity.sign() {
