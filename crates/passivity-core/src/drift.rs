@@ -30,7 +30,7 @@ impl<S: Ordered> Drift<S> {
     /// The gain of steps of A whole ticks, N samples each way, N not below the filter's order:
     /// A²·[2N(λ(0) − β) − 4Σ j·gⱼ] − 2NσA, in KΔ².
     ///
-    /// Because over a period Σ DₕDₕ₋ⱼ = A²(2N − 4j) for j ≤ N, and whole ticks are measured exactly
+    /// Of a filter whose response ends. Because over a period Σ DₕDₕ₋ⱼ = A²(2N − 4j) for j ≤ N, and whole ticks are measured exactly
     /// but for a constant.
     #[must_use]
     pub fn gain(filter: &Filter<S>, friction: &Friction<S>, step: &S, samples: &S) -> S {
@@ -40,12 +40,12 @@ impl<S: Ordered> Drift<S> {
         step.square() * drawn - both_ways * friction.sigma.clone() * step.clone()
     }
 
-    /// One that gains, whenever β < λ(0) = ½H(1) + Σ gⱼ; `None` otherwise, or when a number is
-    /// undefined.
+    /// One that gains, whenever β < λ(0) = ½H(1) + Σ gⱼ; `None` otherwise, when a number is
+    /// undefined, or for a filter whose response does not end.
     #[must_use]
     pub fn of(filter: &Filter<S>, friction: &Friction<S>) -> Option<Self> {
         let [per_step, at_turns] = Self::parts(filter, friction);
-        if !per_step.is_positive()? {
+        if !filter.ends() || !per_step.is_positive()? {
             return None;
         }
         let order = filter.tails.iter().fold(S::one(), |n, _| n + S::one());

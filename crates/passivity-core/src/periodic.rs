@@ -38,8 +38,8 @@ impl<S> From<Cycle<S>> for Motion<S> {
 
 /// The forces held from each sample on, when the motion has repeated for ever.
 ///
-/// With a controller of the kernel and all its effects; for one whose response does not end see
-/// [`commands`].
+/// With a controller of the kernel and all its effects, and a filter whose response ends; for one
+/// whose response does not see [`commands`].
 #[must_use]
 pub fn held_forces<S: Scalar>(controller: &Controller<S>, positions: &[S]) -> Vec<S> {
     let measured: Vec<S> = positions.iter().map(|xi| controller.measured(xi)).collect();

@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
@@ -90,6 +90,34 @@ pub fn to_fixed(x: &BigRational) -> Option<Fixed> {
 #[must_use]
 pub fn to_wide(x: &BigRational) -> Wide {
     Wide::new(x.numer().clone(), x.denom().clone())
+}
+
+/// The value in any kind of number, as exactly as that can: made of its digits.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{BigRational, Fixed, Scalar, rational};
+///
+/// let x = BigRational::integer(-70_001).over(BigRational::integer(300));
+/// assert_eq!(rational::to_scalar::<Fixed>(&x), Fixed::new(-70_001, 300));
+/// ```
+#[must_use]
+pub fn to_scalar<S: Scalar>(x: &BigRational) -> S {
+    let whole = |n: &BigInt| {
+        let (sign, digits) = n.to_bytes_be();
+        let magnitude = digits.into_iter().fold(S::zero(), |sum, digit| {
+            sum * S::integer(256) + S::integer(digit.into())
+        });
+        match sign {
+            Sign::Minus => -magnitude,
+            Sign::NoSign | Sign::Plus => magnitude,
+        }
+    };
+    if x.is_integer() {
+        return whole(x.numer());
+    }
+    whole(x.numer()).over(whole(x.denom()))
 }
 
 /// The value in lowest terms, or `None` when it is undefined.

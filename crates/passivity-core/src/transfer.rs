@@ -214,10 +214,34 @@ impl<S: Scalar> TransferFunction<S> {
     /// The controller as the kernel's filter, when its response ends (no denominator but d₀).
     #[must_use]
     pub fn filter(&self) -> Option<Filter<S>> {
-        (self.denominator.len() == 1).then(|| Filter {
+        Some(self.recursion()).filter(Filter::ends)
+    }
+
+    /// The controller as the kernel's filter, whether its response ends or not.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_core::{Fixed, Scalar, transfer::TransferFunction};
+    ///
+    /// // 1/(1 − z⁻¹/2): H(1) = 2, and the tail sums are 1, ½, ¼, …
+    /// let halving = [Fixed::integer(1), Fixed::new(-1, 2)];
+    /// let filter = TransferFunction::new([Fixed::integer(1)], halving).unwrap().recursion();
+    /// assert_eq!(filter.sum, Fixed::integer(2));
+    /// assert_eq!((filter.tails, filter.poles), (vec![Fixed::integer(1)], vec![Fixed::new(-1, 2)]));
+    /// ```
+    #[must_use]
+    pub fn recursion(&self) -> Filter<S> {
+        let over_leading = |of: &[S]| -> Vec<S> {
+            let leading = self.denominator.first();
+            let later = of.iter().skip(1).zip(leading.into_iter().cycle());
+            later.map(|(c, d)| c.clone().over(d.clone())).collect()
+        };
+        Filter {
             sum: self.at_one(),
-            tails: self.tail_sums(self.numerator.len().saturating_sub(1)),
-        })
+            tails: over_leading(self.tails().numerator()),
+            poles: over_leading(&self.denominator),
+        }
     }
 }
 

@@ -5,7 +5,10 @@
 //! the kernel's bit by bit. With any others each result has an error that is derived from the
 //! operations that led to it.
 
+use std::sync::Arc;
+
 use passivity_core::ledger::{self, HeldInterval};
+use passivity_core::transfer::TransferFunction;
 use passivity_core::{BigRational, Controller, Effect, Friction, Loop, Scalar, Step};
 
 use crate::law::{self, HeldForce, controller, controller_in_doubles};
@@ -94,11 +97,25 @@ fn compiled(dimensionless: &Loop<BigRational>) -> HeldForce {
 }
 
 /// Walks with both controllers; `compare` sees the two forces at each sample.
-fn walked(dimensionless: &Loop<BigRational>, mut compare: impl FnMut(f64, f64, BigRational)) {
+fn walked(dimensionless: &Loop<BigRational>, compare: impl FnMut(f64, f64, BigRational)) {
+    let kernel: Controller<BigRational> = controller(dimensionless, BigRational::clone);
+    let remembered = Some(kernel.memory() as u64);
+    assert_eq!(law::forgets_after(&kernel), remembered);
+    walked_for(usize::MAX, dimensionless, compare);
+}
+
+/// Walks so many samples with both controllers.
+fn walked_for(
+    samples: usize,
+    dimensionless: &Loop<BigRational>,
+    mut compare: impl FnMut(f64, f64, BigRational),
+) {
     let fast = compiled(dimensionless);
     let kernel: Controller<BigRational> = controller(dimensionless, BigRational::clone);
-    assert_eq!(fast.forgets_after(), kernel.memory() as u64);
-    let walk = walk(dimensionless.has_encoder());
+    let certain = law::forgets_after(&kernel);
+    assert_eq!(fast.forgets_after(), certain.unwrap_or(u64::MAX));
+    let mut walk = walk(dimensionless.has_encoder());
+    walk.truncate(samples);
     let start = walk[0];
     let (mut memory, mut remembered) = (fast.memory(start), kernel.at_rest(&exact(start)));
     for xi in walk {
@@ -106,7 +123,13 @@ fn walked(dimensionless: &Loop<BigRational>, mut compare: impl FnMut(f64, f64, B
         compare(xi, force, kernel.sample(&mut remembered, &exact(xi)));
         // What both remember, for the test of growth.
         let samples = memory.latest_first().map(exact);
-        assert!(remembered.iter().cloned().eq(samples.take(kernel.memory())));
+        assert!(
+            remembered
+                .samples
+                .iter()
+                .cloned()
+                .eq(samples.take(kernel.memory()))
+        );
     }
     for xi in [-2.25, -0.5, 0.0, 0.5, 7.0] {
         let settled = kernel.settled(&kernel.measured(&exact(xi)));
@@ -142,6 +165,117 @@ fn every_law_of_the_table_is_the_kernels_controller() {
         }
     }
     assert!(seen.iter().all(|seen| *seen));
+}
+
+/// A controller with these coefficients.
+fn law_of(numerator: &[(i32, i32)], denominator: &[(i32, i32)]) -> TransferFunction<BigRational> {
+    let [numerator, denominator] = [numerator, denominator]
+        .map(|of| of.iter().map(|(n, d)| ratio(*n, *d)).collect::<Vec<_>>());
+    TransferFunction::new(numerator, denominator).expect("a stable controller")
+}
+
+/// The loops of all sets of effects with filtered damping or a controller in place of damping.
+fn filtered(values: &Values) -> impl Iterator<Item = (u8, Loop<BigRational>)> + '_ {
+    let laws = [
+        law_of(&[(1, 2), (1, 4), (1, 2)], &[(1, 1)]),
+        law_of(&[(1, 4), (1, 1)], &[(1, 1), (1, 4)]),
+        law_of(
+            &[(3, 2), (-1, 1), (1, 4), (1, 2)],
+            &[(2, 1), (-2, 1), (1, 1)],
+        ),
+        law_of(&[(3, 1)], &[(2, 1), (0, 1), (0, 1), (-1, 1)]),
+    ];
+    let laws: Vec<_> = laws.into_iter().map(Arc::new).collect();
+    loops(values).flat_map(move |(set, the_loop)| {
+        if set & law::DAMPING != 0 {
+            let filtered = Loop {
+                damping_time_constant: Some(ratio(1, 1)), // a = ½
+                ..the_loop
+            };
+            return vec![(set, filtered)];
+        }
+        let with = |law: &Arc<_>| Loop {
+            controller: Some(Arc::clone(law)),
+            ..the_loop.clone()
+        };
+        laws.iter().map(|law| (set, with(law))).collect()
+    })
+}
+
+#[test]
+fn every_law_with_a_filter_is_the_kernels_controller() {
+    let values = Values {
+        damping: ratio(3, 4),
+        force_step: ratio(3, 8),
+        max_force: ratio(9, 4),
+    };
+    for (set, dimensionless) in filtered(&values) {
+        let fast = compiled(&dimensionless);
+        let others = set & !law::DAMPING;
+        assert_eq!(fast.effects, others | law::FILTER, "{dimensionless:?}");
+        // Two binary digits more with every sample, on numbers of ten: exact for twenty of them.
+        walked_for(20, &dimensionless, |xi, force, kernel| {
+            assert_eq!(exact(force), kernel, "{dimensionless:?} at {xi}");
+        });
+    }
+}
+
+#[test]
+fn every_filter_with_any_numbers_is_within_its_error_of_the_kernels() {
+    let values = Values {
+        damping: ratio(1, 3),
+        force_step: ratio(1, 10),
+        max_force: ratio(700, 9),
+    };
+    // |c|'s sum is below 4 and that of 1/d below 3.
+    let law = Arc::new(law_of(
+        &[(1, 3), (1, 7), (-1, 9)],
+        &[(1, 1), (-2, 5), (-1, 7)],
+    ));
+    for (set, the_loop) in loops(&values) {
+        let dimensionless = Loop {
+            controller: (set & law::DAMPING == 0).then(|| Arc::clone(&law)),
+            damping_time_constant: (set & law::DAMPING != 0).then(|| ratio(2, 1)), // a = ⅔
+            ..the_loop
+        };
+        walked_for(usize::MAX, &dimensionless, |xi, force, kernel| {
+            // Ten roundings of a number up to 256 at each sample, kept with a factor of at most 3 in
+            // all, and two more of the force.
+            let rounding = (10.0 * 3.0 + 2.0) * 128.0 * f64::EPSILON;
+            let stepped = set & law::FORCE_STEP != 0;
+            let step = if stepped {
+                values.force_step.approximate()
+            } else {
+                0.0
+            };
+            let off = (force - to_double(&kernel)).abs();
+            assert!(
+                off <= step + rounding,
+                "set {set} at {xi}: {force} and {kernel}"
+            );
+        });
+    }
+}
+
+#[test]
+fn rest_is_certain_behind_one_pole_that_is_not_negative() {
+    let after = |law: TransferFunction<BigRational>| {
+        let the_loop = Loop {
+            controller: Some(Arc::new(law)),
+            ..with(law::ENCODER | law::DELAY, 2, &limited(1, 1))
+        };
+        let kernel: Controller<BigRational> = controller(&the_loop, BigRational::clone);
+        law::forgets_after(&kernel)
+    };
+    let one = [(1, 1)];
+    assert_eq!(after(law_of(&[(1, 1), (1, 1), (1, 1)], &one)), Some(4));
+    assert_eq!(after(law_of(&one, &[(1, 1), (-9, 10)])), Some(3));
+    assert_eq!(
+        after(law_of(&[(1, 1), (2, 1), (3, 1)], &[(1, 1), (-1, 2)])),
+        Some(4)
+    );
+    assert_eq!(after(law_of(&one, &[(1, 1), (9, 10)])), None);
+    assert_eq!(after(law_of(&one, &[(1, 1), (-3, 4), (1, 8)])), None);
 }
 
 #[test]

@@ -55,7 +55,7 @@ pub enum SimError {
         /// The bound, in bits.
         bits: u64,
     },
-    /// A digital filter that no inner loop has: neither a wall nor virtual damping.
+    /// A digital filter with a coefficient out of the range of doubles.
     Filter,
     /// A number that has overflowed, or a figure that has no finite value.
     NotFinite {
@@ -111,12 +111,12 @@ impl fmt::Display for SimError {
             ),
             Self::Denominator { interval, bits } => write!(
                 f,
-                "the exact position needs more than {bits} bits at interval {interval}: simulate \
+                "the exact position, or what the controller remembers, needs more than {bits} bits at interval {interval}: simulate \
                  fewer intervals, or use `--method enclosure`"
             ),
             Self::Filter => f.write_str(
-                "the controller's digital filter cannot be simulated: expected the wall alone or \
-                 the wall with virtual damping",
+                "the controller's digital filter cannot be simulated: expected coefficients with a \
+                 magnitude up to 1e120",
             ),
             Self::NotFinite { interval, figure } => {
                 write!(f, "`{figure}` has no finite value in interval {interval}")

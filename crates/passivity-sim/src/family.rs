@@ -12,7 +12,7 @@ use crate::number::Double;
 use crate::plan::{Forces, Plan, in_range};
 
 /// The effects that no inner loop has.
-const NOT_SIMULATED: [Effect; 3] = [Effect::Latency, Effect::DampingFilter, Effect::Controller];
+const NOT_SIMULATED: [Effect; 1] = [Effect::Latency];
 
 /// A scene in doubles, with its controller and the operator's forces.
 #[derive(Clone, Debug)]
@@ -31,7 +31,8 @@ impl Family {
     ///
     /// # Errors
     ///
-    /// A scene without inertia, or a parameter out of the range of doubles.
+    /// A scene without inertia, with an effect that no inner loop has, or with a parameter out of the
+    /// range of doubles.
     pub(crate) fn of(point: &Point) -> Result<Self, SimError> {
         let left_out = NOT_SIMULATED
             .into_iter()

@@ -11,7 +11,8 @@
 //! own scene x = (ξ, ξ̇) and everything is in closed form: A₁₁ = 1 − φ₂/μ, A₁₂ = φ₁, A₂₁ = −φ₁/μ,
 //! A₂₂ = e^(−λ), and an impulse of force moves ξ by φ₂/μ at most over an interval and ξ̇ by φ₁/μ.
 //!
-//! A one-sided wall or a saturated actuator makes the loop no such map: no radius is claimed there.
+//! A one-sided wall or a saturated actuator makes the loop no such map, and a controller whose response
+//! does not end has more state than past samples: no radius is claimed there.
 //! Whatever the scene, a state past [`OVERFLOW`] is reported as growing too: it would leave the range
 //! of numbers next.
 
@@ -126,7 +127,7 @@ impl Growth {
     pub(crate) fn of(system: &System<'_>) -> Self {
         let controller = system.controller;
         let clamped = controller.unilateral || controller.max_force.is_some();
-        if clamped || controller.memory() > MOST_HISTORY {
+        if clamped || !controller.filter.ends() || controller.memory() > MOST_HISTORY {
             return Self::never();
         }
         let plain = controller.memory() == 0

@@ -18,7 +18,7 @@ mod law;
 
 use multiversion::multiversion;
 
-use crate::law::HeldForce;
+use crate::law::{FILTER, HeldForce};
 use crate::outcome::{End, ExactOutcome, Stop};
 use crate::phi;
 use crate::plan::{Plain, Plan};
@@ -255,7 +255,8 @@ impl Lanes {
     ///
     /// With λ > ½ a reversal needs a logarithm, and positions must stay below 2⁵¹: an unforced stable
     /// motion of the paper's scene does not get past its first energy by more than the ticks that
-    /// TH-START leaves it, and a growing one ends at its radius. Other scenes are watched.
+    /// TH-START leaves it, and a growing one ends at its radius. Other scenes are watched. A digital
+    /// filter has no lanes.
     fn fits(&self, plan: &Plan) -> bool {
         const FAR: f64 = 1e12;
         let [xi, v] = plan.start;
@@ -273,7 +274,8 @@ impl Lanes {
         };
         let frictions = plan.viscous && plan.coulomb;
         let near = reach < FAR && radius < FAR;
-        alike && kind && frictions && plan.forces.is_none() && near
+        let unfiltered = !plan.law.has(FILTER);
+        alike && kind && unfiltered && frictions && plan.forces.is_none() && near
     }
 
     /// Takes a point into a free lane, or gives it back.

@@ -1,15 +1,19 @@
 //! The held force in doubles: the kernel's controller, compiled to one function of 64, each with its
-//! effects and no others.
+//! effects and no others; or to one of 64 more, with any digital filter in place of virtual damping.
 //!
 //! What is computed is [`Controller::sample`](passivity_core::Controller::sample) of the kernel, in
 //! the same order: sample, delay, filter, one-sided wall, D/A converter, actuator. A test holds all
-//! 64 against it.
+//! of them against it.
+
+use std::cmp::Ordering;
 
 use num_bigint::BigInt;
-use passivity_core::{BigRational, Controller, Loop};
+use passivity_core::controller::Filter;
+use passivity_core::{BigRational, Controller, Loop, Ordered};
 
 use crate::error::SimError;
 use crate::number::{Double, floor};
+use crate::plan::LARGEST;
 
 /// The controller of a dimensionless loop in the numbers that `of` makes.
 ///
@@ -41,6 +45,25 @@ pub(crate) fn controller_in_doubles(dimensionless: &Loop<BigRational>) -> Contro
     controller
 }
 
+/// Past how many samples at rest, with friction taking the force of now and the settled one, it takes
+/// every force to come; `None` where that is never certain.
+///
+/// A response that ends is settled after as many samples as the controller remembers. Behind a filter
+/// with one pole a, 0 ≤ a < 1, what it remembers of the motion then decays without changing its sign,
+/// so that every later force lies between the present one and the settled one: rounding and limits
+/// keep that order. Any other filter may swing past both.
+pub(crate) fn forgets_after<R: Ordered>(controller: &Controller<R>) -> Option<u64> {
+    let decays = match controller.filter.poles.as_slice() {
+        [] => true,
+        [r] => {
+            let below_one = (R::one() + r.clone()).is_positive() == Some(true);
+            below_one && matches!(r.sign(), Some(Ordering::Less | Ordering::Equal))
+        }
+        _ => false,
+    };
+    decays.then_some(controller.memory() as u64)
+}
+
 /// The encoder, as a bit of a law's set of effects.
 pub(crate) const ENCODER: u8 = 1;
 /// The delay.
@@ -53,6 +76,8 @@ pub(crate) const UNILATERAL: u8 = 8;
 pub(crate) const FORCE_STEP: u8 = 16;
 /// Saturation.
 pub(crate) const SATURATION: u8 = 32;
+/// Any digital filter, in place of virtual damping.
+pub(crate) const FILTER: u8 = 64;
 
 /// A controller in doubles; parameters of an effect that is not in `effects` are of no meaning.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,6 +88,10 @@ pub(crate) struct HeldForce {
     pub(crate) delay: usize,
     /// B, in KT.
     pub(crate) damping: f64,
+    /// The digital filter, where it is neither a wall nor virtual damping.
+    pub(crate) filter: Filter<f64>,
+    /// See [`forgets_after`].
+    forgets_after: Option<u64>,
     /// δ as numerator and denominator, so that a force half-way between two steps is seen as such.
     pub(crate) force_step: [f64; 2],
     /// The largest force, in KΔ.
@@ -77,6 +106,10 @@ pub(crate) struct Memory {
     next: usize,
     /// The sample before, for virtual damping.
     previous: f64,
+    /// The samples before that the filter remembers, the latest first.
+    samples: Vec<f64>,
+    /// What the filter made of displacements at the samples before, the latest first.
+    past: Vec<f64>,
 }
 
 impl Memory {
@@ -87,6 +120,7 @@ impl Memory {
         newer
             .rev()
             .chain(older.rev())
+            .chain(&self.samples)
             .copied()
             .chain([self.previous])
     }
@@ -102,6 +136,12 @@ impl HeldForce {
             effects: ENCODER,
             delay: 0,
             damping: 0.0,
+            filter: Filter {
+                sum: 1.0,
+                tails: Vec::new(),
+                poles: Vec::new(),
+            },
+            forgets_after: Some(0),
             force_step: [0.0, 1.0],
             max_force: 0.0,
         }
@@ -111,12 +151,19 @@ impl HeldForce {
     ///
     /// # Errors
     ///
-    /// A digital filter that is neither a wall nor a wall with virtual damping.
+    /// A digital filter with a coefficient out of range.
     pub(crate) fn compile(controller: &Controller<Double>) -> Result<Self, SimError> {
-        let damping = match (controller.filter.sum, controller.filter.tails.as_slice()) {
-            (Double(1.0), []) => None,
-            (Double(1.0), [tail]) => Some(-tail.0),
-            _ => return Err(SimError::Filter),
+        let filter = controller.filter.map(|x| x.0);
+        let in_range = |c: &f64| c.abs() <= LARGEST;
+        let others = filter.tails.iter().chain(&filter.poles);
+        if !others.chain([&filter.sum]).all(in_range) {
+            return Err(SimError::Filter);
+        }
+        let (damping, other) = match (filter.sum, filter.tails.as_slice(), filter.poles.as_slice())
+        {
+            (1.0, [], []) => (None, None),
+            (1.0, [tail], []) => (Some(-tail), None),
+            _ => (None, Some(filter)),
         };
         let effects = [
             (controller.encoder, ENCODER),
@@ -125,6 +172,7 @@ impl HeldForce {
             (controller.unilateral, UNILATERAL),
             (controller.force_step.is_some(), FORCE_STEP),
             (controller.max_force.is_some(), SATURATION),
+            (other.is_some(), FILTER),
         ];
         let present = effects.iter().filter(|(there, _)| *there);
         let without = Self::encoder();
@@ -132,6 +180,8 @@ impl HeldForce {
             effects: present.fold(0, |set, (_, bit)| set | bit),
             delay: controller.delay,
             damping: damping.unwrap_or(without.damping),
+            filter: other.unwrap_or(without.filter),
+            forgets_after: forgets_after(controller),
             force_step: controller
                 .force_step
                 .map_or(without.force_step, |step| step.map(|x| x.0)),
@@ -151,6 +201,8 @@ impl HeldForce {
             line: vec![sample; if self.has(DELAY) { self.delay } else { 0 }],
             next: 0,
             previous: sample,
+            samples: vec![sample; self.filter.tails.len()],
+            past: vec![0.0; self.filter.poles.len()],
         }
     }
 
@@ -171,18 +223,43 @@ impl HeldForce {
     /// The function that computes the law.
     #[expect(clippy::indexing_slicing, reason = "six bits are below 64")]
     pub(crate) fn law(&self) -> Law {
-        TABLE[usize::from(self.effects & 63)]
+        let [plain, filtered] = &TABLES;
+        let table = if self.has(FILTER) { filtered } else { plain };
+        table[usize::from(self.effects & 63)]
     }
 
-    /// After how many samples at rest the controller has forgotten every other.
+    /// Past how many samples at rest friction takes every force to come, see [`forgets_after`]; more
+    /// than any run has where that is never certain.
     pub(crate) fn forgets_after(&self) -> u64 {
-        let delay = if self.has(DELAY) {
-            self.delay as u64
-        } else {
-            0
-        };
-        delay + u64::from(self.has(DAMPING))
+        self.forgets_after.unwrap_or(u64::MAX)
     }
+
+    /// Whether the force goes on changing at rest, on and on nearer to the settled one.
+    pub(crate) fn lingers(&self) -> bool {
+        !self.filter.poles.is_empty()
+    }
+}
+
+/// The filter's output at a sample.
+fn filtered(filter: &Filter<f64>, memory: &mut Memory, q: f64) -> f64 {
+    let mut y = 0.0;
+    for (r, before) in filter.poles.iter().zip(&memory.past) {
+        y -= r * before;
+    }
+    let mut later = q;
+    for (tail, earlier) in filter.tails.iter().zip(&memory.samples) {
+        y += tail * (earlier - later);
+        later = *earlier;
+    }
+    for (line, newest) in [(&mut memory.samples, q), (&mut memory.past, y)] {
+        if let [_, .., _] = line.as_slice() {
+            line.rotate_right(1);
+        }
+        if let Some(first) = line.first_mut() {
+            *first = newest;
+        }
+    }
+    filter.sum * q + y
 }
 
 /// The held force with the effects `E`: what is not in `E` is not in the code.
@@ -203,7 +280,9 @@ fn held<const E: u8>(law: &HeldForce, memory: &mut Memory, xi: f64) -> f64 {
         }
     }
     let mut force = q;
-    if E & DAMPING != 0 {
+    if E & FILTER != 0 {
+        force = filtered(&law.filter, memory, q);
+    } else if E & DAMPING != 0 {
         force += law.damping * (q - memory.previous);
         memory.previous = q;
     }
@@ -222,10 +301,11 @@ fn held<const E: u8>(law: &HeldForce, memory: &mut Memory, xi: f64) -> f64 {
 }
 
 macro_rules! laws {
-    ($($e:literal)*) => { [$(held::<$e>),*] };
+    ($($e:literal)*) => { [[$(held::<$e>),*], [$(held::<{ $e | FILTER }>),*]] };
 }
 
-static TABLE: [Law; 64] = laws![
+/// The laws by their first six bits, without and with a filter.
+static TABLES: [[Law; 64]; 2] = laws![
     0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31
     32 33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63
 ];

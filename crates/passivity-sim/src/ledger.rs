@@ -1,6 +1,10 @@
 //! The energy ledger of a simulated motion: E_g for both counterparts, E_d by its closed form, and
 //! the residual of the balance (13), in doubles.
 //!
+//! Generated is what the held force gives beyond a spring of stiffness K (a one-sided or limited one
+//! where the wall is). A controller with H(1) ≠ 1 is another spring at rest, H(1)·K: the difference is
+//! counted as generated, positive and negative, and over a closed way it adds nothing.
+//!
 //! The potentials are those that the kernel's [`ledger`](passivity_core::ledger) accounts with, in
 //! forms that lose few bits in doubles. A test holds them against the kernel for every set of effects.
 
@@ -91,7 +95,8 @@ impl Totals {
 
 /// The change of the potentials of a wall from ξ₀ to ξ₁: linear and quantized counterpart.
 ///
-/// For the wall on both sides without saturation, the linear one is d·(ξ₀ + ½d).
+/// For the wall on both sides without saturation, the linear one is d·(ξ₀ + ½d). The wall is that of
+/// stiffness K, whatever H(1) of the controller is.
 pub(crate) fn potential_change(law: &HeldForce, xi0: f64, xi1: f64) -> [f64; 2] {
     let d = xi1 - xi0;
     let clamped = law.has(law::UNILATERAL) || law.has(law::SATURATION);

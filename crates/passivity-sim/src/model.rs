@@ -23,6 +23,8 @@ use motion::Motion;
 pub(crate) struct Model<R> {
     dimensionless: Loop<R>,
     controller: Controller<R>,
+    /// See [`law::forgets_after`].
+    forgets_after: Option<u64>,
     motion: Motion<R>,
     forces: Option<Forces<R>>,
     flow: Option<Flow<R>>,
@@ -152,8 +154,10 @@ impl<R: Real> Model<R> {
             .flow
             .as_ref()
             .map(|fast| Flow::of(&dimensionless, mass.clone(), fast.pieces));
+        let controller = law::controller(&point.at, BigRational::clone);
         Ok(Self {
-            controller: law::controller(&point.at, &of),
+            forgets_after: law::forgets_after(&controller),
+            controller: controller.map(&of),
             motion: Motion::new(mass, &dimensionless),
             forces: point.forces.as_ref().map(|forces| Forces::new(forces, &of)),
             flow,
@@ -187,7 +191,6 @@ impl<R: Real> Model<R> {
             xi,
             velocity,
         };
-        let needed = self.controller.memory() as u64;
         let mut resting = 0;
         for h in 0..intervals {
             match growing(&state, &memory) {
@@ -199,7 +202,7 @@ impl<R: Real> Model<R> {
                 return state.ended(Halt::Undecided(h), h);
             };
             resting = if rests { resting + 1 } else { 0 };
-            if resting > needed {
+            if let Some(needed) = self.forgets_after.filter(|needed| resting > *needed) {
                 return state.ended(Halt::Rest(h - needed), h);
             }
             let go_on = each(&row);
@@ -209,7 +212,8 @@ impl<R: Real> Model<R> {
                 velocity,
                 output,
             };
-            if state.xi.length() > longest {
+            let remembered = memory.past.front().map_or(0, Real::length);
+            if state.xi.length().max(remembered) > longest {
                 return state.ended(Halt::TooLong(h), h + 1);
             }
             if !go_on {
@@ -231,10 +235,12 @@ impl<R: Real> Model<R> {
             held: self.controller.sample(memory, &state.xi).decided()?,
             force: self.force(h),
         };
-        if !memory.front().is_none_or(Real::is_defined) {
+        let remembered = [memory.samples.front(), memory.past.front()];
+        if !remembered.into_iter().flatten().all(Real::is_defined) {
             return Err(Undecided); // A sample that a delayed force will ask for.
         }
         let rests = match state.velocity.sign() {
+            _ if self.forgets_after.is_none() => false, // Never for certain, so nobody asks.
             Some(sign) => sign == Ordering::Equal && self.rests(h, state, &acting.held)?,
             // Resting or not quite: what comes is the same, but when it began is not known.
             None if self.rests(h, state, &acting.held)? => return Err(Undecided),
@@ -328,7 +334,8 @@ impl<R: Real> Model<R> {
         force.cloned().unwrap_or_else(R::zero)
     }
 
-    /// Whether friction takes the held force now, and with every force of the operator to come.
+    /// Whether friction takes the held force now and the one that it tends to, and with every force of
+    /// the operator to come.
     fn rests(&self, h: u64, state: &State<R>, held: &R) -> Result<bool, Undecided> {
         let sigma = self.dimensionless.coulomb_friction();
         let now = match &self.flow {
@@ -339,7 +346,11 @@ impl<R: Real> Model<R> {
         let forces = self.forces.as_ref();
         let range = forces.and_then(|forces| of_interval(&forces.from_here, h));
         let range = range.cloned().unwrap_or_else(|| [R::zero(), R::zero()]);
-        for acting in [now, held] {
+        let settled = (!self.controller.filter.ends()).then(|| {
+            let measured = self.controller.measured(&state.xi);
+            self.controller.settled(&measured)
+        });
+        for acting in [now, held].into_iter().chain(&settled) {
             for force in &range {
                 let mut net = acting.clone() + force.clone();
                 if let Some([_, stiffness]) = arm {

@@ -1,5 +1,6 @@
 //! A scene compiled for simulation: its effects and no others, and the loop that runs them.
 
+use passivity_core::controller::Filter;
 use passivity_core::parameter::Values;
 use passivity_core::{BigRational, Effect, Parameter};
 use passivity_scene::Point;
@@ -74,7 +75,7 @@ pub struct Plan {
 }
 
 /// The largest parameter: squares of it, times an inertia, stay doubles.
-const LARGEST: f64 = 1e120;
+pub(crate) const LARGEST: f64 = 1e120;
 
 /// A parameter as a double, or an error when it is out of the range that is simulated.
 pub(crate) fn in_range(x: &BigRational, parameter: Parameter) -> Result<f64, SimError> {
@@ -191,9 +192,12 @@ impl Plan {
     /// The least magnitude of a force held at rest, in KΔ: what must not be above σ for rest.
     ///
     /// With an encoder it is that of the tick at the origin, ½ unless a D/A converter or saturation
-    /// changes it; 0 for a one-sided wall, and without an encoder.
+    /// or a controller changes it; 0 for a one-sided wall, without an encoder, and where nothing is
+    /// claimed.
     pub(crate) fn least_holding_force(&self) -> f64 {
-        if !self.law.has(law::ENCODER) {
+        // Rounded from one side for ever, a force that lingers need not round like its limit.
+        let may_round = self.law.lingers() && self.law.has(law::FORCE_STEP);
+        if !self.law.has(law::ENCODER) || may_round {
             return 0.0;
         }
         let at = |xi: f64| self.law.settled(xi).abs();
@@ -216,8 +220,9 @@ impl Plan {
         let mut lines = vec![match self.loop_name() {
             "plain" => "loop `plain`: controller and motion in one specialised loop".to_owned(),
             "law" => format!(
-                "loop `law`: controller {} of 64, with the motion specialised to the scene's friction",
-                self.law.effects
+                "loop `law`: controller {} of 64{}, with the motion specialised to the scene's friction",
+                self.law.effects & 63,
+                if self.law.has(law::FILTER) { " with a digital filter" } else { "" }
             ),
             _ => "loop `flow`: propagator of the linear motion over an interval, power series about reversals"
                 .to_owned(),
@@ -246,7 +251,13 @@ impl Plan {
                 law.delay
             ));
         }
-        lines.push(if law.has(law::DAMPING) {
+        lines.push(if law.has(law::FILTER) {
+            let Filter { sum, tails, poles } = &law.filter;
+            format!(
+                "filter: y ← Σ tⱼ·(qⱼ − qⱼ₋₁) − Σ rᵢ·yᵢ, with qⱼ and yᵢ those of j and i samples \
+                 before, t = {tails:?}, r = {poles:?}; u ← −({sum}·q + y)"
+            )
+        } else if law.has(law::DAMPING) {
             format!("law: u ← −(q + {}·(q − q′))", law.damping)
         } else {
             "law: u ← −q".to_owned()

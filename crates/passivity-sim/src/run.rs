@@ -37,7 +37,7 @@ impl<F: FnMut(&Entry) -> bool> Watch for WithLedger<F> {
     }
 }
 
-/// The controller as the loop sees it: a function of 64, or the paper's own in line.
+/// The controller as the loop sees it: a function of a table, or the paper's own in line.
 trait Control {
     fn held(&mut self, xi: f64) -> f64;
     fn memory(&self) -> &Memory;
@@ -194,7 +194,9 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
                 creep = before;
             }
             let creeps = creep != 0.0 && u == k.sigma.copysign(creep);
-            resting = if !vanished && !creeps && holds::<FORCE>(plan, held, h) {
+            let holds = holds::<FORCE>(plan, held, h)
+                && (!plan.law.lingers() || holds::<FORCE>(plan, plan.law.settled(xi), h));
+            resting = if !vanished && !creeps && holds {
                 resting + 1
             } else {
                 0
@@ -324,7 +326,8 @@ fn stepping<W: Watch>(
     end(plan, stop, h, state.xi, state.velocity)
 }
 
-/// Whether friction takes what the amplifier gives now and in the end, whatever the operator does.
+/// Whether friction takes what the amplifier gives now and in the end, and what the controller tends
+/// to, whatever the operator does.
 fn rests(plan: &Plan, state: &State<f64>, held: f64, h: u64) -> bool {
     let [least, most] = plan
         .forces
@@ -339,7 +342,12 @@ fn rests(plan: &Plan, state: &State<f64>, held: f64, h: u64) -> bool {
         None => (false, 0.0),
     };
     let now = if lags { state.output } else { held };
-    [now, held].into_iter().all(|output| {
+    let settled = if plan.law.lingers() {
+        plan.law.settled(state.xi)
+    } else {
+        held
+    };
+    [now, held, settled].into_iter().all(|output| {
         let pull = output - stiffness * state.xi;
         pull + most <= sigma && pull + least >= -sigma
     })

@@ -2,7 +2,10 @@
 
 mod common;
 
+use std::sync::Arc;
+
 use common::{paper, point, q};
+use passivity_core::transfer::TransferFunction;
 use passivity_scene::{Effect, Point};
 use passivity_sim::{Detail, ExactOutcome, Line, Method, SimError, simulate};
 
@@ -27,6 +30,32 @@ fn scenes(intervals: u64) -> Vec<(&'static str, Point)> {
     with("unilateral", &|p| p.at.unilateral = true);
     with("damping", &|p| {
         (p.at.damping, p.at.viscous) = (Some(q("1/3")), Some(q("1")))
+    });
+    with("filtered damping", &|p| {
+        (p.at.damping, p.at.viscous) = (Some(q("1")), Some(q("1")));
+        p.at.damping_time_constant = Some(q("2"));
+    });
+    let law = |numerator: [&str; 3], denominator: [&str; 3]| {
+        let [numerator, denominator] = [numerator, denominator].map(|of| of.map(q));
+        Some(Arc::new(
+            TransferFunction::new(numerator, denominator).unwrap(),
+        ))
+    };
+    with("finite controller", &|p| {
+        p.at.controller = law(["1/2", "1/4", "1/2"], ["1", "0", "0"]);
+        p.at.viscous = Some(q("3"));
+    });
+    with("controller of second order", &|p| {
+        p.at.controller = law(["1/3", "-1/5", "1/3"], ["1", "-1", "1/2"]);
+        p.at.viscous = Some(q("3"));
+    });
+    with("filter, delay and amplifier behind one side", &|p| {
+        p.at.damping = Some(q("1/2"));
+        p.at.damping_time_constant = Some(q("1"));
+        p.at.viscous = Some(q("4"));
+        p.at.delay = 1;
+        p.at.unilateral = true;
+        p.at.time_constant = Some(q("1/5"));
     });
     with("saturation", &|p| p.at.max_force = Some(q("7/3")));
     with("D/A converter", &|p| p.at.force_step = Some(q("1/3")));

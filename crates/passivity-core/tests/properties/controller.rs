@@ -117,7 +117,7 @@ sampled! {
         for set in 0..64 {
             let controller = Controller::of(&with_parts(&parts, set));
             let rested = controller.at_rest(&xi);
-            prop_assert_eq!(rested.len(), controller.memory());
+            prop_assert_eq!(rested.samples.len(), controller.memory());
             let mut memory = rested.clone();
             let once = controller.sample(&mut memory, &xi);
             prop_assert_eq!(&memory, &rested);
@@ -140,7 +140,7 @@ sampled! {
         coefficients in prop::collection::vec(number(), 1..6), samples in prop::collection::vec(number(), 1..8)
     ) {
         let after = |j: usize| coefficients[j..].iter().fold(zero(), |sum, c| sum + c);
-        let filter = Filter { sum: after(0), tails: (1..coefficients.len()).map(after).collect() };
+        let filter = Filter { sum: after(0), tails: (1..coefficients.len()).map(after).collect(), poles: vec![] };
         prop_assert_eq!(filter.order(), coefficients.len() - 1);
         let oldest = samples.last().unwrap();
         let sum = coefficients.iter().enumerate().fold(zero(), |sum, (j, c)| {

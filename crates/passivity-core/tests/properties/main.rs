@@ -26,6 +26,7 @@ mod ledger;
 mod parameter;
 mod periodic;
 mod quantizer;
+mod recursion;
 mod region;
 mod smooth;
 mod spring;

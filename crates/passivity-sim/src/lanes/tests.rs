@@ -237,6 +237,20 @@ fn strange_lanes_and_other_controllers_go_through_the_scalar_loop() {
 }
 
 #[test]
+fn plans_with_a_filter_go_through_the_scalar_loop() {
+    for effects in [law::DAMPING, 63] {
+        for time_constant in [None, Some(ratio(1, 5))] {
+            let mut filtered = scene(law::ENCODER | effects, 1, 50, 200);
+            filtered.at.damping_time_constant = Some(ratio(3, 2));
+            filtered.at.time_constant = time_constant;
+            let plans = plans(&filtered, &[0.2, 1.5], &[0.4, 0.75], &[0.5, 4.0]);
+            assert!(plans.iter().all(|plan| plan.law.has(law::FILTER)));
+            end_alike(Instructions::Best, &plans, "a filter");
+        }
+    }
+}
+
+#[test]
 fn a_plan_of_a_family_is_that_of_its_point() {
     let mut point = scene(law::ENCODER | law::DELAY, 1, 50, 9);
     let plan = Family::of(&point).unwrap().with([0.75, 0.25, 2.0]).unwrap();

@@ -54,7 +54,7 @@ pub(super) fn grows<R: Real>(
         let near = state.map(Real::approximate);
         Ok(plan
             .growth
-            .certain(&near, memory.iter().map(Real::approximate)))
+            .certain(&near, memory.samples.iter().map(Real::approximate)))
     }
 }
 

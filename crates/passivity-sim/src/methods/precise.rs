@@ -99,7 +99,7 @@ fn bounded<T: Directed>(
                 output,
             };
             plan.growth
-                .certain(&state, memory.iter().map(Real::approximate))
+                .certain(&state, memory.samples.iter().map(Real::approximate))
         });
         if others.iter().all(|other| *other == first) {
             Ok(first)
