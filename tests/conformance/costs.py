@@ -237,7 +237,6 @@ class Frequencies:
     def __init__(self, law, delay):
         n, d = law
         n = [F(0)] * delay + n
-        self.law = (n, d)
         # (1 - w) N / D has the real part Re[(1 - w) N conj(D)]/|D|^2, and 1 - x divides it.
         above = real_part(times([F(1), F(-1)], n), d)
         self.r, self.q = exactly(above, [F(2), F(-2)]), real_part(d, d)
