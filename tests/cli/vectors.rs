@@ -37,6 +37,10 @@ fn another_implementation_passes_and_a_broken_copy_is_told_where_it_differs() {
     let dir = Dir::new();
     let text = fs::read_to_string(tests().join("conformance/passivity_ref.py")).unwrap();
     dir.write("sound.py", &text);
+    for module in ["costs.py", "drawn.py"] {
+        let path = tests().join("conformance").join(module);
+        dir.write(module, fs::read_to_string(path).unwrap());
+    }
     let run = dir.run(&["vectors", "--against", "python3 sound.py"]);
     assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
     assert!(

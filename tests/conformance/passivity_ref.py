@@ -7,7 +7,8 @@ fractions from the standard library, and shares no code with the Rust one. Run a
     passivity vectors --against 'python3 tests/conformance/passivity_ref.py'
 
 With `check-certificate FILE` it checks what `passivity audit --certificate FILE` wrote: exit code 0
-when the violation is real, 1 when it is not or a figure differs.
+when the violation is real, 1 when it is not or a figure differs. With `check-witnesses FILE` it
+computes again what every motion gains that a file of vectors calls a witness.
 
 Numbers in round brackets are equations of the paper (Diolaiti, Niemeyer, Barbagli, Salisbury, "A
 Criterion for the Passivity of Haptic Devices"); ids such as TH-LIN are claims of this project.
@@ -17,15 +18,14 @@ import json
 import re
 import sys
 from fractions import Fraction as F
-from math import floor, isqrt
+from math import floor
 
-HALF = F(1, 2)
+sys.dont_write_bytecode = True
+import drawn
+from costs import HALF, Costs, Refused, controller, damped
+
 NUMBER = re.compile(r"[+-]?(?:[0-9]+/[0-9]+|(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)", re.ASCII)
 MOST = 4096  # characters of a number, and its largest decimal exponent
-
-
-class Refused(Exception):
-    """A request that has no answer."""
 
 
 class Literal(str):
@@ -404,88 +404,119 @@ def motion(request):
 # --- verdicts ------------------------------------------------------------------------------------
 
 SECTIONS = {
-    "dimensionless": {"mu", "beta", "sigma"}, "sampling": {"delay"},
-    "wall": {"unilateral", "damping", "max_force", "force_step"},
+    "dimensionless": {"mu", "beta", "sigma"}, "sampling": {"delay", "latency"},
+    "wall": {"unilateral", "damping", "damping_time_constant", "max_force", "force_step"},
+    "controller": {"numerator", "denominator"},
     "amplifier": {"time_constant"}, "operator": {"max_speed"}, "start": {"position", "velocity"},
 }
 
 
-def check(request):
-    only(request, {"scene"})
-    scene = request.get("scene")
+def read_scene(scene):
+    """The costs of a scene's effects, and what a motion meets in it."""
     if not isinstance(scene, dict) or set(scene) - set(SECTIONS) or "dimensionless" not in scene:
         raise Refused("not a scene that this implementation knows")
     for name, section in scene.items():
         if not isinstance(section, dict) or set(section) - SECTIONS[name]:
             raise Refused(f"[{name}] has a key that is not known")
-    fields = {**scene["dimensionless"], **scene.get("wall", {}), **scene.get("sampling", {})}
-    loop = Loop({k: v for k, v in fields.items() if k != "mu"})
-    viscous, coulomb = loop.criterion()
+    point, wall, sampling = (scene.get(k, {}) for k in ("dimensionless", "wall", "sampling"))
+    plain = {k: v for k, v in {**point, **wall, **sampling}.items()
+             if k not in ("mu", "damping_time_constant", "latency")}
+    loop = Loop(plain)
+    if "controller" in scene:
+        if loop.damping is not None:
+            raise Refused("damping and a controller cannot both be given")
+        lists = [scene["controller"].get("numerator"), scene["controller"].get("denominator", ["1"])]
+        if not all(isinstance(x, list) for x in lists):
+            raise Refused("a controller is two lists of numbers")
+        law = controller(*([number(x) for x in numbers] for numbers in lists))
+    else:
+        tau = at_least_zero(wall.get("damping_time_constant", "0"))
+        law = damped(loop.damping or F(0), tau / (1 + tau))
+    late = at_least_zero(sampling.get("latency", "0"))
+    lag = at_least_zero(scene["amplifier"].get("time_constant")) if "amplifier" in scene else F(0)
+    actuator = (late, lag) if late or lag else None
+    costs = Costs(law, loop.delay, not loop.clamped(), actuator, loop.encoder, loop.step or F(0))
+    return costs, drawn.Loop(law, loop.delay, (loop.beta, loop.sigma), loop.encoder, loop.unilateral,
+                             loop.step, loop.limit, actuator)
+
+
+def speed_bound(scene):
+    operator = scene.get("operator", {})
+    return above_zero(operator["max_speed"]) if "max_speed" in operator else None
+
+
+def sign_of(span, holds):
+    """The sign of a figure of which an enclosure is known, and whether it is not below zero."""
+    if span[0] == span[1] == 0:
+        return 0
+    return 1 if holds else -1
+
+
+def check(request):
+    only(request, {"scene"})
+    scene = request.get("scene")
+    costs, loop = read_scene(scene)
+    beta, sigma = loop.beta, loop.sigma
+    less = lambda x, cost: (x - cost[1], x - cost[0])
+    viscous, coulomb = less(beta, costs.viscous), less(sigma, costs.coulomb)
+    if coulomb[0] < 0 <= coulomb[1] and coulomb[0] != coulomb[1]:
+        raise Refused("too close to the border for this implementation")
+    v, c = sign_of(viscous, costs.enough(beta)), sign_of(coulomb, coulomb[0] >= 0)
     # TH-REGION: the speeds v > 0 with viscous v + coulomb >= 0.
-    if viscous >= 0 and coulomb >= 0:
+    if v >= 0 and c >= 0:
         region = "globally_stable"
-    elif viscous < 0 < coulomb:
+    elif v < 0 < c:
         region = "locally_stable"
-    elif coulomb < 0 < viscous:
+    elif c < 0 < v:
         region = "limit_cycles"
     else:
         region = "unstable"
-    critical = -coulomb / viscous if region in ("locally_stable", "limit_cycles") else None
-    # The square of the operator's speed bound.
-    square = None
-    if "max_speed" in scene.get("operator", {}):
-        square = above_zero(scene["operator"]["max_speed"]) ** 2
-    within = lambda square: region == "globally_stable" or (
-        region == "locally_stable" and coulomb**2 >= viscous**2 * square)
-    holds = region == "globally_stable" if square is None else within(square)
-    not_covered = ["amplifier"] if "amplifier" in scene else []
-    # Left alone from the start, the device never passes V (TH-START), whatever the verdict.
-    unforced = None
-    if "start" in scene:
-        x, v = (number(scene["start"].get(k, "0")) for k in ("position", "velocity"))
-        start = v * v + x * x / above_zero(scene["dimensionless"].get("mu"))
-        unforced = {"holds": None if not_covered else within(start)}
-    witness = None
-    if not_covered:
-        verdict = "not_covered"
-    elif holds:
-        verdict = "passive"
+    critical = None
+    if region in ("locally_stable", "limit_cycles"):
+        ends = [-a / b for a in coulomb for b in viscous if b]
+        critical = min(ends), max(ends)
+    bound = speed_bound(scene)
+    if bound is None:
+        holds = region == "globally_stable"
     else:
-        witness = cycle(loop, square)
-        verdict = "not_passive" if witness else "not_guaranteed"
-    both = lambda x: {"lo": str(x), "hi": str(x)}
+        holds = costs.holds_up_to(bound, beta, sigma)
+    witness = None if holds else draw(loop, bound)
+    both = lambda x: {"lo": str(x[0]), "hi": str(x[1])}
     return {
-        "region": region, "verdict": verdict, "not_covered": not_covered,
-        "beta": both(loop.beta), "sigma": both(loop.sigma),
+        "region": region, "not_covered": [],
+        "verdict": "passive" if holds else "not_passive" if witness else "not_guaranteed",
+        "beta": both((beta, beta)), "sigma": both((sigma, sigma)),
         "critical_speed": None if critical is None else both(critical),
         "spare": {"viscous": both(viscous), "coulomb": both(coulomb)},
-        "unforced": unforced, "witness": witness,
+        "unforced": unforced(scene, region, viscous, coulomb), "witness": witness,
     }
 
 
-def cycle(loop, square):
-    """TH-ACTIVE: between n - a and n + m, gaining d (m + 1 - 2 beta d - 2 sigma), d = m + a."""
-    if loop.delay or loop.damping is not None or loop.step is not None:
+def unforced(scene, region, viscous, coulomb):
+    """Left alone from the start, the device never passes V, whatever the verdict (TH-START)."""
+    if "start" not in scene:
         return None
-    beta, sigma = loop.beta, loop.sigma
-    if sigma < HALF:
-        m = 0
-    elif beta < HALF:
-        m = floor((2 * sigma - 1) / (1 - 2 * beta)) + 1
-    else:
+    if "amplifier" in scene or "latency" in scene.get("sampling", {}):
+        raise Refused("a start behind an actuator is not in this implementation")
+    x, v = (number(scene["start"].get(k, "0")) for k in ("position", "velocity"))
+    square = v * v + x * x / above_zero(scene["dimensionless"].get("mu"))
+    within = [c**2 >= f**2 * square for c, f in zip(coulomb, viscous)]
+    if region == "locally_stable" and within[0] != within[1]:
+        raise Refused("too close to the border for this implementation")
+    return {"holds": region == "globally_stable" or (region == "locally_stable" and within[0])}
+
+
+def draw(loop, bound):
+    """A motion that draws energy, with what the operator gains each time round."""
+    positions = drawn.find(loop, bound)
+    if positions:
+        return {"positions": [str(x) for x in positions], "wave": None,
+                "gain_per_cycle": str(loop.gain(positions)[0])}
+    wave = drawn.find_wave(loop) if bound is None else None
+    if wave is None:
         return None
-    a = F(1)
-    while m * (1 - 2 * beta) + 1 - 2 * sigma - 2 * beta * a <= 0:
-        a /= 2
-    if square is not None:
-        if square <= m * m:
-            return None
-        speed = F(isqrt(square.numerator * square.denominator * 10**60), square.denominator * 10**30)
-        # Strictly below the bound.
-        a = min(a, (speed - m) / 2)
-    if loop.limit is not None and loop.limit < m + 1 + HALF:
-        return None
-    return {"from": str(1 - a), "to": str(F(1 + m))}
+    return {"positions": [], "gain_per_cycle": str(drawn.wave_gain(loop, *wave)),
+            "wave": dict(zip(("turns", "period", "amplitude"), map(str, wave)))}
 
 
 OPERATIONS = {
@@ -526,9 +557,7 @@ def plain(identity):
 
 def checked(path):
     """The exit code for a certificate."""
-    sys.dont_write_bytecode = True
     from certificate import check_certificate
-    from passivity_ref import Refused  # as the module above knows it: this one may be __main__
 
     try:
         with open(path, encoding="utf-8") as file:
@@ -542,12 +571,32 @@ def checked(path):
     return 0
 
 
+def checked_witnesses(path):
+    """The exit code for the witnesses that a file of vectors gives, each computed again."""
+    with open(path, encoding="utf-8") as file:
+        tests = json.load(file, parse_int=Literal, parse_float=Literal)["tests"]
+    count = wrong = 0
+    for test in tests:
+        witness = test.get("result", {}).get("witness")
+        if witness is None:
+            continue
+        scene, count = test["request"]["scene"], count + 1
+        says = drawn.check_witness(read_scene(scene)[1], witness, speed_bound(scene))
+        if says is not None:
+            wrong += 1
+            print(f"{test['id']}: {says}")
+    print(f"{count} witnesses, {wrong} wrong")
+    return 1 if wrong or not count else 0
+
+
 def main():
     sys.set_int_max_str_digits(0)
+    if len(sys.argv) == 3 and sys.argv[1] == "check-witnesses":
+        sys.exit(checked_witnesses(sys.argv[2]))
     if len(sys.argv) == 3 and sys.argv[1] == "check-certificate":
         sys.exit(checked(sys.argv[2]))
     if len(sys.argv) > 1:
-        sys.exit("expected no arguments, or `check-certificate FILE`")
+        sys.exit("expected no arguments, or `check-certificate FILE`, or `check-witnesses FILE`")
     for line in sys.stdin:
         sys.stdout.write(json.dumps(answer(line)) + "\n")
         sys.stdout.flush()

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::build::{Dice, counts, interval, ratio, test};
-use crate::{Group, Test, cover};
+use crate::{Group, Test, cover, linear};
 
 /// Every group, in the order of their numbers.
 pub(super) fn all() -> Vec<Group> {
@@ -17,6 +17,7 @@ pub(super) fn all() -> Vec<Group> {
         runs(),
         effects(),
         cover::regions(),
+        linear::group(),
         cover::motion(),
         cover::refusals(),
     ]

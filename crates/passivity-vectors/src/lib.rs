@@ -8,8 +8,12 @@ mod against;
 mod build;
 mod cover;
 mod groups;
+mod linear;
+mod witness;
 
 pub use against::{Difference, Judge, Outcome, against};
+
+use std::sync::OnceLock;
 
 use serde_json::{Map, Value, json};
 
@@ -62,13 +66,17 @@ pub struct Group {
 /// ```
 #[must_use]
 pub fn all() -> Vec<Group> {
-    let mut id = 0;
-    let mut groups = groups::all();
-    for test in groups.iter_mut().flat_map(|group| &mut group.tests) {
-        id += 1;
-        test.id = id;
-    }
-    groups
+    static GROUPS: OnceLock<Vec<Group>> = OnceLock::new();
+    let numbered = || {
+        let mut id = 0;
+        let mut groups = groups::all();
+        for test in groups.iter_mut().flat_map(|group| &mut group.tests) {
+            id += 1;
+            test.id = id;
+        }
+        groups
+    };
+    GROUPS.get_or_init(numbered).clone()
 }
 
 impl Group {

@@ -2,7 +2,8 @@
 //! implementation passes them, and broken copies of it do not.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use passivity_vectors::{Group, Outcome, SCHEMA, against, all};
 use serde_json::Value;
@@ -167,42 +168,177 @@ fn python(program: &str, groups: &[Group]) -> Outcome {
     against(&format!("python3 '{program}'"), groups).unwrap()
 }
 
+/// A copy of the second implementation in a folder of its own.
+fn copied(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("passivity-{name}-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    for file in ["passivity_ref.py", "costs.py", "drawn.py"] {
+        fs::copy(
+            root().join("tests/conformance").join(file),
+            folder.join(file),
+        )
+        .unwrap();
+    }
+    folder
+}
+
+/// Whether the second implementation, with one file changed, differs in these groups.
+fn notices(folder: &Path, file: &str, [sound, mistake]: [&str; 2], groups: &[Group]) -> bool {
+    let path = folder.join(file);
+    let text = fs::read_to_string(&path).unwrap();
+    assert_eq!(text.matches(sound).count(), 1, "{sound}");
+    fs::write(&path, text.replace(sound, mistake)).unwrap();
+    let outcome = python(folder.join("passivity_ref.py").to_str().unwrap(), groups);
+    fs::write(&path, text).unwrap();
+    !outcome.differences.is_empty()
+}
+
 #[test]
 fn second_implementation_passes_and_broken_copies_do_not() {
     let path = root().join("tests/conformance/passivity_ref.py");
-    let groups = all();
+    let mut groups = all();
     let outcome = python(path.to_str().unwrap(), &groups);
     let first = &outcome.differences[..outcome.differences.len().min(5)];
     assert!(outcome.differences.is_empty(), "{first:#?}");
     assert!(outcome.tests >= 2000);
-    let text = fs::read_to_string(&path).unwrap();
-    let broken = std::env::temp_dir().join(format!("passivity-broken-{}.py", std::process::id()));
-    for (sound, mistake) in [
-        ("HALF * d * d + HALF * abs(d)", "HALF * d * d + HALF * d"),
-        ("beta * d * d / dtau", "beta * d * d"),
-        ("return xi - floor(xi)", "return abs(xi) - floor(abs(xi))"),
-        (
+    // What is broken here is none of the rules for loops with memory.
+    groups.retain(|group| group.name != "linear");
+    let folder = copied("broken");
+    for change in [
+        ["HALF * d * d + HALF * abs(d)", "HALF * d * d + HALF * d"],
+        ["beta * d * d / dtau", "beta * d * d"],
+        ["return xi - floor(xi)", "return abs(xi) - floor(abs(xi))"],
+        [
             "margin is None or margin >= 0",
             "margin is None or margin > 0",
-        ),
-        ("net_linear < 0", "net_linear <= 0"),
-        (
-            "viscous >= 0 and coulomb >= 0",
-            "viscous > 0 and coulomb >= 0",
-        ),
-        ("coulomb**2 >= viscous**2", "coulomb**2 > viscous**2"),
-        ("holds is False and least == 0", "False"),
-        ("coulomb -= self.step / 2", "pass"),
-        ("F(k - j + 1)", "F(1)"),
-        ("+ (v - limit) * (1 - decay)", "- (v - limit) * (1 - decay)"),
-        ("if int(d) == 0:", "if False:"),
+        ],
+        ["net_linear < 0", "net_linear <= 0"],
+        ["v >= 0 and c >= 0", "v > 0 and c >= 0"],
+        ["c**2 >= f**2 * square", "c**2 > f**2 * square"],
+        ["holds is False and least == 0", "False"],
+        ["coulomb -= self.step / 2", "pass"],
+        ["F(k - j + 1)", "F(1)"],
+        ["+ (v - limit) * (1 - decay)", "- (v - limit) * (1 - decay)"],
+        ["if int(d) == 0:", "if False:"],
     ] {
-        assert_eq!(text.matches(sound).count(), 1, "{sound}");
-        fs::write(&broken, text.replace(sound, mistake)).unwrap();
-        let outcome = python(broken.to_str().unwrap(), &groups);
-        assert!(!outcome.differences.is_empty(), "nobody notices {mistake}");
+        let noticed = notices(&folder, "passivity_ref.py", change, &groups);
+        assert!(noticed, "nobody notices {}", change[1]);
     }
-    fs::remove_file(broken).unwrap();
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn broken_rules_for_loops_with_memory_are_noticed() {
+    let groups = all();
+    let linear = groups.iter().find(|group| group.name == "linear").unwrap();
+    let folder = copied("broken-rules");
+    for (flag, file, sound, mistake) in [
+        // A border of the criterion that does not hold, and one that is not sharp.
+        (
+            "Border",
+            "costs.py",
+            "if at(p, lo) < 0 or at(p, hi) < 0:",
+            "if False:",
+        ),
+        (
+            "Border",
+            "costs.py",
+            "- changes(chain, b) <= 1",
+            "- changes(chain, b) <= 9",
+        ),
+        (
+            "Border",
+            "costs.py",
+            "n = [F(0)] * delay + n",
+            "n = n + [F(0)] * delay",
+        ),
+        (
+            "Edge",
+            "costs.py",
+            "sum(map(abs, c)) + abs(c[-1])",
+            "sum(map(abs, c)) - abs(c[-1])",
+        ),
+        (
+            "Edge",
+            "drawn.py",
+            "rest = drawn - loop.sigma * moves",
+            "rest = drawn - loop.sigma",
+        ),
+        ("Actuator", "costs.py", "own = f * (1 - f)", "own = f"),
+        ("Actuator", "costs.py", "- theta**2  #", "+ theta**2  #"),
+        (
+            "Actuator",
+            "costs.py",
+            "+ 2 * shared(part[0]",
+            "+ shared(part[0]",
+        ),
+        (
+            "Wall",
+            "costs.py",
+            "kappa = (HALF + delay,) * 2",
+            "kappa = (HALF,) * 2",
+        ),
+        (
+            "Random",
+            "costs.py",
+            "real_part(d, d)",
+            "real_part(d, [F(1)])",
+        ),
+        ("NoLoop", "costs.py", "if abs(k) >= 1:", "if abs(k) > 1:"),
+    ] {
+        let mut group = linear.clone();
+        group.tests.retain(|test| test.flags == [flag]);
+        let noticed = notices(&folder, file, [sound, mistake], &[group]);
+        assert!(noticed, "nobody notices {mistake}");
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+/// Lets the second implementation compute the witnesses of a file of vectors again.
+fn witnesses(file: &Path) -> (Option<i32>, String) {
+    let output = Command::new("python3")
+        .arg(root().join("tests/conformance/passivity_ref.py"))
+        .arg("check-witnesses")
+        .arg(file)
+        .output()
+        .unwrap();
+    let said = String::from_utf8(output.stdout).unwrap();
+    (output.status.code(), said)
+}
+
+#[test]
+fn second_implementation_computes_every_witness_again() {
+    for name in ["linear.json", "regions.json"] {
+        let (code, said) = witnesses(&root().join("tests/vectors").join(name));
+        assert_eq!(code, Some(0), "{said}");
+        assert!(said.ends_with(" witnesses, 0 wrong\n"), "{said}");
+    }
+    // A gain that is too large, and a motion that gains less than nothing.
+    let text = fs::read_to_string(root().join("tests/vectors/linear.json")).unwrap();
+    let file: Value = serde_json::from_str(&text).unwrap();
+    for change in [
+        |witness: &mut Value| witness["gain_per_cycle"] = "1e99".into(),
+        |witness: &mut Value| {
+            witness["wave"] = Value::Null;
+            witness["positions"] = vec!["1/3", "1/2"].into();
+        },
+    ] {
+        let mut changed = file.clone();
+        let tests = changed["tests"].as_array_mut().unwrap();
+        tests.retain(|test| test["result"]["verdict"] == "not_passive");
+        tests.truncate(12);
+        let count = tests.len();
+        for test in tests {
+            change(&mut test["result"]["witness"]);
+        }
+        let path = std::env::temp_dir().join(format!("passivity-claims-{}", std::process::id()));
+        fs::write(&path, changed.to_string()).unwrap();
+        let (code, said) = witnesses(&path);
+        assert_eq!(code, Some(1));
+        let all_wrong = format!("{count} witnesses, {count} wrong\n");
+        assert!(said.ends_with(&all_wrong), "{said}");
+        fs::remove_file(path).unwrap();
+    }
 }
 
 #[test]

@@ -71,7 +71,17 @@ pub(super) fn find_witness<S: Enclosed>(
     });
     // Friction that is bounded by a rational, ever more tightly where π keeps it from being one.
     let tries = [64, 256, 1024, 4096, 16_384].into_iter();
+    let mut tried = None;
     let mut found = tries.filter_map(|bits| {
+        // Where no π is in the way, more bits change nothing, and the search ends as before.
+        let ends = bounds.try_map(|_, range| {
+            let [lo, hi] = [range.lo().enclosed(bits)?, range.hi().enclosed(bits)?];
+            Some(Interval::hull(lo.lo().clone(), hi.hi().clone()))
+        })?;
+        if tried.as_ref() == Some(&ends) {
+            return None;
+        }
+        tried = Some(ends);
         let most = |x: &S| Some(x.enclosed(bits)?.hi().clone());
         let friction = Friction::new(most(&friction.beta)?, most(&friction.sigma)?);
         let bound = match &bound {
