@@ -62,10 +62,10 @@ const SHAPING: [Parameter; 6] = [
 const BITS: [u32; 4] = [64, 256, 1024, 4096];
 
 /// Bits of the costs over a cell.
-const CELL_BITS: u32 = 64;
+const CELL_BITS: u32 = 40;
 
 /// How many cells a box is cut into at most.
-const MOST_CELLS: usize = 64;
+const MOST_CELLS: usize = 32;
 
 impl<S: Enclosed> Loop<Interval<S>> {
     /// The linear part of the loops of the box, where its costs have to be computed; `None` where a
@@ -220,6 +220,9 @@ impl<S: Enclosed> Loop<Interval<S>> {
         if !self.has_computed_costs() {
             return self.decide(speeds) == Some(Truth::Holds);
         }
+        if self.is_surely(Truth::Holds, speeds) == Some(true) {
+            return true;
+        }
         let hardest = speeds.at(End::Hardest);
         let holds = |corner: Self| corner.at(End::Hardest).holds(&hardest) == Some(Truth::Holds);
         self.corners().into_iter().all(holds)
@@ -269,7 +272,7 @@ impl<S: Enclosed> Loop<Interval<S>> {
         let mut cells = alloc::vec![self.clone()];
         let mut seen = 1;
         while let Some(cell) = cells.pop() {
-            if cell.with_costs(CELL_BITS)?.decide(speeds)? == wanted {
+            if cell.is_surely(wanted, speeds)? {
                 continue;
             }
             seen += 2;
@@ -280,6 +283,35 @@ impl<S: Enclosed> Loop<Interval<S>> {
             cells.extend(halves);
         }
         Some(wanted)
+    }
+
+    /// Whether the criterion holds, or fails, for all loops of a cell, by what its costs are at most, or
+    /// at least.
+    fn is_surely(&self, wanted: Truth, speeds: &Speeds<Interval<S>>) -> Option<bool> {
+        let (end, period) = match wanted {
+            Truth::Holds => (End::Hardest, self.period.lo()),
+            _ => (End::Easiest, self.period.hi()),
+        };
+        if let Speeds::UpToSquared(_) = speeds {
+            return Some(self.with_costs(CELL_BITS)?.decide(speeds)? == wanted);
+        }
+        let width = BigRational::new(1.into(), num_bigint::BigInt::from(1) << CELL_BITS);
+        let part = self.linear_part(CELL_BITS)?;
+        let coulomb = part.coulomb_cost(&width)?;
+        let cost = match wanted {
+            Truth::Holds => coulomb.hi(),
+            _ => coulomb.lo(),
+        };
+        // What Coulomb friction has to spare is least at the shortest period.
+        let corner = self.at(end);
+        let other = corner.clone().with(Parameter::Period, period.clone());
+        let left = corner.left_by(cost, &other, &speeds.at(end))?;
+        let Some(beta) = left else {
+            return Some(wanted == Truth::Fails);
+        };
+        let beta = beta.enclosed(CELL_BITS)?;
+        let decided = part.decide(&beta, &width);
+        Some(decided == Some(wanted == Truth::Holds))
     }
 
     /// The box cut in two along the shaping parameter with the largest relative width; none for a
@@ -333,7 +365,7 @@ impl<S: Enclosed> Loop<S> {
             let Some(coulomb) = part.coulomb_cost(&width) else {
                 return Some(Truth::Depends);
             };
-            let ends = [coulomb.hi(), coulomb.lo()].map(|cost| self.left_by(cost, speeds));
+            let ends = [coulomb.hi(), coulomb.lo()].map(|cost| self.left_by(cost, self, speeds));
             let [Some(hard), Some(easy)] = ends else {
                 return None;
             };
@@ -355,20 +387,30 @@ impl<S: Enclosed> Loop<S> {
     }
 
     /// The β that viscous friction and what Coulomb friction has to spare amount to at the speed
-    /// bound, where the encoder costs `coulomb`; the inner `None` where Coulomb friction falls short.
-    fn left_by(&self, coulomb: &BigRational, speeds: &Speeds<S>) -> Option<Option<S>> {
-        let costs = Self {
-            viscous_cost: Some(S::zero()),
-            coulomb_cost: Some(S::of(&Exact::of(coulomb))?),
-            ..self.clone()
+    /// bound, where the encoder of a controller costs `coulomb`; what is spared is that of another loop.
+    /// The inner `None` where Coulomb friction falls short.
+    fn left_by(
+        &self,
+        coulomb: &BigRational,
+        sparing: &Self,
+        speeds: &Speeds<S>,
+    ) -> Option<Option<S>> {
+        let coulomb_cost = match self.controller {
+            Some(_) => Some(S::of(&Exact::of(coulomb))?),
+            None => None,
         };
-        let criterion = costs.criterion();
-        if !criterion.coulomb.is_nonnegative()? {
+        let spare = Self {
+            coulomb_cost,
+            ..sparing.clone()
+        };
+        let spare = spare.criterion().coulomb;
+        if !spare.is_nonnegative()? {
             return Some(None);
         }
+        let viscous = self.viscous_friction();
         let viscous = match speeds {
-            Speeds::UpTo(v) => criterion.viscous + criterion.coulomb.over(v.clone()),
-            Speeds::All | Speeds::UpToSquared(_) => criterion.viscous,
+            Speeds::UpTo(v) => viscous + spare.over(v.clone()),
+            Speeds::All | Speeds::UpToSquared(_) => viscous,
         };
         Some(Some(viscous.over(self.viscous_unit())))
     }

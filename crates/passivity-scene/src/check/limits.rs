@@ -280,13 +280,13 @@ fn searched<S: Enclosed>(
     None
 }
 
-/// The border between a value that passes and one that fails, bracketed to 2^−40 of the way.
+/// The border between a value that passes and one that fails, bracketed to 2^−32 of the way.
 fn bisected<S: Enclosed>(
     passing: S,
     failing: &S,
     passes: impl Fn(&S) -> bool,
 ) -> Option<Interval<S>> {
-    const STEPS: u32 = 40;
+    const STEPS: u32 = 32;
     let width = failing.clone() - passing.clone();
     // Each from the ends again, so that the numbers stay short.
     let at = |k: u64| {
