@@ -347,7 +347,7 @@ const EDITS: [Edit; 11] = [
             "TH-REGION/tests",
             "CHECK-VERDICT/tests",
         ],
-        fresh: &["TH-ACTIVE/smt", "TH-LIN/tests", "TH-TELESCOPE/rocq"],
+        fresh: &["ERR-27/smt", "TH-LIN/tests", "TH-TELESCOPE/rocq"],
     },
     Edit {
         file: "crates/passivity-core/src/verdict.rs",
@@ -355,7 +355,7 @@ const EDITS: [Edit; 11] = [
         new: "self.with_either_period(End::Easiest)",
         engines: &["smt", "rocq", "kani", "stand-in", "tests"],
         stale: &["TH-REGION/stand-in", "TH-REGION/rocq", "CHECK-LIMITS/tests"],
-        fresh: &["TH-LIN/stand-in", "TH-ACTIVE/smt", "EQ-21a/rocq"],
+        fresh: &["TH-LIN/stand-in", "TH-RUN/smt", "EQ-21a/rocq"],
     },
     Edit {
         file: "proofs/smt/queries/th_lin_bound.smt2",

@@ -187,14 +187,14 @@ impl<S: Enclosed> Loop<Interval<S>> {
         let (mut all, mut any) = (true, false);
         for corner in self.corners() {
             if all {
-                match corner.at(End::Hardest).holds(&hardest)? {
+                match corner.at(End::Hardest).met_at(&hardest)? {
                     Truth::Holds => any = true,
                     Truth::Fails => all = false,
                     Truth::Depends => return Some(Truth::Depends),
                 }
             }
             if !all && !any {
-                any = match corner.at(End::Easiest).holds(&easiest)? {
+                any = match corner.at(End::Easiest).met_at(&easiest)? {
                     Truth::Holds => true,
                     Truth::Fails => false,
                     Truth::Depends => return Some(Truth::Depends),
@@ -224,7 +224,7 @@ impl<S: Enclosed> Loop<Interval<S>> {
             return true;
         }
         let hardest = speeds.at(End::Hardest);
-        let holds = |corner: Self| corner.at(End::Hardest).holds(&hardest) == Some(Truth::Holds);
+        let holds = |corner: Self| corner.at(End::Hardest).met_at(&hardest) == Some(Truth::Holds);
         self.corners().into_iter().all(holds)
             && (self.corners_are_hardest()
                 || self.over_cells(speeds, Truth::Holds) == Some(Truth::Holds))
@@ -347,7 +347,7 @@ impl<S: Enclosed> Loop<Interval<S>> {
 impl<S: Enclosed> Loop<S> {
     /// Whether the criterion holds for one loop with computed costs, exactly;
     /// [`Truth::Depends`] where no enclosure within bounds tells.
-    fn holds(&self, speeds: &Speeds<S>) -> Option<Truth> {
+    fn met_at(&self, speeds: &Speeds<S>) -> Option<Truth> {
         let point = self.map(|_, x| Interval::point(x.clone()));
         for bits in BITS {
             let width = BigRational::new(1.into(), num_bigint::BigInt::from(1) << bits);
