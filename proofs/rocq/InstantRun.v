@@ -5,8 +5,31 @@
 
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Passivity Require Import Definitions Calculus Model.
+From Passivity Require Import Definitions Calculus Model Effects.
 Open Scope R_scope.
+
+(** With enough friction at every speed the criterion holds whatever the motion. *)
+Lemma enough_at_all_speeds : forall viscous coulomb vel t, 0 <= viscous -> 0 <= coulomb ->
+  criterion_holds viscous coulomb vel t.
+Proof.
+  intros viscous coulomb vel t Hb Hc u _ Hv. unfold margin_8.
+  assert (0 <= coulomb / Rabs (vel u))
+    by (apply Rdiv_le_0_compat; [exact Hc | apply Rabs_pos_lt; exact Hv]).
+  lra.
+Qed.
+
+(** The hand's share of the work that it does together with another force. *)
+Lemma hand_apart : forall vel hand force a b,
+  ex_RInt (fun u => force u * vel u) a b -> ex_RInt (fun u => (hand u + force u) * vel u) a b ->
+  is_RInt (fun u => hand u * vel u) a b
+    (operator_energy vel (fun u => hand u + force u) a b - RInt (fun u => force u * vel u) a b).
+Proof.
+  intros vel hand force a b Iw I.
+  apply is_RInt_ext with (fun u => (hand u + force u) * vel u - force u * vel u);
+    [over_R; ring |].
+  apply (@is_RInt_minus R_NormedModule (fun u => (hand u + force u) * vel u));
+    apply RInt_is; assumption.
+Qed.
 
 (** The squared velocity's integral. *)
 Definition square_integral (vel : R -> R) (s t : R) : R := RInt (fun u => vel u ^ 2) s t.

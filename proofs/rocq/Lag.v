@@ -309,11 +309,8 @@ Proof.
   - simpl (INR 0) in *.
     assert (Iw : ex_RInt (fun u => force u * vel u) 0 t) by (apply (work_integrable N); exact HN).
     assert (Ih : is_RInt (fun u => hand u * vel u) 0 t
-      (operator_energy vel (fun u => hand u + force u) 0 t - work t)).
-    { apply is_RInt_ext with (fun u => (hand u + force u) * vel u - force u * vel u);
-        [over_R; ring |].
-      apply (@is_RInt_minus R_NormedModule (fun u => (hand u + force u) * vel u));
-        apply RInt_is; assumption. }
+      (operator_energy vel (fun u => hand u + force u) 0 t - work t))
+      by exact (hand_apart vel hand force 0 t Iw I).
     split; [eexists; exact Ih |].
     unfold operator_energy at 1. rewrite (is_RInt_unique _ _ _ _ Ih).
     assert (W0 : work 0 = 0) by (unfold work; rewrite RInt_point; reflexivity).
@@ -333,11 +330,8 @@ Theorem TH_LAG_all_speeds : kappa <= beta -> coulomb <= sigma -> forall t, 0 <= 
   <= storage mu (pos 0) (vel 0) + lag_memory kappa theta * y0 ^ 2.
 Proof.
   intros Hb Hc t Ht.
-  assert (C : criterion_holds (beta - kappa) (sigma - coulomb) vel t).
-  { intros u _ Hv. unfold margin_8.
-    assert (0 <= (sigma - coulomb) / Rabs (vel u)).
-    { apply Rdiv_le_0_compat; [lra | apply Rabs_pos_lt; exact Hv]. }
-    lra. }
+  assert (C : criterion_holds (beta - kappa) (sigma - coulomb) vel t)
+    by (apply enough_at_all_speeds; lra).
   destruct (TH_LAG t Ht C) as [_ E].
   pose proof (storage_nonneg mu (pos t) (vel t) (mu_positive _ _ _ P)). lra.
 Qed.

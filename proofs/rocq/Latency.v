@@ -243,11 +243,8 @@ Theorem TH_LATENCY_all_speeds : kappa <= beta -> coulomb <= sigma -> forall t, 0
   - operator_energy vel hand 0 t <= storage mu (pos 0) (vel 0) + latency_extra.
 Proof.
   intros Hb Hc t Ht.
-  assert (C : criterion_holds (beta - kappa) (sigma - coulomb) vel t).
-  { intros u _ Hv. unfold margin_8.
-    assert (0 <= (sigma - coulomb) / Rabs (vel u)).
-    { apply Rdiv_le_0_compat; [lra | apply Rabs_pos_lt; exact Hv]. }
-    lra. }
+  assert (C : criterion_holds (beta - kappa) (sigma - coulomb) vel t)
+    by (apply enough_at_all_speeds; lra).
   destruct (TH_LATENCY t Ht C) as [_ E].
   pose proof (storage_nonneg mu (pos t) (vel t) (mu_positive _ _ _ P)). lra.
 Qed.

@@ -7,7 +7,7 @@
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From Passivity Require Import Definitions Quantizer Calculus Model History Law Combined
-  Passivity Laws Effects Controller Angles ChargedRun.
+  Passivity Laws Effects Controller Angles ChargedRun InstantRun.
 Open Scope R_scope.
 
 (** What the controller commands from the position and the last [L] displacements. *)
@@ -167,11 +167,8 @@ Lemma linear_run_all_speeds : lambda <= beta -> coulomb <= sigma -> forall t, 0 
   - operator_energy vel hand 0 t <= start.
 Proof.
   intros Hb Hc t Ht.
-  assert (C : criterion_holds (beta - lambda) (sigma - coulomb) vel t).
-  { intros u _ Hv. unfold margin_8.
-    assert (0 <= (sigma - coulomb) / Rabs (vel u)).
-    { apply Rdiv_le_0_compat; [lra | apply Rabs_pos_lt; exact Hv]. }
-    lra. }
+  assert (C : criterion_holds (beta - lambda) (sigma - coulomb) vel t)
+    by (apply enough_at_all_speeds; lra).
   destruct (linear_run t Ht C) as [_ E].
   assert (0 <= kinetic mu (vel t)).
   { unfold kinetic. pose proof (mu_positive _ _ _ P). pose proof (pow2_ge_0 (vel t)). nra. }

@@ -171,11 +171,8 @@ Proof.
   - simpl (INR 0) in *.
     assert (Iw : ex_RInt (fun u => force u * vel u) 0 t) by (apply (work_to N); exact HN).
     assert (Ih : is_RInt (fun u => hand u * vel u) 0 t
-      (operator_energy vel (fun u => hand u + force u) 0 t - work t)).
-    { apply is_RInt_ext with (fun u => (hand u + force u) * vel u - force u * vel u);
-        [over_R; ring |].
-      apply (@is_RInt_minus R_NormedModule (fun u => (hand u + force u) * vel u));
-        apply RInt_is; assumption. }
+      (operator_energy vel (fun u => hand u + force u) 0 t - work t))
+      by exact (hand_apart vel hand force 0 t Iw I).
     split; [eexists; exact Ih |].
     unfold operator_energy at 1. rewrite (is_RInt_unique _ _ _ _ Ih).
     assert (W0 : work 0 = 0) by (unfold work; rewrite RInt_point; reflexivity).

@@ -13,7 +13,7 @@ use crate::scalar::Scalar;
 /// Computed with 32 bits more: the angle, below 2π, is off by at most 10 of those smaller units, and
 /// each of n terms of the series, none above 2⁷, by at most 2¹³·n; so the sum by 2¹³·n² + 10 < 2³²,
 /// as n ≤ 700.
-pub(crate) struct Circle {
+pub struct Circle {
     bits: u32,
     /// π in units of 2^−(`bits` + 32).
     pi: BigInt,
@@ -22,7 +22,9 @@ pub(crate) struct Circle {
 impl Circle {
     const SPARE: u32 = 32;
 
-    pub(crate) fn to(bits: u32) -> Self {
+    /// Sines to so many bits.
+    #[must_use]
+    pub fn to(bits: u32) -> Self {
         let [pi, _] = pi::scaled(bits + Self::SPARE);
         Self { bits, pi }
     }
@@ -45,8 +47,9 @@ impl Circle {
     }
 
     /// An enclosure of cos(2πx), for 0 ≤ x; a point where x is a multiple of a quarter or a sixth,
-    /// and the cosine one of ½.
-    pub(crate) fn cosine(&self, turns: &BigRational) -> Interval<BigRational> {
+    /// and the cosine one of ½. An end may be outside of [−1, 1].
+    #[must_use]
+    pub fn cosine(&self, turns: &BigRational) -> Interval<BigRational> {
         let one = BigInt::from(1) << self.bits;
         let close = self.sine(&(turns + BigRational::one().half().half()));
         let is_rational = [BigInt::from(4), BigInt::from(6)]

@@ -81,8 +81,12 @@ impl<V> Loop<V> {
         let both = self.delay > 0 && self.damping.is_some() && self.is_linear();
         both || self.controller.is_some()
             || self.damping_time_constant.is_some()
-            || self.latency.is_some()
-            || self.time_constant.is_some()
+            || self.has_actuator()
+    }
+
+    /// Whether the force follows its command within an interval: a latency or an amplifier.
+    pub const fn has_actuator(&self) -> bool {
+        self.latency.is_some() || self.time_constant.is_some()
     }
 
     /// Whether the force is linear in the measured positions: no one-sided wall and no saturation.

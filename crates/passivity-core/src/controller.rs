@@ -278,8 +278,10 @@ impl<S: Scalar> Controller<S> {
         samples.get(self.delay.min(oldest)..).unwrap_or_default()
     }
 
-    /// The filter's output as it is applied: gated, negated, rounded and limited.
-    fn applied(&self, output: &S, samples: &[S]) -> S {
+    /// The filter's output as it is applied: gated, negated, rounded and limited; `samples` are the
+    /// measured positions that it was made of, the latest first.
+    #[must_use]
+    pub fn applied(&self, output: &S, samples: &[S]) -> S {
         let mut force = output.clone();
         if let (true, Some(q)) = (self.unilateral, samples.first()) {
             force = force * inside(q);

@@ -109,14 +109,13 @@ impl<S: Enclosed> Loop<Interval<S>> {
             }
             None => zero(),
         };
-        let has_actuator = self.latency.is_some() || self.time_constant.is_some();
         Some(LinearPart {
             command: match &self.controller {
                 Some(controller) => Command::Controller(controller.clone()),
                 None => Command::Spring { damping, pole },
             },
             delay: self.delay,
-            actuator: if has_actuator {
+            actuator: if self.has_actuator() {
                 Some(Actuator {
                     latency: in_periods(&self.latency)?,
                     time_constant: in_periods(&self.time_constant)?,
@@ -174,7 +173,7 @@ impl<S: Enclosed> Loop<Interval<S>> {
         if !self.has_computed_costs() {
             return self.decide(speeds);
         }
-        let constant = self.latency.is_none() && self.time_constant.is_none();
+        let constant = !self.has_actuator();
         if constant && self.controller.is_some() && self.viscous_cost.is_some() {
             // The costs that are at hand are those of every loop of the box, and may be enough.
             let truth = self.decide(speeds)?;
@@ -232,10 +231,12 @@ impl<S: Enclosed> Loop<Interval<S>> {
 
     /// Whether no loop of the box is harder than its corners.
     fn corners_are_hardest(&self) -> bool {
-        let unfiltered = self.damping_time_constant.is_none()
-            && self.latency.is_none()
-            && self.time_constant.is_none();
-        unfiltered || self.has_one_shape()
+        self.is_unfiltered() || self.has_one_shape()
+    }
+
+    /// Whether there is neither a filter on the damping nor an actuator.
+    const fn is_unfiltered(&self) -> bool {
+        self.damping_time_constant.is_none() && !self.has_actuator()
     }
 
     /// Whether the costs of all loops of the box are the same multiples.
@@ -249,12 +250,9 @@ impl<S: Enclosed> Loop<Interval<S>> {
     /// Without a filter and an actuator the stiffest wall is the hardest: where KT·w(θ) + B·r(θ) is
     /// largest, w(θ) is at least ½, because it is ½ where r is 1.
     fn corners(&self) -> alloc::vec::Vec<Self> {
-        let unfiltered = self.damping_time_constant.is_none()
-            && self.latency.is_none()
-            && self.time_constant.is_none();
         let mut corners = alloc::vec![self.clone()];
         for parameter in SHAPING {
-            if parameter == Parameter::Stiffness && unfiltered {
+            if parameter == Parameter::Stiffness && self.is_unfiltered() {
                 continue;
             }
             let Some(range) = self.get(parameter).filter(|range| !range.is_point()) else {

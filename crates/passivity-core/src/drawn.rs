@@ -128,8 +128,7 @@ impl Search<'_> {
             Some(smoothed) => product(&law, &smoothed.transfer)?,
             None => law.clone(),
         };
-        let unit = BigRational::new(BigInt::from(1), BigInt::from(1) << BITS);
-        let tails = Terms::of(&law.tails(), &unit)?;
+        let tails = Terms::of(&law.tails(), &unit())?;
         let response = Response {
             sum: law.at_one(),
             error: &tails.error + &wobble,
@@ -237,10 +236,8 @@ impl Smoothed {
     /// Σ j(j + 1)eʲ⁻¹ = 2/(1 − e)³.
     fn of(actuator: &Actuator<Interval<BigRational>>) -> Option<Self> {
         let one = BigRational::one();
-        let middle = |x: &Interval<BigRational>| (x.lo() + x.hi()).half();
-        let radius = |x: &Interval<BigRational>| (x.hi() - x.lo()).half();
-        let (latency, theta) = (middle(&actuator.latency), middle(&actuator.time_constant));
-        let over_box = radius(&actuator.latency) + radius(&actuator.time_constant);
+        let (latency, theta) = (actuator.latency.middle(), actuator.time_constant.middle());
+        let over_box = actuator.latency.radius() + actuator.time_constant.radius();
         let whole = u16::try_from(latency.to_integer()).ok()?;
         let fraction = &latency - latency.floor();
         let rest = &one - &fraction;
@@ -256,8 +253,8 @@ impl Smoothed {
         let decays = [&fraction, &rest].map(|time| decay(&(time / &theta), 2 * BITS));
         let width = decays
             .iter()
-            .fold(BigRational::zero(), |sum, e| sum + radius(e));
-        let [e1, e2] = decays.map(|e| on_grid(&middle(&e)));
+            .fold(BigRational::zero(), |sum, e| sum + e.radius());
+        let [e1, e2] = decays.map(|e| on_grid(&e.middle()));
         let width = width + unit().double();
         let e = &e1 * &e2;
         let left = &one - &e;

@@ -163,7 +163,7 @@ impl ViscousCost {
     /// `width`.
     fn reached_above(&self, beta: &BigRational, width: &BigRational) -> BigRational {
         let bands = self.short_at(beta, width).into_iter();
-        let middles = bands.map(|band| self.at(&(band.lo() + band.hi()).half()));
+        let middles = bands.map(|band| self.at(&band.middle()));
         let most = middles.fold(beta.clone(), Scalar::max);
         let quarter = width.clone().half().half();
         (most / &quarter).floor() * quarter

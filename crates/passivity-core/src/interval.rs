@@ -64,6 +64,18 @@ impl<S: Ordered> Interval<S> {
             .then_some(Self { lo, hi })
     }
 
+    /// Half-way between the ends.
+    #[must_use]
+    pub fn middle(&self) -> S {
+        (self.lo.clone() + self.hi.clone()).half()
+    }
+
+    /// Half of the width.
+    #[must_use]
+    pub fn radius(&self) -> S {
+        (self.hi.clone() - self.lo.clone()).half()
+    }
+
     /// The interval that holds one number only.
     #[must_use]
     pub fn point(x: S) -> Self {

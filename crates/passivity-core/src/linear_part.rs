@@ -190,22 +190,28 @@ impl LinearPart {
     /// of too high a degree.
     #[must_use]
     pub fn frequency_response(&self) -> Option<ViscousCost> {
+        if !self.linear || self.actuator.is_some() {
+            return None;
+        }
         let (middle, _) = self.middle()?;
-        let length = middle.numerator().len().max(middle.denominator().len());
-        let seen = self.linear && self.actuator.is_none();
-        (seen && length + usize::from(self.delay) <= MOST_DEGREE)
-            .then(|| ViscousCost::of(&middle.delayed(self.delay)))
+        self.cost_of(middle)
+    }
+
+    /// λ(θ) of a law behind the delay; `None` where the degree is too high.
+    fn cost_of(&self, law: TransferFunction<BigRational>) -> Option<ViscousCost> {
+        let length = law.numerator().len().max(law.denominator().len());
+        let degree = length + usize::from(self.delay);
+        (degree <= MOST_DEGREE).then(|| ViscousCost::of(&law.delayed(self.delay)))
     }
 
     /// λ(θ) for the middle of the parameters, and how far it is at most from that of any others;
     /// `None` where a closed form says it, or where the degree is too high.
     fn by_frequency(&self) -> Option<(ViscousCost, BigRational)> {
+        if self.delay == 0 && matches!(self.command, Command::Spring { .. }) {
+            return None;
+        }
         let (middle, wobble) = self.middle()?;
-        let length = middle.numerator().len().max(middle.denominator().len());
-        let degree = length + usize::from(self.delay);
-        let closed = self.delay == 0 && matches!(self.command, Command::Spring { .. });
-        (!closed && degree <= MOST_DEGREE)
-            .then(|| (ViscousCost::of(&middle.delayed(self.delay)), wobble))
+        Some((self.cost_of(middle)?, wobble))
     }
 
     /// The law at the middle of its parameters, and Σ|Δgⱼ| from it at most: with
@@ -216,11 +222,9 @@ impl LinearPart {
                 Some((controller.as_ref().clone(), BigRational::zero()))
             }
             Command::Spring { damping, pole } => {
-                let middle = |x: &Interval<BigRational>| (x.lo() + x.hi()).half();
-                let radius = |x: &Interval<BigRational>| (x.hi() - x.lo()).half();
-                let (b, a) = (middle(damping), middle(pole));
+                let (b, a) = (damping.middle(), pole.middle());
                 let per_pole = b.clone().double() / (BigRational::one() - pole.hi());
-                let wobble = radius(damping) + per_pole * radius(pole);
+                let wobble = damping.radius() + per_pole * pole.radius();
                 let law = TransferFunction::filtered_damping(&b, &a).ok()?;
                 Some((law, wobble))
             }
@@ -238,14 +242,13 @@ impl LinearPart {
         width: &BigRational,
     ) -> Option<Interval<BigRational>> {
         let delay = BigRational::from_integer(self.delay.into());
-        let middle = |x: &Interval<BigRational>| (x.lo() + x.hi()).half();
         let Actuator {
             latency,
             time_constant,
         } = actuator;
         let at_middle = Actuator {
-            latency: middle(latency) + &delay,
-            time_constant: middle(time_constant),
+            latency: latency.middle() + &delay,
+            time_constant: time_constant.middle(),
         };
         if latency.is_point() && time_constant.is_point() {
             return at_middle.cost(width);

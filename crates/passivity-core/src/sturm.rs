@@ -79,7 +79,7 @@ impl Certificate {
         is_sturm_sequence(&self.sequence, &self.simple)
             && changes == self.sign_changes
             && roots_inside(&self.simple, changes, interval) == Some(0)
-            && self.simple.sign_at(&middle(interval)) == Ordering::Greater
+            && self.simple.sign_at(&interval.middle()) == Ordering::Greater
     }
 }
 
@@ -119,7 +119,7 @@ pub fn sign_over(polynomial: &Polynomial, interval: &Interval<BigRational>) -> S
     let negative = pieces
         .into_iter()
         .find(|x| polynomial.sign_at(x) == Ordering::Less);
-    SignOver::NegativeAt(negative.unwrap_or_else(|| middle(interval)))
+    SignOver::NegativeAt(negative.unwrap_or_else(|| interval.middle()))
 }
 
 /// Whether the polynomial has a root in the closed interval; true of the polynomial zero.
@@ -298,7 +298,7 @@ fn isolated_roots(
             1 if is_root(piece.hi()) => found.push(Interval::point(piece.hi().clone())),
             1 if !is_root(piece.lo()) => found.push(piece),
             _ => {
-                let middle = middle(&piece);
+                let middle = piece.middle();
                 pieces.push(Interval::hull(middle.clone(), piece.hi().clone()));
                 pieces.push(Interval::hull(piece.lo().clone(), middle));
             }
@@ -310,7 +310,7 @@ fn isolated_roots(
 /// The half of an enclosure of one simple root that holds the root, or the middle where that is the
 /// root.
 fn halved(square_free: &Polynomial, root: &Interval<BigRational>) -> Interval<BigRational> {
-    let middle = middle(root);
+    let middle = root.middle();
     match square_free.sign_at(&middle) {
         Ordering::Equal => Interval::point(middle),
         // The sign changes at the root and nowhere else.
@@ -330,8 +330,4 @@ fn between_roots(
     from.zip(to)
         .map(|(a, b)| (a + b) / BigInt::from(2))
         .collect()
-}
-
-fn middle(interval: &Interval<BigRational>) -> BigRational {
-    (interval.lo() + interval.hi()) / BigInt::from(2)
 }

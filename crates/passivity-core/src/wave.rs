@@ -114,9 +114,7 @@ fn targets(cost: &ViscousCost, beta: &BigRational, bits: u32) -> Vec<BigRational
     let circle = Circle::to(bits);
     let width = BigRational::new(BigInt::from(1), BigInt::from(1) << bits);
     let bands = cost.short_at(beta, &width).into_iter();
-    bands
-        .map(|band| circle.turns_to(&(band.lo() + band.hi()).half()))
-        .collect()
+    bands.map(|band| circle.turns_to(&band.middle())).collect()
 }
 
 fn fraction(n: u32, d: u32) -> BigRational {

@@ -47,7 +47,7 @@ impl Mark {
         let ends = |spare: &Interval<BigRational>| {
             [spare.lo(), spare.hi()].map(|x| nearest_f64(&(x + &half)))
         };
-        let middle = |x: &Interval<BigRational>| nearest_f64(&(x.lo() + x.hi()).half());
+        let middle = |x: &Interval<BigRational>| nearest_f64(&x.middle());
         let bound = report.speed_bound.as_ref();
         let bound = bound.map(|v| (middle(v), format!("{} ticks/sample", range(v))));
         let at = scene.point().at;

@@ -1,6 +1,6 @@
 //! Exact numbers in JSON: rationals as strings in lowest terms, intervals as `lo`, `hi`, `approx`.
 
-use passivity_core::{BigRational, Interval, Scalar};
+use passivity_core::{BigRational, Interval};
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
@@ -36,7 +36,7 @@ pub fn rational(x: &BigRational) -> Value {
 /// ```
 #[must_use]
 pub fn interval(x: &Interval<BigRational>) -> Value {
-    let middle = (x.lo() + x.hi()).half();
+    let middle = x.middle();
     json!({
         "lo": x.lo().to_string(),
         "hi": x.hi().to_string(),

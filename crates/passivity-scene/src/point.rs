@@ -41,7 +41,7 @@ const BITS: u32 = 200;
 /// Never for a number of a scene: an undefined one is refused when the scene is read.
 fn rational(x: &Exact) -> BigRational {
     match x.enclosure(BITS) {
-        Some(bounds) => (bounds.lo() + bounds.hi()).half(),
+        Some(bounds) => bounds.middle(),
         None => unreachable!("a scene's numbers are defined: its units are above zero"),
     }
 }

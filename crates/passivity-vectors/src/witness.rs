@@ -6,13 +6,13 @@
 //! lag are followed from sample to sample, between two ends where a lag makes e^(−1/θ) necessary.
 
 use num_traits::Signed as _;
+use passivity_core::circle::Circle;
 use passivity_core::exponential::decay;
 use passivity_core::frequency::ViscousCost;
 use passivity_core::linear_part::{Command, LinearPart};
 use passivity_core::transfer::TransferFunction;
 use passivity_core::{
-    BigRational, Controller, Friction, Interval, Loop, Scalar, absolute_sum, controller, periodic,
-    pi, sturm,
+    BigRational, Controller, Friction, Interval, Loop, Scalar, absolute_sum, periodic, sturm,
 };
 use passivity_scene::Scene;
 use passivity_scene::json::read_rational;
@@ -20,6 +20,9 @@ use serde_json::Value;
 
 /// Bits to which exponentials, and what a lag makes of them, are enclosed.
 const BITS: u32 = 192;
+
+/// Bits to which the cosine of a wave is enclosed: a border may be 10⁻³⁰ away, and waves are long.
+const COSINE_BITS: u32 = 600;
 
 /// Checks the `witness` of an answer about a scene; the error says what is wrong with it.
 pub(super) fn check(scene: &Value, witness: &Value) -> Result<(), String> {
@@ -122,18 +125,13 @@ impl Tested {
             .map(|xi| self.applied.measured(xi))
             .collect();
         let of_law = periodic::commands(&self.law, &measured)?;
-        let applied = of_law.into_iter().zip(&measured).map(|(force, q)| {
-            let outside = self.applied.unilateral && q.is_negative();
-            let mut held = if outside { BigRational::zero() } else { force };
-            if let Some([n, d]) = &self.applied.force_step {
-                held = controller::rounded(&held, n, d);
-            }
-            match &self.applied.max_force {
-                Some(most) => Scalar::max(Scalar::min(held, most.clone()), -most.clone()),
-                None => held,
-            }
-        });
-        Some(applied.collect())
+        let applied = of_law.into_iter().zip(&measured);
+        // A force is a negated output.
+        Some(
+            applied
+                .map(|(force, q)| self.applied.applied(&-force, std::slice::from_ref(q)))
+                .collect(),
+        )
     }
 
     /// The mean over each interval of what the actuator makes of commands that repeat for ever.
@@ -202,7 +200,9 @@ impl Tested {
         let bound = absolute_sum::viscous_bound(&whole, &one).ok_or("too slow a controller")?;
         let cost = ViscousCost::of(&whole);
         let beta = &self.friction.beta;
-        let cosine = cosine(&(q / p)).ok_or("no cosine")?;
+        let one_at_most =
+            |end: &BigRational| Scalar::max(Scalar::min(end.clone(), one.clone()), -one.clone());
+        let cosine = Circle::to(COSINE_BITS).cosine(&(q / p)).map(one_at_most);
         let spare = (cost.at(cosine.lo()) - beta).half();
         let over = cost.spare(&(beta + &spare)).scaled(&-one.clone());
         if !spare.is_positive() || !sturm::sign_over(&over, &cosine).is_nonnegative() {
@@ -259,25 +259,4 @@ fn relaxed(
     let lo = by(x.lo() - command, true);
     let hi = by(x.hi() - command, false);
     Interval::hull((lo / &unit).floor() * &unit, (hi / &unit).ceil() * unit)
-}
-
-/// An enclosure of cos(2π·turns), 0 ≤ turns ≤ 1, by its series; the error of the angle and the last
-/// term bound that of the sum.
-fn cosine(turns: &BigRational) -> Option<Interval<BigRational>> {
-    let bits = 640;
-    let unit = BigRational::integer(2).pow(-640);
-    let on_grid = |x: BigRational| (x / &unit).round() * &unit;
-    let angle = pi::pi().enclosure(bits)?.lo().clone().double() * turns;
-    let square = on_grid(angle.square());
-    let (mut sum, mut term, mut k) = (BigRational::zero(), BigRational::one(), 0);
-    while term != BigRational::zero() {
-        sum += &term;
-        k += 2;
-        term = on_grid(-term * &square / BigRational::integer(k * (k - 1)));
-    }
-    let error = BigRational::integer(2).pow(-600);
-    Some(Interval::hull(
-        Scalar::max(&sum - &error, -BigRational::one()),
-        Scalar::min(sum + error, BigRational::one()),
-    ))
 }

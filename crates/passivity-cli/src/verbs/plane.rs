@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use passivity_core::{BigRational, Interval, Scalar as _};
+use passivity_core::{BigRational, Interval};
 use passivity_plot::plane::{Mark, draw};
 use passivity_scene::check::{Verdict, check};
 use passivity_scene::number::nearest_f64;
@@ -66,7 +66,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
                 report.scene
             )));
         };
-        let middle = |x: &Interval<BigRational>| nearest_f64(&(x.lo() + x.hi()).half());
+        let middle = |x: &Interval<BigRational>| nearest_f64(&x.middle());
         documents.push(Placed {
             scene: report.scene.clone(),
             beta: middle(&report.beta),

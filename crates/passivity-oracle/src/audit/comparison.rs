@@ -6,7 +6,7 @@
 
 use std::collections::VecDeque;
 
-use passivity_core::{Controller, Scalar};
+use passivity_core::Controller;
 
 use crate::audit::chunk::Chunk;
 use crate::audit::error::TraceError;
@@ -126,7 +126,7 @@ impl<'a> Comparison<'a> {
             self.law.push_front(law);
             self.law.truncate(self.delay + LAGS + 1);
             let bounds = force.value.to_rational();
-            let middle = near(&(bounds.lo() + bounds.hi()).half());
+            let middle = near(&bounds.middle());
             for (expected, agreement) in self.law.iter().zip(&mut self.lags) {
                 agreement.compare(middle, *expected, force.rounding, self.compared);
             }

@@ -213,8 +213,7 @@ fn at<S: Enclosed>(parameter: Parameter, corner: &Loop<S>, speeds: &Speeds<S>) -
 /// Whether no formula says the border of a parameter, because what the effects cost depends on it, or
 /// differs over the tolerances of others.
 fn is_searched<S: Enclosed>(parameter: Parameter, bounds: &Loop<Interval<S>>) -> bool {
-    let constant =
-        bounds.controller.is_some() && bounds.latency.is_none() && bounds.time_constant.is_none();
+    let constant = bounds.controller.is_some() && !bounds.has_actuator();
     let varies = bounds.has_computed_costs() && !constant;
     match parameter {
         Parameter::Damping

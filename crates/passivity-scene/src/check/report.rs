@@ -195,9 +195,10 @@ pub fn check(scene: &Scene) -> Report {
 fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Report> {
     let figures = Figures { bounds };
     let asked = decide::speeds(bounds);
-    let at_every_speed = bounds.truth(&Speeds::All)? == Truth::Holds;
-    let truth = if at_every_speed {
-        Truth::Holds
+    let unbounded = bounds.truth(&Speeds::All)?;
+    let at_every_speed = unbounded == Truth::Holds;
+    let truth = if at_every_speed || bounds.max_speed.is_none() {
+        unbounded
     } else {
         bounds.truth(&asked)?
     };
@@ -223,13 +224,23 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
     let critical = figures.critical_speed(region);
     let [viscous_cost, coulomb_cost] = figures.cost();
     let [viscous_spare, coulomb_spare] = figures.spare();
-    let stiffest = |speeds: &Speeds<Interval<S>>| {
-        let limit = limits::limit(Parameter::Stiffness, scene, bounds, speeds);
-        let none = || Interval::point(Scalar::zero());
-        has_units.then(|| limit.map_or_else(none, |limit| limit.border))
-    };
     let bounded = bounds.max_speed.as_ref();
     let of_limits = if at_every_speed { &Speeds::All } else { &asked };
+    let limits = limits::limits(scene, bounds, of_limits);
+    // One of the two is among the limits already.
+    let stiffest = |is_listed: bool, speeds: &Speeds<Interval<S>>| {
+        let is_stiffness = |limit: &&Limit| limit.parameter == Parameter::Stiffness;
+        let border = if is_listed {
+            limits
+                .iter()
+                .find(is_stiffness)
+                .map(|limit| limit.border.clone())
+        } else {
+            let limit = limits::limit(Parameter::Stiffness, scene, bounds, speeds);
+            limit.map(|limit| limit.border)
+        };
+        border.unwrap_or_else(|| Interval::point(Scalar::zero()))
+    };
     Some(Report {
         scene: scene.name.clone(),
         motion: scene.motion,
@@ -261,15 +272,18 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
         speed_bound: optional(bounded.map(|v| figures.in_ticks(v)))?,
         speed_bound_si: si(&bounds.max_speed)?,
         margin_at_speed_bound: optional(bounded.map(|v| figures.margin_at(v)))?,
-        max_stiffness_all_speeds: stiffest(&Speeds::All),
-        max_stiffness_at_speed_bound: bounded.and_then(|_| stiffest(&asked)),
+        max_stiffness_all_speeds: has_units
+            .then(|| stiffest(at_every_speed || bounded.is_none(), &Speeds::All)),
+        max_stiffness_at_speed_bound: bounded
+            .filter(|_| has_units)
+            .map(|_| stiffest(!at_every_speed, &asked)),
         colgate: figures.colgate(),
         abbott_okamura: figures.abbott_okamura(),
         decided_by: match verdict {
             Verdict::Depends => decide::deciding(scene, bounds),
             _ => Vec::new(),
         },
-        limits: limits::limits(scene, bounds, of_limits),
+        limits,
         witness: match cycle {
             Some(cycle) => Some(witness(cycle, bounds, has_units)?),
             None => None,

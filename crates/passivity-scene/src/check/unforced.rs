@@ -103,8 +103,7 @@ pub(super) fn holds<S: Enclosed>(
     };
     let is_proved = bounds.controller.is_none()
         && bounds.damping_time_constant.is_none()
-        && bounds.latency.is_none()
-        && bounds.time_constant.is_none();
+        && !bounds.has_actuator();
     if is_proved {
         by_sums.decide(speeds)
     } else {

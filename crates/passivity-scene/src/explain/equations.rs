@@ -267,7 +267,7 @@ pub(super) fn computed(scene: &Scene, report: &Report) -> Option<(&'static str, 
         [kappa.to_owned(), format!("κ = {cost}")]
     };
     Some(match Frequency::of(scene) {
-        _ if at.latency.is_some() || at.time_constant.is_some() => (id, behind),
+        _ if at.has_actuator() => (id, behind),
         Some(frequency) => {
             let formula = "λ = max over θ of Re[(1 − e^(−iθ))·e^(−ikθ)·H(e^(iθ))]/(2(1 − cos θ))";
             let numbers = format!("λ = {cost}, largest at {}", frequency.worst_text());

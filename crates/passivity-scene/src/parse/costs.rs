@@ -15,7 +15,11 @@ pub(super) fn computed(given: Loop<Given>, reader: &mut Reader<'_>) -> Option<Lo
         return Some(given);
     }
     let over = of(&given.map(|_, given| given.value.clone()));
-    let nominal = of(&given.map(|_, given| Interval::point(given.nominal.clone())));
+    let nominal = if given.given().any(|(_, given)| given.has_tolerance()) {
+        of(&given.map(|_, given| Interval::point(given.nominal.clone())))
+    } else {
+        over.clone()
+    };
     let (Some(over), Some(nominal)) = (over, nominal) else {
         reader.report(beyond(&given));
         return None;
