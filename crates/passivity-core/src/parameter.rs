@@ -98,6 +98,25 @@ impl Unit {
     pub const POSITION: Self = Self::new(0, 0, 1);
     /// Δ/T, of a speed.
     pub const SPEED: Self = Self::new(0, -1, 1);
+
+    /// The power of the ratio n of a rigid transmission, the way of the motor over that of the
+    /// device, by which a quantity at the motor is multiplied to have it at the device: 2 for
+    /// inertia, damping and stiffness (n²·b), 1 for a force (n·c), −1 for a position (Δ/n).
+    ///
+    /// The powers leave every energy as it is: a force times a way has the power 0.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_core::parameter::Unit;
+    ///
+    /// assert_eq!(Unit::VISCOUS.transmission_power(), 2);
+    /// assert_eq!(Unit::FORCE.transmission_power() + Unit::POSITION.transmission_power(), 0);
+    /// ```
+    #[must_use]
+    pub const fn transmission_power(self) -> i8 {
+        2 * self.stiffness - self.length
+    }
 }
 
 /// A row of the table: all that is known of a parameter beside its value.
@@ -105,7 +124,8 @@ impl Unit {
 pub struct Row {
     /// The key in a scene file, with its section; empty for what is computed from other parameters.
     pub key: &'static str,
-    /// Other keys that give the same parameter in another form.
+    /// Other keys that give the same parameter: in another form, or at the motor's side of a
+    /// transmission.
     pub other_keys: &'static [&'static str],
     /// The key of its dimensionless counterpart, where there is one.
     pub dimensionless_key: Option<&'static str>,
@@ -307,16 +327,18 @@ parameters! {
     optional {
         /// m > 0, mass or moment of inertia: needed only to simulate and for TH-START.
         inertia: Inertia = Row::new("device.inertia", "inertia", "m", Unit::INERTIA)
-            .or_keys(&["device.mass"])
+            .or_keys(&["device.mass", "motor.inertia"])
             .dimensionless("dimensionless.mu", "μ");
         /// b ≥ 0, viscous friction; absent it is zero.
         viscous: Viscous = Row::new("device.viscous", "viscous friction", "b", Unit::VISCOUS)
+            .or_keys(&["motor.viscous"])
             .values(Values::NonNegative)
             .hurts(Hurts::Less)
             .zero_by_default()
             .dimensionless("dimensionless.beta", "β");
         /// c ≥ 0, Coulomb friction; absent it is zero.
         coulomb: Coulomb = Row::new("device.coulomb", "Coulomb friction", "c", Unit::FORCE)
+            .or_keys(&["motor.coulomb"])
             .values(Values::NonNegative)
             .hurts(Hurts::Less)
             .zero_by_default()
@@ -336,9 +358,11 @@ parameters! {
             .values(Values::NonNegative)
             .hurts(Hurts::Less);
         /// F_max > 0, the largest force that the actuator gives (TH-LAW).
-        max_force: MaxForce = Row::new("wall.max_force", "largest force", "F_max", Unit::FORCE);
+        max_force: MaxForce = Row::new("wall.max_force", "largest force", "F_max", Unit::FORCE)
+            .or_keys(&["motor.max_torque"]);
         /// F > 0, step of the force of the D/A converter (TH-DAC); δ in KΔ.
         force_step: ForceStep = Row::new("wall.force_step", "force step", "F", Unit::FORCE)
+            .or_keys(&["motor.torque_step"])
             .hurts(Hurts::More);
         /// L ≥ 0, time after a sample before the output changes (TH-LATENCY); it adds to the delay.
         latency: Latency = Row::new("sampling.latency", "latency", "L", Unit::TIME)

@@ -33,6 +33,17 @@ pub struct Given {
     pub written: Written,
     /// Where the value stands in the file, in bytes.
     pub span: Range<usize>,
+    /// How the text was taken, where a reader could have taken it otherwise.
+    pub remark: Option<String>,
+}
+
+/// A rigid transmission between the motor and the part that the hand holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Transmission {
+    /// The keys and texts that gave it.
+    pub given: Vec<(&'static str, String)>,
+    /// n > 0: radians of the motor for a radian, or a metre, of the device.
+    pub ratio: Exact,
 }
 
 impl Given {
@@ -46,6 +57,22 @@ impl Given {
             text: String::new(),
             written: Written::si(""),
             span: 0..0,
+            remark: None,
+        }
+    }
+
+    /// The sum with a value of the same parameter from another key: the inertia of the motor and that
+    /// of the device.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self {
+            value: Interval::hull(
+                self.value.lo().clone() + other.value.lo().clone(),
+                self.value.hi().clone() + other.value.hi().clone(),
+            ),
+            nominal: self.nominal + other.nominal,
+            text: format!("{} and {} at the motor", self.text, other.text),
+            remark: self.remark.or(other.remark),
+            ..self
         }
     }
 
@@ -80,6 +107,8 @@ pub struct Scene {
     pub motion: Motion,
     /// The loop, as it was given.
     pub given: Loop<Given>,
+    /// What stands between the motor and the device, where the file says it.
+    pub transmission: Option<Transmission>,
     /// The operator's force, where a file of samples gives it.
     pub forces: Option<ForceSamples>,
     /// How many sampling intervals a simulation runs.
@@ -147,6 +176,15 @@ impl Scene {
     #[must_use]
     pub fn bounds(&self) -> Loop<Interval<Exact>> {
         self.given.map(|_, given| given.value.clone())
+    }
+
+    /// How values of the file were taken, where a reader could have taken them otherwise.
+    #[must_use]
+    pub fn remarks(&self) -> Vec<String> {
+        let transmission = self.transmission.as_ref().map(Transmission::remark);
+        let of_values = self.parameters().into_iter();
+        let of_values = of_values.filter_map(|(_, given)| given.remark.clone());
+        transmission.into_iter().chain(of_values).collect()
     }
 
     /// The parameters that a person gave, in the order of the file.

@@ -30,6 +30,8 @@ pub struct Written {
     unit: String,
     /// The SI value where the file writes 1: the size of the unit, or its reciprocal.
     one: Exact,
+    /// Whether the file writes the value at the motor's side of a transmission.
+    at_motor: bool,
 }
 
 impl Written {
@@ -44,7 +46,23 @@ impl Written {
             form,
             unit: unit.to_owned(),
             one,
+            at_motor: false,
         }
+    }
+
+    /// The same written at the motor's side of a transmission, where 1 is `factor` at the device.
+    pub(crate) fn at_motor(self, factor: &Exact) -> Self {
+        Self {
+            one: self.one * factor.clone(),
+            at_motor: true,
+            ..self
+        }
+    }
+
+    /// The same unit per second: of a speed, where this is one of a position at the device.
+    pub(crate) fn per_second(&self) -> Option<Self> {
+        let is_plain = self.form == Form::Value && !self.at_motor && !self.unit.contains('/');
+        is_plain.then(|| Self::new(Form::Value, &format!("{}/s", self.unit), self.one.clone()))
     }
 
     /// Whether the file writes the value or its reciprocal.
@@ -53,12 +71,14 @@ impl Written {
         self.form
     }
 
-    /// The unit as the file writes it, after a space; nothing where there is none.
+    /// The unit as the file writes it, after a space; nothing where there is none. What the file
+    /// writes at the motor's side of a transmission says so.
     #[must_use]
     pub fn unit(&self) -> String {
+        let side = if self.at_motor { " at the motor" } else { "" };
         match self.unit.as_str() {
-            "" => String::new(),
-            unit => format!(" {unit}"),
+            "" => side.to_owned(),
+            unit => format!(" {unit}{side}"),
         }
     }
 

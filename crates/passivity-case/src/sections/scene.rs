@@ -157,6 +157,9 @@ fn parameters(document: &mut Document, study: &Study) {
         ("Source", 30),
     ];
     document.table(&caption, &columns, rows);
+    for remark in &study.explanation.report.remarks {
+        document.say(Line::text("How the file was read: ").and(remark.as_str().into()));
+    }
     let absent = study.explanation.absent.iter();
     let absent: Vec<&str> = absent.map(|effect| effect.words()).collect();
     if !absent.is_empty() {

@@ -131,28 +131,36 @@ pub(super) fn limit<S: Enclosed>(
         Side::AtLeast => Rounding::Up,
         Side::AtMost => Rounding::Down,
     };
-    let first_that_passes = |written: &Written| {
-        let passes = |text: &String| {
-            let number = crate::number::parse(text).ok()?;
-            if written.form() != Form::Value && !number.is_positive() {
-                return None;
-            }
-            S::of(&written.typed(&number)).map(|x| suffices(&x))
-        };
-        let hardest = limit.hardest();
-        // Where π cancels in the unit of the file, the limit may be a short number after all.
-        let short = written.short(hardest).into_iter();
-        let rounded = (5..20).filter_map(|digits| written.rounded(hardest, digits, rounding));
-        short.chain(rounded).find(|text| passes(text) == Some(true))
-    };
-    let printed = first_that_passes(&Written::si(""));
+    let hardest = limit.hardest();
+    let printed = typed_back(&Written::si(""), hardest, rounding, suffices);
     // A unit with π where the scene has none: then the limit is shown in SI.
-    let typed = first_that_passes(&limit.written);
+    let typed = typed_back(&limit.written, hardest, rounding, suffices);
     Some(Limit {
         printed,
         typed,
         ..limit
     })
+}
+
+/// The first number of at least five digits, rounded to the safe side, that passes when it is typed
+/// into the scene file.
+pub(super) fn typed_back<S: Enclosed>(
+    written: &Written,
+    border: &BigRational,
+    rounding: Rounding,
+    suffices: impl Fn(&S) -> bool,
+) -> Option<String> {
+    let passes = |text: &String| {
+        let number = crate::number::parse(text).ok()?;
+        if written.form() != Form::Value && !number.is_positive() {
+            return None;
+        }
+        S::of(&written.typed(&number)).map(|x| suffices(&x))
+    };
+    // Where π cancels in the unit of the file, the limit may be a short number after all.
+    let short = written.short(border).into_iter();
+    let rounded = (5..20).filter_map(|digits| written.rounded(border, digits, rounding));
+    short.chain(rounded).find(|text| passes(text) == Some(true))
 }
 
 /// How the scene file writes a parameter: in SI where it does not have it.

@@ -3,17 +3,21 @@
 //! [`check`] asks the kernel whether the criterion holds over the box of the scene's tolerances
 //! (CHECK-VERDICT) and collects every figure of the [`Report`], which is what programs get as JSON and people as text.
 
+mod advice;
 mod decide;
 mod figures;
 mod limits;
 mod report;
 mod text;
 mod unforced;
+mod witness;
 
+pub use advice::{Advice, Binds, Change, Share, SpeedToSet};
 pub use decide::Verdict;
 pub use limits::{Limit, Side};
-pub use report::{Costs, Report, Spare, Witness, check};
+pub use report::{Costs, Report, Spare, check};
 pub use unforced::Unforced;
+pub use witness::{WaveFormula, Witness};
 
 use passivity_core::{BigRational, Enclosed, Exact, Interval};
 

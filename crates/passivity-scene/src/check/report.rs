@@ -1,6 +1,5 @@
 //! Every figure of a check, exact or exactly enclosed: one type for programs and people.
 
-use passivity_core::drawn::Drawn;
 use passivity_core::verdict::Speeds;
 use passivity_core::{
     BigRational, Effect, Enclosed, Interval, Loop, Parameter, Region, Scalar, Truth, Wide,
@@ -8,54 +7,17 @@ use passivity_core::{
 use serde::Serialize;
 use serde::ser::{SerializeStruct as _, Serializer};
 
+use super::advice::{self, Advice};
 use super::decide::{self, Verdict};
 use super::figures::Figures;
 use super::limits::{self, Limit};
 use super::text::speed_unit;
 use super::unforced::{self, StartSpeed, Unforced};
+use super::witness::{Witness, witness};
 use super::{BITS, figure};
-use crate::json::{
-    write_interval as interval, write_optional_interval as optional_interval,
-    write_optional_rational, write_rational,
-};
+use crate::json::{write_interval as interval, write_optional_interval as optional_interval};
 use crate::scene::{Motion, Scene};
 use crate::written::Written;
-
-/// A motion that draws energy from the display each time round (TH-ACTIVE, TH-LTI): ticks, or the
-/// unit of length without an encoder.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Witness {
-    /// Where it starts and ends.
-    #[serde(serialize_with = "write_rational")]
-    pub from: BigRational,
-    /// Where it is farthest from there; of a formula, a place on the way.
-    #[serde(serialize_with = "write_rational")]
-    pub to: BigRational,
-    /// Its positions at the samples of a period, in between at constant speed and after the last one
-    /// back to the first; empty where the motion is a formula.
-    #[serde(serialize_with = "rationals")]
-    pub positions: Vec<BigRational>,
-    /// The formula of a motion that may be too long to write down.
-    pub wave: Option<WaveFormula>,
-    /// What the operator gains at least each time round, in KΔ².
-    #[serde(serialize_with = "write_rational")]
-    pub gain_per_cycle: BigRational,
-    /// The same in joules, with the softest wall and the finest encoder that the tolerances allow;
-    /// `None` for a dimensionless scene.
-    #[serde(serialize_with = "write_optional_rational")]
-    pub gain_per_cycle_joules: Option<BigRational>,
-}
-
-/// Steps A·cos(2πqh/p), h = 0 … p − 1, each position rounded to a whole tick: a wave of period p.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct WaveFormula {
-    /// q, as a whole number in decimals.
-    pub turns: String,
-    /// p, in samples.
-    pub period: String,
-    /// A, in whole ticks a sample.
-    pub amplitude: String,
-}
 
 /// What the effects of a scene ask of β and σ.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -109,6 +71,8 @@ pub struct Report {
     /// The effects in the scene.
     #[serde(serialize_with = "effects")]
     pub effects: Vec<Effect>,
+    /// How values of the file were taken, where a reader could have taken them otherwise.
+    pub remarks: Vec<String>,
     /// The effects that no theorem covers.
     #[serde(serialize_with = "effects")]
     pub not_covered: Vec<Effect>,
@@ -162,6 +126,8 @@ pub struct Report {
     pub decided_by: Vec<&'static str>,
     /// How far each parameter can go, or has to go, at the speeds that the headline speaks of.
     pub limits: Vec<Limit>,
+    /// What uses up the friction, and what to change.
+    pub advice: Advice,
 }
 
 /// Checks a scene.
@@ -241,12 +207,15 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
         };
         border.unwrap_or_else(|| Interval::point(Scalar::zero()))
     };
+    let speed_written = speed_written(scene);
+    let advice = advice::of(bounds, of_limits, verdict, &limits, &speed_written)?;
     Some(Report {
         scene: scene.name.clone(),
         motion: scene.motion,
-        speed_written: speed_written(scene),
+        speed_written,
         stiffness_written: scene.given.stiffness.written.clone(),
         effects: scene.effects(),
+        remarks: scene.remarks(),
         region,
         verdict,
         at_every_speed,
@@ -284,6 +253,7 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
             _ => Vec::new(),
         },
         limits,
+        advice,
         witness: match cycle {
             Some(cycle) => Some(witness(cycle, bounds, has_units)?),
             None => None,
@@ -293,53 +263,20 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
     })
 }
 
-/// The unit of the speeds in a scene file: of the bound, else of the start, else SI.
+/// The unit of the speeds in a scene file: of the bound, else of the start, else that of the encoder's
+/// resolution per second, else SI.
 fn speed_written(scene: &Scene) -> Written {
     let given = &scene.given;
     let speed = given.max_speed.as_ref().or(given.start_velocity.as_ref());
+    let resolution = given.resolution.as_ref();
+    let per_second = || match scene.motion {
+        Motion::Dimensionless => None,
+        _ => resolution?.written.per_second(),
+    };
     match speed {
         Some(given) => given.written.clone(),
-        None => Written::si(speed_unit(scene.motion)),
+        None => per_second().unwrap_or_else(|| Written::si(speed_unit(scene.motion))),
     }
-}
-
-/// A motion as it is reported.
-fn witness<S: Enclosed>(
-    drawn: Drawn,
-    bounds: &Loop<Interval<S>>,
-    has_units: bool,
-) -> Option<Witness> {
-    let least = bounds.map(|_, x| x.lo().clone());
-    let energy_unit = (least.force_unit() * least.length()).enclosed(BITS)?;
-    let joules = |gain: &BigRational| has_units.then(|| gain * energy_unit.lo());
-    Some(match drawn {
-        Drawn::Motion(motion) => {
-            let from = motion.positions.first()?.clone();
-            let far = |x: &&BigRational| Scalar::abs(&(*x - &from));
-            let to = motion.positions.iter().max_by_key(far)?.clone();
-            Witness {
-                gain_per_cycle_joules: joules(&motion.gain),
-                from,
-                to,
-                positions: motion.positions,
-                wave: None,
-                gain_per_cycle: motion.gain,
-            }
-        }
-        Drawn::Wave(wave) => Witness {
-            gain_per_cycle_joules: joules(&wave.gain_at_least),
-            from: BigRational::zero(),
-            // The wave goes up and down by A·p/(πq), which is more.
-            to: BigRational::from_integer(&wave.period * &wave.amplitude / (4 * &wave.turns)),
-            positions: Vec::new(),
-            gain_per_cycle: wave.gain_at_least,
-            wave: Some(WaveFormula {
-                turns: wave.turns.to_string(),
-                period: wave.period.to_string(),
-                amplitude: wave.amplitude.to_string(),
-            }),
-        },
-    })
 }
 
 /// What TH-START says of the scene's start.
@@ -392,10 +329,6 @@ fn because(scene: &Scene, verdict: Verdict) -> Vec<&'static str> {
         }
     }
     ids
-}
-
-fn rationals<S: Serializer>(list: &[BigRational], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(list.iter().map(crate::json::rational))
 }
 
 fn region<S: Serializer>(region: &Option<Region>, serializer: S) -> Result<S::Ok, S::Error> {

@@ -48,6 +48,7 @@ impl Report {
         if let Some(text) = self.critical_speed_text() {
             line("critical speed", &text);
         }
+        line("what binds", &self.binds_text());
         self.stiffness_lines(&mut line);
         let applies = |truth: Option<Truth>| {
             truth.map_or(
@@ -61,12 +62,16 @@ impl Report {
         if !self.because.is_empty() {
             line("because", &self.because.join(", "));
         }
+        for remark in &self.remarks {
+            line("taken", remark);
+        }
         if let Some(text) = self.unforced_text() {
             line("with the hand off", &text);
         }
         let mut text = format!("{}: {}\n{out}", self.scene, self.headline());
         text.push_str(&self.witness_text());
         text.push_str(&self.limits_text());
+        text.push_str(&self.advice_text());
         text
     }
 

@@ -132,10 +132,13 @@ pub fn explain(scene: &Scene) -> Explanation {
         .into_iter()
         .filter(|effect| !present.contains(effect))
         .collect();
-    let given = scene.parameters().into_iter().map(|(_, given)| GivenText {
-        key: given.key,
-        text: given.text.clone(),
-    });
+    let transmission = scene.transmission.iter().flat_map(|t| &t.given);
+    let transmission = transmission.map(|(key, text)| (*key, text.clone()));
+    let parameters = scene.parameters().into_iter();
+    let parameters = parameters.map(|(_, given)| (given.key, given.text.clone()));
+    let given = transmission
+        .chain(parameters)
+        .map(|(key, text)| GivenText { key, text });
     let theorem = |id: &&'static str| Theorem {
         id,
         says: sentence(id),
@@ -307,6 +310,9 @@ impl Explanation {
             for GivenText { key, text } in &self.given {
                 let _ = writeln!(out, "  {key:<32}{text}");
             }
+        }
+        for remark in &self.report.remarks {
+            let _ = writeln!(out, "  {}", wrapped(&format!("Taken: {remark}."), 2));
         }
         out.push_str("\nDerivation\n");
         for line in &self.lines {

@@ -2,22 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use num_bigint::BigInt;
-use passivity_core::{BigRational, Exact, Interval, Loop, Parameter, pi};
+use passivity_core::{Loop, Parameter};
 
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::parse::keys::{sections, shorten, wrong_key, wrong_section};
 use crate::parse::node::{Content, Entry};
-use crate::parse::reader::{Reader, Section, Spec, UnitNote};
-use crate::parse::{controller, costs, operator};
+use crate::parse::reader::{Reader, Section, Spec};
+use crate::parse::{controller, costs, encoder, operator, transmission};
 use crate::scene::{DEFAULT_INTERVALS, Given, Motion, Scene};
-use crate::written::{Form, Written};
 
 /// The most intervals that a scene may ask a simulation for.
 pub const MAX_INTERVALS: u64 = 1_000_000_000;
-
-/// The most counts per revolution that are believed of an encoder.
-pub const MAX_COUNTS: u64 = 1_000_000_000_000;
 
 /// The longest name of a scene, in characters.
 const MAX_NAME: usize = 200;
@@ -57,24 +52,41 @@ impl Parameters {
         reader: &mut Reader<'_>,
     ) -> bool {
         let row = parameter.row();
-        let key = match row.dimensionless_key {
-            Some(key) if section.name == "dimensionless" => key,
-            _ => row.key,
+        let keys = match row.dimensionless_key {
+            Some(key) if section.name == "dimensionless" => vec![key],
+            _ => {
+                let all = [row.key].into_iter().chain(row.other_keys.iter().copied());
+                let home = |key: &'static str| key.rsplit_once('.').map(|(home, _)| home);
+                all.filter(|key| home(key) == Some(section.name)).collect()
+            }
         };
-        let other = row.other_keys.first().copied().filter(|_| key == row.key);
-        let found = match other {
-            Some(other) => reader.either(section, [key, other]),
-            None => [section.take(key), None],
+        let found = match keys.as_slice() {
+            [first, second] => {
+                let [a, b] = reader.either(section, [first, second]);
+                vec![(*first, a), (*second, b)]
+            }
+            keys => keys.iter().map(|key| (*key, section.take(key))).collect(),
         };
-        let is_there = found.iter().any(Option::is_some);
-        for (key, entry) in [key].into_iter().chain(other).zip(found) {
+        let is_there = found.iter().any(|(_, entry)| entry.is_some());
+        for (key, entry) in found {
             let given = entry.and_then(|entry| match key {
                 "wall.damping_cutoff" => reader.cutoff(entry, &Spec::new(parameter, key)),
                 "sampling.rate" => reader.reciprocal(entry, &Spec::new(parameter, key)),
-                "encoder.counts_per_revolution" => counts_per_revolution(&entry, key, reader),
                 _ => reader.quantity(entry, &Spec::new(parameter, key)),
             });
-            self.insert(parameter, given);
+            if let (Some(own), Some(other)) = (&given, self.get(parameter))
+                && parameter != Parameter::Inertia
+            {
+                reader.report(twice(own, other));
+            }
+            let before = self.0.remove(&parameter);
+            self.insert(
+                parameter,
+                match (before, given) {
+                    (Some(before), Some(given)) => Some(before.and(given)),
+                    (before, given) => given.or(before),
+                },
+            );
         }
         is_there
     }
@@ -109,30 +121,38 @@ impl Parameters {
     }
 }
 
+/// What is said of a parameter that is given at the device and at the motor.
+fn twice(own: &Given, other: &Given) -> Diagnostic {
+    let message = format!("`{}` and `{}` cannot both be given", own.key, other.key);
+    Diagnostic::new(Kind::ConflictingKeys, message)
+        .at(own.span.clone())
+        .key(own.key)
+        .expected("one of the two: the whole of it, at the side where it was measured")
+}
+
 /// Builds the scene; on a mistake the reader holds what is wrong.
 pub(super) fn scene(name: &str, entries: Vec<Entry>, reader: &mut Reader<'_>) -> Option<Scene> {
     let (given_name, mut sections) = split(entries, reader);
     let mut parameters = Parameters::default();
     let point = sections.take("dimensionless");
     reader.dimensionless = point.is_some();
-    // The wall comes first: its stiffness tells what units to expect of the others.
-    let unilateral = read_wall(sections.take("wall"), &mut parameters, reader);
-    if point.is_some() {
+    if reader.dimensionless {
         refuse_beside_point(&mut sections, reader);
     }
+    reader.transmission = sections
+        .take("transmission")
+        .and_then(|section| transmission::read(section, reader));
+    // The wall comes first: its stiffness tells what units to expect of the others.
+    let unilateral = read_wall(sections.take("wall"), &mut parameters, reader);
     for section in [point, sections.take("device")].into_iter().flatten() {
         let of_device = [Parameter::Inertia, Parameter::Viscous, Parameter::Coulomb];
         read_section(section, &of_device, None, &mut parameters, reader);
     }
+    if let Some(section) = sections.take("motor") {
+        transmission::read_motor(section, &mut parameters, reader);
+    }
     if let Some(section) = sections.take("encoder") {
-        let what = Some("`counts_per_revolution` or `resolution`");
-        read_section(
-            section,
-            &[Parameter::Resolution],
-            what,
-            &mut parameters,
-            reader,
-        );
+        encoder::read(section, &mut parameters, reader);
     }
     let delay = read_sampling(sections.take("sampling"), &mut parameters, reader);
     if let Some(section) = sections.take("amplifier") {
@@ -174,6 +194,7 @@ pub(super) fn scene(name: &str, entries: Vec<Entry>, reader: &mut Reader<'_>) ->
         name: given_name.unwrap_or_else(|| name.to_owned()),
         motion,
         given,
+        transmission: reader.transmission.take(),
         forces,
         intervals: intervals.unwrap_or(DEFAULT_INTERVALS),
     })
@@ -253,7 +274,7 @@ fn read_name(text: &str) -> Option<String> {
 
 /// A dimensionless scene says in β, σ and μ what these sections say in units.
 fn refuse_beside_point(sections: &mut Sections, reader: &mut Reader<'_>) {
-    for name in ["device", "encoder"] {
+    for name in ["device", "encoder", "motor", "transmission"] {
         if let Some(section) = sections.take(name) {
             let message = format!("[{name}] and [dimensionless] cannot both be given");
             let diagnostic = Diagnostic::new(Kind::ConflictingKeys, message)
@@ -335,32 +356,6 @@ fn read_unit(
     } else if !parameters.read(parameter, section, reader) {
         reader.missing(Some(section), section.name, what);
     }
-}
-
-/// Δ = 2π/N of N counts per revolution.
-fn counts_per_revolution(
-    entry: &Entry,
-    key: &'static str,
-    reader: &mut Reader<'_>,
-) -> Option<Given> {
-    let counts = reader.whole(entry, key, (1, MAX_COUNTS))?;
-    reader.unit_notes.push(UnitNote {
-        key,
-        measure: None,
-        motion: Motion::Rotary,
-        unit: "counts per revolution".to_owned(),
-        span: entry.node.span.clone(),
-    });
-    let turn = BigRational::new(BigInt::from(2), BigInt::from(counts));
-    let nominal = Exact::of(&turn) * pi::pi();
-    Some(Given {
-        key,
-        value: Interval::point(nominal.clone()),
-        nominal,
-        text: counts.to_string(),
-        written: Written::new(Form::Count, "", pi::pi() + pi::pi()),
-        span: entry.node.span.clone(),
-    })
 }
 
 /// T; the delay in samples.

@@ -6,9 +6,11 @@ use crate::diagnostic::{Diagnostic, Kind};
 
 /// The sections of a scene file, in the order in which they are listed; the first holds what
 /// stands before any section.
-const SECTIONS: [&str; 12] = [
+const SECTIONS: [&str; 14] = [
     "",
     "device",
+    "transmission",
+    "motor",
     "sampling",
     "encoder",
     "wall",
@@ -22,8 +24,13 @@ const SECTIONS: [&str; 12] = [
 ];
 
 /// The keys that are no parameters, with their sections.
-const OTHER_KEYS: [&str; 7] = [
+const OTHER_KEYS: [&str; 12] = [
     ".name",
+    "transmission.ratio",
+    "transmission.motor_pulley",
+    "transmission.output_pulley",
+    "transmission.handle_radius",
+    "encoder.side",
     "sampling.delay",
     "wall.unilateral",
     "controller.numerator",
@@ -43,13 +50,16 @@ pub(super) fn all_keys() -> impl Iterator<Item = &'static str> {
 }
 
 /// Words that people use for a key, with its section.
-const SYNONYMS: [(&str, &str); 31] = [
+const SYNONYMS: [(&str, &str); 34] = [
     ("m", "device.inertia"),
     ("b", "device.viscous"),
     ("c", "device.coulomb"),
     ("viscous_friction", "device.viscous"),
     ("coulomb_friction", "device.coulomb"),
     ("friction", "device.coulomb"),
+    ("gear_ratio", "transmission.ratio"),
+    ("gear", "transmission.ratio"),
+    ("n", "transmission.ratio"),
     ("t", "sampling.period"),
     ("dt", "sampling.period"),
     ("timestep", "sampling.period"),

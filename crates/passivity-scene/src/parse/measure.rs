@@ -1,9 +1,9 @@
 //! What each key measures: its units, for a linear and for a rotary device.
 
-use passivity_core::parameter::Unit;
+use passivity_core::parameter;
 
 use crate::scene::Motion;
-use crate::units::Dimension;
+use crate::units::{Dimension, Unit};
 
 /// A kind of quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,14 +41,14 @@ struct Row {
 
 impl Measure {
     /// What a parameter with this unit measures.
-    pub(super) fn of(unit: Unit) -> Self {
+    pub(super) fn of(unit: parameter::Unit) -> Self {
         match unit {
-            Unit::INERTIA => Self::Inertia,
-            Unit::VISCOUS => Self::Viscous,
-            Unit::FORCE => Self::Force,
-            Unit::POSITION => Self::Position,
-            Unit::SPEED => Self::Speed,
-            Unit::TIME => Self::Time,
+            parameter::Unit::INERTIA => Self::Inertia,
+            parameter::Unit::VISCOUS => Self::Viscous,
+            parameter::Unit::FORCE => Self::Force,
+            parameter::Unit::POSITION => Self::Position,
+            parameter::Unit::SPEED => Self::Speed,
+            parameter::Unit::TIME => Self::Time,
             // No parameter has another unit; a test looks at each.
             _ => Self::Stiffness,
         }
@@ -134,6 +134,13 @@ impl Measure {
             .iter()
             .any(is_rotary)
             .then_some(Some(Motion::Rotary))
+    }
+
+    /// The unit with its masses as weights, where data sheets mean that: not for a bare mass, which may
+    /// be a slip of the key.
+    pub(super) fn weight(self, unit: &Unit) -> Option<Unit> {
+        let bare = Self::Mass.row().linear;
+        unit.as_weight().filter(|_| unit.dimension() != bare)
     }
 
     const fn tells_motion(self) -> bool {

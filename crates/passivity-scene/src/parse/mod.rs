@@ -4,16 +4,20 @@ mod amount;
 mod build;
 mod controller;
 mod costs;
+mod encoder;
 mod file;
+mod given;
 mod keys;
 mod measure;
 mod node;
 mod operator;
 mod reader;
 mod samples;
+mod transmission;
 
 pub use amount::{MAX_NUMBER_CHARS, MAX_NUMBER_EXPONENT};
-pub use build::{MAX_COUNTS, MAX_INTERVALS};
+pub use build::MAX_INTERVALS;
+pub use encoder::MAX_COUNTS;
 pub use samples::{MAX_BYTES as MAX_SAMPLE_BYTES, MAX_SAMPLES};
 
 use std::path::Path;
@@ -125,6 +129,7 @@ fn build(name: &str, entries: Vec<Entry>, folder: Option<&Path>) -> Result<Scene
         problems: Vec::new(),
         unit_notes: Vec::new(),
         dimensionless: false,
+        transmission: None,
         folder,
     };
     build::scene(name, entries, &mut reader).ok_or(reader.problems)

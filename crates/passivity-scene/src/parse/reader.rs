@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::path::Path;
 
 use num_traits::ToPrimitive;
+use passivity_core::Parameter;
 use passivity_core::parameter::Values;
-use passivity_core::{BigRational, Ordered, Parameter};
 
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::number;
@@ -13,7 +13,7 @@ use crate::parse::amount::{Amount, Fault};
 use crate::parse::keys::{shorten, wrong_key};
 use crate::parse::measure::{Measure, describe};
 use crate::parse::node::{Content, Entry, Node};
-use crate::scene::{Given, Motion};
+use crate::scene::{Given, Motion, Transmission};
 use crate::units::Unit;
 use crate::written::Form;
 
@@ -39,6 +39,9 @@ pub(super) struct Spec {
     pub(super) key: &'static str,
     pub(super) measure: Measure,
     pub(super) values: Values,
+    pub(super) parameter: Parameter,
+    /// Whether the value is one at the motor's side of a transmission.
+    pub(super) at_motor: bool,
 }
 
 impl Spec {
@@ -58,6 +61,8 @@ impl Spec {
                 Measure::Rate => Values::Positive,
                 _ => row.values,
             },
+            parameter,
+            at_motor: key.starts_with("motor."),
         }
     }
 }
@@ -76,6 +81,8 @@ pub(super) struct Reader<'a> {
     pub(super) problems: Vec<Diagnostic>,
     pub(super) unit_notes: Vec<UnitNote>,
     pub(super) dimensionless: bool,
+    /// What stands between the motor and the device.
+    pub(super) transmission: Option<Transmission>,
     /// Where files that the scene names are looked for; `None` when it may name none.
     pub(super) folder: Option<&'a Path>,
 }
@@ -110,7 +117,12 @@ impl Reader<'_> {
 
     fn expected(&self, spec: &Spec) -> String {
         if !self.dimensionless {
-            return spec.measure.expected(self.motion());
+            let motion = if spec.at_motor {
+                Some(Motion::Rotary)
+            } else {
+                self.motion()
+            };
+            return spec.measure.expected(motion);
         }
         let unit = match spec.measure {
             Measure::Inertia | Measure::Mass => "KT²",
@@ -181,7 +193,7 @@ impl Reader<'_> {
     }
 
     /// Whether the unit is one of the key; notes the motion that it tells of.
-    fn check_unit(&mut self, amount: Amount, text: &str, spec: &Spec) -> Result<Amount, Fault> {
+    fn check_unit(&mut self, mut amount: Amount, text: &str, spec: &Spec) -> Result<Amount, Fault> {
         if self.dimensionless {
             return check_plain(amount, spec);
         }
@@ -194,19 +206,36 @@ impl Reader<'_> {
             });
         };
         let dimension = amount.unit.dimension();
-        let Some(motion) = spec.measure.accepts(dimension) else {
-            let what = describe(dimension);
-            return Err(Fault {
-                kind: Kind::WrongUnit,
-                span: span.clone(),
-                message: format!(
-                    "`{}` has the unit `{}` of {what}",
-                    spec.key,
-                    shorten(unit_text)
-                ),
-                help: None,
-            });
+        let accepted = spec.measure.accepts(dimension).or_else(|| {
+            let weight = spec.measure.weight(&amount.unit)?;
+            let accepted = spec.measure.accepts(weight.dimension())?;
+            amount.unit = weight;
+            amount.is_weight = true;
+            Some(accepted)
+        });
+        let wrong = |help| Fault {
+            kind: Kind::WrongUnit,
+            span: span.clone(),
+            message: format!(
+                "`{}` has the unit `{}` of {}",
+                spec.key,
+                shorten(unit_text),
+                describe(dimension)
+            ),
+            help,
         };
+        let Some(motion) = accepted else {
+            let weight = amount.unit.as_weight();
+            let is_weight = weight.is_some_and(|w| spec.measure.accepts(w.dimension()).is_some());
+            let help = "write the weight of a mass as `gf`, `kgf`, `ozf` or `lbf`".to_owned();
+            return Err(wrong(is_weight.then_some(help)));
+        };
+        if spec.at_motor {
+            return match motion {
+                Some(Motion::Linear) => Err(wrong(None)),
+                _ => Ok(amount),
+            };
+        }
         if let Some(motion) = motion {
             self.unit_notes.push(UnitNote {
                 key: spec.key,
@@ -217,54 +246,6 @@ impl Reader<'_> {
             });
         }
         Ok(amount)
-    }
-
-    /// The value in SI units, when its sign is allowed, tolerance included.
-    fn given(&mut self, node: &Node, spec: &Spec, amount: &Amount, form: Form) -> Option<Given> {
-        // The unit's place was noted within the text: now it is known where the text stands.
-        if let Some(note) = self
-            .unit_notes
-            .last_mut()
-            .filter(|note| note.key == spec.key)
-        {
-            note.span = node.part(note.span.clone());
-        }
-        let text = match &node.content {
-            Content::Text(text, _) | Content::Number(text) => text.clone(),
-            _ => String::new(),
-        };
-        let least = &amount.nominal - &amount.tolerance;
-        let allowed = |x: &BigRational| x.sign().is_some_and(|sign| spec.values.allow(sign));
-        let fault = if !allowed(&amount.nominal) {
-            let message = format!("`{}` cannot be `{}`", spec.key, shorten(&text));
-            Some((Kind::OutOfBounds, message))
-        } else if !allowed(&least) {
-            let unit = amount.unit_text.as_ref().map_or("", |(unit, _)| unit);
-            let least = format!("{} {}", crate::display::approx(&least), shorten(unit));
-            let least = least.trim_end();
-            let message = format!("the tolerance lets `{}` be as low as {least}", spec.key);
-            Some((Kind::ToleranceOutOfBounds, message))
-        } else {
-            None
-        };
-        if let Some((kind, message)) = fault {
-            let diagnostic = Diagnostic::new(kind, message)
-                .at(node.span.clone())
-                .key(spec.key)
-                .expected(spec.values.expected())
-                .found(format!("`{}`", shorten(&text)));
-            self.report(diagnostic);
-            return None;
-        }
-        let (value, nominal) = amount.exact(form);
-        Some(Given {
-            key: spec.key,
-            value,
-            nominal,
-            text,
-            written: amount.written(form),
-            span: node.span.clone(),
-        })
     }
 
     /// Reads a whole number between `least` and `most`, ends included.

@@ -65,7 +65,16 @@ impl<'a> Reader<'a> {
         Some(c)
     }
 
-    /// factor { (space | * | · | /) factor }
+    /// Takes the hyphen of `oz-in` and the point of `N.m`: one before a letter.
+    fn take_joint(&mut self) {
+        let behind = self.rest().strip_prefix(['-', '.']);
+        let next = behind.and_then(|rest| rest.chars().next());
+        if next.is_some_and(char::is_alphabetic) {
+            self.at += 1;
+        }
+    }
+
+    /// factor { (space | * | · | . | - | /) factor }
     fn product(&mut self) -> Result<Unit, UnitError> {
         self.skip_spaces();
         let mut unit = Unit::one();
@@ -78,8 +87,8 @@ impl<'a> Reader<'a> {
             self.skip_spaces();
             let start = self.at;
             let divides = self.take_if(&['/']).is_some();
-            if !divides {
-                self.take_if(&['*', '·', '⋅', '∙']);
+            if !divides && self.take_if(&['*', '·', '⋅', '∙']).is_none() {
+                self.take_joint();
             }
             let has_sign = self.at > start;
             self.skip_spaces();
@@ -167,7 +176,9 @@ impl<'a> Reader<'a> {
     fn power(&mut self) -> Result<i8, UnitError> {
         let start = self.at;
         let caret = self.take_if(&['^']).is_some();
-        let minus = self.take_if(&['-', '−', '⁻']).is_some();
+        // In `oz-in` the hyphen is no sign of a power.
+        let signed = caret || self.rest().chars().nth(1).and_then(digit).is_some();
+        let minus = signed && self.take_if(&['-', '−', '⁻']).is_some();
         if !minus && caret {
             self.take_if(&['+']);
         }

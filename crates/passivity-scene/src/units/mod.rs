@@ -46,8 +46,8 @@ impl Unit {
         }
     }
 
-    /// Reads a unit: symbols with SI prefixes, multiplied by spaces, `*` or `·`, divided by `/`,
-    /// with whole powers (`^2`, `²`, `^-1`) and parentheses.
+    /// Reads a unit: symbols with SI prefixes, multiplied by spaces, `*`, `·`, `.` or a hyphen, divided
+    /// by `/`, with whole powers (`^2`, `²`, `^-1`) and parentheses.
     ///
     /// A `/` divides by the one factor that follows it; `N m/rad s` is refused because some read
     /// it one way and some the other.
@@ -62,6 +62,7 @@ impl Unit {
     /// use passivity_scene::units::Unit;
     ///
     /// assert_eq!(Unit::parse("N s/mm"), Unit::parse("kN·s·m⁻¹"));
+    /// assert_eq!(Unit::parse("N.m/rad"), Unit::parse("N-m/rad"));
     /// assert_eq!(Unit::parse("rpm").unwrap().pi_power(), 1);
     /// assert_eq!(Unit::parse("N foo").unwrap_err().span(), 2..5);
     /// ```
@@ -85,6 +86,28 @@ impl Unit {
     #[must_use]
     pub const fn dimension(&self) -> Dimension {
         self.dimension
+    }
+
+    /// The unit with each mass in it taken as its weight at standard gravity, 9.80665 m/s² exactly (3rd
+    /// General Conference on Weights and Measures, 1901): `oz in` is then a torque and `lb/in` a
+    /// stiffness, as data sheets print them. `None` past the powers that are kept.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_scene::units::Unit;
+    ///
+    /// let torque = Unit::parse("oz in").unwrap().as_weight().unwrap();
+    /// assert_eq!(torque, Unit::parse("ozf in").unwrap());
+    /// ```
+    #[must_use]
+    pub fn as_weight(&self) -> Option<Self> {
+        let gravity = Self {
+            scale: BigRational::new(980_665.into(), 100_000.into()),
+            pi: 0,
+            dimension: Dimension::new(0, 1, -2, 0),
+        };
+        self.times(&gravity, 1)
     }
 
     /// The product with another unit's power; `None` past the powers that are kept.

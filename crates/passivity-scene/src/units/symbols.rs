@@ -26,7 +26,7 @@ const ANGULAR_SPEED: Dimension = Dimension::new(0, 0, -1, 1);
 const FORCE: Dimension = Dimension::new(1, 1, -2, 0);
 const TORQUE: Dimension = Dimension::new(1, 2, -2, 0);
 
-const SYMBOLS: [Symbol; 32] = [
+const SYMBOLS: [Symbol; 34] = [
     si("g", 1, 1000, MASS),
     si("m", 1, 1, LENGTH),
     si("s", 1, 1, TIME),
@@ -46,6 +46,8 @@ const SYMBOLS: [Symbol; 32] = [
     plain("rev", 2, 1, 1, ANGLE),
     plain("turn", 2, 1, 1, ANGLE),
     plain("rpm", 1, 30, 1, ANGULAR_SPEED),
+    plain("krpm", 1000, 30, 1, ANGULAR_SPEED),
+    plain("rps", 2, 1, 1, ANGULAR_SPEED),
     // Exact by definition: international inch, foot and pound (1959), standard gravity (1901).
     plain("in", 254, 10_000, 0, LENGTH),
     plain("inch", 254, 10_000, 0, LENGTH),
