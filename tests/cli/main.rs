@@ -7,6 +7,7 @@ mod accuracy;
 mod audit;
 mod case;
 mod check;
+mod design;
 mod explain;
 mod guides;
 mod harness;

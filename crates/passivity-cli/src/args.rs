@@ -20,6 +20,7 @@ use crate::verbs;
   passivity check scenes/re35.toml
   passivity check --format json scenes/*.toml
   passivity explain scenes/re35.toml
+  passivity design scenes/re35.toml
   passivity plane scenes/re35*.toml --plot plane.svg
   passivity case scenes/re35.toml --out case")]
 pub(crate) struct Args {
@@ -33,6 +34,10 @@ pub(crate) struct Args {
 pub(crate) enum Command {
     Check(verbs::check::Args),
     Explain(verbs::explain::Args),
+    Design(verbs::design::Args),
+    Export(verbs::export::Args),
+    Init(verbs::init::Args),
+    Schema(verbs::schema::Args),
     Simulate(verbs::simulate::Args),
     Sweep(verbs::sweep::Args),
     Plane(verbs::plane::Args),

@@ -3,7 +3,8 @@
 use std::io::{IsTerminal as _, Write as _};
 use std::path::Path;
 
-use passivity_scene::Scene;
+use passivity_scene::diagnostic::Look;
+use passivity_scene::{Scene, SceneError};
 
 use crate::exit::Failure;
 
@@ -32,7 +33,49 @@ pub(crate) fn emit_json(document: &impl serde::Serialize) -> Result<(), Failure>
     emit(&text.map_err(|error| Failure::input(format!("this result cannot be JSON: {error}")))?)
 }
 
-/// Reads a scene file, with every diagnostic when it cannot be read.
+/// How diagnostics are drawn: in colours on a terminal unless `NO_COLOR` is set or the terminal is
+/// dumb, and in ASCII where the locale has no other characters.
+pub(crate) fn look() -> Look {
+    let set = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
+    let is_dumb = set("TERM").is_some_and(|term| term == "dumb");
+    let locale = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().find_map(set);
+    let is_unicode = locale.is_none_or(|locale| {
+        let locale = locale.to_string_lossy().to_lowercase();
+        locale.contains("utf-8") || locale.contains("utf8")
+    });
+    if is_dumb || !is_unicode {
+        Look::Ascii
+    } else if set("NO_COLOR").is_some() || !std::io::stderr().is_terminal() {
+        Look::Plain
+    } else {
+        Look::Colours
+    }
+}
+
+/// Reads a scene file, or standard input where the path is `-`.
+pub(crate) fn scene_at(path: &Path) -> Result<Scene, SceneError> {
+    if path.as_os_str() == "-" {
+        Scene::from_reader("standard input", std::io::stdin().lock())
+    } else {
+        Scene::read(path)
+    }
+}
+
+/// Reads a scene, with every diagnostic when it cannot be read.
 pub(crate) fn read_scene(path: &Path) -> Result<Scene, Failure> {
-    Scene::read(path).map_err(|error| Failure::Scene(error.render(std::io::stderr().is_terminal())))
+    scene_at(path).map_err(|error| Failure::Scene(error.render(look())))
+}
+
+/// Writes a file that must not be there yet.
+pub(crate) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
+    let place = || path.display().to_string();
+    let mut file = std::fs::File::create_new(path).map_err(|error| match error.kind() {
+        std::io::ErrorKind::AlreadyExists => Failure::input(format!(
+            "{} is there already: it is not overwritten",
+            place()
+        )),
+        _ => Failure::io(place(), &error),
+    })?;
+    file.write_all(text.as_bytes())
+        .map_err(|error| Failure::io(place(), &error))
 }

@@ -186,7 +186,7 @@ fn simulate(
     });
     let run = run.map_err(|error| refused(&error))?;
     let seconds = begin.elapsed().as_secs_f64();
-    let report = Report::new(&scene.name, &plan, &method, &run, seconds);
+    let report = Report::new(&scene.name, &plan, &method, &run, Some(seconds));
     let report = report.map_err(|error| refused(&error))?;
     let report = serde_json::to_string(&report).map_err(|error| refused(&error))?;
     Ok((report, COLUMNS.into_iter().zip(columns).collect()))

@@ -2,7 +2,7 @@
 
 use passivity_core::{BigRational, Effect, Exact, Loop, Scalar};
 
-use crate::scene::Scene;
+use crate::scene::{Motion, Scene};
 
 /// A scene in ticks, sampling periods and KΔ, at the nominal value of every parameter.
 ///
@@ -29,6 +29,8 @@ pub struct Units {
     pub length: BigRational,
     /// K in N/m or N·m/rad.
     pub stiffness: BigRational,
+    /// The unit of `length`: `m` or `rad`, `None` in a dimensionless scene.
+    pub length_unit: Option<&'static str>,
 }
 
 /// Bits of a value whose π does not cancel: past those of a double by far.
@@ -73,6 +75,11 @@ impl Scene {
             period: rational(&nominal.period),
             length: rational(&nominal.length()),
             stiffness: rational(&nominal.stiffness),
+            length_unit: match self.motion {
+                Motion::Linear => Some("m"),
+                Motion::Rotary => Some("rad"),
+                Motion::Dimensionless => None,
+            },
         };
         let force_unit = rational(&nominal.force_unit());
         let at = nominal.dimensionless().map(|_, x| rational(x));

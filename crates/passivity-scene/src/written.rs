@@ -59,6 +59,11 @@ impl Written {
         }
     }
 
+    /// Whether the file writes the value at the motor's side of a transmission.
+    pub(crate) const fn is_at_motor(&self) -> bool {
+        self.at_motor
+    }
+
     /// The same unit per second: of a speed, where this is one of a position at the device.
     pub(crate) fn per_second(&self) -> Option<Self> {
         let is_plain = self.form == Form::Value && !self.at_motor && !self.unit.contains('/');

@@ -35,8 +35,8 @@ pub struct Simulation {
     pub outcome: Outcome,
     /// Sums over the run.
     pub totals: Sums,
-    /// How long it took.
-    pub seconds: f64,
+    /// How long it took, where that was asked for: without it the same input gives the same bytes.
+    pub seconds: Option<f64>,
 }
 
 /// The state at the end of a simulation, in ticks and ticks per sample.
@@ -109,7 +109,8 @@ fn finite(x: f64, figure: &'static str, interval: u64) -> Result<f64, SimError> 
 }
 
 impl Simulation {
-    /// The report on a simulation of a scene with this name that took so many seconds.
+    /// The report on a simulation of a scene with this name, with how many seconds it took where that
+    /// is asked for.
     ///
     /// # Errors
     ///
@@ -119,7 +120,7 @@ impl Simulation {
         plan: &Plan,
         method: &Method,
         run: &Simulated,
-        seconds: f64,
+        seconds: Option<f64>,
     ) -> Result<Self, SimError> {
         let (end, totals) = (&run.end, &run.totals);
         let finite = |x, figure| finite(x, figure, end.intervals);

@@ -5,6 +5,8 @@ use std::fmt::Write as _;
 
 use passivity_core::{BigRational, Criterion, Loop, Step, ledger};
 use passivity_scene::Point;
+use passivity_scene::number::nearest_f64;
+use passivity_scene::point::Units;
 
 use crate::error::SimError;
 use crate::method::Method;
@@ -39,6 +41,17 @@ pub struct Table {
     rationals: Account<BigRational>,
     enclosures: Account<Enclosed<Double>>,
     encloses: bool,
+    si: Option<Si>,
+}
+
+/// What a tick, a tick per sample, KΔ² and a sample are in SI units, and how the device moves.
+#[derive(Clone, Debug)]
+struct Si {
+    length: BigRational,
+    speed: BigRational,
+    energy: BigRational,
+    period: BigRational,
+    unit: &'static str,
 }
 
 /// What the kernel's account of an interval depends on, in some kind of number.
@@ -67,7 +80,31 @@ impl Table {
             rationals: Account::new(point, BigRational::clone),
             enclosures: Account::new(point, |x| Enclosed::from(x)),
             encloses: *method == Method::Enclosure,
+            si: None,
         }
+    }
+
+    /// The table in SI units, as doubles: the time, the motion, the energies in joules, and what the
+    /// kernel's row says. `None` for a scene without units and for enclosures.
+    #[must_use]
+    pub fn in_si(self, point: &Point) -> Option<Self> {
+        let Units {
+            period,
+            length,
+            stiffness,
+            length_unit,
+        } = &point.units;
+        let si = Si {
+            length: length.clone(),
+            speed: length / period,
+            energy: stiffness * length * length,
+            period: period.clone(),
+            unit: length_unit.as_ref().filter(|_| !self.encloses)?,
+        };
+        Some(Self {
+            si: Some(si),
+            ..self
+        })
     }
 
     /// The header, without a line break.
@@ -76,6 +113,11 @@ impl Table {
     /// enclosures have none.
     #[must_use]
     pub fn header(&self) -> String {
+        if let Some(Si { unit, .. }) = &self.si {
+            let energies = "generated_linear [J],generated_quantized [J],dissipated [J]";
+            let truths = TRUTHS.join(",");
+            return format!("h,t [s],x [{unit}],v [{unit}/s],{energies},{truths}");
+        }
         let figures = |names: &'static [&'static str]| {
             names.iter().flat_map(|name| {
                 if self.encloses {
@@ -117,6 +159,10 @@ impl Table {
                     residual: entry.residual,
                 };
                 let figures = self.doubles.figures(&row.map(|x| Double(*x)));
+                if let Some(si) = &self.si {
+                    let in_unit = |x: &Double, unit: &BigRational| x.0 * nearest_f64(unit);
+                    return si.put(entry.h, &figures, out, in_unit);
+                }
                 // Shortest decimals that read back as the same double. At a speed that is almost
                 // nothing the margin is beyond all doubles.
                 let shown = |x: &Double| format!("{:?}", x.0.clamp(f64::MIN, f64::MAX));
@@ -125,6 +171,10 @@ impl Table {
             }
             Line::Exact(row) => {
                 let figures = self.rationals.figures(row);
+                if let Some(si) = &self.si {
+                    let in_unit = |x: &BigRational, unit: &BigRational| nearest_f64(&(x * unit));
+                    return si.put(row.h, &figures, out, in_unit);
+                }
                 self.put(row.h, &figures, out, BigRational::to_string)?;
                 let _ = writeln!(out, ",{}", row.step.start);
             }
@@ -180,6 +230,47 @@ impl Table {
         for (name, x) in MOTION.into_iter().zip(&figures.motion) {
             let _ = write!(out, ",{}", shown(x, name)?);
         }
+        Ok(())
+    }
+}
+
+impl Si {
+    /// Appends a row in SI units, with the motion at the sample.
+    fn put<R>(
+        &self,
+        h: u64,
+        figures: &Figures<R>,
+        out: &mut String,
+        in_unit: impl Fn(&R, &BigRational) -> f64,
+    ) -> Result<(), SimError> {
+        let [start, _, linear, quantized, ..] = &figures.row;
+        let [v, _, dissipated] = &figures.motion;
+        let time = nearest_f64(&(BigRational::from_integer(h.into()) * &self.period));
+        let _ = write!(out, "{h},{time:?}");
+        for (name, x, unit) in [
+            ("x", start, &self.length),
+            ("v", v, &self.speed),
+            ("generated_linear", linear, &self.energy),
+            ("generated_quantized", quantized, &self.energy),
+            ("dissipated", dissipated, &self.energy),
+        ] {
+            let x = in_unit(x, unit);
+            if !x.is_finite() {
+                return Err(SimError::NotFinite {
+                    interval: h,
+                    figure: name,
+                });
+            }
+            // Writing to a string does not fail.
+            let _ = write!(out, ",{x:?}");
+        }
+        for truth in figures.truths {
+            let _ = match truth {
+                Some(truth) => write!(out, ",{truth}"),
+                None => write!(out, ","),
+            };
+        }
+        out.push('\n');
         Ok(())
     }
 }

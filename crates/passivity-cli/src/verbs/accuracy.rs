@@ -26,7 +26,7 @@ pub(crate) struct Args {
     /// The largest number of intervals to simulate; the reference method takes microseconds for each.
     #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u64).range(1..))]
     intervals: u64,
-    /// The speed at the start in ticks per sample, in place of the scene's.
+    /// The speed at the start in place of the scene's: with a unit, or in ticks per sample.
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
     /// Draw error against computing time into this file, as SVG or PNG according to its extension.
@@ -42,7 +42,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
     let mut point = scene.point();
     if let Some(text) = &args.speed {
-        point.at.start_velocity = Some(speed_at_start(text)?);
+        point.at.start_velocity = Some(speed_at_start(&scene, text)?);
     }
     let mut bar = Progress::new(methods().len() as u64 + 1, "methods");
     let measured = measure(&point, args.intervals, |method| {

@@ -1,14 +1,13 @@
 //! `passivity check`: the verdict.
 
-use std::io::IsTerminal as _;
 use std::path::PathBuf;
+use std::time::{Duration, SystemTime};
 
-use passivity_scene::Scene;
 use passivity_scene::check::{Report, Verdict, check};
 use serde::Serialize;
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json};
+use crate::output::{Format, emit, emit_json, look, scene_at};
 
 /// Say whether the wall of each scene is passive, exactly.
 ///
@@ -19,13 +18,18 @@ use crate::output::{Format, emit, emit_json};
 #[command(after_help = "Examples:
   passivity check scenes/re35.toml
   passivity check --format json scenes/re35.toml | jq '.scenes[0].verdict'
+  passivity init rotary | passivity check -
+  passivity check --watch knob.toml
 
 Exit codes: 0 every scene is passive; 1 one is not, or it depends; 2 bad input; 3 one has an
 effect that no theorem covers.")]
 pub(crate) struct Args {
-    /// Scene files.
+    /// Scene files; `-` is standard input.
     #[arg(required = true, value_name = "SCENE")]
     scenes: Vec<PathBuf>,
+    /// Check again whenever one of the files is saved, until interrupted.
+    #[arg(long, conflicts_with = "format")]
+    watch: bool,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -34,21 +38,56 @@ pub(crate) struct Args {
 /// What `check --format json` prints.
 #[derive(Serialize)]
 struct Document {
+    /// The version of this program.
+    version: &'static str,
     scenes: Vec<Report>,
     /// What is wrong with the files that could not be read; left out when all could.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     errors: Vec<serde_json::Value>,
 }
 
-/// Checks each scene; one that cannot be read does not keep the others from being checked.
+/// How often the files are looked at.
+const GLANCE: Duration = Duration::from_millis(200);
+
+/// Checks each scene; with `--watch` again whenever one of the files was saved.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    if !args.watch {
+        return check_all(args);
+    }
+    if args.scenes.iter().any(|path| path.as_os_str() == "-") {
+        return Err(Failure::input(
+            "standard input is read once: `--watch` needs files",
+        ));
+    }
+    loop {
+        let seen = saved(&args.scenes);
+        check_all(args)?;
+        eprintln!("-- watching; interrupt to end");
+        while saved(&args.scenes) == seen {
+            std::thread::sleep(GLANCE);
+        }
+    }
+}
+
+/// When each file was saved last, and its size; `None` where it is not there.
+fn saved(paths: &[PathBuf]) -> Vec<Option<(SystemTime, u64)>> {
+    let one = |path: &PathBuf| {
+        let meta = std::fs::metadata(path).ok()?;
+        Some((meta.modified().ok()?, meta.len()))
+    };
+    paths.iter().map(one).collect()
+}
+
+/// Checks each scene; one that cannot be read does not keep the others from being checked.
+fn check_all(args: &Args) -> Result<Exit, Failure> {
     let mut exit = Exit::Holds;
     let mut document = Document {
+        version: env!("CARGO_PKG_VERSION"),
         scenes: Vec::new(),
         errors: Vec::new(),
     };
     for path in &args.scenes {
-        match Scene::read(path) {
+        match scene_at(path) {
             Ok(scene) => {
                 let report = check(&scene);
                 exit = exit.and(exit_of(&report));
@@ -59,10 +98,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             }
             Err(error) => {
                 exit = exit.and(Exit::BadInput);
-                eprintln!(
-                    "{}",
-                    error.render(std::io::stderr().is_terminal()).trim_end()
-                );
+                eprintln!("{}", error.render(look()).trim_end());
                 document.errors.push(error.to_json());
             }
         }

@@ -10,12 +10,16 @@ pub(crate) mod audit;
 pub(crate) mod case;
 pub(crate) mod check;
 pub(crate) mod completions;
+pub(crate) mod design;
 pub(crate) mod explain;
+pub(crate) mod export;
+pub(crate) mod init;
 pub(crate) mod man;
 #[cfg(feature = "oracle")]
 pub(crate) mod oracle;
 #[cfg(feature = "plot")]
 pub(crate) mod plane;
+pub(crate) mod schema;
 #[cfg(feature = "simulate")]
 pub(crate) mod simulate;
 #[cfg(feature = "simulate")]
@@ -34,6 +38,10 @@ pub(crate) fn run(command: &Command) -> Result<Exit, Failure> {
     match command {
         Command::Check(args) => check::run(args),
         Command::Explain(args) => explain::run(args),
+        Command::Design(args) => design::run(args),
+        Command::Export(args) => export::run(args),
+        Command::Init(args) => init::run(args),
+        Command::Schema(args) => schema::run(args),
         Command::Simulate(args) => simulate::run(args),
         Command::Sweep(args) => sweep::run(args),
         Command::Plane(args) => plane::run(args),

@@ -8,7 +8,10 @@ use std::time::Instant;
 use passivity_core::BigRational;
 #[cfg(feature = "plot")]
 use passivity_plot::save;
-use passivity_scene::{Point, number};
+use passivity_scene::display::significant;
+use passivity_scene::number::nearest_f64;
+use passivity_scene::point::Units;
+use passivity_scene::{Point, Scene};
 #[cfg(feature = "plot")]
 use passivity_sim::plot::motion::{Motion, draw};
 use passivity_sim::report::Simulation;
@@ -16,7 +19,7 @@ use passivity_sim::trace::Table;
 use passivity_sim::{Detail, ExactOutcome, Line, Method, Plan, Simulated, simulate};
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, read_scene};
+use crate::output::{Format, emit, emit_json, look, read_scene};
 use crate::progress::Progress;
 
 /// Simulate a scene: the motion between samples in closed form, with the energy ledger.
@@ -46,12 +49,19 @@ pub(crate) struct Args {
     /// The number of sampling intervals to simulate, in place of the scene's.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     intervals: Option<u64>,
-    /// The speed at the start in ticks per sample, in place of the scene's.
+    /// The speed at the start in place of the scene's: with a unit, or in ticks per sample.
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
     /// Write the energy ledger to this CSV file, one row per interval.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
+    /// Write the ledger in SI units: seconds, metres or radians, joules.
+    #[arg(long, requires = "out")]
+    si: bool,
+    /// Add to the JSON how many seconds the simulation took; without it the same input gives the same
+    /// bytes.
+    #[arg(long)]
+    timing: bool,
     /// Draw the motion into this file, as SVG or PNG according to its extension.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
@@ -71,7 +81,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         point.intervals = intervals;
     }
     if let Some(text) = &args.speed {
-        point.at.start_velocity = Some(speed_at_start(text)?);
+        point.at.start_velocity = Some(speed_at_start(&scene, text)?);
     }
     let method = Method::parse(&args.method).map_err(Failure::input)?;
     let of_scene = |error| Failure::input(format!("`{}`: {error}", args.scene.display()));
@@ -86,9 +96,10 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     .map_err(of_scene)?;
     let seconds = begin.elapsed().as_secs_f64();
     watcher.finish(args, &scene.name, run.end.outcome.exact)?;
-    let report = Simulation::new(&scene.name, &plan, &method, &run, seconds).map_err(of_scene)?;
+    let timed = (args.timing || args.format == Format::Text).then_some(seconds);
+    let report = Simulation::new(&scene.name, &plan, &method, &run, timed).map_err(of_scene)?;
     match args.format {
-        Format::Text => emit(&text(&report, &plan, &run))?,
+        Format::Text => emit(&text(&report, &plan, &run, &point.units))?,
         Format::Json => emit_json(&report)?,
     }
     Ok(match run.end.outcome.exact {
@@ -118,7 +129,7 @@ impl Watcher {
         let _ = plan;
         Ok(Self {
             trace: match &args.out {
-                Some(path) => Some(Trace::create(path, Table::new(point, method))?),
+                Some(path) => Some(Trace::create(path, table(args, point, method)?)?),
                 None => None,
             },
             #[cfg(feature = "plot")]
@@ -175,8 +186,21 @@ pub(crate) fn words(outcome: ExactOutcome) -> String {
 }
 
 /// A speed as it was typed, in ticks per sample.
-pub(crate) fn speed_at_start(text: &str) -> Result<BigRational, Failure> {
-    number::parse(text.trim()).map_err(|error| Failure::input(format!("--speed `{text}`: {error}")))
+pub(crate) fn speed_at_start(scene: &Scene, text: &str) -> Result<BigRational, Failure> {
+    scene
+        .ticks_per_sample(text)
+        .map_err(|error| Failure::Scene(format!("--speed `{text}`: {}", error.render(look()))))
+}
+
+/// The table of the run, in the units that were asked for.
+fn table(args: &Args, point: &Point, method: &Method) -> Result<Table, Failure> {
+    let table = Table::new(point, method);
+    if !args.si {
+        return Ok(table);
+    }
+    table.in_si(point).ok_or_else(|| {
+        Failure::input("`--si` needs a scene in units and a method that gives numbers, not bounds")
+    })
 }
 
 /// The file of a trace.
@@ -229,7 +253,7 @@ impl Trace {
     }
 }
 
-fn text(report: &Simulation, plan: &Plan, run: &Simulated) -> String {
+fn text(report: &Simulation, plan: &Plan, run: &Simulated, units: &Units) -> String {
     let (end, totals) = (&run.end, &report.totals);
     let effects: Vec<&str> = plan.effects().iter().map(|effect| effect.words()).collect();
     let [xi, velocity] = plan.start();
@@ -237,29 +261,41 @@ fn text(report: &Simulation, plan: &Plan, run: &Simulated) -> String {
         .outcome
         .at_interval
         .map_or_else(String::new, |h| format!(" (interval {h})"));
+    let took = report
+        .seconds
+        .map_or_else(String::new, |s| format!(" in {s:.3} s"));
     let mut lines = vec![
         format!("{}: {}{at}", report.scene, words(end.outcome.exact)),
         format!("  {}", end.outcome.because),
-        format!("  start       ξ = {xi} ticks, ξ̇ = {velocity} ticks/sample"),
+        format!("  start       {}", state(xi, velocity, units)),
         format!(
             "  by the paper's detector (|ξ̇| < 0.01 at the end): {}",
             end.outcome.paper.name().replace('_', " ")
         ),
         format!(
-            "  method      {}, {} intervals in {:.3} s",
-            report.method_parameter, end.intervals, report.seconds
+            "  method      {}, {} intervals{}",
+            report.method_parameter, end.intervals, took
         ),
         format!("  effects     {}", effects.join(", ")),
-        format!(
-            "  end         ξ = {} ticks, ξ̇ = {} ticks/sample",
-            end.xi, end.velocity
-        ),
+        format!("  end         {}", state(end.xi, end.velocity, units)),
     ];
     lines.extend(detail(&run.detail));
     lines.push(format!(
         "  energy      generated {:.6} (linear spring), {:.6} (quantized spring), dissipated {:.6} KΔ²",
         totals.generated_linear, totals.generated_quantized, totals.dissipated
     ));
+    if units.length_unit.is_some() {
+        let joule = nearest_f64(&(&units.stiffness * &units.length * &units.length));
+        let [linear, quantized, dissipated] = [
+            totals.generated_linear,
+            totals.generated_quantized,
+            totals.dissipated,
+        ]
+        .map(|energy| significant(energy * joule));
+        lines.push(format!(
+            "              {linear} J (linear spring), {quantized} J (quantized spring), {dissipated} J"
+        ));
+    }
     if end.intervals == 0 && end.outcome.exact == ExactOutcome::AtRest {
         lines.push(
             "  the device starts at rest and does not move; --speed sets a speed at the start"
@@ -271,6 +307,18 @@ fn text(report: &Simulation, plan: &Plan, run: &Simulated) -> String {
         totals.residual_max
     ));
     lines.join("\n")
+}
+
+/// A position and a velocity, in SI units too where the scene has units.
+fn state(xi: f64, velocity: f64, units: &Units) -> String {
+    let ticks = format!("ξ = {xi} ticks, ξ̇ = {velocity} ticks/sample");
+    let Some(unit) = units.length_unit else {
+        return ticks;
+    };
+    let length = nearest_f64(&units.length);
+    let x = significant(xi * length);
+    let v = significant(velocity * length / nearest_f64(&units.period));
+    format!("{ticks}\n              x = {x} {unit}, v = {v} {unit}/s")
 }
 
 /// The state at the end in the method's own numbers.

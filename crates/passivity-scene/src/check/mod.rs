@@ -4,7 +4,9 @@
 //! (CHECK-VERDICT) and collects every figure of the [`Report`], which is what programs get as JSON and people as text.
 
 mod advice;
+mod constants;
 mod decide;
+mod design;
 mod figures;
 mod limits;
 mod report;
@@ -13,7 +15,9 @@ mod unforced;
 mod witness;
 
 pub use advice::{Advice, Binds, Change, Share, SpeedToSet};
+pub use constants::{Constants, Target, constants};
 pub use decide::Verdict;
+pub use design::{Design, Setting, Stiffest, design};
 pub use limits::{Limit, Side};
 pub use report::{Costs, Report, Spare, check};
 pub use unforced::Unforced;

@@ -4,6 +4,7 @@ mod kind;
 mod render;
 
 pub use kind::Kind;
+pub use render::Look;
 
 use std::fmt;
 use std::ops::Range;
@@ -175,8 +176,8 @@ impl SceneError {
 
     /// The error for people: each place with the line it is in, marked, and what was expected.
     #[must_use]
-    pub fn render(&self, colour: bool) -> String {
-        let mut shown = render::all(&self.name, &self.source, &self.diagnostics, colour);
+    pub fn render(&self, look: impl Into<Look>) -> String {
+        let mut shown = render::all(&self.name, &self.source, &self.diagnostics, look.into());
         if self.left_out > 0 {
             shown.push_str(&format!("  and {} more\n", self.left_out));
         }

@@ -17,11 +17,29 @@ const AFTER: usize = 100;
 /// Width at which messages wrap.
 const WIDTH: usize = 100;
 
-pub(super) fn all(name: &str, source: &str, diagnostics: &[Diagnostic], colour: bool) -> String {
-    let theme = if colour {
-        GraphicalTheme::unicode()
-    } else {
-        GraphicalTheme::unicode_nocolor()
+/// How diagnostics are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// In colours, with lines of box-drawing characters.
+    Colours,
+    /// Without colours.
+    Plain,
+    /// Without colours, with lines of ASCII characters.
+    Ascii,
+}
+
+impl From<bool> for Look {
+    /// Colours, or none.
+    fn from(colours: bool) -> Self {
+        if colours { Self::Colours } else { Self::Plain }
+    }
+}
+
+pub(super) fn all(name: &str, source: &str, diagnostics: &[Diagnostic], look: Look) -> String {
+    let theme = match look {
+        Look::Colours => GraphicalTheme::unicode(),
+        Look::Plain => GraphicalTheme::unicode_nocolor(),
+        Look::Ascii => GraphicalTheme::none(),
     };
     let handler = GraphicalReportHandler::new_themed(theme)
         .with_width(WIDTH)

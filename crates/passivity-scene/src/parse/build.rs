@@ -69,11 +69,7 @@ impl Parameters {
         };
         let is_there = found.iter().any(|(_, entry)| entry.is_some());
         for (key, entry) in found {
-            let given = entry.and_then(|entry| match key {
-                "wall.damping_cutoff" => reader.cutoff(entry, &Spec::new(parameter, key)),
-                "sampling.rate" => reader.reciprocal(entry, &Spec::new(parameter, key)),
-                _ => reader.quantity(entry, &Spec::new(parameter, key)),
-            });
+            let given = entry.and_then(|entry| value(parameter, key, false, entry, reader));
             if let (Some(own), Some(other)) = (&given, self.get(parameter))
                 && parameter != Parameter::Inertia
             {
@@ -118,6 +114,26 @@ impl Parameters {
         Some(rest.fold(given, |given, (parameter, value)| {
             given.with(parameter, value)
         }))
+    }
+}
+
+/// The value of a parameter under one of its keys, at the motor where that is said of the encoder.
+pub(super) fn value(
+    parameter: Parameter,
+    key: &'static str,
+    at_motor: bool,
+    entry: Entry,
+    reader: &mut Reader<'_>,
+) -> Option<Given> {
+    let mut spec = Spec::new(parameter, key);
+    spec.at_motor |= at_motor;
+    match key {
+        "wall.damping_cutoff" => reader.cutoff(entry, &spec),
+        "sampling.rate" => reader.reciprocal(entry, &spec),
+        "encoder.counts_per_revolution" => {
+            encoder::counts_per_revolution(&entry, key, at_motor, reader)
+        }
+        _ => reader.quantity(entry, &spec),
     }
 }
 

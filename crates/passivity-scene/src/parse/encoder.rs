@@ -6,10 +6,10 @@ use passivity_core::{BigRational, Exact, Interval, Parameter, pi};
 
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::number::{self, parse_prefix};
-use crate::parse::build::Parameters;
+use crate::parse::build::{self, Parameters};
 use crate::parse::keys::shorten;
 use crate::parse::node::{Content, Entry, Node};
-use crate::parse::reader::{Reader, Section, Spec, UnitNote};
+use crate::parse::reader::{Reader, Section, UnitNote};
 use crate::scene::{Given, Motion};
 use crate::written::{Form, Written};
 
@@ -41,21 +41,10 @@ pub(super) fn read(mut section: Section, parameters: &mut Parameters, reader: &m
         reader.missing(Some(&section), section.name, what);
     }
     reader.leftovers(section);
-    let given = match (resolution, counts) {
-        (Some(entry), _) => {
-            let [key, _] = keys;
-            let spec = Spec {
-                at_motor,
-                ..Spec::new(Parameter::Resolution, key)
-            };
-            reader.quantity(entry, &spec)
-        }
-        (None, Some(entry)) => {
-            let [_, key] = keys;
-            counts_per_revolution(&entry, key, at_motor, reader)
-        }
-        (None, None) => None,
-    };
+    let entry = resolution.map(|entry| (keys[0], entry));
+    let entry = entry.or(counts.map(|entry| (keys[1], entry)));
+    let given = entry
+        .and_then(|(key, entry)| build::value(Parameter::Resolution, key, at_motor, entry, reader));
     parameters.insert(Parameter::Resolution, given);
 }
 
@@ -89,7 +78,7 @@ fn is_at_motor(entry: &Entry, reader: &mut Reader<'_>) -> bool {
 }
 
 /// Δ = 2π/N of N counts per revolution, over the ratio where the encoder sits on the motor.
-fn counts_per_revolution(
+pub(super) fn counts_per_revolution(
     entry: &Entry,
     key: &'static str,
     at_motor: bool,

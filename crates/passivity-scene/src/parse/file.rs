@@ -18,7 +18,11 @@ pub(super) fn read(path: &Path, most: u64) -> Result<Vec<u8>, Box<Diagnostic>> {
     };
     // Asked before opening: opening a pipe would wait for someone to write to it.
     let metadata = std::fs::metadata(path).map_err(unreadable)?;
-    if !metadata.is_file() {
+    // What a shell hands over, as in `check <(…)`, is open already.
+    let handed_over = ["/dev/fd", "/proc/self/fd", "/dev/stdin"];
+    let is_open = handed_over.iter().any(|place| path.starts_with(place));
+    let is_readable = metadata.is_file() || (is_open && !metadata.is_dir());
+    if !is_readable {
         let what = if metadata.is_dir() {
             "this is a folder"
         } else {
@@ -27,9 +31,18 @@ pub(super) fn read(path: &Path, most: u64) -> Result<Vec<u8>, Box<Diagnostic>> {
         let diagnostic = Diagnostic::new(Kind::NotAFile, what).expected("a regular file");
         return Err(Box::new(diagnostic));
     }
+    limited(File::open(path).map_err(unreadable)?, most)
+}
+
+/// The bytes of a stream of at most `most` bytes.
+pub(super) fn limited(stream: impl Read, most: u64) -> Result<Vec<u8>, Box<Diagnostic>> {
     let mut bytes = Vec::new();
-    let file = File::open(path).map_err(unreadable)?;
-    file.take(most + 1)
+    let unreadable = |error: std::io::Error| {
+        let message = format!("the scene cannot be read: {error}");
+        Box::new(Diagnostic::new(Kind::Unreadable, message).expected("a stream that can be read"))
+    };
+    stream
+        .take(most + 1)
         .read_to_end(&mut bytes)
         .map_err(unreadable)?;
     if u64::try_from(bytes.len()).unwrap_or(u64::MAX) > most {

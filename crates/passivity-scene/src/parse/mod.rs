@@ -13,21 +13,28 @@ mod node;
 mod operator;
 mod reader;
 mod samples;
+mod schema;
+mod sketch;
 mod transmission;
 
 pub use amount::{MAX_NUMBER_CHARS, MAX_NUMBER_EXPONENT};
 pub use build::MAX_INTERVALS;
 pub use encoder::MAX_COUNTS;
 pub use samples::{MAX_BYTES as MAX_SAMPLE_BYTES, MAX_SAMPLES};
+pub use schema::schema;
+pub use sketch::Sketch;
 
 use std::path::Path;
 
 use serde_json::Value;
 
-use crate::diagnostic::{Diagnostic, SceneError};
+use passivity_core::{BigRational, Parameter};
+
+use crate::diagnostic::{Diagnostic, Kind, SceneError};
+use crate::number;
 use crate::parse::node::Entry;
 use crate::parse::reader::Reader;
-use crate::scene::Scene;
+use crate::scene::{Given, Motion, Scene};
 
 /// The largest scene file, in bytes: a thousand times what a scene needs.
 pub const MAX_BYTES: u64 = 256 << 10;
@@ -56,6 +63,20 @@ impl Scene {
             &text,
             Some(folder),
         )
+    }
+
+    /// Reads a scene from a stream, such as a pipe; `name` is what errors call it. It may name files
+    /// relative to where the program runs.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError`] as for [`read`](Self::read).
+    pub fn from_reader(name: &str, stream: impl std::io::Read) -> Result<Self, SceneError> {
+        let refuse = |diagnostic: Box<Diagnostic>| SceneError::new(name, "", vec![*diagnostic]);
+        let bytes = file::limited(stream, MAX_BYTES).map_err(refuse)?;
+        let text = file::text(bytes)
+            .map_err(|(text, diagnostic)| SceneError::new(name, &text, vec![*diagnostic]))?;
+        parse(name, name, &text, Some(Path::new("")))
     }
 
     /// Reads a scene from the text of a scene file. It may name no other files.
@@ -115,6 +136,113 @@ impl Scene {
             SceneError::new(NAME, "", diagnostics)
         })
     }
+}
+
+impl Scene {
+    /// Another value of a parameter that is in the scene, from the text that its file could have: of the
+    /// same key, or of another key of the parameter where the unit is one of that.
+    pub(crate) fn reread(&self, now: &Given, text: &str) -> Result<Given, SceneError> {
+        let row = |parameter: &&Parameter| {
+            let row = parameter.row();
+            row.key == now.key || row.other_keys.contains(&now.key)
+        };
+        let Some(parameter) = Parameter::ALL.iter().find(row) else {
+            unreachable!("a parameter of a scene has a row in the table");
+        };
+        let at_motor = now.written.is_at_motor();
+        let attempt = |key: &'static str| self.value(*parameter, key, at_motor, text);
+        let row = parameter.row();
+        let others = [row.key].into_iter().chain(row.other_keys.iter().copied());
+        let others = others.filter(|key| *key != now.key && !key.starts_with("motor."));
+        let mut attempts = [now.key].into_iter().chain(others).map(attempt);
+        let first = attempts.next().unwrap_or_else(|| Err(Vec::new()));
+        match first {
+            Ok(given) => Ok(given),
+            Err(problems) => match attempts.find_map(Result::ok) {
+                Some(given) => Ok(given),
+                None => Err(of_text(text, problems)),
+            },
+        }
+    }
+
+    /// A speed as it was typed, in ticks per sample: a plain number is one already, and one with a unit
+    /// is of the scene's motion.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError`] where the text is no speed.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_scene::Scene;
+    ///
+    /// let text = r#"
+    ///     [sampling]
+    ///     rate = "1 kHz"
+    ///     [encoder]
+    ///     resolution = "0.01 mm"
+    ///     [wall]
+    ///     stiffness = "1 N/mm"
+    /// "#;
+    /// let scene = Scene::from_toml("slide", text).unwrap();
+    /// assert_eq!(scene.ticks_per_sample("20 mm/s").unwrap().to_string(), "2");
+    /// assert_eq!(scene.ticks_per_sample("2").unwrap().to_string(), "2");
+    /// ```
+    pub fn ticks_per_sample(&self, text: &str) -> Result<BigRational, SceneError> {
+        if let Ok(ticks) = number::parse(text.trim()) {
+            return Ok(ticks);
+        }
+        let key = Parameter::StartVelocity.row().key;
+        let given = self
+            .value(Parameter::StartVelocity, key, false, text)
+            .map_err(|problems| of_text(text, problems))?;
+        let mut with_speed = self.clone();
+        with_speed.given.start_velocity = Some(given);
+        let [_, speed] = with_speed.point().start();
+        Ok(speed)
+    }
+
+    /// The value that the text of a key stands for in this scene.
+    fn value(
+        &self,
+        parameter: Parameter,
+        key: &'static str,
+        at_motor: bool,
+        text: &str,
+    ) -> Result<Given, Vec<Diagnostic>> {
+        let mut reader = Reader {
+            problems: Vec::new(),
+            unit_notes: Vec::new(),
+            dimensionless: self.motion == Motion::Dimensionless,
+            transmission: self.transmission.clone(),
+            folder: None,
+        };
+        let entry = Entry::of_text(key, text);
+        let given = build::value(parameter, key, at_motor, entry, &mut reader);
+        let of_other_motion = reader.motion().is_some_and(|motion| motion != self.motion);
+        match given {
+            Some(given) if !of_other_motion => Ok(given),
+            Some(_) => {
+                let message = format!("`{text}` is of another motion than the scene");
+                let diagnostic = Diagnostic::new(Kind::MixedMotion, message).key(key);
+                Err(vec![
+                    diagnostic.expected("a unit of the scene's own motion"),
+                ])
+            }
+            None => Err(reader.problems),
+        }
+    }
+}
+
+/// The error about a text that stands in no file.
+fn of_text(text: &str, problems: Vec<Diagnostic>) -> SceneError {
+    let unplaced = |mut diagnostic: Diagnostic| {
+        diagnostic.span = None;
+        diagnostic
+    };
+    let problems = problems.into_iter().map(unplaced).collect();
+    SceneError::new(&format!("`{text}`"), "", problems)
 }
 
 fn parse(shown: &str, name: &str, text: &str, folder: Option<&Path>) -> Result<Scene, SceneError> {

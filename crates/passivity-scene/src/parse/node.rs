@@ -37,6 +37,20 @@ pub(super) struct Entry {
     pub(super) node: Node,
 }
 
+impl Entry {
+    /// A key with a text that stands in no file.
+    pub(super) fn of_text(key: &str, text: &str) -> Self {
+        Self {
+            key: key.to_owned(),
+            key_span: 0..0,
+            node: Node {
+                content: Content::Text(text.to_owned(), None),
+                span: 0..0,
+            },
+        }
+    }
+}
+
 impl Node {
     /// The place of a part of a text value, or of the whole value.
     pub(super) fn part(&self, part: Range<usize>) -> Range<usize> {

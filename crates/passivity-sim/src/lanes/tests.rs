@@ -137,6 +137,7 @@ fn scene(effects: u8, delay: u16, mu: i32, intervals: u64) -> Scene {
             period: one.clone(),
             length: one.clone(),
             stiffness: one,
+            length_unit: None,
         },
     }
 }

@@ -1,0 +1,77 @@
+//! `passivity export`: the constants that a control program asks for.
+
+use std::path::PathBuf;
+
+use passivity_scene::check::{Target, constants};
+
+use crate::exit::{Exit, Failure};
+use crate::output::{emit, emit_json, read_scene, write_new};
+
+/// Write the constants that a control program asks for: stiffness, damping, rate, speed.
+///
+/// Every largest value is the double at or below a limit that passed when it was typed back; a comment
+/// says what binds and which theorems the verdict rests on.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  passivity export scenes/re35.toml --for c --out wall.h
+  passivity export scenes/phantom-premium.toml --for chai3d
+  passivity export scenes/re35.toml --for json | jq .max_stiffness
+
+Exit codes: 0 the scene's wall is passive; 1 it is not, and the constants say up to where it would be;
+2 bad input.")]
+pub(crate) struct Args {
+    /// Scene file; `-` is standard input.
+    scene: PathBuf,
+    /// For which program.
+    #[arg(long = "for", value_enum, value_name = "PROGRAM")]
+    target: Program,
+    /// Write to this file, which must not be there yet, in place of standard output.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Program {
+    /// A C header with `#define`s, in SI units.
+    C,
+    /// CHAI3D: fields of `cHapticDeviceInfo`.
+    Chai3d,
+    /// OpenHaptics: scheduler rate and material properties.
+    Openhaptics,
+    /// One JSON document, in SI units.
+    Json,
+}
+
+/// Prints the constants.
+pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    let scene = read_scene(&args.scene)?;
+    let Some(constants) = constants(&scene) else {
+        return Err(Failure::input(
+            "a dimensionless scene has no units that a program could take: describe the device in units",
+        ));
+    };
+    let target = match args.target {
+        Program::C => Some(Target::C),
+        Program::Chai3d => Some(Target::Chai3d),
+        Program::Openhaptics => Some(Target::OpenHaptics),
+        Program::Json => None,
+    };
+    match (target, &args.out) {
+        (Some(target), None) => emit(&constants.to_source(target))?,
+        (Some(target), Some(path)) => write_new(path, &constants.to_source(target))?,
+        (None, None) => emit_json(&constants)?,
+        (None, Some(path)) => {
+            let text = serde_json::to_string_pretty(&constants);
+            let text = text.map_err(|error| Failure::input(format!("not JSON: {error}")))?;
+            write_new(path, &text)?;
+        }
+    }
+    if !constants.is_passive {
+        eprintln!(
+            "warning: the wall of the scene is not shown to be passive: {}",
+            constants.headline
+        );
+        return Ok(Exit::Fails);
+    }
+    Ok(Exit::Holds)
+}

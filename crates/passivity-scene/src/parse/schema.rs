@@ -1,0 +1,181 @@
+//! The JSON Schema of scene files, made from the table of parameters: for editors.
+
+use passivity_core::Parameter;
+use serde_json::{Map, Value, json};
+
+use super::keys::{all_keys, sections};
+use super::measure::Measure;
+use super::reader::Spec;
+
+/// The JSON Schema (draft 7) of a scene file, as TOML or as JSON.
+///
+/// An editor that knows Taplo or "Even Better TOML" offers the keys and says what is wrong with one
+/// when the file begins with the line `#:schema scene.schema.json`.
+///
+/// # Example
+///
+/// ```
+/// let schema = passivity_scene::parse::schema();
+/// let viscous = &schema["properties"]["device"]["properties"]["viscous"];
+/// assert!(viscous["description"].as_str().unwrap().starts_with("viscous friction b"));
+/// ```
+#[must_use]
+pub fn schema() -> Value {
+    let mut properties = Map::new();
+    properties.insert(
+        "name".to_owned(),
+        json!({"type": "string", "description": "the scene's name; without it that of the file"}),
+    );
+    for section in sections() {
+        properties.insert(section.to_owned(), table(section));
+    }
+    json!({
+        "$schema": "http://json-schema.org/draft-07/schema#",
+        "title": "A scene of passivity: a haptic device, its control loop and a virtual wall",
+        "type": "object",
+        "additionalProperties": false,
+        "properties": properties,
+    })
+}
+
+/// A section, with the keys that stand in it.
+fn table(section: &'static str) -> Value {
+    let in_section = |key: &'static str| {
+        let (home, name) = key.rsplit_once('.')?;
+        (home == section).then_some((key, name))
+    };
+    let mut properties = Map::new();
+    for (key, name) in all_keys().filter_map(in_section) {
+        properties.insert(name.to_owned(), value(key));
+    }
+    json!({
+        "type": "object",
+        "description": about(section),
+        "additionalProperties": false,
+        "properties": properties,
+    })
+}
+
+/// What a section is, in a sentence.
+fn about(section: &str) -> &'static str {
+    match section {
+        "device" => "what the hand holds: its inertia and its friction",
+        "transmission" => "a rigid transmission between the motor and the device",
+        "motor" => "what is known at the motor's side of the transmission",
+        "sampling" => "the sampling period of the control loop, and how late its output is",
+        "encoder" => "the encoder; without it the position is known exactly",
+        "wall" => "the virtual wall",
+        "controller" => "a digital controller H(z) in place of the spring and its damping",
+        "amplifier" => "the amplifier of the actuator",
+        "operator" => "the operator: a bound on the speed, a force, an arm",
+        "operator.arm" => "the operator's arm, which moves with the device",
+        "start" => "where a simulation starts, and the question what happens with the hand off",
+        "run" => "the simulation",
+        _ => "the scene in numbers without units, in place of device and encoder",
+    }
+}
+
+/// The schema of one key.
+fn value(key: &'static str) -> Value {
+    let parameter = Parameter::ALL.iter().find(|parameter| {
+        let row = parameter.row();
+        row.key == key || row.other_keys.contains(&key) || row.dimensionless_key == Some(key)
+    });
+    match (key, parameter) {
+        ("encoder.counts_per_revolution", _) => json!({
+            "description": "counts per revolution behind the decoder, such as 8192 or \"14 bit\"; the resolution Δ is 2π over it",
+            "type": ["integer", "string"],
+        }),
+        ("operator.force", _) => json!({
+            "description": "a constant force of the operator, a CSV file of forces, or { file, column }",
+            "type": ["string", "number", "object"],
+        }),
+        (_, Some(parameter)) => quantity(*parameter, key),
+        ("operator.arm", None) => table("operator.arm"),
+        ("sampling.delay", None) => json!({
+            "description": "whole samples by which the force is late",
+            "type": "integer", "minimum": 0, "maximum": u16::MAX,
+        }),
+        ("run.intervals", None) => json!({
+            "description": "how many sampling intervals a simulation runs",
+            "type": "integer", "minimum": 1, "maximum": super::MAX_INTERVALS,
+        }),
+        ("wall.unilateral", None) => json!({
+            "description": "whether the wall is on one side only, x ≥ 0",
+            "type": "boolean",
+        }),
+        ("encoder.side", None) => json!({
+            "description": "where the encoder sits",
+            "enum": ["device", "motor"],
+        }),
+        ("controller.numerator" | "controller.denominator", None) => json!({
+            "description": "coefficients of H(z) by falling powers of z, in units of the stiffness",
+            "type": "array", "minItems": 1, "items": {"type": ["string", "number"]},
+        }),
+        ("transmission.ratio", None) => json!({
+            "description": "turns of the motor for one of the device, such as 15, \"15:1\", \"90 rad/m\" or \"10 mm/rev\"",
+            "type": ["string", "number"],
+        }),
+        ("transmission.motor_pulley", None) => json!({
+            "description": "radius of the pulley on the motor, such as \"5 mm\"",
+            "type": "string",
+        }),
+        ("transmission.output_pulley", None) => json!({
+            "description": "radius of the driven pulley or sector, such as \"75 mm\"",
+            "type": "string",
+        }),
+        ("transmission.handle_radius", None) => json!({
+            "description": "how far from the axis the hand moves along a line, such as \"80 mm\"",
+            "type": "string",
+        }),
+        (_, None) => json!({}),
+    }
+}
+
+/// A quantity: its name, its letter, what is expected of it.
+fn quantity(parameter: Parameter, key: &'static str) -> Value {
+    let row = parameter.row();
+    let spec = Spec::new(parameter, key);
+    let section = key.rsplit_once('.').map_or("", |(section, _)| section);
+    if section == "dimensionless" {
+        let symbol = row.dimensionless_symbol.unwrap_or(row.symbol);
+        return json!({
+            "description": format!("{symbol}: {} without units; {}", row.name, row.values.expected()),
+            "type": ["string", "number"],
+        });
+    }
+    let form = match (key, spec.measure) {
+        ("wall.damping_cutoff", _) => "cutoff 1/(2πτ) of the filter on the damping".to_owned(),
+        (_, Measure::Rate) => format!("rate 1/{}", row.symbol),
+        _ => format!("{} {}", row.name, row.symbol),
+    };
+    let motion = spec.at_motor.then_some(crate::scene::Motion::Rotary);
+    let expected = spec.measure.expected(motion).replace('`', "");
+    let side = if spec.at_motor { " at the motor" } else { "" };
+    json!({
+        "description": format!("{form}{side}: {expected}; {}", spec.values.expected()),
+        // A plain number in a dimensionless scene.
+        "type": ["string", "number"],
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_of_a_scene_file_is_described() {
+        let schema = schema();
+        for key in all_keys().filter(|key| !key.starts_with('.')) {
+            let mut place = &schema;
+            for part in key.split('.') {
+                place = &place["properties"][part];
+            }
+            let description = place["description"].as_str();
+            assert!(
+                description.is_some_and(|text| !text.is_empty()),
+                "{key}: {place}"
+            );
+        }
+    }
+}

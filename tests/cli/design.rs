@@ -1,0 +1,284 @@
+//! `passivity design`, `export`, `init` and `schema`, scenes from a pipe, and `check --watch`.
+
+use std::io::{BufRead as _, BufReader, Write as _};
+use std::process::{Command, Stdio};
+
+use crate::harness::Dir;
+
+const RE35: &str = r#"
+[device]
+viscous = "9e-6 N m s/rad"
+coulomb = "2e-3 N m"
+[sampling]
+period = "1 ms"
+[encoder]
+counts_per_revolution = 8192
+[wall]
+stiffness = "1 N m/rad"
+[operator]
+max_speed = "3 rad/s"
+"#;
+
+#[test]
+fn a_cell_of_the_table_typed_into_the_scene_is_passive() {
+    let dir = Dir::new();
+    let scene = dir.write("re35.toml", RE35);
+    let whole = dir.run(&["design", &scene, "--format", "json"]).json();
+    assert_eq!(whole["stiffest"].as_array().map(Vec::len), Some(6));
+    let run = dir.run(&[
+        "design",
+        &scene,
+        "--format",
+        "csv",
+        "--rates",
+        "4 ms,1 ms,0.3 ms",
+        "--encoders",
+        "100,8192,20000",
+    ]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let mut cells = 0;
+    for line in run.stdout.lines().skip(1) {
+        let [rate, counts, stiffness, enough] = line.split(',').collect::<Vec<_>>()[..] else {
+            panic!("{line}");
+        };
+        let at = |stiffness: &str| {
+            let text = RE35
+                .replace("1 ms", rate)
+                .replace("8192", counts)
+                .replace("1 N m/rad", &format!("{stiffness} N m/rad"));
+            dir.check(&text).text("verdict").to_owned()
+        };
+        assert_eq!(at(stiffness), "passive", "{line}");
+        // The claim is exact: a thousandth more is not.
+        let more = stiffness.parse::<f64>().expect("a number") * 1.001;
+        assert_ne!(at(&more.to_string()), "passive", "{line}");
+        assert_eq!(
+            enough == "true",
+            stiffness.parse::<f64>().expect("a number") >= 1.0
+        );
+        cells += 1;
+    }
+    assert_eq!(cells, 9);
+}
+
+#[test]
+fn the_table_is_aligned_and_marks_what_is_enough() {
+    let dir = Dir::new();
+    let scene = dir.write("re35.toml", RE35);
+    let args = [
+        "design",
+        &scene,
+        "--rates",
+        "1 kHz, 4 kHz",
+        "--encoders",
+        "8192, 14 bit",
+    ];
+    let run = dir.run(&args);
+    let expected = "\
+re35: the stiffest wall in N m/rad that is passive at every speed up to 3 rad/s
+                8192 (now)     14 bit
+  1 kHz (now)     1.0761 *   1.1981 *
+        4 kHz     2.6723 *   3.5765 *
+  * as stiff as the wall of the scene, 1 N m/rad, or stiffer; – no wall is passive
+";
+    assert_eq!(run.stdout, expected);
+    let wrong = dir.run(&["design", &scene, "--rates", "1 mm"]);
+    assert_eq!(wrong.code, 2);
+    assert!(
+        wrong
+            .stderr
+            .contains("`sampling.period` has the unit `mm` of a length"),
+        "{}",
+        wrong.stderr
+    );
+}
+
+#[test]
+fn constants_are_on_the_safe_side() {
+    let dir = Dir::new();
+    let scene = dir.write("re35.toml", RE35);
+    let run = dir.run(&["export", &scene, "--for", "json"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let constants = run.json();
+    for (key, unit, from) in [
+        ("max_stiffness", "N m/rad", "stiffness = \"1 N m/rad\""),
+        ("max_damping", "N m s/rad", "stiffness = \"1 N m/rad\""),
+    ] {
+        let value = constants[key].as_f64().expect("a number");
+        // Every double is a decimal: all of its digits.
+        let line = match key {
+            "max_stiffness" => format!("stiffness = \"{value:.80} {unit}\""),
+            _ => format!("{from}\ndamping = \"{value:.80} {unit}\""),
+        };
+        let checked = dir.check(&RE35.replace(from, &line));
+        assert_eq!(checked.text("verdict"), "passive", "{line}");
+    }
+    let header = dir.run(&["export", &scene, "--for", "c", "--out", "wall.h"]);
+    assert_eq!(header.code, 0, "{}", header.stderr);
+    let text = std::fs::read_to_string(dir.path("wall.h")).expect("a header");
+    assert!(
+        text.contains("#define RE35_MAX_STIFFNESS 1.0761 /* N m/rad */"),
+        "{text}"
+    );
+    assert!(text.contains("What binds: friction at 3 rad/s"), "{text}");
+    // Nothing is overwritten.
+    let again = dir.run(&["export", &scene, "--for", "c", "--out", "wall.h"]);
+    assert_eq!(again.code, 2);
+    assert!(
+        again.stderr.contains("is there already"),
+        "{}",
+        again.stderr
+    );
+    let chai3d = dir.run(&["export", &scene, "--for", "chai3d"]);
+    assert!(
+        chai3d
+            .stdout
+            .contains("info.m_maxAngularStiffness = 1.0761;"),
+        "{}",
+        chai3d.stdout
+    );
+    let hd = dir.run(&["export", &scene, "--for", "openhaptics"]);
+    assert!(
+        hd.stdout.contains("hdSetSchedulerRate(1000);"),
+        "{}",
+        hd.stdout
+    );
+}
+
+#[test]
+fn a_header_compiles() {
+    let dir = Dir::new();
+    let scene = dir.write("re35.toml", RE35);
+    let run = dir.run(&["export", &scene, "--for", "c", "--out", "wall.h"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    dir.write(
+        "main.c",
+        "#include \"wall.h\"\nint main(void) { return RE35_STIFFNESS <= RE35_MAX_STIFFNESS ? 0 : 1; }\n",
+    );
+    let compiled = Command::new("cc")
+        .args(["-Wall", "-Werror", "-o", "main", "main.c"])
+        .current_dir(dir.path(""))
+        .status()
+        .expect("a C compiler");
+    assert!(compiled.success());
+    let status = Command::new(dir.path("main"))
+        .status()
+        .expect("the program");
+    assert!(status.success());
+}
+
+#[test]
+fn a_scene_is_begun_and_checked_through_a_pipe() {
+    let dir = Dir::new();
+    for kind in ["rotary", "linear", "dimensionless"] {
+        let begun = dir.run(&["init", kind]);
+        assert_eq!(begun.code, 0, "{}", begun.stderr);
+        let mut check = Command::new(env!("CARGO_BIN_EXE_passivity"))
+            .args(["check", "-"])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("the command starts");
+        let mut stdin = check.stdin.take().expect("a pipe");
+        stdin.write_all(begun.stdout.as_bytes()).expect("written");
+        drop(stdin);
+        let output = check.wait_with_output().expect("it ends");
+        let text = String::from_utf8(output.stdout).expect("UTF-8");
+        assert!(text.starts_with("standard input: PASSIVE"), "{text}");
+    }
+    let out = ["init", "rotary", "--out", "mine.toml"];
+    assert_eq!(dir.run(&out).code, 0);
+    assert_eq!(dir.run(&out).code, 2);
+}
+
+#[test]
+fn a_saved_scene_is_checked_again() {
+    let dir = Dir::new();
+    let scene = dir.write("re35.toml", RE35);
+    let mut watch = Command::new(env!("CARGO_BIN_EXE_passivity"))
+        .args(["check", "--watch", &scene])
+        .current_dir(dir.path(""))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command starts");
+    let mut lines = BufReader::new(watch.stdout.take().expect("a pipe")).lines();
+    let mut headline = || {
+        lines
+            .by_ref()
+            .map(|line| line.expect("UTF-8"))
+            .find(|line| line.starts_with("re35:"))
+            .expect("a verdict")
+    };
+    assert_eq!(headline(), "re35: PASSIVE at every speed up to 3 rad/s");
+    dir.write("re35.toml", RE35.replace("3 rad/s", "4 rad/s "));
+    assert!(headline().starts_with("re35: NOT PASSIVE"));
+    watch.kill().expect("it runs");
+    watch.wait().expect("it ends");
+}
+
+#[test]
+fn the_schema_describes_every_key_that_the_shipped_scenes_use() {
+    let dir = Dir::new();
+    let schema = dir.run(&["schema"]).json();
+    let scenes = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    let mut keys = 0;
+    for file in std::fs::read_dir(scenes).expect("the shipped scenes") {
+        let path = file.expect("a file").path();
+        if path.extension().is_none_or(|extension| extension != "toml") {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).expect("a scene");
+        let mut section = String::new();
+        for line in text.lines() {
+            if let Some(name) = line
+                .strip_prefix('[')
+                .and_then(|rest| rest.split(']').next())
+            {
+                section = name.to_owned();
+            } else if let Some((key, _)) = line.split_once('=')
+                && !line.starts_with('#')
+                && !section.is_empty()
+            {
+                let described = &schema["properties"][&section]["properties"][key.trim()];
+                assert!(
+                    described["description"].is_string(),
+                    "{}: {line}",
+                    path.display()
+                );
+                keys += 1;
+            }
+        }
+    }
+    assert!(keys > 50, "{keys}");
+}
+
+#[test]
+fn diagnostics_keep_to_ascii_and_to_no_colour_where_that_is_asked_for() {
+    let dir = Dir::new();
+    let scene = dir.write("bad.toml", RE35.replace("1 ms", "1 mm"));
+    let stderr = |variables: &[(&str, &str)]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_passivity"));
+        for name in ["LC_ALL", "LC_CTYPE", "LANG", "NO_COLOR", "TERM"] {
+            command.env_remove(name);
+        }
+        command.envs(variables.iter().copied());
+        let output = command
+            .args(["check", &scene])
+            .current_dir(dir.path(""))
+            .output()
+            .expect("the command starts");
+        String::from_utf8(output.stderr).expect("UTF-8")
+    };
+    for variables in [
+        [("LC_ALL", "C")].as_slice(),
+        &[("LANG", "de_DE.ISO-8859-1")],
+        &[("TERM", "dumb")],
+    ] {
+        let text = stderr(variables);
+        assert!(text.is_ascii(), "{variables:?}: {text}");
+        assert!(text.contains("has the unit `mm` of a length"), "{text}");
+    }
+    let text = stderr(&[("LANG", "en_US.UTF-8")]);
+    assert!(text.contains('╭') && !text.contains('\u{1b}'), "{text}");
+}
