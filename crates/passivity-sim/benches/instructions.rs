@@ -27,6 +27,7 @@ fn base(intervals: u64) -> Point {
             period: one.clone(),
             length: one.clone(),
             stiffness: one,
+            length_unit: None,
         },
     }
 }
