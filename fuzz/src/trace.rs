@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use passivity_oracle::audit::{Audit, Options, TraceError, audit, audit_csv};
+use passivity_audit::{Audit, Options, TraceError, audit, audit_csv};
 use passivity_scene::Scene;
 
 /// The first byte of the input says which.

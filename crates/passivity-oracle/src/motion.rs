@@ -8,7 +8,7 @@ use num_traits::{One, Pow, Signed, Zero};
 use passivity_core::{BigRational, Friction, Interval};
 use serde::Serialize;
 
-use crate::figure::Figure;
+use passivity_audit::Figure;
 
 /// Decimal places of the enclosures.
 pub const DIGITS: u32 = 40;
@@ -49,7 +49,8 @@ impl Piece {
     ///
     /// ```
     /// use passivity_core::{BigRational, Friction, Scalar};
-    /// use passivity_oracle::{Figure, motion::Piece};
+    /// use passivity_audit::Figure;
+    /// use passivity_oracle::motion::Piece;
     ///
     /// let n = |n: i32| BigRational::integer(n);
     /// let piece = Piece {

@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 
-use passivity_oracle::audit::{self, Audit, Options, Positions};
+use passivity_audit::{Audit, Options, Positions, TraceError};
 use passivity_oracle::protocol;
 use passivity_scene::{Scene, check as checked};
 use passivity_sim::report::Simulation as Report;
@@ -44,7 +44,7 @@ fn rows_file(path: Option<PathBuf>) -> PyResult<Option<BufWriter<File>>> {
     }
 }
 
-fn report(audit: Result<Audit, audit::TraceError>) -> PyResult<String> {
+fn report(audit: Result<Audit, TraceError>) -> PyResult<String> {
     audit
         .map(|audit| audit.to_json().to_string())
         .map_err(|error| PyValueError::new_err(error.to_string()))
@@ -71,7 +71,7 @@ fn audit_file(
             threads: threads.into(),
             ..Options::default()
         };
-        report(audit::audit(&trace, &scene, options))
+        report(passivity_audit::audit(&trace, &scene, options))
     })
 }
 
@@ -111,7 +111,9 @@ fn audit_arrays(
             threads: threads.into(),
             ..Options::default()
         };
-        report(audit::audit_arrays(positions, times, &scene, options))
+        report(passivity_audit::audit_arrays(
+            positions, times, &scene, options,
+        ))
     })
 }
 

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use passivity_oracle::audit::{Audit, Options, Verdict, audit};
+use passivity_audit::{Audit, Options, Verdict, audit};
 #[cfg(feature = "plot")]
 use passivity_plot::energy::{Point, draw};
 #[cfg(feature = "plot")]
@@ -142,7 +142,7 @@ fn keep_the_trace(args: &Args) -> Result<(), Failure> {
 /// A point of the audit as the picture has it.
 #[cfg(feature = "plot")]
 #[allow(clippy::cast_precision_loss)] // for a picture
-fn point(point: &passivity_oracle::audit::Point) -> Point {
+fn point(point: &passivity_audit::Point) -> Point {
     Point {
         interval: point.h as f64,
         net: point.net,

@@ -6,8 +6,8 @@ use passivity_scene::number::NumberError;
 use serde_json::{Map, Value};
 
 use super::{At, MAX_POSITIONS, Refusal};
-use crate::number::{MAX_BITS, Number, is_bounded, is_positive};
-use crate::reading::Reading;
+use passivity_audit::Reading;
+use passivity_audit::number::{MAX_BITS, Number, is_bounded, is_positive};
 
 /// What a request says.
 pub(super) struct Fields<'a> {

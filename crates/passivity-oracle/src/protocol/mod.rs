@@ -10,8 +10,8 @@ pub use serve::{MAX_LINE, serve};
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::json;
 use crate::protocol::fields::Fields;
+use passivity_audit::json;
 
 /// The number of this protocol.
 pub const PROTOCOL: u32 = 1;

@@ -6,12 +6,12 @@ use serde::Serialize;
 
 use super::fields::{Fields, bad, duration, list, missing, number, sample};
 use super::{At, MAX_ANSWER, PROTOCOL, Refusal};
-use crate::json::{self, NumberedRow};
-use crate::ledger::{Ledger, Logged};
 use crate::motion::Piece;
-use crate::number::Number;
-use crate::reading::Reading;
-use crate::run::Run;
+use passivity_audit::Reading;
+use passivity_audit::json::{self, NumberedRow};
+use passivity_audit::number::Number;
+use passivity_audit::run::Run;
+use passivity_audit::{Ledger, Logged};
 
 /// The fields that describe a loop, shared by `interval` and `run`.
 const LOOP: [&str; 8] = [

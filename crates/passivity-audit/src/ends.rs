@@ -1,0 +1,136 @@
+//! A dimensionless loop whose friction lies between two ends, with its controller.
+
+use passivity_core::{
+    BigRational, Controller, Criterion, Fixed, Interval, Loop, Ordered, Parameter, Scalar, Wide,
+    rational,
+};
+
+/// A dimensionless loop at the least and at the most that its friction may be.
+///
+/// All else is exact: it shapes the force or scales the trace, and an account is of one force.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{Fixed, Friction, Loop};
+/// use passivity_audit::Ends;
+///
+/// let friction = Friction::new(Fixed::new(3, 5), Fixed::new(3, 5));
+/// assert!(Ends::exact(Loop::plain(friction)).is_plain());
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ends<S> {
+    /// The loop with the least friction.
+    pub least: Loop<S>,
+    /// The loop with the most friction.
+    pub most: Loop<S>,
+    /// The controller of both.
+    pub controller: Controller<S>,
+    /// The criterion with the terms of the effects, at the least and at the most friction.
+    pub criteria: [Criterion<S>; 2],
+    friction_is_exact: bool,
+}
+
+/// Why a loop cannot be accounted for: something else than its friction is an interval.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotExact(pub Parameter);
+
+impl std::fmt::Display for NotExact {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let name = self.0.row().name;
+        write!(
+            f,
+            "an account needs one value of the {name}, not an interval"
+        )
+    }
+}
+
+impl std::error::Error for NotExact {}
+
+impl<S: Scalar> Ends<S> {
+    /// A loop that is known exactly.
+    #[must_use]
+    pub fn exact(dimensionless: Loop<S>) -> Self {
+        Self::between(dimensionless.clone(), dimensionless, true)
+    }
+
+    fn between(least: Loop<S>, most: Loop<S>, friction_is_exact: bool) -> Self {
+        Self {
+            controller: Controller::of(&least),
+            criteria: [least.criterion(), most.criterion()],
+            least,
+            most,
+            friction_is_exact,
+        }
+    }
+
+    /// Whether friction is known exactly.
+    #[must_use]
+    pub const fn friction_is_exact(&self) -> bool {
+        self.friction_is_exact
+    }
+
+    /// Whether an encoder, at most, is all there is beside the hold, so that a row depends on
+    /// nothing but the difference of its two positions in ticks and on what is within the ticks.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        self.least.has_encoder() && self.least.is_plain() && self.least.law().is_linear()
+    }
+
+    /// The force held over an interval, in KΔ, from the samples up to its start, the latest first.
+    ///
+    /// A sample is all that is known of a position: within its tick, so that the encoder's count is
+    /// known. Before the first one the device is taken to have stood where that finds it.
+    #[must_use]
+    pub fn held_force(&self, samples: &[crate::Figure<S>]) -> S {
+        let known = samples.iter().take(self.controller.memory() + 1);
+        let measured: Vec<S> = known
+            .map(|sample| self.controller.measured(sample.lo()))
+            .collect();
+        self.controller.held_force(&measured)
+    }
+
+    /// The same loop with every number taken through `f`; `None` when `f` gives up on one.
+    pub fn try_map<U: Scalar>(&self, f: impl Fn(&S) -> Option<U>) -> Option<Ends<U>> {
+        let loops = [&self.least, &self.most].map(|ends| ends.try_map(|_, x| f(x)));
+        let [least, most] = loops;
+        Some(Ends::between(least?, most?, self.friction_is_exact))
+    }
+}
+
+impl<S: Ordered> Ends<S> {
+    /// The two ends of a dimensionless loop.
+    ///
+    /// # Errors
+    ///
+    /// [`NotExact`] when something else than friction is an interval.
+    pub fn of(dimensionless: &Loop<Interval<S>>) -> Result<Self, NotExact> {
+        let is_friction =
+            |parameter: Parameter| matches!(parameter, Parameter::Viscous | Parameter::Coulomb);
+        let mut given = dimensionless.given();
+        if let Some((parameter, _)) = given.find(|(p, range)| !is_friction(*p) && !range.is_point())
+        {
+            return Err(NotExact(parameter));
+        }
+        let least = dimensionless.map(|_, range| range.lo().clone());
+        let most = dimensionless.map(|_, range| range.hi().clone());
+        let exact = dimensionless.given().all(|(_, range)| range.is_point());
+        Ok(Self::between(least, most, exact))
+    }
+}
+
+impl Ends<BigRational> {
+    /// The loop over checked 128-bit fractions, when its numbers fit.
+    #[must_use]
+    pub fn to_fixed(&self) -> Option<Ends<Fixed>> {
+        self.try_map(rational::to_fixed)
+    }
+
+    /// The loop over big integers.
+    #[must_use]
+    pub fn to_wide(&self) -> Ends<Wide> {
+        let [least, most] =
+            [&self.least, &self.most].map(|ends| ends.map(|_, x| rational::to_wide(x)));
+        Ends::between(least, most, self.friction_is_exact)
+    }
+}

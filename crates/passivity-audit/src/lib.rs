@@ -1,0 +1,41 @@
+//! Exact energy accounts of recorded traces.
+//!
+//! A trace of true positions gives every figure of the account exactly. A trace of encoder counts
+//! gives only ξ in [n, n + 1): then every figure is an exact enclosure and every verdict has three
+//! values. See [`audit()`] for a trace in a file, [`entry()`] for one interval and [`run`] for many.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing
+    )
+)]
+
+mod enclosure;
+pub mod ends;
+pub mod entry;
+pub mod figure;
+pub mod json;
+pub mod ledger;
+mod log;
+pub mod number;
+mod parabola;
+pub mod reading;
+pub mod rows;
+pub mod run;
+pub mod sum;
+
+pub use ends::Ends;
+pub use entry::{Entry, Margin, Recorded, entry};
+pub use figure::Figure;
+pub use json::NumberedRow;
+pub use ledger::{Ledger, Logged, Row, Truths};
+pub use log::{
+    Agreement, Audit, Certificate, Firsts, Fitted, Force, Form, Found, Judged, Least, Observer,
+    Options, Point, Positions, Report, Running, Sampling, Shown, Supplied, TraceError, Verdict,
+    audit, audit_arrays, audit_csv,
+};
+pub use number::Number;
+pub use reading::Reading;

@@ -1,0 +1,203 @@
+//! The forces of a trace against those of the wall's law: are they the law's, and if not, are they
+//! late, of the other sign, or to another scale?
+//!
+//! The law's force is the kernel's controller, exactly; forces are measured and rounded, so the
+//! comparison is one of doubles: a finding beside the exact account, which is of the force applied.
+
+use std::collections::VecDeque;
+
+use passivity_core::Controller;
+
+use crate::figure::Figure;
+use crate::ledger::Ledger;
+use crate::log::chunk::Chunk;
+use crate::log::error::TraceError;
+use crate::log::running::near;
+use crate::log::step::undefined;
+use crate::number::Written;
+use crate::reading::Reading;
+
+/// The longest lag that is tried beyond the scene's, in samples.
+const LAGS: usize = 8;
+
+/// How far off a force may be, of its own size: single precision has 2⁻²⁴, and logs lose more.
+const RELATIVE: f64 = 1e-6;
+
+/// And in KΔ, when it is near zero.
+const ABSOLUTE: f64 = 1e-9;
+
+/// The forces of a trace compared with those of the law, at every lag.
+#[derive(Clone, Debug)]
+pub(crate) struct Comparison<'a> {
+    ledger: &'a Ledger,
+    /// The delay of the scene.
+    pub(crate) delay: usize,
+    /// As many samples as the force depends on beside its delay, the latest first.
+    samples: VecDeque<Reading>,
+    /// What the law gives without delay, the latest first.
+    law: VecDeque<f64>,
+    pub(crate) compared: u64,
+    /// How the forces agree, by lag.
+    lags: Vec<Agreement>,
+    /// Σ f².
+    squares: f64,
+}
+
+/// How the forces agree with the law at a lag.
+#[derive(Clone, Copy, Debug, Default)]
+struct Agreement {
+    /// As −f(q) and as +f(q): how often they do not, and where first.
+    mismatches: [(u64, Option<u64>); 2],
+    /// Σ f·p and Σ p², with p the force of the law.
+    products: [f64; 2],
+}
+
+/// At which lag and sign the forces agree with the law, and how well.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Finding {
+    pub(crate) mismatches: u64,
+    pub(crate) first: Option<u64>,
+    pub(crate) lag: usize,
+    /// Whether the trace gives the wall's force with the other sign.
+    pub(crate) reversed: bool,
+}
+
+/// The multiple of the law that the forces come nearest to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Fit {
+    pub(crate) lag: usize,
+    pub(crate) scale: f64,
+    /// The root of the mean square of what is left, of that of the forces.
+    pub(crate) residual: f64,
+}
+
+impl<'a> Comparison<'a> {
+    pub(crate) fn new(ledger: &'a Ledger) -> Self {
+        let delay = ledger.wide().controller.delay;
+        Self {
+            ledger,
+            delay,
+            samples: VecDeque::new(),
+            law: VecDeque::new(),
+            compared: 0,
+            lags: vec![Agreement::default(); delay + LAGS + 1],
+            squares: 0.0,
+        }
+    }
+
+    /// The force that the law commands from the latest sample, without delay; `None` when it is
+    /// undefined.
+    fn commanded(&self) -> Option<f64> {
+        fn of<S: Written>(
+            controller: &Controller<S>,
+            samples: impl Iterator<Item = Option<Figure<S>>>,
+        ) -> Option<f64> {
+            let prompt = Controller {
+                delay: 0,
+                ..controller.clone()
+            };
+            let measured: Option<Vec<S>> = samples
+                .map(|sample| Some(prompt.measured(sample?.lo())))
+                .collect();
+            Some(prompt.held_force(&measured?).to_reduced()?.near())
+        }
+        let fixed = self.ledger.fixed().and_then(|ends| {
+            let samples = self.samples.iter().map(Reading::to_fixed);
+            of(&ends.controller, samples)
+        });
+        fixed.or_else(|| {
+            let samples = self.samples.iter().map(|sample| Some(sample.to_wide()));
+            of(&self.ledger.wide().controller, samples)
+        })
+    }
+
+    /// Compares the forces of a chunk.
+    pub(crate) fn feed(&mut self, chunk: &Chunk) -> Result<(), TraceError> {
+        for (i, force) in chunk.forces.iter().enumerate() {
+            let sample = chunk.samples.get(i).ok_or_else(undefined)?;
+            self.samples.push_front(sample);
+            let order = self.ledger.wide().controller.filter.order();
+            self.samples.truncate(order + 1);
+            let law = self.commanded().ok_or_else(undefined)?;
+            // Before the first sample the device stood where it finds it.
+            while self.law.len() < self.delay + LAGS {
+                self.law.push_back(law);
+            }
+            self.law.push_front(law);
+            self.law.truncate(self.delay + LAGS + 1);
+            let bounds = force.value.to_rational();
+            let middle = near(&bounds.middle());
+            for (expected, agreement) in self.law.iter().zip(&mut self.lags) {
+                agreement.compare(middle, *expected, force.rounding, self.compared);
+            }
+            self.squares += middle * middle;
+            self.compared += 1;
+        }
+        Ok(())
+    }
+
+    fn finding(&self, reversed: bool, lag: usize) -> Option<Finding> {
+        let agreement = self.lags.get(lag)?;
+        let (mismatches, first) = *agreement.mismatches.get(usize::from(reversed))?;
+        Some(Finding {
+            mismatches,
+            first,
+            lag,
+            reversed,
+        })
+    }
+
+    /// How the forces agree with the law at the scene's delay.
+    pub(crate) fn as_scene_says(&self) -> Option<Finding> {
+        self.finding(false, self.delay)
+    }
+
+    /// The lag and sign at which they agree best: the scene's own, when nothing is better.
+    pub(crate) fn best(&self) -> Option<Finding> {
+        let lags = 0..self.lags.len();
+        let all = [false, true].into_iter().flat_map(|reversed| {
+            lags.clone()
+                .filter_map(move |lag| self.finding(reversed, lag))
+        });
+        let own = self.as_scene_says()?;
+        let best = all.min_by_key(|finding| finding.mismatches)?;
+        Some(if best.mismatches < own.mismatches {
+            best
+        } else {
+            own
+        })
+    }
+
+    /// The multiple of the law, at some lag, that the forces come nearest to; `None` when forces or
+    /// law are zero throughout.
+    pub(crate) fn fit(&self) -> Option<Fit> {
+        let fits = self.lags.iter().enumerate().filter_map(|(lag, agreement)| {
+            let [mixed, law] = agreement.products;
+            let scale = mixed / law;
+            // What is left of Σ f²; rounding may leave it a little below zero.
+            let left = (self.squares - scale * mixed).max(0.0);
+            let residual = (left / self.squares).sqrt();
+            (scale.is_finite() && residual.is_finite()).then_some(Fit {
+                lag,
+                scale,
+                residual,
+            })
+        });
+        fits.min_by(|a, b| a.residual.total_cmp(&b.residual))
+    }
+}
+
+impl Agreement {
+    fn compare(&mut self, force: f64, law: f64, rounding: f64, row: u64) {
+        for (sign, (mismatches, first)) in [1.0, -1.0].into_iter().zip(&mut self.mismatches) {
+            let off = (force - sign * law).abs();
+            if off > rounding + RELATIVE * law.abs() + ABSOLUTE {
+                *mismatches += 1;
+                first.get_or_insert(row);
+            }
+        }
+        let [mixed, own] = &mut self.products;
+        *mixed += force * law;
+        *own += law * law;
+    }
+}

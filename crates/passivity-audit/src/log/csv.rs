@@ -1,0 +1,356 @@
+//! CSV traces: blocks of whole lines, read in order and parsed apart from each other.
+//!
+//! A trace is numbers and commas, and it can be long: fields are read in place, a single column of
+//! counts without looking for fields at all. A field may stand in double quotes; no field can hold
+//! a comma or a line break.
+
+use std::io::Read;
+
+use crate::log::chunk::{Chunk, Samples};
+use crate::log::error::{self, TraceError, shown};
+use crate::log::layout::{Form, Layout};
+use crate::number::{Number, short};
+use crate::reading::Reading;
+
+/// The longest line, in bytes.
+pub(crate) const MAX_LINE: usize = 1 << 20;
+
+/// How much is parsed at once by one core, in bytes, unless asked otherwise.
+pub(crate) const BLOCK: usize = 4 << 20;
+
+/// Whole lines of a trace, in order.
+pub(crate) struct Lines<R> {
+    input: R,
+    /// The start of a line that the last block did not hold whole.
+    rest: Vec<u8>,
+    ended: bool,
+    block: usize,
+}
+
+/// A block of lines, or what stopped the reading after it.
+#[derive(Debug, Default)]
+pub(crate) struct Block {
+    pub(crate) bytes: Vec<u8>,
+    /// Whether the trace ends with this block; its last line may lack its line break then.
+    pub(crate) last: bool,
+    pub(crate) error: Option<TraceError>,
+}
+
+impl<R: Read> Lines<R> {
+    /// Reads from `input`, about `block` bytes at a time.
+    pub(crate) const fn new(input: R, block: usize) -> Self {
+        Self {
+            input,
+            rest: Vec::new(),
+            ended: false,
+            block,
+        }
+    }
+
+    /// The first line, without its break and without a byte order mark.
+    pub(crate) fn header(&mut self) -> Result<Vec<u8>, TraceError> {
+        loop {
+            if let Some(end) = self.rest.iter().position(|byte| *byte == b'\n') {
+                let tail = self.rest.split_off(end + 1);
+                let mut line = std::mem::replace(&mut self.rest, tail);
+                line.truncate(end);
+                return Ok(clean(line));
+            }
+            if self.ended {
+                return Ok(clean(std::mem::take(&mut self.rest)));
+            }
+            if self.rest.len() > MAX_LINE {
+                let message = format!("the header is longer than {MAX_LINE} bytes");
+                return Err(TraceError::new("line_too_long", message));
+            }
+            self.fill(1 << 16).map_err(|error| TraceError::io(&error))?;
+        }
+    }
+
+    /// Reads until `rest` has grown by `more` bytes, or the input ends.
+    fn fill(&mut self, more: usize) -> std::io::Result<()> {
+        let limit = u64::try_from(more).unwrap_or(u64::MAX);
+        let read = (&mut self.input).take(limit).read_to_end(&mut self.rest)?;
+        self.ended = read < more;
+        Ok(())
+    }
+
+    /// The next block of whole lines; `None` after the last.
+    pub(crate) fn next_block(&mut self) -> Option<Block> {
+        let mut error = None;
+        while !self.ended {
+            if let Err(broken) = self.fill(self.block) {
+                error = Some(TraceError::io(&broken));
+                break;
+            }
+            if self.ended || memchr::memrchr(b'\n', &self.rest).is_some() {
+                break;
+            }
+            if self.rest.len() > MAX_LINE {
+                let message = format!("a line longer than {MAX_LINE} bytes");
+                error = Some(TraceError::new("line_too_long", message));
+                break;
+            }
+        }
+        if self.ended && self.rest.is_empty() && error.is_none() {
+            return None;
+        }
+        let mut bytes = std::mem::take(&mut self.rest);
+        if !self.ended || error.is_some() {
+            let end = memchr::memrchr(b'\n', &bytes).map_or(0, |end| end + 1);
+            self.rest = bytes.split_off(end);
+        }
+        if error.is_some() || self.rest.len() > MAX_LINE {
+            error = error.or_else(|| {
+                let message = format!("a line longer than {MAX_LINE} bytes");
+                Some(TraceError::new("line_too_long", message))
+            });
+            self.ended = true;
+            self.rest = Vec::new();
+        }
+        Some(Block {
+            bytes,
+            last: self.ended,
+            error,
+        })
+    }
+}
+
+fn clean(mut line: Vec<u8>) -> Vec<u8> {
+    if line.starts_with(b"\xef\xbb\xbf") {
+        line.drain(..3);
+    }
+    if line.last() == Some(&b'\r') {
+        line.pop();
+    }
+    line
+}
+
+/// The fields of a header line.
+pub(crate) fn names(line: &[u8]) -> Result<Vec<String>, TraceError> {
+    let text = std::str::from_utf8(line)
+        .map_err(|_| TraceError::new("header", "the header is not UTF-8 text"))?;
+    if text.trim().is_empty() {
+        return Err(TraceError::new(
+            "header",
+            "expected a header, found nothing",
+        ));
+    }
+    let unquoted = |name: &str| {
+        let name = name.trim();
+        let inner = name.strip_prefix('"').and_then(|n| n.strip_suffix('"'));
+        inner.unwrap_or(name).trim().to_owned()
+    };
+    Ok(text.split(',').map(unquoted).collect())
+}
+
+/// Parses a block. Rows in errors are counted from 0 at the start of the block.
+pub(crate) fn parse(block: &Block, layout: &Layout) -> Chunk {
+    let mut chunk = Chunk::default();
+    let bytes = &block.bytes[..];
+    let plain = layout.form == Form::Count && layout.width == 1;
+    let mut counts = Vec::new();
+    let read = match plain {
+        true => parse_counts(bytes, &mut counts),
+        false => 0,
+    };
+    if layout.form == Form::Count {
+        chunk.samples = Samples::Counts(counts);
+    }
+    // The rest, if anything: other columns, and lines that are not plain counts.
+    let mut rest = bytes.get(read..).unwrap_or_default();
+    let mut blank: Option<u64> = None;
+    while !rest.is_empty() {
+        let (line, after) = match memchr::memchr(b'\n', rest) {
+            Some(end) => (rest.get(..end), rest.get(end + 1..)),
+            None => (Some(rest), None),
+        };
+        let line = line.unwrap_or_default();
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
+        let torn = after.is_none();
+        rest = after.unwrap_or_default();
+        let row = count(&chunk);
+        if line.iter().all(u8::is_ascii_whitespace) {
+            // Blank lines may stand at the end only.
+            blank.get_or_insert(row);
+            continue;
+        }
+        let result = match blank {
+            Some(_) => Err(TraceError::new(
+                "blank_row",
+                "expected a row, found a blank line",
+            )),
+            None => push(line, layout, &mut chunk),
+        };
+        chunk.unended = torn && result.is_ok();
+        if let Err(mut error) = result {
+            if torn && error.kind != "blank_row" {
+                error
+                    .message
+                    .push_str(" (the last line has no line break: it may be incomplete)");
+            }
+            chunk.error = Some(error.row(row));
+            return chunk;
+        }
+    }
+    let end = count(&chunk);
+    if let (Some(row), false) = (blank, block.last) {
+        let error = TraceError::new("blank_row", "expected a row, found a blank line");
+        chunk.error = Some(error.row(row));
+    } else if let Some(error) = &block.error {
+        chunk.error = Some(error.clone().row(end));
+    }
+    chunk
+}
+
+fn count(chunk: &Chunk) -> u64 {
+    u64::try_from(chunk.samples.len()).unwrap_or(u64::MAX)
+}
+
+/// Reads lines that are nothing but a count; gives how many bytes were.
+fn parse_counts(bytes: &[u8], counts: &mut Vec<i64>) -> usize {
+    counts.reserve(bytes.len() / 6);
+    let mut done = 0;
+    let mut rest = bytes.iter();
+    loop {
+        let (mut value, mut digits, mut negative) = (0_i64, 0_u32, false);
+        loop {
+            match rest.next() {
+                Some(byte @ b'0'..=b'9') => {
+                    value = value.wrapping_mul(10).wrapping_add(i64::from(byte - b'0'));
+                    digits += 1;
+                }
+                Some(b'-') if digits == 0 && !negative => negative = true,
+                Some(b'\r') if rest.as_slice().first() == Some(&b'\n') => {}
+                Some(b'\n') if digits > 0 && digits <= 18 => break,
+                // The end, or a line for the careful parser.
+                _ => return done,
+            }
+        }
+        counts.push(if negative { -value } else { value });
+        done = bytes.len() - rest.as_slice().len();
+    }
+}
+
+/// Appends a row.
+fn push(line: &[u8], layout: &Layout, chunk: &mut Chunk) -> Result<(), TraceError> {
+    let (mut position, mut end, mut dtau, mut time, mut force) = (None, None, None, None, None);
+    let mut width = 0;
+    for (i, field) in line.split(|byte| *byte == b',').enumerate() {
+        width += 1;
+        let slot = match i {
+            _ if i == layout.position => &mut position,
+            _ if Some(i) == layout.end => &mut end,
+            _ if Some(i) == layout.dtau => &mut dtau,
+            _ if Some(i) == layout.time => &mut time,
+            _ if Some(i) == layout.force => &mut force,
+            _ => continue,
+        };
+        *slot = Some(trimmed(field));
+    }
+    if width != layout.width {
+        let message = format!("expected {} fields, found {width}", layout.width);
+        return Err(TraceError::new("fields", message));
+    }
+    let number_in = |field: Option<&[u8]>, column: usize| {
+        number(field.unwrap_or_default()).map_err(|error| error.column(layout.name(column)))
+    };
+    let named = |error: TraceError| error.column(layout.name(layout.position));
+    let position = position.unwrap_or_default();
+    // Nothing is appended before the whole row is read.
+    let sample = match layout.form {
+        Form::Count => Reading::Count(whole(position).map_err(named)?),
+        _ => layout
+            .sample(number(position).map_err(named)?)
+            .map_err(named)?,
+    };
+    let closing = match layout.end {
+        Some(column) => Some(Reading::Exact(number_in(end, column)?)),
+        None => None,
+    };
+    let dtau = match layout.dtau {
+        Some(column) => Some(number_in(dtau, column)?),
+        None => None,
+    };
+    let time = match layout.time {
+        Some(column) => Some(number_in(time, column)?),
+        None => None,
+    };
+    let force = match layout.force {
+        Some(column) => Some((force.unwrap_or_default(), number_in(force, column)?)),
+        None => None,
+    };
+    if let (Some(before), true) = (&chunk.closing, closing.is_some())
+        && *before != sample
+    {
+        let message = "a row of a ledger starts where the row before it ends";
+        return Err(named(TraceError::new("gap", message)));
+    }
+    match &mut chunk.samples {
+        Samples::Counts(counts) => {
+            if let Reading::Count(n) = sample {
+                counts.push(n);
+            }
+        }
+        Samples::Any(samples) => samples.push(sample),
+    }
+    chunk.closing = closing;
+    chunk.dtaus.extend(dtau);
+    chunk.times.extend(time);
+    if let Some((text, force)) = force {
+        chunk
+            .forces
+            .push(layout.force(force, half_last_digit(text)));
+    }
+    Ok(())
+}
+
+fn trimmed(field: &[u8]) -> &[u8] {
+    let field = field.trim_ascii();
+    let inner = field
+        .strip_prefix(b"\"")
+        .and_then(|f| f.strip_suffix(b"\""));
+    inner.unwrap_or(field)
+}
+
+fn number(field: &[u8]) -> Result<Number, TraceError> {
+    if let Some((n, d)) = short(field) {
+        return Ok(Number::Small(n, d));
+    }
+    let text = std::str::from_utf8(field)
+        .map_err(|_| TraceError::new("number", format!("`{}` is no number", shown(field))))?;
+    error::number(text)
+}
+
+fn whole(field: &[u8]) -> Result<i64, TraceError> {
+    match number(field)? {
+        Number::Small(n, 1) => Ok(n),
+        Number::Small(n, d) if n % d == 0 => Ok(n / d),
+        _ => {
+            let message = format!(
+                "expected a count, which is a whole number of at most 64 bits, found `{}`",
+                shown(field)
+            );
+            Err(TraceError::new("count", message))
+        }
+    }
+}
+
+/// Half a unit of the last digit of a decimal: how far off its rounding may be.
+fn half_last_digit(text: &[u8]) -> f64 {
+    let end = text.iter().position(|b| matches!(b, b'e' | b'E'));
+    let (mantissa, exponent) = match end {
+        Some(at) => (
+            text.get(..at).unwrap_or_default(),
+            text.get(at + 1..).unwrap_or_default(),
+        ),
+        None => (text, &b""[..]),
+    };
+    let point = mantissa.iter().position(|b| *b == b'.');
+    let decimals = point.map_or(0, |at| mantissa.len() - at - 1);
+    let exponent = std::str::from_utf8(exponent)
+        .ok()
+        .and_then(|e| e.parse().ok());
+    let decimals = i32::try_from(decimals).unwrap_or(i32::MAX);
+    0.5 * 10_f64.powi(exponent.unwrap_or(0_i32).saturating_sub(decimals))
+}

@@ -1,0 +1,259 @@
+//! Joins the chunks of a trace: the intervals between them, and one account for all.
+
+use std::io::Write;
+
+use passivity_scene::Scene;
+
+use crate::ledger::Logged;
+use crate::log::account::Account;
+use crate::log::chunk::Chunk;
+use crate::log::comparison::Comparison;
+use crate::log::error::TraceError;
+use crate::log::outcome::Audit;
+use crate::log::step::{between, check_jump, duration};
+use crate::log::worker::{Computed, Task};
+use crate::number::Number;
+use crate::reading::Reading;
+
+/// The most intervals whose rows a report carries itself.
+pub(crate) const ROWS_IN_REPORT: usize = 1000;
+
+/// The most points that a plot is made of.
+const MAX_POINTS: usize = 8192;
+
+/// What a sample of the trace starts: how long it lasts and under which force, where that is said.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Onward {
+    time: Option<Number>,
+    dtau: Option<Number>,
+    force: Option<Reading>,
+}
+
+/// The account so far, and what the next chunk needs of the chunks before it.
+pub(crate) struct Merge<'a, 'w> {
+    task: &'a Task<'a>,
+    out: Option<&'w mut (dyn Write + 'w)>,
+    written: u64,
+    account: Account,
+    samples: u64,
+    /// The latest samples, the latest first.
+    recent: Vec<Reading>,
+    /// What the latest of them starts.
+    onward: Onward,
+    /// In a ledger: where the latest row ends.
+    closing: Option<Reading>,
+    first: Option<Reading>,
+    comparison: Option<Comparison<'a>>,
+    /// The first intervals, for the rows in the report.
+    head: Vec<Logged>,
+    error: Option<TraceError>,
+    unended: bool,
+}
+
+/// All that an audit found.
+pub(crate) struct Findings<'a> {
+    pub(crate) account: Account,
+    pub(crate) samples: u64,
+    pub(crate) first: Option<Reading>,
+    pub(crate) comparison: Option<Comparison<'a>>,
+    pub(crate) head: Vec<Logged>,
+    pub(crate) error: Option<TraceError>,
+    pub(crate) unended: bool,
+}
+
+impl<'a, 'w> Merge<'a, 'w> {
+    pub(crate) fn new(
+        task: &'a Task<'a>,
+        mut out: Option<&'w mut (dyn Write + 'w)>,
+    ) -> Result<Self, TraceError> {
+        if let (Some(out), Some(form)) = (&mut out, task.rows) {
+            writeln!(out, "{}", form.header()).map_err(|error| TraceError::io(&error))?;
+        }
+        let compared = task.layout.force.is_some();
+        Ok(Self {
+            task,
+            out,
+            written: 0,
+            account: Account::default(),
+            samples: 0,
+            recent: Vec::new(),
+            onward: Onward::default(),
+            closing: None,
+            first: None,
+            comparison: compared.then(|| Comparison::new(task.ledger)),
+            head: Vec::new(),
+            error: None,
+            unended: false,
+        })
+    }
+
+    /// Takes the next chunk with the account of the intervals inside it. False when the trace ends
+    /// here, for a mistake.
+    pub(crate) fn take(&mut self, mut chunk: Chunk, account: Account) -> Result<bool, TraceError> {
+        let lead = self.task.lead();
+        let whole = chunk.samples.len();
+        // Intervals that end at the first samples of the chunk reach back beyond it.
+        for i in 0..whole.min(lead + 1) {
+            if let Err(error) = self.single(&chunk, i) {
+                self.samples += i as u64;
+                self.error = Some(error.row(self.samples + 1));
+                self.closing = None;
+                return self.flush().map(|()| false);
+            }
+        }
+        if whole > lead + 1 {
+            self.keep_head(&chunk, lead)?;
+            self.account.append(account);
+            let window = self.task.ledger.window();
+            self.recent = chunk.samples.back_from(whole - 1, window);
+            self.onward = onward(&chunk, whole - 1);
+        }
+        if let Some(comparison) = &mut self.comparison {
+            comparison.feed(&chunk)?;
+        }
+        self.thin_points();
+        self.closing = chunk.closing.take();
+        self.unended = chunk.unended;
+        let before = self.samples;
+        self.samples += whole as u64;
+        self.flush()?;
+        if let Some(error) = chunk.error.take() {
+            let row = before + error.row.unwrap_or(whole as u64) + 1;
+            self.error = Some(error.row(row));
+            return Ok(false);
+        }
+        Ok(true)
+    }
+
+    /// The interval that ends at sample `i` of a chunk.
+    fn single(&mut self, chunk: &Chunk, i: usize) -> Result<(), TraceError> {
+        let Some(sample) = chunk.samples.get(i) else {
+            return Ok(());
+        };
+        let dtau = match (i.checked_sub(1), &self.onward.time, chunk.times.first()) {
+            (Some(before), _, _) => duration(self.task.layout, chunk, before)?,
+            (None, Some(from), Some(to)) => Some(between(self.task.layout, from, to)?),
+            (None, _, _) => self.onward.dtau.clone(),
+        };
+        if let (0, Some(closing)) = (i, &self.closing)
+            && *closing != sample
+        {
+            let message = "a row of a ledger starts where the row before it ends";
+            return Err(TraceError::new("gap", message));
+        }
+        self.interval(sample, dtau)?;
+        self.onward = onward(chunk, i);
+        Ok(())
+    }
+
+    /// The interval from the latest sample to the next.
+    fn interval(&mut self, sample: Reading, dtau: Option<Number>) -> Result<(), TraceError> {
+        if let Some(latest) = self.recent.first() {
+            if let (Reading::Count(from), Reading::Count(to)) = (latest, &sample) {
+                check_jump(*from, *to)?;
+            }
+            if let Some(dtau) = &dtau {
+                if !crate::number::is_positive(dtau) {
+                    let message = "expected a duration above zero";
+                    return Err(TraceError::new("time", message).column("dtau"));
+                }
+                self.account.timing.add(dtau, self.account.intervals);
+            }
+            let force = self.onward.force.take().filter(|_| self.task.applied);
+            let interval = Logged {
+                samples: std::mem::take(&mut self.recent),
+                end: sample.clone(),
+                dtau: dtau.unwrap_or(Number::whole(1)),
+                force,
+            };
+            let computed = Computed::of(self.task, &interval)?;
+            computed.account(self.task, &interval, &mut self.account)?;
+            self.account.last = Some(computed.row);
+            if self.task.points {
+                self.account.plot();
+            }
+            self.recent.clone_from(&interval.samples);
+            if self.head.len() < ROWS_IN_REPORT {
+                self.head.push(interval);
+            }
+        }
+        self.first.get_or_insert_with(|| sample.clone());
+        self.recent.insert(0, sample);
+        self.recent.truncate(self.task.ledger.window());
+        Ok(())
+    }
+
+    /// Keeps the first intervals of the trace, from the one that starts at sample `from` of a chunk.
+    fn keep_head(&mut self, chunk: &Chunk, from: usize) -> Result<(), TraceError> {
+        for i in from..chunk.samples.len() - 1 {
+            if self.head.len() >= ROWS_IN_REPORT {
+                break;
+            }
+            self.head.push(self.task.logged(chunk, i)?);
+        }
+        Ok(())
+    }
+
+    /// Keeps the plot to a bounded number of points, evenly spread.
+    fn thin_points(&mut self) {
+        while self.account.points.len() > MAX_POINTS {
+            let mut keep = false;
+            self.account.points.retain(|_| {
+                keep = !keep;
+                keep
+            });
+        }
+    }
+
+    /// Writes the rows that are ready, with their numbers.
+    fn flush(&mut self) -> Result<(), TraceError> {
+        let rows = std::mem::take(&mut self.account.rows);
+        let Some(out) = &mut self.out else {
+            return Ok(());
+        };
+        for line in rows.split_inclusive(|byte| *byte == b'\n') {
+            write!(out, "{}", self.written)
+                .and_then(|()| out.write_all(line))
+                .map_err(|error| TraceError::io(&error))?;
+            self.written += 1;
+        }
+        Ok(())
+    }
+
+    /// The report.
+    pub(crate) fn finish(mut self, scene: &Scene) -> Result<Audit, TraceError> {
+        if let Some(closing) = self.closing.take() {
+            let dtau = self.onward.dtau.take();
+            if let Err(error) = self.interval(closing, dtau) {
+                self.error = Some(error.row(self.samples));
+            }
+            self.flush()?;
+        }
+        if let Some(out) = &mut self.out {
+            out.flush().map_err(|error| TraceError::io(&error))?;
+        }
+        if self.error.is_none() && self.account.intervals == 0 {
+            let message = "a trace needs two samples at least: there is nothing to account for";
+            self.error = Some(TraceError::new("empty", message).row(self.samples + 1));
+        }
+        let findings = Findings {
+            account: self.account,
+            samples: self.samples,
+            first: self.first,
+            comparison: self.comparison,
+            head: self.head,
+            error: self.error,
+            unended: self.unended,
+        };
+        Audit::new(self.task, scene, findings)
+    }
+}
+
+/// What sample `i` of a chunk starts.
+fn onward(chunk: &Chunk, i: usize) -> Onward {
+    Onward {
+        time: chunk.times.get(i).cloned(),
+        dtau: chunk.dtaus.get(i).cloned(),
+        force: chunk.forces.get(i).map(|force| force.value.clone()),
+    }
+}

@@ -1,0 +1,322 @@
+//! The outcome of an audit: its report, made of what was found.
+
+use passivity_core::BigRational;
+use passivity_scene::Scene;
+
+use crate::json::NumberedRow;
+use crate::ledger::Ledger;
+use crate::log::account::{Place, Point};
+use crate::log::certificate::Certificate;
+use crate::log::comparison::Comparison;
+use crate::log::error::TraceError;
+use crate::log::layout::Form;
+use crate::log::merge::{Findings, ROWS_IN_REPORT};
+use crate::log::report::{
+    Agreement, Firsts, Fitted, Force, Found, Judged, Least, Observer, Report, Running, Sampling,
+    Shown, Supplied, Verdict,
+};
+use crate::log::running::{Lowest, RunningSum};
+use crate::log::step::undefined;
+use crate::log::supply::{is_below_zero, potential};
+use crate::log::worker::Task;
+use crate::run::{Tallies, Totals, tightened};
+use crate::sum::FigureSum;
+
+/// A report, with what it is not made of: the course of the energy and the tallies of the rows.
+#[derive(Clone, Debug)]
+pub struct Audit {
+    report: Report,
+    points: Vec<Point>,
+    tallies: Tallies,
+    certificate: Option<Certificate>,
+}
+
+impl Audit {
+    pub(crate) fn new(
+        task: &Task<'_>,
+        scene: &Scene,
+        findings: Findings<'_>,
+    ) -> Result<Self, TraceError> {
+        let account = findings.account;
+        let mut figures = account.sums.each_ref().map(FigureSum::value);
+        let law_of_counts =
+            task.ledger.is_plain() && task.layout.form == Form::Count && !task.applied;
+        if let (true, Some(last)) = (law_of_counts, &account.last) {
+            figures = tightened(figures, last).ok_or_else(undefined)?;
+        }
+        let totals = Totals::new(account.intervals, figures, &account.tallies);
+        let (net, net_at) = account.net.least();
+        let lowest = match task.running {
+            true => account.supply.lowest(),
+            false => [account.stored.as_ref(), None],
+        };
+        let supply = match &findings.first {
+            Some(first) => {
+                let [_, stored] = potential(task.ledger, first).ok_or_else(undefined)?;
+                Some(Supplied::new(lowest, &stored.to_rational()))
+            }
+            None => None,
+        };
+        let agreement = match &findings.comparison {
+            Some(comparison) => Some(Agreement::new(comparison).ok_or_else(undefined)?),
+            None => None,
+        };
+        let is_its_law = !task.applied || agreement.as_ref().is_some_and(|a| a.agrees);
+        let judged = match is_its_law && !task.ledger.has_memory() {
+            true => Judged::Interval,
+            false => Judged::Running,
+        };
+        let shown = |place: Option<&Place>| place.map(|p| Shown::new(task.ledger, p)).transpose();
+        let [
+            linear,
+            possible_linear,
+            quantized,
+            possible_quantized,
+            criterion,
+        ] = account.firsts.each_ref().map(Option::as_ref);
+        let nominal = taken_as_nominal(scene, task);
+        let certificate = match linear {
+            // Of a scene with an effect that is left out, the account is not that of the loop.
+            Some(place) if scene.unaccounted().is_empty() => {
+                let found = Certificate::new(&scene.name, nominal.clone(), task.ledger, place);
+                Some(found.ok_or_else(undefined)?)
+            }
+            _ => None,
+        };
+        let verdict = match (&findings.error, judged) {
+            (Some(_), _) => Verdict::Broken,
+            (None, _) if !scene.unaccounted().is_empty() => Verdict::NotCovered,
+            (None, Judged::Interval) => of_intervals(&totals),
+            (None, Judged::Running) => of_supply(lowest),
+        };
+        let report = Report {
+            scene: scene.name.clone(),
+            positions: task.layout.form,
+            verdict,
+            judged,
+            account: match task.applied {
+                true => Force::Applied,
+                false => Force::Law,
+            },
+            effects: scene.effects(),
+            not_covered: scene.unaccounted(),
+            nominal,
+            samples: findings.samples,
+            intervals: account.intervals,
+            running: Running {
+                net_linear: Least {
+                    least: net,
+                    after: net_at,
+                },
+                supply,
+            },
+            worst: shown(account.worst.as_ref().map(|(_, place)| place))?,
+            first_violation: shown(linear)?,
+            first: Firsts {
+                linear: shown(linear)?,
+                possible_linear: shown(possible_linear)?,
+                quantized: shown(quantized)?,
+                possible_quantized: shown(possible_quantized)?,
+                criterion: shown(criterion)?,
+            },
+            observer: Observer::new(&account.observer),
+            timing: account.timing.range.map(|[shortest, longest]| Sampling {
+                uneven: account.timing.uneven,
+                late: account.timing.late,
+                missed_samples: account.timing.missed,
+                first_missed_row: account.timing.first_missed.map(|h| h + 1),
+                shortest: shortest.to_rational(),
+                longest: longest.to_rational(),
+            }),
+            force: agreement,
+            rows: rows(task, &findings.head, totals.intervals)?,
+            last_row_unended: findings.unended,
+            error: findings.error,
+            totals,
+        };
+        Ok(Self {
+            report,
+            points: account.points,
+            tallies: account.tallies,
+            certificate,
+        })
+    }
+
+    /// What the audit says.
+    #[must_use]
+    pub const fn verdict(&self) -> Verdict {
+        self.report.verdict
+    }
+
+    /// All that was found.
+    #[must_use]
+    pub const fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// The sums over all intervals, and how many of them broke what.
+    #[must_use]
+    pub const fn totals(&self) -> &Totals {
+        &self.report.totals
+    }
+
+    /// How often the criterion held and the accounts were violated.
+    #[must_use]
+    pub const fn tallies(&self) -> &Tallies {
+        &self.tallies
+    }
+
+    /// What is wrong with the trace; the account is that of what came before.
+    #[must_use]
+    pub const fn error(&self) -> Option<&TraceError> {
+        self.report.error.as_ref()
+    }
+
+    /// The first violated interval with all that its figures follow from; `None` when no interval
+    /// is violated, or when the scene has an effect that the account leaves out.
+    #[must_use]
+    pub const fn certificate(&self) -> Option<&Certificate> {
+        self.certificate.as_ref()
+    }
+
+    /// The course of the energy, for a plot; empty unless it was asked for.
+    #[must_use]
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// The report as a JSON object.
+    #[must_use]
+    pub fn to_json(&self) -> serde_json::Value {
+        match serde_json::to_value(&self.report) {
+            Ok(value) => value,
+            Err(error) => unreachable!("a report has nothing that JSON cannot hold: {error}"),
+        }
+    }
+
+    /// The report as text, for people.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        self.report.to_text()
+    }
+}
+
+/// In no interval more was generated than friction surely takes; in some; perhaps.
+const fn of_intervals(totals: &Totals) -> Verdict {
+    match (totals.violates_linear, totals.depends_linear) {
+        (0, 0) => Verdict::Holds,
+        (0, _) => Verdict::Depends,
+        _ => Verdict::Fails,
+    }
+}
+
+/// The operator has surely never drawn more than was stored at the start; surely has; perhaps.
+fn of_supply([least, most]: [Option<&Lowest>; 2]) -> Verdict {
+    match (is_below_zero(least), is_below_zero(most)) {
+        (_, true) => Verdict::Fails,
+        (true, false) => Verdict::Depends,
+        (false, false) => Verdict::Holds,
+    }
+}
+
+impl Supplied {
+    /// From the lowest that was left of what was stored at the start, at the least and at the most.
+    fn new([least, most]: [Option<&Lowest>; 2], stored: &BigRational) -> Self {
+        use num_traits::{Signed as _, Zero as _};
+        // At the start it is zero.
+        let supplied = least.map(|lowest| (&lowest.value - stored, lowest.h));
+        let below = supplied.filter(|(value, _)| value.is_negative());
+        let (least, after) = below.unwrap_or_else(|| (BigRational::zero(), 0));
+        let surely = most.filter(|most| most.value.is_negative());
+        Self {
+            least,
+            after,
+            floor: -stored,
+            surely_drawn: surely.map(|most| -&most.value),
+            surely_drawn_after: surely.map(|most| most.h),
+        }
+    }
+}
+
+impl Shown {
+    fn new(ledger: &Ledger, place: &Place) -> Result<Self, TraceError> {
+        let row = ledger.row(&place.interval).ok_or_else(undefined)?;
+        let h = place.h;
+        Ok(Self {
+            h,
+            row: h + 1,
+            ledger: NumberedRow { h, row },
+        })
+    }
+}
+
+impl Observer {
+    fn new(sum: &RunningSum) -> Self {
+        use num_traits::Signed as _;
+        let energy = sum.total();
+        let (least, after) = sum.least();
+        let approx = passivity_scene::number::nearest_f64(&energy);
+        Self {
+            energy,
+            approx: Some(approx).filter(|x| x.is_finite()),
+            after,
+            says: match least.is_negative() {
+                true => "active",
+                false => "passive",
+            },
+            least,
+        }
+    }
+}
+
+impl Agreement {
+    fn new(comparison: &Comparison<'_>) -> Option<Self> {
+        let (own, best) = (comparison.as_scene_says()?, comparison.best()?);
+        Some(Self {
+            compared: comparison.compared,
+            agrees: own.mismatches == 0,
+            mismatches: own.mismatches,
+            first_mismatch_row: own.first.map(|row| row + 1),
+            delay: comparison.delay,
+            found: Found {
+                delay: best.lag,
+                reversed: best.reversed,
+                mismatches: best.mismatches,
+            },
+            fit: comparison.fit().map(|fit| Fitted {
+                delay: fit.lag,
+                scale: fit.scale,
+                residual: fit.residual,
+            }),
+        })
+    }
+}
+
+/// The rows of a short trace.
+fn rows(
+    task: &Task<'_>,
+    head: &[crate::Logged],
+    intervals: u64,
+) -> Result<Option<Vec<NumberedRow>>, TraceError> {
+    if intervals > ROWS_IN_REPORT as u64 {
+        return Ok(None);
+    }
+    let numbered = (0..).zip(head).map(|(h, interval)| {
+        let row = task.ledger.row(interval).ok_or_else(undefined)?;
+        Ok(NumberedRow { h, row })
+    });
+    numbered.collect::<Result<_, _>>().map(Some)
+}
+
+/// The parameters with a tolerance that the audit takes at their nominal value: those that scale
+/// the trace or shape the law. Friction is taken over its whole tolerance.
+fn taken_as_nominal(scene: &Scene, task: &Task<'_>) -> Vec<&'static str> {
+    let given = &scene.given;
+    let of_force = [Some(&given.stiffness), given.resolution.as_ref()];
+    let of_force = of_force.map(|given| given.filter(|_| task.applied));
+    let law = [&given.damping, &given.max_force, &given.force_step].map(Option::as_ref);
+    let used = law.into_iter().chain(of_force).flatten();
+    used.filter(|given| given.has_tolerance())
+        .map(|given| given.key)
+        .collect()
+}

@@ -1,0 +1,257 @@
+//! The report of an audit, for programs and people.
+
+use passivity_core::BigRational;
+use passivity_scene::Effect;
+use serde::{Serialize, Serializer};
+
+use crate::json::{NumberedRow, rational};
+use crate::log::error::TraceError;
+use crate::log::layout::Form;
+use crate::run::Totals;
+
+/// What an audit says of a trace.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Surely no more was generated, or drawn, than may be.
+    Holds,
+    /// More surely was.
+    Fails,
+    /// The counts, or the tolerances, leave it open.
+    Depends,
+    /// The scene has an effect that the account of a log leaves out.
+    NotCovered,
+    /// The trace is broken: the account ends there.
+    Broken,
+}
+
+/// Whose force an account is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Force {
+    /// That of the scene's controller.
+    Law,
+    /// That of the trace.
+    Applied,
+}
+
+/// What a verdict is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Judged {
+    /// Each interval: what was generated against what friction took. Of a loop without memory and
+    /// under its own force, whose intervals the criterion speaks of.
+    Interval,
+    /// The trace so far: what the operator has drawn against what was stored at the start (TH-RUN).
+    Running,
+}
+
+/// The exact account of a trace.
+///
+/// Serialised it is `audit --format json`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// The scene's name.
+    pub scene: String,
+    /// In what form the trace gives positions.
+    #[serde(serialize_with = "form")]
+    pub positions: Form,
+    /// What the audit says.
+    pub verdict: Verdict,
+    /// What that is about.
+    pub judged: Judged,
+    /// Whose force the account is of.
+    pub account: Force,
+    /// The effects in the scene.
+    #[serde(serialize_with = "effects")]
+    pub effects: Vec<Effect>,
+    /// The effects that no theorem covers.
+    #[serde(serialize_with = "effects")]
+    pub not_covered: Vec<Effect>,
+    /// The keys of the parameters with a tolerance that were taken at their nominal value.
+    pub nominal: Vec<&'static str>,
+    /// How many samples.
+    pub samples: u64,
+    /// How many intervals.
+    pub intervals: u64,
+    /// The sums over all intervals, and how many of them broke what.
+    pub totals: Totals,
+    /// How low energies ran.
+    pub running: Running,
+    /// The interval with the least net energy.
+    pub worst: Option<Shown>,
+    /// The first interval that violates the linear account.
+    pub first_violation: Option<Shown>,
+    /// The first interval of each kind.
+    pub first: Firsts,
+    /// The passivity observer.
+    pub observer: Observer,
+    /// How evenly the trace was sampled; `None` when it does not say.
+    pub timing: Option<Sampling>,
+    /// How the forces of the trace agree with the wall's law; `None` without forces.
+    pub force: Option<Agreement>,
+    /// The rows of a short trace; `None` of a longer one, whose rows go to a file.
+    pub rows: Option<Vec<NumberedRow>>,
+    /// Whether the last row lacks its line break.
+    pub last_row_unended: bool,
+    /// What is wrong with the trace; the account is that of what came before.
+    pub error: Option<TraceError>,
+}
+
+/// How low energies ran, in KΔ².
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Running {
+    /// Σ of net energy, at the least.
+    pub net_linear: Least,
+    /// What the operator has put in; `None` of an empty trace.
+    pub supply: Option<Supplied>,
+}
+
+/// The least that a running sum was.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Least {
+    /// The value.
+    #[serde(serialize_with = "rational")]
+    pub least: BigRational,
+    /// After how many intervals.
+    pub after: u64,
+}
+
+/// What the operator has put in, less what the device has gained of kinetic energy, in KΔ²: the
+/// least that friction took, less the work of the held force.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Supplied {
+    /// The least that it was, taken at the least that the trace allows.
+    #[serde(serialize_with = "rational")]
+    pub least: BigRational,
+    /// After how many intervals.
+    pub after: u64,
+    /// What was stored in the wall at the start, below zero: where it surely is less, the operator
+    /// has drawn more than was stored.
+    #[serde(serialize_with = "rational")]
+    pub floor: BigRational,
+    /// How far below the floor it surely was at the lowest, where it was.
+    #[serde(serialize_with = "optional_rational")]
+    pub surely_drawn: Option<BigRational>,
+    /// After how many intervals that was.
+    pub surely_drawn_after: Option<u64>,
+}
+
+/// An interval worth showing.
+#[derive(Clone, Debug, Serialize)]
+pub struct Shown {
+    /// Which interval, from 0.
+    pub h: u64,
+    /// The row of the trace that it starts at, from 1.
+    pub row: u64,
+    /// Its ledger row.
+    pub ledger: NumberedRow,
+}
+
+/// The first interval of each kind.
+#[derive(Clone, Debug, Serialize)]
+pub struct Firsts {
+    /// That violates the linear account.
+    pub linear: Option<Shown>,
+    /// That may violate it.
+    pub possible_linear: Option<Shown>,
+    /// That violates the quantized account.
+    pub quantized: Option<Shown>,
+    /// That may violate it.
+    pub possible_quantized: Option<Shown>,
+    /// Where the criterion fails.
+    pub criterion: Option<Shown>,
+}
+
+/// The passivity observer, Σ −F·Δξ.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Observer {
+    /// At the end, in KΔ².
+    #[serde(serialize_with = "rational")]
+    pub energy: BigRational,
+    /// The double nearest to it; `None` past the doubles.
+    pub approx: Option<f64>,
+    /// At the lowest.
+    #[serde(serialize_with = "rational")]
+    pub least: BigRational,
+    /// After how many intervals.
+    pub after: u64,
+    /// `active` when it was below zero, else `passive`.
+    pub says: &'static str,
+}
+
+/// How evenly a trace was sampled.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Sampling {
+    /// Intervals of another length than one period.
+    pub uneven: u64,
+    /// Intervals longer than one period.
+    pub late: u64,
+    /// Samples that are missing: whole periods beyond the first, to the nearest.
+    pub missed_samples: u64,
+    /// The row at which the first one is missing, from 1.
+    pub first_missed_row: Option<u64>,
+    /// The shortest interval, in periods.
+    #[serde(serialize_with = "rational")]
+    pub shortest: BigRational,
+    /// The longest interval, in periods.
+    #[serde(serialize_with = "rational")]
+    pub longest: BigRational,
+}
+
+/// How the forces of a trace agree with the wall's law.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Agreement {
+    /// How many forces were compared.
+    pub compared: u64,
+    /// Whether all of them are the law's.
+    pub agrees: bool,
+    /// How many are not.
+    pub mismatches: u64,
+    /// The row of the first that is not, from 1.
+    pub first_mismatch_row: Option<u64>,
+    /// The delay of the scene, in samples.
+    pub delay: usize,
+    /// The delay and sign at which they agree best.
+    pub found: Found,
+    /// The multiple of the law, at some delay, that they come nearest to; `None` when forces or law
+    /// are zero throughout.
+    pub fit: Option<Fitted>,
+}
+
+/// A delay and a sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Found {
+    /// In samples.
+    pub delay: usize,
+    /// Whether the forces are the law's with the other sign.
+    pub reversed: bool,
+    /// How many are not.
+    pub mismatches: u64,
+}
+
+/// A delay and a scale.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Fitted {
+    /// In samples.
+    pub delay: usize,
+    /// How many times the law's force the forces are, by least squares.
+    pub scale: f64,
+    /// What is left, of the size of the forces: 0 when they are that multiple exactly.
+    pub residual: f64,
+}
+
+fn form<S: Serializer>(form: &Form, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(form.name())
+}
+
+fn effects<S: Serializer>(effects: &[Effect], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(effects.iter().map(|effect| effect.name()))
+}
+
+fn optional_rational<S: Serializer>(
+    x: &Option<BigRational>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    x.as_ref().map(BigRational::to_string).serialize(serializer)
+}

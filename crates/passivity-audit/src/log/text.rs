@@ -1,0 +1,231 @@
+//! The report of an audit as text, for people.
+
+use std::fmt::Write as _;
+
+use passivity_core::BigRational;
+use passivity_scene::display::{approx, significant};
+
+use crate::figure::Figure;
+use crate::log::layout::Form;
+use crate::log::report::{Agreement, Force, Judged, Report, Verdict};
+
+/// A report that grows line by line.
+struct Lines(String);
+
+impl Lines {
+    fn put(&mut self, label: &str, value: &str) {
+        self.0.push_str(&format!("  {label:<29}{value}\n"));
+    }
+}
+
+/// Below this share of their own size, what is left of the forces beside a multiple of the law is
+/// noise.
+const NOISE: f64 = 0.01;
+
+impl Report {
+    /// The report as text, for people.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        let mut out = Lines(format!("{}: {}\n", self.scene, self.headline()));
+        // Of nothing there is no account.
+        if self.intervals > 0 {
+            self.energies(&mut out);
+            self.intervals(&mut out);
+            self.running(&mut out);
+            self.sampling(&mut out);
+        }
+        if let Some(agreement) = &self.force {
+            out.put("force", &agreement.to_text());
+        }
+        if !self.nominal.is_empty() {
+            out.put("at nominal value", &self.nominal.join(", "));
+        }
+        if self.last_row_unended {
+            let row = self.samples;
+            let text = format!("row {row} has no line break and may be incomplete");
+            out.put("last row", &text);
+        }
+        if let Some(error) = &self.error {
+            out.0.push_str(&format!("  Error in the trace: {error}.\n"));
+        }
+        out.0
+    }
+
+    fn headline(&self) -> String {
+        let drawn = || {
+            let supply = self.running.supply.as_ref();
+            let lowest = supply.and_then(|s| s.surely_drawn.as_ref().zip(s.surely_drawn_after));
+            lowest.map_or_else(String::new, |(drawn, after)| {
+                let drawn = approx(drawn);
+                format!(", by {drawn} KΔ² after row {}", after + 1)
+            })
+        };
+        match (self.verdict, self.judged) {
+            (Verdict::Holds, Judged::Interval) => {
+                "HOLDS: no interval generated more than friction dissipates".to_owned()
+            }
+            (Verdict::Holds, Judged::Running) => {
+                "HOLDS: the operator never drew more than was stored at the start".to_owned()
+            }
+            (Verdict::Fails, Judged::Interval) => format!(
+                "FAILS: {} generated more than friction surely dissipates{}",
+                intervals(self.totals.violates_linear),
+                first_row(self.totals.first_linear)
+            ),
+            (Verdict::Fails, Judged::Running) => {
+                let drawn = drawn();
+                format!("FAILS: the operator surely drew more than was stored at the start{drawn}")
+            }
+            (Verdict::Depends, Judged::Interval) => format!(
+                "DEPENDS: {} may have generated more than friction dissipates{}",
+                intervals(self.totals.depends_linear),
+                first_row(self.first.possible_linear.as_ref().map(|shown| shown.h))
+            ),
+            (Verdict::Depends, Judged::Running) => {
+                "DEPENDS: the operator may have drawn more than was stored at the start".to_owned()
+            }
+            (Verdict::NotCovered, _) => {
+                let words: Vec<&str> = self.not_covered.iter().map(|e| e.words()).collect();
+                format!("NOT ACCOUNTED FOR in a log: {}", words.join("; "))
+            }
+            (Verdict::Broken, _) => {
+                if self.intervals > 0 {
+                    "INVALID TRACE: the account covers the rows before the error".to_owned()
+                } else {
+                    "INVALID TRACE: there is no interval before the error".to_owned()
+                }
+            }
+        }
+    }
+
+    fn energies(&self, out: &mut Lines) {
+        let counted = match self.positions {
+            Form::Count => " (encoder counts: figures are exact enclosures)",
+            _ => "",
+        };
+        out.put("intervals", &format!("{}{counted}", self.intervals));
+        if self.account == Force::Applied {
+            out.put("account", "of the force in the trace");
+        }
+        let totals = &self.totals;
+        for (label, figure) in [
+            ("generated, linear spring", &totals.generated_linear),
+            ("generated, quantized spring", &totals.generated_quantized),
+            ("dissipated at least", &totals.dissipated_lower),
+            ("dissipated less generated", &totals.net_linear),
+        ] {
+            out.put(label, &format!("{} KΔ²", shown(figure)));
+        }
+    }
+
+    fn intervals(&self, out: &mut Lines) {
+        let short = |surely: u64, open: u64| match (surely, open) {
+            (0, 0) => "none".to_owned(),
+            (n, 0) => intervals(n),
+            (n, open) => format!("{}, {open} undecided", intervals(n)),
+        };
+        let totals = &self.totals;
+        let linear = short(totals.violates_linear, totals.depends_linear);
+        out.put("deficit, linear spring", &linear);
+        let quantized = short(totals.violates_quantized, totals.depends_quantized);
+        out.put("deficit, quantized spring", &quantized);
+        let (fails, depends) = (totals.criterion_fails, totals.criterion_depends);
+        let criterion = format!("{}, {depends} undecided", intervals(fails));
+        out.put("criterion fails in", &criterion);
+        if let Some(worst) = &self.worst
+            && let Some(net) = worst.ledger.row.net_linear()
+        {
+            let net = approx(net.lo());
+            out.put(
+                "worst interval",
+                &format!("row {}, where {net} KΔ² was left", worst.row),
+            );
+        }
+    }
+
+    fn running(&self, out: &mut Lines) {
+        if let Some(supply) = &self.running.supply {
+            let least = approx(&supply.least);
+            let text = format!("{least} KΔ² after row {}", supply.after + 1);
+            out.put("least energy balance", &text);
+        }
+        let (energy, least) = (approx(&self.observer.energy), approx(&self.observer.least));
+        let text = format!("{energy} KΔ², lowest {least}");
+        out.put("passivity observer Σf·Δx", &text);
+    }
+
+    fn sampling(&self, out: &mut Lines) {
+        let Some(timing) = &self.timing else { return };
+        let (late, missed) = (timing.late, timing.missed_samples);
+        let [shortest, longest] = [&timing.shortest, &timing.longest].map(approx);
+        out.put(
+            "sampling",
+            &format!(
+                "{shortest} … {longest} periods, {} late, {missed} samples missed",
+                intervals(late)
+            ),
+        );
+    }
+}
+
+/// `1 interval`, or `3 intervals`.
+fn intervals(count: u64) -> String {
+    let ending = if count == 1 { "" } else { "s" };
+    format!("{count} interval{ending}")
+}
+
+/// `, the first at row 3`, where there is one.
+fn first_row(h: Option<u64>) -> String {
+    h.map_or_else(String::new, |h| format!(", the first at row {}", h + 1))
+}
+
+fn shown(figure: &Figure<BigRational>) -> String {
+    match figure {
+        Figure::Exact(x) => approx(x),
+        Figure::Enclosed(range) => format!("{} … {}", approx(range.lo()), approx(range.hi())),
+    }
+}
+
+impl Agreement {
+    fn to_text(&self) -> String {
+        if self.agrees {
+            return format!("agrees with the wall's law in all {} rows", self.compared);
+        }
+        let mut text = format!(
+            "differs from the wall's law in {} of {} rows",
+            self.mismatches, self.compared
+        );
+        text.push_str(&first_row(self.first_mismatch_row.map(|row| row - 1)));
+        let found = &self.found;
+        if found.mismatches == 0 {
+            let sign = if found.reversed {
+                "the opposite sign and "
+            } else {
+                ""
+            };
+            let _ = write!(
+                text,
+                "; with {sign}{} samples of delay it agrees",
+                found.delay
+            );
+        } else if let Some(fit) = self.fit.filter(|fit| fit.residual < NOISE) {
+            let (scale, delay) = (significant(fit.scale), fit.delay);
+            let _ = write!(
+                text,
+                "; it is {scale} times the law with {delay} samples of delay"
+            );
+        } else if found.mismatches < self.mismatches {
+            let sign = if found.reversed {
+                "the opposite sign and "
+            } else {
+                ""
+            };
+            let (delay, left) = (found.delay, found.mismatches);
+            let _ = write!(
+                text,
+                "; with {sign}{delay} samples of delay it differs in {left}"
+            );
+        }
+        text
+    }
+}

@@ -1,0 +1,407 @@
+//! Exact numbers in and out, fast where they are small.
+
+use num_integer::Integer as _;
+use passivity_core::{BigRational, Fixed, Ordered, Scalar, Wide, rational};
+use passivity_scene::number::{NumberError, nearest_f64, parse};
+
+/// The widest numerator or denominator that is read from a trace or a request, in bits. Exact
+/// motions have at most as many, doubles need 1075; past it, arithmetic would take seconds a row.
+pub const MAX_BITS: u64 = 4096;
+
+/// An exact number, kept small when it can be.
+///
+/// # Example
+///
+/// ```
+/// use passivity_audit::Number;
+///
+/// let x = Number::parse("0.375").unwrap();
+/// assert_eq!(x.to_string(), "3/8");
+/// assert!(Number::parse("1e999999999").is_err());
+/// ```
+#[derive(Clone, Debug)]
+pub enum Number {
+    /// A numerator over a denominator above zero, not reduced.
+    Small(i64, i64),
+    /// Anything else.
+    Big(Box<BigRational>),
+}
+
+impl Number {
+    /// Reads what [`passivity_scene::number::parse`] reads.
+    ///
+    /// # Errors
+    ///
+    /// As that function.
+    pub fn parse(text: &str) -> Result<Self, NumberError> {
+        match short(text.as_bytes()) {
+            Some((n, d)) => Ok(Self::Small(n, d)),
+            None => parse(text).map(Self::from),
+        }
+    }
+
+    /// Whether numerator and denominator have at most [`MAX_BITS`] bits.
+    #[must_use]
+    pub fn is_bounded(&self) -> bool {
+        match self {
+            Self::Small(..) => true,
+            Self::Big(x) => is_bounded(x),
+        }
+    }
+
+    /// The dyadic rational that a double is; `None` for NaN and infinities.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_audit::Number;
+    ///
+    /// assert_eq!(Number::from_f64(0.375).unwrap().to_string(), "3/8");
+    /// assert!(Number::from_f64(f64::NAN).is_none());
+    /// ```
+    #[must_use]
+    pub fn from_f64(x: f64) -> Option<Self> {
+        num_rational::BigRational::from_float(x).map(Self::from)
+    }
+
+    /// The whole number `n`.
+    #[must_use]
+    pub const fn whole(n: i64) -> Self {
+        Self::Small(n, 1)
+    }
+
+    /// The number over checked 128-bit integers, when it fits.
+    #[must_use]
+    pub fn to_fixed(&self) -> Option<Fixed> {
+        match self {
+            Self::Small(n, d) => Some(Fixed::new((*n).into(), (*d).into())),
+            Self::Big(x) => rational::to_fixed(x),
+        }
+    }
+
+    /// The number over big integers.
+    #[must_use]
+    pub fn to_wide(&self) -> Wide {
+        match self {
+            Self::Small(n, d) => Wide::new((*n).into(), (*d).into()),
+            Self::Big(x) => rational::to_wide(x),
+        }
+    }
+
+    /// The number in lowest terms.
+    #[must_use]
+    pub fn to_rational(&self) -> BigRational {
+        match self {
+            Self::Small(n, d) => BigRational::new((*n).into(), (*d).into()),
+            Self::Big(x) => (**x).clone(),
+        }
+    }
+}
+
+impl From<BigRational> for Number {
+    fn from(x: BigRational) -> Self {
+        use num_traits::ToPrimitive as _;
+        match (x.numer().to_i64(), x.denom().to_i64()) {
+            (Some(n), Some(d)) => Self::Small(n, d),
+            _ => Self::Big(Box::new(x)),
+        }
+    }
+}
+
+impl std::fmt::Display for Number {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.to_rational().fmt(f)
+    }
+}
+
+/// Equal as numbers.
+impl PartialEq for Number {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Small(n, d), Self::Small(m, e)) => {
+                i128::from(*n) * i128::from(*e) == i128::from(*m) * i128::from(*d)
+            }
+            _ => self.to_rational() == other.to_rational(),
+        }
+    }
+}
+
+/// A literal of at most 18 digits and no exponent: `-12`, `0.375`, `3/8`. `None` for all else,
+/// which is then for the full parser to read or to refuse.
+pub(crate) fn short(text: &[u8]) -> Option<(i64, i64)> {
+    let (negative, digits) = match text.split_first()? {
+        (b'-', rest) => (true, rest),
+        (b'+', rest) => (false, rest),
+        _ => (false, text),
+    };
+    if digits.is_empty() || digits.len() > 19 {
+        return None;
+    }
+    let (mut value, mut denominator, mut seen) = (0_i64, 1_i64, 0_u32);
+    let mut rest = digits.iter();
+    let mut separator = 0;
+    for byte in rest.by_ref() {
+        match byte {
+            b'0'..=b'9' => {
+                value = value.checked_mul(10)?.checked_add(i64::from(byte - b'0'))?;
+                seen += 1;
+            }
+            _ => {
+                separator = *byte;
+                break;
+            }
+        }
+    }
+    match separator {
+        0 => {}
+        b'.' => {
+            for byte in rest {
+                if !byte.is_ascii_digit() {
+                    return None;
+                }
+                value = value.checked_mul(10)?.checked_add(i64::from(byte - b'0'))?;
+                denominator = denominator.checked_mul(10)?;
+                seen += 1;
+            }
+        }
+        b'/' if seen > 0 => {
+            denominator = 0;
+            for byte in rest {
+                if !byte.is_ascii_digit() {
+                    return None;
+                }
+                denominator = denominator
+                    .checked_mul(10)?
+                    .checked_add(i64::from(byte - b'0'))?;
+            }
+            if denominator == 0 {
+                return None;
+            }
+        }
+        _ => return None,
+    }
+    if seen == 0 {
+        return None;
+    }
+    Some((if negative { -value } else { value }, denominator))
+}
+
+/// Whether numerator and denominator have at most [`MAX_BITS`] bits.
+#[must_use]
+pub fn is_bounded(x: &BigRational) -> bool {
+    x.numer().bits().max(x.denom().bits()) <= MAX_BITS
+}
+
+/// A number in lowest terms, on machine integers when they hold it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reduced {
+    /// A numerator over a denominator above zero.
+    Small(i128, i128),
+    /// Anything else.
+    Big(BigRational),
+}
+
+impl Reduced {
+    /// Zero.
+    pub const ZERO: Self = Self::Small(0, 1);
+
+    /// A double near the number: off by a few units in its last place, for pictures and to tell
+    /// cheaply what need not be compared exactly.
+    #[must_use]
+    #[allow(clippy::cast_precision_loss)]
+    pub fn near(&self) -> f64 {
+        match self {
+            Self::Small(n, d) => *n as f64 / *d as f64,
+            Self::Big(x) => nearest_f64(x),
+        }
+    }
+
+    /// The number.
+    #[must_use]
+    pub fn to_rational(&self) -> BigRational {
+        match self {
+            Self::Small(n, d) => BigRational::new_raw((*n).into(), (*d).into()),
+            Self::Big(x) => x.clone(),
+        }
+    }
+}
+
+impl From<BigRational> for Reduced {
+    fn from(x: BigRational) -> Self {
+        use num_traits::ToPrimitive as _;
+        match x.numer().to_i128().zip(x.denom().to_i128()) {
+            Some((n, d)) => Self::Small(n, d),
+            None => Self::Big(x),
+        }
+    }
+}
+
+/// A number that can be written in lowest terms.
+pub trait Written: Ordered {
+    /// The number in lowest terms; `None` when it is undefined.
+    fn to_reduced(&self) -> Option<Reduced>;
+
+    /// A number in lowest terms as one of this kind; `None` when this kind does not hold it.
+    fn from_reduced(x: &Reduced) -> Option<Self>;
+
+    /// The number in lowest terms; `None` when it is undefined.
+    fn to_rational(&self) -> Option<BigRational> {
+        self.to_reduced().map(|x| x.to_rational())
+    }
+
+    /// Appends the number in lowest terms, `3/8`, `-2`, `0`; nothing, and `None`, when it is
+    /// undefined.
+    fn write(&self, out: &mut Vec<u8>) -> Option<()> {
+        match self.to_reduced()? {
+            Reduced::Small(n, d) => {
+                if n < 0 {
+                    out.push(b'-');
+                }
+                write_natural(n.unsigned_abs(), out);
+                if d != 1 {
+                    out.push(b'/');
+                    write_natural(d.unsigned_abs(), out);
+                }
+            }
+            Reduced::Big(x) => out.extend_from_slice(x.to_string().as_bytes()),
+        }
+        Some(())
+    }
+}
+
+impl Written for Fixed {
+    fn to_reduced(&self) -> Option<Reduced> {
+        let (&n, &d) = self.parts()?;
+        if d == 1 {
+            return Some(Reduced::Small(n, d));
+        }
+        let divisor = divisor(n.unsigned_abs(), d.unsigned_abs());
+        Some(match i128::try_from(divisor) {
+            Ok(divisor) => Reduced::Small(n / divisor, d / divisor),
+            // Only |n| = 2¹²⁷ has such a divisor.
+            Err(_) => BigRational::new(n.into(), d.into()).into(),
+        })
+    }
+
+    fn from_reduced(x: &Reduced) -> Option<Self> {
+        match x {
+            Reduced::Small(n, d) => Some(Self::new(*n, *d)),
+            Reduced::Big(_) => None,
+        }
+    }
+}
+
+impl Written for Wide {
+    fn to_reduced(&self) -> Option<Reduced> {
+        rational::from_wide(self).map(Reduced::from)
+    }
+
+    fn from_reduced(x: &Reduced) -> Option<Self> {
+        Some(match x {
+            Reduced::Small(n, d) => Self::new((*n).into(), (*d).into()),
+            Reduced::Big(x) => rational::to_wide(x),
+        })
+    }
+}
+
+impl Written for BigRational {
+    fn to_reduced(&self) -> Option<Reduced> {
+        Some(self.clone().into())
+    }
+
+    fn from_reduced(x: &Reduced) -> Option<Self> {
+        Some(x.to_rational())
+    }
+}
+
+/// The greatest common divisor, by the machine's word where it fits.
+fn divisor(n: u128, d: u128) -> u128 {
+    match (u64::try_from(n), u64::try_from(d)) {
+        (Ok(n), Ok(d)) => n.gcd(&d).into(),
+        _ => n.gcd(&d),
+    }
+}
+
+/// Decimal digits; the machine's word where it fits.
+fn write_natural(n: u128, out: &mut Vec<u8>) {
+    let Ok(n) = u64::try_from(n) else {
+        return out.extend_from_slice(n.to_string().as_bytes());
+    };
+    let start = out.len();
+    let mut rest = n;
+    loop {
+        // A digit.
+        out.push(b'0' + (rest % 10) as u8);
+        rest /= 10;
+        if rest == 0 {
+            break;
+        }
+    }
+    if let Some(digits) = out.get_mut(start..) {
+        digits.reverse();
+    }
+}
+
+/// a − b.
+pub(crate) fn difference(a: &Number, b: &Number) -> Number {
+    if let (Number::Small(n, d), Number::Small(m, e)) = (a, b) {
+        let (n, d, m, e) = (
+            i128::from(*n),
+            i128::from(*d),
+            i128::from(*m),
+            i128::from(*e),
+        );
+        let (numerator, denominator) = if d == e {
+            (n - m, d)
+        } else {
+            (n * e - m * d, d * e)
+        };
+        if let (Ok(n), Ok(d)) = (i64::try_from(numerator), i64::try_from(denominator)) {
+            return Number::Small(n, d);
+        }
+    }
+    Number::from(a.to_rational() - b.to_rational())
+}
+
+/// a·b.
+pub(crate) fn product(a: &Number, b: &Number) -> Number {
+    if let (Number::Small(n, d), Number::Small(m, e)) = (a, b) {
+        let [n, d, m, e] = [*n, *d, *m, *e].map(i128::from);
+        if let Some(product) = small(n * m, d * e) {
+            return product;
+        }
+    }
+    Number::from(a.to_rational() * b.to_rational())
+}
+
+/// n/d in lowest terms, d > 0, when 64 bits hold it.
+fn small(n: i128, d: i128) -> Option<Number> {
+    let divisor = i128::try_from(divisor(n.unsigned_abs(), d.unsigned_abs())).ok()?;
+    let n = i64::try_from(n / divisor).ok()?;
+    Some(Number::Small(n, i64::try_from(d / divisor).ok()?))
+}
+
+/// a/b for b that is not zero.
+pub(crate) fn quotient(a: &Number, b: &Number) -> Number {
+    if let (Number::Small(n, d), Number::Small(m, e)) = (a, b) {
+        let (n, d, m, e) = (
+            i128::from(*n),
+            i128::from(*d),
+            i128::from(*m),
+            i128::from(*e),
+        );
+        if let Some(quotient) = small(n * e * m.signum(), (d * m).abs()) {
+            return quotient;
+        }
+    }
+    Number::from(a.to_rational().over(b.to_rational()))
+}
+
+/// Whether a number is above zero.
+#[must_use]
+pub fn is_positive(x: &Number) -> bool {
+    match x {
+        Number::Small(n, _) => *n > 0,
+        Number::Big(x) => num_traits::Signed::is_positive(&**x),
+    }
+}

@@ -1,0 +1,420 @@
+//! The streamed, parallel, tabled audit gives what the ledger gives row by row; and whatever a
+//! file holds, it ends in a report or in an error that says where.
+
+use std::fmt::Write as _;
+
+use passivity_audit::{Audit, Options, TraceError, Verdict, audit, audit_csv};
+use passivity_audit::{Ledger, Number, Reading, rows::Form, run::Run};
+use passivity_scene::Scene;
+use proptest::prelude::*;
+use serde_json::Value;
+
+fn scene(text: &str) -> Scene {
+    Scene::from_toml("test", text).unwrap()
+}
+
+fn three_fifths() -> Scene {
+    scene("[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"")
+}
+
+fn audited(csv: &[u8], scene: &Scene, threads: usize, block: usize) -> (Audit, String) {
+    let mut rows = Vec::new();
+    let options = Options {
+        rows: Some(&mut rows),
+        points: true,
+        threads,
+        block,
+        law: false,
+    };
+    let audit = audit_csv(Box::new(std::io::Cursor::new(csv.to_vec())), scene, options).unwrap();
+    (audit, String::from_utf8(rows).unwrap())
+}
+
+/// The same by the ledger, one row after the other.
+fn expected(
+    samples: &[Reading],
+    dtaus: &[Number],
+    scene: &Scene,
+    enclosures: bool,
+) -> (Value, String) {
+    let ledger = Ledger::of_scene(scene);
+    let mut run = Run::new(&ledger);
+    let form = Form {
+        enclosures,
+        force: false,
+    };
+    let mut text = format!("{}\n", form.header()).into_bytes();
+    for (i, sample) in samples.iter().enumerate() {
+        let dtau = i.checked_sub(1).and_then(|h| dtaus.get(h)).cloned();
+        let dtau = dtau.unwrap_or(Number::whole(1));
+        let row = run.step(sample.clone(), &dtau, None).unwrap();
+        if let Some(row) = row {
+            text.extend_from_slice((run.intervals() - 1).to_string().as_bytes());
+            form.write_positions(&row, &mut text).unwrap();
+            form.write_account(&row, &mut text).unwrap();
+        }
+    }
+    (
+        serde_json::to_value(run.totals().unwrap()).unwrap(),
+        String::from_utf8(text).unwrap(),
+    )
+}
+
+fn scenes() -> impl Strategy<Value = String> {
+    let walls = prop_oneof![
+        Just(String::new()),
+        Just("[wall]\nunilateral = true".to_owned()),
+        Just("[wall]\nmax_force = \"7/3\"".to_owned()),
+        Just("[wall]\nforce_step = \"2/3\"\nunilateral = true".to_owned()),
+        Just("[sampling]\ndelay = 2".to_owned()),
+        Just("[sampling]\ndelay = 1\n[wall]\ndamping = \"1/4\"".to_owned()),
+    ];
+    // Large denominators, as π and data sheets give them: together more than 64 bits.
+    let denominators = prop_oneof![Just(("", "10")), Just(("00000000", "1000000007"))];
+    (1..20, 0..20, walls, prop::bool::weighted(0.2), denominators).prop_map(
+        |(b, s, wall, tolerance, (zeros, d))| {
+            let tolerance = if tolerance { " ± 1/100" } else { "" };
+            format!(
+                "[dimensionless]\nbeta = \"{b}{zeros}/{d}{tolerance}\"\nsigma = \"{s}{zeros}/{}\"\n{wall}\n",
+                if zeros.is_empty() { "10" } else { "998244353" },
+            )
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn counts_are_accounted_for_as_by_the_ledger(
+        text in scenes(),
+        steps in prop::collection::vec(-3..4_i64, 1..60),
+        far in prop::bool::weighted(0.1),
+        // Mostly one period, 20/20, as real logs have it.
+        jitter in prop::option::of(prop::collection::vec(
+            prop_oneof![4 => Just(20_i64), 1 => 1..40_i64],
+            60,
+        )),
+        threads in 1..4_usize,
+        block in 20..200_usize,
+    ) {
+        let scene = scene(&text);
+        let mut at = if far { 1_i64 << 55 } else { 0 };
+        let mut time = 0;
+        let (mut samples, mut dtaus) = (Vec::new(), Vec::new());
+        let mut csv = if jitter.is_some() { "tau,count\n" } else { "count\n" }.to_owned();
+        for (i, step) in steps.iter().enumerate() {
+            at += step;
+            samples.push(Reading::Count(at));
+            match &jitter {
+                Some(jitter) => {
+                    time += jitter[i];
+                    if i > 0 {
+                        dtaus.push(Number::Small(jitter[i], 20));
+                    }
+                    writeln!(csv, "{time}/20,{at}").unwrap();
+                }
+                None => writeln!(csv, "{at}").unwrap(),
+            }
+        }
+        let (totals, rows) = expected(&samples, &dtaus, &scene, true);
+        let (audit, written) = audited(csv.as_bytes(), &scene, threads, block);
+        prop_assert_eq!(&audit.to_json()["totals"], &totals);
+        prop_assert_eq!(written, rows);
+        // Without rows the quick path runs: the same totals.
+        let options = Options { threads, block, ..Options::default() };
+        let quick = audit_csv(Box::new(std::io::Cursor::new(csv.into_bytes())), &scene, options).unwrap();
+        prop_assert_eq!(&quick.to_json()["totals"], &totals);
+        for field in ["running", "worst", "first", "observer", "timing"] {
+            prop_assert_eq!(&quick.to_json()[field], &audit.to_json()[field], "{}", field);
+        }
+    }
+
+    #[test]
+    fn positions_are_accounted_for_as_by_the_ledger(
+        text in scenes(),
+        positions in prop::collection::vec((-60..60_i64, 1..20_i64), 1..40),
+        threads in 1..4_usize,
+        block in 20..200_usize,
+    ) {
+        let scene = scene(&text);
+        let mut csv = "xi\n".to_owned();
+        for (n, d) in &positions {
+            writeln!(csv, "{n}/{d}").unwrap();
+        }
+        let samples: Vec<_> =
+            positions.iter().map(|(n, d)| Reading::Exact(Number::Small(*n, *d))).collect();
+        let enclosures = text.contains('±');
+        let (totals, rows) = expected(&samples, &[], &scene, enclosures);
+        let (audit, written) = audited(csv.as_bytes(), &scene, threads, block);
+        prop_assert_eq!(&audit.to_json()["totals"], &totals);
+        prop_assert_eq!(written, rows);
+        // The running figures, from the rows in the report.
+        let json = audit.to_json();
+        prop_assert_eq!(json["rows"].as_array().unwrap().len(), positions.len() - 1);
+    }
+
+    #[test]
+    fn no_bytes_stop_an_audit(
+        header in prop_oneof!["xi", "count", "x \\[rad\\]", "count,t \\[s\\]", "[a-z,\"\\[\\] ]{0,20}"],
+        body in prop::collection::vec(any::<u8>(), 0..300),
+        digits in "[0-9\\n,.eE/\\-NaN ]{0,200}",
+        block in 1..100_usize,
+    ) {
+        for body in [&body[..], digits.as_bytes()] {
+            let csv = [header.as_bytes(), b"\n", body].concat();
+            let options = Options { threads: 2, block, ..Options::default() };
+            if let Ok(audit) = audit_csv(Box::new(std::io::Cursor::new(csv)), &three_fifths(), options) {
+                prop_assert!(!audit.to_text().is_empty());
+                prop_assert!(audit.to_json().is_object());
+            }
+        }
+    }
+}
+
+#[test]
+fn running_energy_and_observer_are_what_they_say() {
+    let (audit, _) = audited(b"xi\n1\n1/2\n0\n-3.5\n", &three_fifths(), 1, 0);
+    let json = audit.to_json();
+    // −F·d: 3/2·(−1/2), 3/2... the force held from 1 is −3/2, from 1/2 and from 0 it is −1/2.
+    assert_eq!(json["observer"]["energy"], "-11/4");
+    assert_eq!(json["observer"]["says"], "active");
+    // Net 3/40 and potential ½(½² − 1): the lowest of −3/10, −1/10, 7.7.
+    assert_eq!(json["running"]["supply"]["least"], "-3/10");
+    assert_eq!(json["running"]["supply"]["after"], 1);
+    assert_eq!(json["running"]["supply"]["floor"], "-1/2");
+    assert_eq!(json["first"]["quantized"]["row"], 1);
+    assert_eq!(audit.verdict(), Verdict::Holds);
+    assert_eq!(json["rows"][2]["generated_quantized"], "8");
+}
+
+#[test]
+fn a_trace_from_a_loop_that_is_not_passive_violates() {
+    let scene = scene("[dimensionless]\nbeta = \"1/4\"\nsigma = \"1/4\"");
+    let (audit, _) = audited(b"xi\n0\n-1\n0\n", &scene, 1, 0);
+    assert_eq!(audit.verdict(), Verdict::Fails);
+    assert_eq!(audit.to_json()["first_violation"]["h"], 0);
+    let (audit, _) = audited(b"count\n0\n0\n0\n", &scene, 1, 0);
+    assert_eq!(audit.verdict(), Verdict::Depends);
+}
+
+fn refusal(csv: &[u8], text: &str) -> TraceError {
+    let input = Box::new(std::io::Cursor::new(csv.to_vec()));
+    match audit_csv(input, &scene(text), Options::default()) {
+        Err(error) => error,
+        Ok(audit) => panic!("expected an error, found {}", audit.to_text()),
+    }
+}
+
+#[test]
+fn headers_say_what_is_wrong_with_them() {
+    let plain = "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"";
+    let rotary = "[sampling]\nrate = \"1 kHz\"\n[encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"2 N m/rad\"";
+    for (csv, text, kind, said) in [
+        ("", plain, "header", "nothing"),
+        ("a,b\n1,2\n", plain, "header", "found `a`, `b`"),
+        ("xi,xi\n1,2\n", plain, "header", "twice"),
+        ("xi,count\n1,2\n", plain, "header", "`xi` and `count`"),
+        ("x\n1\n", rotary, "unit", "x [rad]"),
+        ("x [mm]\n1\n", rotary, "unit", "rad"),
+        ("x [rad]\n1\n", plain, "unit", "xi"),
+        ("x [parsec]\n1\n", rotary, "unit", "parsec"),
+        ("count,t [rad]\n1,2\n", rotary, "unit", "time"),
+        ("count,t\n1,2\n", rotary, "unit", "t [s]"),
+        ("count,f [N]\n1,2\n", rotary, "unit", "N m"),
+        ("xi [rad]\n1\n", rotary, "header", "no unit"),
+        ("x [rad\n1\n", rotary, "header", "not closed"),
+        ("count,t [s\n1,2\n", rotary, "header", "not closed"),
+    ] {
+        let error = refusal(csv.as_bytes(), text);
+        assert_eq!(error.kind, kind, "{csv}: {error}");
+        assert!(error.to_string().contains(said), "{csv}: {error}");
+    }
+}
+
+#[test]
+fn mistakes_have_a_row_and_what_came_before_is_kept() {
+    let wide = format!("count\n1\n2\n{}\n4\n", "9".repeat(10_000_000));
+    let endless = format!("count\n1\n2\n{}", "9".repeat(10_000_000));
+    for (csv, kind, row, intervals) in [
+        ("count\n1\n2\nx\n4\n", "malformed_number", 3, 1),
+        ("count\n1\n2\n3,4\n", "fields", 3, 1),
+        ("count\n1\n2\nNaN\n", "not_finite", 3, 1),
+        ("count\n1\n2.5\n3\n", "count", 2, 0),
+        ("xi\n1\n2\n1e999999999\n", "exponent_too_large", 3, 1),
+        ("xi\n1\n2\n1/0\n", "zero_denominator", 3, 1),
+        ("count\n1\n\n3\n", "blank_row", 2, 0),
+        ("count\n0\n1\n2147483649\n5\n", "jump", 3, 1),
+        (
+            "count\n9223372036854775807\n-9223372036854775808\n",
+            "jump",
+            2,
+            0,
+        ),
+        ("count\n99999999999999999999\n", "count", 1, 0),
+        ("count,tau\n1,1\n2,2\n3,2\n", "time", 3, 1),
+        ("count,tau\n1,1\n2,2\n3,1\n", "time", 3, 1),
+        ("count,tau\n1,1\n2,2\n3", "fields", 3, 1), // torn
+        ("xi0,xi1\n0,1\n2,3\n", "gap", 2, 1),
+        ("\u{feff}count\r\n1\r\n2\r\n-\r\n", "malformed_number", 3, 1),
+        (&wide, "line_too_long", 3, 1),
+        (&endless, "line_too_long", 3, 1),
+    ] {
+        for (threads, block) in [(1, 0), (2, 7), (3, 12)] {
+            let (audit, rows) = audited(csv.as_bytes(), &three_fifths(), threads, block);
+            let shown = &csv[..csv.len().min(60)];
+            let error = audit
+                .error()
+                .unwrap_or_else(|| panic!("no error in {shown:?}"));
+            assert_eq!(
+                (error.kind, error.row),
+                (kind, Some(row)),
+                "{shown:?} {block}: {error}"
+            );
+            assert_eq!(audit.totals().intervals, intervals, "{shown:?} {block}");
+            assert_eq!(
+                rows.lines().count() as u64,
+                intervals + 1,
+                "{shown:?} {block}"
+            );
+            assert_eq!(audit.verdict(), Verdict::Broken);
+        }
+    }
+}
+
+#[test]
+fn harmless_forms_are_read() {
+    let expected = audited(b"count\n1\n2\n3\n", &three_fifths(), 1, 0).1;
+    for csv in [
+        "count\r\n1\r\n2\r\n3\r\n",
+        "\u{feff}count\n1\n2\n3",
+        "\"count\"\n\"1\"\n\"2\"\n 3 \n\n\n",
+        "note,count\na,1\nb,2\nc,3\n",
+        "count\n1.0\n2e0\n6/2\n",
+    ] {
+        let (audit, rows) = audited(csv.as_bytes(), &three_fifths(), 1, 0);
+        assert_eq!(audit.error(), None, "{csv:?}");
+        assert_eq!(rows, expected, "{csv:?}");
+    }
+    // A number without its line break is read as it stands, and may have lost digits.
+    for (csv, torn) in [("xi\n1\n23", true), ("xi\n1\n23\n", false), ("xi", false)] {
+        let (audit, _) = audited(csv.as_bytes(), &three_fifths(), 1, 0);
+        assert_eq!(audit.to_json()["last_row_unended"], torn, "{csv:?}");
+        assert_eq!(
+            audit.to_text().contains("may be incomplete"),
+            torn,
+            "{csv:?}"
+        );
+    }
+    // A trace without an interval holds nothing.
+    for csv in ["count\n", "count\n7\n", "xi0,xi1\n"] {
+        let (empty, _) = audited(csv.as_bytes(), &three_fifths(), 1, 0);
+        assert_eq!(empty.totals().intervals, 0);
+        assert_eq!(empty.error().unwrap().kind, "empty", "{csv}");
+        assert_eq!(empty.verdict(), Verdict::Broken);
+    }
+}
+
+#[test]
+fn units_and_counts_agree() {
+    // Δ = 1/4 mm and T = 1 ms; the same motion in ticks, in millimetres and in metres.
+    let scene = scene(
+        "[device]\nviscous = \"1 N s/m\"\ncoulomb = \"1 N\"\n[sampling]\nperiod = \"1 ms\"\n[encoder]\nresolution = \"0.25 mm\"\n[wall]\nstiffness = \"1 N/mm\"",
+    );
+    let ticks = audited(b"xi\n1/2\n3\n-2\n", &scene, 1, 0).1;
+    assert_eq!(
+        audited(b"x [mm]\n0.125\n0.75\n-0.5\n", &scene, 1, 0).1,
+        ticks
+    );
+    assert_eq!(
+        audited(
+            b"t [ms],x [m]\n7,1.25e-4\n8,0.00075\n9,-5e-4\n",
+            &scene,
+            1,
+            0
+        )
+        .1,
+        ticks
+    );
+}
+
+#[test]
+fn angles_are_enclosed_within_their_tick() {
+    let scene = scene(
+        "[device]\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"2e-3 N m\"\n[sampling]\nrate = \"1 kHz\"\n[encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"2 N m/rad\"",
+    );
+    let (radians, _) = audited(b"x [rad]\n0\n0.001\n-0.0005\n", &scene, 1, 0);
+    let json = radians.to_json();
+    let xi = &json["rows"][0]["xi1"];
+    // 0.001·8192/2π = 1.30379…
+    assert!(xi["lo"].as_str().unwrap().ends_with("/1099511627776"));
+    assert!((xi["approx"].as_f64().unwrap() - 1.303_797_29).abs() < 1e-8);
+    // Degrees and counts per revolution are both π times a rational: exact.
+    let (degrees, _) = audited(b"x [deg]\n0\n0.0439453125\n", &scene, 1, 0);
+    assert_eq!(degrees.to_json()["rows"][0]["xi1"], "1");
+}
+
+#[test]
+fn uneven_sampling_is_reported() {
+    let (audit, _) = audited(b"tau,xi\n0,0\n1,1\n4,2\n4.5,2\n", &three_fifths(), 1, 0);
+    let timing = &audit.to_json()["timing"];
+    assert_eq!(timing["late"], 1);
+    assert_eq!(timing["missed_samples"], 2);
+    assert_eq!(timing["first_missed_row"], 2);
+    assert_eq!(timing["uneven"], 2);
+    assert_eq!(
+        (&timing["shortest"], &timing["longest"]),
+        (&"1/2".into(), &"3".into())
+    );
+}
+
+#[test]
+fn forces_are_compared_with_the_law_and_their_delay_found() {
+    let law = |n: i64| -(n as f64 + 0.5);
+    let counts = [0_i64, 1, 3, 6, 8, 9, 9, 8, 4, 0, -3, -7, -5, 0, 2, 3];
+    let trace = |lag: usize, sign: f64, off: f64| {
+        let mut csv = "count,f\n".to_owned();
+        for (i, n) in counts.iter().enumerate() {
+            let force = sign * law(counts[i.saturating_sub(lag)]) + if i == 9 { off } else { 0.0 };
+            writeln!(csv, "{n},{force}").unwrap();
+        }
+        audited(csv.as_bytes(), &three_fifths(), 1, 30).0.to_json()["force"].clone()
+    };
+    assert_eq!(trace(0, 1.0, 0.0)["agrees"], true);
+    let wrong = trace(0, 1.0, 0.25);
+    assert_eq!(
+        (&wrong["mismatches"], &wrong["first_mismatch_row"]),
+        (&1.into(), &10.into())
+    );
+    assert_eq!(wrong["found"]["delay"], 0);
+    let late = trace(3, 1.0, 0.0);
+    assert_eq!(late["agrees"], false);
+    assert_eq!(
+        (&late["found"]["delay"], &late["found"]["mismatches"]),
+        (&3.into(), &0.into())
+    );
+    assert_eq!(trace(0, -1.0, 0.0)["found"]["reversed"], true);
+}
+
+#[test]
+fn a_ledger_is_a_trace() {
+    let (first, rows) = audited(b"tau,xi\n0,1\n1,1/2\n3,4\n", &three_fifths(), 1, 0);
+    let (second, again) = audited(rows.as_bytes(), &three_fifths(), 2, 40);
+    assert_eq!(rows, again);
+    assert_eq!(first.to_json()["totals"], second.to_json()["totals"]);
+}
+
+#[test]
+fn a_scene_whose_force_changes_within_an_interval_is_not_accounted_for() {
+    let scene =
+        scene("[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n[amplifier]\ntime_constant = \"1/5\"");
+    let (audit, _) = audited(b"xi\n0\n1\n", &scene, 1, 0);
+    assert_eq!(audit.verdict(), Verdict::NotCovered);
+}
+
+#[test]
+fn a_missing_file_is_an_error() {
+    let path = std::env::temp_dir().join("passivity-no-such-trace.csv");
+    let error = audit(&path, &three_fifths(), Options::default()).unwrap_err();
+    assert_eq!(error.kind, "io");
+}
