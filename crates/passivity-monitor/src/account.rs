@@ -1,0 +1,203 @@
+//! The account (TH-MONITOR): what the held forces have given the operator, at the least and at the
+//! most that the counts allow.
+//!
+//! Positions x in ticks, x = n + ρ with 0 ≤ ρ ≤ 1 and n the count; energies in halves of the force
+//! unit times a tick. Up to sample h the wall has given, beyond what its spring stored at the start,
+//!
+//! ```text
+//! U_h = Σ given(d_i) − K x_0²,    given(d) = 2F d − 2V d² − 2C |d|,    d_i = x_{i+1} − x_i
+//! ```
+//!
+//! with F the force that was held over the interval, and V = bΔ/T and C = c what friction takes.
+//! Every ρ_i may be anything from 0 to 1. The cell of a count is half open, but `given` is continuous:
+//! the bounds over the closed cell are the same.
+//!
+//! **Least.** −U is a sum of convex functions of the ρ_i, so U is least with every ρ_i at 0 or at 1.
+//! The least U_h that ends at either is found from the two before it: four moves, of which two are of
+//! the same length. That is exact: no more can be said for sure.
+//!
+//! **Most.** The wall's own spring is split off: at every sample
+//!
+//! ```text
+//! U_h ≤ most + sρ − Kρ²                                                                      (1)
+//! ```
+//!
+//! It holds at the start with s = −2Kn and most = −Kn². Under a force F over the next interval s becomes
+//! s′ = K + 2F, at the cost of max(s − s′, 0), as ρ ≤ 1. A move by D ticks then takes (1) to the next
+//! sample with s′ − 2KD and most + D(s′ − KD) − [`net`], where `net` is the least, over all positions
+//! within both ticks, of twice what friction takes less what the wall of stiffness K generates (TH-LIN):
+//!
+//! ```text
+//! 2V d² + 2C|d| − K d² − 2K(ρ₀ − ½)d,    d = D + ρ₁ − ρ₀
+//! ```
+//!
+//! It is never below zero where b ≥ KT/2 and c ≥ KΔ/2 (TH-INTERVAL), so a passive wall stays surely
+//! passive for ever.
+
+use crate::config::Config;
+use crate::width::Width;
+
+/// What is known of U at a sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Account<W> {
+    /// `most` in (1).
+    pub most: W,
+    /// s in (1).
+    pub slope: W,
+    /// The least U with the position at the lower and at the upper end of the tick.
+    pub least: [W; 2],
+}
+
+impl<W: Width> Account<W> {
+    /// At the first sample; `None` when the stored energy does not fit.
+    #[must_use]
+    pub fn start(config: &Config, count: W) -> Option<Self> {
+        let stiffness = W::from_i64(config.stiffness);
+        if let Some(stored) = config.stored {
+            let unresolved = W::from_i64((config.stiffness + 3) / 4);
+            let given = W::ZERO.minus(W::from_i64(stored)).minus(unresolved);
+            return Some(Self {
+                most: given,
+                slope: stiffness,
+                least: [given; 2],
+            });
+        }
+        let force = |position: W| W::ZERO.minus(stiffness).checked_times(position);
+        let after = count.checked_plus(W::from_i64(1))?;
+        let [lower, upper] = [force(count)?, force(after)?];
+        let most = lower.checked_times(count)?;
+        Some(Self {
+            most,
+            slope: lower.checked_plus(lower)?,
+            least: [most, upper.checked_times(after)?],
+        })
+    }
+
+    /// Goes on to the next sample: this force was held, and the count changed by `ticks`; `None` when
+    /// a sum does not fit, and the account is lost.
+    ///
+    /// Force and ticks are within the limits of the width, and the account came from
+    /// [`start`](Self::start).
+    #[inline]
+    pub fn advance(&mut self, config: &Config, force: W, ticks: W) -> Option<()> {
+        let twice = force.plus(force);
+        let mask = ticks.sign_mask();
+
+        let stiffness = W::from_i64(config.stiffness);
+        let slope = twice.plus(stiffness);
+        let turned = stiffness.times(ticks);
+        let slanted = slope.minus(turned);
+        let held = self.slope.minus(slope).max(W::ZERO);
+        let moved = ticks
+            .times(slanted)
+            .minus(net(config, ticks.signed_by(mask)));
+        self.most = self.most.checked_plus(held.plus(moved))?;
+        self.slope = slanted.minus(turned);
+
+        // `given` of the same distance, and what one tick more and one less add to it: the force gives
+        // 2F more and less, and friction takes 2V(2d + 1) and 2V(1 − 2d) more, and 2C more and less
+        // where d is not zero.
+        let viscous = W::from_i64(config.twice_viscous);
+        let coulomb = W::from_i64(config.twice_coulomb);
+        let (stays, further, taken) = if ticks == W::ZERO {
+            (W::ZERO, twice, viscous.plus(coulomb))
+        } else {
+            let dragged = viscous.times(ticks);
+            let pull = twice.minus(dragged).minus(coulomb.signed_by(mask));
+            (pull.times(ticks), pull.minus(dragged), viscous)
+        };
+        let rose = further.minus(taken);
+        let fell = W::ZERO.minus(further).minus(taken);
+        let [lower, upper] = self.least;
+        let (lower, upper) = (lower.checked_plus(stays)?, upper.checked_plus(stays)?);
+        self.least = [
+            lower.min(upper.checked_plus(fell)?),
+            upper.min(lower.checked_plus(rose)?),
+        ];
+        Some(())
+    }
+
+    /// The most that U can be: (1) at its largest; `None` when it does not fit.
+    ///
+    /// Between 0 and 1, sρ − Kρ² is largest at ρ = s/2K, or at the end that is nearer.
+    #[inline]
+    #[must_use]
+    pub fn at_most(&self, config: &Config) -> Option<W> {
+        if self.slope <= W::ZERO {
+            return Some(self.most);
+        }
+        let stiffness = W::from_i64(config.stiffness);
+        let twice = stiffness.plus(stiffness);
+        let rise = if self.slope < twice {
+            self.slope
+                .times(self.slope)
+                .over_rounded_up(twice.plus(twice))?
+        } else {
+            self.slope.minus(stiffness)
+        };
+        self.most.checked_plus(rise)
+    }
+
+    /// Whether [`at_most`](Self::at_most) is above zero, or does not fit.
+    ///
+    /// Without the division: for s < 2K the rise s²/4K is less than K.
+    #[inline]
+    #[must_use]
+    pub fn may_be_positive(&self, config: &Config) -> bool {
+        if self.most > W::ZERO {
+            return true;
+        }
+        let stiffness = W::from_i64(config.stiffness);
+        if self.slope <= W::ZERO {
+            return false;
+        }
+        if self.slope >= stiffness.plus(stiffness) {
+            return self.most.plus(self.slope) > stiffness;
+        }
+        let four = W::from_i64(4).times(stiffness);
+        self.most.plus(stiffness) > W::ZERO
+            && four.times(self.most).plus(self.slope.times(self.slope)) > W::ZERO
+    }
+
+    /// The least that U can be.
+    #[inline]
+    #[must_use]
+    pub fn at_least(&self) -> W {
+        let [lower, upper] = self.least;
+        lower.min(upper)
+    }
+}
+
+/// What a force gives over a move of `distance` ticks from sample to sample, less what friction
+/// takes at its most (26).
+#[must_use]
+pub fn given<W: Width>(config: &Config, force: W, distance: W) -> W {
+    let viscous = W::from_i64(2 * config.viscous_at_most());
+    let coulomb = W::from_i64(2 * config.coulomb_at_most());
+    let length = distance.signed_by(distance.sign_mask());
+    let work = force.plus(force).minus(viscous.times(distance));
+    distance.times(work).minus(coulomb.times(length))
+}
+
+/// The least net energy of an interval in which the count changes by `ticks` ≥ 0 up or down, rounded
+/// down; friction at its least.
+///
+/// At a distance d ≥ 0 it is least with ρ₀ as large as can be. Up to d = D that is 1, and net energy
+/// (2V − K)d² + (2C − K)d: least at d = D − 1, at d = D, or at the vertex between. Beyond, ρ₁ is 1 and
+/// ρ₀ = D + 1 − d, and net energy rises from what it is at D, unless it first falls: by the square of
+/// its slope 4VD + 2C − K there over 4(2V + K).
+///
+/// Short intervals are tabulated. Of long ones the vertex is taken to be everywhere, and the fall to be
+/// that of the last in the table: a little too low, where friction is so small that either is there at all.
+#[inline]
+#[must_use]
+pub fn net<W: Width>(config: &Config, ticks: W) -> W {
+    let net = &config.net;
+    if let Some(short) = ticks.index().and_then(|ticks| net.short.get(ticks)) {
+        return W::from_i64(*short);
+    }
+    let [square, linear, constant, peak] =
+        [net.square, net.linear, net.constant, net.peak].map(W::from_i64);
+    let x = ticks.minus(W::from_i64((ticks < peak).into()));
+    square.times(x).plus(linear).times(x).plus(constant)
+}

@@ -1,0 +1,152 @@
+//! The integers that energies are summed in.
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for i64 {}
+    impl Sealed for i128 {}
+}
+
+/// The largest parameter of a [`Config`](crate::Config), for either width: 2³⁰.
+pub const PARAMETER_MAX: i64 = 1 << 30;
+
+/// An integer that a [`Monitor`](crate::Monitor) sums energies in: `i64` or `i128`.
+///
+/// Its inputs are such that what one sample adds never overflows; the sums over many are checked.
+pub trait Width: Copy + Ord + core::fmt::Debug + sealed::Sealed {
+    /// Counts and forces: `i32` for sums of 64 bits, `i64` for sums of 128.
+    type Input: Copy + Ord + core::fmt::Debug + Into<Self>;
+    /// Zero.
+    const ZERO: Self;
+    /// No count, and no force.
+    const NO_INPUT: Self::Input;
+    /// The most ticks that the count may change by from one sample to the next.
+    const STEP_MAX: i64;
+
+    /// The same number.
+    #[must_use]
+    fn from_i64(n: i64) -> Self;
+
+    /// The sum, where the inputs are such that it fits.
+    #[must_use]
+    fn plus(self, other: Self) -> Self;
+
+    /// The difference, where the inputs are such that it fits.
+    #[must_use]
+    fn minus(self, other: Self) -> Self;
+
+    /// The product, where the inputs are such that it fits.
+    #[must_use]
+    fn times(self, other: Self) -> Self;
+
+    /// The sum; `None` when it does not fit.
+    #[must_use]
+    fn checked_plus(self, other: Self) -> Option<Self>;
+
+    /// The product; `None` when it does not fit.
+    #[must_use]
+    fn checked_times(self, other: Self) -> Option<Self>;
+
+    /// The quotient of two numbers above zero, rounded up; `None` for a divisor of zero.
+    #[must_use]
+    fn over_rounded_up(self, divisor: Self) -> Option<Self>;
+
+    /// The number as an index; `None` of one below zero.
+    #[must_use]
+    fn index(self) -> Option<usize>;
+
+    /// −1 for a number below zero, else 0.
+    #[must_use]
+    fn sign_mask(self) -> Self;
+
+    /// The number with another sign where the mask is −1.
+    #[must_use]
+    fn signed_by(self, mask: Self) -> Self;
+}
+
+macro_rules! width {
+    ($int:ty, $input:ty, $step:expr) => {
+        impl Width for $int {
+            type Input = $input;
+            const ZERO: Self = 0;
+            const NO_INPUT: $input = 0;
+            const STEP_MAX: i64 = $step;
+
+            #[inline]
+            fn from_i64(n: i64) -> Self {
+                n.into()
+            }
+
+            // A build that checks, such as that of the proofs, looks whether the result fits, as it
+            // always does; in any other nothing is left that could panic.
+            #[inline]
+            fn plus(self, other: Self) -> Self {
+                debug_assert!(self.checked_add(other).is_some());
+                self.wrapping_add(other)
+            }
+
+            #[inline]
+            fn minus(self, other: Self) -> Self {
+                debug_assert!(self.checked_sub(other).is_some());
+                self.wrapping_sub(other)
+            }
+
+            #[inline]
+            fn times(self, other: Self) -> Self {
+                debug_assert!(self.checked_mul(other).is_some());
+                self.wrapping_mul(other)
+            }
+
+            #[inline]
+            fn checked_plus(self, other: Self) -> Option<Self> {
+                self.checked_add(other)
+            }
+
+            #[inline]
+            fn checked_times(self, other: Self) -> Option<Self> {
+                self.checked_mul(other)
+            }
+
+            #[inline]
+            fn over_rounded_up(self, divisor: Self) -> Option<Self> {
+                // (a − 1)/b + 1 fits where a + b − 1 might not.
+                Some(self.minus(1).checked_div(divisor)?.plus(1))
+            }
+
+            #[inline]
+            fn index(self) -> Option<usize> {
+                Self::try_into(self).ok()
+            }
+
+            #[inline]
+            fn sign_mask(self) -> Self {
+                self >> (<$int>::BITS - 1)
+            }
+
+            #[inline]
+            fn signed_by(self, mask: Self) -> Self {
+                (self ^ mask).minus(mask)
+            }
+        }
+    };
+}
+
+width!(i64, i32, (1 << 15) - 1);
+width!(i128, i64, (1 << 31) - 1);
+
+/// The largest that one sample adds, of inputs at their limits: the magnitudes of all terms of
+/// [`Account::advance`](crate::account::Account::advance) together.
+///
+/// With P the largest parameter, F the largest force and D the largest step, one tick more for
+/// what is within the ticks: friction takes up to 2P·D² + 2P·D, the wall's spring P·D² + 2P·D, and
+/// the force gives 2F·D.
+const fn largest_term(step: i64, force: u128) -> u128 {
+    let (p, d) = (
+        PARAMETER_MAX.unsigned_abs() as u128,
+        step.unsigned_abs() as u128 + 1,
+    );
+    3 * p * d * d + 4 * p * d + 2 * force * d
+}
+
+// What the arithmetic without checks relies on.
+const _: () = assert!(largest_term(<i64 as Width>::STEP_MAX, 1 << 31) < 1 << 63);
+const _: () = assert!(largest_term(<i128 as Width>::STEP_MAX, 1 << 63) < 1 << 127);
