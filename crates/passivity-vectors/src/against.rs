@@ -198,6 +198,7 @@ fn judge(test: &Test, answer: &Value, found: &mut Found) {
             } else {
                 differs(expected, result, "", found);
             }
+            blame_formula(test, result, found);
             // A witness need not be the expected one, but it must draw energy.
             if result["verdict"] == "not_passive"
                 && let Err(message) = witness::check(&test.request["scene"], &result["witness"])
@@ -205,6 +206,17 @@ fn judge(test: &Test, answer: &Value, found: &mut Found) {
                 found.push(("witness".to_owned(), message));
             }
         }
+    }
+}
+
+/// Says so where a wrong verdict is that of a formula which circulates.
+fn blame_formula(test: &Test, result: &Value, found: &mut Found) {
+    let Some(formula) = &test.formula else { return };
+    if (result["verdict"] == "passive") != (formula.says == "passive") {
+        return;
+    }
+    for (_, message) in found.iter_mut().filter(|(field, _)| field == "verdict") {
+        message.push_str(&format!(", as the wrong formula {} says", formula.name));
     }
 }
 

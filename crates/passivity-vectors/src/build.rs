@@ -27,6 +27,7 @@ pub(super) fn test(comment: impl Into<String>, flags: &[&'static str], request: 
         result: result.map(|result| expected(&request, result)),
         refusal,
         request,
+        formula: None,
     }
 }
 

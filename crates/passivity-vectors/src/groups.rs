@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::build::{Dice, counts, interval, ratio, test};
-use crate::{Group, Test, cover, linear};
+use crate::{Group, Test, cover, linear, wrong};
 
 /// Every group, in the order of their numbers.
 pub(super) fn all() -> Vec<Group> {
@@ -20,6 +20,7 @@ pub(super) fn all() -> Vec<Group> {
         linear::group(),
         cover::motion(),
         cover::refusals(),
+        wrong::group(),
     ]
 }
 

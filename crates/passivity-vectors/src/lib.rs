@@ -10,6 +10,7 @@ mod cover;
 mod groups;
 mod linear;
 mod witness;
+mod wrong;
 
 pub use against::{Difference, Judge, Outcome, against};
 
@@ -38,6 +39,19 @@ pub struct Test {
     pub result: Option<Value>,
     /// The kind of the refusal.
     pub refusal: Option<String>,
+    /// The wrong formula that the test is about.
+    pub formula: Option<Formula>,
+}
+
+/// A formula that circulates, and what it wrongly says of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Formula {
+    /// The formula, in the paper's symbols.
+    pub name: &'static str,
+    /// The same in units of K, T and Δ.
+    pub condition: &'static str,
+    /// The verdict by the formula: `passive` or `not_passive`.
+    pub says: &'static str,
 }
 
 /// A file of tests about one group of claims.
@@ -119,6 +133,15 @@ impl Test {
             Some(result) => fields.insert("result".to_owned(), result.clone()),
             None => fields.insert("refusal".to_owned(), json!(self.refusal)),
         };
+        if let Some(Formula {
+            name,
+            condition,
+            says,
+        }) = self.formula
+        {
+            let formula = json!({"name": name, "condition": condition, "says": says});
+            fields.insert("formula".to_owned(), formula);
+        }
         Value::Object(fields)
     }
 

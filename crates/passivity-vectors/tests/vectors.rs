@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use passivity_vectors::{Group, Outcome, SCHEMA, against, all};
+use passivity_vectors::{Group, Outcome, SCHEMA, Test, against, all};
 use serde_json::Value;
 
 fn root() -> PathBuf {
@@ -63,6 +63,7 @@ fn vectors_have_the_form_of_their_schema_and_flags_have_notes() {
         |file: &mut Value| drop(file.as_object_mut().unwrap().remove("claims")),
         |file: &mut Value| file["tests"][3]["result"]["bound_22"] = "1.5".into(),
         |file: &mut Value| file["tests"][3]["result"]["extra"] = "1".into(),
+        |file: &mut Value| file["tests"][3]["formula"]["says"] = "perhaps".into(),
     ] {
         let mut broken = file.clone();
         change(&mut broken);
@@ -294,6 +295,53 @@ fn broken_rules_for_loops_with_memory_are_noticed() {
     fs::remove_dir_all(folder).unwrap();
 }
 
+/// The second implementation, made to answer by each formula that circulates.
+#[test]
+fn an_implementation_that_answers_by_a_wrong_formula_fails_every_test_of_it() {
+    let groups = all();
+    let wrong = groups.iter().find(|group| group.name == "wrong_formulas");
+    let folder = copied("formulas");
+    let path = folder.join("passivity_ref.py");
+    let text = fs::read_to_string(&path).unwrap();
+    let sound = "    witness = None if holds else draw(loop, bound)";
+    assert_eq!(text.matches(sound).count(), 1);
+    let mut tests = 0;
+    for (flag, formula, answer) in [
+        ("DampingOverPeriod", "K ≤ b/T", "beta >= 1"),
+        (
+            "InertiaCorrection",
+            "K ≤ 2b/T − b²T/(2m)",
+            "2 * beta - beta**2 / (2 * mu) >= 1",
+        ),
+        ("InertiaOverPeriod", "K ≤ 2m/T²", "mu >= HALF"),
+        ("HalfSample", "b ≥ K·T/2", "beta >= HALF"),
+    ] {
+        let mut group = wrong.unwrap().clone();
+        group.tests.retain(|test| test.flags == [flag]);
+        for comment in ["lets a wall pass", "refuses a wall"] {
+            let is_there = |test: &Test| test.comment.starts_with(comment);
+            assert!(
+                group.tests.iter().any(is_there),
+                "{flag}: nothing {comment}"
+            );
+        }
+        tests += group.tests.len();
+        let mu = "mu = number(scene[\"dimensionless\"][\"mu\"])";
+        let broken = format!("    {mu}\n    holds = {answer}\n{sound}");
+        fs::write(&path, text.replace(sound, &broken)).unwrap();
+        let outcome = python(path.to_str().unwrap(), std::slice::from_ref(&group));
+        let message = format!(", as the wrong formula {formula} says");
+        for test in &group.tests {
+            let blamed = outcome.differences.iter().any(|difference| {
+                difference.id == test.id && difference.message.ends_with(&message)
+            });
+            assert!(blamed, "nobody notices {formula} in test {}", test.id);
+        }
+    }
+    assert_eq!(tests, wrong.unwrap().tests.len());
+    fs::remove_dir_all(folder).unwrap();
+}
+
 /// Lets the second implementation compute the witnesses of a file of vectors again.
 fn witnesses(file: &Path) -> (Option<i32>, String) {
     let output = Command::new("python3")
@@ -308,7 +356,7 @@ fn witnesses(file: &Path) -> (Option<i32>, String) {
 
 #[test]
 fn second_implementation_computes_every_witness_again() {
-    for name in ["linear.json", "regions.json"] {
+    for name in ["linear.json", "regions.json", "wrong_formulas.json"] {
         let (code, said) = witnesses(&root().join("tests/vectors").join(name));
         assert_eq!(code, Some(0), "{said}");
         assert!(said.ends_with(" witnesses, 0 wrong\n"), "{said}");
