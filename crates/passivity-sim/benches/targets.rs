@@ -34,6 +34,7 @@ fn scene(intervals: u64) -> Point {
             period: one.clone(),
             length: one.clone(),
             stiffness: one,
+            length_unit: None,
         },
     }
 }
