@@ -48,6 +48,7 @@ fn scene(
             period: one.clone(),
             length: one.clone(),
             stiffness: one,
+            length_unit: None,
         },
     };
     Scene {

@@ -34,6 +34,7 @@ pub fn point(mu: &str, beta: &str, sigma: &str, start: [&str; 2], intervals: u64
             period: one.clone(),
             length: one.clone(),
             stiffness: one,
+            length_unit: None,
         },
     }
 }
