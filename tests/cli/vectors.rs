@@ -66,15 +66,26 @@ fn another_implementation_passes_and_a_broken_copy_is_told_where_it_differs() {
     assert!(
         differences
             .iter()
-            .any(|d| d["group"] == "errata" && d["field"] == "bound_22")
+            .any(|d| d["group"] == "errata" && d["fields"][0]["field"] == "bound_22")
     );
+    let mut ids: Vec<u64> = Vec::new();
     for difference in differences {
-        let field = difference["field"].as_str().unwrap();
-        assert!(
-            field.contains("bound_22") || field.contains("bound_quantized"),
-            "{difference}"
-        );
+        for field in difference["fields"].as_array().unwrap() {
+            let field = field["field"].as_str().unwrap();
+            assert!(
+                field.contains("bound_22") || field.contains("bound_quantized"),
+                "{difference}"
+            );
+        }
+        assert!(difference["request"]["op"].is_string(), "{difference}");
+        assert!(difference["expected"].is_object() && difference["answer"]["result"].is_object());
+        ids.push(difference["id"].as_u64().unwrap());
     }
+    // One entry a test.
+    let listed = ids.len();
+    ids.sort_unstable();
+    ids.dedup();
+    assert_eq!(ids.len(), listed);
 }
 
 #[test]
@@ -93,4 +104,62 @@ fn silence_talk_and_a_command_that_is_not_there_fail_every_test() {
             "{command}: {last}"
         );
     }
+}
+
+#[test]
+fn groups_are_chosen_by_name() {
+    let dir = Dir::new();
+    let run = dir.run(&["vectors", "--against", "true", "--group", "errata"]);
+    let tests = |run: &crate::harness::Run| run.stdout.lines().last().unwrap().to_owned();
+    let all = dir.run(&["vectors", "--against", "true"]);
+    assert_ne!(tests(&run), tests(&all));
+    // What differs is shown with the request and both answers.
+    assert!(run.stdout.starts_with("errata "), "{}", run.stdout);
+    for word in ["\n  request:  {", "\n  expected: {", "\n  answer:   none"] {
+        assert!(run.stdout.contains(word), "{}", run.stdout);
+    }
+    let wrong = dir.run(&["vectors", "--group", "no-such-group"]);
+    assert_eq!(wrong.code, 2);
+    assert!(
+        wrong
+            .stderr
+            .contains("there is no group `no-such-group`: the groups are "),
+        "{}",
+        wrong.stderr
+    );
+}
+
+#[test]
+fn a_silent_command_is_given_up_and_ended_with_its_children() {
+    let dir = Dir::new();
+    // The shell starts a process of its own, which would outlive it.
+    let command = "sleep 600 & echo $! > pid; wait";
+    let begin = std::time::Instant::now();
+    let args = [
+        "vectors",
+        "--against",
+        command,
+        "--group",
+        "errata",
+        "--timeout",
+        "1",
+    ];
+    let run = dir.run(&args);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    assert!(begin.elapsed().as_secs() < 30);
+    let pid = fs::read_to_string(dir.path("pid")).unwrap();
+    let state = format!("/proc/{}/stat", pid.trim());
+    // Ended, or a zombie that nobody has waited for yet.
+    let is_running = |state: &str| {
+        let text = fs::read_to_string(state).unwrap_or_default();
+        let after = text.rsplit(") ").next().unwrap_or_default().to_owned();
+        !after.is_empty() && !after.starts_with('Z')
+    };
+    for _ in 0..50 {
+        if !is_running(&state) {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(100));
+    }
+    panic!("process {pid} still runs");
 }

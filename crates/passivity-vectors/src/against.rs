@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader, Read as _, Write as _};
-use std::process::{Command, Stdio};
 use std::sync::mpsc;
 use std::time::Duration;
 
@@ -11,53 +10,56 @@ use passivity_scene::json::read_rational;
 use passivity_scene::number::nearest_f64;
 use serde_json::Value;
 
+use crate::children::Children;
 use crate::{Group, Test, witness};
 
-/// How long to wait for the next answer.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// How long to wait for the next answer where nobody says otherwise.
+pub const PATIENCE: Duration = Duration::from_secs(60);
 
 /// The longest answer that is read, in bytes: many times the longest that a test expects.
 const MAX_ANSWER: u64 = 1 << 20;
 
-/// Where another implementation differs.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A test to which another implementation answers otherwise.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
     /// The group.
     pub group: &'static str,
     /// The test.
     pub id: u64,
-    /// The field, as in `rows[2].net_linear`.
-    pub field: String,
-    /// What was expected and what was found.
-    pub message: String,
+    /// What differs, field by field: the field, as in `rows[2].net_linear`, and what was expected and
+    /// found there. At least one.
+    pub fields: Vec<(String, String)>,
+    /// The request.
+    pub request: Value,
+    /// The answer that was expected; `None` where it is an error.
+    pub expected: Option<Value>,
+    /// The answer that came; `None` where none did.
+    pub answer: Option<Value>,
 }
 
 /// What came of it.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outcome {
     /// How many tests were run.
     pub tests: usize,
-    /// Every difference.
+    /// The tests with another answer, in their order.
     pub differences: Vec<Difference>,
 }
 
-/// Runs `command` with the shell, asks it every test of `groups`, and compares the answers.
+/// Runs `command` with the shell, asks it every test of `groups`, waits at most `patience` for each next
+/// answer, and compares the answers. In the end the command is ended, with all that it started.
 ///
 /// # Errors
 ///
 /// When the command cannot be started.
-pub fn against(command: &str, groups: &[Group]) -> std::io::Result<Outcome> {
-    let mut child = Command::new("sh")
-        .args(["-c", command])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()?;
+pub fn against(command: &str, groups: &[Group], patience: Duration) -> std::io::Result<Outcome> {
+    let mut child = Children::start(command)?;
     let lines: Vec<String> = groups
         .iter()
         .flat_map(|group| &group.tests)
         .map(Test::line)
         .collect();
-    let mut input = child.stdin.take();
+    let mut input = child.process.stdin.take();
     // Asking and listening at once: neither side's pipe fills up.
     std::thread::spawn(move || {
         for line in lines {
@@ -70,7 +72,7 @@ pub fn against(command: &str, groups: &[Group]) -> std::io::Result<Outcome> {
     });
     // A few answers in advance: a flood of them waits in the pipe, not in memory.
     let (heard, answers) = mpsc::sync_channel(64);
-    let output = child.stdout.take();
+    let output = child.process.stdout.take();
     std::thread::spawn(move || {
         let Some(output) = output else { return };
         let mut output = BufReader::new(output);
@@ -82,17 +84,16 @@ pub fn against(command: &str, groups: &[Group]) -> std::io::Result<Outcome> {
     });
     let mut judge = Judge::new(groups);
     // It may talk besides answering, but not without end.
-    let mut patience = 2 * judge.open.len();
-    while patience > 0 && !judge.open.is_empty() {
-        patience -= 1;
-        let Ok(line) = answers.recv_timeout(PATIENCE) else {
+    let mut lines_left = 2 * judge.open.len();
+    while lines_left > 0 && !judge.open.is_empty() {
+        lines_left -= 1;
+        let Ok(line) = answers.recv_timeout(patience) else {
             break;
         };
         judge.hear(&line);
     }
     // Whatever it still does, it is asked nothing more.
-    let _ = child.kill();
-    let _ = child.wait();
+    drop(child);
     Ok(judge.finish())
 }
 
@@ -128,7 +129,8 @@ pub struct Judge<'a> {
     groups: &'a [Group],
     /// The tests that have no answer yet.
     open: HashMap<u64, &'a Test>,
-    found: HashMap<u64, Found>,
+    /// What differs in each answer, and the answer.
+    found: HashMap<u64, (Found, Value)>,
 }
 
 impl<'a> Judge<'a> {
@@ -153,28 +155,31 @@ impl<'a> Judge<'a> {
         if let Some(test) = test {
             let mut found = Vec::new();
             judge(test, &answer, &mut found);
-            self.found.insert(test.id, found);
+            self.found.insert(test.id, (found, answer));
         }
     }
 
-    /// Every difference, in the order of the tests.
+    /// What came of it.
     #[must_use]
     pub fn finish(mut self) -> Outcome {
         let mut outcome = Outcome::default();
         for group in self.groups {
             for test in &group.tests {
                 outcome.tests += 1;
-                let found = match self.found.remove(&test.id) {
-                    Some(found) => found,
-                    None => vec![(String::new(), "no answer".to_owned())],
+                let (fields, answer) = match self.found.remove(&test.id) {
+                    Some((fields, answer)) => (fields, Some(answer)),
+                    None => (vec![(String::new(), "no answer".to_owned())], None),
                 };
-                let differences = found.into_iter().map(|(field, message)| Difference {
-                    group: group.name,
-                    id: test.id,
-                    field,
-                    message,
-                });
-                outcome.differences.extend(differences);
+                if !fields.is_empty() {
+                    outcome.differences.push(Difference {
+                        group: group.name,
+                        id: test.id,
+                        fields,
+                        request: test.request.clone(),
+                        expected: test.result.clone(),
+                        answer,
+                    });
+                }
             }
         }
         outcome

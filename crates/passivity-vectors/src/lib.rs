@@ -6,13 +6,15 @@
 
 mod against;
 mod build;
+mod children;
 mod cover;
 mod groups;
 mod linear;
 mod witness;
 mod wrong;
 
-pub use against::{Difference, Judge, Outcome, against};
+pub use against::{Difference, Judge, Outcome, PATIENCE, against};
+pub use children::end_children;
 
 use std::sync::OnceLock;
 

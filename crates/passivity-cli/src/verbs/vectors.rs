@@ -2,9 +2,10 @@
 
 use std::fs;
 use std::path::PathBuf;
+use std::time::Duration;
 
-use passivity_vectors::{SCHEMA, against, all};
-use serde_json::json;
+use passivity_vectors::{Difference, Group, PATIENCE, SCHEMA, against, all, end_children};
+use serde_json::{Value, json};
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json};
@@ -16,6 +17,7 @@ use crate::output::{Format, emit, emit_json};
 #[command(after_help = "Examples:
   passivity vectors --out vectors
   passivity vectors --against 'python3 my_implementation.py'
+  passivity vectors --against './mine' --group errata --group verdicts --timeout 5
 
 Exit codes: 0 written, or no difference; 1 the other implementation differs; 2 bad usage.")]
 pub(crate) struct Args {
@@ -25,17 +27,25 @@ pub(crate) struct Args {
     /// Run a command that speaks the line protocol, and list where its answers differ.
     #[arg(long, value_name = "COMMAND")]
     against: Option<String>,
+    /// Ask, write or list only this group of tests; may be given several times.
+    #[arg(long, value_name = "NAME")]
+    group: Vec<String>,
+    /// With `--against`: how many seconds to wait for each next answer before the rest counts as not
+    /// answered and the command is ended.
+    #[arg(long, value_name = "SECONDS", default_value_t = PATIENCE.as_secs(), requires = "against",
+          value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    timeout: u64,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
 
-/// How many differences are listed for people.
-const LISTED: usize = 50;
+/// How many tests with another answer are listed for people.
+const LISTED: usize = 20;
 
 /// Writes, drives, or lists what there is.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    let groups = all();
+    let groups = chosen(&args.group)?;
     if let Some(folder) = &args.out {
         let write = |name: String, text: &str| {
             let path = folder.join(name);
@@ -48,37 +58,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         }
     }
     if let Some(command) = &args.against {
-        let outcome = against(command, &groups)
-            .map_err(|error| Failure::io(format!("`{command}`"), &error))?;
-        let differences = &outcome.differences;
-        if args.format == Format::Json {
-            let listed: Vec<_> = differences
-                .iter()
-                .map(|d| json!({"group": d.group, "id": d.id, "field": d.field, "message": d.message}))
-                .collect();
-            emit_json(&json!({"tests": outcome.tests, "differences": listed}))?;
-        } else {
-            for d in differences.iter().take(LISTED) {
-                let field = match d.field.as_str() {
-                    "" => String::new(),
-                    field => format!("{field}: "),
-                };
-                emit(&format!("{} {}: {field}{}", d.group, d.id, d.message))?;
-            }
-            if differences.len() > LISTED {
-                emit(&format!("and {} more", differences.len() - LISTED))?;
-            }
-            emit(&format!(
-                "{} tests, {} differences",
-                outcome.tests,
-                differences.len()
-            ))?;
-        }
-        return Ok(if differences.is_empty() {
-            Exit::Holds
-        } else {
-            Exit::Fails
-        });
+        return drive(command, &groups, args);
     }
     if args.format == Format::Json {
         let listed: Vec<_> = groups
@@ -97,4 +77,93 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         }
     }
     Ok(Exit::Holds)
+}
+
+/// The groups that are named; all where none is.
+fn chosen(names: &[String]) -> Result<Vec<Group>, Failure> {
+    let groups = all();
+    let has = |name: &String| groups.iter().any(|group| group.name == name);
+    if let Some(unknown) = names.iter().find(|name| !has(name)) {
+        let known: Vec<&str> = groups.iter().map(|group| group.name).collect();
+        return Err(Failure::input(format!(
+            "there is no group `{unknown}`: the groups are {}",
+            known.join(", ")
+        )));
+    }
+    let is_chosen = |group: &Group| names.is_empty() || names.iter().any(|name| name == group.name);
+    Ok(groups.into_iter().filter(is_chosen).collect())
+}
+
+/// Drives another implementation through the tests and says where it differs.
+fn drive(command: &str, groups: &[Group], args: &Args) -> Result<Exit, Failure> {
+    // Interrupted, this program takes with it what it started.
+    ctrlc::set_handler(|| {
+        end_children();
+        std::process::exit(130);
+    })
+    .map_err(Failure::input)?;
+    let outcome = against(command, groups, Duration::from_secs(args.timeout))
+        .map_err(|error| Failure::io(format!("`{command}`"), &error))?;
+    let differences = &outcome.differences;
+    if args.format == Format::Json {
+        let fields = |d: &Difference| -> Vec<Value> {
+            let one =
+                |(field, message): &(String, String)| json!({"field": field, "message": message});
+            d.fields.iter().map(one).collect()
+        };
+        let listed: Vec<_> = differences
+            .iter()
+            .map(|d| {
+                json!({
+                    "group": d.group, "id": d.id, "fields": fields(d),
+                    "request": d.request, "expected": d.expected, "answer": d.answer,
+                })
+            })
+            .collect();
+        emit_json(&json!({
+            "version": env!("CARGO_PKG_VERSION"), "tests": outcome.tests, "differences": listed,
+        }))?;
+    } else {
+        for d in differences.iter().take(LISTED) {
+            emit(&in_words(d))?;
+        }
+        if differences.len() > LISTED {
+            emit(&format!("and {} more tests", differences.len() - LISTED))?;
+        }
+        emit(&format!(
+            "{} tests, {} differences",
+            outcome.tests,
+            differences.len()
+        ))?;
+    }
+    Ok(if differences.is_empty() {
+        Exit::Holds
+    } else {
+        Exit::Fails
+    })
+}
+
+/// A test with another answer: what differs first, the request and both answers.
+fn in_words(d: &Difference) -> String {
+    let mut text = format!("{} {}: ", d.group, d.id);
+    if let Some((field, message)) = d.fields.first() {
+        let field = match field.as_str() {
+            "" => String::new(),
+            field => format!("{field}: "),
+        };
+        text += &format!("{field}{message}");
+    }
+    match d.fields.len() {
+        0 | 1 => {}
+        n => text += &format!(" (and {} more fields)", n - 1),
+    }
+    let answer = |answer: &Option<Value>, none: &str| {
+        answer
+            .as_ref()
+            .map_or_else(|| none.to_owned(), Value::to_string)
+    };
+    text += &format!("\n  request:  {}", d.request);
+    text += &format!("\n  expected: {}", answer(&d.expected, "an error"));
+    text += &format!("\n  answer:   {}", answer(&d.answer, "none"));
+    text
 }
