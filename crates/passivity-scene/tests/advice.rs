@@ -106,3 +106,22 @@ fn what_binds_is_said_in_percent() {
     let led = Scene::from_toml("led", &format!("{delayed}{lead}")).unwrap();
     assert!(text(&led).contains("controller −"), "{}", text(&led));
 }
+
+#[test]
+fn the_scenes_of_the_guide_have_their_verdicts() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/desk");
+    let mut found = 0;
+    for (name, verdict) in [
+        ("arm", Verdict::Passive),
+        ("knob", Verdict::NotPassive),
+        ("master-joint", Verdict::Passive),
+        ("paddle", Verdict::Passive),
+        ("wheel", Verdict::Passive),
+    ] {
+        let scene =
+            Scene::read(folder.join(format!("{name}.toml"))).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(check(&scene).verdict, verdict, "{name}");
+        found += 1;
+    }
+    assert_eq!(std::fs::read_dir(folder).unwrap().count(), found);
+}

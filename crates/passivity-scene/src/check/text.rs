@@ -62,8 +62,8 @@ impl Report {
         if !self.because.is_empty() {
             line("because", &self.because.join(", "));
         }
-        for remark in &self.remarks {
-            line("taken", remark);
+        for (at, remark) in self.remarks.iter().enumerate() {
+            line(if at == 0 { "taken" } else { "" }, remark);
         }
         if let Some(text) = self.unforced_text() {
             line("with the hand off", &text);

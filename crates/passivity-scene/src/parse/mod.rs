@@ -218,7 +218,7 @@ impl Scene {
             transmission: self.transmission.clone(),
             folder: None,
         };
-        let entry = Entry::of_text(key, text);
+        let entry = Entry::of_text(key, text.trim());
         let given = build::value(parameter, key, at_motor, entry, &mut reader);
         let of_other_motion = reader.motion().is_some_and(|motion| motion != self.motion);
         match given {
