@@ -54,8 +54,7 @@ impl<W: Width> Account<W> {
     pub fn start(config: &Config, count: W) -> Option<Self> {
         let stiffness = W::from_i64(config.stiffness);
         if let Some(stored) = config.stored {
-            let unresolved = W::from_i64((config.stiffness + 3) / 4);
-            let given = W::ZERO.minus(W::from_i64(stored)).minus(unresolved);
+            let given = W::ZERO.minus(W::from_i64(stored));
             return Some(Self {
                 most: given,
                 slope: stiffness,
@@ -172,8 +171,8 @@ impl<W: Width> Account<W> {
 /// takes at its most (26).
 #[must_use]
 pub fn given<W: Width>(config: &Config, force: W, distance: W) -> W {
-    let viscous = W::from_i64(2 * config.viscous_at_most());
-    let coulomb = W::from_i64(2 * config.coulomb_at_most());
+    let viscous = W::from_i64(config.twice_viscous);
+    let coulomb = W::from_i64(config.twice_coulomb);
     let length = distance.signed_by(distance.sign_mask());
     let work = force.plus(force).minus(viscous.times(distance));
     distance.times(work).minus(coulomb.times(length))

@@ -29,7 +29,7 @@ pub struct Config {
     /// 2V and 2C at the most.
     pub(crate) twice_viscous: i64,
     pub(crate) twice_coulomb: i64,
-    /// The energy stored at the start, where it is not that of the spring.
+    /// The energy allowed for at the start, where it is not that of the spring.
     pub(crate) stored: Option<i64>,
     /// Net energy at the least; see [`net`](crate::account::net).
     pub(crate) net: Net,
@@ -51,14 +51,17 @@ impl Net {
     /// How many are tabulated.
     pub(crate) const SHORT: usize = 16;
 
+    #[inline]
     const fn of(stiffness: i64, viscous: i64, coulomb: i64) -> Self {
+        let twice_viscous = plus(viscous, viscous);
         // (2V − K)d² + (2C − K)d, up to D.
-        let (square, linear) = (2 * viscous - stiffness, 2 * coulomb - stiffness);
+        let square = minus(twice_viscous, stiffness);
+        let linear = minus(plus(coulomb, coulomb), stiffness);
         // Where it has a vertex above zero it is convex, and least there.
         let (vertex, dip) = match (square > 0, linear < 0) {
             (true, true) => (
-                over_rounded_up(-linear, 2 * square),
-                -over_rounded_up(linear * linear, 4 * square),
+                over_rounded_up(minus(0, linear), times(2, square)),
+                minus(0, over_rounded_up(times(linear, linear), times(4, square))),
             ),
             _ => (0, 0),
         };
@@ -67,18 +70,21 @@ impl Net {
         let mut rest: &mut [i64] = &mut short;
         let mut d = 0;
         while let Some((slot, others)) = rest.split_first_mut() {
-            let here = d * (square * d + linear);
-            let falling = -(4 * viscous * d + linear);
-            fall = match falling {
-                1.. => over_rounded_up(falling * falling, 4 * (2 * viscous + stiffness)),
-                _ => 0,
+            let here = times(d, plus(times(square, d), linear));
+            let rising = plus(times(times(2, twice_viscous), d), linear);
+            fall = match rising {
+                0.. => 0,
+                _ => over_rounded_up(
+                    times(rising, rising),
+                    times(4, plus(twice_viscous, stiffness)),
+                ),
             };
-            *slot = least(here - fall, before);
+            *slot = least(minus(here, fall), before);
             if d == vertex {
                 *slot = least(*slot, dip);
             }
             before = here;
-            d += 1;
+            d = plus(d, 1);
             rest = others;
         }
         if vertex >= d {
@@ -90,30 +96,62 @@ impl Net {
                 peak: 0,
             };
         }
-        let peak = match (square < 0, linear > 0) {
-            // It falls from D − 1 to D where square·(2D − 1) + linear is below zero.
-            (true, true) => (linear - square) / (-2 * square) + 1,
-            (true, false) => 0,
-            (false, _) if linear < 0 && square == 0 => 0,
-            (false, _) => i64::MAX,
+        // It falls from D − 1 to D where square·(2D − 1) + linear is below zero: from some D on, never, or
+        // always.
+        let peak = if square < 0 && linear > 0 {
+            plus(floor_of(minus(linear, square), times(-2, square)), 1)
+        } else if square < 0 || linear < 0 && square == 0 {
+            0
+        } else {
+            i64::MAX
         };
         Self {
             short,
             square,
             linear,
-            constant: -fall,
+            constant: minus(0, fall),
             peak,
         }
     }
 }
 
+#[inline]
 const fn least(a: i64, b: i64) -> i64 {
     if a < b { a } else { b }
 }
 
+// As in `Width`: within the range of the parameters all of these fit, and nothing is left that could
+// panic.
+
+#[inline]
+const fn plus(a: i64, b: i64) -> i64 {
+    debug_assert!(a.checked_add(b).is_some());
+    a.wrapping_add(b)
+}
+
+#[inline]
+const fn minus(a: i64, b: i64) -> i64 {
+    debug_assert!(a.checked_sub(b).is_some());
+    a.wrapping_sub(b)
+}
+
+#[inline]
+const fn times(a: i64, b: i64) -> i64 {
+    debug_assert!(a.checked_mul(b).is_some());
+    a.wrapping_mul(b)
+}
+
+/// The quotient of a number of at least zero by one above zero, rounded down.
+#[inline]
+const fn floor_of(n: i64, divisor: i64) -> i64 {
+    debug_assert!(n >= 0 && divisor > 0);
+    n / if divisor > 0 { divisor } else { 1 }
+}
+
 /// The quotient of two numbers above zero, rounded up.
+#[inline]
 const fn over_rounded_up(n: i64, divisor: i64) -> i64 {
-    (n - 1) / divisor + 1
+    plus(floor_of(minus(n, 1), divisor), 1)
 }
 
 /// A parameter of a [`Config`].
@@ -182,6 +220,7 @@ impl Config {
     /// # Errors
     ///
     /// [`ConfigError::OutOfRange`] for a parameter below zero or above [`PARAMETER_MAX`].
+    #[inline]
     pub const fn new(stiffness: i64, viscous: i64, coulomb: i64) -> Result<Self, ConfigError> {
         if let Err(error) = in_range(stiffness, Parameter::Stiffness) {
             return Err(error);
@@ -196,8 +235,8 @@ impl Config {
             stiffness,
             viscous,
             coulomb,
-            twice_viscous: 2 * viscous,
-            twice_coulomb: 2 * coulomb,
+            twice_viscous: times(2, viscous),
+            twice_coulomb: times(2, coulomb),
             stored: None,
             net: Net::of(stiffness, viscous, coulomb),
         })
@@ -211,6 +250,7 @@ impl Config {
     /// # Errors
     ///
     /// [`ConfigError`] for a value above [`PARAMETER_MAX`] or below the least.
+    #[inline]
     pub const fn with_friction_at_most(
         self,
         viscous: i64,
@@ -229,8 +269,8 @@ impl Config {
             return Err(ConfigError::AtMostBelowLeast(Parameter::CoulombAtMost));
         }
         Ok(Self {
-            twice_viscous: 2 * viscous,
-            twice_coulomb: 2 * coulomb,
+            twice_viscous: times(2, viscous),
+            twice_coulomb: times(2, coulomb),
             ..self
         })
     }
@@ -244,12 +284,14 @@ impl Config {
     /// # Errors
     ///
     /// [`ConfigError::OutOfRange`] for an energy below zero or above 2⁶².
+    #[inline]
     pub const fn with_stored_at_start(self, energy: i64) -> Result<Self, ConfigError> {
         if energy < 0 || energy > 1 << 62 {
             return Err(ConfigError::OutOfRange(Parameter::StoredAtStart));
         }
+        let unresolved = floor_of(plus(self.stiffness, 3), 4);
         Ok(Self {
-            stored: Some(energy),
+            stored: Some(plus(energy, unresolved)),
             ..self
         })
     }
@@ -285,6 +327,7 @@ impl Config {
     }
 }
 
+#[inline]
 const fn in_range(value: i64, parameter: Parameter) -> Result<(), ConfigError> {
     if value < 0 || value > PARAMETER_MAX {
         return Err(ConfigError::OutOfRange(parameter));

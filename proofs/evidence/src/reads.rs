@@ -11,8 +11,9 @@ use passivity_evidence::EvidenceError;
 use crate::sources::Sources;
 
 /// The crates whose files are found: the name in paths, and the folder of the sources.
-const CRATES: [(&str, &str); 6] = [
+const CRATES: [(&str, &str); 7] = [
     ("passivity_core", "crates/passivity-core/src"),
+    ("passivity_monitor", "crates/passivity-monitor/src"),
     ("passivity_scene", "crates/passivity-scene/src"),
     ("passivity_terms", "proofs/terms/src"),
     ("passivity_smt", "proofs/smt/src"),

@@ -86,13 +86,17 @@ fn the_list_and_the_sources_name_the_same_harnesses() {
 fn the_mutations_of_the_list_fit_the_kernel() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let list = list::read(folder).expect("the list is well-formed");
-    let kernel = folder.join("../../crates/passivity-core/src");
+    let crates = folder.join("../../crates");
     for entry in &list.harness {
         let [file, old, new] = entry
             .mutation
             .as_ref()
             .expect("each harness has a mutation");
-        let text = fs::read_to_string(kernel.join(file)).expect("a file of the kernel");
+        let path = match file.strip_prefix("monitor/") {
+            Some(file) => crates.join("passivity-monitor/src").join(file),
+            None => crates.join("passivity-core/src").join(file),
+        };
+        let text = fs::read_to_string(path).expect("a file of the kernel or the monitor");
         assert_eq!(
             text.matches(old.as_str()).count(),
             1,

@@ -1,7 +1,7 @@
 //! Each harness notices the change of the kernel that `harnesses.toml` lists with it.
 //!
-//! The kernel, the harnesses and their stand-in are copied into `target/kani-mutants`, the copy of
-//! the kernel with all changes in it, each with a switch. One build of it then runs every
+//! The kernel, the monitor, the harnesses and their stand-in are copied into `target/kani-mutants`, the
+//! copies of the kernel and the monitor with all changes in them, each with a switch. One build of it then runs every
 //! harness with its change on, and all of them with none.
 
 use std::collections::BTreeMap;
@@ -12,11 +12,16 @@ use passivity_standin::copy::{copy, workspace, write};
 use passivity_standin::list::{self, List};
 use passivity_standin::mutate::{Edit, SWITCH, VARIABLE, with_switches};
 
-const KERNEL: &str = "crates/passivity-core";
+/// The crates that are changed, and what their files are listed under.
+const CHANGED: [(&str, &str); 2] = [
+    ("crates/passivity-core", ""),
+    ("crates/passivity-monitor", "monitor/"),
+];
 
 /// The members of the copy.
-const MEMBERS: [&str; 4] = [
-    KERNEL,
+const MEMBERS: [&str; 5] = [
+    CHANGED[0].0,
+    CHANGED[1].0,
     "proofs/kani",
     "proofs/standin",
     "proofs/standin/macros",
@@ -41,35 +46,39 @@ fn mutations(list: &List) -> BTreeMap<&[String; 3], (u32, Vec<&str>)> {
     found
 }
 
-/// Makes the copy, with a switch for each change of the kernel.
+/// What a source is listed under, if it is one that is changed.
+fn listed(root: &Path, path: &Path) -> Option<String> {
+    CHANGED.iter().find_map(|(folder, prefix)| {
+        let file = path.strip_prefix(root.join(folder).join("src")).ok()?;
+        Some(format!("{prefix}{}", file.to_str()?))
+    })
+}
+
+/// Makes the copy, with a switch for each change.
 fn copied(list: &List) -> PathBuf {
     let (root, copy_of) = (root(), root().join("target/kani-mutants"));
     let mut edits: BTreeMap<&str, Vec<Edit>> = BTreeMap::new();
     for ([file, old, new], (number, _)) in mutations(list) {
         edits.entry(file).or_default().push((number, old, new));
     }
-    let kernel = root.join(KERNEL).join("src");
     for member in MEMBERS {
         copy(
             &root.join(member),
             &copy_of.join(member),
-            &mut |path, text| {
-                let file = path.strip_prefix(&kernel).ok().and_then(Path::to_str);
-                match file {
-                    Some("lib.rs") => format!("{text}\nmod mutation;\n"),
-                    Some(file) => {
-                        let edits = edits.get(file).map_or(&[][..], Vec::as_slice);
-                        with_switches(&text, edits).unwrap_or_else(|e| panic!("{file}: {e}"))
-                    }
-                    None => text,
+            &mut |path, text| match listed(&root, path).as_deref() {
+                Some("lib.rs" | "monitor/lib.rs") => format!("{text}\nmod mutation;\n"),
+                Some(file) => {
+                    let edits = edits.get(file).map_or(&[][..], Vec::as_slice);
+                    with_switches(&text, edits).unwrap_or_else(|e| panic!("{file}: {e}"))
                 }
+                None => text,
             },
         );
     }
-    write(
-        &copy_of.join(KERNEL).join("src/mutation.rs"),
-        SWITCH.as_bytes(),
-    );
+    for (folder, _) in CHANGED {
+        let switch = copy_of.join(folder).join("src/mutation.rs");
+        write(&switch, SWITCH.as_bytes());
+    }
     workspace(&root, &copy_of, &MEMBERS);
     copy_of
 }

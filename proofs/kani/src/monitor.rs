@@ -1,0 +1,351 @@
+//! The account in the loop: one sample after any other, so that it holds after any number of them.
+//!
+//! What is assumed of the account before a sample is what is shown of it after. All is in whole
+//! numbers; positions within a tick are quarters of it, so energies are compared in sixteenths.
+
+use passivity_monitor::account::{Account, given, net};
+use passivity_monitor::{Answer, Config, Monitor, PARAMETER_MAX};
+
+/// Parameters below this: what friction takes is less than, equal to and more than half of the
+/// stiffness, in each combination.
+const SMALL: u8 = 6;
+
+/// Forces up to this in magnitude: several times that of the spring at a tick.
+const FORCE: i8 = 8;
+
+/// Ticks crossed: none, one, several, in both directions.
+const TICKS: i8 = 4;
+
+/// Ticks crossed where only net energy is looked at: some past those that are tabulated.
+const MANY_TICKS: u8 = 24;
+
+/// Differences of energy from which a sample starts.
+const ENERGY: i8 = 16;
+
+fn parameter(limit: u8) -> i64 {
+    i64::from(kani::any_where(|n: &u8| *n < limit))
+}
+
+fn up_to(limit: i8) -> i64 {
+    i64::from(kani::any_where(|n: &i8| *n >= -limit && *n <= limit))
+}
+
+/// Quarters of a tick, both ends included.
+fn quarters() -> i64 {
+    i64::from(kani::any_where(|n: &u8| *n <= 4))
+}
+
+/// A configuration that is in range.
+fn configured(stiffness: i64, viscous: i64, coulomb: i64) -> Config {
+    let config = Config::new(stiffness, viscous, coulomb);
+    kani::assume(config.is_ok());
+    match config {
+        Ok(config) => config,
+        Err(_) => unreachable!(),
+    }
+}
+
+fn advanced(mut account: Account<i64>, config: &Config, force: i64, ticks: i64) -> Account<i64> {
+    let fits = account.advance(config, force, ticks);
+    kani::assert(
+        fits.is_some(),
+        "TH-MONITOR: an account of small numbers fits",
+    );
+    account
+}
+
+/// Sixteen times what is given over q quarters of a tick, by the definition.
+fn given_in_sixteenths(config: &Config, force: i64, q: i64) -> i64 {
+    8 * force * q - 2 * config.viscous() * q * q - 8 * config.coulomb() * q.abs()
+}
+
+/// TH-MONITOR: wherever within the ticks a sample and the next one were, what was given is at most
+/// what the account says, if it was before.
+#[kani::proof]
+fn th_monitor_most_bounds_every_motion() {
+    let config = configured(parameter(SMALL), parameter(4), parameter(4));
+    let (force, ticks, slope) = (up_to(FORCE), up_to(TICKS), up_to(ENERGY));
+    let (from, to) = (quarters(), quarters());
+    let before = Account {
+        most: 0,
+        slope,
+        least: [0; 2],
+    };
+    let after = advanced(before, &config, force, ticks);
+    let bound = |account: &Account<i64>, r: i64| {
+        16 * account.most + 4 * account.slope * r - config.stiffness() * r * r
+    };
+    let q = 4 * ticks + to - from;
+    let now = bound(&before, from) + given_in_sixteenths(&config, force, q);
+    kani::cover!(now == bound(&after, to), "the bound is reached");
+    kani::assert(
+        now <= bound(&after, to),
+        "TH-MONITOR: no motion with these counts gives more than the most",
+    );
+}
+
+/// TH-MONITOR: the same from below: what was given is at least what the account says, in between
+/// the ends of the tick what lies on the straight line.
+#[kani::proof]
+fn th_monitor_least_bounds_every_motion() {
+    let config = configured(0, parameter(4), parameter(4));
+    let (force, ticks, rise) = (up_to(FORCE), up_to(TICKS), up_to(ENERGY));
+    let (from, to) = (quarters(), quarters());
+    let before = Account {
+        most: 0,
+        slope: 0,
+        least: [0, rise],
+    };
+    let after = advanced(before, &config, force, ticks);
+    let bound = |account: &Account<i64>, r: i64| {
+        let [lower, upper] = account.least;
+        4 * (lower * (4 - r) + upper * r)
+    };
+    let q = 4 * ticks + to - from;
+    let now = bound(&before, from) + given_in_sixteenths(&config, force, q);
+    kani::cover!(now == bound(&after, to), "the bound is reached");
+    kani::assert(
+        now >= bound(&after, to),
+        "TH-MONITOR: no motion with these counts gives less than the least",
+    );
+}
+
+/// TH-MONITOR: the least is what some motion between ends of ticks gives: whatever is surely active
+/// is told.
+#[kani::proof]
+fn th_monitor_least_is_reached() {
+    let config = configured(0, parameter(4), parameter(4));
+    let (force, ticks, rise) = (up_to(FORCE), up_to(TICKS), up_to(ENERGY));
+    let to = i64::from(kani::any_where(|n: &u8| *n <= 1));
+    let before = Account {
+        most: 0,
+        slope: 0,
+        least: [0, rise],
+    };
+    let [lower, upper] = advanced(before, &config, force, ticks).least;
+    let least = if to == 0 { lower } else { upper };
+    let from_lower = given(&config, force, ticks + to);
+    let from_upper = rise + given(&config, force, ticks + to - 1);
+    kani::cover!(from_upper < from_lower, "it came from the upper end");
+    kani::assert(
+        least == from_lower.min(from_upper),
+        "TH-MONITOR: the least is that of a motion",
+    );
+}
+
+/// TH-MONITOR: net energy against the wall's spring is nowhere within the ticks less than the least,
+/// in intervals short and long.
+#[kani::proof]
+fn th_monitor_net_is_least() {
+    let config = configured(parameter(8), parameter(SMALL), parameter(SMALL));
+    let ticks = i64::from(kani::any_where(|n: &u8| *n < MANY_TICKS));
+    let (from, to) = (quarters(), quarters());
+    let (stiffness, q) = (config.stiffness(), 4 * ticks + to - from);
+    let taken = 2 * config.viscous() * q * q + 8 * config.coulomb() * q.abs();
+    // Twice ½d² + (ρ₀ − ½)d of stiffness, in sixteenths.
+    let generated = stiffness * (q * q + 2 * (from - 2) * q);
+    let least = net(&config, ticks);
+    kani::cover!(
+        taken - generated == 16 * least && ticks > 16,
+        "it is reached by a long interval"
+    );
+    kani::assert(
+        taken - generated >= 16 * least,
+        "TH-MONITOR: no positions within the ticks have less net energy",
+    );
+}
+
+/// TH-MONITOR: under the wall's own force, with b ≥ KT/2 and c ≥ KΔ/2, nothing is ever given beyond what
+/// the spring gives up.
+#[kani::proof]
+fn th_monitor_passive_wall_stays_passive() {
+    let half = i64::from(kani::any_where(|n: &u8| *n >= 1 && *n < SMALL));
+    let config = configured(2 * half, half + parameter(3), half + parameter(3));
+    let count = up_to(8);
+    let ticks = up_to(20);
+    let stored = |n: i64| 2 * half * n * n;
+    let before = Account {
+        most: -stored(count),
+        slope: -4 * half * count,
+        least: [0; 2],
+    };
+    let own = -half * (2 * count + 1);
+    let after = advanced(before, &config, own, ticks);
+    kani::cover!(
+        after.most == -stored(count + ticks) && ticks != 0,
+        "all of it is given up"
+    );
+    kani::assert(
+        after.most <= -stored(count + ticks)
+            && after.slope == -4 * half * (count + ticks)
+            && !after.may_be_positive(&config),
+        "TH-MONITOR: a passive wall is surely passive",
+    );
+}
+
+/// TH-MONITOR: *surely passive* is answered exactly where the most is not above zero.
+#[kani::proof]
+fn th_monitor_is_passive_where_the_most_is_not_positive() {
+    let config = configured(parameter(16), 0, 0);
+    let account = Account {
+        most: up_to(64),
+        slope: up_to(64),
+        least: [0; 2],
+    };
+    let most = account.at_most(&config);
+    kani::cover!(
+        most == Some(0) && account.slope > 0 && account.slope < 2 * config.stiffness(),
+        "just passive within the tick"
+    );
+    kani::assert(
+        most.is_some_and(|most| (most > 0) == account.may_be_positive(&config)),
+        "TH-MONITOR: the answer is that of the bound",
+    );
+}
+
+/// TH-MONITOR: the counts alone, as the passivity observer takes them, are no bound: between the ticks
+/// more may be given.
+#[kani::proof]
+#[kani::should_panic]
+fn th_monitor_counts_alone_are_no_bound() {
+    let config = configured(0, parameter(4), parameter(4));
+    let (force, ticks) = (up_to(FORCE), up_to(TICKS));
+    let (from, to) = (quarters(), quarters());
+    let q = 4 * ticks + to - from;
+    kani::cover!(q > 4 * ticks, "it went further than the counts");
+    kani::assert(
+        given_in_sixteenths(&config, force, q) <= 16 * given(&config, force, ticks),
+        "TH-MONITOR: no more is given than the counts alone say",
+    );
+}
+
+/// TH-MONITOR: a configuration of any numbers is one or an error, and a monitor starts with it at any
+/// count: nothing has been given then.
+#[kani::proof]
+fn th_monitor_starts_with_any_numbers() {
+    let (stiffness, viscous, coulomb) = (kani::any(), kani::any(), kani::any());
+    let config = Config::new(stiffness, viscous, coulomb);
+    let in_range = |n: i64| (0..=PARAMETER_MAX).contains(&n);
+    kani::assert(
+        config.is_ok() == (in_range(stiffness) && in_range(viscous) && in_range(coulomb)),
+        "TH-MONITOR: a configuration is refused exactly when a number is out of range",
+    );
+    let Ok(config) = config else { return };
+    let monitor = Monitor::<i64>::start(config, kani::any(), kani::any());
+    kani::cover!(monitor.given().is_some(), "it starts");
+    kani::cover!(monitor.given().is_none(), "what is stored does not fit");
+    kani::assert(
+        match monitor.given() {
+            Some(given) => given.most <= 0 && monitor.answer() == Answer::SurelyPassive,
+            None => monitor.answer() == Answer::Unknown,
+        },
+        "TH-MONITOR: nothing has been given at the start, or it is unknown",
+    );
+}
+
+/// Parameters that are as large as they may be, and small ones: what one sample adds is largest where
+/// each is, or is not, there.
+const LARGEST: Config = at(PARAMETER_MAX, PARAMETER_MAX, PARAMETER_MAX);
+const NO_FRICTION: Config = at(PARAMETER_MAX, 0, 0);
+const NO_SPRING: Config = at(0, PARAMETER_MAX, PARAMETER_MAX);
+const ORDINARY: Config = at(1000, 650, 300);
+
+const fn at(stiffness: i64, viscous: i64, coulomb: i64) -> Config {
+    match Config::new(stiffness, viscous, coulomb) {
+        Ok(config) => config,
+        Err(_) => panic!("in range"),
+    }
+}
+
+/// An account of any numbers, the slope as far as a start can lead.
+fn any_account() -> Account<i64> {
+    Account {
+        most: kani::any(),
+        slope: kani::any_where(|slope: &i64| *slope >= -(1 << 62) && *slope <= 1 << 62),
+        least: [kani::any(), kani::any()],
+    }
+}
+
+fn widened(account: &Account<i64>) -> Account<i128> {
+    Account {
+        most: account.most.into(),
+        slope: account.slope.into(),
+        least: account.least.map(Into::into),
+    }
+}
+
+/// Advances any account by any force and step: what it is then, if it fits, and in the wider integers.
+fn advances(config: &Config) -> (Option<Account<i64>>, Account<i128>) {
+    let (mut account, force): (_, i32) = (any_account(), kani::any());
+    let ticks = kani::any_where(|n: &i16| *n > i16::MIN);
+    let mut wide = widened(&account);
+    let wide_fits = wide.advance(config, force.into(), ticks.into());
+    kani::assume(wide_fits.is_some());
+    let fits = account.advance(config, force.into(), ticks.into());
+    (fits.map(|()| account), wide)
+}
+
+/// TH-MONITOR: with the largest parameters, no sample after any others makes an account panic or wrap.
+#[kani::proof]
+fn th_monitor_never_wraps_with_the_largest_parameters() {
+    let (account, wide) = advances(&LARGEST);
+    kani::cover!(account.is_some(), "it fits");
+    kani::cover!(account.is_none(), "it does not fit");
+    kani::assert(
+        account.is_none_or(|account| widened(&account) == wide),
+        "TH-MONITOR: an account that fits is exact",
+    );
+}
+
+/// TH-MONITOR: with the stiffest spring and no friction, no sample after any others makes an account panic or wrap.
+#[kani::proof]
+fn th_monitor_never_wraps_without_friction() {
+    let (account, wide) = advances(&NO_FRICTION);
+    kani::cover!(account.is_some(), "it fits");
+    kani::cover!(account.is_none(), "it does not fit");
+    kani::assert(
+        account.is_none_or(|account| widened(&account) == wide),
+        "TH-MONITOR: an account that fits is exact",
+    );
+}
+
+/// TH-MONITOR: with the most friction and no spring, no sample after any others makes an account panic or wrap.
+#[kani::proof]
+fn th_monitor_never_wraps_without_a_spring() {
+    let (account, wide) = advances(&NO_SPRING);
+    kani::cover!(account.is_some(), "it fits");
+    kani::cover!(account.is_none(), "it does not fit");
+    kani::assert(
+        account.is_none_or(|account| widened(&account) == wide),
+        "TH-MONITOR: an account that fits is exact",
+    );
+}
+
+/// TH-MONITOR: with ordinary parameters, no sample after any others makes an account panic or wrap.
+#[kani::proof]
+fn th_monitor_never_wraps_with_ordinary_parameters() {
+    let (account, wide) = advances(&ORDINARY);
+    kani::cover!(account.is_some(), "it fits");
+    kani::cover!(account.is_none(), "it does not fit");
+    kani::assert(
+        account.is_none_or(|account| widened(&account) == wide),
+        "TH-MONITOR: an account that fits is exact",
+    );
+}
+
+/// TH-MONITOR: any three samples have an answer; bounds are given unless a number did not fit, and that is
+/// said.
+#[kani::proof]
+fn th_monitor_answers_any_samples() {
+    let mut monitor = Monitor::<i64>::start(ORDINARY, kani::any(), kani::any());
+    monitor.sample(kani::any(), kani::any());
+    let answer = monitor.sample(kani::any(), kani::any());
+    let saturated = monitor.saturation().is_some();
+    kani::cover!(answer == Answer::SurelyActive, "it is surely active");
+    kani::cover!(answer == Answer::Unknown, "a number did not fit");
+    kani::assert(
+        (answer != Answer::Unknown || saturated)
+            && (!saturated || matches!(answer, Answer::Unknown | Answer::SurelyActive)),
+        "TH-MONITOR: an answer is unknown exactly where a number did not fit",
+    );
+}
