@@ -12,7 +12,9 @@ mod unforced;
 
 pub use decide::Verdict;
 pub use limits::{Limit, Side};
+pub(crate) use limits::{border, is_searched};
 pub use report::{Costs, Report, Spare, Witness, check};
+pub(crate) use text::unit_of;
 pub use unforced::Unforced;
 
 use passivity_core::{BigRational, Enclosed, Exact, Interval};
