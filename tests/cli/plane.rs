@@ -78,3 +78,238 @@ fn a_scene_that_is_not_passive_does_not_stand_in_the_green() {
     let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
     assert!(svg.contains("less what further effects cost"));
 }
+
+const ARM: &str = "[device]\nviscous = \"0.5 N s/m ± 10%\"\ncoulomb = \"0.04 N\"\n[sampling]\n\
+                   rate = \"1 kHz\"\n[encoder]\nresolution = \"0.03 mm\"\n[wall]\n\
+                   stiffness = \"0.4 N/mm ± 5%\"\n[operator]\nmax_speed = \"40 mm/s\"\n";
+
+#[test]
+fn a_plane_of_two_parameters_has_its_borders_as_data() {
+    let dir = Dir::new();
+    let arm = dir.write("arm.toml", ARM);
+    let args = [
+        "plane",
+        &arm,
+        "--axes",
+        "stiffness,damping",
+        "--out",
+        "border.csv",
+        "--plot",
+        "plane.svg",
+    ];
+    let run = dir.run(&args);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert_eq!(
+        run.stdout,
+        "1 scene drawn in plane.svg\n2 borders written to border.csv\n\
+         borders: solved exactly; every point passes when it is typed into the scene\n"
+    );
+    let table = std::fs::read_to_string(dir.path("border.csv")).expect("a table");
+    let mut lines = table.lines();
+    assert_eq!(
+        lines.next(),
+        Some("scenes,speeds,line,\"stiffness [N/mm]\",\"damping [N s/m]\"")
+    );
+    // At the least b = 0.45 N s/m: K ≤ 0.9 N/mm at every speed without damping.
+    assert_eq!(lines.next(), Some("\"arm\",every_speed,1,0.9,0.0"));
+    let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
+    for word in [
+        "stiffness K (N/mm)",
+        "virtual damping B (N s/m)",
+        "passive at every speed",
+        "passive up to 40 mm/s",
+        "1: arm",
+        "0.38 … 0.42 N/mm, 0 N s/m",
+        "its tolerances",
+    ] {
+        assert!(svg.contains(word), "{word}");
+    }
+    let run = dir.run(&[
+        "plane",
+        &arm,
+        "--axes",
+        "stiffness,rate [Hz]",
+        "--log",
+        "both",
+        "--format",
+        "json",
+    ]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let document = run.json();
+    assert_eq!(document["axes"][1]["parameter"], "sampling.rate");
+    assert_eq!(document["axes"][1]["unit"], "Hz");
+    assert_eq!(document["axes"][1]["log"], true);
+    assert_eq!(document["scenes"][0]["x"], serde_json::json!([0.38, 0.42]));
+    assert_eq!(document["borders"][1]["speeds"], "up_to_max_speed");
+    assert_eq!(document["borders"][1]["found_by"], "formula");
+    assert!(
+        document["borders"][1]["lines"][0]
+            .as_array()
+            .is_some_and(|line| line.len() > 2)
+    );
+}
+
+#[test]
+fn thirteen_scenes_are_all_in_the_key_and_share_borders_where_they_can() {
+    let dir = Dir::new();
+    let mut args = vec!["plane".to_owned()];
+    for i in 1..=13 {
+        let stiffness = format!("0.{i:02} N/mm");
+        let damped = if i > 10 {
+            "damping = \"0.05 N s/m\"\n[operator]"
+        } else {
+            "[operator]"
+        };
+        let scene = ARM
+            .replace("0.4 N/mm", &stiffness)
+            .replace("[operator]", damped);
+        args.push(dir.write(&format!("arm-{i}.toml"), scene));
+    }
+    args.extend(
+        [
+            "--axes",
+            "stiffness,viscous",
+            "--plot",
+            "plane.svg",
+            "--format",
+            "json",
+        ]
+        .map(String::from),
+    );
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    let run = dir.run(&args);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let borders = run.json()["borders"].as_array().expect("a list").len();
+    assert_eq!(borders, 4, "two families at two speeds");
+    let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
+    for i in 1..=13 {
+        assert!(svg.contains(&format!(">{i}: arm-{i}<")), "{i}");
+    }
+    assert!(svg.contains("short strokes: the side that is passive"));
+    assert!(
+        svg.contains(">1–10<") && svg.contains(">11–13<"),
+        "borders have the numbers of their scenes"
+    );
+}
+
+#[test]
+fn measured_points_are_compared_with_the_criterion() {
+    let dir = Dir::new();
+    let arm = dir.write(
+        "arm.toml",
+        ARM.replace("[operator]\nmax_speed = \"40 mm/s\"\n", ""),
+    );
+    let bench = "stiffness [N/m],damping [N s/m],stable,note\n500,0.1,stable,\n1200,0,stable,ringing\n\
+                 1500,0.1,unstable,\n500,0.05,unstable,loose screw\n";
+    dir.write("bench.csv", bench);
+    let args = [
+        "plane",
+        &arm,
+        "--axes",
+        "stiffness,damping",
+        "--measured",
+        "bench.csv",
+        "--plot",
+        "plane.svg",
+    ];
+    let run = dir.run(&args);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let expected = "4 points measured: 2 agree, at 1 the criterion is stricter, at 1 it is looser\n\
+                    columns not read: note\n";
+    assert!(run.stdout.ends_with(expected), "{}", run.stdout);
+    let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
+    assert!(svg.contains("unstable where the criterion holds"));
+    let mut json = args.to_vec();
+    json.extend(["--format", "json"]);
+    let document = dir.run(&json).json();
+    assert_eq!(document["measured"]["points"][1]["prediction"], "stricter");
+    assert_eq!(document["measured"]["points"][1]["x"].as_f64(), Some(1.2));
+    // A mistake in the file has its place.
+    dir.write(
+        "bench.csv",
+        bench.replace("1500,0.1,unstable", "1500,0.1,shaky"),
+    );
+    let run = dir.run(&args);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.stderr.contains(
+            "`bench.csv`: line 4, column 3: expected `stable` or `unstable`, found `shaky`"
+        ),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn what_has_no_plane_is_said() {
+    let dir = Dir::new();
+    let arm = dir.write("arm.toml", ARM);
+    let motor = dir.write(
+        "motor.toml",
+        "[sampling]\nrate = \"1 kHz\"\n[wall]\nstiffness = \"1 N m/rad\"\n",
+    );
+    for (args, expected) in [
+        (
+            &["--axes", "stiffness"][..],
+            "--axes `stiffness`: expected two parameters, as in stiffness,damping",
+        ),
+        (
+            &["--axes", "stiffness,dampng"],
+            "--axes `dampng`: expected a parameter: one of stiffness, period, rate",
+        ),
+        (
+            &["--axes", "stiffness,inertia"],
+            "`inertia` has no part in the criterion",
+        ),
+        (
+            &["--axes", "stiffness,damping [N]"],
+            "the unit is that of a force",
+        ),
+        (
+            &["--axes", "stiffness,damping", "--x", "1"],
+            "--x `1`: expected FROM:TO, as in 0:2.5",
+        ),
+        (
+            &["--axes", "stiffness,damping", "--x", "3:1"],
+            "expected two numbers, the lower first",
+        ),
+        (
+            &["--x", "0:1"],
+            "--x is for a plane of parameters: name them with --axes",
+        ),
+        (
+            &["--axes", "stiffness,damping", "--measured", "no.csv"],
+            "`no.csv`: there is no such file",
+        ),
+        (
+            &["--axes", "stiffness,damping", "--out", "no/such/border.csv"],
+            "no/such/border.csv",
+        ),
+    ] {
+        let mut all = vec!["plane", &arm, "--plot", "plane.svg"];
+        all.extend(args);
+        let run = dir.run(&all);
+        assert_eq!(run.code, 2, "{args:?}");
+        assert!(run.stderr.contains(expected), "{args:?}: {}", run.stderr);
+    }
+    let run = dir.run(&["plane", &arm, "--axes", "stiffness,damping"]);
+    assert!(
+        run.stderr.contains("give --plot, --out or --format json"),
+        "{}",
+        run.stderr
+    );
+    let run = dir.run(&[
+        "plane",
+        &arm,
+        &motor,
+        "--axes",
+        "stiffness,damping",
+        "--plot",
+        "plane.svg",
+    ]);
+    assert!(
+        run.stderr.contains("`arm` is linear and `motor` is rotary"),
+        "{}",
+        run.stderr
+    );
+}

@@ -39,7 +39,7 @@ pub fn of_plane(study: &Study) -> Vec<Block> {
     let alt = format!(
         "The plane of effective viscous friction β and effective Coulomb friction σ, with the lines \
          β = ½ and σ = ½ that part the regions. The scene is at {at}: {}.",
-        mark.verdict
+        mark.verdict.name().replace('_', " ")
     );
     let mut place = String::new();
     if has_tolerance {

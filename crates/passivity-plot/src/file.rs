@@ -1,6 +1,7 @@
 //! Writing a picture to a file.
 
 use std::fmt;
+use std::fs::OpenOptions;
 use std::path::Path;
 
 /// Why a picture could not be drawn or written.
@@ -26,6 +27,55 @@ impl fmt::Display for PlotError {
 
 impl std::error::Error for PlotError {}
 
+/// Says whether a picture can be written to a file, before it is drawn: its name, and whether the file
+/// can be opened.
+///
+/// # Errors
+///
+/// See [`save`].
+pub fn check_name(path: &Path) -> Result<(), PlotError> {
+    kind(path)?;
+    let new = !path.exists();
+    let opened = OpenOptions::new().append(true).create(true).open(path);
+    opened.map_err(|error| unwritable(path, &error))?;
+    if new {
+        // Only the picture itself shall stay.
+        std::fs::remove_file(path).map_err(|error| unwritable(path, &error))?;
+    }
+    Ok(())
+}
+
+fn unwritable(path: &Path, error: &std::io::Error) -> PlotError {
+    PlotError::new(format!("`{}`: {error}", path.display()))
+}
+
+/// What the name of a file says of the picture in it.
+enum Kind {
+    Svg,
+    Png,
+}
+
+fn kind(path: &Path) -> Result<Kind, PlotError> {
+    let extension = path
+        .extension()
+        .and_then(|e| e.to_str())
+        .map(str::to_ascii_lowercase);
+    match extension.as_deref() {
+        Some("svg") => Ok(Kind::Svg),
+        Some("png") if cfg!(feature = "png") => Ok(Kind::Png),
+        Some("png") => {
+            let message = "PNG files are not in this build: build it with the feature `png`";
+            Err(PlotError::new(message))
+        }
+        _ => {
+            let name = path.display();
+            Err(PlotError::new(format!(
+                "`{name}`: expected a name that ends in .svg or .png"
+            )))
+        }
+    }
+}
+
 /// Writes the picture: as SVG, or as PNG when the name ends in `.png`.
 ///
 /// # Errors
@@ -40,26 +90,19 @@ impl std::error::Error for PlotError {}
 /// assert_eq!(error.to_string(), "`plane.bmp`: expected a name that ends in .svg or .png");
 /// ```
 pub fn save(svg: &str, path: &Path) -> Result<(), PlotError> {
-    let extension = path
-        .extension()
-        .and_then(|e| e.to_str())
-        .map(str::to_ascii_lowercase);
-    let bytes = match extension.as_deref() {
-        Some("svg") => svg.as_bytes().to_vec(),
-        #[cfg(feature = "png")]
-        Some("png") => crate::to_png(svg)?,
-        #[cfg(not(feature = "png"))]
-        Some("png") => {
-            let message = "PNG files are not in this build: build it with the feature `png`";
-            return Err(PlotError::new(message));
-        }
-        _ => {
-            let name = path.display();
-            return Err(PlotError::new(format!(
-                "`{name}`: expected a name that ends in .svg or .png"
-            )));
-        }
+    let bytes = match kind(path)? {
+        Kind::Svg => svg.as_bytes().to_vec(),
+        Kind::Png => png(svg)?,
     };
-    std::fs::write(path, bytes)
-        .map_err(|error| PlotError::new(format!("`{}`: {error}", path.display())))
+    std::fs::write(path, bytes).map_err(|error| unwritable(path, &error))
+}
+
+#[cfg(feature = "png")]
+fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
+    crate::to_png(svg)
+}
+
+#[cfg(not(feature = "png"))]
+fn png(_: &str) -> Result<Vec<u8>, PlotError> {
+    unreachable!("a name that ends in .png is refused by this build")
 }

@@ -23,12 +23,14 @@ pub mod explain;
 pub mod json;
 pub mod number;
 pub mod parse;
+pub mod plane;
 pub mod point;
 pub mod scene;
 pub mod units;
 pub mod written;
 
 pub use diagnostic::{Diagnostic, SceneError};
+pub use parse::{Axis, AxisError};
 pub use passivity_core::{Effect, Exact};
 pub use point::Point;
 pub use scene::{ForceSamples, Given, Motion, Scene};

@@ -178,7 +178,7 @@ fn now<S: Enclosed>(parameter: Parameter, bounds: &Loop<Interval<S>>) -> Option<
 }
 
 /// The border of a parameter, from that at the hardest to that at the easiest end of the others.
-fn border<S: Enclosed>(
+pub(crate) fn border<S: Enclosed>(
     parameter: Parameter,
     side: Side,
     bounds: &Loop<Interval<S>>,
@@ -220,7 +220,7 @@ fn at<S: Enclosed>(parameter: Parameter, corner: &Loop<S>, speeds: &Speeds<S>) -
 
 /// Whether no formula says the border of a parameter, because what the effects cost depends on it, or
 /// differs over the tolerances of others.
-fn is_searched<S: Enclosed>(parameter: Parameter, bounds: &Loop<Interval<S>>) -> bool {
+pub(crate) fn is_searched<S: Enclosed>(parameter: Parameter, bounds: &Loop<Interval<S>>) -> bool {
     let constant = bounds.controller.is_some() && !bounds.has_actuator();
     let varies = bounds.has_computed_costs() && !constant;
     match parameter {

@@ -19,7 +19,9 @@ pub use constants::{Constants, Target, constants};
 pub use decide::Verdict;
 pub use design::{Design, Setting, Stiffest, design};
 pub use limits::{Limit, Side};
+pub(crate) use limits::{border, is_searched};
 pub use report::{Costs, Report, Spare, check};
+pub(crate) use text::unit_of;
 pub use unforced::Unforced;
 pub use witness::{WaveFormula, Witness};
 

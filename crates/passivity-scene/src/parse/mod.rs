@@ -1,6 +1,7 @@
 //! Reading scenes from files, from TOML and from JSON.
 
 mod amount;
+mod axis;
 mod build;
 mod controller;
 mod costs;
@@ -18,6 +19,7 @@ mod sketch;
 mod transmission;
 
 pub use amount::{MAX_NUMBER_CHARS, MAX_NUMBER_EXPONENT};
+pub use axis::{Axis, AxisError};
 pub use build::MAX_INTERVALS;
 pub use encoder::MAX_COUNTS;
 pub use samples::{MAX_BYTES as MAX_SAMPLE_BYTES, MAX_SAMPLES};
@@ -38,6 +40,14 @@ use crate::scene::{Given, Motion, Scene};
 
 /// The largest scene file, in bytes: a thousand times what a scene needs.
 pub const MAX_BYTES: u64 = 256 << 10;
+
+/// The contents of a file, unless it is longer than `most` bytes.
+pub(crate) fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, String> {
+    file::read(path, most).map_err(|diagnostic| match diagnostic.expected {
+        Some(expected) => format!("{}, expected {expected}", diagnostic.message),
+        None => diagnostic.message,
+    })
+}
 
 impl Scene {
     /// Reads a scene file.

@@ -5,7 +5,7 @@ use std::path::Path;
 use passivity_core::BigRational;
 
 use crate::number;
-use crate::parse::file;
+use crate::parse::bytes_of;
 use crate::parse::measure::Measure;
 use crate::scene::Motion;
 use crate::units::Unit;
@@ -35,10 +35,7 @@ pub(super) fn read(
     column: Option<&str>,
     dimensionless: bool,
 ) -> Result<Samples, String> {
-    let bytes = file::read(path, MAX_BYTES).map_err(|diagnostic| {
-        let expected = diagnostic.expected.unwrap_or_default();
-        format!("{}, expected {expected}", diagnostic.message)
-    })?;
+    let bytes = bytes_of(path, MAX_BYTES)?;
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)

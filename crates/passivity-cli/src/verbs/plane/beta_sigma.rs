@@ -1,35 +1,14 @@
-//! `passivity plane`: the (β, σ) plane with scenes in it.
-
-use std::path::PathBuf;
+//! The (β, σ) plane with scenes in it.
 
 use passivity_core::{BigRational, Interval};
-use passivity_plot::plane::{Mark, draw};
+use passivity_plot::plane::{Mark, draw_on_axes};
 use passivity_scene::check::{Verdict, check};
 use passivity_scene::number::nearest_f64;
 use serde::Serialize;
 
+use super::{Args, Log};
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
-
-/// Draw the (β, σ) plane of the paper's Figs. 3 and 4 and mark the scenes in it.
-///
-/// Shows the regions, the critical line of each scene at its speed bound, and where another
-/// stiffness, sampling period or encoder resolution would move it.
-#[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
-  passivity plane scenes/re35.toml --plot plane.svg
-  passivity plane scenes/re35-*.toml --plot plane.png")]
-pub(crate) struct Args {
-    /// Scene files.
-    #[arg(required = true, value_name = "SCENE")]
-    scenes: Vec<PathBuf>,
-    /// Draw the plane into this file, as SVG or PNG according to its extension.
-    #[arg(long, value_name = "FILE")]
-    plot: PathBuf,
-    /// How to write the result.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
-}
 
 /// What `plane --format json` prints.
 #[derive(Serialize)]
@@ -53,7 +32,22 @@ struct Placed {
 }
 
 /// Draws the scenes.
-pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+pub(super) fn run(args: &Args) -> Result<Exit, Failure> {
+    let needs_axes = [
+        ("--out", args.out.is_some()),
+        ("--x", args.x.is_some()),
+        ("--y", args.y.is_some()),
+        ("--measured", args.measured.is_some()),
+    ];
+    if let Some((option, _)) = needs_axes.iter().find(|(_, given)| *given) {
+        return Err(Failure::input(format!(
+            "{option} is for a plane of parameters: name them with --axes, as in --axes \
+             stiffness,damping"
+        )));
+    }
+    let Some(plot) = &args.plot else {
+        return Err(Failure::input("nothing to write the plane to: give --plot"));
+    };
     let mut marks = Vec::new();
     let mut documents = Vec::new();
     for path in &args.scenes {
@@ -78,9 +72,10 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         });
         marks.push(mark);
     }
-    let svg = draw(&marks).map_err(Failure::input)?;
-    passivity_plot::save(&svg, &args.plot).map_err(Failure::input)?;
-    let name = args.plot.display();
+    let svg =
+        draw_on_axes(&marks, args.log.map_or([None, None], Log::axes)).map_err(Failure::input)?;
+    passivity_plot::save(&svg, plot).map_err(Failure::input)?;
+    let name = plot.display();
     match args.format {
         Format::Text => {
             let scenes = if marks.len() == 1 { "scene" } else { "scenes" };

@@ -1,0 +1,487 @@
+//! The plane of two parameters: borders, scenes and measured points.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use passivity_core::{BigRational, Interval};
+use passivity_plot::parameters::{Group, Mark, Picture, Point, draw};
+use passivity_scene::check::{Report, Verdict, check};
+use passivity_scene::number::nearest_f64;
+use passivity_scene::plane::{
+    Extent, Measured, Plane, PlaneError, Prediction, Region, Speeds, Window, window,
+};
+use passivity_scene::{Axis, Motion, Scene};
+use serde::Serialize;
+
+use super::{Args, Log};
+use crate::exit::{Exit, Failure};
+use crate::output::{Format, emit, emit_json, read_scene};
+
+/// What `plane --axes … --format json` prints; numbers in the units of the axes.
+#[derive(Serialize)]
+struct Document<'a> {
+    axes: [AxisDocument; 2],
+    scenes: Vec<Placed<'a>>,
+    borders: Vec<Border<'a>>,
+    measured: Option<Comparison>,
+    plot: Option<String>,
+    out: Option<String>,
+}
+
+#[derive(Serialize)]
+struct AxisDocument {
+    parameter: &'static str,
+    unit: String,
+    from: f64,
+    to: f64,
+    log: bool,
+}
+
+/// Where a scene stands: over its tolerances, `null` where it has no place on an axis.
+#[derive(Serialize)]
+struct Placed<'a> {
+    scene: &'a str,
+    x: Option<[f64; 2]>,
+    y: Option<[f64; 2]>,
+    verdict: Verdict,
+}
+
+/// The border of a region of scenes that share it.
+#[derive(Serialize)]
+struct Border<'a> {
+    scenes: Vec<&'a str>,
+    speeds: &'static str,
+    found_by: &'static str,
+    /// Places x, y; the region is on the left of the way.
+    lines: &'a [Vec<[f64; 2]>],
+}
+
+#[derive(Serialize)]
+struct Comparison {
+    points: Vec<Compared>,
+    agree: usize,
+    stricter: usize,
+    looser: usize,
+    not_read: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Compared {
+    x: f64,
+    y: f64,
+    stable: bool,
+    prediction: Prediction,
+}
+
+/// Scenes with the same border.
+struct Family {
+    plane: Plane,
+    scenes: Vec<usize>,
+    regions: Vec<(Speeds, Region)>,
+}
+
+pub(super) fn run(args: &Args, names: [&str; 2]) -> Result<Exit, Failure> {
+    if args.plot.is_none() && args.out.is_none() && args.format == Format::Text {
+        let message = "nothing to write the plane to: give --plot, --out or --format json";
+        return Err(Failure::input(message));
+    }
+    let scenes: Result<Vec<Scene>, Failure> =
+        args.scenes.iter().map(|path| read_scene(path)).collect();
+    let scenes = scenes?;
+    let axes = axes(names, &scenes)?;
+    let mut families: Vec<Family> = Vec::new();
+    for (number, scene) in scenes.iter().enumerate() {
+        let plane = Plane::new(scene, axes.clone()).map_err(of_axes(args))?;
+        match families
+            .iter_mut()
+            .find(|family| family.plane.has_same_border(&plane))
+        {
+            Some(family) => family.scenes.push(number),
+            None => families.push(Family {
+                plane,
+                scenes: vec![number],
+                regions: Vec::new(),
+            }),
+        }
+    }
+    let measured = measured(args, &scenes, &families)?;
+    let points: Vec<[f64; 2]> = measured
+        .iter()
+        .flat_map(|m| &m.points)
+        .map(|p| p.place())
+        .collect();
+    let window = window_of(args, &scenes, &families, &points)?;
+    find_regions(&mut families, &window);
+    let reports: Vec<Report> = scenes.iter().map(check).collect();
+    let comparison = measured.map(|measured| compared(&measured, &families));
+    if let Some(path) = &args.plot {
+        let picture = picture(
+            &axes,
+            &window,
+            &scenes,
+            &families,
+            &reports,
+            comparison.as_ref(),
+        );
+        passivity_plot::save(&picture, path).map_err(Failure::input)?;
+    }
+    if let Some(path) = &args.out {
+        let table = table(&axes, &scenes, &families);
+        std::fs::write(path, table)
+            .map_err(|error| Failure::io(format!("`{}`", path.display()), &error))?;
+    }
+    match args.format {
+        Format::Text => emit(&text(args, &scenes, &families, comparison.as_ref()))?,
+        Format::Json => emit_json(&Document {
+            axes: [0, 1].map(|i| axis_document(&axes[i], &window[i])),
+            scenes: placed(&axes, &scenes, &reports),
+            borders: borders(&scenes, &families),
+            measured: comparison,
+            plot: shown(args.plot.as_deref()),
+            out: shown(args.out.as_deref()),
+        })?,
+    }
+    Ok(Exit::Holds)
+}
+
+fn shown(path: Option<&Path>) -> Option<String> {
+    path.map(|path| path.display().to_string())
+}
+
+fn of_axes(args: &Args) -> impl Fn(PlaneError) -> Failure {
+    let axes = args.axes.clone();
+    move |error| Failure::input(format!("--axes `{axes}`: {error}"))
+}
+
+/// The axes, in the units of the first scene that gives the parameter.
+fn axes(names: [&str; 2], scenes: &[Scene]) -> Result<[Axis; 2], Failure> {
+    let Some(first) = scenes.first() else {
+        return Err(Failure::input("a plane needs a scene"));
+    };
+    if let Some(other) = scenes.iter().find(|scene| scene.motion != first.motion) {
+        let words = |motion| match motion {
+            Motion::Linear => "linear",
+            Motion::Rotary => "rotary",
+            Motion::Dimensionless => "dimensionless",
+        };
+        return Err(Failure::input(format!(
+            "`{}` is {} and `{}` is {}: a plane of parameters has one unit on each axis",
+            first.name,
+            words(first.motion),
+            other.name,
+            words(other.motion)
+        )));
+    }
+    let parse = |name: &str| {
+        let axis = |scene| {
+            Axis::parse(name, scene).map_err(|error| Failure::input(format!("--axes {error}")))
+        };
+        let parameter = axis(first)?.parameter();
+        let gives = |scene: &&Scene| {
+            scene
+                .parameters()
+                .iter()
+                .any(|(given, _)| *given == parameter)
+        };
+        axis(scenes.iter().find(gives).unwrap_or(first))
+    };
+    let [x, y] = names;
+    Ok([parse(x)?, parse(y)?])
+}
+
+fn measured(
+    args: &Args,
+    scenes: &[Scene],
+    families: &[Family],
+) -> Result<Option<Measured>, Failure> {
+    let Some(path) = &args.measured else {
+        return Ok(None);
+    };
+    let ([scene], [family]) = (scenes, families) else {
+        return Err(Failure::input(format!(
+            "--measured compares points with one scene, and {} are given",
+            scenes.len()
+        )));
+    };
+    Measured::read(path, &family.plane, scene)
+        .map(Some)
+        .map_err(Failure::input)
+}
+
+fn window_of(
+    args: &Args,
+    scenes: &[Scene],
+    families: &[Family],
+    points: &[[f64; 2]],
+) -> Result<[Extent; 2], Failure> {
+    let range = |option: &str, text: &Option<String>| -> Result<Option<[f64; 2]>, Failure> {
+        let Some(text) = text else { return Ok(None) };
+        let ends = text
+            .split_once(':')
+            .map(|(from, to)| [from, to].map(|end| end.trim().parse::<f64>().ok()));
+        match ends {
+            Some([Some(from), Some(to)]) => Ok(Some([from, to])),
+            _ => Err(Failure::input(format!(
+                "{option} `{text}`: expected FROM:TO, as in 0:2.5"
+            ))),
+        }
+    };
+    let log = args.log.map_or([None, None], Log::axes);
+    let asked = Window {
+        log,
+        range: [range("--x", &args.x)?, range("--y", &args.y)?],
+    };
+    let planes: Vec<(&Scene, &Plane)> = families
+        .iter()
+        .flat_map(|family| {
+            family
+                .scenes
+                .iter()
+                .map(move |number| (&scenes[*number], &family.plane))
+        })
+        .collect();
+    window(&planes, points, &asked).map_err(Failure::input)
+}
+
+/// Finds the regions of every family, all at once.
+fn find_regions(families: &mut [Family], window: &[Extent; 2]) {
+    std::thread::scope(|scope| {
+        for family in families {
+            scope.spawn(move || {
+                let of = |speeds| (speeds, Region::of(&family.plane, window, speeds));
+                family.regions = family.plane.speeds().into_iter().map(of).collect();
+            });
+        }
+    });
+}
+
+fn compared(measured: &Measured, families: &[Family]) -> Comparison {
+    let points: Vec<Compared> = measured
+        .points
+        .iter()
+        .flat_map(|point| families.first().map(|family| (point, family)))
+        .map(|(point, family)| {
+            let [x, y] = point.place();
+            Compared {
+                x,
+                y,
+                stable: point.stable,
+                prediction: point.predicted(&family.plane),
+            }
+        })
+        .collect();
+    let count = |prediction| {
+        points
+            .iter()
+            .filter(|point| point.prediction == prediction)
+            .count()
+    };
+    Comparison {
+        agree: count(Prediction::Agree),
+        stricter: count(Prediction::Stricter),
+        looser: count(Prediction::Looser),
+        not_read: measured.not_read.clone(),
+        points,
+    }
+}
+
+fn picture(
+    axes: &[Axis; 2],
+    window: &[Extent; 2],
+    scenes: &[Scene],
+    families: &[Family],
+    reports: &[Report],
+    comparison: Option<&Comparison>,
+) -> String {
+    let group = |family: &Family| Group {
+        marks: family.scenes.clone(),
+        regions: family.regions.clone(),
+        bound: family
+            .scenes
+            .first()
+            .and_then(|number| bound(&scenes[*number], axes)),
+    };
+    let groups: Vec<Group> = families.iter().map(group).collect();
+    let mark = |(scene, report): (&Scene, &Report)| {
+        let [x, y] = axes.each_ref().map(|axis| axis.of_scene(scene));
+        Mark {
+            name: scene.name.clone(),
+            place: [(&axes[0], &x), (&axes[1], &y)]
+                .map(|(axis, range)| place(axis, range.as_ref()))
+                .join(", "),
+            ranges: x.zip(y).map(|(x, y)| [x, y]),
+            verdict: report.verdict,
+        }
+    };
+    let marks: Vec<Mark> = scenes.iter().zip(reports).map(mark).collect();
+    let points = comparison.iter().flat_map(|comparison| &comparison.points);
+    let points: Vec<Point> = points
+        .map(|point| Point {
+            at: [point.x, point.y],
+            stable: point.stable,
+            prediction: point.prediction,
+        })
+        .collect();
+    draw(&Picture {
+        axes,
+        window: *window,
+        groups: &groups,
+        marks: &marks,
+        points: &points,
+    })
+}
+
+/// The bound on the speed for people, unless it is an axis.
+fn bound(scene: &Scene, axes: &[Axis; 2]) -> Option<String> {
+    let given = scene.given.max_speed.as_ref()?;
+    let varied = axes
+        .iter()
+        .any(|axis| axis.parameter() == passivity_core::Parameter::MaxSpeed);
+    (!varied).then(|| given.text.clone())
+}
+
+/// Where a scene stands on an axis, for people.
+fn place(axis: &Axis, range: Option<&Interval<BigRational>>) -> String {
+    match range {
+        Some(range) => axis.range_text(range),
+        None => format!("no {}", axis.name()),
+    }
+}
+
+fn axis_document(axis: &Axis, extent: &Extent) -> AxisDocument {
+    AxisDocument {
+        parameter: axis.key(),
+        unit: axis.unit(),
+        from: extent.from,
+        to: extent.to,
+        log: extent.log,
+    }
+}
+
+fn placed<'a>(axes: &[Axis; 2], scenes: &'a [Scene], reports: &[Report]) -> Vec<Placed<'a>> {
+    let ends = |axis: &Axis, scene| {
+        axis.of_scene(scene)
+            .map(|range| [range.lo(), range.hi()].map(nearest_f64))
+    };
+    let both = scenes.iter().zip(reports);
+    both.map(|(scene, report)| Placed {
+        scene: &scene.name,
+        x: ends(&axes[0], scene),
+        y: ends(&axes[1], scene),
+        verdict: report.verdict,
+    })
+    .collect()
+}
+
+const fn words(speeds: Speeds) -> &'static str {
+    match speeds {
+        Speeds::Every => "every_speed",
+        Speeds::UpToBound => "up_to_max_speed",
+    }
+}
+
+fn names<'a>(scenes: &'a [Scene], family: &Family) -> Vec<&'a str> {
+    family
+        .scenes
+        .iter()
+        .map(|number| scenes[*number].name.as_str())
+        .collect()
+}
+
+fn borders<'a>(scenes: &'a [Scene], families: &'a [Family]) -> Vec<Border<'a>> {
+    let of = |family: &'a Family| {
+        family.regions.iter().map(move |(speeds, region)| Border {
+            scenes: names(scenes, family),
+            speeds: words(*speeds),
+            found_by: found_by(&family.plane),
+            lines: &region.borders,
+        })
+    };
+    families.iter().flat_map(of).collect()
+}
+
+fn found_by(plane: &Plane) -> &'static str {
+    if plane.has_formula() {
+        "formula"
+    } else {
+        "search"
+    }
+}
+
+/// The points of the borders as CSV.
+fn table(axes: &[Axis; 2], scenes: &[Scene], families: &[Family]) -> String {
+    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    let [x, y] = axes.each_ref().map(|axis| quoted(&axis.column()));
+    let mut out = format!("scenes,speeds,line,{x},{y}\n");
+    for border in borders(scenes, families) {
+        let names = quoted(&border.scenes.join("; "));
+        for (number, line) in border.lines.iter().enumerate() {
+            for [x, y] in line {
+                // Writing to a string cannot fail.
+                let _ = writeln!(out, "{names},{},{},{x:?},{y:?}", border.speeds, number + 1);
+            }
+        }
+    }
+    out
+}
+
+fn text(
+    args: &Args,
+    scenes: &[Scene],
+    families: &[Family],
+    comparison: Option<&Comparison>,
+) -> String {
+    let count = |n: usize, one: &str| {
+        if n == 1 {
+            format!("1 {one}")
+        } else {
+            format!("{n} {one}s")
+        }
+    };
+    let mut lines = Vec::new();
+    if let Some(path) = &args.plot {
+        lines.push(format!(
+            "{} drawn in {}",
+            count(scenes.len(), "scene"),
+            path.display()
+        ));
+    }
+    if let Some(path) = &args.out {
+        let lines_of = |family: &Family| {
+            family
+                .regions
+                .iter()
+                .map(|(_, region)| region.borders.len())
+                .sum::<usize>()
+        };
+        let all = families.iter().map(lines_of).sum();
+        lines.push(format!(
+            "{} written to {}",
+            count(all, "border"),
+            path.display()
+        ));
+    }
+    let searched = families.iter().any(|family| !family.plane.has_formula());
+    lines.push(if searched {
+        "borders: searched for by halving; every point passes when it is typed into the scene"
+            .to_owned()
+    } else {
+        "borders: solved exactly; every point passes when it is typed into the scene".to_owned()
+    });
+    if let Some(comparison) = comparison {
+        lines.push(format!(
+            "{} measured: {} agree, at {} the criterion is stricter, at {} it is looser",
+            count(comparison.points.len(), "point"),
+            comparison.agree,
+            comparison.stricter,
+            comparison.looser
+        ));
+        if !comparison.not_read.is_empty() {
+            lines.push(format!(
+                "columns not read: {}",
+                comparison.not_read.join(", ")
+            ));
+        }
+    }
+    lines.join("\n")
+}

@@ -1,0 +1,224 @@
+//! A picture as SVG text: lines, areas, signs and words, in fractions of a pixel.
+
+use std::fmt::{Display, Write as _};
+
+/// Okabe and Ito's palette: told apart by colour-blind readers too.
+pub const COLOURS: [&str; 7] = [
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#8c6400", "#5a5a5a",
+];
+
+/// Black, and three greys from dark to light.
+pub const BLACK: &str = "#000000";
+/// Of axes and edges.
+pub const DARK: &str = "#505050";
+/// Of lines that are looked at last.
+pub const LIGHT: &str = "#b0b0b0";
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stroke<'a> {
+    /// A colour as SVG writes it.
+    pub colour: &'a str,
+    /// In pixels.
+    pub width: f64,
+    /// Lengths of dashes and gaps, as in `6 4`; empty for a line without gaps.
+    pub dash: &'a str,
+}
+
+impl<'a> Stroke<'a> {
+    /// A line without gaps.
+    #[must_use]
+    pub const fn solid(colour: &'a str, width: f64) -> Self {
+        Self {
+            colour,
+            width,
+            dash: "",
+        }
+    }
+
+    /// A dashed line.
+    #[must_use]
+    pub const fn dashed(colour: &'a str, width: f64) -> Self {
+        Self {
+            colour,
+            width,
+            dash: "7 4",
+        }
+    }
+}
+
+/// Where a text stands to its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor {
+    /// It begins there.
+    Start,
+    /// Its middle is there.
+    Middle,
+    /// It ends there.
+    End,
+}
+
+/// A picture that is being drawn.
+#[derive(Clone, Debug)]
+pub struct Svg {
+    size: [f64; 2],
+    body: String,
+}
+
+/// The name of the hatching that [`Svg`] defines, as a fill.
+pub const HATCHED: &str = "url(#hatched)";
+
+/// A place in pixels from the upper left corner.
+pub type Pixel = [f64; 2];
+
+impl Svg {
+    /// A white picture of a width and a height.
+    #[must_use]
+    pub fn new(size: [f64; 2]) -> Self {
+        let mut svg = Self {
+            size,
+            body: String::new(),
+        };
+        svg.area(&rectangle([0.0, 0.0], size), "#ffffff");
+        svg
+    }
+
+    // Writing to a string cannot fail.
+    fn put(&mut self, element: impl Display) {
+        let _ = writeln!(self.body, "{element}");
+    }
+
+    /// A line through places.
+    pub fn line(&mut self, places: &[Pixel], stroke: Stroke<'_>) {
+        if places.len() < 2 {
+            return;
+        }
+        let Stroke {
+            colour,
+            width,
+            dash,
+        } = stroke;
+        let dash = match dash {
+            "" => String::new(),
+            dash => format!(" stroke-dasharray=\"{dash}\""),
+        };
+        let points = points(places);
+        self.put(format_args!(
+            "<polyline fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" \
+             stroke-linejoin=\"round\"{dash} points=\"{points}\"/>"
+        ));
+    }
+
+    /// The area within a closed line.
+    pub fn area(&mut self, places: &[Pixel], fill: &str) {
+        let points = points(places);
+        self.put(format_args!(
+            "<polygon fill=\"{fill}\" points=\"{points}\"/>"
+        ));
+    }
+
+    /// A disc with an edge.
+    pub fn disc(&mut self, [x, y]: Pixel, radius: f64, fill: &str, edge: Stroke<'_>) {
+        let Stroke { colour, width, .. } = edge;
+        self.put(format_args!(
+            "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius}\" fill=\"{fill}\" stroke=\"{colour}\" \
+             stroke-width=\"{width}\"/>"
+        ));
+    }
+
+    /// Words of a size in pixels, their base line at a place.
+    pub fn text(&mut self, place: Pixel, size: f64, anchor: Anchor, words: &str) {
+        self.coloured(place, size, anchor, words, BLACK);
+    }
+
+    /// Words in a colour.
+    pub fn coloured(
+        &mut self,
+        [x, y]: Pixel,
+        size: f64,
+        anchor: Anchor,
+        words: &str,
+        colour: &str,
+    ) {
+        let anchor = anchor.name();
+        let words = escaped(words);
+        // A white rim keeps them readable on lines.
+        self.put(format_args!(
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-family=\"sans-serif\" font-size=\"{size}\" \
+             text-anchor=\"{anchor}\" fill=\"{colour}\" stroke=\"#ffffff\" stroke-width=\"3\" \
+             stroke-linejoin=\"round\" paint-order=\"stroke\">{words}</text>"
+        ));
+    }
+
+    /// Words from below to above, their middle at a place.
+    pub fn text_upwards(&mut self, [x, y]: Pixel, size: f64, words: &str) {
+        let words = escaped(words);
+        self.put(format_args!(
+            "<text transform=\"translate({x:.2} {y:.2}) rotate(-90)\" font-family=\"sans-serif\" \
+             font-size=\"{size}\" text-anchor=\"middle\" fill=\"{BLACK}\">{words}</text>"
+        ));
+    }
+
+    /// The picture as text.
+    #[must_use]
+    pub fn finish(self) -> String {
+        let [width, height] = self.size;
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"0 0 {width} {height}\">\n<defs><pattern id=\"hatched\" width=\"6\" height=\"6\" \
+             patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><rect width=\"6\" \
+             height=\"6\" fill=\"#ffffff\"/><rect width=\"2\" height=\"6\" fill=\"#808080\"/></pattern>\
+             </defs>\n{}</svg>\n",
+            self.body
+        )
+    }
+}
+
+impl Anchor {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::Middle => "middle",
+            Self::End => "end",
+        }
+    }
+}
+
+/// The corners of a rectangle between two opposite ones.
+#[must_use]
+pub const fn rectangle([left, top]: Pixel, [right, bottom]: Pixel) -> [Pixel; 4] {
+    [[left, top], [right, top], [right, bottom], [left, bottom]]
+}
+
+fn points(places: &[Pixel]) -> String {
+    let mut text = String::new();
+    for [x, y] in places {
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{x:.2},{y:.2} ");
+    }
+    text.trim_end().to_owned()
+}
+
+fn escaped(words: &str) -> String {
+    words
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_escaped_and_a_line_needs_two_places() {
+        let mut svg = Svg::new([10.0, 10.0]);
+        svg.text([1.0, 2.0], 12.0, Anchor::Start, "a < b & c");
+        svg.line(&[[1.0, 1.0]], Stroke::solid(BLACK, 1.0));
+        let text = svg.finish();
+        assert!(
+            text.contains("a &lt; b &amp; c") && !text.contains("polyline"),
+            "{text}"
+        );
+    }
+}
