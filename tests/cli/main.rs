@@ -10,6 +10,7 @@ mod check;
 mod explain;
 mod guides;
 mod harness;
+mod monitor;
 mod oracle;
 mod plane;
 mod simulate;
