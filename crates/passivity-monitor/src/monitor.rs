@@ -82,12 +82,15 @@ pub struct Monitor<W: Width> {
     config: Config,
     account: Account<W>,
     /// The count and the force of the last sample.
-    count: W::Input,
+    count: W,
     force: W::Input,
     /// How many samples were taken after the first.
     samples: u64,
     answer: Answer,
-    /// Which number did not fit, at the sample after the last one taken.
+    /// How many ticks away the next count may be; below zero, so that none is looked at, once a
+    /// number did not fit.
+    reach: W,
+    /// Which number that was.
     saturated: Option<Quantity>,
 }
 
@@ -96,7 +99,8 @@ impl<W: Width> Monitor<W> {
     /// that is held from now until the next sample, in the unit of the configuration.
     #[must_use]
     pub fn start(config: Config, count: W::Input, force: W::Input) -> Self {
-        let account = Account::start(&config, count.into());
+        let count = count.into();
+        let account = Account::start(&config, count);
         let nothing = Account {
             most: W::ZERO,
             slope: W::ZERO,
@@ -109,6 +113,7 @@ impl<W: Width> Monitor<W> {
             force,
             samples: 0,
             answer: Answer::SurelyPassive,
+            reach: W::from_i64(W::STEP_MAX),
             saturated: None,
         };
         if account.is_none() {
@@ -124,35 +129,38 @@ impl<W: Width> Monitor<W> {
     /// are no longer looked at.
     #[inline]
     pub fn sample(&mut self, count: W::Input, force: W::Input) -> Answer {
-        if self.saturated.is_some() {
-            return self.answer;
-        }
-        let ticks = count.into().minus(self.count.into());
-        if ticks.signed_by(ticks.sign_mask()) > W::from_i64(W::STEP_MAX) {
+        let count = count.into();
+        let ticks = count.minus(self.count);
+        if ticks.signed_by(ticks.sign_mask()) > self.reach {
             return self.saturate(Quantity::Step);
         }
-        let force_held = core::mem::replace(&mut self.force, force);
+        let held = core::mem::replace(&mut self.force, force);
         self.count = count;
         self.samples = self.samples.wrapping_add(1);
-        let advanced = self.account.advance(&self.config, force_held.into(), ticks);
+        let advanced = self.account.advance(&self.config, held.into(), ticks);
         if advanced.is_none() {
             return self.saturate(Quantity::Energy);
         }
-        if self.account.may_be_positive(&self.config) {
-            if self.account.at_least() > W::ZERO {
-                self.answer = Answer::SurelyActive;
-            } else if self.answer == Answer::SurelyPassive {
-                self.answer = Answer::Open;
+        if self.answer == Answer::SurelyPassive {
+            if !self.account.may_be_positive(&self.config) {
+                return Answer::SurelyPassive;
             }
+            self.answer = Answer::Open;
+        }
+        if self.answer == Answer::Open && self.account.at_least() > W::ZERO {
+            self.answer = Answer::SurelyActive;
         }
         self.answer
     }
 
     #[cold]
     fn saturate(&mut self, quantity: Quantity) -> Answer {
-        self.saturated = Some(quantity);
-        if self.answer != Answer::SurelyActive {
-            self.answer = Answer::Unknown;
+        if self.saturated.is_none() {
+            self.saturated = Some(quantity);
+            self.reach = W::from_i64(-1);
+            if self.answer != Answer::SurelyActive {
+                self.answer = Answer::Unknown;
+            }
         }
         self.answer
     }

@@ -1,0 +1,92 @@
+//! Instructions a sample, counted by callgrind, for the ways through the account.
+//!
+//! `cargo bench -p passivity-monitor` runs itself under valgrind, for 1000 and for 3000 samples of each
+//! way; the difference over 2000 is what a sample costs, the call included. Ends with an error where
+//! one of the 64-bit width costs more than [`LIMIT`].
+
+use std::hint::black_box;
+use std::process::Command;
+
+use passivity_monitor::{Answer, Config, Monitor};
+
+/// The most instructions that a sample of the 64-bit width may take.
+const LIMIT: f64 = 100.0;
+
+/// A run: its name, KΔ, bΔ/T and c, the two counts between which it goes, and its force at each.
+type Way = (&'static str, [i64; 3], [i32; 2], [i32; 2]);
+
+/// The wall's own force is passive at the first, open or active at the others.
+const WAYS: [Way; 6] = [
+    ("at rest in the wall", [1000, 600, 700], [5, 5], [-5500, -5500]),
+    ("a few ticks a sample", [1000, 600, 700], [0, 7], [-500, -7500]),
+    ("many ticks a sample", [1000, 600, 700], [0, 40], [-500, -40500]),
+    ("outside of the wall, no force", [1000, 600, 700], [-40, -80], [0, 0]),
+    ("little friction: open", [1000, 0, 0], [0, 40], [-500, -40500]),
+    ("driven: surely active", [1000, 600, 700], [0, 40], [900_000, -900_000]),
+];
+
+#[inline(never)]
+fn sample(monitor: &mut Monitor<i64>, count: i32, force: i32) -> Answer {
+    monitor.sample(count, force)
+}
+
+#[inline(never)]
+fn sample_wide(monitor: &mut Monitor<i128>, count: i64, force: i64) -> Answer {
+    monitor.sample(count, force)
+}
+
+/// So many samples of a way.
+fn run(way: &Way, wide: bool, samples: u32) {
+    let (_, [stiffness, viscous, coulomb], counts, forces) = *way;
+    let config = Config::new(stiffness, viscous, coulomb).expect("in range");
+    let [here, there] = [0, 1].map(|i| (counts[i], forces[i]));
+    let mut monitor = Monitor::<i64>::start(config, here.0, here.1);
+    let mut other = Monitor::<i128>::start(config, here.0.into(), here.1.into());
+    for _ in 0..samples / 2 {
+        for (count, force) in [there, here] {
+            if wide {
+                black_box(sample_wide(&mut other, count.into(), force.into()));
+            } else {
+                black_box(sample(&mut monitor, count, force));
+            }
+        }
+    }
+}
+
+/// Instructions of the whole program for so many samples of a way.
+fn counted(way: usize, wide: bool, samples: u32) -> f64 {
+    let program = std::env::current_exe().expect("this program has a path");
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .args(["--toggle-collect=*instructions*sample*"])
+        .arg(program)
+        .args(["--run", &way.to_string(), &wide.to_string(), &samples.to_string()])
+        .output()
+        .expect("valgrind is installed");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    let collected = said.lines().find_map(|line| line.split_once("Collected : "));
+    let (_, count) = collected.expect("callgrind says what it collected");
+    count.trim().parse().expect("a number")
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    if let [_, first, way, wide, samples] = arguments.as_slice()
+        && first == "--run"
+    {
+        let way: usize = way.parse().expect("a number");
+        let wide = wide.parse().expect("true or false");
+        run(&WAYS[way], wide, samples.parse().expect("a number"));
+        return;
+    }
+    println!("| way | 64 bits | 128 bits |\n| --- | --- | --- |");
+    let mut most = 0_f64;
+    for (i, (name, ..)) in WAYS.iter().enumerate() {
+        let [narrow, wide] =
+            [false, true].map(|wide| (counted(i, wide, 3000) - counted(i, wide, 1000)) / 2000.0);
+        println!("| {name} | {narrow:.1} | {wide:.1} |");
+        most = most.max(narrow);
+    }
+    assert!(most <= LIMIT, "a sample takes {most} instructions");
+}
