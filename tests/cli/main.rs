@@ -10,6 +10,7 @@ mod check;
 mod explain;
 mod guides;
 mod harness;
+mod logs;
 mod oracle;
 mod plane;
 mod simulate;
