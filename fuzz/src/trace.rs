@@ -33,6 +33,7 @@ fn audited(csv: &[u8], scene: &Scene, threads: usize, block: usize) -> Found {
         law: false,
         threads,
         block,
+        ..Options::default()
     };
     let input = Box::new(std::io::Cursor::new(csv.to_vec()));
     Found::of(audit_csv(input, scene, options), rows)

@@ -11,6 +11,7 @@ mod design;
 mod explain;
 mod guides;
 mod harness;
+mod logs;
 mod monitor;
 mod oracle;
 mod plane;

@@ -33,9 +33,10 @@ pub use figure::Figure;
 pub use json::NumberedRow;
 pub use ledger::{Ledger, Logged, Row, Truths};
 pub use log::{
-    Agreement, Audit, Certificate, Firsts, Fitted, Force, Form, Found, Judged, Least, Observer,
-    Options, Point, Positions, Report, Running, Sampling, Shown, Supplied, TraceError, Verdict,
-    audit, audit_arrays, audit_csv,
+    Agreement, Audit, ByLaw, Certificate, Columns, Dialect, Finding, Firsts, Fitted, Force, Form,
+    Found, Judged, Least, MAX_THREADS, Moved, Observer, Options, Point, Positions, Proposal,
+    Report, Role, Running, Sampling, Shown, Supplied, TraceError, Verdict, audit, audit_arrays,
+    audit_csv, audit_files, legible,
 };
 pub use number::Number;
 pub use reading::Reading;

@@ -134,7 +134,7 @@ pub(crate) fn short(text: &[u8]) -> Option<(i64, i64)> {
         (b'+', rest) => (false, rest),
         _ => (false, text),
     };
-    if digits.is_empty() || digits.len() > 19 {
+    if digits.is_empty() || digits.len() > 24 {
         return None;
     }
     let (mut value, mut denominator, mut seen) = (0_i64, 1_i64, 0_u32);

@@ -25,6 +25,7 @@ fn audited(csv: &[u8], scene: &Scene, threads: usize, block: usize) -> (Audit, S
         threads,
         block,
         law: false,
+        ..Options::default()
     };
     let audit = audit_csv(Box::new(std::io::Cursor::new(csv.to_vec())), scene, options).unwrap();
     (audit, String::from_utf8(rows).unwrap())

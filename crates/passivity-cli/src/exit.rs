@@ -72,7 +72,7 @@ impl Failure {
     pub(crate) fn report(&self) -> ExitCode {
         match self {
             Self::Input(message) => {
-                eprintln!("error: {}", message.trim_end());
+                crate::output::tell(&format!("error: {}", message.trim_end()));
                 Exit::BadInput.into()
             }
             Self::Scene(diagnostics) => {

@@ -245,3 +245,93 @@ fn bad_ranges_say_what_was_expected() {
     assert_eq!(error, "β = -1: expected zero or a value above it");
     assert!(Grid::new(range("0:1:10000"), range("0:1:10000"), range("1,2")).is_err());
 }
+
+#[test]
+fn rows_are_taken_up_by_their_own_sweep_only_wherever_a_start_was_killed() {
+    let folder = folder("foreign");
+    let (scene, grid) = (paper("1", "1", "1", 300), grid("1/2:1:4", "0:1:4", "1"));
+    let other = paper("1", "1", "1", 301);
+    for name in ["sweep.csv", "sweep.parquet"] {
+        let path = folder.join(name);
+        let mark = folder.join(format!("{name}.run"));
+        let journal = match name {
+            "sweep.csv" => path.clone(),
+            _ => folder.join("sweep.parquet.rows"),
+        };
+        // An unfinished sweep is bound to its scene and grid by a hash.
+        sweep(&path, &scene, &grid, false, Some(9)).unwrap_err();
+        let text = fs::read_to_string(&mark).unwrap();
+        assert!(
+            text.len() < 100 && text.starts_with("passivity sweep 2 "),
+            "{text}"
+        );
+        let rows = fs::read(&journal).unwrap();
+        let error = open(&path, &other, &grid, true).unwrap_err().to_string();
+        assert!(error.contains("another scene or other ranges"), "{error}");
+        // A mark that was put beside the rows of another scene does not make them its own.
+        fs::remove_file(&journal).unwrap();
+        fs::remove_file(&mark).unwrap();
+        drop(open(&path, &other, &grid, false).unwrap());
+        let foreign = fs::read(&mark).unwrap();
+        fs::write(&journal, &rows).unwrap();
+        let error = open(&path, &other, &grid, true).unwrap_err().to_string();
+        assert!(error.contains("not those of this scene"), "{error}");
+        assert_eq!(fs::read(&journal).unwrap(), rows);
+        assert_eq!(fs::read(&mark).unwrap(), foreign);
+        // A start that was killed before its mark was there leaves no rows that it could be given.
+        fs::remove_file(&mark).unwrap();
+        let error = open(&path, &other, &grid, true).unwrap_err().to_string();
+        assert!(error.contains("no file `.run` says"), "{error}");
+        // Where the mark cannot be written there are no rows of another sweep left either.
+        fs::remove_file(&journal).unwrap();
+        if path.exists() {
+            fs::remove_file(&path).unwrap();
+        }
+        sweep(&path, &scene, &grid, false, None).unwrap();
+        fs::create_dir(folder.join(format!("{name}.run.tmp"))).unwrap();
+        let error = open(&path, &other, &grid, false).unwrap_err().to_string();
+        assert!(error.contains(".run"), "{error}");
+        assert!(!mark.exists(), "a failed start leaves no mark");
+        assert!(open(&path, &other, &grid, true).is_err());
+        fs::remove_dir(folder.join(format!("{name}.run.tmp"))).unwrap();
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[cfg(unix)]
+#[test]
+fn taking_a_sweep_up_leaves_its_mark_as_it_is() {
+    use std::os::unix::fs::{MetadataExt as _, symlink};
+    let folder = folder("mark");
+    let (scene, grid) = (paper("1", "1", "1", 300), grid("1/2:1:4", "0:1:4", "1"));
+    let path = folder.join("sweep.csv");
+    let mark = folder.join("sweep.csv.run");
+    sweep(&path, &scene, &grid, false, Some(5)).unwrap_err();
+    let before = fs::metadata(&mark).unwrap();
+    // Killed again at once, any number of times: nothing is orphaned.
+    for _ in 0..3 {
+        let opened = open(&path, &scene, &grid, true).unwrap();
+        assert_eq!(opened.found.len(), 5);
+        let after = fs::metadata(&mark).unwrap();
+        assert_eq!(
+            (before.ino(), before.mtime_nsec()),
+            (after.ino(), after.mtime_nsec())
+        );
+    }
+    assert_eq!(
+        sweep(&path, &scene, &grid, true, None).unwrap(),
+        grid.len() - 5
+    );
+    assert!(!mark.exists());
+    // What is no plain file is not replaced, nor written through.
+    let kept = folder.join("kept.txt");
+    fs::write(&kept, "kept").unwrap();
+    let link = folder.join("link.csv");
+    symlink(&kept, &link).unwrap();
+    for path in [&link, &folder, Path::new("/dev/null")] {
+        let error = open(path, &scene, &grid, false).unwrap_err().to_string();
+        assert!(error.contains("no plain file"), "{error}");
+    }
+    assert_eq!(fs::read(&kept).unwrap(), b"kept");
+    fs::remove_dir_all(folder).unwrap();
+}

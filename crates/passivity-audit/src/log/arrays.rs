@@ -2,9 +2,12 @@
 
 use passivity_scene::Scene;
 
-use super::{Audit, Options, Source, TraceError, run};
+use super::{Audit, Options, TraceError, run};
 use crate::log::chunk::{Chunk, Samples};
+use crate::log::header::Heading;
 use crate::log::layout::Layout;
+use crate::log::preview::Preview;
+use crate::log::source::{Reader, Source};
 use crate::number::Number;
 
 /// How many samples a core is given at once.
@@ -47,7 +50,7 @@ pub fn audit_arrays(
         Positions::Counts(counts) => ("count", counts.len()),
         Positions::Numbers(name, values) => (name.as_str(), values.len()),
     };
-    let mut names = vec![name.to_owned()];
+    let mut headings = vec![Heading::plain(name.to_owned())];
     if let Some((name, values)) = &times {
         if values.len() != len {
             let message = format!(
@@ -56,9 +59,9 @@ pub fn audit_arrays(
             );
             return Err(TraceError::new("fields", message));
         }
-        names.push(name.clone());
+        headings.push(Heading::plain(name.clone()));
     }
-    let layout = Layout::read(names, scene)?;
+    let layout = Layout::read(headings, None, &Preview::default(), scene)?;
     let mut chunks = Vec::new();
     for start in (0..len).step_by(ROWS) {
         let range = start..len.min(start + ROWS);
@@ -94,7 +97,7 @@ pub fn audit_arrays(
         chunks.push(chunk);
     }
     chunks.reverse();
-    run(Source::Memory(chunks), &layout, scene, options)
+    run(Source::of(Reader::Memory(chunks)), &layout, scene, options)
 }
 
 fn finite(x: f64) -> Result<Number, TraceError> {

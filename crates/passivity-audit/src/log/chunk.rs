@@ -14,6 +14,10 @@ pub(crate) struct Chunk {
     pub(crate) dtaus: Vec<Number>,
     /// One per sample, or none at all.
     pub(crate) forces: Vec<Force>,
+    /// In ticks per sampling period; one per sample, or none at all.
+    pub(crate) velocities: Vec<f64>,
+    /// Which file of the log it is from.
+    pub(crate) file: usize,
     /// Where the last row of a ledger ends.
     pub(crate) closing: Option<Reading>,
     /// Whether the last row, a whole one as it stands, lacks its line break.
@@ -76,6 +80,7 @@ impl Chunk {
         self.times.truncate(len);
         self.dtaus.truncate(len);
         self.forces.truncate(len);
+        self.velocities.truncate(len);
     }
 
     /// Ends the chunk with the sample at `i`, for the row after it is wrong.

@@ -1,133 +1,36 @@
 //! CSV traces: blocks of whole lines, read in order and parsed apart from each other.
 //!
-//! A trace is numbers and commas, and it can be long: fields are read in place, a single column of
-//! counts without looking for fields at all. A field may stand in double quotes; no field can hold
-//! a comma or a line break.
-
-use std::io::Read;
+//! A trace is numbers and commas, or another character between them, and it can be long: fields are read
+//! in place, a single column of counts without looking for fields at all. A field may stand in double
+//! quotes; no field can hold the character between fields or a line break.
 
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::error::{self, TraceError, shown};
 use crate::log::layout::{Form, Layout};
+use crate::log::lines::Block;
+use crate::log::preview::Preview;
+use crate::log::running::near;
 use crate::number::{Number, short};
 use crate::reading::Reading;
 
-/// The longest line, in bytes.
-pub(crate) const MAX_LINE: usize = 1 << 20;
-
-/// How much is parsed at once by one core, in bytes, unless asked otherwise.
-pub(crate) const BLOCK: usize = 4 << 20;
-
-/// Whole lines of a trace, in order.
-pub(crate) struct Lines<R> {
-    input: R,
-    /// The start of a line that the last block did not hold whole.
-    rest: Vec<u8>,
-    ended: bool,
-    block: usize,
+/// What stands between fields, and before the decimals of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Notation {
+    pub(crate) delimiter: u8,
+    pub(crate) decimal_comma: bool,
 }
 
-/// A block of lines, or what stopped the reading after it.
-#[derive(Debug, Default)]
-pub(crate) struct Block {
-    pub(crate) bytes: Vec<u8>,
-    /// Whether the trace ends with this block; its last line may lack its line break then.
-    pub(crate) last: bool,
-    pub(crate) error: Option<TraceError>,
-}
-
-impl<R: Read> Lines<R> {
-    /// Reads from `input`, about `block` bytes at a time.
-    pub(crate) const fn new(input: R, block: usize) -> Self {
+impl Default for Notation {
+    fn default() -> Self {
         Self {
-            input,
-            rest: Vec::new(),
-            ended: false,
-            block,
+            delimiter: b',',
+            decimal_comma: false,
         }
     }
-
-    /// The first line, without its break and without a byte order mark.
-    pub(crate) fn header(&mut self) -> Result<Vec<u8>, TraceError> {
-        loop {
-            if let Some(end) = self.rest.iter().position(|byte| *byte == b'\n') {
-                let tail = self.rest.split_off(end + 1);
-                let mut line = std::mem::replace(&mut self.rest, tail);
-                line.truncate(end);
-                return Ok(clean(line));
-            }
-            if self.ended {
-                return Ok(clean(std::mem::take(&mut self.rest)));
-            }
-            if self.rest.len() > MAX_LINE {
-                let message = format!("the header is longer than {MAX_LINE} bytes");
-                return Err(TraceError::new("line_too_long", message));
-            }
-            self.fill(1 << 16).map_err(|error| TraceError::io(&error))?;
-        }
-    }
-
-    /// Reads until `rest` has grown by `more` bytes, or the input ends.
-    fn fill(&mut self, more: usize) -> std::io::Result<()> {
-        let limit = u64::try_from(more).unwrap_or(u64::MAX);
-        let read = (&mut self.input).take(limit).read_to_end(&mut self.rest)?;
-        self.ended = read < more;
-        Ok(())
-    }
-
-    /// The next block of whole lines; `None` after the last.
-    pub(crate) fn next_block(&mut self) -> Option<Block> {
-        let mut error = None;
-        while !self.ended {
-            if let Err(broken) = self.fill(self.block) {
-                error = Some(TraceError::io(&broken));
-                break;
-            }
-            if self.ended || memchr::memrchr(b'\n', &self.rest).is_some() {
-                break;
-            }
-            if self.rest.len() > MAX_LINE {
-                let message = format!("a line longer than {MAX_LINE} bytes");
-                error = Some(TraceError::new("line_too_long", message));
-                break;
-            }
-        }
-        if self.ended && self.rest.is_empty() && error.is_none() {
-            return None;
-        }
-        let mut bytes = std::mem::take(&mut self.rest);
-        if !self.ended || error.is_some() {
-            let end = memchr::memrchr(b'\n', &bytes).map_or(0, |end| end + 1);
-            self.rest = bytes.split_off(end);
-        }
-        if error.is_some() || self.rest.len() > MAX_LINE {
-            error = error.or_else(|| {
-                let message = format!("a line longer than {MAX_LINE} bytes");
-                Some(TraceError::new("line_too_long", message))
-            });
-            self.ended = true;
-            self.rest = Vec::new();
-        }
-        Some(Block {
-            bytes,
-            last: self.ended,
-            error,
-        })
-    }
-}
-
-fn clean(mut line: Vec<u8>) -> Vec<u8> {
-    if line.starts_with(b"\xef\xbb\xbf") {
-        line.drain(..3);
-    }
-    if line.last() == Some(&b'\r') {
-        line.pop();
-    }
-    line
 }
 
 /// The fields of a header line.
-pub(crate) fn names(line: &[u8]) -> Result<Vec<String>, TraceError> {
+pub(crate) fn names(line: &[u8], notation: Notation) -> Result<Vec<String>, TraceError> {
     let text = std::str::from_utf8(line)
         .map_err(|_| TraceError::new("header", "the header is not UTF-8 text"))?;
     if text.trim().is_empty() {
@@ -141,14 +44,56 @@ pub(crate) fn names(line: &[u8]) -> Result<Vec<String>, TraceError> {
         let inner = name.strip_prefix('"').and_then(|n| n.strip_suffix('"'));
         inner.unwrap_or(name).trim().to_owned()
     };
-    Ok(text.split(',').map(unquoted).collect())
+    let names = text.split(char::from(notation.delimiter)).map(unquoted);
+    let names: Vec<String> = names.collect();
+    let is_number = |name: &String| value(name.as_bytes(), notation).is_some();
+    if names.iter().all(is_number) {
+        let message =
+            "the first line holds numbers: a trace needs a header with the names of its columns";
+        return Err(TraceError::new("header", message));
+    }
+    Ok(names)
+}
+
+/// The first rows as numbers near by.
+pub(crate) fn preview(lines: &[&[u8]], notation: Notation) -> Preview {
+    let row = |line: &&[u8]| {
+        let fields = line.split(|byte| *byte == notation.delimiter);
+        fields
+            .map(|field| value(trimmed(field), notation))
+            .collect()
+    };
+    Preview {
+        rows: lines.iter().map(row).collect(),
+    }
+}
+
+/// The double near a field that is a number.
+fn value(field: &[u8], notation: Notation) -> Option<f64> {
+    let number = number(field, notation).ok()?;
+    Some(near(&number.to_rational()))
+}
+
+/// Whether numbers are written with a comma in some field.
+pub(crate) fn has_decimal_commas(lines: &[&[u8]], delimiter: u8) -> bool {
+    let comma = Notation {
+        delimiter,
+        decimal_comma: true,
+    };
+    let fields = lines
+        .iter()
+        .flat_map(|line| line.split(|byte| *byte == delimiter));
+    delimiter != b','
+        && fields
+            .map(trimmed)
+            .any(|field| field.contains(&b',') && number(field, comma).is_ok())
 }
 
 /// Parses a block. Rows in errors are counted from 0 at the start of the block.
-pub(crate) fn parse(block: &Block, layout: &Layout) -> Chunk {
+pub(crate) fn parse(block: &Block, layout: &Layout, notation: Notation) -> Chunk {
     let mut chunk = Chunk::default();
     let bytes = &block.bytes[..];
-    let plain = layout.form == Form::Count && layout.width == 1;
+    let plain = layout.form == Form::Count && layout.width() == 1;
     let mut counts = Vec::new();
     let read = match plain {
         true => parse_counts(bytes, &mut counts),
@@ -180,7 +125,7 @@ pub(crate) fn parse(block: &Block, layout: &Layout) -> Chunk {
                 "blank_row",
                 "expected a row, found a blank line",
             )),
-            None => push(line, layout, &mut chunk),
+            None => push(line, layout, notation, &mut chunk),
         };
         chunk.unended = torn && result.is_ok();
         if let Err(mut error) = result {
@@ -233,10 +178,16 @@ fn parse_counts(bytes: &[u8], counts: &mut Vec<i64>) -> usize {
 }
 
 /// Appends a row.
-fn push(line: &[u8], layout: &Layout, chunk: &mut Chunk) -> Result<(), TraceError> {
-    let (mut position, mut end, mut dtau, mut time, mut force) = (None, None, None, None, None);
+fn push(
+    line: &[u8],
+    layout: &Layout,
+    notation: Notation,
+    chunk: &mut Chunk,
+) -> Result<(), TraceError> {
+    let (mut position, mut end, mut dtau) = (None, None, None);
+    let (mut time, mut force, mut velocity) = (None, None, None);
     let mut width = 0;
-    for (i, field) in line.split(|byte| *byte == b',').enumerate() {
+    for (i, field) in line.split(|byte| *byte == notation.delimiter).enumerate() {
         width += 1;
         let slot = match i {
             _ if i == layout.position => &mut position,
@@ -244,24 +195,26 @@ fn push(line: &[u8], layout: &Layout, chunk: &mut Chunk) -> Result<(), TraceErro
             _ if Some(i) == layout.dtau => &mut dtau,
             _ if Some(i) == layout.time => &mut time,
             _ if Some(i) == layout.force => &mut force,
+            _ if Some(i) == layout.velocity => &mut velocity,
             _ => continue,
         };
         *slot = Some(trimmed(field));
     }
-    if width != layout.width {
-        let message = format!("expected {} fields, found {width}", layout.width);
+    if width != layout.width() {
+        let message = format!("expected {} fields, found {width}", layout.width());
         return Err(TraceError::new("fields", message));
     }
     let number_in = |field: Option<&[u8]>, column: usize| {
-        number(field.unwrap_or_default()).map_err(|error| error.column(layout.name(column)))
+        number(field.unwrap_or_default(), notation)
+            .map_err(|error| error.column(layout.name(column)))
     };
     let named = |error: TraceError| error.column(layout.name(layout.position));
     let position = position.unwrap_or_default();
     // Nothing is appended before the whole row is read.
     let sample = match layout.form {
-        Form::Count => Reading::Count(whole(position).map_err(named)?),
+        Form::Count => Reading::Count(whole(position, notation).map_err(named)?),
         _ => layout
-            .sample(number(position).map_err(named)?)
+            .sample(number(position, notation).map_err(named)?)
             .map_err(named)?,
     };
     let closing = match layout.end {
@@ -278,6 +231,10 @@ fn push(line: &[u8], layout: &Layout, chunk: &mut Chunk) -> Result<(), TraceErro
     };
     let force = match layout.force {
         Some(column) => Some((force.unwrap_or_default(), number_in(force, column)?)),
+        None => None,
+    };
+    let velocity = match layout.velocity {
+        Some(column) => Some(near(&number_in(velocity, column)?.to_rational())),
         None => None,
     };
     if let (Some(before), true) = (&chunk.closing, closing.is_some())
@@ -297,6 +254,9 @@ fn push(line: &[u8], layout: &Layout, chunk: &mut Chunk) -> Result<(), TraceErro
     chunk.closing = closing;
     chunk.dtaus.extend(dtau);
     chunk.times.extend(time);
+    chunk
+        .velocities
+        .extend(velocity.map(|v| v * layout.per_velocity));
     if let Some((text, force)) = force {
         chunk
             .forces
@@ -313,17 +273,34 @@ fn trimmed(field: &[u8]) -> &[u8] {
     inner.unwrap_or(field)
 }
 
-fn number(field: &[u8]) -> Result<Number, TraceError> {
+fn number(field: &[u8], notation: Notation) -> Result<Number, TraceError> {
     if let Some((n, d)) = short(field) {
         return Ok(Number::Small(n, d));
     }
+    let comma = field.contains(&b',');
+    if notation.decimal_comma && comma && !field.contains(&b'.') {
+        let mut pointed = field.to_vec();
+        for byte in &mut pointed {
+            if *byte == b',' {
+                *byte = b'.';
+            }
+        }
+        return number(&pointed, Notation::default());
+    }
     let text = std::str::from_utf8(field)
         .map_err(|_| TraceError::new("number", format!("`{}` is no number", shown(field))))?;
-    error::number(text)
+    error::number(text).map_err(|mut error| {
+        if comma && !notation.decimal_comma {
+            error
+                .message
+                .push_str(" (is the comma a decimal sign? then add --decimal-comma)");
+        }
+        error
+    })
 }
 
-fn whole(field: &[u8]) -> Result<i64, TraceError> {
-    match number(field)? {
+fn whole(field: &[u8], notation: Notation) -> Result<i64, TraceError> {
+    match number(field, notation)? {
         Number::Small(n, 1) => Ok(n),
         Number::Small(n, d) if n % d == 0 => Ok(n / d),
         _ => {
@@ -346,7 +323,7 @@ fn half_last_digit(text: &[u8]) -> f64 {
         ),
         None => (text, &b""[..]),
     };
-    let point = mantissa.iter().position(|b| *b == b'.');
+    let point = mantissa.iter().position(|b| matches!(b, b'.' | b','));
     let decimals = point.map_or(0, |at| mantissa.len() - at - 1);
     let exponent = std::str::from_utf8(exponent)
         .ok()

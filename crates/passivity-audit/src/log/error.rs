@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
+use crate::log::guess::Proposal;
 use crate::number::{MAX_BITS, Number};
 
 /// A mistake in a trace.
@@ -17,6 +18,12 @@ pub struct TraceError {
     pub column: Option<String>,
     /// What is wrong, and what was expected.
     pub message: String,
+    /// The file, where the log is of several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// What the header may mean, to be asked for in its place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub proposal: Option<Box<Proposal>>,
 }
 
 impl TraceError {
@@ -26,6 +33,8 @@ impl TraceError {
             row: None,
             column: None,
             message: message.into(),
+            file: None,
+            proposal: None,
         }
     }
 
@@ -46,17 +55,24 @@ impl TraceError {
 
 impl fmt::Display for TraceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(file) = &self.file {
+            write!(f, "{}, ", legible(file))?;
+        }
         if let Some(row) = self.row {
             write!(f, "row {row}")?;
         }
         if let Some(column) = &self.column {
             let separator = if self.row.is_some() { ", " } else { "" };
-            write!(f, "{separator}column `{column}`")?;
+            write!(f, "{separator}column `{}`", shown(column.as_bytes()))?;
         }
         if self.row.is_some() || self.column.is_some() {
             f.write_str(": ")?;
         }
-        f.write_str(&self.message)
+        f.write_str(&self.message)?;
+        match &self.proposal {
+            Some(proposal) => write!(f, "; {proposal}"),
+            None => Ok(()),
+        }
     }
 }
 
@@ -74,17 +90,38 @@ pub(crate) fn number(literal: &str) -> Result<Number, TraceError> {
     Err(TraceError::new("number_too_long", message))
 }
 
-/// Foreign text as it may be shown: short, and without control characters.
+/// Foreign text as it may be shown: short, and without characters that move a terminal's cursor or
+/// turn its text around.
 pub(crate) fn shown(text: &[u8]) -> String {
     const MOST: usize = 40;
     let text = String::from_utf8_lossy(text);
-    let mut shown: String = text
-        .chars()
-        .take(MOST)
-        .flat_map(char::escape_default)
-        .collect();
-    if text.chars().count() > MOST {
+    let first: String = text.chars().take(MOST).collect();
+    let mut shown = legible(&first);
+    if text.chars().nth(MOST).is_some() {
         shown.push('…');
     }
     shown
+}
+
+/// The whole of a text, such as the name of a file, with what hides in it escaped.
+#[must_use]
+pub fn legible(text: &str) -> String {
+    let mut shown = String::new();
+    for c in text.chars() {
+        match hides(c) {
+            true => shown.extend(c.escape_default()),
+            false => shown.push(c),
+        }
+    }
+    shown
+}
+
+/// Whether a text has characters that a terminal does not show as they are.
+pub(crate) fn is_hidden(text: &str) -> bool {
+    text.chars().any(hides)
+}
+
+fn hides(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
 }

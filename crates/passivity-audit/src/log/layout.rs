@@ -1,16 +1,16 @@
 //! The columns of a trace: which there are, in which units, and how their values become ticks,
 //! sampling periods and KΔ.
 
-use num_bigint::BigInt;
-use num_traits::Zero as _;
-use passivity_core::{BigRational, Exact, Interval, Loop, Scalar, pi};
-use passivity_scene::units::{Dimension, Unit};
 use passivity_scene::{Motion, Scene};
 
 use crate::log::chunk::Force;
+use crate::log::columns::{Columns, Found, Role};
 use crate::log::error::{TraceError, shown};
-use crate::log::running::near;
-use crate::number::{Number, difference, is_positive, product, quotient};
+use crate::log::guess;
+use crate::log::header::{Heading, split};
+use crate::log::preview::Preview;
+use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
+use crate::number::{Number, difference, is_positive, quotient};
 use crate::reading::Reading;
 
 /// The most columns of a trace.
@@ -53,108 +53,204 @@ pub(crate) struct Layout {
     pub(crate) dtau: Option<usize>,
     pub(crate) time: Option<usize>,
     pub(crate) force: Option<usize>,
-    /// How many columns there are.
-    pub(crate) width: usize,
-    pub(crate) names: Vec<String>,
+    pub(crate) velocity: Option<usize>,
+    /// The columns as they were told, each with what it says.
+    pub(crate) headings: Vec<Heading>,
+    said: Vec<Found>,
     scale: Scale,
     /// Units of time over the sampling period.
     per_period: Number,
     per_force: Scale,
+    /// Ticks per sampling period in a unit of velocity.
+    pub(crate) per_velocity: f64,
 }
-
-/// How a number of the trace becomes one in ticks or in KΔ.
-#[derive(Clone, Debug)]
-enum Scale {
-    /// It is one.
-    One,
-    /// By a rational factor.
-    Factor(Number),
-    /// By a factor with π in it, which is in the interval.
-    Irrational(Exact, Interval<BigRational>),
-}
-
-impl Scale {
-    fn of(factor: Exact) -> Result<Self, TraceError> {
-        /// Bits of the enclosure: past those of the longest logs and of the grid by far.
-        const BITS: u32 = 256;
-        if let Some(x) = factor.to_rational() {
-            return Ok(Self::Factor(Number::from(x)));
-        }
-        match factor.enclosure(BITS) {
-            Some(range) => Ok(Self::Irrational(factor, range)),
-            None => Err(TraceError::new(
-                "unit",
-                "the unit of this column is not defined",
-            )),
-        }
-    }
-
-    const fn is_irrational(&self) -> bool {
-        matches!(self, Self::Irrational(..))
-    }
-}
-
-/// The columns whose names a trace may have, as they were found.
-struct Names<'n>(&'n [String]);
 
 impl Layout {
-    /// Reads the names of the columns.
-    pub(crate) fn read(names: Vec<String>, scene: &Scene) -> Result<Self, TraceError> {
-        if names.len() > MAX_COLUMNS {
+    /// Reads the names of the columns: as they are `told`, or by the names that say it themselves.
+    pub(crate) fn read(
+        headings: Vec<Heading>,
+        told: Option<&Columns>,
+        preview: &Preview,
+        scene: &Scene,
+    ) -> Result<Self, TraceError> {
+        if headings.len() > MAX_COLUMNS {
             return Err(header(format!("a trace may have {MAX_COLUMNS} columns")));
         }
-        let columns = Names(&names);
-        let (form, (position, unit), end) = columns.positions()?;
-        let is_ledger = form == Form::Ledger;
+        let proposed = |mut error: TraceError, said: &[Found]| {
+            error.proposal = proposal(&headings, said, preview, scene);
+            error
+        };
+        let said = match told {
+            Some(columns) => columns.find(&headings).map_err(|e| proposed(e, &[]))?,
+            None => {
+                if let Some(layout) = Self::of_ledger(&headings)? {
+                    return Ok(layout);
+                }
+                let mut said = by_name(&headings).map_err(|e| proposed(e, &[]))?;
+                if is_no_clock(&said, &headings, preview, scene) {
+                    said.retain(|found| found.role != Role::Tau);
+                }
+                let unread = guess::unread(&headings, preview, scene, &said);
+                if !unread.is_empty() {
+                    return Err(proposed(not_read(&unread, &headings), &said));
+                }
+                said
+            }
+        };
+        let sound = |found: Result<Self, TraceError>| match told {
+            // What was typed is not offered again.
+            Some(_) => found,
+            None => found.map_err(|error| proposed(error, &[])),
+        };
+        sound(Self::of(&said, &headings, scene))
+    }
+
+    /// The layout of a ledger, which repeats its positions in columns of its own.
+    fn of_ledger(headings: &[Heading]) -> Result<Option<Self>, TraceError> {
+        let find = |base: &str| {
+            let mut named = (0..).zip(headings).filter(|(_, h)| h.name.trim() == base);
+            match (named.next(), named.next()) {
+                (_, Some(_)) => Err(twice(base)),
+                (found, None) => Ok(found.map(|(column, _)| column)),
+            }
+        };
+        let (Some(start), Some(end)) = (find("xi0")?, find("xi1")?) else {
+            return Ok(None);
+        };
+        Ok(Some(Self {
+            form: Form::Ledger,
+            position: start,
+            end: Some(end),
+            dtau: find("dtau")?,
+            time: None,
+            // A ledger says under which force its intervals were, when that is not the law's.
+            force: find("force")?,
+            velocity: None,
+            headings: headings.to_vec(),
+            said: Vec::new(),
+            scale: Scale::One,
+            per_period: Number::whole(1),
+            per_force: Scale::One,
+            per_velocity: 1.0,
+        }))
+    }
+
+    /// The layout of columns that say these things.
+    fn of(said: &[Found], headings: &[Heading], scene: &Scene) -> Result<Self, TraceError> {
+        let find = |role: Role| said.iter().find(|found| found.role == role);
+        let name = |found: &Found| match headings.get(found.column) {
+            Some(heading) => heading.name.clone(),
+            None => format!("number {}", found.column + 1),
+        };
+        let (form, position) = form(said, headings)?;
         if form == Form::Count && !scene.given.has_encoder() {
-            return Err(header("counts need a scene with an encoder").column("count"));
+            return Err(header("counts need a scene with an encoder").column(name(position)));
         }
-        let scale = match (form, unit) {
-            (Form::X, unit) => {
-                position_scale(unit, scene).map_err(|e| e.column(columns.name(position)))?
+        let scale = match (form, &position.unit) {
+            (Form::X, unit) => position_scale(unit.as_deref(), scene)
+                .map_err(|error| error.column(name(position)))?,
+            (Form::Count, Some(unit)) if !guess::is_counted(unit) => {
+                return Err(header("a count has no unit").column(name(position)));
             }
-            (_, Some(_)) => {
+            (Form::Xi, Some(_)) => {
                 let message = "ticks have no unit: `x [unit]` is for positions with one";
-                return Err(header(message).column(columns.name(position)));
-            }
-            (_, None) => Scale::One,
-        };
-        let time = columns.find("t")?;
-        let per_period = match time {
-            Some((i, unit)) => time_scale(unit, scene).map_err(|e| e.column(columns.name(i)))?,
-            None => Number::whole(1),
-        };
-        let time = time.or(columns.find("tau")?).map(|(i, _)| i);
-        // A ledger says under which force its intervals were, when that is not the law's.
-        let force = columns.find(if is_ledger { "force" } else { "f" })?;
-        let per_force = match force {
-            Some((i, unit)) if !is_ledger => {
-                force_scale(unit, scene).map_err(|e| e.column(columns.name(i)))?
+                return Err(header(message).column(name(position)));
             }
             _ => Scale::One,
         };
-        let dtau = match is_ledger {
-            true => columns.find("dtau")?.map(|(i, _)| i),
-            false => None,
+        let signed = |scale: Scale, found: &Found| match found.reversed {
+            true => scale.reversed(),
+            false => scale,
+        };
+        let is_clock = |found: &&Found| {
+            let unit = headings.get(found.column).and_then(|heading| heading.unit);
+            found.role != Role::T && unit.is_some()
+        };
+        if let Some(clock) = said.iter().find(is_clock) {
+            let message = format!(
+                "the type of this column is a time, and `{}` is none",
+                clock.role.name()
+            );
+            return Err(TraceError::new("type", message).column(name(clock)));
+        }
+        let (time, tau) = (find(Role::T), find(Role::Tau));
+        if let (Some(_), Some(tau)) = (time, tau) {
+            let message = "the time is given twice, as `t` and as `tau`";
+            return Err(header(message).column(name(tau)));
+        }
+        let per_period = match time {
+            Some(found) => time_scale(unit_of(found, headings)?.as_deref(), scene)
+                .map_err(|error| error.column(name(found)))?,
+            None => Number::whole(1),
+        };
+        let per_force = match find(Role::F) {
+            Some(found) => {
+                let scale = force_scale(found.unit.as_deref(), scene);
+                signed(scale.map_err(|error| error.column(name(found)))?, found)
+            }
+            None => Scale::One,
+        };
+        let per_velocity = match find(Role::V) {
+            Some(found) => {
+                let scale = velocity_scale(found.unit.as_deref(), scene);
+                let scale = scale.map_err(|error| error.column(name(found)))?;
+                if found.reversed { -scale } else { scale }
+            }
+            None => 1.0,
         };
         Ok(Self {
             form,
-            position,
-            end,
-            dtau,
-            time,
-            force: force.map(|(i, _)| i),
-            width: names.len(),
-            names,
-            scale,
+            position: position.column,
+            end: None,
+            dtau: None,
+            time: time.or(tau).map(|found| found.column),
+            force: find(Role::F).map(|found| found.column),
+            velocity: find(Role::V).map(|found| found.column),
+            headings: headings.to_vec(),
+            said: said.to_vec(),
+            scale: signed(scale, position),
             per_period,
             per_force,
+            per_velocity,
         })
     }
 
     /// The name of a column.
     pub(crate) fn name(&self, column: usize) -> String {
-        Names(&self.names).name(column)
+        match self.headings.get(column) {
+            Some(heading) => heading.name.clone(),
+            None => format!("number {}", column + 1),
+        }
+    }
+
+    /// What is read, as it can be asked for.
+    pub(crate) fn proposal(&self) -> Option<Box<guess::Proposal>> {
+        guess::propose(&self.said, &self.headings).map(Box::new)
+    }
+
+    /// What is read, as it can be typed; with the sign of the force turned, where that is asked for.
+    pub(crate) fn typed(&self, turned: bool) -> Option<String> {
+        let mut said = self.said.clone();
+        for found in said.iter_mut().filter(|f| turned && f.role == Role::F) {
+            found.reversed = !found.reversed;
+        }
+        Some(guess::propose(&said, &self.headings)?.columns)
+    }
+
+    /// The columns that are not read.
+    pub(crate) fn not_read(&self) -> Vec<String> {
+        let is_read = |column: usize| self.said.iter().any(|found| found.column == column);
+        let unread = (0..)
+            .zip(&self.headings)
+            .filter(|(column, _)| !is_read(*column));
+        unread
+            .map(|(_, heading)| shown(heading.name.as_bytes()))
+            .collect()
+    }
+
+    /// How many columns there are.
+    pub(crate) fn width(&self) -> usize {
+        self.headings.len()
     }
 
     /// Whether positions, or forces that are `applied`, are known only between two ends.
@@ -196,30 +292,15 @@ impl Layout {
 
     /// A position as it is known.
     pub(crate) fn sample(&self, x: Number) -> Result<Reading, TraceError> {
-        match &self.scale {
-            Scale::One => Ok(Reading::Exact(x)),
-            Scale::Factor(factor) => Ok(Reading::Exact(product(&x, factor))),
-            Scale::Irrational(factor, range) => within_a_tick(&x.to_rational(), factor, range),
-        }
+        self.scale.position(x)
     }
 
     /// A force as it is known, written to within `rounding` of its unit.
     pub(crate) fn force(&self, x: Number, rounding: f64) -> Force {
-        let (value, unit) = match &self.per_force {
-            Scale::One => (Reading::Exact(x), 1.0),
-            Scale::Factor(factor) => {
-                let unit = near(&factor.to_rational());
-                (Reading::Exact(product(&x, factor)), unit)
-            }
-            Scale::Irrational(_, range) => {
-                let x = x.to_rational();
-                let range_of_force = Interval::hull(&x * range.lo(), &x * range.hi());
-                (enclosed(&on_grid(&range_of_force)), near(range.lo()))
-            }
-        };
+        let (value, unit) = self.per_force.force(x);
         Force {
             value,
-            rounding: rounding * unit.abs(),
+            rounding: rounding * unit,
         }
     }
 }
@@ -228,208 +309,142 @@ fn header(message: impl Into<String>) -> TraceError {
     TraceError::new("header", message)
 }
 
-/// A column, and the unit in its name.
-type Column<'n> = (usize, Option<&'n str>);
-
-impl<'n> Names<'n> {
-    fn name(&self, column: usize) -> String {
-        match self.0.get(column) {
-            Some(name) => name.clone(),
-            None => format!("number {}", column + 1),
-        }
-    }
-
-    /// The column with this name, its unit aside.
-    fn find(&self, base: &str) -> Result<Option<Column<'n>>, TraceError> {
-        let mut found = None;
-        for (i, name) in self.0.iter().enumerate() {
-            let (stem, unit) = split(name);
-            if stem != base {
-                continue;
-            }
-            let unit = unit.map_err(|message| header(message).column(name))?;
-            if found.is_some() {
-                return Err(header(format!("the column `{base}` is given twice")).column(name));
-            }
-            found = Some((i, unit));
-        }
-        Ok(found)
-    }
-
-    /// The form of positions, their column, and that of where a row of a ledger ends.
-    fn positions(&self) -> Result<(Form, Column<'n>, Option<usize>), TraceError> {
-        if let (Some((start, _)), Some((end, _))) = (self.find("xi0")?, self.find("xi1")?) {
-            // A ledger may repeat where its intervals start as `xi`: its own columns say more.
-            return Ok((Form::Ledger, (start, None), Some(end)));
-        }
-        let forms = [
-            (Form::Xi, self.find("xi")?),
-            (Form::X, self.find("x")?),
-            (Form::Count, self.find("count")?),
-        ];
-        let mut present = forms
-            .into_iter()
-            .filter_map(|(form, column)| Some((form, column?)));
-        match (present.next(), present.next()) {
-            (Some((form, column)), None) => Ok((form, column, None)),
-            (Some((form, _)), Some((other, _))) => Err(header(format!(
-                "expected one of `xi`, `x [unit]` and `count`, found `{}` and `{}`",
-                form.name(),
-                other.name()
-            ))),
-            (None, _) => {
-                let found = self.0.iter().take(8).map(|n| shown(n.as_bytes()));
-                let found = found.collect::<Vec<_>>().join("`, `");
-                Err(header(format!(
-                    "expected a column `xi`, `x [unit]` or `count`, found `{found}`"
-                )))
-            }
-        }
-    }
+fn twice(name: &str) -> TraceError {
+    header(format!("the column `{name}` is given twice")).column(name)
 }
 
-/// `x [rad]` as `x` and `rad`, or why the brackets say nothing.
-fn split(name: &str) -> (&str, Result<Option<&str>, &'static str>) {
-    match name.split_once('[') {
-        Some((stem, rest)) => {
-            let unit = rest.trim_end().strip_suffix(']');
-            let unit = unit.map(|unit| Some(unit.trim()));
-            (stem.trim(), unit.ok_or("the bracket is not closed"))
+/// The columns whose names say themselves what they are: `t [s]`, `x_rad`, `count`.
+fn by_name(headings: &[Heading]) -> Result<Vec<Found>, TraceError> {
+    let mut said: Vec<Found> = Vec::new();
+    for (column, heading) in headings.iter().enumerate() {
+        let split = split(&heading.name);
+        let stem = match &split {
+            Ok(split) => split.stem,
+            Err((stem, _)) => stem,
+        };
+        let Some(role) = Role::ALL.into_iter().find(|role| role.name() == stem) else {
+            // The name of something else, where no bracket is open.
+            if let Err((_, message)) = split {
+                return Err(header(message).column(&heading.name));
+            }
+            continue;
+        };
+        let split = split.map_err(|(_, message)| header(message).column(&heading.name))?;
+        if role == Role::Tau && split.unit.is_some() {
+            // A torque, or a time that is not in sampling periods.
+            continue;
         }
-        None => (name.trim(), Ok(None)),
+        if said.iter().any(|found| found.role == role) {
+            return Err(header(format!("the column `{stem}` is given twice")).column(&heading.name));
+        }
+        said.push(Found {
+            role,
+            column,
+            unit: split.unit.map(|unit| unit.into_owned()),
+            reversed: false,
+        });
     }
+    // Beside another clock `tau` is no time: it may be a torque.
+    if said.iter().any(|found| found.role == Role::T) {
+        said.retain(|found| found.role != Role::Tau);
+    }
+    Ok(said)
 }
 
-fn unit(text: Option<&str>, example: &str) -> Result<Unit, TraceError> {
-    let Some(text) = text else {
-        let message = format!("a column with a unit is needed, as in `{example}`");
-        return Err(TraceError::new("unit", message));
+/// Whether a column `tau` is no time: another column looks like one, or it runs backward. It may be a
+/// torque.
+fn is_no_clock(said: &[Found], headings: &[Heading], preview: &Preview, scene: &Scene) -> bool {
+    let Some(tau) = said.iter().find(|found| found.role == Role::Tau) else {
+        return false;
     };
-    Unit::parse(text).map_err(|error| {
-        let message = format!("`{}`: {error}", shown(text.as_bytes()));
-        TraceError::new("unit", message)
+    let others: Vec<Found> = said
+        .iter()
+        .filter(|f| f.role != Role::Tau)
+        .cloned()
+        .collect();
+    let unread = guess::unread(headings, preview, scene, &others);
+    let is_other = |f: &Found| matches!(f.role, Role::T | Role::Tau) && f.column != tau.column;
+    let backward = scene.motion != Motion::Dimensionless && preview.runs_backward(tau.column);
+    backward || unread.iter().any(is_other)
+}
+
+/// The form of positions and the column that has them.
+fn form<'f>(said: &'f [Found], headings: &[Heading]) -> Result<(Form, &'f Found), TraceError> {
+    let forms = [
+        (Form::Xi, Role::Xi),
+        (Form::X, Role::X),
+        (Form::Count, Role::Count),
+    ];
+    let mut present = forms.into_iter().filter_map(|(form, role)| {
+        let found = said.iter().find(|found| found.role == role)?;
+        Some((form, found))
+    });
+    match (present.next(), present.next()) {
+        (Some(found), None) => Ok(found),
+        (Some((form, _)), Some((other, _))) => Err(header(format!(
+            "expected one of `xi`, `x [unit]` and `count`, found `{}` and `{}`",
+            form.name(),
+            other.name()
+        ))),
+        (None, _) => {
+            let found = headings.iter().take(8).map(|h| shown(h.name.as_bytes()));
+            let found = found.collect::<Vec<_>>().join("`, `");
+            Err(header(format!(
+                "expected a column `xi`, `x [unit]` or `count`, found `{found}`"
+            )))
+        }
+    }
+}
+
+/// The unit of a column: that of its type, where it has one, which the header may only repeat.
+fn unit_of(found: &Found, headings: &[Heading]) -> Result<Option<String>, TraceError> {
+    let heading = headings.get(found.column);
+    let Some(own) = heading.and_then(|heading| heading.unit) else {
+        return Ok(found.unit.clone());
+    };
+    match &found.unit {
+        Some(unit) if !crate::log::columns::same_unit(unit, own) => {
+            let message = format!(
+                "the type of this column says that it is in `{own}`, not in `{}`",
+                shown(unit.as_bytes())
+            );
+            let name = heading.map(|heading| heading.name.clone());
+            Err(TraceError::new("unit", message).column(name.unwrap_or_default()))
+        }
+        _ => Ok(Some(own.to_owned())),
+    }
+}
+
+/// Why a header with columns that look like something else is refused.
+fn not_read(unread: &[Found], headings: &[Heading]) -> TraceError {
+    let is_unread = |column: usize| unread.iter().any(|found| found.column == column);
+    let names = (0..).zip(headings).filter(|(column, _)| is_unread(*column));
+    let names: Vec<String> = names
+        .map(|(_, heading)| format!("`{}`", shown(heading.name.as_bytes())))
+        .collect();
+    header(match names.as_slice() {
+        [name] => format!("the column {name} is not read under this name"),
+        names => format!(
+            "the columns {} are not read under these names",
+            names.join(", ")
+        ),
     })
 }
 
-fn needs_units(scene: &Scene, instead: &str) -> Result<(), TraceError> {
-    if scene.motion == Motion::Dimensionless {
-        let message = format!("the scene is dimensionless: give `{instead}`");
-        return Err(TraceError::new("unit", message));
-    }
-    Ok(())
-}
-
-/// Whether a unit measures what the scene's own does, radians being no dimension to insist on.
-fn expect(unit: &Unit, linear: Dimension, scene: &Scene, what: &str) -> Result<(), TraceError> {
-    let rotary = match what {
-        "a position" => Dimension::NONE.with_angle(1),
-        _ => Dimension::new(1, 2, -2, 0),
-    };
-    let found = unit.dimension().with_angle(0);
-    let (expected, example) = match (scene.motion, what) {
-        (Motion::Linear, "a position") => (linear, "mm"),
-        (Motion::Linear, _) => (linear, "N"),
-        (_, "a position") => (rotary, "rad"),
-        (_, _) => (rotary, "N m"),
-    };
-    if found == expected.with_angle(0) {
-        return Ok(());
-    }
-    let message = format!("expected the unit of {what}, such as `{example}`");
-    Err(TraceError::new("unit", message))
-}
-
-fn position_scale(text: Option<&str>, scene: &Scene) -> Result<Scale, TraceError> {
-    needs_units(scene, "xi")?;
-    let unit = unit(text, "x [rad]")?;
-    expect(&unit, Dimension::new(0, 1, 0, 0), scene, "a position")?;
-    let scale = Scale::of(exact(&unit).over(nominal(scene).length()))?;
-    if scale.is_irrational() && !scene.given.has_encoder() {
-        let message = "without an encoder positions must be in radians or metres";
-        return Err(TraceError::new("unit", message));
-    }
-    Ok(scale)
-}
-
-/// A unit in SI.
-fn exact(unit: &Unit) -> Exact {
-    let power = (0..unit.pi_power().unsigned_abs()).fold(Exact::one(), |x, _| x * pi::pi());
-    let scale = Exact::of(unit.scale());
-    if unit.pi_power() < 0 {
-        scale.over(power)
-    } else {
-        scale * power
-    }
-}
-
-/// The parameters of a scene at their nominal values.
-fn nominal(scene: &Scene) -> Loop<Exact> {
-    scene.given.map(|_, given| given.nominal.clone())
-}
-
-fn time_scale(text: Option<&str>, scene: &Scene) -> Result<Number, TraceError> {
-    needs_units(scene, "tau")?;
-    let unit = unit(text, "t [s]")?;
-    if unit.dimension() != Dimension::new(0, 0, 1, 0) {
-        let message = "expected a unit of time, such as `s`";
-        return Err(TraceError::new("unit", message));
-    }
-    match nominal(scene).period.over(exact(&unit)).to_rational() {
-        Some(x) => Ok(Number::from(x)),
-        None => Err(TraceError::new("unit", "a unit of time has no π in it")),
-    }
-}
-
-fn force_scale(text: Option<&str>, scene: &Scene) -> Result<Scale, TraceError> {
-    if text.is_none() && scene.motion == Motion::Dimensionless {
-        return Ok(Scale::One);
-    }
-    let unit = unit(text, "f [N]")?;
-    needs_units(scene, "f")?;
-    expect(&unit, Dimension::new(1, 1, -2, 0), scene, "a force")?;
-    Scale::of(exact(&unit).over(nominal(scene).force_unit()))
-}
-
-/// x·`factor`, enclosed on a fine grid within one tick.
-fn within_a_tick(
-    x: &BigRational,
-    factor: &Exact,
-    range: &Interval<BigRational>,
-) -> Result<Reading, TraceError> {
-    if x.is_zero() {
-        return Ok(Reading::Exact(Number::whole(0)));
-    }
-    let fine = Interval::hull(x * range.lo(), x * range.hi());
-    // No position is a whole number of ticks: π would be rational.
-    let tick = match fine.lo().floor() == fine.hi().floor() {
-        true => fine.lo().floor(),
-        false => (Exact::of(x) * factor.clone())
-            .floor()
-            .to_rational()
-            .ok_or_else(|| {
-                let message = "too close to the border between two ticks to tell which it is in";
-                TraceError::new("position", message)
-            })?,
-    };
-    let coarse = on_grid(&fine);
-    let above = &tick + BigRational::one();
-    let lo = Ord::max(coarse.lo(), &tick).clone();
-    // The enclosure may touch the next tick from below: that is its closure.
-    let hi = Ord::min(coarse.hi(), &above).clone();
-    Ok(enclosed(&Interval::hull(lo, hi)))
-}
-
-/// The interval rounded outward to a grid, small enough for machine integers.
-fn on_grid(range: &Interval<BigRational>) -> Interval<BigRational> {
-    /// Steps of the grid per tick, or per KΔ, as a power of two.
-    const GRID_BITS: u32 = 40;
-    let grid = BigRational::from_integer(BigInt::from(1_u64 << GRID_BITS));
-    Interval::hull(
-        (range.lo() * &grid).floor() / &grid,
-        (range.hi() * &grid).ceil() / &grid,
-    )
-}
-
-fn enclosed(range: &Interval<BigRational>) -> Reading {
-    Reading::Within(Box::new(range.clone()))
+/// What a header may mean, beyond what its columns say themselves, where that can be read.
+fn proposal(
+    headings: &[Heading],
+    said: &[Found],
+    preview: &Preview,
+    scene: &Scene,
+) -> Option<Box<guess::Proposal>> {
+    let complete = |found| guess::with_unit(found, headings, preview, scene);
+    let mut all: Vec<Found> = said.iter().map(complete).collect();
+    all.extend(guess::unread(headings, preview, scene, said));
+    let proposal = guess::propose(&all, headings)?;
+    // What is offered must be read when it is typed.
+    let columns: Columns = proposal.columns.parse().ok()?;
+    let found = columns.find(headings).ok()?;
+    Layout::of(&found, headings, scene).ok()?;
+    Some(Box::new(proposal))
 }

@@ -11,6 +11,7 @@ use crate::log::comparison::Comparison;
 use crate::log::error::TraceError;
 use crate::log::outcome::Audit;
 use crate::log::step::{between, check_jump, duration};
+use crate::log::velocity::Velocities;
 use crate::log::worker::{Computed, Task};
 use crate::number::Number;
 use crate::reading::Reading;
@@ -44,10 +45,14 @@ pub(crate) struct Merge<'a, 'w> {
     closing: Option<Reading>,
     first: Option<Reading>,
     comparison: Option<Comparison<'a>>,
+    velocities: Option<Velocities>,
     /// The first intervals, for the rows in the report.
     head: Vec<Logged>,
     error: Option<TraceError>,
     unended: bool,
+    /// Which file is being read, and how many samples came before it.
+    file: usize,
+    before_file: u64,
 }
 
 /// All that an audit found.
@@ -56,6 +61,7 @@ pub(crate) struct Findings<'a> {
     pub(crate) samples: u64,
     pub(crate) first: Option<Reading>,
     pub(crate) comparison: Option<Comparison<'a>>,
+    pub(crate) velocities: Option<Velocities>,
     pub(crate) head: Vec<Logged>,
     pub(crate) error: Option<TraceError>,
     pub(crate) unended: bool,
@@ -69,7 +75,8 @@ impl<'a, 'w> Merge<'a, 'w> {
         if let (Some(out), Some(form)) = (&mut out, task.rows) {
             writeln!(out, "{}", form.header()).map_err(|error| TraceError::io(&error))?;
         }
-        let compared = task.layout.force.is_some();
+        let compared = task.compares && task.layout.force.is_some();
+        let moved = task.compares && task.layout.velocity.is_some();
         Ok(Self {
             task,
             out,
@@ -81,48 +88,64 @@ impl<'a, 'w> Merge<'a, 'w> {
             closing: None,
             first: None,
             comparison: compared.then(|| Comparison::new(task.ledger)),
+            velocities: moved.then(Velocities::default),
             head: Vec::new(),
             error: None,
             unended: false,
+            file: 0,
+            before_file: 0,
         })
     }
 
     /// Takes the next chunk with the account of the intervals inside it. False when the trace ends
     /// here, for a mistake.
-    pub(crate) fn take(&mut self, mut chunk: Chunk, account: Account) -> Result<bool, TraceError> {
+    pub(crate) fn take(&mut self, chunk: &Chunk, account: Account) -> Result<bool, TraceError> {
+        if chunk.file != self.file {
+            self.file = chunk.file;
+            self.before_file = self.samples;
+        }
         let lead = self.task.lead();
         let whole = chunk.samples.len();
         // Intervals that end at the first samples of the chunk reach back beyond it.
         for i in 0..whole.min(lead + 1) {
-            if let Err(error) = self.single(&chunk, i) {
+            if let Err(error) = self.single(chunk, i) {
                 self.samples += i as u64;
-                self.error = Some(error.row(self.samples + 1));
+                self.error = Some(self.placed(error, self.samples + 1));
                 self.closing = None;
                 return self.flush().map(|()| false);
             }
         }
         if whole > lead + 1 {
-            self.keep_head(&chunk, lead)?;
+            self.keep_head(chunk, lead)?;
             self.account.append(account);
             let window = self.task.ledger.window();
             self.recent = chunk.samples.back_from(whole - 1, window);
-            self.onward = onward(&chunk, whole - 1);
+            self.onward = onward(chunk, whole - 1);
         }
         if let Some(comparison) = &mut self.comparison {
-            comparison.feed(&chunk)?;
+            comparison.feed(chunk)?;
+        }
+        if let Some(velocities) = &mut self.velocities {
+            velocities.feed(self.task.layout, chunk)?;
         }
         self.thin_points();
-        self.closing = chunk.closing.take();
+        self.closing.clone_from(&chunk.closing);
         self.unended = chunk.unended;
         let before = self.samples;
         self.samples += whole as u64;
         self.flush()?;
-        if let Some(error) = chunk.error.take() {
+        if let Some(error) = chunk.error.clone() {
             let row = before + error.row.unwrap_or(whole as u64) + 1;
-            self.error = Some(error.row(row));
+            self.error = Some(self.placed(error, row));
             return Ok(false);
         }
         Ok(true)
+    }
+
+    /// The error at a row of the log, counted from 1, as the row of its file.
+    fn placed(&self, mut error: TraceError, row: u64) -> TraceError {
+        error.file = self.task.files.get(self.file).cloned();
+        error.row(row - self.before_file)
     }
 
     /// The interval that ends at sample `i` of a chunk.
@@ -220,12 +243,12 @@ impl<'a, 'w> Merge<'a, 'w> {
         Ok(())
     }
 
-    /// The report.
-    pub(crate) fn finish(mut self, scene: &Scene) -> Result<Audit, TraceError> {
+    /// The report, with the account of the wall's own law beside it.
+    pub(crate) fn finish(mut self, scene: &Scene, law: Option<Audit>) -> Result<Audit, TraceError> {
         if let Some(closing) = self.closing.take() {
             let dtau = self.onward.dtau.take();
             if let Err(error) = self.interval(closing, dtau) {
-                self.error = Some(error.row(self.samples));
+                self.error = Some(self.placed(error, self.samples));
             }
             self.flush()?;
         }
@@ -234,18 +257,20 @@ impl<'a, 'w> Merge<'a, 'w> {
         }
         if self.error.is_none() && self.account.intervals == 0 {
             let message = "a trace needs two samples at least: there is nothing to account for";
-            self.error = Some(TraceError::new("empty", message).row(self.samples + 1));
+            let error = TraceError::new("empty", message);
+            self.error = Some(self.placed(error, self.samples + 1));
         }
         let findings = Findings {
             account: self.account,
             samples: self.samples,
             first: self.first,
             comparison: self.comparison,
+            velocities: self.velocities,
             head: self.head,
             error: self.error,
             unended: self.unended,
         };
-        Audit::new(self.task, scene, findings)
+        Audit::new(self.task, scene, findings, law)
     }
 }
 

@@ -4,45 +4,60 @@ mod account;
 mod arrays;
 mod certificate;
 mod chunk;
+mod columns;
 mod comparison;
 mod csv;
 mod error;
+mod findings;
+mod guess;
+mod header;
 mod layout;
+mod lines;
 mod merge;
 mod outcome;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod preview;
 mod report;
 mod running;
+mod scale;
+mod source;
 mod step;
 mod supply;
 mod table;
 mod text;
 mod timing;
+#[cfg(feature = "parquet")]
+mod typed;
+mod velocity;
 mod worker;
 
 pub use account::Point;
 pub use arrays::{Positions, audit_arrays};
 pub use certificate::Certificate;
-pub use error::TraceError;
+pub use columns::{Columns, Role};
+pub use error::{TraceError, legible};
+pub use findings::Finding;
+pub use guess::Proposal;
 pub use layout::Form;
 pub use outcome::Audit;
 pub use report::{
-    Agreement, Firsts, Fitted, Force, Found, Judged, Least, Observer, Report, Running, Sampling,
-    Shown, Supplied, Verdict,
+    Agreement, ByLaw, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
+    Running, Sampling, Shown, Supplied, Verdict,
 };
 
-use std::fs::File;
+pub use source::Dialect;
+
 use std::io::{Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use passivity_scene::Scene;
 
 use crate::ledger::Ledger;
 use crate::log::chunk::Chunk;
-use crate::log::csv::{Block, Lines};
 use crate::log::layout::Layout;
 use crate::log::merge::Merge;
+use crate::log::source::{Source, Work};
 use crate::log::worker::{Task, Worker};
 
 /// What an audit is to give besides its report.
@@ -58,50 +73,42 @@ pub struct Options<'a> {
     pub threads: usize,
     /// How many bytes of CSV a core is given at once; 0 for a size that suits most machines.
     pub block: usize,
+    /// How the columns are called, and how numbers are written.
+    pub dialect: Dialect,
 }
 
-/// Where the samples come from.
-enum Source {
-    Csv(Lines<Box<dyn Read>>),
-    #[cfg(feature = "parquet")]
-    Parquet(Box<parquet::Table>),
-    /// In memory, the last chunk first.
-    Memory(Vec<Chunk>),
-}
-
-/// Audits a trace in a file; `-` is standard input, which must be CSV.
+/// Audits a log in a file; `-` is standard input, which must be CSV. CSV may be compressed by gzip or
+/// zstd.
 ///
 /// # Errors
 ///
 /// [`TraceError`] when the file cannot be opened or its header cannot be read, or when rows cannot
 /// be written. A mistake further on is part of the [`Audit`], with the account of what came before.
 pub fn audit(path: &Path, scene: &Scene, options: Options<'_>) -> Result<Audit, TraceError> {
-    if path.as_os_str() == "-" {
-        return audit_csv(Box::new(std::io::stdin()), scene, options);
-    }
-    let mut file = File::open(path).map_err(|error| TraceError::io(&error))?;
-    let mut start = Vec::new();
-    let read = (&mut file).take(4).read_to_end(&mut start);
-    read.map_err(|error| TraceError::io(&error))?;
-    if start == b"PAR1" {
-        return audit_parquet(path, scene, options);
-    }
-    // What was read of a pipe cannot be read again.
-    let whole = std::io::Cursor::new(start).chain(file);
-    audit_csv(Box::new(whole), scene, options)
+    audit_files(&[path.to_owned()], scene, options)
 }
 
-#[cfg(feature = "parquet")]
-fn audit_parquet(path: &Path, scene: &Scene, options: Options<'_>) -> Result<Audit, TraceError> {
-    let table = parquet::Table::open(path)?;
-    let layout = Layout::read(table.names(), scene)?;
-    run(Source::Parquet(Box::new(table)), &layout, scene, options)
+/// Audits a log in several files with the same header, one after the other.
+///
+/// # Errors
+///
+/// As [`audit`].
+pub fn audit_files(
+    paths: &[PathBuf],
+    scene: &Scene,
+    options: Options<'_>,
+) -> Result<Audit, TraceError> {
+    let block = block(&options);
+    let (source, layout) = Source::open(paths, scene, &options.dialect, block)?;
+    run(source, &layout, scene, options)
 }
 
-#[cfg(not(feature = "parquet"))]
-fn audit_parquet(_: &Path, _: &Scene, _: Options<'_>) -> Result<Audit, TraceError> {
-    let message = "Parquet is not in this build: build it with the feature `parquet`";
-    Err(TraceError::new("parquet", message))
+/// How many bytes of CSV a core is given at once.
+const fn block(options: &Options<'_>) -> usize {
+    match options.block {
+        0 => lines::BLOCK,
+        block => block,
+    }
 }
 
 /// Audits a trace in CSV.
@@ -127,34 +134,9 @@ pub fn audit_csv(
     scene: &Scene,
     options: Options<'_>,
 ) -> Result<Audit, TraceError> {
-    let block = match options.block {
-        0 => csv::BLOCK,
-        block => block,
-    };
-    let mut lines = Lines::new(input, block);
-    let names = csv::names(&lines.header()?)?;
-    let layout = Layout::read(names, scene)?;
-    run(Source::Csv(lines), &layout, scene, options)
-}
-
-/// What a core is given.
-enum Work {
-    Parse(Block),
-    Account(Chunk),
-}
-
-impl Source {
-    /// What the next core is to do; `None` at the end.
-    fn next(&mut self, layout: &Layout) -> Option<Work> {
-        #[cfg(not(feature = "parquet"))]
-        let _ = layout;
-        match self {
-            Self::Csv(lines) => lines.next_block().map(Work::Parse),
-            #[cfg(feature = "parquet")]
-            Self::Parquet(table) => table.next_chunk(layout).map(Work::Account),
-            Self::Memory(chunks) => chunks.pop().map(Work::Account),
-        }
-    }
+    let opened = source::opened(input, block(&options), None)?;
+    let (reader, layout) = opened.read(scene, &options.dialect)?;
+    run(Source::of(reader), &layout, scene, options)
 }
 
 fn run(
@@ -170,6 +152,7 @@ fn run(
         enclosures: layout.encloses(applied) || !friction_is_exact,
         force: applied,
     };
+    let files = source.names();
     let task = Task {
         ledger: &ledger,
         layout,
@@ -177,44 +160,88 @@ fn run(
         points: options.points,
         applied,
         running: applied || ledger.has_memory(),
+        compares: true,
+        files: &files,
+        told: options.dialect.columns.is_some(),
     };
-    let threads = match options.threads {
-        // One, where the system does not say how many there are.
-        0 => std::thread::available_parallelism().map_or(1, usize::from),
-        threads => threads,
+    // Beside the account of the forces in the trace, that of the wall's own law.
+    let by_law = Task {
+        rows: None,
+        points: false,
+        applied: false,
+        running: ledger.has_memory(),
+        compares: false,
+        ..task.clone()
     };
-    let mut workers: Vec<Worker> = (0..threads).map(|_| Worker::default()).collect();
+    let law = applied.then_some(&by_law);
+    let threads = threads(options.threads)?;
+    let mut workers: Vec<[Worker; 2]> = (0..threads).map(|_| <[Worker; 2]>::default()).collect();
     let mut merge = Merge::new(&task, options.rows)?;
+    let mut beside = law.map(|law| Merge::new(law, None)).transpose()?;
     loop {
         let next = std::iter::from_fn(|| source.next(layout));
         let work: Vec<Work> = next.take(threads).collect();
-        if work.is_empty() {
-            return merge.finish(scene);
-        }
-        for (chunk, account) in at_once(&task, work, &mut workers) {
-            if !merge.take(chunk, account)? {
-                return merge.finish(scene);
+        let ended = work.is_empty();
+        let mut goes_on = !ended;
+        for (chunk, [account, other]) in at_once(&task, law, work, &mut workers) {
+            if let Some(beside) = &mut beside {
+                beside.take(&chunk, other)?;
             }
+            goes_on = merge.take(&chunk, account)?;
+            if !goes_on {
+                break;
+            }
+        }
+        if !goes_on {
+            let law = beside
+                .map(|beside| beside.finish(scene, None))
+                .transpose()?;
+            return merge.finish(scene, law);
         }
     }
 }
 
-/// The accounts of some chunks, each on a core of its own.
+/// The most threads that are asked for at once.
+pub const MAX_THREADS: usize = 1024;
+
+/// How many threads work, of which 0 asks for as many as there are cores.
+fn threads(asked: usize) -> Result<usize, TraceError> {
+    match asked {
+        // One, where the system does not say how many there are.
+        0 => Ok(std::thread::available_parallelism().map_or(1, usize::from)),
+        1..=MAX_THREADS => Ok(asked),
+        _ => {
+            let message = format!("at most {MAX_THREADS} threads can be asked for, not {asked}");
+            Err(TraceError::new("threads", message))
+        }
+    }
+}
+
+/// The accounts of some chunks, each on a core of its own: that which is asked for, and that of the law
+/// beside it.
 fn at_once(
     task: &Task<'_>,
+    law: Option<&Task<'_>>,
     work: Vec<Work>,
-    workers: &mut [Worker],
-) -> Vec<(Chunk, account::Account)> {
+    workers: &mut [[Worker; 2]],
+) -> Vec<(Chunk, [account::Account; 2])> {
     std::thread::scope(|scope| {
         let mut running = Vec::new();
-        for (work, worker) in work.into_iter().zip(workers) {
+        for (work, [worker, other]) in work.into_iter().zip(workers) {
             running.push(scope.spawn(move || {
                 let mut chunk = match work {
-                    Work::Parse(block) => csv::parse(&block, task.layout),
+                    Work::Parse(block, notation, file) => Chunk {
+                        file,
+                        ..csv::parse(&block, task.layout, notation)
+                    },
                     Work::Account(chunk) => chunk,
                 };
                 let account = worker.account(task, &mut chunk, task.lead());
-                (chunk, account)
+                let beside = match law {
+                    Some(law) => other.account(law, &mut chunk, law.lead()),
+                    None => account::Account::default(),
+                };
+                (chunk, [account, beside])
             }));
         }
         let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {

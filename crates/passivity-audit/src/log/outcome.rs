@@ -9,11 +9,12 @@ use crate::log::account::{Place, Point};
 use crate::log::certificate::Certificate;
 use crate::log::comparison::Comparison;
 use crate::log::error::TraceError;
+use crate::log::findings::{Finding, of_force, of_velocity};
 use crate::log::layout::Form;
 use crate::log::merge::{Findings, ROWS_IN_REPORT};
 use crate::log::report::{
-    Agreement, Firsts, Fitted, Force, Found, Judged, Least, Observer, Report, Running, Sampling,
-    Shown, Supplied, Verdict,
+    Agreement, ByLaw, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
+    Running, Sampling, Shown, Supplied, Verdict,
 };
 use crate::log::running::{Lowest, RunningSum};
 use crate::log::step::undefined;
@@ -36,6 +37,7 @@ impl Audit {
         task: &Task<'_>,
         scene: &Scene,
         findings: Findings<'_>,
+        law: Option<Self>,
     ) -> Result<Self, TraceError> {
         let account = findings.account;
         let mut figures = account.sums.each_ref().map(FigureSum::value);
@@ -61,6 +63,14 @@ impl Audit {
             Some(comparison) => Some(Agreement::new(comparison).ok_or_else(undefined)?),
             None => None,
         };
+        let moved = findings.velocities.as_ref().map(|velocities| Moved {
+            compared: velocities.compared,
+            fit: velocities.fit(),
+        });
+        let forced = agreement
+            .iter()
+            .flat_map(|a| of_force(a, task.layout, scene));
+        let found: Vec<Finding> = forced.chain(moved.iter().flat_map(of_velocity)).collect();
         let is_its_law = !task.applied || agreement.as_ref().is_some_and(|a| a.agrees);
         let judged = match is_its_law && !task.ledger.has_memory() {
             true => Judged::Interval,
@@ -129,6 +139,18 @@ impl Audit {
                 longest: longest.to_rational(),
             }),
             force: agreement,
+            law: law.map(|law| ByLaw {
+                verdict: law.report.verdict,
+                judged: law.report.judged,
+                totals: law.report.totals,
+            }),
+            velocity: moved,
+            findings: found,
+            columns: task.layout.typed(false).filter(|_| task.told),
+            not_read: match task.told {
+                true => task.layout.not_read(),
+                false => Vec::new(),
+            },
             rows: rows(task, &findings.head, totals.intervals)?,
             last_row_unended: findings.unended,
             error: findings.error,

@@ -7,32 +7,37 @@ use std::sync::Once;
 
 use parquet::basic::Type as Physical;
 use parquet::column::page::{Page, PageMetadata, PageReader};
-use parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
-use parquet::data_type::DataType;
+use parquet::column::reader::{ColumnReader, get_column_reader};
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader as _, RowGroupReader};
 use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::schema::types::ColumnDescPtr;
 
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::error::{self, TraceError};
+use crate::log::error::TraceError;
+use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout};
-use crate::number::Number;
+use crate::log::preview::Preview;
+use crate::log::running::near;
+use crate::log::typed::{Column, Meaning, broken, counts, numbers};
 use crate::reading::Reading;
 
 /// How many rows are decoded at once.
 const ROWS: usize = 1 << 19;
 
+/// A column that is read.
+struct Wanted {
+    column: usize,
+    meaning: Meaning,
+    reader: ColumnReader,
+}
+
 /// A Parquet file, open.
 pub(crate) struct Table {
     file: SerializedFileReader<File>,
     group: usize,
-    columns: Vec<(usize, ColumnReader)>,
+    columns: Vec<Wanted>,
     left: u64,
-}
-
-fn broken(error: &ParquetError) -> TraceError {
-    TraceError::new("parquet", format!("cannot be read as Parquet: {error}"))
 }
 
 thread_local! {
@@ -74,11 +79,48 @@ impl Table {
         })
     }
 
-    /// The names of the columns.
-    pub(crate) fn names(&self) -> Vec<String> {
+    /// The names of the columns, and the units that their types give.
+    pub(crate) fn headings(&self) -> Result<Vec<Heading>, TraceError> {
         let schema = self.file.metadata().file_metadata().schema_descr();
-        let name = |column: &ColumnDescPtr| column.path().string();
-        schema.columns().iter().map(name).collect()
+        let heading = |column: &ColumnDescPtr| Heading {
+            name: column.path().string(),
+            unit: Meaning::of(column).ok().and_then(Meaning::unit),
+        };
+        guarded(|| Ok(schema.columns().iter().map(heading).collect()))
+    }
+
+    /// The first rows, to judge the names by; what cannot be read is no number.
+    pub(crate) fn preview(&self) -> Preview {
+        const ROWS: usize = 20;
+        const COLUMNS: usize = 64;
+        let read = guarded(|| {
+            let group = self.file.get_row_group(0).map_err(|e| broken(&e))?;
+            let schema = self.file.metadata().file_metadata().schema_descr();
+            let rows = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+            let mut columns = Vec::new();
+            for column in 0..schema.num_columns().min(COLUMNS) {
+                let values = match open_column(&*group, column) {
+                    Ok(mut wanted) => {
+                        numbers(wanted.meaning, &mut wanted.reader, rows.min(ROWS)).values
+                    }
+                    Err(_) => Vec::new(),
+                };
+                columns.push(values);
+            }
+            Ok((columns, rows.min(ROWS)))
+        });
+        // What is wrong with the file is said where it is read.
+        let (columns, rows) = read.unwrap_or_default();
+        let field = |column: &Vec<_>, row: usize| {
+            column
+                .get(row)
+                .map(|x: &crate::Number| near(&x.to_rational()))
+        };
+        Preview {
+            rows: (0..rows)
+                .map(|row| columns.iter().map(|column| field(column, row)).collect())
+                .collect(),
+        }
     }
 
     /// The next stretch of rows; `None` after the last.
@@ -115,7 +157,12 @@ impl Table {
         let mut starts = Column::default();
         // How many rows are whole, and what is wrong with the next.
         let (mut whole, mut error) = (rows, None);
-        for (column, reader) in &mut self.columns {
+        for Wanted {
+            column,
+            meaning,
+            reader,
+        } in &mut self.columns
+        {
             let mut keep = |len: usize, found: Option<TraceError>| {
                 if let Some(found) = found.filter(|_| error.is_none() || len < whole) {
                     let row = u64::try_from(len).unwrap_or(u64::MAX);
@@ -124,12 +171,12 @@ impl Table {
                 }
             };
             if *column == layout.position && layout.form == Form::Count {
-                let counts = counts(reader, rows);
+                let counts = counts(*meaning, reader, rows);
                 keep(counts.values.len(), counts.error);
                 chunk.samples = Samples::Counts(counts.values);
                 continue;
             }
-            let mut read = numbers(reader, rows);
+            let mut read = numbers(*meaning, reader, rows);
             keep(read.values.len(), read.error.take());
             match *column {
                 i if i == layout.position => starts = read,
@@ -144,6 +191,10 @@ impl Table {
                 }
                 i if Some(i) == layout.dtau => chunk.dtaus = read.values,
                 i if Some(i) == layout.time => chunk.times = read.values,
+                i if Some(i) == layout.velocity => {
+                    let near = read.values.iter().map(|v| near(&v.to_rational()));
+                    chunk.velocities = near.map(|v| v * layout.per_velocity).collect();
+                }
                 _ => {
                     let forces = read.values.into_iter();
                     chunk.forces = forces.map(|x| layout.force(x, 0.0)).collect();
@@ -180,7 +231,7 @@ impl Table {
 fn open_group(
     group: &dyn RowGroupReader,
     layout: &Layout,
-) -> Result<(Vec<(usize, ColumnReader)>, u64), TraceError> {
+) -> Result<(Vec<Wanted>, u64), TraceError> {
     let rows = u64::try_from(group.metadata().num_rows())
         .map_err(|_| TraceError::new("parquet", "a group with less than no rows"))?;
     let wanted = [
@@ -189,20 +240,31 @@ fn open_group(
         layout.dtau,
         layout.time,
         layout.force,
+        layout.velocity,
     ];
-    let mut columns = Vec::new();
-    for column in wanted.into_iter().flatten() {
-        let pages = group
-            .get_column_page_reader(column)
-            .map_err(|e| broken(&e))?;
-        let descriptor = group.metadata().column(column).column_descr_ptr();
-        let pages = Checked {
-            pages,
-            physical: descriptor.physical_type(),
-        };
-        columns.push((column, get_column_reader(descriptor, Box::new(pages))));
-    }
-    Ok((columns, rows))
+    let open = |column| {
+        let opened = open_column(group, column);
+        opened.map_err(|error| error.column(layout.name(column)))
+    };
+    let columns: Result<_, _> = wanted.into_iter().flatten().map(open).collect();
+    Ok((columns?, rows))
+}
+
+fn open_column(group: &dyn RowGroupReader, column: usize) -> Result<Wanted, TraceError> {
+    let descriptor = group.metadata().column(column).column_descr_ptr();
+    let meaning = Meaning::of(&descriptor)?;
+    let pages = group
+        .get_column_page_reader(column)
+        .map_err(|e| broken(&e))?;
+    let pages = Checked {
+        pages,
+        physical: descriptor.physical_type(),
+    };
+    Ok(Wanted {
+        column,
+        meaning,
+        reader: get_column_reader(descriptor, Box::new(pages)),
+    })
 }
 
 /// Pages whose dictionaries hold the values that they claim: memory is set aside for the claim.
@@ -260,130 +322,4 @@ impl PageReader for Checked {
     fn at_record_boundary(&mut self) -> Result<bool, ParquetError> {
         self.pages.at_record_boundary()
     }
-}
-
-/// The values of a column up to the first that is wrong.
-struct Column<T> {
-    values: Vec<T>,
-    error: Option<TraceError>,
-}
-
-impl<T> Default for Column<T> {
-    fn default() -> Self {
-        Self {
-            values: Vec::new(),
-            error: None,
-        }
-    }
-}
-
-impl<T> Column<T> {
-    fn map<U>(self, f: impl Fn(T) -> Result<U, TraceError>) -> Column<U> {
-        let mut mapped = Column {
-            values: Vec::with_capacity(self.values.len()),
-            error: self.error,
-        };
-        for value in self.values {
-            match f(value) {
-                Ok(value) => mapped.values.push(value),
-                Err(error) => {
-                    mapped.error = Some(error);
-                    break;
-                }
-            }
-        }
-        mapped
-    }
-
-    const fn wrong(error: TraceError) -> Self {
-        Self {
-            values: Vec::new(),
-            error: Some(error),
-        }
-    }
-}
-
-/// Reads `rows` values.
-fn values<T: DataType>(reader: &mut ColumnReaderImpl<T>, rows: usize) -> Column<T::T> {
-    let (mut values, mut levels) = (Vec::new(), Vec::new());
-    let mut records = 0;
-    let mut error = None;
-    while records < rows && error.is_none() {
-        match reader.read_records(rows - records, Some(&mut levels), None, &mut values) {
-            Ok((0, _, _)) => {
-                let message = format!("the column ends after {records} of {rows} rows");
-                error = Some(TraceError::new("parquet", message));
-            }
-            Ok((got, _, _)) => records += got,
-            Err(found) => error = Some(broken(&found)),
-        }
-    }
-    if values.len() > records {
-        let message = "a column of lists is no column of numbers";
-        return Column::wrong(TraceError::new("type", message));
-    }
-    if values.len() < records {
-        // Some rows have no value. A column that requires them has no levels.
-        let most = levels.iter().copied().max().unwrap_or(0).max(1);
-        let first = levels.iter().position(|level| *level < most);
-        values.truncate(first.unwrap_or(0));
-        error = Some(TraceError::new("missing", "expected a value, found none"));
-    }
-    Column { values, error }
-}
-
-fn counts(reader: &mut ColumnReader, rows: usize) -> Column<i64> {
-    match reader {
-        ColumnReader::Int64ColumnReader(reader) => values(reader, rows),
-        ColumnReader::Int32ColumnReader(reader) => values(reader, rows).map(|n| Ok(i64::from(n))),
-        ColumnReader::DoubleColumnReader(reader) => {
-            values(reader, rows).map(|x| match Number::from_f64(x) {
-                Some(Number::Small(n, 1)) => Ok(n),
-                _ => Err(TraceError::new(
-                    "count",
-                    format!("expected a count, found {x}"),
-                )),
-            })
-        }
-        _ => Column::wrong(type_error(reader, "whole numbers")),
-    }
-}
-
-fn numbers(reader: &mut ColumnReader, rows: usize) -> Column<Number> {
-    let double = |x: f64| {
-        Number::from_f64(x)
-            .ok_or_else(|| TraceError::new("not_finite", format!("expected a number, found {x}")))
-    };
-    match reader {
-        ColumnReader::Int64ColumnReader(reader) => {
-            values(reader, rows).map(|n| Ok(Number::whole(n)))
-        }
-        ColumnReader::Int32ColumnReader(reader) => {
-            values(reader, rows).map(|n| Ok(Number::whole(n.into())))
-        }
-        ColumnReader::DoubleColumnReader(reader) => values(reader, rows).map(double),
-        ColumnReader::FloatColumnReader(reader) => values(reader, rows).map(|x| double(x.into())),
-        ColumnReader::ByteArrayColumnReader(reader) => values(reader, rows).map(|text| {
-            let text = text.data();
-            let Ok(literal) = std::str::from_utf8(text) else {
-                return Err(TraceError::new("number", "not UTF-8 text"));
-            };
-            error::number(literal)
-        }),
-        _ => Column::wrong(type_error(reader, "numbers")),
-    }
-}
-
-fn type_error(reader: &ColumnReader, expected: &str) -> TraceError {
-    let found = match reader {
-        ColumnReader::BoolColumnReader(_) => Physical::BOOLEAN,
-        ColumnReader::Int96ColumnReader(_) => Physical::INT96,
-        ColumnReader::FixedLenByteArrayColumnReader(_) => Physical::FIXED_LEN_BYTE_ARRAY,
-        ColumnReader::ByteArrayColumnReader(_) => Physical::BYTE_ARRAY,
-        ColumnReader::FloatColumnReader(_) => Physical::FLOAT,
-        ColumnReader::DoubleColumnReader(_) => Physical::DOUBLE,
-        ColumnReader::Int32ColumnReader(_) => Physical::INT32,
-        ColumnReader::Int64ColumnReader(_) => Physical::INT64,
-    };
-    TraceError::new("type", format!("expected {expected}, found {found}"))
 }

@@ -6,6 +6,7 @@ use serde::{Serialize, Serializer};
 
 use crate::json::{NumberedRow, rational};
 use crate::log::error::TraceError;
+use crate::log::findings::Finding;
 use crate::log::layout::Form;
 use crate::run::Totals;
 
@@ -90,6 +91,20 @@ pub struct Report {
     pub timing: Option<Sampling>,
     /// How the forces of the trace agree with the wall's law; `None` without forces.
     pub force: Option<Agreement>,
+    /// The account of the wall's own law, where the account is of the forces in the trace.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub law: Option<ByLaw>,
+    /// How the velocities of the trace agree with its positions; `None` without velocities.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub velocity: Option<Moved>,
+    /// What stands out, with what puts it right.
+    pub findings: Vec<Finding>,
+    /// What the columns were told to be.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub columns: Option<String>,
+    /// The columns that were not read, where the others were told.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub not_read: Vec<String>,
     /// The rows of a short trace; `None` of a longer one, whose rows go to a file.
     pub rows: Option<Vec<NumberedRow>>,
     /// Whether the last row lacks its line break.
@@ -230,14 +245,35 @@ pub struct Found {
     pub mismatches: u64,
 }
 
+/// What the account of the wall's own law says of a trace with forces.
+#[derive(Clone, Debug, Serialize)]
+pub struct ByLaw {
+    /// What it says.
+    pub verdict: Verdict,
+    /// What that is about.
+    pub judged: Judged,
+    /// The sums over all intervals, and how many of them broke what.
+    pub totals: Totals,
+}
+
+/// How the velocities of a trace agree with its positions.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Moved {
+    /// How many velocities were compared.
+    pub compared: u64,
+    /// The multiple of the mean velocities between samples that they come nearest to; `None` when nothing
+    /// moved.
+    pub fit: Option<Fitted>,
+}
+
 /// A delay and a scale.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Fitted {
     /// In samples.
     pub delay: usize,
-    /// How many times the law's force the forces are, by least squares.
+    /// How many times what they should be the forces or velocities are, by least squares.
     pub scale: f64,
-    /// What is left, of the size of the forces: 0 when they are that multiple exactly.
+    /// What is left, of their own size: 0 when they are that multiple exactly.
     pub residual: f64,
 }
 

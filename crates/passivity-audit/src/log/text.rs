@@ -6,8 +6,9 @@ use passivity_core::BigRational;
 use passivity_scene::display::{approx, significant};
 
 use crate::figure::Figure;
+use crate::log::findings::NOISE;
 use crate::log::layout::Form;
-use crate::log::report::{Agreement, Force, Judged, Report, Verdict};
+use crate::log::report::{Agreement, ByLaw, Force, Judged, Report, Verdict};
 
 /// A report that grows line by line.
 struct Lines(String);
@@ -17,10 +18,6 @@ impl Lines {
         self.0.push_str(&format!("  {label:<29}{value}\n"));
     }
 }
-
-/// Below this share of their own size, what is left of the forces beside a multiple of the law is
-/// noise.
-const NOISE: f64 = 0.01;
 
 impl Report {
     /// The report as text, for people.
@@ -36,6 +33,19 @@ impl Report {
         }
         if let Some(agreement) = &self.force {
             out.put("force", &agreement.to_text());
+        }
+        if let (Some(law), Some(false)) = (&self.law, self.force.as_ref().map(|f| f.agrees)) {
+            out.put("under the wall's law", law.words());
+        }
+        for finding in &self.findings {
+            out.put("finding", &finding.says);
+            out.put("", &finding.fix);
+        }
+        if let Some(columns) = &self.columns {
+            out.put("columns", columns);
+        }
+        if !self.not_read.is_empty() {
+            out.put("not read", &self.not_read.join(", "));
         }
         if !self.nominal.is_empty() {
             out.put("at nominal value", &self.nominal.join(", "));
@@ -183,6 +193,29 @@ fn shown(figure: &Figure<BigRational>) -> String {
     match figure {
         Figure::Exact(x) => approx(x),
         Figure::Enclosed(range) => format!("{} … {}", approx(range.lo()), approx(range.hi())),
+    }
+}
+
+impl ByLaw {
+    /// What the account of the wall's own law says, of a trace whose force is another.
+    const fn words(&self) -> &'static str {
+        match (self.verdict, self.judged) {
+            (Verdict::Holds, Judged::Interval) => {
+                "no interval would have generated more than friction dissipates"
+            }
+            (Verdict::Holds, Judged::Running) => {
+                "the operator would never have drawn more than was stored at the start"
+            }
+            (Verdict::Fails, Judged::Interval) => {
+                "some intervals would have generated more than friction dissipates"
+            }
+            (Verdict::Fails, Judged::Running) => {
+                "the operator would have drawn more than was stored at the start"
+            }
+            (Verdict::Depends, _) => "the trace leaves open what would have been",
+            (Verdict::NotCovered, _) => "the scene has an effect that is not accounted for",
+            (Verdict::Broken, _) => "accounted for as far as the trace can be read",
+        }
     }
 }
 

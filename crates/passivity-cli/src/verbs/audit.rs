@@ -4,20 +4,24 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use passivity_audit::{Audit, Options, Verdict, audit};
+use passivity_audit::{
+    Audit, Columns, Dialect, Options, Proposal, TraceError, Verdict, audit_files,
+};
 #[cfg(feature = "plot")]
 use passivity_plot::energy::{Point, draw};
 #[cfg(feature = "plot")]
 use passivity_plot::save;
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, read_scene};
+use crate::output::{Format, emit, emit_json, may_be_written, read_scene, tell};
 
 /// Compute the exact energy account of a recorded or simulated trace, interval by interval.
 ///
-/// The trace is CSV with a header, or Parquet, with one of the columns `xi` (ticks), `x [unit]` or
-/// `count` (encoder counts), and perhaps `t [s]` (or `tau`) and `f [unit]`, the force that was
-/// commanded at each sample and held until the next. If the trace has forces, the account is that of
+/// The trace is CSV with a header, as it is or compressed by gzip or zstd, or Parquet. It has one of the
+/// columns `xi` (ticks), `x [unit]` or `count` (encoder counts), and perhaps `t [unit]` (or `tau`, in
+/// sampling periods), `v [unit]` and `f [unit]`, the force that was commanded at each sample and held
+/// until the next. Columns of other names are named by `--columns`; if a header is not understood, the
+/// error shows the command that reads it. If the trace has forces, the account is that of
 /// these forces, and their differences from the wall's force law are reported beside it; `--law`
 /// selects the force of the law instead. The file that `simulate --out` writes is a trace as well.
 /// From encoder counts, every figure is an exact interval and every answer is yes, no or undecided.
@@ -25,6 +29,8 @@ use crate::output::{Format, emit, emit_json, read_scene};
 #[command(after_help = "Examples:
   passivity audit trace.csv --scene scenes/re35.toml
   passivity audit log.parquet --scene scene.toml --format json --out rows.csv --plot energy.svg
+  passivity audit log.csv.gz --scene scene.toml --delimiter ';' --decimal-comma \\
+      --columns 't=timestep [us], x=encoder_paddle_pos [deg], f=motor_torque [N.m]'
 
 How the trace is judged: if the force is that of the wall's law without delay or damping, every
 interval must generate no more energy than friction surely dissipated. Otherwise the operator must
@@ -34,12 +40,25 @@ Exit codes: 0 it holds; 1 it fails or is undecided; 2 the trace or the scene is 
 before the error are accounted for) or the trace is empty; 3 the scene has an effect that no theorem
 covers.")]
 pub(crate) struct Args {
-    /// The trace; `-` reads CSV from standard input.
-    #[arg(value_name = "TRACE")]
-    trace: PathBuf,
+    /// The trace; several files with the same header are one trace, in this order. `-` reads CSV from
+    /// standard input.
+    #[arg(value_name = "TRACE", required = true)]
+    traces: Vec<PathBuf>,
     /// The scene in which it was recorded.
     #[arg(long, value_name = "FILE")]
     scene: PathBuf,
+    /// Say which columns are read: `role=name`, separated by commas. The roles are t, tau, xi, x, count, v
+    /// and f. A unit in brackets is for a header that gives none, and a minus sign before the name turns
+    /// the sign.
+    #[arg(long, value_name = "COLUMNS")]
+    columns: Option<Columns>,
+    /// The character between the fields of CSV, or `tab`; by default a comma, or a semicolon with
+    /// --decimal-comma.
+    #[arg(long, value_name = "CHARACTER", value_parser = delimiter)]
+    delimiter: Option<u8>,
+    /// Numbers are written with a comma, as in 0,25.
+    #[arg(long)]
+    decimal_comma: bool,
     /// Write the rows of the ledger to a CSV file.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -60,11 +79,31 @@ pub(crate) struct Args {
     format: Format,
 }
 
+/// Reads the character between fields.
+fn delimiter(text: &str) -> Result<u8, &'static str> {
+    match (text, text.as_bytes()) {
+        ("tab" | "\\t", _) => Ok(b'\t'),
+        (_, [byte]) => Ok(*byte),
+        _ => Err("expected one character, or `tab`"),
+    }
+}
+
 /// Audits and reports.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
     let place = |what: &Path| what.display().to_string();
-    keep_the_trace(args)?;
+    let inputs: Vec<&Path> = args
+        .traces
+        .iter()
+        .chain([&args.scene])
+        .map(PathBuf::as_path)
+        .collect();
+    for output in [&args.out, &args.plot, &args.certificate]
+        .into_iter()
+        .flatten()
+    {
+        may_be_written(output, &inputs, "audit")?;
+    }
     let mut rows = match &args.out {
         Some(path) => Some(BufWriter::new(
             File::create(path).map_err(|error| Failure::io(place(path), &error))?,
@@ -77,13 +116,19 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         law: args.law,
         threads: usize::from(args.threads),
         block: 0,
+        dialect: Dialect {
+            columns: args.columns.clone(),
+            delimiter: args.delimiter,
+            decimal_comma: args.decimal_comma,
+        },
     };
-    let report = audit(&args.trace, &scene, options)
-        .map_err(|error| Failure::input(format!("{}: {error}", place(&args.trace))))?;
+    let traces = traces(args);
+    let report = audit_files(&args.traces, &scene, options)
+        .map_err(|error| Failure::input(refusal(args, &traces, &error)))?;
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
         let course: Vec<Point> = report.points().iter().map(point).collect();
-        let title = format!("{} in {}", place(&args.trace), scene.name);
+        let title = format!("{traces} in {}", scene.name);
         let picture = draw(&title, &course).map_err(Failure::input)?;
         save(&picture, path).map_err(Failure::input)?;
     }
@@ -95,7 +140,10 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         Format::Json => emit_json(&report.to_json())?,
     }
     if let Some(error) = report.error() {
-        eprintln!("error: {}: {error}", place(&args.trace));
+        tell(&match error.file {
+            Some(_) => format!("error: {error}"),
+            None => format!("error: {traces}: {error}"),
+        });
     }
     Ok(match report.verdict() {
         Verdict::Holds => Exit::Holds,
@@ -105,6 +153,72 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     })
 }
 
+/// The names of the traces, for people.
+fn traces(args: &Args) -> String {
+    let names: Vec<String> = args
+        .traces
+        .iter()
+        .map(|trace| trace.display().to_string())
+        .collect();
+    names.join(", ")
+}
+
+/// Why a header is refused, with the command that reads it as it seems to be meant.
+fn refusal(args: &Args, traces: &str, error: &TraceError) -> String {
+    match &error.proposal {
+        Some(proposal) => format!("{traces}: {error} run: {}", command(args, proposal)),
+        None => format!("{traces}: {error}"),
+    }
+}
+
+/// The command that was typed, with the columns that are proposed.
+fn command(args: &Args, proposal: &Proposal) -> String {
+    let mut words = vec!["passivity".to_owned(), "audit".to_owned()];
+    words.extend(args.traces.iter().map(|trace| trace.display().to_string()));
+    let mut option = |name: &str, value: String| words.extend([format!("--{name}"), value]);
+    option("scene", args.scene.display().to_string());
+    option("columns", proposal.columns.clone());
+    match proposal.delimiter {
+        Some('\t') => option("delimiter", "tab".to_owned()),
+        Some(delimiter) => option("delimiter", delimiter.to_string()),
+        None => {}
+    }
+    for (name, path) in [
+        ("out", &args.out),
+        ("plot", &args.plot),
+        ("certificate", &args.certificate),
+    ] {
+        if let Some(path) = path {
+            option(name, path.display().to_string());
+        }
+    }
+    if args.threads != 0 {
+        option("threads", args.threads.to_string());
+    }
+    if args.format == Format::Json {
+        option("format", "json".to_owned());
+    }
+    for (name, is_set) in [("decimal-comma", proposal.decimal_comma), ("law", args.law)] {
+        if is_set {
+            words.push(format!("--{name}"));
+        }
+    }
+    words
+        .iter()
+        .map(|word| quoted(word))
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+/// A word as a shell takes it.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./+:@%".contains(c);
+    match !word.is_empty() && word.chars().all(is_plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', "'\\''")),
+    }
+}
+
 /// Writes the certificate of the first violated interval, or says why there is none.
 fn certify(report: &Audit, path: &Path) -> Result<(), Failure> {
     let Some(certificate) = report.certificate() else {
@@ -112,31 +226,12 @@ fn certify(report: &Audit, path: &Path) -> Result<(), Failure> {
             true => "no interval surely generated more than friction surely dissipates",
             false => "the scene has an effect that the account of a log leaves out",
         };
-        eprintln!("no certificate is written: {because}");
+        tell(&format!("no certificate is written: {because}"));
         return Ok(());
     };
     let text = serde_json::to_string_pretty(certificate);
     let text = text.map_err(|error| Failure::input(format!("no certificate: {error}")))?;
     std::fs::write(path, text + "\n").map_err(|error| Failure::io(path.display(), &error))
-}
-
-/// Refuses to write over what is to be read.
-fn keep_the_trace(args: &Args) -> Result<(), Failure> {
-    let outputs = [&args.out, &args.plot, &args.certificate];
-    for output in outputs.into_iter().flatten() {
-        for input in [&args.trace, &args.scene] {
-            // What does not exist yet is no input.
-            let same = match (output.canonicalize(), input.canonicalize()) {
-                (Ok(output), Ok(input)) => output == input,
-                _ => false,
-            };
-            if same {
-                let message = "is read by this audit, and cannot be written by it";
-                return Err(Failure::input(format!("{}: {message}", output.display())));
-            }
-        }
-    }
-    Ok(())
 }
 
 /// A point of the audit as the picture has it.

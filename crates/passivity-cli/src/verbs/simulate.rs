@@ -19,7 +19,7 @@ use passivity_sim::trace::Table;
 use passivity_sim::{Detail, ExactOutcome, Line, Method, Plan, Simulated, simulate};
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, look, read_scene};
+use crate::output::{Format, emit, emit_json, look, may_be_written, read_scene};
 use crate::progress::Progress;
 
 /// Simulate a scene: the motion between samples in closed form, with the energy ledger.
@@ -76,6 +76,9 @@ pub(crate) struct Args {
 /// Simulates the scene.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
+    for output in [&args.out, &args.plot].into_iter().flatten() {
+        may_be_written(output, &[&args.scene], "simulation")?;
+    }
     let mut point = scene.point();
     if let Some(intervals) = args.intervals {
         point.intervals = intervals;

@@ -11,7 +11,7 @@ use passivity_sim::report::Sweep;
 use passivity_sim::sweep::{Grid, Range, Row, open, run as sweep};
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, read_scene};
+use crate::output::{Format, emit, emit_json, may_be_written, read_scene};
 use crate::progress::Progress;
 
 /// Simulate every point of a grid of (β, σ, speed at the start), on all cores (Fig. 5 of the paper).
@@ -57,6 +57,9 @@ pub(crate) struct Args {
 /// Sweeps the grid.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
+    for output in [&args.out, &args.plot].into_iter().flatten() {
+        may_be_written(output, &[&args.scene], "sweep")?;
+    }
     let mut point = scene.point();
     if let Some(intervals) = args.intervals {
         point.intervals = intervals;

@@ -1,11 +1,15 @@
 //! The file of a sweep: a row per finished point, written as it finishes, in the order of the grid
 //! once all have.
 //!
-//! While a sweep is unfinished a file beside it, its name with `.run` appended, says of which scene and
-//! grid it is; a Parquet file is only written at the end, until then its rows are CSV in a file with
-//! `.rows` appended. A killed sweep leaves both; `open` with `resume` takes it up, drops a torn last
+//! While a sweep is unfinished a file beside it, its name with `.run` appended, says by a hash of which
+//! scene and grid it is; a Parquet file is only written at the end, until then its rows are CSV in a file
+//! with `.rows` appended. A killed sweep leaves both; `open` with `resume` takes it up, drops a torn last
 //! line, and refuses rows that are not of this sweep. A sweep that was finished has no `.run` file any
-//! more: some of its points are then simulated again, and must be the same to the last bit.
+//! more. Whatever is taken up, some of its points are simulated again, and must be the same to the last bit.
+//!
+//! Wherever a process is killed, rows stand beside a `.run` file only if they are of its sweep: a new
+//! sweep empties the file of rows before it says whose they are, and `.run` is written beside, synced and
+//! renamed. Taking a sweep up leaves it as it is.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write as _;
@@ -92,12 +96,52 @@ fn marker(path: &Path) -> PathBuf {
     with_suffix(path, ".run")
 }
 
-/// What tells one sweep from another: the scene and the grid, exactly.
+/// What tells one sweep from another: a hash of the scene and the grid, exactly.
 fn fingerprint(scene: &Point, grid: &Grid) -> String {
+    use sha2::Digest as _;
     let mut scene = scene.clone();
     // These are the grid's.
     (scene.at.viscous, scene.at.coulomb, scene.at.start_velocity) = (None, None, None);
-    format!("passivity sweep 1\n{scene:?}\n{grid:?}\n")
+    let hash = sha2::Sha256::digest(format!("{scene:?}\n{grid:?}\n"));
+    let hash: String = hash.iter().map(|byte| format!("{byte:02x}")).collect();
+    format!("passivity sweep 2 {hash}\n")
+}
+
+/// Refuses to write to what is no plain file.
+fn plain(path: &Path) -> Result<(), SimError> {
+    match path.symlink_metadata() {
+        Ok(there) if !there.is_file() => {
+            Err(failed(path, &"is no plain file, and is not replaced"))
+        }
+        // What does not exist yet is nothing that is lost.
+        _ => Ok(()),
+    }
+}
+
+/// Writes a small file whole: beside it first, on the disk, and then in its place.
+fn write_whole(path: &Path, text: &str) -> io::Result<()> {
+    let beside = with_suffix(path, ".tmp");
+    let mut file = File::create(&beside)?;
+    file.write_all(text.as_bytes())?;
+    file.sync_all()?;
+    drop(file);
+    fs::rename(&beside, path)?;
+    sync_folder(path)
+}
+
+/// Brings a new name in a folder to the disk, where folders can be opened.
+fn sync_folder(path: &Path) -> io::Result<()> {
+    #[cfg(unix)]
+    if let Some(folder) = path.parent() {
+        let folder = match folder.as_os_str().is_empty() {
+            true => Path::new("."),
+            false => folder,
+        };
+        File::open(folder)?.sync_all()?;
+    }
+    #[cfg(not(unix))]
+    let _ = path;
+    Ok(())
 }
 
 /// Opens the file of a sweep: a new one, or with `resume` one that was left unfinished.
@@ -116,7 +160,9 @@ pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Ope
         #[cfg(feature = "parquet")]
         Form::Parquet => with_suffix(path, ".rows"),
     };
-    let print = fingerprint(scene, grid);
+    for file in [path, &mark, &journal] {
+        plain(file)?;
+    }
     let unfinished = mark.exists() && journal.exists();
     if !resume && unfinished {
         return Err(SimError::File(format!(
@@ -134,42 +180,71 @@ pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Ope
         written: 0,
         total: grid.len(),
     };
-    if resume && !unfinished && path.exists() {
+    if resume && unfinished {
+        return rows.take_up(&mark, scene, grid);
+    }
+    if resume && path.exists() {
         let found = finished(path, form, scene, grid)?;
         rows.written = found.len();
         return Ok(Opened { rows, found });
     }
-    let journal = &rows.journal;
-    let (mut found, mut length) = (Vec::new(), 0);
-    if resume && unfinished {
-        let saved = fs::read_to_string(&mark).map_err(|error| failed(&mark, &error))?;
-        if saved != print {
+    if resume && rows.journal.exists() {
+        return Err(unbound(&rows.journal, "it has rows"));
+    }
+    rows.start(&mark, &fingerprint(scene, grid))?;
+    Ok(Opened {
+        rows,
+        found: Vec::new(),
+    })
+}
+
+/// The error of rows that nothing says the sweep of.
+fn unbound(path: &Path, why: &str) -> SimError {
+    let message =
+        format!("{why}, and no file `.run` says of which sweep it is: remove it to start anew");
+    failed(path, &message)
+}
+
+impl Rows {
+    /// Starts a new sweep: no rows first, then whose they will be.
+    fn start(&mut self, mark: &Path, print: &str) -> Result<(), SimError> {
+        let journal = &self.journal;
+        let mut file = File::create(journal).map_err(|error| failed(journal, &error))?;
+        let written = writeln!(file, "{HEADER}").and_then(|()| file.sync_all());
+        written.map_err(|error| failed(journal, &error))?;
+        write_whole(mark, print).map_err(|error| failed(mark, &error))?;
+        self.file = Some(file);
+        Ok(())
+    }
+
+    /// Takes up a sweep that was left unfinished.
+    fn take_up(mut self, mark: &Path, scene: &Point, grid: &Grid) -> Result<Opened, SimError> {
+        let saved = fs::read_to_string(mark).map_err(|error| failed(mark, &error))?;
+        if saved != fingerprint(scene, grid) {
             return Err(SimError::File(format!(
                 "`{}` is of a sweep of another scene or other ranges: give the same ones, or \
                  another --out",
-                path.display()
+                self.path.display()
             )));
         }
-        (found, length) = read(journal, grid)?;
-    }
-    fs::write(&mark, print).map_err(|error| failed(&mark, &error))?;
-    let file = OpenOptions::new()
-        .create(true)
-        .append(true)
-        .open(journal)
-        .map_err(|error| failed(journal, &error))?;
-    let metadata = file.metadata().map_err(|error| failed(journal, &error))?;
-    if metadata.len() > length {
+        let journal = &self.journal;
+        let (found, length) = read(journal, grid)?;
+        if !are_of(&found, scene, grid)? {
+            return Err(failed(journal, &"its points are not those of this scene"));
+        }
+        let opened = OpenOptions::new().append(true).open(journal);
+        let file = opened.map_err(|error| failed(journal, &error))?;
+        // Without the torn last line.
         file.set_len(length)
             .map_err(|error| failed(journal, &error))?;
+        self.file = Some(file);
+        self.written = found.len();
+        if length == 0 {
+            self.buffer = format!("{HEADER}\n");
+            self.put()?;
+        }
+        Ok(Opened { rows: self, found })
     }
-    rows.file = Some(file);
-    rows.written = found.len();
-    if length == 0 {
-        rows.buffer = format!("{HEADER}\n");
-        rows.put()?;
-    }
-    Ok(Opened { rows, found })
 }
 
 /// The rows of a sweep that was finished, once it is plain that they are of this one.
@@ -189,17 +264,17 @@ fn finished(
             })?
         }
     };
-    let refuse = |why: &str| {
-        failed(
-            path,
-            &format!(
-                "{why}, and no file `.run` says of which sweep it is: remove it to start anew"
-            ),
-        )
-    };
     if found.len() < grid.len() {
-        return Err(refuse("not every point of these ranges is there"));
+        return Err(unbound(path, "not every point of these ranges is there"));
     }
+    if !are_of(&found, scene, grid)? {
+        return Err(unbound(path, "its points are not those of this scene"));
+    }
+    Ok(found)
+}
+
+/// Whether some of the rows come out the same, to the last bit, when they are simulated again.
+fn are_of(found: &[(usize, Row)], scene: &Point, grid: &Grid) -> Result<bool, SimError> {
     // Points that ran to their end tell of the number of intervals too.
     const MOST: usize = 8;
     let (ended, ran): (Vec<_>, Vec<_>) =
@@ -208,11 +283,11 @@ fn finished(
         for (index, row) in group.iter().step_by(group.len().div_ceil(MOST).max(1)) {
             let plan = Plan::compile(&grid.point(scene, *index))?;
             if Row::of(&run::outcome(&plan)) != *row {
-                return Err(refuse("its points are not those of this scene"));
+                return Ok(false);
             }
         }
     }
-    Ok(found)
+    Ok(true)
 }
 
 /// The rows of a CSV file, and how long it is without a torn last line.
@@ -350,7 +425,8 @@ impl Rows {
             }
         };
         let placed = written.and_then(|()| {
-            fs::rename(&ordered, &self.path).map_err(|error| failed(&self.path, &error))
+            let placed = fs::rename(&ordered, &self.path).and_then(|()| sync_folder(&self.path));
+            placed.map_err(|error| failed(&self.path, &error))
         });
         placed.inspect_err(|_| {
             // What could not be written whole is of no use; the rows are in the journal.

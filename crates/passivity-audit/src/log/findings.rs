@@ -1,0 +1,167 @@
+//! What stands out in a log beside its account, each with the change to the scene or to the columns that
+//! puts it right.
+
+use passivity_scene::display::significant;
+use passivity_scene::number::nearest_f64;
+use passivity_scene::{Motion, Scene};
+use serde::Serialize;
+
+use crate::log::layout::Layout;
+use crate::log::report::{Agreement, Fitted, Moved};
+
+/// Below this share of their own size, what is left of forces beside a multiple of what they should be is
+/// noise.
+pub(crate) const NOISE: f64 = 0.01;
+
+/// Below this share it may be noise: of a position of a few ticks, its rounding is as much.
+const ROUGH: f64 = 0.2;
+
+/// Something that stands out in a log.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Finding {
+    /// What kind of thing it is, for programs.
+    pub kind: &'static str,
+    /// What was found.
+    pub says: String,
+    /// What puts it right, if it is a mistake of the scene or of the columns.
+    pub fix: String,
+}
+
+/// What stands out in the forces of a log.
+pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) -> Vec<Finding> {
+    if agreement.agrees {
+        return Vec::new();
+    }
+    let exact = agreement.found.mismatches == 0;
+    let near = agreement.fit.filter(|fit| fit.residual < ROUGH);
+    let (delay, scale, left) = match (exact, near) {
+        (true, _) => {
+            let sign = if agreement.found.reversed { -1.0 } else { 1.0 };
+            (agreement.found.delay, sign, 0.0)
+        }
+        (false, Some(fit)) => (fit.delay, fit.scale, fit.residual),
+        (false, None) => {
+            return vec![Finding {
+                kind: "other_force",
+                says: "the force is not that of the wall's law at any delay, sign or scale".to_owned(),
+                fix: "check the wall in the scene, and that the column is the force that was commanded"
+                    .to_owned(),
+            }];
+        }
+    };
+    let mut findings = Vec::new();
+    if delay != agreement.delay {
+        findings.push(Finding {
+            kind: "delay",
+            says: format!(
+                "the force follows the wall's law with {}, and the scene has {}",
+                samples(delay),
+                samples(agreement.delay)
+            ),
+            fix: format!("in the scene, under [sampling]: delay = {delay}"),
+        });
+    }
+    if scale < 0.0 {
+        let columns = layout.typed(true);
+        findings.push(Finding {
+            kind: "sign",
+            says: "the force has the opposite sign to the wall's law".to_owned(),
+            fix: match columns {
+                Some(columns) => {
+                    format!("if the column has the sign of the other side: --columns '{columns}'")
+                }
+                None => "turn the sign of the force in the log".to_owned(),
+            },
+        });
+    }
+    if (scale.abs() - 1.0).abs() > NOISE.max(left) {
+        findings.push(Finding {
+            kind: "scale",
+            says: format!(
+                "the force is {} times that of the wall's law",
+                significant(scale.abs())
+            ),
+            fix: scaled(scale.abs(), scene),
+        });
+    }
+    if findings.is_empty() {
+        findings.push(Finding {
+            kind: "noise",
+            says: format!(
+                "the force is the wall's law in {} of {} rows, and near it in the others",
+                agreement.compared - agreement.mismatches,
+                agreement.compared
+            ),
+            fix: "log the force with more digits, as it was commanded".to_owned(),
+        });
+    }
+    findings
+}
+
+fn samples(delay: usize) -> String {
+    match delay {
+        0 => "no delay".to_owned(),
+        1 => "1 sample of delay".to_owned(),
+        delay => format!("{delay} samples of delay"),
+    }
+}
+
+/// What makes the wall of a scene so many times as stiff.
+fn scaled(scale: f64, scene: &Scene) -> String {
+    let unit = match scene.motion {
+        Motion::Dimensionless => {
+            return "write the force in units of KΔ".to_owned();
+        }
+        Motion::Linear => "N/m",
+        Motion::Rotary => "N m/rad",
+    };
+    let stiffness = scene.given.stiffness.nominal.enclosure(64);
+    let Some(stiffness) = stiffness.map(|range| nearest_f64(&range.middle())) else {
+        return "correct the stiffness of the wall, or the unit of the force".to_owned();
+    };
+    let stiffness = significant(stiffness * scale);
+    format!(
+        "in the scene, under [wall]: stiffness = \"{stiffness} {unit}\"; or correct the unit of the force"
+    )
+}
+
+/// What stands out in the velocities of a log.
+pub(crate) fn of_velocity(moved: &Moved) -> Vec<Finding> {
+    let Some(Fitted {
+        delay,
+        scale,
+        residual,
+    }) = moved.fit
+    else {
+        return Vec::new();
+    };
+    // Velocities from an encoder are noisy: a tenth of their size is usual, and a filter delays them.
+    const NOISY: f64 = 0.5;
+    if residual > NOISY {
+        return vec![Finding {
+            kind: "velocity",
+            says: format!(
+                "the velocity is not that of the positions: {} % of it is left beside the nearest multiple",
+                significant(100.0 * residual)
+            ),
+            fix: "check which columns are the position and the velocity".to_owned(),
+        }];
+    }
+    let off = scale < 0.0 || (scale.abs() - 1.0).abs() > NOISY;
+    if !off {
+        return Vec::new();
+    }
+    vec![Finding {
+        kind: "velocity",
+        says: format!(
+            "the velocity is {} times that of the positions, {} late",
+            significant(scale),
+            match delay {
+                1 => "1 sample".to_owned(),
+                delay => format!("{delay} samples"),
+            }
+        ),
+        fix: "check the units and signs of the position, the time and the velocity, and the sampling rate of the scene"
+            .to_owned(),
+    }]
+}

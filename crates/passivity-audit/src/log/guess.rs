@@ -1,0 +1,427 @@
+//! What a header that is not understood may mean: the columns, offered as they can be typed.
+//!
+//! A guess is never acted upon. It goes by the words in a name, by the unit, and by the first rows: a
+//! clock runs forward, and its unit is the one in which it ticks about once a sampling period.
+
+use std::fmt;
+
+use passivity_scene::units::Dimension;
+use passivity_scene::{Motion, Scene};
+
+use crate::log::columns::{Found, Role, typed};
+use crate::log::header::{Heading, read_unit, split};
+use crate::log::preview::Preview;
+
+/// The columns that a header seems to mean, as `passivity audit` takes them.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct Proposal {
+    /// For `--columns`.
+    pub columns: String,
+    /// For `--delimiter`, where it is not a comma.
+    pub delimiter: Option<char>,
+    /// Whether numbers are written with a comma.
+    pub decimal_comma: bool,
+    /// The units that the header does not give.
+    pub assumed: Vec<String>,
+    /// How many columns are read.
+    #[serde(skip)]
+    pub(crate) said: usize,
+}
+
+impl fmt::Display for Proposal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "did you mean {}?", self.columns)?;
+        if !self.assumed.is_empty() {
+            let assumed = self.assumed.join(", ");
+            write!(
+                f,
+                " (units that the header does not give are assumed: {assumed})"
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// What a column may be about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Time,
+    Position,
+    Force,
+    Velocity,
+}
+
+impl Kind {
+    const ALL: [Self; 4] = [Self::Time, Self::Position, Self::Force, Self::Velocity];
+
+    const fn of(role: Role) -> Self {
+        match role {
+            Role::T | Role::Tau => Self::Time,
+            Role::Xi | Role::X | Role::Count => Self::Position,
+            Role::V => Self::Velocity,
+            Role::F => Self::Force,
+        }
+    }
+
+    /// The words that name it.
+    const fn words(self) -> &'static [&'static str] {
+        match self {
+            Self::Time => &[
+                "t",
+                "time",
+                "timestamp",
+                "timestep",
+                "stamp",
+                "clock",
+                "ts",
+                "elapsed",
+                "epoch",
+                "tau",
+                "second",
+                "sec",
+                "milli",
+                "micro",
+                "nano",
+            ],
+            Self::Position => &[
+                "x",
+                "xi",
+                "pos",
+                "position",
+                "angle",
+                "theta",
+                "θ",
+                "ϑ",
+                "q",
+                "phi",
+                "φ",
+                "ϕ",
+                "displacement",
+                "encoder",
+                "enc",
+                "count",
+                "tick",
+                "rotation",
+            ],
+            Self::Force => &[
+                "f", "force", "torque", "tau", "τ", "effort", "moment", "trq",
+            ],
+            Self::Velocity => &[
+                "v", "vel", "velocity", "speed", "omega", "ω", "dq", "qd", "xdot", "thetadot",
+                "dtheta", "dx", "qdot", "dot",
+            ],
+        }
+    }
+
+    /// The dimension of its unit, angles aside.
+    fn dimension(self, motion: Motion) -> Dimension {
+        let linear = motion == Motion::Linear;
+        match self {
+            Self::Time => Dimension::new(0, 0, 1, 0),
+            Self::Position if linear => Dimension::new(0, 1, 0, 0),
+            Self::Position => Dimension::NONE,
+            Self::Velocity if linear => Dimension::new(0, 1, -1, 0),
+            Self::Velocity => Dimension::new(0, 0, -1, 0),
+            Self::Force if linear => Dimension::new(1, 1, -2, 0),
+            Self::Force => Dimension::new(1, 2, -2, 0),
+        }
+    }
+
+    /// The unit that is assumed where the header gives none.
+    const fn unit(self, motion: Motion) -> &'static str {
+        match (self, motion) {
+            (Self::Time, _) => "s",
+            (Self::Position, Motion::Linear) => "m",
+            (Self::Position, _) => "rad",
+            (Self::Velocity, Motion::Linear) => "m/s",
+            (Self::Velocity, _) => "rad/s",
+            (Self::Force, Motion::Linear) => "N",
+            (Self::Force, _) => "N m",
+        }
+    }
+}
+
+/// What a commanded or wanted motion is called: not the one that was.
+const NOT_MEASURED: [&str; 16] = [
+    "ref",
+    "reference",
+    "target",
+    "desired",
+    "des",
+    "setpoint",
+    "goal",
+    "error",
+    "err",
+    "cmd",
+    "command",
+    "commanded",
+    "wall",
+    "offset",
+    "limit",
+    "stiffness",
+];
+
+/// What a force that was held is called.
+const HELD: [&str; 6] = ["cmd", "command", "commanded", "motor", "applied", "desired"];
+
+/// What a count is called, as a word of a name or as a unit.
+const COUNTED: [&str; 6] = ["count", "tick", "cnt", "lsb", "inc", "increment"];
+
+/// The words of a name, in lower case and in the singular.
+fn words(name: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let mut before = ' ';
+    for c in name.chars() {
+        let continues = c.is_alphabetic()
+            && before.is_alphabetic()
+            && (before.is_uppercase() || !c.is_uppercase());
+        if c.is_alphabetic() {
+            match words.last_mut() {
+                Some(word) if continues => word.extend(c.to_lowercase()),
+                _ => words.push(c.to_lowercase().collect()),
+            }
+        }
+        before = c;
+    }
+    for word in &mut words {
+        if word.len() > 3 && word.ends_with('s') {
+            word.pop();
+        }
+    }
+    words
+}
+
+/// A column that may be what is looked for.
+struct Candidate {
+    kind: Kind,
+    column: usize,
+    score: i32,
+}
+
+/// Of a heading: how much it looks like a kind; `None` when it cannot be.
+fn score(
+    kind: Kind,
+    heading: &Heading,
+    column: usize,
+    preview: &Preview,
+    scene: &Scene,
+) -> Option<i32> {
+    let split = split(&heading.name).ok()?;
+    if !preview.is_of_numbers(column) {
+        return None;
+    }
+    let words = words(split.stem);
+    let mut score = 0;
+    match (split.unit.as_deref().or(heading.unit), kind) {
+        (None, _) => {}
+        (Some(unit), Kind::Position) if is_counted(unit) => score += 2,
+        (Some(_), _) if scene.motion == Motion::Dimensionless => return None,
+        (Some(unit), _) => {
+            let dimension = read_unit(unit).ok()?.dimension();
+            if dimension.with_angle(0) != kind.dimension(scene.motion) {
+                return None;
+            }
+            score += 2;
+        }
+    }
+    let named = |word: &String| kind.words().contains(&word.as_str());
+    if words.iter().any(named) {
+        score += 4;
+        // The last word says most: a `velocity_time` is a time.
+        score += i32::from(words.last().is_some_and(named));
+    }
+    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
+    if kind == Kind::Force {
+        score += i32::from(has(&HELD));
+    } else if has(&NOT_MEASURED) {
+        score -= 4;
+    }
+    // A derivative is named after what it is one of.
+    if kind == Kind::Position && has(&["dot", "velocity", "speed"]) {
+        score -= 4;
+    }
+    if kind == Kind::Time && !preview.increases(column) {
+        score -= 3;
+    }
+    (score >= 2).then_some(score)
+}
+
+/// Whether a unit is that of an encoder's counts.
+pub(crate) fn is_counted(unit: &str) -> bool {
+    words(unit)
+        .iter()
+        .any(|word| COUNTED.contains(&word.as_str()))
+}
+
+/// The columns that look like something that is not yet said, the most likely of each kind.
+pub(crate) fn unread(
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+    said: &[Found],
+) -> Vec<Found> {
+    let mut candidates: Vec<Candidate> = Vec::new();
+    for kind in Kind::ALL {
+        if said.iter().any(|found| Kind::of(found.role) == kind) {
+            continue;
+        }
+        for (column, heading) in headings.iter().enumerate() {
+            if said.iter().any(|found| found.column == column) {
+                continue;
+            }
+            if let Some(score) = score(kind, heading, column, preview, scene) {
+                candidates.push(Candidate {
+                    kind,
+                    column,
+                    score,
+                });
+            }
+        }
+    }
+    // The sort is stable: of equals the first column.
+    candidates.sort_by_key(|candidate| std::cmp::Reverse(candidate.score));
+    let mut found: Vec<Found> = Vec::new();
+    for Candidate { kind, column, .. } in candidates {
+        if found
+            .iter()
+            .any(|f| f.column == column || Kind::of(f.role) == kind)
+        {
+            continue;
+        }
+        if let Some(heading) = headings.get(column) {
+            found.push(role(kind, heading, column, preview, scene));
+        }
+    }
+    found
+}
+
+/// What exactly a column of a kind says.
+fn role(kind: Kind, heading: &Heading, column: usize, preview: &Preview, scene: &Scene) -> Found {
+    let own = split(&heading.name).ok().and_then(|split| split.unit);
+    let counts = kind == Kind::Position
+        && scene.given.has_encoder()
+        && preview.is_whole(column)
+        && match &own {
+            Some(unit) => is_counted(unit),
+            None => words(&heading.name).iter().any(|word| {
+                ["encoder", "enc"].contains(&word.as_str()) || COUNTED.contains(&word.as_str())
+            }),
+        };
+    let bare = scene.motion == Motion::Dimensionless;
+    let role = match kind {
+        _ if counts => Role::Count,
+        Kind::Time if bare => Role::Tau,
+        Kind::Time => Role::T,
+        Kind::Position if bare => Role::Xi,
+        Kind::Position => Role::X,
+        Kind::Velocity => Role::V,
+        Kind::Force => Role::F,
+    };
+    let has_unit = own.is_some() || heading.unit.is_some();
+    let unit = match kind {
+        _ if has_unit || bare || role.is_bare() => None,
+        Kind::Time => Some(unit_of_time(preview.step(column), scene)),
+        kind => Some(kind.unit(scene.motion)),
+    };
+    Found {
+        role,
+        column,
+        unit: unit.map(str::to_owned),
+        reversed: false,
+    }
+}
+
+/// What a column says, with the unit that its name should give.
+pub(crate) fn with_unit(
+    found: &Found,
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+) -> Found {
+    let bare = scene.motion == Motion::Dimensionless || found.role.is_bare();
+    let typed = headings
+        .get(found.column)
+        .is_some_and(|heading| heading.unit.is_some());
+    if bare || typed || found.unit.is_some() {
+        return found.clone();
+    }
+    let unit = match Kind::of(found.role) {
+        Kind::Time => unit_of_time(preview.step(found.column), scene),
+        kind => kind.unit(scene.motion),
+    };
+    Found {
+        unit: Some(unit.to_owned()),
+        ..found.clone()
+    }
+}
+
+/// The unit in which a clock goes on by about a sampling period from row to row.
+fn unit_of_time(step: Option<f64>, scene: &Scene) -> &'static str {
+    const UNITS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
+    let period = scene.given.map(|_, given| given.nominal.clone()).period;
+    let seconds = period
+        .to_rational()
+        .map(|x| passivity_scene::number::nearest_f64(&x));
+    let (Some(step), Some(period)) = (step, seconds) else {
+        return "s";
+    };
+    let off = |unit: f64| (step * unit / period).ln().abs();
+    let best = UNITS
+        .iter()
+        .min_by(|(_, a), (_, b)| off(*a).total_cmp(&off(*b)));
+    best.map_or("s", |(name, _)| name)
+}
+
+/// The proposal to name these columns; `None` when there is no position among them, or when a name
+/// cannot be typed.
+pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal> {
+    let mut sorted: Vec<&Found> = found.iter().collect();
+    sorted.sort_by_key(|found| found.role);
+    if !sorted
+        .iter()
+        .any(|found| Kind::of(found.role) == Kind::Position)
+    {
+        return None;
+    }
+    let mut columns = Vec::new();
+    let mut assumed = Vec::new();
+    for found in sorted {
+        let heading = headings.get(found.column)?;
+        let own = split(&heading.name).ok().and_then(|split| split.unit);
+        let added = found.unit.as_deref().filter(|_| own.is_none());
+        columns.push(typed(found, heading, added)?);
+        if let Some(unit) = added {
+            assumed.push(format!("{} in {unit}", found.role.name()));
+        }
+    }
+    Some(Proposal {
+        said: columns.len(),
+        columns: columns.join(", "),
+        delimiter: None,
+        decimal_comma: false,
+        assumed,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_fall_into_words() {
+        for (name, expected) in [
+            (
+                "/joint_states/position[0]",
+                &["joint", "state", "position"][..],
+            ),
+            ("motorTorque", &["motor", "torque"]),
+            ("__time", &["time"]),
+            ("field.header.stamp", &["field", "header", "stamp"]),
+            ("θ", &["θ"]),
+            ("Position1", &["position"]),
+            ("encoder_counts", &["encoder", "count"]),
+        ] {
+            assert_eq!(words(name), expected, "{name}");
+        }
+    }
+}

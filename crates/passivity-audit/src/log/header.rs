@@ -1,0 +1,242 @@
+//! The name of a column: what it is called, and the unit that is written with it, in brackets, in
+//! parentheses or after an underscore.
+
+use std::borrow::Cow;
+
+use passivity_scene::units::{Dimension, Unit};
+
+use crate::log::error::{TraceError, shown};
+
+/// The name of a column as the log has it, and the unit that its type has of itself.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Heading {
+    pub(crate) name: String,
+    /// As a timestamp of Parquet has one.
+    pub(crate) unit: Option<&'static str>,
+}
+
+impl Heading {
+    pub(crate) const fn plain(name: String) -> Self {
+        Self { name, unit: None }
+    }
+}
+
+/// A name apart from its unit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Split<'n> {
+    pub(crate) stem: &'n str,
+    pub(crate) unit: Option<Cow<'n, str>>,
+}
+
+/// `x [rad]`, `x (rad)` and `x_rad` as `x` and `rad`; or why the brackets say nothing.
+///
+/// What stands in brackets is a unit, unless it is a number (`position[0]`). What stands in
+/// parentheses or after an underscore is one where it reads as one.
+pub(crate) fn split(name: &str) -> Result<Split<'_>, (&str, &'static str)> {
+    let name = name.trim();
+    let plain = Split {
+        stem: name,
+        unit: None,
+    };
+    if let Some((stem, inner)) = enclosed(name, '[', ']') {
+        let is_index = inner.chars().all(|c| c.is_ascii_digit()) && !inner.is_empty();
+        let unit = Some(Cow::Borrowed(inner));
+        return Ok(if is_index {
+            plain
+        } else {
+            Split { stem, unit }
+        });
+    }
+    if let Some((stem, rest)) = name.rsplit_once('[')
+        && !rest.contains(']')
+    {
+        return Err((stem.trim(), "the bracket is not closed"));
+    }
+    if let Some((stem, inner)) = enclosed(name, '(', ')') {
+        let unit = Some(Cow::Borrowed(inner));
+        return Ok(if is_unit(inner) {
+            Split { stem, unit }
+        } else {
+            plain
+        });
+    }
+    if let Some((stem, rest)) = name.rsplit_once('(')
+        && !rest.contains(')')
+        && is_unit(rest)
+    {
+        return Err((stem.trim(), "the parenthesis is not closed"));
+    }
+    let ends = name.match_indices('_').filter(|(at, _)| *at > 0);
+    for (at, _) in ends {
+        let (Some(stem), Some(rest)) = (name.get(..at), name.get(at + 1..)) else {
+            continue;
+        };
+        if let Some(unit) = after_underscore(rest) {
+            let unit = Some(Cow::Owned(unit));
+            return Ok(Split { stem, unit });
+        }
+    }
+    Ok(plain)
+}
+
+/// What stands before a closed pair at the end of the name, and in it.
+fn enclosed(name: &str, open: char, close: char) -> Option<(&str, &str)> {
+    let (stem, inner) = name.strip_suffix(close)?.rsplit_once(open)?;
+    Some((stem.trim(), inner.trim()))
+}
+
+/// A unit after an underscore, written as one: `us`, `deg`, `rad_s`, `m_per_s`, `N_m`.
+fn after_underscore(text: &str) -> Option<String> {
+    // What is also a word, a letter of another meaning, or no unit of a log.
+    const WORDS: [&str; 12] = [
+        "in", "inch", "ft", "min", "turn", "g", "lb", "oz", "h", "d", "a", "p",
+    ];
+    if WORDS.contains(&text) {
+        return None;
+    }
+    let joined = match text.split_once("_per_").or_else(|| {
+        let (first, second) = text.split_once('_')?;
+        (second == "s").then_some((first, second))
+    }) {
+        Some((above, below)) => format!("{above}/{below}"),
+        None => text.replace('_', " "),
+    };
+    let unit = read_unit(&joined).ok()?;
+    measures(&unit).then_some(joined)
+}
+
+/// Whether a unit measures what a log can hold.
+fn measures(unit: &Unit) -> bool {
+    let known = [
+        Dimension::new(0, 0, 1, 0),
+        Dimension::new(0, 1, 0, 0),
+        Dimension::new(0, 1, -1, 0),
+        Dimension::new(0, 0, -1, 1),
+        Dimension::new(0, 0, 0, 1),
+        Dimension::new(1, 1, -2, 0),
+        Dimension::new(1, 2, -2, 0),
+    ];
+    known.contains(&unit.dimension())
+}
+
+pub(crate) fn is_unit(text: &str) -> bool {
+    read_unit(text).is_ok()
+}
+
+/// Reads a unit as scenes write it, or as logs do: `N.m`, `N-m`, `usec`, `degrees`.
+pub(crate) fn read_unit(text: &str) -> Result<Unit, TraceError> {
+    let error = match Unit::parse(text) {
+        Ok(unit) => return Ok(unit),
+        Err(error) => error,
+    };
+    if let Ok(unit) = Unit::parse(&as_scenes_write(text)) {
+        return Ok(unit);
+    }
+    let message = format!("`{}`: {error}", shown(text.as_bytes()));
+    Err(TraceError::new("unit", message))
+}
+
+/// Points and hyphens between units as spaces, and units spelt out as their symbols.
+fn as_scenes_write(text: &str) -> String {
+    const SPELT: [(&str, &str); 12] = [
+        ("microsecond", "us"),
+        ("micros", "us"),
+        ("millisecond", "ms"),
+        ("millis", "ms"),
+        ("nanosecond", "ns"),
+        ("nanos", "ns"),
+        ("secs", "s"),
+        ("degs", "deg"),
+        ("rads", "rad"),
+        ("millimetre", "mm"),
+        ("millimeter", "mm"),
+        ("Newton", "N"),
+    ];
+    let symbol = |word: &str| {
+        let single = word.strip_suffix('s').filter(|rest| rest.len() > 3);
+        let found = |word: &str| SPELT.iter().find(|(name, _)| *name == word);
+        match found(word).or_else(|| single.and_then(found)) {
+            Some((_, symbol)) => (*symbol).to_owned(),
+            None => match single {
+                Some(single) if Unit::parse(word).is_err() => single.to_owned(),
+                _ => word.to_owned(),
+            },
+        }
+    };
+    let mut written = String::new();
+    let mut word = String::new();
+    for c in text.chars().chain(std::iter::once('\0')) {
+        if c.is_alphabetic() || c == '°' || c == '\u{b5}' {
+            word.push(c);
+            continue;
+        }
+        if !word.is_empty() {
+            written.push_str(&symbol(&word));
+            word.clear();
+        }
+        match c {
+            '\0' => {}
+            // The sign of a power.
+            '-' if written.ends_with('^') => written.push('-'),
+            '.' | '-' | '_' => written.push(' '),
+            c => written.push(c),
+        }
+    }
+    written
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_stand_in_brackets_parentheses_or_after_an_underscore() {
+        for (name, stem, unit) in [
+            ("x [rad]", "x", Some("rad")),
+            ("x[rad]", "x", Some("rad")),
+            ("x (rad)", "x", Some("rad")),
+            ("x_rad", "x", Some("rad")),
+            ("motor_torque [N.m]", "motor_torque", Some("N.m")),
+            ("paddle_speed_deg_s", "paddle_speed", Some("deg/s")),
+            ("v_m_per_s", "v", Some("m/s")),
+            ("torque_N_m", "torque", Some("N m")),
+            ("time_us", "time", Some("us")),
+            ("timestep [us]", "timestep", Some("us")),
+            (
+                "/joint_states/position[0]",
+                "/joint_states/position[0]",
+                None,
+            ),
+            ("position[0] [rad]", "position[0]", Some("rad")),
+            ("position (filtered)", "position (filtered)", None),
+            ("x_ref", "x_ref", None),
+            ("motor_in", "motor_in", None),
+            ("t", "t", None),
+            ("_s", "_s", None),
+        ] {
+            let found = split(name).unwrap();
+            assert_eq!((found.stem, found.unit.as_deref()), (stem, unit), "{name}");
+        }
+        for open in ["x [rad", "x [", "t [s", "x (rad"] {
+            assert!(split(open).is_err(), "{open}");
+        }
+    }
+
+    #[test]
+    fn units_are_read_as_logs_write_them() {
+        let same = |a: &str, b: &str| {
+            let (a, b) = (read_unit(a).unwrap(), read_unit(b).unwrap());
+            assert_eq!(a, b);
+        };
+        same("N.m", "N m");
+        same("N-m", "N m");
+        same("mN.m", "mN m");
+        same("usec", "us");
+        same("microseconds", "us");
+        same("seconds", "s");
+        same("degrees", "deg");
+        same("radians/s", "rad/s");
+        same("deg.s^-1", "deg/s");
+        assert!(read_unit("parsec").is_err());
+    }
+}

@@ -1,0 +1,132 @@
+//! The lines of a text, read in blocks of whole ones.
+
+use std::io::Read;
+
+use crate::log::error::TraceError;
+
+/// The longest line, in bytes.
+pub(crate) const MAX_LINE: usize = 1 << 20;
+
+/// How much is parsed at once by one core, in bytes, unless asked otherwise.
+pub(crate) const BLOCK: usize = 4 << 20;
+
+/// How many rows are looked at before a header is judged.
+const PREVIEWED: usize = 20;
+
+/// Whole lines of a trace, in order.
+pub(crate) struct Lines<R> {
+    input: R,
+    /// The start of a line that the last block did not hold whole.
+    rest: Vec<u8>,
+    ended: bool,
+    block: usize,
+}
+
+/// A block of lines, or what stopped the reading after it.
+#[derive(Debug, Default)]
+pub(crate) struct Block {
+    pub(crate) bytes: Vec<u8>,
+    /// Whether the trace ends with this block; its last line may lack its line break then.
+    pub(crate) last: bool,
+    pub(crate) error: Option<TraceError>,
+}
+
+impl<R: Read> Lines<R> {
+    /// Reads from `input`, about `block` bytes at a time.
+    pub(crate) const fn new(input: R, block: usize) -> Self {
+        Self {
+            input,
+            rest: Vec::new(),
+            ended: false,
+            block,
+        }
+    }
+
+    /// The first line, without its break and without a byte order mark.
+    pub(crate) fn header(&mut self) -> Result<Vec<u8>, TraceError> {
+        loop {
+            if let Some(end) = self.rest.iter().position(|byte| *byte == b'\n') {
+                let tail = self.rest.split_off(end + 1);
+                let mut line = std::mem::replace(&mut self.rest, tail);
+                line.truncate(end);
+                return Ok(clean(line));
+            }
+            if self.ended {
+                return Ok(clean(std::mem::take(&mut self.rest)));
+            }
+            if self.rest.len() > MAX_LINE {
+                let message = format!("the header is longer than {MAX_LINE} bytes");
+                return Err(TraceError::new("line_too_long", message));
+            }
+            self.fill(1 << 16).map_err(|error| TraceError::io(&error))?;
+        }
+    }
+
+    /// The first lines after the header, as far as they have been read.
+    pub(crate) fn first(&self) -> Vec<&[u8]> {
+        let lines = self.rest.split_inclusive(|byte| *byte == b'\n');
+        let whole = lines.filter(|line| self.ended || line.last() == Some(&b'\n'));
+        let trimmed = whole
+            .map(<[u8]>::trim_ascii)
+            .filter(|line| !line.is_empty());
+        trimmed.take(PREVIEWED).collect()
+    }
+
+    /// Reads until `rest` has grown by `more` bytes, or the input ends.
+    fn fill(&mut self, more: usize) -> std::io::Result<()> {
+        let limit = u64::try_from(more).unwrap_or(u64::MAX);
+        let read = (&mut self.input).take(limit).read_to_end(&mut self.rest)?;
+        self.ended = read < more;
+        Ok(())
+    }
+
+    /// The next block of whole lines; `None` after the last.
+    pub(crate) fn next_block(&mut self) -> Option<Block> {
+        let mut error = None;
+        while !self.ended {
+            if let Err(broken) = self.fill(self.block) {
+                error = Some(TraceError::io(&broken));
+                break;
+            }
+            if self.ended || memchr::memrchr(b'\n', &self.rest).is_some() {
+                break;
+            }
+            if self.rest.len() > MAX_LINE {
+                let message = format!("a line longer than {MAX_LINE} bytes");
+                error = Some(TraceError::new("line_too_long", message));
+                break;
+            }
+        }
+        if self.ended && self.rest.is_empty() && error.is_none() {
+            return None;
+        }
+        let mut bytes = std::mem::take(&mut self.rest);
+        if !self.ended || error.is_some() {
+            let end = memchr::memrchr(b'\n', &bytes).map_or(0, |end| end + 1);
+            self.rest = bytes.split_off(end);
+        }
+        if error.is_some() || self.rest.len() > MAX_LINE {
+            error = error.or_else(|| {
+                let message = format!("a line longer than {MAX_LINE} bytes");
+                Some(TraceError::new("line_too_long", message))
+            });
+            self.ended = true;
+            self.rest = Vec::new();
+        }
+        Some(Block {
+            bytes,
+            last: self.ended,
+            error,
+        })
+    }
+}
+
+fn clean(mut line: Vec<u8>) -> Vec<u8> {
+    if line.starts_with(b"\xef\xbb\xbf") {
+        line.drain(..3);
+    }
+    if line.last() == Some(&b'\r') {
+        line.pop();
+    }
+    line
+}

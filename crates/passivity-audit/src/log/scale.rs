@@ -1,0 +1,240 @@
+//! How the numbers of a log become ticks, sampling periods and KΔ.
+
+use num_bigint::BigInt;
+use num_traits::Zero as _;
+use passivity_core::{BigRational, Exact, Interval, Loop, Scalar, pi};
+use passivity_scene::units::{Dimension, Unit};
+use passivity_scene::{Motion, Scene};
+
+use crate::log::error::TraceError;
+use crate::log::header::read_unit;
+use crate::log::running::near;
+use crate::number::{Number, product};
+use crate::reading::Reading;
+
+/// How a number of the trace becomes one in ticks or in KΔ.
+#[derive(Clone, Debug)]
+pub(crate) enum Scale {
+    /// It is one.
+    One,
+    /// By a rational factor.
+    Factor(Number),
+    /// By a factor with π in it, which is in the interval.
+    Irrational(Exact, Interval<BigRational>),
+}
+
+impl Scale {
+    fn of(factor: Exact) -> Result<Self, TraceError> {
+        /// Bits of the enclosure: past those of the longest logs and of the grid by far.
+        const BITS: u32 = 256;
+        if let Some(x) = factor.to_rational() {
+            return Ok(Self::Factor(Number::from(x)));
+        }
+        match factor.enclosure(BITS) {
+            Some(range) => Ok(Self::Irrational(factor, range)),
+            None => Err(TraceError::new(
+                "unit",
+                "the unit of this column is not defined",
+            )),
+        }
+    }
+
+    pub(crate) const fn is_irrational(&self) -> bool {
+        matches!(self, Self::Irrational(..))
+    }
+
+    /// With the other sign.
+    pub(crate) fn reversed(self) -> Self {
+        match self {
+            Self::One => Self::Factor(Number::whole(-1)),
+            Self::Factor(factor) => Self::Factor(product(&factor, &Number::whole(-1))),
+            Self::Irrational(factor, range) => {
+                let range = Interval::hull(-range.lo().clone(), -range.hi().clone());
+                Self::Irrational(Exact::zero() - factor, range)
+            }
+        }
+    }
+
+    /// A position as it is known.
+    pub(crate) fn position(&self, x: Number) -> Result<Reading, TraceError> {
+        match self {
+            Self::One => Ok(Reading::Exact(x)),
+            Self::Factor(factor) => Ok(Reading::Exact(product(&x, factor))),
+            Self::Irrational(factor, range) => within_a_tick(&x.to_rational(), factor, range),
+        }
+    }
+
+    /// A force as it is known, and the size of its unit.
+    pub(crate) fn force(&self, x: Number) -> (Reading, f64) {
+        match self {
+            Self::One => (Reading::Exact(x), 1.0),
+            Self::Factor(factor) => {
+                let unit = near(&factor.to_rational()).abs();
+                (Reading::Exact(product(&x, factor)), unit)
+            }
+            Self::Irrational(_, range) => {
+                let x = x.to_rational();
+                let range_of_force = Interval::hull(&x * range.lo(), &x * range.hi());
+                (enclosed(&on_grid(&range_of_force)), near(range.lo()).abs())
+            }
+        }
+    }
+}
+
+fn unit(text: Option<&str>, example: &str) -> Result<Unit, TraceError> {
+    match text {
+        Some(text) => read_unit(text),
+        None => {
+            let message = format!("a column with a unit is needed, as in `{example}`");
+            Err(TraceError::new("unit", message))
+        }
+    }
+}
+
+fn needs_units(scene: &Scene, instead: &str) -> Result<(), TraceError> {
+    if scene.motion == Motion::Dimensionless {
+        let message = format!("the scene is dimensionless: give `{instead}`");
+        return Err(TraceError::new("unit", message));
+    }
+    Ok(())
+}
+
+/// Whether a unit measures what the scene's own does, radians being no dimension to insist on.
+fn expect(unit: &Unit, linear: Dimension, scene: &Scene, what: &str) -> Result<(), TraceError> {
+    let rotary = match what {
+        "a position" => Dimension::NONE.with_angle(1),
+        _ => Dimension::new(1, 2, -2, 0),
+    };
+    let found = unit.dimension().with_angle(0);
+    let (expected, example) = match (scene.motion, what) {
+        (Motion::Linear, "a position") => (linear, "mm"),
+        (Motion::Linear, _) => (linear, "N"),
+        (_, "a position") => (rotary, "rad"),
+        (_, _) => (rotary, "N m"),
+    };
+    if found == expected.with_angle(0) {
+        return Ok(());
+    }
+    let message = format!("expected the unit of {what}, such as `{example}`");
+    Err(TraceError::new("unit", message))
+}
+
+pub(crate) fn position_scale(text: Option<&str>, scene: &Scene) -> Result<Scale, TraceError> {
+    needs_units(scene, "xi")?;
+    let unit = unit(text, "x [rad]")?;
+    expect(&unit, Dimension::new(0, 1, 0, 0), scene, "a position")?;
+    let scale = Scale::of(exact(&unit).over(nominal(scene).length()))?;
+    if scale.is_irrational() && !scene.given.has_encoder() {
+        let message = "without an encoder positions must be in radians or metres";
+        return Err(TraceError::new("unit", message));
+    }
+    Ok(scale)
+}
+
+/// A unit in SI.
+fn exact(unit: &Unit) -> Exact {
+    let power = (0..unit.pi_power().unsigned_abs()).fold(Exact::one(), |x, _| x * pi::pi());
+    let scale = Exact::of(unit.scale());
+    if unit.pi_power() < 0 {
+        scale.over(power)
+    } else {
+        scale * power
+    }
+}
+
+/// The parameters of a scene at their nominal values.
+fn nominal(scene: &Scene) -> Loop<Exact> {
+    scene.given.map(|_, given| given.nominal.clone())
+}
+
+pub(crate) fn time_scale(text: Option<&str>, scene: &Scene) -> Result<Number, TraceError> {
+    needs_units(scene, "tau")?;
+    let unit = unit(text, "t [s]")?;
+    if unit.dimension() != Dimension::new(0, 0, 1, 0) {
+        let message = "expected a unit of time, such as `s`";
+        return Err(TraceError::new("unit", message));
+    }
+    match nominal(scene).period.over(exact(&unit)).to_rational() {
+        Some(x) => Ok(Number::from(x)),
+        None => Err(TraceError::new("unit", "a unit of time has no π in it")),
+    }
+}
+
+pub(crate) fn force_scale(text: Option<&str>, scene: &Scene) -> Result<Scale, TraceError> {
+    if text.is_none() && scene.motion == Motion::Dimensionless {
+        return Ok(Scale::One);
+    }
+    let unit = unit(text, "f [N]")?;
+    needs_units(scene, "f")?;
+    expect(&unit, Dimension::new(1, 1, -2, 0), scene, "a force")?;
+    Scale::of(exact(&unit).over(nominal(scene).force_unit()))
+}
+
+/// A unit of velocity in ticks per sampling period: a double, for velocities are compared only.
+pub(crate) fn velocity_scale(text: Option<&str>, scene: &Scene) -> Result<f64, TraceError> {
+    if text.is_none() && scene.motion == Motion::Dimensionless {
+        return Ok(1.0);
+    }
+    let unit = unit(text, "v [rad/s]")?;
+    needs_units(scene, "v")?;
+    let linear = scene.motion == Motion::Linear;
+    let expected = Dimension::new(0, i8::from(linear), -1, 0);
+    if unit.dimension().with_angle(0) != expected {
+        let example = if linear { "m/s" } else { "rad/s" };
+        let message = format!("expected the unit of a velocity, such as `{example}`");
+        return Err(TraceError::new("unit", message));
+    }
+    let nominal = nominal(scene);
+    let factor = (exact(&unit) * nominal.period.clone()).over(nominal.length());
+    match factor.enclosure(64) {
+        Some(range) => Ok(near(&range.middle())),
+        None => Err(TraceError::new(
+            "unit",
+            "the unit of this column is not defined",
+        )),
+    }
+}
+
+/// x·`factor`, enclosed on a fine grid within one tick.
+fn within_a_tick(
+    x: &BigRational,
+    factor: &Exact,
+    range: &Interval<BigRational>,
+) -> Result<Reading, TraceError> {
+    if x.is_zero() {
+        return Ok(Reading::Exact(Number::whole(0)));
+    }
+    let fine = Interval::hull(x * range.lo(), x * range.hi());
+    // No position is a whole number of ticks: π would be rational.
+    let tick = match fine.lo().floor() == fine.hi().floor() {
+        true => fine.lo().floor(),
+        false => (Exact::of(x) * factor.clone())
+            .floor()
+            .to_rational()
+            .ok_or_else(|| {
+                let message = "too close to the border between two ticks to tell which it is in";
+                TraceError::new("position", message)
+            })?,
+    };
+    let coarse = on_grid(&fine);
+    let above = &tick + BigRational::one();
+    let lo = Ord::max(coarse.lo(), &tick).clone();
+    // The enclosure may touch the next tick from below: that is its closure.
+    let hi = Ord::min(coarse.hi(), &above).clone();
+    Ok(enclosed(&Interval::hull(lo, hi)))
+}
+
+/// The interval rounded outward to a grid, small enough for machine integers.
+fn on_grid(range: &Interval<BigRational>) -> Interval<BigRational> {
+    /// Steps of the grid per tick, or per KΔ, as a power of two.
+    const GRID_BITS: u32 = 40;
+    let grid = BigRational::from_integer(BigInt::from(1_u64 << GRID_BITS));
+    Interval::hull(
+        (range.lo() * &grid).floor() / &grid,
+        (range.hi() * &grid).ceil() / &grid,
+    )
+}
+
+fn enclosed(range: &Interval<BigRational>) -> Reading {
+    Reading::Within(Box::new(range.clone()))
+}

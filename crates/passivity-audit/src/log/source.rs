@@ -1,0 +1,354 @@
+//! Where samples come from: files in order, CSV as it is or compressed, Parquet, or memory.
+
+use std::fs::File;
+use std::io::{Cursor, Read};
+use std::path::{Path, PathBuf};
+
+use passivity_scene::Scene;
+
+use crate::log::chunk::Chunk;
+use crate::log::columns::Columns;
+use crate::log::csv::{self, Notation};
+use crate::log::error::{TraceError, legible};
+use crate::log::header::Heading;
+use crate::log::layout::Layout;
+use crate::log::lines::{self, Block, Lines};
+#[cfg(feature = "parquet")]
+use crate::log::parquet;
+
+/// How the columns of a log are called, and how its numbers are written.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Dialect {
+    /// What the columns say; `None` where their names do.
+    pub columns: Option<Columns>,
+    /// What stands between the fields of CSV; `None` for a comma, or for a semicolon where numbers are
+    /// written with commas.
+    pub delimiter: Option<u8>,
+    /// Whether numbers are written with a comma, as in `0,25`.
+    pub decimal_comma: bool,
+}
+
+impl Dialect {
+    fn notation(&self) -> Result<Notation, TraceError> {
+        let usual = if self.decimal_comma { b';' } else { b',' };
+        let delimiter = self.delimiter.unwrap_or(usual);
+        let refuse = |message: &str| Err(TraceError::new("delimiter", message));
+        if self.decimal_comma && delimiter == b',' {
+            return refuse("a comma cannot stand both between fields and in numbers");
+        }
+        let is_number = delimiter.is_ascii_alphanumeric() || b"+-./\"".contains(&delimiter);
+        if is_number || !(delimiter == b'\t' || (b' '..=b'~').contains(&delimiter)) {
+            return refuse("what stands between fields must be one character that is in no number");
+        }
+        Ok(Notation {
+            delimiter,
+            decimal_comma: self.decimal_comma,
+        })
+    }
+}
+
+/// What one file, or memory, gives.
+pub(crate) enum Reader {
+    Csv(Lines<Box<dyn Read>>, Notation),
+    #[cfg(feature = "parquet")]
+    Parquet(Box<parquet::Table>),
+    /// In memory, the last chunk first.
+    Memory(Vec<Chunk>),
+}
+
+/// What a core is given.
+pub(crate) enum Work {
+    Parse(Block, Notation, usize),
+    Account(Chunk),
+}
+
+/// The samples of one or more files, in order.
+pub(crate) struct Source {
+    reader: Reader,
+    /// Which file is being read.
+    file: usize,
+    /// The files, or none of a stream or of memory.
+    files: Vec<PathBuf>,
+    dialect: Dialect,
+    block: usize,
+}
+
+impl Source {
+    /// Of one file, or of memory.
+    pub(crate) fn of(reader: Reader) -> Self {
+        Self {
+            reader,
+            file: 0,
+            files: Vec::new(),
+            dialect: Dialect::default(),
+            block: lines::BLOCK,
+        }
+    }
+
+    /// Of files in order: the first one is opened, and its header read.
+    pub(crate) fn open(
+        paths: &[PathBuf],
+        scene: &Scene,
+        dialect: &Dialect,
+        block: usize,
+    ) -> Result<(Self, Layout), TraceError> {
+        let Some(first) = paths.first() else {
+            return Err(TraceError::new("empty", "a log needs a file"));
+        };
+        let opened = open(first, block)?;
+        let (reader, layout) = opened.read(scene, dialect)?;
+        let source = Self {
+            reader,
+            file: 0,
+            files: paths.to_vec(),
+            dialect: dialect.clone(),
+            block,
+        };
+        Ok((source, layout))
+    }
+
+    /// The names of the files, where there are several.
+    pub(crate) fn names(&self) -> Vec<String> {
+        match self.files.len() {
+            0 | 1 => Vec::new(),
+            _ => self
+                .files
+                .iter()
+                .map(|file| file.display().to_string())
+                .collect(),
+        }
+    }
+
+    /// What the next core is to do; `None` at the end.
+    pub(crate) fn next(&mut self, layout: &Layout) -> Option<Work> {
+        loop {
+            let file = self.file;
+            let work = match &mut self.reader {
+                Reader::Csv(lines, notation) => {
+                    let block = lines.next_block();
+                    block.map(|block| Work::Parse(block, *notation, file))
+                }
+                #[cfg(feature = "parquet")]
+                Reader::Parquet(table) => table
+                    .next_chunk(layout)
+                    .map(|chunk| Work::Account(Chunk { file, ..chunk })),
+                Reader::Memory(chunks) => chunks.pop().map(Work::Account),
+            };
+            if work.is_some() {
+                return work;
+            }
+            let path = self.files.get(self.file + 1)?;
+            let next =
+                open(path, self.block).and_then(|opened| opened.go_on(layout, &self.dialect));
+            self.file += 1;
+            match next {
+                Ok(reader) => self.reader = reader,
+                Err(error) => {
+                    // The log ends here.
+                    self.files.clear();
+                    self.reader = Reader::Memory(Vec::new());
+                    return Some(Work::Account(Chunk {
+                        file: self.file,
+                        error: Some(error),
+                        ..Chunk::default()
+                    }));
+                }
+            }
+        }
+    }
+}
+
+/// A file whose header is still to be read.
+pub(crate) enum Opened {
+    Csv(Lines<Box<dyn Read>>),
+    #[cfg(feature = "parquet")]
+    Parquet(Box<parquet::Table>),
+}
+
+/// Opens a file, or standard input for `-`, by what it starts with.
+fn open(path: &Path, block: usize) -> Result<Opened, TraceError> {
+    if path.as_os_str() == "-" {
+        return opened(Box::new(std::io::stdin()), block, None);
+    }
+    let named = |error: std::io::Error| TraceError::io(&error);
+    let file = File::open(path).map_err(named)?;
+    opened(Box::new(file), block, Some(path))
+}
+
+/// A stream, which may be compressed; Parquet must be a file.
+pub(crate) fn opened(
+    mut input: Box<dyn Read>,
+    block: usize,
+    path: Option<&Path>,
+) -> Result<Opened, TraceError> {
+    let start = start(&mut input)?;
+    if start == *b"PAR1" {
+        return match path {
+            Some(path) => open_parquet(path),
+            None => Err(TraceError::new(
+                "parquet",
+                "Parquet must be a file: it is read from its end",
+            )),
+        };
+    }
+    let compressed = start.starts_with(&[0x1f, 0x8b]) || start == [0x28, 0xb5, 0x2f, 0xfd];
+    // What was read of a pipe cannot be read again.
+    let whole: Box<dyn Read> = Box::new(Cursor::new(start.clone()).chain(input));
+    if !compressed {
+        return Ok(Opened::Csv(Lines::new(whole, block)));
+    }
+    let mut inside = decompressed(whole, &start)?;
+    let start = self::start(&mut inside)?;
+    if start == *b"PAR1" {
+        let message = "Parquet inside a compressed file is not read: decompress the file";
+        return Err(TraceError::new("parquet", message));
+    }
+    let whole: Box<dyn Read> = Box::new(Cursor::new(start).chain(inside));
+    Ok(Opened::Csv(Lines::new(whole, block)))
+}
+
+/// The first four bytes, or as many as there are.
+fn start(input: &mut dyn Read) -> Result<Vec<u8>, TraceError> {
+    let mut start = Vec::new();
+    let read = input.take(4).read_to_end(&mut start);
+    read.map_err(|error| TraceError::io(&error))?;
+    Ok(start)
+}
+
+#[cfg(feature = "compressed")]
+fn decompressed(input: Box<dyn Read>, start: &[u8]) -> Result<Box<dyn Read>, TraceError> {
+    if start.starts_with(&[0x1f, 0x8b]) {
+        let buffered = std::io::BufReader::new(input);
+        return Ok(Box::new(flate2::bufread::MultiGzDecoder::new(buffered)));
+    }
+    match zstd::stream::read::Decoder::new(input) {
+        Ok(decoder) => Ok(Box::new(decoder)),
+        Err(error) => Err(TraceError::io(&error)),
+    }
+}
+
+#[cfg(not(feature = "compressed"))]
+fn decompressed(_: Box<dyn Read>, _: &[u8]) -> Result<Box<dyn Read>, TraceError> {
+    let message = "compressed files are not in this build: build it with the feature `compressed`";
+    Err(TraceError::new("compressed", message))
+}
+
+#[cfg(feature = "parquet")]
+fn open_parquet(path: &Path) -> Result<Opened, TraceError> {
+    Ok(Opened::Parquet(Box::new(parquet::Table::open(path)?)))
+}
+
+#[cfg(not(feature = "parquet"))]
+fn open_parquet(_: &Path) -> Result<Opened, TraceError> {
+    let message = "Parquet is not in this build: build it with the feature `parquet`";
+    Err(TraceError::new("parquet", message))
+}
+
+impl Opened {
+    /// Reads the header.
+    pub(crate) fn read(
+        self,
+        scene: &Scene,
+        dialect: &Dialect,
+    ) -> Result<(Reader, Layout), TraceError> {
+        let told = dialect.columns.as_ref();
+        match self {
+            Self::Csv(mut lines) => {
+                let notation = dialect.notation()?;
+                let line = lines.header()?;
+                let first = lines.first();
+                let layout = layout(&line, &first, notation, told, scene);
+                let layout =
+                    layout.map_err(|error| otherwise(error, &line, &first, dialect, scene))?;
+                Ok((Reader::Csv(lines, notation), layout))
+            }
+            #[cfg(feature = "parquet")]
+            Self::Parquet(table) => {
+                let layout = Layout::read(table.headings()?, told, &table.preview(), scene)?;
+                Ok((Reader::Parquet(table), layout))
+            }
+        }
+    }
+
+    /// Reads the header of a file that goes on with a log.
+    fn go_on(self, layout: &Layout, dialect: &Dialect) -> Result<Reader, TraceError> {
+        let (reader, headings) = match self {
+            Self::Csv(mut lines) => {
+                let notation = dialect.notation()?;
+                let names = csv::names(&lines.header()?, notation)?;
+                let headings: Vec<Heading> = names.into_iter().map(Heading::plain).collect();
+                (Reader::Csv(lines, notation), headings)
+            }
+            #[cfg(feature = "parquet")]
+            Self::Parquet(table) => {
+                let headings = table.headings()?;
+                (Reader::Parquet(table), headings)
+            }
+        };
+        if headings != layout.headings {
+            let message = "the files of a log must have the same header as the first one";
+            return Err(TraceError::new("header", message));
+        }
+        Ok(reader)
+    }
+}
+
+fn layout(
+    line: &[u8],
+    first: &[&[u8]],
+    notation: Notation,
+    told: Option<&Columns>,
+    scene: &Scene,
+) -> Result<Layout, TraceError> {
+    let names = csv::names(line, notation)?;
+    let headings = names.into_iter().map(Heading::plain).collect();
+    Layout::read(headings, told, &csv::preview(first, notation), scene)
+}
+
+/// The error of a header, with what it says when its fields stand apart by another character: where that
+/// makes sense, it is what is proposed.
+fn otherwise(
+    mut error: TraceError,
+    line: &[u8],
+    first: &[&[u8]],
+    dialect: &Dialect,
+    scene: &Scene,
+) -> TraceError {
+    if let Some(delimiter) = dialect.delimiter {
+        if let Some(proposal) = &mut error.proposal {
+            proposal.delimiter = Some(char::from(delimiter)).filter(|c| *c != ',');
+            proposal.decimal_comma =
+                dialect.decimal_comma || csv::has_decimal_commas(first, delimiter);
+        }
+        return error;
+    }
+    let stands = |delimiter: &u8| line.contains(delimiter);
+    for delimiter in [b';', b'\t', b'|'].into_iter().filter(stands) {
+        let notation = Notation {
+            delimiter,
+            decimal_comma: csv::has_decimal_commas(first, delimiter),
+        };
+        let proposal = match layout(line, first, notation, None, scene) {
+            Ok(layout) => layout.proposal(),
+            Err(other) => other.proposal,
+        };
+        let Some(mut proposal) = proposal else {
+            continue;
+        };
+        // Of two ways to read the header the one that tells more.
+        if error
+            .proposal
+            .as_ref()
+            .is_some_and(|own| own.said >= proposal.said)
+        {
+            continue;
+        }
+        proposal.delimiter = Some(char::from(delimiter));
+        proposal.decimal_comma = notation.decimal_comma;
+        let text = legible(&char::from(delimiter).to_string());
+        error.message = format!("its fields seem to stand apart by `{text}`, not by a comma");
+        error.column = None;
+        error.proposal = Some(proposal);
+    }
+    error
+}

@@ -1,0 +1,622 @@
+//! Logs as devices write them: each is read by the command that the error before it shows.
+
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::process::Command;
+
+use serde_json::Value;
+
+use crate::harness::{Dir, Run};
+
+const SCENE: &str = "[device]\nviscous = \"9e-5 N m s/rad\"\ncoulomb = \"2e-3 N m\"\n\
+    [sampling]\nperiod = \"350 us\"\n[encoder]\ncounts_per_revolution = 8192\n\
+    [wall]\nstiffness = \"1 N m/rad\"\n";
+
+/// One revolution over the counts of it, in radians.
+const TICK: f64 = std::f64::consts::TAU / 8192.0;
+
+/// A sample of the motion that every log has: a hand that presses in and lets go.
+struct Sample {
+    micros: i64,
+    radians: f64,
+    velocity: f64,
+    /// Of the wall, from the position as it is measured.
+    torque: f64,
+}
+
+/// `late` samples, and the torque `scale` times that of the wall.
+fn motion(late: usize, scale: f64) -> Vec<Sample> {
+    let position = |i: usize| 0.05 * (0.03 * i as f64).sin() + 1e-7;
+    (0..150)
+        .map(|i| Sample {
+            micros: 350 * i as i64,
+            radians: position(i),
+            velocity: 0.05 * 0.03 / 350e-6 * (0.03 * i as f64).cos(),
+            torque: -scale * ((position(i.saturating_sub(late)) / TICK).floor() + 0.5) * TICK,
+        })
+        .collect()
+}
+
+/// A table of these samples: its header, and how each sample is written.
+fn table(header: &str, samples: &[Sample], row: impl Fn(usize, &Sample) -> String) -> String {
+    let mut text = format!("{header}\n");
+    for (i, sample) in samples.iter().enumerate() {
+        writeln!(text, "{}", row(i, sample)).unwrap();
+    }
+    text
+}
+
+fn epfl(samples: &[Sample]) -> String {
+    let header = "timestep [us],encoder_paddle_pos [deg],paddle_speed [deg/s],hall_voltage [V],motor_torque [N.m]";
+    table(header, samples, |_, s| {
+        let (x, v) = (s.radians.to_degrees(), s.velocity.to_degrees());
+        format!("{},{x:.9},{v:.4},1.65,{:.12}", s.micros, s.torque)
+    })
+}
+
+/// The command that an error shows, in a folder where `passivity` is ours.
+fn shown(run: &Run) -> String {
+    assert_eq!(run.code, 2, "{}", run.stdout);
+    assert_eq!(run.stderr.lines().count(), 1, "{}", run.stderr);
+    match run.stderr.trim_end().split_once(" run: passivity ") {
+        Some((_, command)) => command.to_owned(),
+        None => panic!("no command in {}", run.stderr),
+    }
+}
+
+/// Runs a shown command, as a shell takes it, for programs.
+fn follow(dir: &Dir, command: &str) -> (Run, Value) {
+    let script = format!(
+        "'{}' {command} --format json",
+        env!("CARGO_BIN_EXE_passivity")
+    );
+    let output = Command::new("sh")
+        .args(["-c", &script])
+        .current_dir(dir.path("."))
+        .output()
+        .expect("a shell");
+    let run = Run::from(output);
+    let json = run.json();
+    (run, json)
+}
+
+/// Audits a log by the command that its own error shows.
+fn told(dir: &Dir, name: &str) -> (Run, Value) {
+    let refused = dir.run(&["audit", name, "--scene", "scene.toml"]);
+    follow(dir, &shown(&refused))
+}
+
+#[test]
+fn ten_logs_of_ten_shapes_are_read_by_the_command_that_the_error_shows() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    let samples = motion(0, 1.0);
+    let gzip = |text: &str| {
+        let mut file = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+        file.write_all(text.as_bytes()).unwrap();
+        file.finish().unwrap()
+    };
+    let zstd = |text: &str| zstd::encode_all(text.as_bytes(), 1).unwrap();
+    let plain = |text: String| text.into_bytes();
+    let seconds = |s: &Sample| s.micros as f64 * 1e-6;
+    // `t` where there is a clock, and `v` where there is a velocity.
+    let shapes: [(&str, Vec<u8>, bool, bool); 10] = [
+        ("epfl.csv", plain(epfl(&samples)), true, true),
+        (
+            "prism.csv",
+            plain(table("time,theta,tau,velocity", &samples, |_, s| {
+                format!(
+                    "{:.6},{:.12},{:.12},{:.6}",
+                    seconds(s),
+                    s.radians,
+                    s.torque,
+                    s.velocity
+                )
+            })),
+            true,
+            true,
+        ),
+        (
+            "greek.csv",
+            plain(table("θ,τ", &samples, |_, s| {
+                format!("{:.12},{:.12}", s.radians, s.torque)
+            })),
+            false,
+            false,
+        ),
+        (
+            "ros1.csv",
+            plain(table(
+                "%time,field.header.seq,field.header.frame_id,field.position0,field.velocity0,field.effort0",
+                &samples,
+                |i, s| {
+                    let time = 1_700_000_000_000_000_000 + 1000 * s.micros;
+                    format!(
+                        "{time},{i},base,{:.12},{:.6},{:.12}",
+                        s.radians, s.velocity, s.torque
+                    )
+                },
+            )),
+            true,
+            true,
+        ),
+        (
+            "ros2.csv",
+            plain(table(
+                "__time,/joint_states/position[0],/joint_states/position[1],/joint_states/velocity[0],/joint_states/effort[0]",
+                &samples,
+                |_, s| {
+                    let time = 1_700_000_000_000_000 + s.micros;
+                    let (whole, rest) = (time / 1_000_000, time % 1_000_000);
+                    format!(
+                        "{whole}.{rest:06},{:.12},0.5,{:.6},{:.12}",
+                        s.radians, s.velocity, s.torque
+                    )
+                },
+            )),
+            true,
+            true,
+        ),
+        (
+            "semicolons.csv",
+            plain(table(
+                "Zeit (ms);Winkel (deg);Moment (mNm)",
+                &samples,
+                |_, s| {
+                    let (t, x) = (s.micros as f64 * 1e-3, s.radians.to_degrees());
+                    format!("{t:.3};{x:.9};{:.9}", 1e3 * s.torque).replace('.', ",")
+                },
+            )),
+            true,
+            false,
+        ),
+        (
+            "tabs.tsv",
+            plain(table("time_us\tangle_rad\ttorque_Nm", &samples, |_, s| {
+                format!("{}\t{:.12}\t{:.12}", s.micros, s.radians, s.torque)
+            })),
+            true,
+            false,
+        ),
+        ("epfl.csv.gz", gzip(&epfl(&samples)), true, true),
+        ("epfl.csv.zst", zstd(&epfl(&samples)), true, true),
+        (
+            "pipes.txt",
+            plain(table("t|pos|F", &samples, |_, s| {
+                format!("{:.6}|{:.12}|{:.12}", seconds(s), s.radians, s.torque)
+            })),
+            true,
+            false,
+        ),
+    ];
+    for (name, text, has_clock, has_velocity) in shapes {
+        dir.write(name, text);
+        let (run, json) = told(&dir, name);
+        assert_eq!(run.code, 0, "{name}: {}{}", run.stdout, run.stderr);
+        assert_eq!(json["verdict"], "holds", "{name}");
+        assert_eq!(json["samples"], 150, "{name}");
+        assert_eq!(json["account"], "applied", "{name}");
+        assert_eq!(json["force"]["agrees"], true, "{name}: {}", json["force"]);
+        assert_eq!(json["timing"].is_object(), has_clock, "{name}");
+        assert_eq!(json["velocity"].is_object(), has_velocity, "{name}");
+        if has_clock {
+            assert_eq!(json["timing"]["uneven"], 0, "{name}");
+        }
+        if has_velocity {
+            let fit = &json["velocity"]["fit"];
+            let scale = fit["scale"].as_f64().unwrap();
+            assert!((scale - 1.0).abs() < 0.01, "{name}: {fit}");
+        }
+        assert_eq!(
+            json["findings"].as_array().unwrap().len(),
+            0,
+            "{name}: {}",
+            json["findings"]
+        );
+    }
+}
+
+#[test]
+fn counts_clocks_with_jitter_and_gaps_are_read() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    let samples = motion(0, 1.0);
+    let text = table(
+        "time [s],encoder_counts,motorTorqueCmd [N-m]",
+        &samples,
+        |i, s| {
+            // A microsecond of jitter, and a gap of ten samples.
+            let micros = s.micros + (i as i64 * 7) % 3 + if i > 100 { 3500 } else { 0 };
+            let counts = (s.radians / TICK).floor();
+            format!(
+                "{}.{:06},{counts},{:.12}",
+                micros / 1_000_000,
+                micros % 1_000_000,
+                s.torque
+            )
+        },
+    );
+    dir.write("jitter.csv", text);
+    let (run, json) = told(&dir, "jitter.csv");
+    assert!(run.code <= 1, "{}", run.stderr);
+    assert_eq!(json["positions"], "count");
+    assert_eq!(json["timing"]["missed_samples"], 10);
+    assert_eq!(json["force"]["agrees"], true);
+}
+
+#[test]
+fn a_force_that_is_doubled_turned_or_late_is_found_with_what_puts_it_right() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    for (late, scale, kind, fix) in [
+        (0, 2.0, "scale", "stiffness = \"2 N m/rad\""),
+        (0, -1.0, "sign", "f=-motor_torque [N.m]"),
+        (3, 1.0, "delay", "delay = 3"),
+    ] {
+        let name = dir.write("log.csv", epfl(&motion(late, scale)));
+        let (run, json) = told(&dir, &name);
+        let findings = json["findings"].as_array().unwrap();
+        assert_eq!(findings.len(), 1, "{kind}: {findings:?}");
+        assert_eq!(findings[0]["kind"], kind);
+        assert!(
+            findings[0]["fix"].as_str().unwrap().contains(fix),
+            "{findings:?}"
+        );
+        // It is accounted for as it was applied, and the law's account stands beside it.
+        assert_eq!(
+            (&json["account"], &json["judged"]),
+            (&"applied".into(), &"running".into())
+        );
+        assert_eq!(json["law"]["verdict"], "holds", "{kind}");
+        assert_ne!(json["totals"], json["law"]["totals"], "{kind}");
+        // A spring that pushes along gives what nobody put in. One that is twice as stiff or late may hold.
+        if kind == "sign" {
+            assert_eq!(run.code, 1, "{kind}: {}", json["verdict"]);
+        }
+    }
+    // What the finding shows puts the sign right.
+    let name = dir.write("log.csv", epfl(&motion(0, -1.0)));
+    let (_, json) = told(&dir, &name);
+    let fix = json["findings"][0]["fix"].as_str().unwrap();
+    let (_, columns) = fix.split_once("--columns ").unwrap();
+    let command = format!("audit {name} --scene scene.toml --columns {columns}");
+    let (run, json) = follow(&dir, &command);
+    assert_eq!(
+        (run.code, &json["force"]["agrees"]),
+        (0, &true.into()),
+        "{}",
+        run.stderr
+    );
+    // And so do the scene's delay and stiffness.
+    for (late, scale, key, value) in [
+        (
+            3,
+            1.0,
+            "period = \"350 us\"",
+            "period = \"350 us\"\ndelay = 3",
+        ),
+        (0, 2.0, "\"1 N m/rad\"", "\"2 N m/rad\""),
+    ] {
+        dir.write("scene.toml", SCENE.replace(key, value));
+        let name = dir.write("log.csv", epfl(&motion(late, scale)));
+        let (_, json) = told(&dir, &name);
+        assert_eq!(json["force"]["agrees"], true, "{value}");
+        assert_eq!(
+            json["findings"].as_array().unwrap().len(),
+            0,
+            "{}",
+            json["findings"]
+        );
+    }
+}
+
+#[test]
+fn columns_that_cannot_be_read_are_said_and_no_column_is_silently_left_out() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    for (header, row, says) in [
+        (
+            "time [s],x [rad]",
+            "0,0",
+            "the column `time [s]` is not read under this name; did you mean t=time [s], x=x [rad]?",
+        ),
+        (
+            "x [rad,t [s]",
+            "0,0",
+            "column `x [rad`: the bracket is not closed",
+        ),
+        (
+            "x [rad],velocity",
+            "0,0",
+            "the column `velocity` is not read",
+        ),
+        ("x [rad],effort", "0,0", "the column `effort` is not read"),
+        (
+            "t [s],x [rad],tau [N m]",
+            "0,0,0",
+            "did you mean t=t [s], x=x [rad], f=tau [N m]?",
+        ),
+        (
+            "t [s],x",
+            "0,0",
+            "did you mean t=t [s], x=x [rad]? (units that the header does not give are assumed: x in rad)",
+        ),
+        ("0.5,1.5", "1,2", "the first line holds numbers"),
+        (
+            "a,b",
+            "1,2",
+            "expected a column `xi`, `x [unit]` or `count`, found `a`, `b`",
+        ),
+    ] {
+        dir.write("log.csv", format!("{header}\n{row}\n"));
+        let run = dir.run(&["audit", "log.csv", "--scene", "scene.toml"]);
+        assert_eq!(
+            (run.code, run.stderr.lines().count()),
+            (2, 1),
+            "{header}: {}",
+            run.stderr
+        );
+        assert!(run.stderr.contains(says), "{header}: {}", run.stderr);
+    }
+    dir.write("log.csv", "pos [deg];t (s)\n0,5;0,001\n0,25;0,002\n");
+    for (columns, more, says) in [
+        (
+            "x=pos [deg]",
+            &["--delimiter", ","][..],
+            "there is no column `pos [deg]`",
+        ),
+        (
+            "x=pos [deg], t=t",
+            &["--delimiter", ";"],
+            "is the comma a decimal sign? then add --decimal-comma",
+        ),
+        (
+            "x=pos [rad], t=t",
+            &["--decimal-comma"],
+            "the header says that `pos [deg]` is in `deg`, not in `rad`",
+        ),
+        ("y=pos [deg]", &[], "`y` is nothing that a column can say"),
+        ("x=pos, x=t", &[], "`x` is given twice"),
+        ("x=pos [deg", &[], "a bracket is not closed"),
+        (
+            "x=pos, t=pos",
+            &["--decimal-comma"],
+            "is named for `x` and for `t`",
+        ),
+        (
+            "x=pos",
+            &["--delimiter", "0"],
+            "one character that is in no number",
+        ),
+        (
+            "x=pos",
+            &["--delimiter", ",", "--decimal-comma"],
+            "cannot stand both",
+        ),
+    ] {
+        let args = [
+            "audit",
+            "log.csv",
+            "--scene",
+            "scene.toml",
+            "--columns",
+            columns,
+        ];
+        let run = dir.run(&[&args[..], more].concat());
+        assert_eq!(run.code, 2, "{columns}: {}", run.stdout);
+        assert!(run.stderr.contains(says), "{columns}: {}", run.stderr);
+    }
+    // A name with a comma, and one that is to be typed with its unit.
+    dir.write(
+        "log.csv",
+        "\"angle, left\";\"clock\"\n0,5;0,001\n0,25;0,00135\n",
+    );
+    let (run, json) = told(&dir, "log.csv");
+    assert_eq!(json["samples"], 2, "{}", run.stderr);
+    assert_eq!(json["columns"], "t=clock [s], x=\"angle, left\" [rad]");
+}
+
+#[test]
+fn several_files_are_one_log_in_order() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    let whole = epfl(&motion(0, 1.0));
+    let (header, rows) = whole.split_once('\n').unwrap();
+    let lines: Vec<&str> = rows.lines().collect();
+    let part = |range: std::ops::Range<usize>| format!("{header}\n{}\n", lines[range].join("\n"));
+    dir.write("whole.csv", &whole);
+    dir.write("a.csv", part(0..60));
+    dir.write("b.csv", part(60..61));
+    dir.write("c.csv", part(61..150));
+    let columns = "t=timestep [us], x=encoder_paddle_pos [deg], f=motor_torque [N.m]";
+    let audit = |files: &[&str]| {
+        let more = [
+            "--scene",
+            "scene.toml",
+            "--columns",
+            columns,
+            "--format",
+            "json",
+        ];
+        dir.run(&[&["audit"], files, &more[..]].concat())
+    };
+    let (one, three) = (audit(&["whole.csv"]), audit(&["a.csv", "b.csv", "c.csv"]));
+    assert_eq!((one.code, three.code), (0, 0), "{}", three.stderr);
+    assert_eq!(one.json(), three.json());
+    // In another order the clock runs backward: the file is named, with its own row.
+    let wrong = audit(&["b.csv", "a.csv"]);
+    assert_eq!(wrong.code, 2);
+    assert!(
+        wrong
+            .stderr
+            .starts_with("error: a.csv, row 1, column `timestep [us]`: expected a time after"),
+        "{}",
+        wrong.stderr
+    );
+    dir.write("d.csv", "timestep [us],x [deg]\n0,0\n");
+    let wrong = audit(&["a.csv", "d.csv"]);
+    assert_eq!(wrong.code, 2);
+    assert!(
+        wrong
+            .stderr
+            .contains("d.csv, row 1: the files of a log must have the same header"),
+        "{}",
+        wrong.stderr
+    );
+    let wrong = audit(&["a.csv", "nothing.csv"]);
+    assert!(
+        wrong.stderr.contains("nothing.csv, row 1: No such file"),
+        "{}",
+        wrong.stderr
+    );
+}
+
+#[test]
+fn a_log_without_a_sample_holds_nothing() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    for text in [
+        "count\n",
+        "count\n5\n",
+        "t [s],x [rad],f [N m]\n",
+        "t [s],x [rad],f [N m]\n0,0,0\n",
+    ] {
+        dir.write("log.csv", text);
+        let run = dir.run(&["audit", "log.csv", "--scene", "scene.toml"]);
+        assert_eq!(run.code, 2, "{text:?}: {}", run.stdout);
+        assert!(
+            run.stderr.contains("a trace needs two samples"),
+            "{}",
+            run.stderr
+        );
+    }
+}
+
+#[test]
+fn names_never_move_the_cursor_or_turn_the_text_around() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    let hidden = "\u{1b}[2J\u{202e}\u{9b}31m\u{2066}";
+    let named = format!("log{}.csv", "\u{202e}");
+    for (name, text) in [
+        ("log.csv", format!("x{hidden} [rad],time\n0,0\n1,1\n")),
+        (
+            "log.csv",
+            format!("x [rad],note{hidden}\n0,{hidden}\n{hidden},0\n"),
+        ),
+        ("log.csv", format!("position{hidden},time\n0,0\n1,1\n")),
+        (&named, "count\n1\nx\n".to_owned()),
+    ] {
+        dir.write(name, text);
+        for format in ["text", "json"] {
+            let run = dir.run(&["audit", name, "--scene", "scene.toml", "--format", format]);
+            for said in [run.stdout, run.stderr] {
+                let bad = |c: char| c != '\n' && (c.is_control() || "\u{202e}\u{2066}".contains(c));
+                assert!(!said.contains(bad), "{said:?}");
+            }
+        }
+    }
+    // Nor in a scene, or in its name.
+    let scene =
+        format!("[device]\nviscous{hidden} = \"1\"\n[wall{hidden}]\nstiffness = \"{hidden}\"\n");
+    for name in ["scene.toml", "scene\u{202e}.toml"] {
+        dir.write(name, &scene);
+        for verb in ["check", "explain"] {
+            let run = dir.run(&[verb, name]);
+            assert_eq!(run.code, 2);
+            let bad = |c: char| c != '\n' && (c.is_control() || "\u{202e}\u{2066}".contains(c));
+            assert!(!run.stderr.contains(bad), "{verb} {name}: {:?}", run.stderr);
+        }
+    }
+    dir.write("good\u{202e}.toml", SCENE);
+    for format in ["text", "json"] {
+        let run = dir.run(&["check", "good\u{202e}.toml", "--format", format]);
+        assert!(!run.stdout.contains('\u{202e}'), "{}", run.stdout);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn nothing_but_a_plain_file_is_replaced() {
+    use std::os::unix::fs::{FileTypeExt as _, symlink};
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    dir.write("log.csv", "count\n0\n1\n0\n");
+    dir.write("other.txt", "kept");
+    symlink(dir.path("other.txt"), dir.path("link.csv")).unwrap();
+    std::fs::create_dir(dir.path("folder")).unwrap();
+    for (option, file, says) in [
+        ("--out", "/dev/null", "is no plain file"),
+        ("--out", "link.csv", "is a symbolic link"),
+        ("--plot", "link.csv", "is a symbolic link"),
+        ("--certificate", "/dev/full", "is no plain file"),
+        ("--out", "folder", "is no plain file"),
+        ("--out", "scene.toml", "is read by this audit"),
+        ("--out", "./log.csv", "is read by this audit"),
+    ] {
+        let run = dir.run(&["audit", "log.csv", "--scene", "scene.toml", option, file]);
+        assert_eq!(run.code, 2, "{file}: {}", run.stdout);
+        assert!(run.stderr.contains(says), "{file}: {}", run.stderr);
+    }
+    let simulate = ["simulate", "scene.toml", "--speed", "1", "--intervals", "3"];
+    let sweep = [
+        "sweep",
+        "scene.toml",
+        "--beta",
+        "1",
+        "--sigma",
+        "1",
+        "--speed",
+        "1",
+        "--intervals",
+        "3",
+    ];
+    for (verb, args) in [("simulation", &simulate[..]), ("sweep", &sweep[..])] {
+        for (file, says) in [
+            ("/dev/null", "is no plain file"),
+            ("link.csv", "is a symbolic link"),
+            ("scene.toml", &format!("is read by this {verb}")),
+        ] {
+            let run = dir.run(&[args, &["--out", file]].concat());
+            assert_eq!(run.code, 2, "{verb} {file}: {}", run.stdout);
+            assert!(run.stderr.contains(says), "{verb} {file}: {}", run.stderr);
+        }
+    }
+    assert_eq!(
+        std::fs::read_to_string(dir.path("other.txt")).unwrap(),
+        "kept"
+    );
+    assert_eq!(
+        std::fs::read_to_string(dir.path("scene.toml")).unwrap(),
+        SCENE
+    );
+    assert!(
+        std::fs::metadata("/dev/null")
+            .unwrap()
+            .file_type()
+            .is_char_device()
+    );
+}
+
+#[test]
+fn threads_are_bounded() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    dir.write("log.csv", "count\n0\n1\n0\n");
+    for (threads, code) in [("1", 0), ("1024", 0), ("1025", 2), ("65536", 2), ("-1", 2)] {
+        let run = dir.run(&[
+            "audit",
+            "log.csv",
+            "--scene",
+            "scene.toml",
+            &format!("--threads={threads}"),
+        ]);
+        assert_eq!(
+            run.code.min(2),
+            code,
+            "{threads}: {}{}",
+            run.stdout,
+            run.stderr
+        );
+    }
+}
