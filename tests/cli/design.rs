@@ -3,6 +3,8 @@
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::process::{Command, Stdio};
 
+use serde_json::Value;
+
 use crate::harness::Dir;
 
 const RE35: &str = r#"
@@ -281,4 +283,112 @@ fn diagnostics_keep_to_ascii_and_to_no_colour_where_that_is_asked_for() {
     }
     let text = stderr(&[("LANG", "en_US.UTF-8")]);
     assert!(text.contains('╭') && !text.contains('\u{1b}'), "{text}");
+}
+
+/// Whether a document has every key that its schema asks for and none that it does not know; pushes
+/// where it has not.
+fn differs(schema: &Value, root: &Value, document: &Value, place: &str, found: &mut Vec<String>) {
+    if let Some(name) = schema["$ref"].as_str() {
+        let name = name.trim_start_matches("#/$defs/");
+        return differs(&root["$defs"][name], root, document, place, found);
+    }
+    if let Some(choices) = schema["anyOf"].as_array() {
+        let other = choices.iter().find(|choice| choice["type"] != "null");
+        if !document.is_null() {
+            differs(other.expect("a type"), root, document, place, found);
+        }
+        return;
+    }
+    match document {
+        Value::Object(fields) => {
+            let properties = schema["properties"].as_object();
+            let Some(properties) = properties else { return };
+            for key in fields.keys().filter(|key| !properties.contains_key(*key)) {
+                found.push(format!("{place}.{key} is not in the schema"));
+            }
+            for key in schema["required"].as_array().into_iter().flatten() {
+                if !fields.contains_key(key.as_str().expect("a key")) {
+                    found.push(format!("{place}.{key} is missing"));
+                }
+            }
+            for (key, value) in fields {
+                differs(
+                    &properties[key],
+                    root,
+                    value,
+                    &format!("{place}.{key}"),
+                    found,
+                );
+            }
+        }
+        Value::Array(items) => {
+            for (i, item) in items.iter().enumerate() {
+                differs(
+                    &schema["items"],
+                    root,
+                    item,
+                    &format!("{place}[{i}]"),
+                    found,
+                );
+            }
+        }
+        Value::String(text) => {
+            let known = schema["oneOf"].as_array();
+            let known = known.map(|k| k.iter().map(|one| &one["const"]).collect::<Vec<_>>());
+            if known.is_some_and(|known| !known.contains(&document)) {
+                found.push(format!("{place}: `{text}` is not one of the schema's"));
+            }
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn answers_are_as_their_schemas_say() {
+    let dir = Dir::new();
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    let path = |name: &str| folder.join(name).to_str().expect("UTF-8").to_owned();
+    let re35 = path("re35.toml");
+    let unstable = path("re35-unstable.toml");
+    let straddling = path("tolerance-straddling.toml");
+    let json = ["--format", "json"];
+    for (name, args) in [
+        (
+            "check",
+            vec!["check", &re35, &unstable, &straddling, json[0], json[1]],
+        ),
+        ("explain", vec!["explain", &unstable, json[0], json[1]]),
+        ("design", vec!["design", &re35, json[0], json[1]]),
+        ("export", vec!["export", &re35, "--for", "json"]),
+        (
+            "simulate",
+            vec!["simulate", &re35, "--speed", "2", json[0], json[1]],
+        ),
+        (
+            "simulate",
+            vec![
+                "simulate",
+                &re35,
+                "--speed",
+                "2",
+                "--method",
+                "enclosure",
+                json[0],
+                json[1],
+            ],
+        ),
+        (
+            "sweep",
+            vec![
+                "sweep", &re35, "--beta", "0:1:2", "--sigma", "0:1:2", "--speed", "1", "--out",
+                "grid.csv", json[0], json[1],
+            ],
+        ),
+    ] {
+        let schema = dir.run(&["schema", name]).json();
+        let run = dir.run(&args);
+        let mut found = Vec::new();
+        differs(&schema, &schema, &run.json(), name, &mut found);
+        assert!(found.is_empty(), "{found:#?}");
+    }
 }

@@ -97,6 +97,55 @@ pub fn write_optional_rational<S: Serializer>(
     x.as_ref().map(ToString::to_string).serialize(serializer)
 }
 
+/// How exact numbers look in JSON, for schemas.
+pub mod shape {
+    use schemars::JsonSchema;
+
+    /// A rational in lowest terms, such as `3/8`, `-2` or `0`.
+    #[derive(JsonSchema)]
+    #[schemars(transparent)]
+    pub struct Rational(#[schemars(regex(pattern = r"^-?[0-9]+(/[0-9]+)?$"))] pub String);
+
+    /// All numbers from `lo` to `hi`.
+    #[derive(JsonSchema)]
+    pub struct Interval {
+        /// The lower end.
+        pub lo: Rational,
+        /// The upper end.
+        pub hi: Rational,
+        /// The double nearest to the middle; null past the doubles.
+        pub approx: Option<f64>,
+    }
+
+    /// What is known of a statement.
+    #[derive(JsonSchema)]
+    #[schemars(rename_all = "snake_case")]
+    pub enum Truth {
+        /// It holds.
+        Holds,
+        /// It does not.
+        Fails,
+        /// It depends on the tolerances.
+        Depends,
+    }
+
+    /// A region of the (β, σ) plane.
+    #[derive(JsonSchema)]
+    #[schemars(rename_all = "snake_case")]
+    pub enum Region {
+        /// The criterion holds at every speed.
+        GloballyStable,
+        /// It holds up to the critical speed.
+        LocallyStable,
+        /// It fails below the critical speed.
+        LimitCycles,
+        /// It holds at no speed.
+        Unstable,
+        /// It depends on the tolerances.
+        Depends,
+    }
+}
+
 /// Reads a rational: a string such as `"3/8"` or `"3.75e-1"`, or a JSON number, which is taken as
 /// the decimal it spells and not as a double.
 ///

@@ -4,13 +4,15 @@
 //! chatter at a tick's edge, (½ − σ)/μ for σ → 0, so it calls most limit cycles converged. The
 //! exact words are only said when they are certain.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The paper's threshold, in ticks per sample.
 pub(crate) const PAPER_THRESHOLD: f64 = 0.01;
 
 /// The outcome by the paper's detector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, JsonSchema)]
+#[schemars(rename_all = "snake_case")]
 pub enum PaperOutcome {
     /// |ξ̇| < 0.01 at the end.
     Converged,
@@ -21,7 +23,8 @@ pub enum PaperOutcome {
 }
 
 /// The outcome as far as it is certain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, JsonSchema)]
+#[schemars(rename_all = "snake_case")]
 pub enum ExactOutcome {
     /// ξ̇ = 0 and |u| ≤ σ, for ever.
     AtRest,
@@ -34,7 +37,7 @@ pub enum ExactOutcome {
 }
 
 /// What became of a run, and why.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Outcome {
     /// By the paper's detector.
     pub paper: PaperOutcome,

@@ -3,6 +3,7 @@
 //!
 //! JSON has no infinities: a figure without a finite value is an error.
 
+use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use crate::accuracy::{Measured, Table};
@@ -14,7 +15,7 @@ use crate::simulated::{Detail, Simulated};
 use crate::sweep::{Grid, Row};
 
 /// `simulate --format json`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Simulation {
     /// The scene's name.
     pub scene: String,
@@ -40,7 +41,7 @@ pub struct Simulation {
 }
 
 /// The state at the end of a simulation, in ticks and ticks per sample.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct State {
     /// ξ.
     pub xi: f64,
@@ -58,7 +59,7 @@ pub struct State {
 }
 
 /// ξ and ξ̇ as texts.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Text {
     /// ξ.
     pub xi: String,
@@ -67,7 +68,7 @@ pub struct Text {
 }
 
 /// Enclosures of ξ and ξ̇.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Enclosure {
     /// Of ξ.
     pub xi: Ends,
@@ -78,7 +79,7 @@ pub struct Enclosure {
 }
 
 /// The ends of an enclosure.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Ends {
     /// The lower end.
     pub lo: f64,
@@ -87,7 +88,7 @@ pub struct Ends {
 }
 
 /// Energies over a run, in KΔ².
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Sums {
     /// Σ E_gᴸ.
     pub generated_linear: f64,
@@ -187,7 +188,7 @@ impl State {
 }
 
 /// `sweep --format json`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Sweep {
     /// The scene's name.
     pub scene: String,
@@ -206,7 +207,7 @@ pub struct Sweep {
 }
 
 /// Points by their outcome, as far as it is certain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ExactCounts {
     /// At rest for ever.
     pub at_rest: usize,
@@ -219,7 +220,7 @@ pub struct ExactCounts {
 }
 
 /// Points by their outcome by the paper's detector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct PaperCounts {
     /// |ξ̇| < 0.01 at the end.
     pub converged: usize,
@@ -265,7 +266,7 @@ impl Sweep {
 }
 
 /// `accuracy --format json`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Accuracy {
     /// The scene's name.
     pub scene: String,
@@ -280,7 +281,7 @@ pub struct Accuracy {
 }
 
 /// How wrong a method is, and how long an interval takes.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct AccuracyRow {
     /// The method with its parameter.
     pub method: String,
@@ -301,7 +302,7 @@ pub struct AccuracyRow {
 }
 
 /// A method that cannot do a scene.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct LeftOut {
     /// The method with its parameter.
     pub method: String,

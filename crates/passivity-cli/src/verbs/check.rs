@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::{Duration, SystemTime};
 
 use passivity_scene::check::{Report, Verdict, check};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::exit::{Exit, Failure};
@@ -36,13 +37,15 @@ pub(crate) struct Args {
 }
 
 /// What `check --format json` prints.
-#[derive(Serialize)]
-struct Document {
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Check")]
+pub(crate) struct Document {
     /// The version of this program.
     version: &'static str,
     scenes: Vec<Report>,
     /// What is wrong with the files that could not be read; left out when all could.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(default)]
     errors: Vec<serde_json::Value>,
 }
 

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use passivity_scene::explain::{Explanation, explain};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::exit::{Exit, Failure};
@@ -30,8 +31,9 @@ pub(crate) struct Args {
 }
 
 /// What `explain --format json` prints.
-#[derive(Serialize)]
-struct Document {
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Explain")]
+pub(crate) struct Document {
     #[serde(flatten)]
     explanation: Explanation,
     /// What `simulate` computes in each interval, a line for each step.

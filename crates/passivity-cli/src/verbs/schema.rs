@@ -1,19 +1,65 @@
-//! `passivity schema`: the JSON Schema of scene files.
+//! `passivity schema`: the JSON Schemas of scene files and of what the commands answer.
+
+use passivity_scene::check::{Constants, Design};
+use serde_json::Value;
 
 use crate::exit::{Exit, Failure};
 use crate::output::emit_json;
+use crate::verbs;
 
-/// Print the JSON Schema of scene files, for editors.
+/// Print the JSON Schema of scene files, for editors, or of what a command answers as JSON.
 ///
 /// A scene file that begins with the line `#:schema scene.schema.json` gets completion, descriptions and
 /// marks under mistakes in editors with Taplo or \"Even Better TOML\".
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example:
-  passivity schema > scene.schema.json")]
-pub(crate) struct Args {}
+#[command(after_help = "Examples:
+  passivity schema > scene.schema.json
+  passivity schema check > check.schema.json")]
+pub(crate) struct Args {
+    /// What the schema is of.
+    #[arg(value_enum, default_value_t)]
+    of: Of,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+enum Of {
+    /// Scene files.
+    #[default]
+    Scene,
+    /// `check --format json`.
+    Check,
+    /// `explain --format json`.
+    Explain,
+    /// `design --format json`.
+    Design,
+    /// `export --for json`.
+    Export,
+    /// `simulate --format json`.
+    #[cfg(feature = "simulate")]
+    Simulate,
+    /// `sweep --format json`.
+    #[cfg(feature = "simulate")]
+    Sweep,
+    /// `accuracy --format json`.
+    #[cfg(feature = "simulate")]
+    Accuracy,
+}
 
 /// Prints the schema.
-pub(crate) fn run(_: &Args) -> Result<Exit, Failure> {
-    emit_json(&passivity_scene::parse::schema())?;
+pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    let schema: Value = match args.of {
+        Of::Scene => passivity_scene::parse::schema(),
+        Of::Check => schemars::schema_for!(verbs::check::Document).into(),
+        Of::Explain => schemars::schema_for!(verbs::explain::Document).into(),
+        Of::Design => schemars::schema_for!(Design).into(),
+        Of::Export => schemars::schema_for!(Constants).into(),
+        #[cfg(feature = "simulate")]
+        Of::Simulate => schemars::schema_for!(passivity_sim::report::Simulation).into(),
+        #[cfg(feature = "simulate")]
+        Of::Sweep => schemars::schema_for!(passivity_sim::report::Sweep).into(),
+        #[cfg(feature = "simulate")]
+        Of::Accuracy => schemars::schema_for!(passivity_sim::report::Accuracy).into(),
+    };
+    emit_json(&schema)?;
     Ok(Exit::Holds)
 }

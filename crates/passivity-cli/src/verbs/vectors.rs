@@ -69,7 +69,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     } else {
         for group in &groups {
             emit(&format!(
-                "{:>6} {:<12}{}",
+                "{:>6} {:<16}{}",
                 group.tests.len(),
                 group.name,
                 group.header

@@ -3,6 +3,7 @@
 
 use passivity_core::verdict::{End, Speeds};
 use passivity_core::{BigRational, Cost, Enclosed, Interval, Loop, pi};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::decide::Verdict;
@@ -16,7 +17,7 @@ use crate::scene::Motion;
 use crate::written::{Form, Written};
 
 /// Which friction decides whether the criterion holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Binds {
     /// Viscous friction, against what fast motions generate.
@@ -28,7 +29,7 @@ pub enum Binds {
 }
 
 /// The part of the friction asked for that one effect asks for.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Share {
     /// The effect, in a word or two.
     pub of: &'static str,
@@ -37,17 +38,18 @@ pub struct Share {
 }
 
 /// A bound on the speed up to which the wall is passive.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SpeedToSet {
     /// What to type as `operator.max_speed`, with the unit.
     pub typed: String,
     /// The same in m/s or rad/s, or ticks a sample in a dimensionless scene.
     #[serde(serialize_with = "write_rational")]
+    #[schemars(with = "crate::json::shape::Rational")]
     pub value: BigRational,
 }
 
 /// A change of one parameter that is enough alone.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Change {
     /// Which of the limits it is.
     pub limit: usize,
@@ -56,7 +58,7 @@ pub struct Change {
 }
 
 /// What uses up the friction, and what to change.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Advice {
     /// The friction that decides.
     pub binds: Binds,
@@ -269,7 +271,7 @@ impl Report {
         };
         let used = match advice.used {
             Some(used) => format!("{} of what the device has is asked for", percent_up(used)),
-            None => "the device surely has none, and it is asked for".to_owned(),
+            None => "the scene gives none that is sure, and it is asked for".to_owned(),
         };
         let share = |share: &Share| format!("{} {}", share.of, percent(share.share));
         let shares: Vec<String> = advice.shares.iter().map(share).collect();

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use passivity_core::verdict::{End, Speeds};
 use passivity_core::{BigRational, Enclosed, Interval, Loop, Parameter, Wide};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::limits::{self, Limit};
@@ -25,7 +26,7 @@ pub enum Target {
 }
 
 /// The constants of a scene: each number is a double on the safe side of what was proved.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Constants {
     /// The scene's name.
     pub scene: String,

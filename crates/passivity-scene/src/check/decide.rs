@@ -10,12 +10,13 @@ use passivity_core::{
     BigRational, Cycle, Enclosed, Friction, Interval, Loop, Ordered, Parameter, Truth, quantizer,
     witness,
 };
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::scene::Scene;
 
 /// What a scene's wall is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// The criterion holds at every speed, or at every speed up to the scene's bound.

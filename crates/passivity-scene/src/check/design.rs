@@ -3,6 +3,7 @@
 use num_traits::{Signed as _, ToPrimitive as _};
 use passivity_core::verdict::Speeds;
 use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Parameter, Wide};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::limits::{self, Limit};
@@ -14,7 +15,7 @@ use crate::scene::{Given, Scene};
 use crate::written::Form;
 
 /// A value of the sampling period or the encoder's resolution.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Setting {
     /// How the scene file would write it, with its unit.
     pub text: String,
@@ -25,19 +26,20 @@ pub struct Setting {
 }
 
 /// The stiffest wall at a rate and an encoder.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Stiffest {
     /// As the scene file would write it, without the unit: typed there, it passes.
     pub typed: String,
     /// The same in N/m or N·m/rad.
     #[serde(serialize_with = "write_rational")]
+    #[schemars(with = "crate::json::shape::Rational")]
     pub si: BigRational,
     /// Whether it is as stiff as the scene's own wall, or stiffer.
     pub is_enough: bool,
 }
 
 /// The stiffest wall for each of some rates and each of some encoders.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Design {
     /// The scene's name.
     pub scene: String,

@@ -6,6 +6,7 @@ use num_traits::Signed as _;
 use passivity_core::parameter::Hurts;
 use passivity_core::verdict::{End, Speeds};
 use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Parameter, Truth, stiffness};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::figure;
@@ -15,7 +16,7 @@ use crate::scene::Scene;
 use crate::written::{Form, Written};
 
 /// On which side of a limit the criterion holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Side {
     /// At the limit and above it: friction.

@@ -4,13 +4,14 @@ use passivity_core::verdict::Speeds;
 use passivity_core::{
     BigRational, Effect, Enclosed, Interval, Loop, Parameter, Region, Scalar, Truth, Wide,
 };
+use schemars::JsonSchema;
 use serde::Serialize;
-use serde::ser::{SerializeStruct as _, Serializer};
+use serde::Serializer;
 
 use super::advice::{self, Advice};
 use super::decide::{self, Verdict};
 use super::figures::Figures;
-use super::limits::{self, Limit};
+use super::limits::{self, Limit, Side};
 use super::text::speed_unit;
 use super::unforced::{self, StartSpeed, Unforced};
 use super::witness::{Witness, witness};
@@ -20,33 +21,37 @@ use crate::scene::{Motion, Scene};
 use crate::written::Written;
 
 /// What the effects of a scene ask of β and σ.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Costs {
     /// Of effective viscous friction: ½ + k + B, or λ or κ where the effects act together.
     #[serde(serialize_with = "interval")]
+    #[schemars(with = "crate::json::shape::Interval")]
     pub viscous: Interval<BigRational>,
     /// Of effective Coulomb friction: ½(‖c‖₁ + δ), with ½‖c‖₁ = ½ + B of damping; without an encoder
     /// ½δ.
     #[serde(serialize_with = "interval")]
+    #[schemars(with = "crate::json::shape::Interval")]
     pub coulomb: Interval<BigRational>,
 }
 
 /// What friction has to spare beyond the cost of the effects: at every speed the criterion holds
 /// exactly when neither is negative.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Spare {
     /// β less its cost.
     #[serde(serialize_with = "interval")]
+    #[schemars(with = "crate::json::shape::Interval")]
     pub viscous: Interval<BigRational>,
     /// σ less its cost.
     #[serde(serialize_with = "interval")]
+    #[schemars(with = "crate::json::shape::Interval")]
     pub coulomb: Interval<BigRational>,
 }
 
 /// What a check found out about a scene.
 ///
 /// Serialised it is one of the `scenes` of `check --format json`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Report {
     /// The scene's name.
     pub scene: String,
@@ -61,6 +66,7 @@ pub struct Report {
     pub stiffness_written: Written,
     /// The region of the (β, σ) plane; `None` when it depends on tolerances.
     #[serde(serialize_with = "region")]
+    #[schemars(with = "crate::json::shape::Region")]
     pub region: Option<Region>,
     /// The verdict, about any operator.
     pub verdict: Verdict,
@@ -70,20 +76,25 @@ pub struct Report {
     pub because: Vec<&'static str>,
     /// The effects in the scene.
     #[serde(serialize_with = "effects")]
+    #[schemars(with = "Vec<String>")]
     pub effects: Vec<Effect>,
     /// How values of the file were taken, where a reader could have taken them otherwise.
     pub remarks: Vec<String>,
     /// The effects that no theorem covers.
     #[serde(serialize_with = "effects")]
+    #[schemars(with = "Vec<String>")]
     pub not_covered: Vec<Effect>,
     /// μ, when the scene has an inertia.
     #[serde(serialize_with = "optional_interval")]
+    #[schemars(with = "Option<crate::json::shape::Interval>")]
     pub mu: Option<Interval<BigRational>>,
     /// β; 0 without viscous friction.
     #[serde(serialize_with = "interval")]
+    #[schemars(with = "crate::json::shape::Interval")]
     pub beta: Interval<BigRational>,
     /// σ; 0 without Coulomb friction, `None` without an encoder.
     #[serde(serialize_with = "optional_interval")]
+    #[schemars(with = "Option<crate::json::shape::Interval>")]
     pub sigma: Option<Interval<BigRational>>,
     /// What the effects ask of β and σ.
     pub cost: Costs,
@@ -91,40 +102,51 @@ pub struct Report {
     pub spare: Spare,
     /// Where the criterion meets equality, in ticks per sample; `None` when no single speed does.
     #[serde(serialize_with = "optional_interval")]
+    #[schemars(with = "Option<crate::json::shape::Interval>")]
     pub critical_speed: Option<Interval<BigRational>>,
     /// The same in m/s or rad/s; `None` for a dimensionless scene.
     #[serde(serialize_with = "optional_interval")]
+    #[schemars(with = "Option<crate::json::shape::Interval>")]
     pub critical_speed_si: Option<Interval<BigRational>>,
     /// V of `operator.max_speed`, up to which the verdict is asked, in ticks per sample.
     #[serde(serialize_with = "optional_interval")]
+    #[schemars(with = "Option<crate::json::shape::Interval>")]
     pub speed_bound: Option<Interval<BigRational>>,
     /// V in SI units; `None` for a dimensionless scene.
     #[serde(serialize_with = "optional_interval")]
+    #[schemars(with = "Option<crate::json::shape::Interval>")]
     pub speed_bound_si: Option<Interval<BigRational>>,
     /// The margin of (8) at V, (β − ½) + (σ − ½)/V with the costs of the effects.
     #[serde(serialize_with = "optional_interval")]
+    #[schemars(with = "Option<crate::json::shape::Interval>")]
     pub margin_at_speed_bound: Option<Interval<BigRational>>,
     /// The stiffest wall at every speed, SI; 0 when there is none.
     #[serde(serialize_with = "optional_interval")]
+    #[schemars(with = "Option<crate::json::shape::Interval>")]
     pub max_stiffness_all_speeds: Option<Interval<BigRational>>,
     /// The stiffest wall at every speed up to V, SI.
     #[serde(serialize_with = "optional_interval")]
+    #[schemars(with = "Option<crate::json::shape::Interval>")]
     pub max_stiffness_at_speed_bound: Option<Interval<BigRational>>,
     /// Colgate's b ≥ KT/2 + B, for comparison: no quantization, no Coulomb friction. `None` where it
     /// does not apply: with a delay, a latency, filtered damping, a controller or an amplifier.
     #[serde(serialize_with = "truth")]
+    #[schemars(with = "Option<crate::json::shape::Truth>")]
     pub colgate: Option<Truth>,
     /// Abbott and Okamura's K ≤ min(2b/T, 2c/Δ), for comparison. `None` like `colgate`.
     #[serde(serialize_with = "truth")]
+    #[schemars(with = "Option<crate::json::shape::Truth>")]
     pub abbott_okamura: Option<Truth>,
     /// A cycle that draws energy, where the verdict is that the wall is not passive.
     pub witness: Option<Witness>,
     /// What holds of the device left alone at the scene's start; `None` without one, or when its
     /// speed needs an inertia that is not given.
+    #[schemars(with = "Option<UnforcedShape<'static>>")]
     pub unforced: Option<Unforced>,
     /// The keys of the parameters whose tolerance decides, when the verdict depends.
     pub decided_by: Vec<&'static str>,
     /// How far each parameter can go, or has to go, at the speeds that the headline speaks of.
+    #[schemars(with = "Vec<LimitShape<'static>>")]
     pub limits: Vec<Limit>,
     /// What uses up the friction, and what to change.
     pub advice: Advice,
@@ -343,34 +365,73 @@ fn truth<S: Serializer>(truth: &Option<Truth>, serializer: S) -> Result<S::Ok, S
     truth.map(Truth::name).serialize(serializer)
 }
 
+/// What holds of the device left alone, as it is written.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Unforced")]
+struct UnforcedShape<'a> {
+    /// Null where it is not shown.
+    holds: Option<bool>,
+    /// The speed of the start, in ticks per sample.
+    #[serde(serialize_with = "interval")]
+    #[schemars(with = "crate::json::shape::Interval")]
+    speed: &'a Interval<BigRational>,
+    /// The same in m/s or rad/s.
+    #[serde(serialize_with = "optional_interval")]
+    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    speed_si: &'a Option<Interval<BigRational>>,
+    /// What it assumes of the controller's memory.
+    assumes: &'static str,
+}
+
 impl Serialize for Unforced {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        // `true`, `false`, and null where it depends.
-        let holds = match self.holds {
-            Truth::Holds => Some(true),
-            Truth::Fails => Some(false),
-            Truth::Depends => None,
+        let shape = UnforcedShape {
+            holds: match self.holds {
+                Truth::Holds => Some(true),
+                Truth::Fails => Some(false),
+                Truth::Depends => None,
+            },
+            speed: &self.speed,
+            speed_si: &self.speed_si,
+            assumes: super::unforced::ASSUMES,
         };
-        let speed_si = self.speed_si.as_ref().map(crate::json::interval);
-        let mut object = serializer.serialize_struct("Unforced", 4)?;
-        object.serialize_field("holds", &holds)?;
-        object.serialize_field("speed", &crate::json::interval(&self.speed))?;
-        object.serialize_field("speed_si", &speed_si)?;
-        object.serialize_field("assumes", super::unforced::ASSUMES)?;
-        object.end()
+        shape.serialize(serializer)
     }
+}
+
+/// A limit, as it is written.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Limit")]
+struct LimitShape<'a> {
+    /// The key of the parameter in a scene file.
+    parameter: &'static str,
+    /// What it is now.
+    #[serde(serialize_with = "interval")]
+    #[schemars(with = "crate::json::shape::Interval")]
+    now: &'a Interval<BigRational>,
+    /// Where the criterion is met with equality.
+    #[serde(serialize_with = "interval")]
+    #[schemars(with = "crate::json::shape::Interval")]
+    border: &'a Interval<BigRational>,
+    /// On which side of the border the criterion holds.
+    holds: Side,
+    /// Whether this parameter alone is enough.
+    suffices: bool,
+    /// The border in SI, rounded to the safe side; null where it is not enough alone.
+    printed: &'a Option<String>,
 }
 
 impl Serialize for Limit {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut object = serializer.serialize_struct("Limit", 6)?;
-        object.serialize_field("parameter", self.parameter.row().key)?;
-        object.serialize_field("now", &crate::json::interval(&self.now))?;
-        object.serialize_field("border", &crate::json::interval(&self.border))?;
-        object.serialize_field("holds", &self.side)?;
-        object.serialize_field("suffices", &self.suffices)?;
-        object.serialize_field("printed", &self.printed)?;
-        object.end()
+        let shape = LimitShape {
+            parameter: self.parameter.row().key,
+            now: &self.now,
+            border: &self.border,
+            holds: self.side,
+            suffices: self.suffices,
+            printed: &self.printed,
+        };
+        shape.serialize(serializer)
     }
 }
 

@@ -7,6 +7,7 @@ mod theorems;
 use std::fmt::Write as _;
 
 use passivity_core::{Effect, Parameter};
+use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use crate::check::{Report, Verdict, check};
@@ -48,7 +49,7 @@ pub enum Step {
 }
 
 /// One line of the derivation: an equation of the paper or a claim, in general and in numbers.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Line {
     /// What the line says.
     #[serde(skip)]
@@ -71,7 +72,7 @@ pub struct GivenText {
 }
 
 /// A theorem and what it says.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Theorem {
     /// Its id in the table of claims.
     pub id: &'static str,
@@ -82,18 +83,21 @@ pub struct Theorem {
 /// What `passivity explain` shows.
 ///
 /// Serialised it is the JSON of `explain --format json`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Explanation {
     /// The scene's name.
     pub scene: String,
     /// The effects in the scene.
     #[serde(rename = "effects", serialize_with = "names")]
+    #[schemars(with = "Vec<String>")]
     pub present: Vec<Effect>,
     /// The effects that are not: nothing is computed for them.
     #[serde(serialize_with = "names")]
+    #[schemars(with = "Vec<String>")]
     pub absent: Vec<Effect>,
     /// The parameters as they were given, with their keys.
     #[serde(serialize_with = "given_texts")]
+    #[schemars(with = "std::collections::BTreeMap<String, String>")]
     pub given: Vec<GivenText>,
     /// The derivation, from the units to the verdict.
     #[serde(rename = "derivation")]
