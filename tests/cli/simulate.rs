@@ -187,11 +187,13 @@ fn pictures_name_their_axes() {
     assert_eq!(run.code, 1, "{}", run.stderr);
     let svg = std::fs::read_to_string(dir.path("motion.svg")).expect("a picture");
     for word in [
-        "position ξ (ticks)",
-        "velocity ξ̇",
-        "energy so far",
-        "phase plane",
-        "dissipated",
+        "position (ticks)",
+        "velocity (ticks/sample)",
+        "held force (KΔ)",
+        "energy (KΔ²)",
+        "generated in each interval (linear spring)",
+        "dissipated in each interval",
+        "time (sampling periods)",
     ] {
         assert!(svg.contains(word), "{word}");
     }
@@ -199,6 +201,64 @@ fn pictures_name_their_axes() {
     assert_eq!(run.code, 1, "{}", run.stderr);
     let png = std::fs::read(dir.path("motion.png")).expect("a picture");
     assert!(png.starts_with(b"\x89PNG\r\n\x1a\n") && png.len() > 10_000);
+}
+
+#[test]
+fn a_picture_is_in_the_units_of_the_scene_with_ticks_beside_them() {
+    let dir = Dir::new();
+    let arm = "[device]\nmass = \"75 g\"\ncoulomb = \"0.04 N\"\n[sampling]\nrate = \"1 kHz\"\n[encoder]\n\
+               resolution = \"0.03 mm\"\n[wall]\nstiffness = \"1 N/mm\"\nunilateral = true\n[start]\n\
+               velocity = \"40 mm/s\"\n[run]\nintervals = 40\n";
+    let arm = dir.write("arm.toml", arm);
+    let args = [
+        "simulate",
+        &arm,
+        "--plot",
+        "motion.svg",
+        "--plot-from",
+        "5",
+        "--plot-until",
+        "25",
+    ];
+    let run = dir.run(&args);
+    assert!(run.code < 2, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("motion.svg")).expect("a picture");
+    for word in [
+        "position (mm)",
+        "velocity (mm/s)",
+        "held force (N)",
+        "energy (µJ)",
+        "time (ms)",
+        ">ticks<",
+        ">ticks/sample<",
+        ">KΔ²<",
+        "generated in each interval",
+    ] {
+        assert!(svg.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn a_picture_that_cannot_be_written_is_refused_before_the_run() {
+    let dir = Dir::new();
+    let scene = cycling(&dir);
+    for (name, expected) in [
+        ("no/such/motion.svg", "no/such/motion.svg"),
+        ("motion.bmp", "expected a name that ends in .svg or .png"),
+    ] {
+        // A run of this many intervals would take minutes.
+        let run = dir.run(&[
+            "simulate",
+            &scene,
+            "--intervals",
+            "1000000000",
+            "--plot",
+            name,
+        ]);
+        assert_eq!(run.code, 2);
+        assert!(run.stderr.contains(expected), "{}", run.stderr);
+    }
+    assert!(!dir.path("motion.bmp").exists());
 }
 
 #[test]

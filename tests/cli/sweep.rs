@@ -186,3 +186,136 @@ fn the_critical_lines_are_those_of_the_scene_with_its_effects() {
     // Too short a run to be sure of anything.
     assert!(drawn(&write("short.toml", ""), "1").contains("crosses: undecided"));
 }
+
+const ARM: &str = "[device]\nmass = \"75 g\"\nviscous = \"0.5 N s/m\"\ncoulomb = \"0.04 N\"\n[sampling]\n\
+                   rate = \"1 kHz\"\n[encoder]\nresolution = \"0.03 mm\"\n[wall]\nstiffness = \"1 N/mm\"\n\
+                   [operator]\nmax_speed = \"40 mm/s\"\n[start]\nvelocity = \"300 mm/s\"\n[run]\nintervals = 400\n";
+
+#[test]
+fn any_parameters_of_the_scene_can_be_varied() {
+    let dir = Dir::new();
+    let arm = dir.write("arm.toml", ARM);
+    let mut args = vec![
+        "sweep",
+        &arm,
+        "--vary",
+        "stiffness=500:3500:4 N/m",
+        "--vary",
+        "wall.damping=0,0.2 N s/m",
+        "--vary",
+        "rate = 1/2,1 kHz",
+        "--format",
+        "json",
+        "--out",
+        "grid.csv",
+        "--plot",
+        "grid.svg",
+    ];
+    let run = dir.run(&args);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert_eq!(run.json()["points"], 16);
+    let table = std::fs::read_to_string(dir.path("grid.csv")).expect("a table");
+    let mut lines = table.lines();
+    assert_eq!(
+        lines.next(),
+        Some("stiffness [N/m],damping [N s/m],rate [kHz],paper,exact,at_interval,xi,velocity")
+    );
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 16);
+    // Each point is the scene with the numbers typed in.
+    for row in &rows {
+        let [stiffness, damping, rate] = [row[0], row[1], row[2]];
+        let damped = format!("\"{stiffness} N/m\"\ndamping = \"{damping} N s/m\"");
+        let typed = ARM
+            .replace("\"1 N/mm\"", &damped)
+            .replace("\"1 kHz\"", &format!("\"{rate} kHz\""));
+        let typed = dir.write("typed.toml", typed);
+        let document = dir.run(&["simulate", &typed, "--format", "json"]).json();
+        assert_eq!(document["outcome"]["exact"], row[4], "{row:?}");
+        let near = |name: &str, cell: &str| {
+            let (a, b) = (document["final"][name].as_f64(), cell.parse::<f64>().ok());
+            let (a, b) = (a.expect("a number"), b.expect("a number"));
+            (a - b).abs() <= 1e-9 * (1.0 + b.abs())
+        };
+        assert!(near("xi", row[6]) && near("velocity", row[7]), "{row:?}");
+    }
+    let svg = std::fs::read_to_string(dir.path("grid.svg")).expect("a picture");
+    for word in [
+        "stiffness K (N/m)",
+        "virtual damping B (N s/m)",
+        "rate = 0.5 kHz",
+        "comes to rest",
+        "border of the criterion: at every speed",
+        "up to operator.max_speed",
+    ] {
+        assert!(svg.contains(word), "{word}");
+    }
+    // Taken up again there is nothing to do, and a Parquet file has the same columns.
+    args.push("--resume");
+    assert_eq!(dir.run(&args).json()["simulated"], 0);
+    let args: Vec<&str> = args
+        .iter()
+        .map(|arg| {
+            if *arg == "grid.csv" {
+                "grid.parquet"
+            } else {
+                *arg
+            }
+        })
+        .collect();
+    assert_eq!(dir.run(&args).json()["simulated"], 16);
+    assert_eq!(dir.run(&args).json()["simulated"], 0);
+}
+
+#[test]
+fn mistakes_in_what_is_varied_are_said() {
+    let dir = Dir::new();
+    let arm = dir.write("arm.toml", ARM);
+    for (vary, expected) in [
+        (
+            &["stiffness"][..],
+            "--vary `stiffness`: expected a key, a range and a unit, as in stiffness=0.1:2:41 N m/rad",
+        ),
+        (
+            &["stiffness=1:2:3"],
+            "expected a unit after the range, as in 1:2:3 N/mm",
+        ),
+        (&["stiffness=1:2:3 N"], "the unit is that of a force"),
+        (
+            &["stifness=1:2:3 N/m"],
+            "expected a parameter: one of stiffness",
+        ),
+        (
+            &["stiffness=1:2 N/m"],
+            "range `1:2`: expected start:stop:count",
+        ),
+        (
+            &["stiffness=1:2:3 N/m"],
+            "1 parameters to vary: expected two or three",
+        ),
+        (
+            &["stiffness=0:2:3 N/m", "rate=1 kHz"],
+            "`stiffness` = 0: expected a value above zero",
+        ),
+        (
+            &["stiffness=1 N/m", "max_speed=1 mm/s"],
+            "`max_speed` has no part in the motion",
+        ),
+    ] {
+        let mut args = vec!["sweep", &arm];
+        args.extend(vary.iter().flat_map(|text| ["--vary", text]));
+        let run = dir.run(&args);
+        assert_eq!(run.code, 2, "{vary:?}");
+        assert!(run.stderr.contains(expected), "{vary:?}: {}", run.stderr);
+    }
+    let run = dir.run(&[
+        "sweep",
+        &arm,
+        "--vary",
+        "stiffness=1 N/m",
+        "--beta",
+        "0:1:3",
+    ]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("cannot be used with"), "{}", run.stderr);
+}

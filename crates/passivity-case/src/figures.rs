@@ -8,6 +8,7 @@ use passivity_plot::plane::{self, Mark};
 use passivity_scene::display::range;
 use passivity_scene::{Point, Scene};
 use passivity_sim::plot::motion::{self, Motion};
+use passivity_sim::plot::scales::Scales;
 use passivity_sim::{ExactOutcome, Plan, accuracy, plot, run};
 
 use crate::document::{Block, Figure, Line};
@@ -123,7 +124,7 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
         Ok(plan) => plan,
         Err(error) => return say(format!("No motion is shown: {error}.")),
     };
-    let mut samples = Motion::default();
+    let mut samples = Motion::new(&plan);
     let (end, totals) = run::ledger(&plan, |entry| {
         samples.add(entry);
         true
@@ -139,25 +140,21 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
     };
     let caption = format!(
         "One motion of «{}», {from}, simulated in double precision: it {outcome}. The lowest panel \
-         is the energy ledger: {:.5} KΔ² generated and {:.5} KΔ² dissipated in all; the energy \
+         is the energy ledger, interval by interval: {:.5} KΔ² generated and {:.5} KΔ² dissipated in all; the energy \
          balance (13) is met within {:.1e} KΔ² in every interval. The picture is no part of the proof.",
         study.name(),
         totals.generated_linear,
         totals.dissipated,
         totals.residual_max,
     );
-    match motion::draw(study.name(), samples) {
-        Ok(svg) => vec![Block::Figure(Figure {
-            id: study.anchor("motion"),
-            svg,
-            alt: format!(
-                "Position, velocity and energies over time, and the phase plane. {caption}"
-            ),
-            caption,
-            small: false,
-        })],
-        Err(error) => say(format!("There is no picture of the motion: {error}.")),
-    }
+    let (scene, _) = at_hardest_end(&study.scene);
+    vec![Block::Figure(Figure {
+        id: study.anchor("motion"),
+        svg: motion::draw(study.name(), samples, &Scales::of(&scene)),
+        alt: format!("Position, velocity, held force and energy over time. {caption}"),
+        caption,
+        small: false,
+    })]
 }
 
 /// What accuracy costs in time: measured now, so different at every run.

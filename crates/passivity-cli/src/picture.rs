@@ -1,6 +1,8 @@
 //! The option `--plot`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+
+use crate::exit::Failure;
 
 /// The name of a picture's file; without the feature `plot` there is none to draw it in, and nothing
 /// is done before that is said.
@@ -13,4 +15,19 @@ pub(crate) fn path(text: &str) -> Result<PathBuf, std::convert::Infallible> {
 #[cfg(not(feature = "plot"))]
 pub(crate) fn path(_: &str) -> Result<PathBuf, &'static str> {
     Err("pictures are not in this build: build it with the feature `plot`")
+}
+
+/// Refuses a picture that cannot be written, before any work is done for it.
+#[cfg(feature = "plot")]
+pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
+    match path {
+        Some(path) => passivity_plot::check_name(path).map_err(Failure::input),
+        None => Ok(()),
+    }
+}
+
+/// Nothing to check: a name was refused before.
+#[cfg(not(feature = "plot"))]
+pub(crate) fn check(_: Option<&Path>) -> Result<(), Failure> {
+    Ok(())
 }

@@ -19,7 +19,7 @@ pub struct Frame {
 }
 
 /// About how many pixels are between the labels of an axis.
-const BETWEEN: [f64; 2] = [90.0, 50.0];
+const BETWEEN: [f64; 2] = [90.0, 40.0];
 
 /// The size of a label.
 const SIZE: f64 = 13.0;

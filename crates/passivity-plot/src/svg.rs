@@ -162,17 +162,23 @@ impl Svg {
     /// The picture as text.
     #[must_use]
     pub fn finish(self) -> String {
-        let [width, height] = self.size;
+        let Self {
+            size: [width, height],
+            body,
+        } = self;
+        // Only where it is used: pictures may stand together in one document.
+        let hatching = if body.contains(HATCHED) { HATCHING } else { "" };
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\">\n<defs><pattern id=\"hatched\" width=\"6\" height=\"6\" \
-             patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><rect width=\"6\" \
-             height=\"6\" fill=\"#ffffff\"/><rect width=\"2\" height=\"6\" fill=\"#808080\"/></pattern>\
-             </defs>\n{}</svg>\n",
-            self.body
+             viewBox=\"0 0 {width} {height}\">\n{hatching}{body}</svg>\n"
         )
     }
 }
+
+/// Slanting grey lines.
+const HATCHING: &str = "<defs><pattern id=\"hatched\" width=\"6\" height=\"6\" \
+    patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\"><rect width=\"6\" height=\"6\" \
+    fill=\"#ffffff\"/><rect width=\"2\" height=\"6\" fill=\"#808080\"/></pattern></defs>\n";
 
 impl Anchor {
     const fn name(self) -> &'static str {

@@ -1,6 +1,6 @@
 //! The dimensionless point of a scene (3), (7): what motion and ledger work with.
 
-use passivity_core::{BigRational, Effect, Exact, Loop, Scalar};
+use passivity_core::{BigRational, Effect, Exact, Loop, Parameter, Scalar};
 
 use crate::scene::{Motion, Scene};
 
@@ -57,6 +57,43 @@ impl Point {
             or_zero(&self.at.start_position),
             or_zero(&self.at.start_velocity),
         ]
+    }
+
+    /// The same scene with one parameter at another value, in SI units (in K, T and Δ for a dimensionless
+    /// scene); what the costs of its effects are is not computed anew.
+    #[must_use]
+    pub fn with(&self, parameter: Parameter, si: &BigRational) -> Self {
+        let old = self.in_si();
+        let old_force = old.force_unit();
+        let new = old.with(parameter, si.clone());
+        let force_unit = new.force_unit();
+        let forces = self.forces.as_ref().map(|forces| {
+            let forces = forces.iter().map(|f| f * &old_force / &force_unit);
+            forces.collect()
+        });
+        let varied = (parameter == Parameter::OperatorForce).then(|| vec![si / &force_unit]);
+        Self {
+            forces: varied.or(forces),
+            intervals: self.intervals,
+            units: Units {
+                period: new.period.clone(),
+                length: new.length(),
+                stiffness: new.stiffness.clone(),
+                length_unit: self.units.length_unit,
+            },
+            at: new.dimensionless(),
+        }
+    }
+
+    /// The loop in SI units.
+    fn in_si(&self) -> Loop<BigRational> {
+        let units = &self.units;
+        let measure = Loop {
+            resolution: Some(units.length.clone()),
+            ..Loop::new(units.stiffness.clone(), units.period.clone())
+        };
+        self.at
+            .map(|parameter, x| x * measure.unit(parameter.row().unit))
     }
 
     /// Whether an effect is in the scene.

@@ -39,6 +39,7 @@ pub(crate) struct Args {
 
 /// Measures every method.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    crate::picture::check(args.plot.as_deref())?;
     let scene = read_scene(&args.scene)?;
     let mut point = scene.point();
     if let Some(text) = &args.speed {

@@ -14,6 +14,8 @@ use passivity_scene::point::Units;
 use passivity_scene::{Point, Scene};
 #[cfg(feature = "plot")]
 use passivity_sim::plot::motion::{Motion, draw};
+#[cfg(feature = "plot")]
+use passivity_sim::plot::scales::Scales;
 use passivity_sim::report::Simulation;
 use passivity_sim::trace::Table;
 use passivity_sim::{Detail, ExactOutcome, Line, Method, Plan, Simulated, simulate};
@@ -65,7 +67,10 @@ pub(crate) struct Args {
     /// Draw the motion into this file, as SVG or PNG according to its extension.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
-    /// The number of intervals to draw; by default all.
+    /// The first interval to draw, counted from 0.
+    #[arg(long, value_name = "N", requires = "plot", default_value_t = 0)]
+    plot_from: u64,
+    /// The interval before which the picture ends; by default all are drawn.
     #[arg(long, value_name = "N", requires = "plot")]
     plot_until: Option<u64>,
     /// How to write the result.
@@ -75,6 +80,7 @@ pub(crate) struct Args {
 
 /// Simulates the scene.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    crate::picture::check(args.plot.as_deref())?;
     let scene = read_scene(&args.scene)?;
     for output in [&args.out, &args.plot].into_iter().flatten() {
         may_be_written(output, &[&args.scene], "simulation")?;
@@ -98,7 +104,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     }
     .map_err(of_scene)?;
     let seconds = begin.elapsed().as_secs_f64();
-    watcher.finish(args, &scene.name, run.end.outcome.exact)?;
+    watcher.finish(args, &scene, run.end.outcome.exact)?;
     let timed = (args.timing || args.format == Format::Text).then_some(seconds);
     let report = Simulation::new(&scene.name, &plan, &method, &run, timed).map_err(of_scene)?;
     match args.format {
@@ -116,8 +122,6 @@ struct Watcher {
     trace: Option<Trace>,
     #[cfg(feature = "plot")]
     motion: Option<Motion>,
-    #[cfg(feature = "plot")]
-    until: u64,
     bar: Progress,
     terminal: bool,
     seen: u64,
@@ -136,9 +140,10 @@ impl Watcher {
                 None => None,
             },
             #[cfg(feature = "plot")]
-            motion: args.plot.is_some().then(|| Motion::new(plan.start())),
-            #[cfg(feature = "plot")]
-            until: args.plot_until.unwrap_or(u64::MAX),
+            motion: args.plot.is_some().then(|| {
+                let until = args.plot_until.unwrap_or(u64::MAX);
+                Motion::new(plan).between(args.plot_from, until)
+            }),
             bar: Progress::new(point.intervals, "intervals"),
             terminal: std::io::stderr().is_terminal(),
             seen: 0,
@@ -153,10 +158,7 @@ impl Watcher {
     fn see(&mut self, line: &Line<'_>) -> bool {
         #[cfg(feature = "plot")]
         if let Some(motion) = &mut self.motion {
-            let entry = line.entry();
-            if entry.h < self.until {
-                motion.add(&entry);
-            }
+            motion.add(&line.entry());
         }
         self.seen += 1;
         if self.terminal && self.seen.is_multiple_of(Self::BETWEEN) {
@@ -166,19 +168,19 @@ impl Watcher {
     }
 
     /// Writes what is left to write.
-    fn finish(self, args: &Args, name: &str, outcome: ExactOutcome) -> Result<(), Failure> {
+    fn finish(self, args: &Args, scene: &Scene, outcome: ExactOutcome) -> Result<(), Failure> {
         drop(self.bar);
         if let Some(trace) = self.trace {
             trace.finish()?;
         }
         #[cfg(feature = "plot")]
         if let (Some(path), Some(motion)) = (&args.plot, self.motion) {
-            let title = format!("{name}: {}", words(outcome));
-            let picture = draw(&title, motion).map_err(Failure::input)?;
+            let title = format!("{}: {}", scene.name, words(outcome));
+            let picture = draw(&title, motion, &Scales::of(scene));
             save(&picture, path).map_err(Failure::input)?;
         }
         #[cfg(not(feature = "plot"))]
-        let _ = (args, name, outcome);
+        let _ = (args, scene, outcome);
         Ok(())
     }
 }

@@ -3,10 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-#[cfg(feature = "plot")]
-use passivity_plot::{critical::Borders, save};
-#[cfg(feature = "plot")]
-use passivity_sim::plot::sweep::draw;
+use passivity_scene::{Axis, Point, Scene};
 use passivity_sim::report::Sweep;
 use passivity_sim::sweep::{Grid, Range, Row, open, run as sweep};
 
@@ -14,29 +11,46 @@ use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, may_be_written, read_scene};
 use crate::progress::Progress;
 
-/// Simulate every point of a grid of (β, σ, speed at the start), on all cores (Fig. 5 of the paper).
+/// Simulate every point of a grid, on all cores: of (β, σ, speed at the start), Fig. 5 of the paper, or
+/// of any two or three parameters of the scene.
 ///
 /// All other parameters are those of the scene. A range is start:stop:count with both ends included, or
-/// a list such as 1,2,5. An interrupted sweep is continued with --resume.
+/// a list such as 1,2,5; for a parameter of the scene its unit follows. An interrupted sweep is continued
+/// with --resume.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 --speed 1/2,1,2,5 \\
       --out fig5.csv --plot fig5.png
   passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 --speed 1/2,1,2,5 \\
-      --out fig5.csv --resume")]
+      --out fig5.csv --resume
+  passivity sweep scenes/re35-limit-cycles.toml --vary 'stiffness=0.05:0.5:31 N m/rad' \\
+      --vary 'viscous=0:2e-5:31 N m s/rad' --vary 'velocity=1,5 rad/s' --out grid.csv --plot grid.png")]
 pub(crate) struct Args {
     /// Scene file.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Values of β.
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
-    beta: String,
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        required_unless_present = "vary"
+    )]
+    beta: Option<String>,
     /// Values of σ.
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
-    sigma: String,
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        required_unless_present = "vary"
+    )]
+    sigma: Option<String>,
     /// Speeds at the start, in ticks per sample; by default the scene's.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     speed: Option<String>,
+    /// A parameter of the scene by its key, with a range and a unit; two or three of them, the first on x.
+    #[arg(long, value_name = "KEY=RANGE UNIT", conflicts_with_all = ["beta", "sigma", "speed"])]
+    vary: Vec<String>,
     /// The number of sampling intervals to simulate, in place of the scene's.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     intervals: Option<u64>,
@@ -46,7 +60,7 @@ pub(crate) struct Args {
     /// Continue the interrupted sweep whose results are in the file of --out.
     #[arg(long, requires = "out")]
     resume: bool,
-    /// Draw Fig. 5 into this file, as SVG or PNG according to its extension.
+    /// Draw the outcomes into this file, as SVG or PNG according to its extension.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
     /// How to write the result.
@@ -56,6 +70,7 @@ pub(crate) struct Args {
 
 /// Sweeps the grid.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    crate::picture::check(args.plot.as_deref())?;
     let scene = read_scene(&args.scene)?;
     for output in [&args.out, &args.plot].into_iter().flatten() {
         may_be_written(output, &[&args.scene], "sweep")?;
@@ -64,17 +79,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     if let Some(intervals) = args.intervals {
         point.intervals = intervals;
     }
-    let range = |text: &str| Range::parse(text).map_err(Failure::input);
-    let speed = match &args.speed {
-        Some(text) => range(text)?,
-        None => {
-            let [_, velocity] = point.start();
-            Range {
-                values: vec![velocity],
-            }
-        }
-    };
-    let grid = Grid::new(range(&args.beta)?, range(&args.sigma)?, speed).map_err(Failure::input)?;
+    let grid = grid(args, &scene, &point)?;
     let mut rows: Vec<Option<Row>> = vec![None; grid.len()];
     let mut file = None;
     let mut before = 0;
@@ -107,9 +112,8 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     written.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
-        let borders = Borders::of(&point.at);
-        let picture = draw(&grid, &rows, borders).map_err(Failure::input)?;
-        save(&picture, path).map_err(Failure::input)?;
+        let picture = picture::draw(&scene, &point, &grid, &rows);
+        passivity_plot::save(&picture, path).map_err(Failure::input)?;
     }
     let simulated = grid.len() - before;
     let report = Sweep::new(
@@ -125,6 +129,129 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         Format::Json => emit_json(&report)?,
     }
     Ok(Exit::Holds)
+}
+
+/// The grid that was asked for.
+fn grid(args: &Args, scene: &Scene, point: &Point) -> Result<Grid, Failure> {
+    let range = |text: &str| Range::parse(text).map_err(Failure::input);
+    if let (Some(beta), Some(sigma)) = (&args.beta, &args.sigma) {
+        let speed = match &args.speed {
+            Some(text) => range(text)?,
+            None => {
+                let [_, velocity] = point.start();
+                Range {
+                    values: vec![velocity],
+                }
+            }
+        };
+        return Grid::new(range(beta)?, range(sigma)?, speed).map_err(Failure::input);
+    }
+    let varied = args.vary.iter().map(|text| varied(text, scene));
+    let varied = varied.collect::<Result<Vec<_>, _>>()?;
+    Grid::of_parameters(varied).map_err(|error| Failure::input(format!("--vary {error}")))
+}
+
+/// Reads `stiffness=0.1:2:41 N m/rad`.
+fn varied(text: &str, scene: &Scene) -> Result<(Axis, Range), Failure> {
+    let fail = |what: String| Failure::input(format!("--vary `{text}`: {what}"));
+    let Some((key, rest)) = text.split_once('=') else {
+        let expected = "expected a key, a range and a unit, as in stiffness=0.1:2:41 N m/rad";
+        return Err(fail(expected.to_owned()));
+    };
+    let (key, rest) = (key.trim(), rest.trim());
+    // The unit begins with the first letter after a space: a number has none there.
+    let is_unit = |(at, _): &(usize, char)| {
+        let first = rest.get(at + 1..).and_then(|unit| unit.chars().next());
+        first.is_some_and(|c| c.is_alphabetic() || "°µ(/".contains(c))
+    };
+    let space = rest.char_indices().filter(|(_, c)| *c == ' ').find(is_unit);
+    let (range, unit) = match space {
+        Some((at, _)) => rest.split_at(at),
+        None => (rest, ""),
+    };
+    let named = match unit.trim() {
+        "" => key.to_owned(),
+        unit => format!("{key} [{unit}]"),
+    };
+    let axis = Axis::parse(&named, scene).map_err(|error| fail(error.to_string()))?;
+    if unit.is_empty() && !axis.unit().is_empty() {
+        return Err(fail(format!(
+            "expected a unit after the range, as in {range} {}",
+            axis.unit()
+        )));
+    }
+    let range = Range::parse(range).map_err(|error| fail(error.to_string()))?;
+    Ok((axis, range))
+}
+
+/// The picture of a sweep.
+#[cfg(feature = "plot")]
+mod picture {
+    use passivity_core::Interval;
+    use passivity_plot::critical::Borders;
+    use passivity_scene::number::nearest_f64;
+    use passivity_scene::plane::{Extent, Line, Plane, Region, Speeds};
+    use passivity_scene::{Given, Point, Scene};
+    use passivity_sim::plot::sweep::{MapBorders, draw as draw_fig5, draw_maps, shown};
+    use passivity_sim::sweep::{Grid, Row};
+
+    pub(super) fn draw(scene: &Scene, point: &Point, grid: &Grid, rows: &[Option<Row>]) -> String {
+        if grid.parameters().is_empty() {
+            return draw_fig5(grid, rows, Borders::of(&point.at));
+        }
+        let [_, _, third] = &grid.values;
+        let few = if shown(grid).len() < third.len() {
+            format!(", at {} of {} values", shown(grid).len(), third.len())
+        } else {
+            String::new()
+        };
+        let title = format!("{}: what becomes of the motion{few}", scene.name);
+        draw_maps(&title, grid, rows, &borders(scene, grid))
+    }
+
+    /// Where the criterion holds in each map: nothing where one of its axes is no part of the criterion.
+    fn borders(scene: &Scene, grid: &Grid) -> MapBorders {
+        let in_map = |third: usize| borders_of(scene, grid, third).unwrap_or_default();
+        shown(grid).into_iter().map(in_map).collect()
+    }
+
+    fn borders_of(scene: &Scene, grid: &Grid, third: usize) -> Option<[Vec<Line>; 2]> {
+        let [x, y, rest @ ..] = grid.parameters() else {
+            return None;
+        };
+        let [xs, ys, thirds] = &grid.values;
+        let mut scene = scene.clone();
+        if let (Some(axis), Some(value)) = (rest.first(), thirds.get(third)) {
+            let si = axis.si(value)?;
+            let given = Given {
+                value: Interval::point(si.clone()),
+                nominal: si,
+                ..Given::unit(axis.parameter())
+            };
+            scene.given = scene.given.with(axis.parameter(), given);
+        }
+        let plane = Plane::new(&scene, [x.clone(), y.clone()]).ok()?;
+        let extent = |values: &[passivity_core::BigRational]| {
+            let ends = [values.iter().min()?, values.iter().max()?].map(nearest_f64);
+            let [from, to] = ends;
+            (from < to).then_some(Extent {
+                from,
+                to,
+                log: false,
+            })
+        };
+        let window = [extent(xs)?, extent(ys)?];
+        let mut borders = [Vec::new(), Vec::new()];
+        for speeds in plane.speeds() {
+            let [every, bound] = &mut borders;
+            let slot = match speeds {
+                Speeds::Every => every,
+                Speeds::UpToBound => bound,
+            };
+            *slot = Region::of(&plane, &window, speeds).borders;
+        }
+        Some(borders)
+    }
 }
 
 fn text(report: &Sweep) -> String {

@@ -2,6 +2,7 @@
 
 pub mod accuracy;
 pub mod motion;
+pub mod scales;
 pub mod sweep;
 
 use passivity_plot::PlotError;

@@ -29,7 +29,12 @@ use crate::sweep::parquet;
 use crate::sweep::row::{Found, Row};
 
 /// The header of a sweep's file.
-const HEADER: &str = "beta,sigma,speed,paper,exact,at_interval,xi,velocity";
+fn header(grid: &Grid) -> String {
+    format!(
+        "{},paper,exact,at_interval,xi,velocity",
+        grid.columns().join(",")
+    )
+}
 
 /// How the rows of a finished sweep are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,9 +104,7 @@ fn marker(path: &Path) -> PathBuf {
 /// What tells one sweep from another: a hash of the scene and the grid, exactly.
 fn fingerprint(scene: &Point, grid: &Grid) -> String {
     use sha2::Digest as _;
-    let mut scene = scene.clone();
-    // These are the grid's.
-    (scene.at.viscous, scene.at.coulomb, scene.at.start_velocity) = (None, None, None);
+    let scene = grid.without(scene);
     let hash = sha2::Sha256::digest(format!("{scene:?}\n{grid:?}\n"));
     let hash: String = hash.iter().map(|byte| format!("{byte:02x}")).collect();
     format!("passivity sweep 2 {hash}\n")
@@ -191,7 +194,7 @@ pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Ope
     if resume && rows.journal.exists() {
         return Err(unbound(&rows.journal, "it has rows"));
     }
-    rows.start(&mark, &fingerprint(scene, grid))?;
+    rows.start(&mark, &fingerprint(scene, grid), grid)?;
     Ok(Opened {
         rows,
         found: Vec::new(),
@@ -207,10 +210,10 @@ fn unbound(path: &Path, why: &str) -> SimError {
 
 impl Rows {
     /// Starts a new sweep: no rows first, then whose they will be.
-    fn start(&mut self, mark: &Path, print: &str) -> Result<(), SimError> {
+    fn start(&mut self, mark: &Path, print: &str, grid: &Grid) -> Result<(), SimError> {
         let journal = &self.journal;
         let mut file = File::create(journal).map_err(|error| failed(journal, &error))?;
-        let written = writeln!(file, "{HEADER}").and_then(|()| file.sync_all());
+        let written = writeln!(file, "{}", header(grid)).and_then(|()| file.sync_all());
         written.map_err(|error| failed(journal, &error))?;
         write_whole(mark, print).map_err(|error| failed(mark, &error))?;
         self.file = Some(file);
@@ -240,7 +243,7 @@ impl Rows {
         self.file = Some(file);
         self.written = found.len();
         if length == 0 {
-            self.buffer = format!("{HEADER}\n");
+            self.buffer = format!("{}\n", header(grid));
             self.put()?;
         }
         Ok(Opened { rows: self, found })
@@ -258,7 +261,7 @@ fn finished(
         Form::Csv => read(path, grid)?.0,
         #[cfg(feature = "parquet")]
         Form::Parquet => {
-            let rows = parquet::read(path).map_err(|error| failed(path, &error))?;
+            let rows = parquet::read(path, grid).map_err(|error| failed(path, &error))?;
             place(rows.into_iter(), grid, &|number, what| {
                 failed(path, &format!("row {}: {what}", number + 1))
             })?
@@ -304,17 +307,21 @@ fn read(path: &Path, grid: &Grid) -> Result<(Vec<(usize, Row)>, u64), SimError> 
     let mut lines = text.lines();
     match lines.next() {
         None => return Ok((Vec::new(), 0)),
-        Some(HEADER) => {}
+        Some(line) if line == header(grid) => {}
         Some(_) => {
+            let expected = header(grid);
             return Err(failed(
                 path,
-                &format!("line 1: expected the header `{HEADER}`"),
+                &format!("line 1: expected the header `{expected}`"),
             ));
         }
     }
     let mut rows = Vec::new();
     for (number, line) in lines.enumerate() {
-        rows.push(parse(line).ok_or_else(|| at(number, "expected a row of a sweep"))?);
+        rows.push(
+            parse(line, grid.columns().len())
+                .ok_or_else(|| at(number, "expected a row of a sweep"))?,
+        );
     }
     Ok((place(rows.into_iter(), grid, &at)?, whole as u64))
 }
@@ -343,9 +350,9 @@ fn place(
     Ok(found)
 }
 
-fn parse(line: &str) -> Option<Found> {
+fn parse(line: &str, axes: usize) -> Option<Found> {
     let cells: Vec<&str> = line.split(',').collect();
-    let [beta, sigma, speed, paper, exact, at, xi, velocity] = cells.as_slice() else {
+    let (at_axes, [paper, exact, at, xi, velocity]) = cells.split_at_checked(axes)? else {
         return None;
     };
     let number = |cell: &str| cell.parse::<f64>().ok();
@@ -360,19 +367,23 @@ fn parse(line: &str) -> Option<Found> {
         xi: number(xi)?,
         velocity: number(velocity)?,
     };
-    Some(([number(beta)?, number(sigma)?, number(speed)?], row))
+    let mut values = [0.0; 3];
+    for (value, cell) in values.iter_mut().zip(at_axes) {
+        *value = number(cell)?;
+    }
+    Some((values, row))
 }
 
 fn write_row(grid: &Grid, index: usize, row: &Row, out: &mut String) {
-    let [beta, sigma, speed] = grid.doubles(index);
+    let values = grid.doubles(index);
+    for value in values.iter().take(grid.columns().len()) {
+        // Writing to a string does not fail.
+        let _ = write!(out, "{value:?},");
+    }
     let (paper, exact) = (row.paper.name(), row.exact.name());
     let at = row.at_interval.map_or_else(String::new, |h| h.to_string());
     let (xi, velocity) = (row.xi, row.velocity);
-    // Writing to a string does not fail.
-    let _ = writeln!(
-        out,
-        "{beta:?},{sigma:?},{speed:?},{paper},{exact},{at},{xi:?},{velocity:?}"
-    );
+    let _ = writeln!(out, "{paper},{exact},{at},{xi:?},{velocity:?}");
 }
 
 impl Rows {
@@ -443,7 +454,7 @@ impl Rows {
 /// Writes a CSV file with every row in the order of the grid.
 fn write_ordered(path: &Path, grid: &Grid, rows: &[Option<Row>]) -> io::Result<()> {
     let mut file = io::BufWriter::new(File::create(path)?);
-    writeln!(file, "{HEADER}")?;
+    writeln!(file, "{}", header(grid))?;
     let mut line = String::new();
     for (index, row) in rows.iter().enumerate() {
         if let Some(row) = row {

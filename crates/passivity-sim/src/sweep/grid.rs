@@ -1,8 +1,7 @@
-//! The points of a sweep: ranges of β, σ and the speed at the start.
+//! The points of a sweep: ranges of β, σ and the speed at the start, or of parameters of the scene.
 
-use passivity_core::{BigRational, Parameter, Scalar as _};
-use passivity_scene::Point;
-use passivity_scene::number;
+use passivity_core::{BigRational, Exact, Parameter, Scalar as _};
+use passivity_scene::{Axis, Point, number};
 
 use crate::error::SimError;
 use crate::number::to_double;
@@ -72,19 +71,25 @@ impl Range {
     }
 }
 
-/// A grid of points; β outermost, speed innermost.
+/// A grid of points, the first axis outermost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grid {
-    /// β ≥ 0.
-    pub beta: Vec<BigRational>,
-    /// σ ≥ 0.
-    pub sigma: Vec<BigRational>,
-    /// ξ̇(0), in ticks per sample.
-    pub speed: Vec<BigRational>,
+    /// The values of up to three axes; one that is not asked for has the one value 0.
+    pub values: [Vec<BigRational>; 3],
+    axes: Axes,
+}
+
+/// What the values are of.
+#[derive(Clone, Debug, PartialEq)]
+enum Axes {
+    /// β ≥ 0, σ ≥ 0 and ξ̇(0) in ticks per sample.
+    Plane,
+    /// Parameters of the scene file in their units.
+    Parameters(Vec<Axis>),
 }
 
 impl Grid {
-    /// The grid of three ranges.
+    /// The grid of three ranges of β, σ and the speed at the start.
     ///
     /// # Errors
     ///
@@ -97,27 +102,91 @@ impl Grid {
                 )));
             }
         }
-        let [a, b, c] = [&beta, &sigma, &speed].map(|range| range.values.len());
+        Self::of([beta.values, sigma.values, speed.values], Axes::Plane)
+    }
+
+    /// The grid of two or three different parameters, in the units of their axes.
+    ///
+    /// # Errors
+    ///
+    /// Another number of parameters, a value that its parameter cannot have, or too many points.
+    pub fn of_parameters(parameters: Vec<(Axis, Range)>) -> Result<Self, SimError> {
+        let fail = |message: String| Err(SimError::Method(message));
+        if !(2..=3).contains(&parameters.len()) {
+            let count = parameters.len();
+            return fail(format!("{count} parameters to vary: expected two or three"));
+        }
+        let mut axes: Vec<Axis> = Vec::new();
+        let mut values =
+            [const { Vec::new() }; 3].map(|_: Vec<BigRational>| vec![BigRational::integer(0)]);
+        for (slot, (axis, range)) in values.iter_mut().zip(parameters) {
+            let name = axis.name();
+            if axes
+                .iter()
+                .any(|other| other.parameter() == axis.parameter())
+            {
+                return fail(format!("`{name}`: the same parameter is varied twice"));
+            }
+            if axis.parameter() == Parameter::MaxSpeed {
+                return fail(format!("`{name}` has no part in the motion"));
+            }
+            let fits =
+                |x: &&BigRational| axis.si(x).is_some() && (!axis.is_whole() || x.is_integer());
+            if let Some(x) = range.values.iter().find(|x| !fits(x)) {
+                let row = axis.parameter().row();
+                let expected = if axis.is_whole() {
+                    "a whole number above zero"
+                } else {
+                    row.values.expected()
+                };
+                return fail(format!("`{name}` = {x}: expected {expected}"));
+            }
+            *slot = range.values;
+            axes.push(axis);
+        }
+        Self::of(values, Axes::Parameters(axes))
+    }
+
+    fn of(values: [Vec<BigRational>; 3], axes: Axes) -> Result<Self, SimError> {
+        let [a, b, c] = values.each_ref().map(Vec::len);
         let size = a.checked_mul(b).and_then(|size| size.checked_mul(c));
         if size.is_none_or(|size| size > MOST_POINTS) {
             return Err(SimError::Method(format!(
                 "a grid of {a} × {b} × {c} points: expected at most {MOST_POINTS}"
             )));
         }
-        Ok(Self {
-            beta: beta.values,
-            sigma: sigma.values,
-            speed: speed.values,
-        })
+        Ok(Self { values, axes })
     }
 
-    /// Whether every value can be simulated.
+    /// The parameters that are varied; none where β, σ and the speed are.
+    #[must_use]
+    pub fn parameters(&self) -> &[Axis] {
+        match &self.axes {
+            Axes::Plane => &[],
+            Axes::Parameters(axes) => axes,
+        }
+    }
+
+    /// The names of the columns with the values of a point.
+    #[must_use]
+    pub fn columns(&self) -> Vec<String> {
+        match &self.axes {
+            Axes::Plane => ["beta", "sigma", "speed"].map(str::to_owned).to_vec(),
+            Axes::Parameters(axes) => axes.iter().map(Axis::column).collect(),
+        }
+    }
+
+    /// Whether every value can be simulated, as far as the values alone tell.
     pub(super) fn check(&self) -> Result<(), SimError> {
-        for (parameter, values) in [
-            (Parameter::Viscous, &self.beta),
-            (Parameter::Coulomb, &self.sigma),
-            (Parameter::StartVelocity, &self.speed),
-        ] {
+        if !self.parameters().is_empty() {
+            return Ok(()); // Each point is compiled by itself.
+        }
+        let of = [
+            Parameter::Viscous,
+            Parameter::Coulomb,
+            Parameter::StartVelocity,
+        ];
+        for (parameter, values) in of.into_iter().zip(&self.values) {
             for x in values {
                 in_range(x, parameter)?;
             }
@@ -128,7 +197,7 @@ impl Grid {
     /// How many points there are.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.beta.len() * self.sigma.len() * self.speed.len()
+        self.values.iter().map(Vec::len).product()
     }
 
     /// Whether there is none.
@@ -137,10 +206,11 @@ impl Grid {
         self.len() == 0
     }
 
-    /// The index of a point that has these values of β, σ and the speed, counted from 0.
+    /// The index of a point that has these values of the axes, counted from 0.
     #[cfg(feature = "plot")]
-    pub(crate) const fn index(&self, [beta, sigma, speed]: [usize; 3]) -> usize {
-        (beta * self.sigma.len() + sigma) * self.speed.len() + speed
+    pub(crate) const fn index(&self, [first, second, third]: [usize; 3]) -> usize {
+        let [_, b, c] = &self.values;
+        (first * b.len() + second) * c.len() + third
     }
 
     /// The values of a point.
@@ -151,9 +221,10 @@ impl Grid {
     #[must_use]
     #[expect(clippy::indexing_slicing, reason = "a panic that is announced")]
     pub fn values(&self, index: usize) -> [&BigRational; 3] {
-        let (rest, speed) = (index / self.speed.len(), index % self.speed.len());
-        let (beta, sigma) = (rest / self.sigma.len(), rest % self.sigma.len());
-        [&self.beta[beta], &self.sigma[sigma], &self.speed[speed]]
+        let [a, b, c] = &self.values;
+        let (rest, third) = (index / c.len(), index % c.len());
+        let (first, second) = (rest / b.len(), rest % b.len());
+        [&a[first], &b[second], &c[third]]
     }
 
     /// The values of a point as doubles.
@@ -165,11 +236,106 @@ impl Grid {
     /// A scene's point with the values of a point of the grid.
     #[must_use]
     pub fn point(&self, scene: &Point, index: usize) -> Point {
-        let [beta, sigma, speed] = self.values(index);
-        let mut point = scene.clone();
-        point.at.viscous = Some(beta.clone());
-        point.at.coulomb = Some(sigma.clone());
-        point.at.start_velocity = Some(speed.clone());
-        point
+        let values = self.values(index);
+        match &self.axes {
+            Axes::Plane => {
+                let [beta, sigma, speed] = values;
+                let mut point = scene.clone();
+                point.at.viscous = Some(beta.clone());
+                point.at.coulomb = Some(sigma.clone());
+                point.at.start_velocity = Some(speed.clone());
+                point
+            }
+            Axes::Parameters(axes) => {
+                let varied = axes.iter().zip(values);
+                varied.fold(scene.clone(), |point, (axis, value)| {
+                    match axis.si(value).and_then(|si| near(&si)) {
+                        Some(si) => point.with(axis.parameter(), &si),
+                        None => unreachable!("the values of a grid are those of its parameters"),
+                    }
+                })
+            }
+        }
+    }
+
+    /// The scene without what the grid varies: what tells one sweep from another.
+    pub(super) fn without(&self, scene: &Point) -> Point {
+        let mut scene = scene.clone();
+        match &self.axes {
+            Axes::Plane => {
+                (scene.at.viscous, scene.at.coulomb, scene.at.start_velocity) = (None, None, None);
+                scene
+            }
+            Axes::Parameters(_) => self.point(&scene, 0),
+        }
+    }
+}
+
+/// A number as a rational: near it where it has π in it, to more digits than a double has.
+fn near(x: &Exact) -> Option<BigRational> {
+    const BITS: u32 = 200;
+    Some(x.enclosure(BITS)?.middle())
+}
+
+#[cfg(test)]
+mod tests {
+    use passivity_scene::Scene;
+
+    use super::*;
+
+    const TEXT: &str = "[device]\nmass = \"75 g\"\nviscous = \"0.5 N s/m\"\ncoulomb = \"0.04 N\"\n\
+                        [sampling]\nrate = \"1 kHz\"\n[encoder]\nresolution = \"0.03 mm\"\n[wall]\n\
+                        stiffness = \"1 N/mm\"\n[operator]\nforce = \"0.1 N\"\n[start]\nvelocity = \"40 mm/s\"\n";
+
+    #[test]
+    fn a_point_with_another_parameter_is_the_scene_with_it_typed_in() {
+        let scene = Scene::from_toml("arm", TEXT).unwrap();
+        for (name, values, from, to) in [
+            ("stiffness [N/m]", "250,500", "1 N/mm", "500 N/m"),
+            ("rate [Hz]", "200,400", "1 kHz", "400 Hz"),
+            ("resolution [um]", "20,50", "0.03 mm", "50 um"),
+            ("mass [kg]", "1,2", "75 g", "2 kg"),
+            ("force [mN]", "1,-5", "0.1 N", "-5 mN"),
+            ("velocity [mm/s]", "1,2", "40 mm/s", "2 mm/s"),
+        ] {
+            let other = Axis::parse("viscous [N s/m]", &scene).unwrap();
+            let axis = Axis::parse(name, &scene).unwrap();
+            let range = |text| Range::parse(text).unwrap();
+            let grid =
+                Grid::of_parameters(vec![(axis, range(values)), (other, range("1/2"))]).unwrap();
+            let typed = Scene::from_toml("arm", &TEXT.replace(from, to)).unwrap();
+            assert_eq!(grid.point(&scene.point(), 1), typed.point(), "{name}");
+        }
+    }
+
+    #[test]
+    fn parameters_that_cannot_be_varied_are_refused() {
+        let scene = Scene::from_toml("arm", TEXT).unwrap();
+        let error = |parameters: &[(&str, &str)]| {
+            let of = |(name, range): &(&str, &str)| {
+                (
+                    Axis::parse(name, &scene).unwrap(),
+                    Range::parse(range).unwrap(),
+                )
+            };
+            let grid = Grid::of_parameters(parameters.iter().map(of).collect());
+            grid.unwrap_err().to_string()
+        };
+        assert_eq!(
+            error(&[("stiffness", "1")]),
+            "1 parameters to vary: expected two or three"
+        );
+        assert_eq!(
+            error(&[("stiffness", "0:1:3"), ("viscous", "1")]),
+            "`stiffness` = 0: expected a value above zero"
+        );
+        assert_eq!(
+            error(&[("rate", "1"), ("period", "1")]),
+            "`period`: the same parameter is varied twice"
+        );
+        assert_eq!(
+            error(&[("max_speed", "1"), ("period", "1")]),
+            "`max_speed` has no part in the motion"
+        );
     }
 }

@@ -14,6 +14,8 @@ use passivity_scene::Point;
 use crate::error::SimError;
 use crate::family::Family;
 use crate::lanes;
+use crate::plan::Plan;
+use crate::run;
 
 pub use file::{Opened, Rows, open};
 pub use grid::{Grid, MOST_POINTS, Range};
@@ -58,10 +60,15 @@ pub fn run(
     if grid.is_empty() {
         return Ok(());
     }
-    // One point compiled stands for all: they differ in β, σ and speed alone.
-    let family = Family::of(&grid.point(scene, 0))?;
-    family.own()?;
-    grid.check()?;
+    // One point compiled stands for all where they differ in β, σ and speed alone.
+    let family = if grid.parameters().is_empty() {
+        let family = Family::of(&grid.point(scene, 0))?;
+        family.own()?;
+        grid.check()?;
+        Some(family)
+    } else {
+        None
+    };
     let next = AtomicUsize::new(0);
     let cancelled = AtomicBool::new(false);
     let take = || {
@@ -84,6 +91,14 @@ pub fn run(
             if send.send(message).is_err() {
                 cancelled.store(true, Ordering::Relaxed);
             }
+        };
+        let Some(family) = &family else {
+            while let Some(index) = take() {
+                let plan = Plan::compile(&grid.point(scene, index));
+                let row = plan.map(|plan| (index, Row::of(&run::outcome(&plan))));
+                deliver(row.map_err(|error| at_point(grid, index, &error)));
+            }
+            return;
         };
         let next = || loop {
             let index = take()?;
@@ -115,4 +130,12 @@ pub fn run(
         }
         result
     })
+}
+
+/// An error with the values of the point at which it was met.
+fn at_point(grid: &Grid, index: usize, error: &SimError) -> SimError {
+    let columns = grid.columns();
+    let values = columns.iter().zip(grid.values(index));
+    let words: Vec<String> = values.map(|(name, x)| format!("{name} = {x}")).collect();
+    SimError::Method(format!("{}: {error}", words.join(", ")))
 }

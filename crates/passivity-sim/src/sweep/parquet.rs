@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
 
-use parquet::basic::Compression;
+use parquet::basic::{Compression, ConvertedType, Repetition, Type as Physical};
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::properties::WriterProperties;
@@ -13,30 +13,43 @@ use parquet::file::reader::FileReader as _;
 use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::record::RowAccessor as _;
-use parquet::schema::parser::parse_message_type;
+use parquet::schema::types::Type;
 
 use crate::outcome::{ExactOutcome, PaperOutcome};
 use crate::sweep::grid::Grid;
 use crate::sweep::row::{Found, Row};
 
 /// The columns, in the order of the CSV.
-const SCHEMA: &str = "message sweep {
-    required double beta;
-    required double sigma;
-    required double speed;
-    required binary paper (UTF8);
-    required binary exact (UTF8);
-    optional int64 at_interval;
-    required double xi;
-    required double velocity;
-}";
+fn schema(grid: &Grid) -> Result<Type, ParquetError> {
+    let column = Type::primitive_type_builder;
+    let names = grid.columns();
+    let mut columns = Vec::new();
+    for name in &names {
+        columns.push(column(name, Physical::DOUBLE).with_repetition(Repetition::REQUIRED));
+    }
+    for name in ["paper", "exact"] {
+        let text = column(name, Physical::BYTE_ARRAY).with_converted_type(ConvertedType::UTF8);
+        columns.push(text.with_repetition(Repetition::REQUIRED));
+    }
+    columns.push(column("at_interval", Physical::INT64).with_repetition(Repetition::OPTIONAL));
+    for name in ["xi", "velocity"] {
+        columns.push(column(name, Physical::DOUBLE).with_repetition(Repetition::REQUIRED));
+    }
+    let built = columns
+        .into_iter()
+        .map(|column| column.build().map(Arc::new));
+    let fields = built.collect::<Result<Vec<_>, _>>()?;
+    Type::group_type_builder("sweep")
+        .with_fields(fields)
+        .build()
+}
 
 /// Rows that are encoded at once.
 const GROUP: usize = 1 << 18;
 
 /// Writes the rows that are there, in the order of the grid, and has them reach the disk.
 pub(super) fn write(path: &Path, grid: &Grid, rows: &[Option<Row>]) -> Result<(), ParquetError> {
-    let schema = Arc::new(parse_message_type(SCHEMA)?);
+    let schema = Arc::new(schema(grid)?);
     let properties = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
         .build();
@@ -50,7 +63,7 @@ pub(super) fn write(path: &Path, grid: &Grid, rows: &[Option<Row>]) -> Result<()
     for rows in all.chunks(GROUP) {
         let mut group = writer.next_row_group()?;
         let axes: [fn([f64; 3]) -> f64; 3] = [|[x, _, _]| x, |[_, x, _]| x, |[_, _, x]| x];
-        for axis in axes {
+        for axis in axes.into_iter().take(grid.columns().len()) {
             let values = rows.iter().map(|(index, _)| axis(grid.doubles(*index)));
             column::<DoubleType>(&mut group, &values.collect::<Vec<_>>(), None)?;
         }
@@ -92,16 +105,16 @@ fn column<T: DataType>(
 }
 
 /// Reads a file of [`write`]; the reason in words when it is none.
-pub(super) fn read(path: &Path) -> Result<Vec<Found>, String> {
+pub(super) fn read(path: &Path, grid: &Grid) -> Result<Vec<Found>, String> {
     // The library asserts on some corrupt files: that is an error like any other.
-    let reading = AssertUnwindSafe(|| rows_of(path).map_err(|error| error.to_string()));
+    let reading = AssertUnwindSafe(|| rows_of(path, grid).map_err(|error| error.to_string()));
     catch_unwind(reading).unwrap_or_else(|_| Err("its contents contradict each other".to_owned()))
 }
 
-fn rows_of(path: &Path) -> Result<Vec<Found>, ParquetError> {
+fn rows_of(path: &Path, grid: &Grid) -> Result<Vec<Found>, ParquetError> {
     let reader = SerializedFileReader::new(File::open(path)?)?;
     let found = reader.metadata().file_metadata().schema();
-    if *found != parse_message_type(SCHEMA)? {
+    if *found != schema(grid)? {
         let message = "its columns are not those of a sweep";
         return Err(ParquetError::General(message.to_owned()));
     }
@@ -109,9 +122,13 @@ fn rows_of(path: &Path) -> Result<Vec<Found>, ParquetError> {
     let mut rows = Vec::new();
     for row in reader.get_row_iter(None)? {
         let row = row?;
-        let (paper, exact) = (row.get_string(3)?, row.get_string(4)?);
-        let values = [row.get_double(0)?, row.get_double(1)?, row.get_double(2)?];
-        let at_interval = match row.get_long(5) {
+        let axes = grid.columns().len();
+        let (paper, exact) = (row.get_string(axes)?, row.get_string(axes + 1)?);
+        let mut values = [0.0; 3];
+        for (i, value) in values.iter_mut().enumerate().take(axes) {
+            *value = row.get_double(i)?;
+        }
+        let at_interval = match row.get_long(axes + 2) {
             Ok(h) => Some(u64::try_from(h).map_err(|_| word(&h.to_string()))?),
             Err(_) => None, // null
         };
@@ -119,8 +136,8 @@ fn rows_of(path: &Path) -> Result<Vec<Found>, ParquetError> {
             paper: PaperOutcome::named(paper).ok_or_else(|| word(paper))?,
             exact: ExactOutcome::named(exact).ok_or_else(|| word(exact))?,
             at_interval,
-            xi: row.get_double(6)?,
-            velocity: row.get_double(7)?,
+            xi: row.get_double(axes + 3)?,
+            velocity: row.get_double(axes + 4)?,
         };
         rows.push((values, outcome));
     }

@@ -35,5 +35,5 @@ impl Row {
     }
 }
 
-/// A row as a file has it, with its values of β, σ and the speed.
+/// A row as a file has it, with its values of the grid's axes.
 pub(super) type Found = ([f64; 3], Row);

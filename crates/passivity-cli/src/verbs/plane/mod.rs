@@ -81,9 +81,7 @@ impl Log {
 
 /// Draws the scenes.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    if let Some(path) = &args.plot {
-        passivity_plot::check_name(path).map_err(Failure::input)?;
-    }
+    crate::picture::check(args.plot.as_deref())?;
     let names: Vec<&str> = args.axes.split(',').map(str::trim).collect();
     let [x, y] = names.as_slice() else {
         let axes = &args.axes;
