@@ -75,12 +75,13 @@ pub struct Claim {
     pub caveats: Vec<String>,
 }
 
-/// An item of the kernel, in files `generation::bound_22`, the module first; or of the reader of
-/// scene files, `scene/check/report::check`.
+/// An item of the kernel, in files `generation::bound_22`, the module first; of the reader of scene
+/// files, `scene/check/report::check`; or of the monitor, `monitor/account::net`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Item {
-    /// The module of the kernel; after `scene/` the file in the crate that reads scene files.
+    /// The module of the kernel; after `scene/` the file in the crate that reads scene files, after
+    /// `monitor/` that of the monitor.
     pub module: String,
     /// The item within it, as in `Row::violates_linear`.
     pub name: String,
@@ -90,10 +91,12 @@ impl Item {
     /// The source file, from the root of the workspace.
     #[must_use]
     pub fn file(&self) -> String {
-        match self.module.strip_prefix("scene/") {
-            Some(within) => format!("crates/passivity-scene/src/{within}.rs"),
-            None => format!("crates/passivity-core/src/{}.rs", self.module),
-        }
+        let (folder, within) = match self.module.split_once('/') {
+            Some(("scene", within)) => ("passivity-scene", within),
+            Some(("monitor", within)) => ("passivity-monitor", within),
+            _ => ("passivity-core", self.module.as_str()),
+        };
+        format!("crates/{folder}/src/{within}.rs")
     }
 }
 

@@ -73,11 +73,12 @@ fn every_id_in_a_doc_comment_is_a_claim() {
 fn every_claim_has_code_that_cites_it() {
     let mut cited = trace::in_doc_comments(&root().join("crates/passivity-core/src")).unwrap();
     cited.extend(trace::in_doc_comments(&root().join("crates/passivity-scene/src/check")).unwrap());
+    cited.extend(trace::in_doc_comments(&root().join("crates/passivity-monitor/src")).unwrap());
     for claim in &claims().claims {
         assert!(!claim.code.is_empty(), "{} has no code", claim.id);
         assert!(
             cited.contains_key(&claim.id),
-            "no doc comment of the kernel or of `check` cites {}",
+            "no doc comment of the kernel, of `check` or of the monitor cites {}",
             claim.id
         );
         for item in &claim.code {

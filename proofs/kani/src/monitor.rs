@@ -4,7 +4,7 @@
 //! numbers; positions within a tick are quarters of it, so energies are compared in sixteenths.
 
 use passivity_monitor::account::{Account, given, net};
-use passivity_monitor::{Answer, Config, Monitor, PARAMETER_MAX};
+use passivity_monitor::{Answer, Config, ConfigError, Monitor, PARAMETER_MAX, Parameter, Width};
 
 /// Parameters below this: what friction takes is less than, equal to and more than half of the
 /// stiffness, in each combination.
@@ -219,27 +219,43 @@ fn th_monitor_counts_alone_are_no_bound() {
     );
 }
 
-/// TH-MONITOR: a configuration of any numbers is one or an error, and a monitor starts with it at any
-/// count: nothing has been given then.
+/// TH-MONITOR: a configuration of any numbers of which one is out of range is refused, and says which.
 #[kani::proof]
-fn th_monitor_starts_with_any_numbers() {
-    let (stiffness, viscous, coulomb) = (kani::any(), kani::any(), kani::any());
-    let config = Config::new(stiffness, viscous, coulomb);
-    let in_range = |n: i64| (0..=PARAMETER_MAX).contains(&n);
+fn th_monitor_refuses_what_is_out_of_range() {
+    let numbers: [i64; 3] = [kani::any(), kani::any(), kani::any()];
+    let out_of_range = numbers.map(|n| !(0..=PARAMETER_MAX).contains(&n));
+    kani::assume(out_of_range.contains(&true));
+    let [stiffness, viscous, coulomb] = numbers;
+    let refused = Config::new(stiffness, viscous, coulomb);
+    let first = match out_of_range {
+        [true, ..] => Parameter::Stiffness,
+        [false, true, _] => Parameter::Viscous,
+        [false, false, _] => Parameter::Coulomb,
+    };
+    let monitor = Monitor::<i64>::start(ORDINARY, 0, 0);
+    kani::cover!(coulomb > PARAMETER_MAX, "it is too large");
     kani::assert(
-        config.is_ok() == (in_range(stiffness) && in_range(viscous) && in_range(coulomb)),
-        "TH-MONITOR: a configuration is refused exactly when a number is out of range",
+        refused == Err(ConfigError::OutOfRange(first)) && monitor.answer() == Answer::SurelyPassive,
+        "TH-MONITOR: what is out of range is refused",
     );
-    let Ok(config) = config else { return };
-    let monitor = Monitor::<i64>::start(config, kani::any(), kani::any());
-    kani::cover!(monitor.given().is_some(), "it starts");
-    kani::cover!(monitor.given().is_none(), "what is stored does not fit");
+}
+
+/// TH-MONITOR: at the start nothing has been given that was not stored.
+#[kani::proof]
+fn th_monitor_starts_with_nothing_given() {
+    let config = configured(parameter(16), parameter(4), parameter(4));
+    let count = up_to(16);
+    let account = Account::<i64>::start(&config, count);
+    let stored = |n: i64| config.stiffness() * n * n;
+    let [near, far] = match count >= 0 {
+        true => [count, count + 1],
+        false => [count + 1, count],
+    };
+    let bounds = account.map(|account| (account.at_least(), account.at_most(&config)));
+    kani::cover!(count < -1, "it starts on the other side");
     kani::assert(
-        match monitor.given() {
-            Some(given) => given.most <= 0 && monitor.answer() == Answer::SurelyPassive,
-            None => monitor.answer() == Answer::Unknown,
-        },
-        "TH-MONITOR: nothing has been given at the start, or it is unknown",
+        bounds == Some((-stored(far), Some(-stored(near)))),
+        "TH-MONITOR: a start is passive",
     );
 }
 
@@ -257,30 +273,37 @@ const fn at(stiffness: i64, viscous: i64, coulomb: i64) -> Config {
     }
 }
 
-/// An account of any numbers, the slope as far as a start can lead.
-fn any_account() -> Account<i64> {
-    Account {
+/// Advances an account of any numbers, the slope as far as a start can lead, by any force and a step:
+/// what it is then, if it fits, and how it slopes by the definition, in wider integers.
+fn advances(config: &Config, ticks: i64) -> (Option<Account<i64>>, i128) {
+    let mut account = Account {
         most: kani::any(),
         slope: kani::any_where(|slope: &i64| *slope >= -(1 << 62) && *slope <= 1 << 62),
         least: [kani::any(), kani::any()],
-    }
-}
-
-/// Advances any account by any force and step: what it is then, if it fits, and how it slopes by the
-/// definition, in wider integers.
-fn advances(config: &Config) -> (Option<Account<i64>>, i128) {
-    let (mut account, force): (_, i32) = (any_account(), kani::any());
-    let ticks = kani::any_where(|n: &i16| *n > i16::MIN);
-    let fits = account.advance(config, force.into(), ticks.into());
+    };
+    let force: i32 = kani::any();
+    let fits = account.advance(config, force.into(), ticks);
     let stiffness = i128::from(config.stiffness());
     let slope = stiffness + 2 * i128::from(force) - 2 * stiffness * i128::from(ticks);
     (fits.map(|()| account), slope)
 }
 
+/// The largest steps, the smallest and none: between them every term is between what it is there. Each
+/// is a number that the compiler knows, so that nothing is left to multiply but by numbers.
+fn advances_by_a_step(config: &Config) -> (Option<Account<i64>>, i128) {
+    match kani::any_where(|n: &u8| *n < 5) {
+        0 => advances(config, -i64::STEP_MAX),
+        1 => advances(config, -1),
+        2 => advances(config, 0),
+        3 => advances(config, 1),
+        _ => advances(config, i64::STEP_MAX),
+    }
+}
+
 /// TH-MONITOR: with the largest parameters, no sample after any others makes an account panic or wrap.
 #[kani::proof]
 fn th_monitor_never_wraps_with_the_largest_parameters() {
-    let (account, slope) = advances(&LARGEST);
+    let (account, slope) = advances_by_a_step(&LARGEST);
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
@@ -292,7 +315,7 @@ fn th_monitor_never_wraps_with_the_largest_parameters() {
 /// TH-MONITOR: with the stiffest spring and no friction, no sample after any others makes an account panic or wrap.
 #[kani::proof]
 fn th_monitor_never_wraps_without_friction() {
-    let (account, slope) = advances(&NO_FRICTION);
+    let (account, slope) = advances_by_a_step(&NO_FRICTION);
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
@@ -304,7 +327,7 @@ fn th_monitor_never_wraps_without_friction() {
 /// TH-MONITOR: with the most friction and no spring, no sample after any others makes an account panic or wrap.
 #[kani::proof]
 fn th_monitor_never_wraps_without_a_spring() {
-    let (account, slope) = advances(&NO_SPRING);
+    let (account, slope) = advances_by_a_step(&NO_SPRING);
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
@@ -316,7 +339,7 @@ fn th_monitor_never_wraps_without_a_spring() {
 /// TH-MONITOR: with ordinary parameters, no sample after any others makes an account panic or wrap.
 #[kani::proof]
 fn th_monitor_never_wraps_with_ordinary_parameters() {
-    let (account, slope) = advances(&ORDINARY);
+    let (account, slope) = advances_by_a_step(&ORDINARY);
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
@@ -325,13 +348,25 @@ fn th_monitor_never_wraps_with_ordinary_parameters() {
     );
 }
 
-/// TH-MONITOR: any three samples have an answer; bounds are given unless a number did not fit, and that is
-/// said.
+/// A count one tick further, back, the same, or where none can be.
+fn next(count: i32) -> i32 {
+    match kani::any_where(|n: &u8| *n < 4) {
+        0 => count - 1,
+        1 => count,
+        2 => count + 1,
+        _ => count + (1 << 20),
+    }
+}
+
+/// TH-MONITOR: samples of any forces have an answer, which is unknown exactly where a number did not
+/// fit, unless the wall was surely active before.
 #[kani::proof]
-fn th_monitor_answers_any_samples() {
-    let mut monitor = Monitor::<i64>::start(ORDINARY, kani::any(), kani::any());
-    monitor.sample(kani::any(), kani::any());
-    let answer = monitor.sample(kani::any(), kani::any());
+fn th_monitor_answers_any_forces() {
+    let first = i32::from(kani::any::<i8>());
+    let mut monitor = Monitor::<i64>::start(ORDINARY, first, kani::any());
+    let second = next(first);
+    monitor.sample(second, kani::any());
+    let answer = monitor.sample(next(second), kani::any());
     let saturated = monitor.saturation().is_some();
     kani::cover!(answer == Answer::SurelyActive, "it is surely active");
     kani::cover!(answer == Answer::Unknown, "a number did not fit");
