@@ -6,6 +6,7 @@ use passivity_core::{Loop, Parameter};
 
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::parse::keys::{sections, shorten, wrong_key, wrong_section};
+use crate::parse::motion::check_motion;
 use crate::parse::node::{Content, Entry};
 use crate::parse::reader::{Reader, Section, Spec};
 use crate::parse::{controller, costs, encoder, operator, transmission};
@@ -407,55 +408,4 @@ fn read_run(section: Option<Section>, reader: &mut Reader<'_>) -> Option<u64> {
     let entry = section.take("intervals");
     reader.leftovers(section);
     reader.whole(&entry?, "run.intervals", (1, MAX_INTERVALS))
-}
-
-/// Reports the units that tell of another motion than most; the stiffness decides between equals.
-fn check_motion(reader: &mut Reader<'_>) {
-    let count = |motion| {
-        reader
-            .unit_notes
-            .iter()
-            .filter(|note| note.motion == motion)
-            .count()
-    };
-    let (linear, rotary) = (count(Motion::Linear), count(Motion::Rotary));
-    if linear == 0 || rotary == 0 {
-        return;
-    }
-    let kept = match linear.cmp(&rotary) {
-        std::cmp::Ordering::Less => Motion::Rotary,
-        std::cmp::Ordering::Greater => Motion::Linear,
-        std::cmp::Ordering::Equal => reader.motion().unwrap_or(Motion::Linear),
-    };
-    let Some(anchor) = reader.unit_notes.iter().find(|note| note.motion == kept) else {
-        return;
-    };
-    let word = |motion| match motion {
-        Motion::Rotary => "rotary",
-        _ => "linear",
-    };
-    let others = reader.unit_notes.iter().filter(|note| note.motion != kept);
-    let mixed: Vec<Diagnostic> = others
-        .map(|note| {
-            let message = format!(
-                "`{}` is {} (`{}`), but `{}` is {} (`{}`)",
-                note.key,
-                word(note.motion),
-                note.unit,
-                anchor.key,
-                word(kept),
-                anchor.unit
-            );
-            let expected = note.measure.map_or_else(
-                || "`resolution`, a length".to_owned(),
-                |measure| measure.expected(Some(kept)),
-            );
-            Diagnostic::new(Kind::MixedMotion, message)
-                .at(note.span.clone())
-                .key(note.key)
-                .expected(expected)
-                .found(format!("`{}`", note.unit))
-        })
-        .collect();
-    reader.problems.extend(mixed);
 }

@@ -10,6 +10,7 @@ mod file;
 mod given;
 mod keys;
 mod measure;
+mod motion;
 mod node;
 mod operator;
 mod reader;
