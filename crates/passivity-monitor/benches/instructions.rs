@@ -17,12 +17,42 @@ type Way = (&'static str, [i64; 3], [i32; 2], [i32; 2]);
 
 /// The wall's own force is passive at the first, open or active at the others.
 const WAYS: [Way; 6] = [
-    ("at rest in the wall", [1000, 600, 700], [5, 5], [-5500, -5500]),
-    ("a few ticks a sample", [1000, 600, 700], [0, 7], [-500, -7500]),
-    ("many ticks a sample", [1000, 600, 700], [0, 40], [-500, -40500]),
-    ("outside of the wall, no force", [1000, 600, 700], [-40, -80], [0, 0]),
-    ("little friction: open", [1000, 0, 0], [0, 40], [-500, -40500]),
-    ("driven: surely active", [1000, 600, 700], [0, 40], [900_000, -900_000]),
+    (
+        "at rest in the wall",
+        [1000, 600, 700],
+        [5, 5],
+        [-5500, -5500],
+    ),
+    (
+        "a few ticks a sample",
+        [1000, 600, 700],
+        [0, 7],
+        [-500, -7500],
+    ),
+    (
+        "many ticks a sample",
+        [1000, 600, 700],
+        [0, 40],
+        [-500, -40500],
+    ),
+    (
+        "outside of the wall, no force",
+        [1000, 600, 700],
+        [-40, -80],
+        [0, 0],
+    ),
+    (
+        "little friction: open",
+        [1000, 0, 0],
+        [0, 40],
+        [-500, -40500],
+    ),
+    (
+        "driven: surely active",
+        [1000, 600, 700],
+        [0, 40],
+        [900_000, -900_000],
+    ),
 ];
 
 #[inline(never)]
@@ -60,16 +90,24 @@ fn counted(way: usize, wide: bool, samples: u32) -> f64 {
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
         .args(["--toggle-collect=*instructions*sample*"])
         .arg(program)
-        .args(["--run", &way.to_string(), &wide.to_string(), &samples.to_string()])
+        .args([
+            "--run",
+            &way.to_string(),
+            &wide.to_string(),
+            &samples.to_string(),
+        ])
         .output()
         .expect("valgrind is installed");
     let said = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{said}");
-    let collected = said.lines().find_map(|line| line.split_once("Collected : "));
+    let collected = said
+        .lines()
+        .find_map(|line| line.split_once("Collected : "));
     let (_, count) = collected.expect("callgrind says what it collected");
     count.trim().parse().expect("a number")
 }
 
+#[expect(clippy::print_stdout, reason = "a bench prints its table")]
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     if let [_, first, way, wide, samples] = arguments.as_slice()
