@@ -107,6 +107,7 @@ fn counted(way: usize, wide: bool, samples: u32) -> f64 {
     count.trim().parse().expect("a number")
 }
 
+#[expect(clippy::print_stdout, reason = "a bench prints its table")]
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     if let [_, first, way, wide, samples] = arguments.as_slice()

@@ -159,6 +159,27 @@ proptest! {
         prop_assert_eq!(watched::<i64>(config(&device), &samples).1, Answer::SurelyPassive);
     }
 
+    /// TH-MONITOR: so is a loop with a wall on one side, where the device starts outside of it and nothing
+    /// is stored.
+    #[test]
+    fn th_monitor_calls_a_one_sided_wall_passive(
+        half in 1..20_i64,
+        spare in prop::array::uniform2(0..3_i64),
+        outside in 1..10_i64,
+        samples in samples(60),
+    ) {
+        let (viscous, coulomb) = (half + spare[0], half + spare[1]);
+        let own = |(count, within, _): &Sample| {
+            let count = count - outside;
+            (count, *within, -(2 * half * count + half).max(0))
+        };
+        let samples: Vec<Sample> = samples.iter().map(own).collect();
+        prop_assume!(samples[0].0 < 0);
+        let config = Config::new(2 * half, viscous, coulomb).expect("in range");
+        let config = config.with_stored_at_start(0).expect("in range");
+        prop_assert_eq!(watched::<i64>(config, &samples).1, Answer::SurelyPassive);
+    }
+
     /// TH-MONITOR: friction that may be more makes the least that was given smaller, and nothing else.
     #[test]
     fn th_monitor_of_uncertain_friction_holds_both_ends(
