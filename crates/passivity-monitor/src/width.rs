@@ -139,6 +139,10 @@ width!(i128, i64, (1 << 31) - 1);
 /// With P the largest parameter, F the largest force and D the largest step, one tick more for
 /// what is within the ticks: friction takes up to 2P·D² + 2P·D, the wall's spring P·D² + 2P·D, and
 /// the force gives 2F·D.
+///
+/// On top comes what a new force adds to the most, up to 2⁶² after a start far from zero. Both together
+/// fit: a step adds no more than 2F·D + 4P·D, as the rest of its terms are below zero. The harnesses of
+/// `proofs/kani` have each at its largest.
 const fn largest_term(step: i64, force: u128) -> u128 {
     let (p, d) = (
         PARAMETER_MAX.unsigned_abs() as u128,
