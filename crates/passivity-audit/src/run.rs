@@ -218,6 +218,13 @@ impl<'a> Run<'a> {
         Some(())
     }
 
+    /// How many bits the widest denominator of its sums has, where machine integers do not hold it.
+    #[must_use]
+    pub fn width(&self) -> u64 {
+        let widths = self.sums.iter().map(FigureSum::width);
+        widths.max().unwrap_or(0)
+    }
+
     /// The totals so far; `None` when a figure is not defined.
     #[must_use]
     pub fn totals(&self) -> Option<Totals> {

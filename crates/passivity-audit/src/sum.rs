@@ -199,6 +199,13 @@ impl FigureSum {
         }
     }
 
+    /// How many bits the denominator has that machine integers do not hold.
+    #[must_use]
+    pub fn width(&self) -> u64 {
+        let width = |sum: &Sum| sum.big.1.bits();
+        self.hi.as_ref().map_or(0, width).max(width(&self.lo))
+    }
+
     /// The sum.
     #[must_use]
     pub fn value(&self) -> Figure<BigRational> {

@@ -4,6 +4,7 @@ mod duplicate;
 mod fields;
 mod ops;
 mod serve;
+mod work;
 
 pub use serve::{MAX_LINE, serve};
 
@@ -11,6 +12,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use crate::protocol::fields::Fields;
+use crate::protocol::work::Work;
 use passivity_audit::json;
 
 /// The number of this protocol.
@@ -96,7 +98,7 @@ pub fn answer(line: &[u8], out: &mut Vec<u8>) {
     let id = map.get("id").unwrap_or(&Value::Null);
     let start = out.len();
     open(id, "result", out);
-    match ops::run(&Fields::new(map), out) {
+    match ops::run(&Fields::new(map), Work::of_request(line.len()), out) {
         Ok(()) => out.push(b'}'),
         Err(refusal) => {
             out.truncate(start);

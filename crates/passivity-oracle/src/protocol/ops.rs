@@ -5,6 +5,7 @@ use passivity_scene::{Scene, check};
 use serde::Serialize;
 
 use super::fields::{Fields, bad, duration, list, missing, number, sample};
+use super::work::{self, Work};
 use super::{At, MAX_ANSWER, PROTOCOL, Refusal};
 use crate::motion::Piece;
 use passivity_audit::Reading;
@@ -29,10 +30,10 @@ const LOOP: [&str; 8] = [
 const MAX_DELAY: u64 = 1000;
 
 /// Appends the result of a request.
-pub(super) fn run(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
+pub(super) fn run(fields: &Fields<'_>, work: Work, out: &mut Vec<u8>) -> Result<(), Refusal> {
     match fields.text("op")? {
-        "interval" => put(&interval(fields)?, out),
-        "run" => sequence(fields, out),
+        "interval" => put(&interval(fields, work)?, out),
+        "run" => sequence(fields, work, out),
         "motion" => motion(fields, out),
         "check" => verdict(fields, out),
         "version" => {
@@ -77,7 +78,7 @@ fn put<T: Serialize>(result: &T, out: &mut Vec<u8>) -> Result<(), Refusal> {
 
 /// One ledger row: `xi0` and `xi1`, or `count0` and `count1`; `dtau`, 1 if it is not there; and
 /// `force`, what was applied, that of the loop if it is not there.
-fn interval(fields: &Fields<'_>) -> Result<NumberedRow, Refusal> {
+fn interval(fields: &Fields<'_>, mut work: Work) -> Result<NumberedRow, Refusal> {
     let counted = fields.get(&["count0", "count1"]).is_some();
     let names = if counted {
         ["count0", "count1"]
@@ -102,6 +103,9 @@ fn interval(fields: &Fields<'_>) -> Result<NumberedRow, Refusal> {
     };
     let ledger = ledger(fields)?;
     let h = fields.natural("h", u64::MAX)?;
+    let (ends, forces) = ([start.clone(), end.clone()], force.as_slice());
+    let steps = work::of_row(&ledger, &ends, std::slice::from_ref(&dtau), forces);
+    work.take(steps, || At::Request)?;
     let logged = Logged {
         samples: vec![start],
         end,
@@ -114,12 +118,12 @@ fn interval(fields: &Fields<'_>) -> Result<NumberedRow, Refusal> {
 
 /// Rows and totals: a list `xi` (or `positions`) or `count` (or `counts`), `dtau`, a number or a list
 /// with one number per interval, and perhaps `force`, a list with one per interval.
-fn sequence(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
+fn sequence(fields: &Fields<'_>, mut work: Work, out: &mut Vec<u8>) -> Result<(), Refusal> {
     let known = [&LOOP[..], &["dtau", "force"], &POSITIONS, &COUNTS].concat();
     fields.only(&known)?;
     let (name, samples) = samples(fields)?;
     let intervals = samples.len() - 1;
-    let mut durations = match fields.get(&["dtau"]) {
+    let durations = match fields.get(&["dtau"]) {
         None => vec![Number::whole(1)],
         Some((name, value @ serde_json::Value::Array(_))) => {
             per_interval(name, value, intervals, |value, place| {
@@ -127,17 +131,18 @@ fn sequence(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
             })?
         }
         Some((name, value)) => vec![duration(value, || name.to_owned())?],
-    }
-    .into_iter()
-    .cycle();
-    let mut forces = match fields.get(&["force"]) {
+    };
+    let forces = match fields.get(&["force"]) {
         None => Vec::new(),
         Some((name, value)) => per_interval(name, value, intervals, |value, place| {
             number(value, place).map(Reading::Exact)
         })?,
-    }
-    .into_iter();
+    };
     let ledger = ledger(fields)?;
+    let steps = work::of_row(&ledger, &samples, &durations, &forces);
+    let rows = u64::try_from(intervals).unwrap_or(u64::MAX);
+    work.take(steps.saturating_mul(rows), || At::Field(name.to_owned()))?;
+    let (mut durations, mut forces) = (durations.into_iter().cycle(), forces.into_iter());
     let mut run = Run::new(&ledger);
     let start = out.len();
     out.extend_from_slice(b"{\"rows\": [");
@@ -151,6 +156,9 @@ fn sequence(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
         let row = run
             .step(sample, &dtau, forces.next())
             .ok_or_else(undefined)?;
+        work.take(work::of_sums(run.width()), || {
+            At::Field(format!("{name}[{i}]"))
+        })?;
         if i > 1 {
             out.extend_from_slice(b", ");
         }

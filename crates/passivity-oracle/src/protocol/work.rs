@@ -1,0 +1,159 @@
+//! How much work a request may ask for: a fixed amount, and more for each of its bytes.
+//!
+//! The amount is counted before and while it is done, from the request alone, so that the same request is
+//! refused everywhere. A step is about what two machine words take to be multiplied and reduced.
+
+use num_traits::Zero as _;
+use passivity_audit::number::{Number, Written};
+use passivity_audit::{Ledger, Reading};
+use passivity_core::BigRational;
+
+use super::{At, Refusal};
+
+/// The steps that every request may take.
+pub(super) const FREE: u64 = 4_000_000;
+
+/// The steps that it may take beyond these for each of its bytes.
+pub(super) const PER_BYTE: u64 = 100;
+
+/// What a row takes that is written, however short its numbers are.
+const ROW: u64 = 100;
+
+/// How often the numbers of a row are multiplied and reduced.
+const PRODUCTS: u64 = 8;
+
+/// And how often for each sample that the loop remembers.
+const PER_SAMPLE: u64 = 4;
+
+/// What is left of the work that a request may ask for.
+pub(super) struct Work {
+    left: u64,
+}
+
+impl Work {
+    /// Of a request of this many bytes.
+    pub(super) fn of_request(bytes: usize) -> Self {
+        let bytes = u64::try_from(bytes).unwrap_or(u64::MAX);
+        Self {
+            left: FREE.saturating_add(PER_BYTE.saturating_mul(bytes)),
+        }
+    }
+
+    /// Takes these steps, or refuses what is at this place.
+    pub(super) fn take(&mut self, steps: u64, at: impl Fn() -> At) -> Result<(), Refusal> {
+        match self.left.checked_sub(steps) {
+            Some(left) => {
+                self.left = left;
+                Ok(())
+            }
+            None => {
+                let message = format!(
+                    "more work than a request of this length may ask for ({FREE} steps and {PER_BYTE} for \
+                     each byte): use shorter numbers, a shorter delay or fewer positions at a time"
+                );
+                Err(Refusal::new("too_much_work", at(), message))
+            }
+        }
+    }
+}
+
+/// The steps of each row of a run under this ledger.
+pub(super) fn of_row(
+    ledger: &Ledger,
+    samples: &[Reading],
+    durations: &[Number],
+    forces: &[Reading],
+) -> u64 {
+    let remembered = ledger.window().min(samples.len());
+    let mut positions = Width::default();
+    for sample in samples {
+        positions.add_reading(sample);
+    }
+    let mut others = Width::default();
+    for duration in durations {
+        others.add(&duration.to_rational());
+    }
+    for force in forces {
+        others.add_reading(force);
+    }
+    let remembered = u64::try_from(remembered).unwrap_or(u64::MAX);
+    // Displacements are squared, and their sum has all denominators.
+    let bits = 2 * (positions.bits(remembered + 1) + others.bits(1)) + bits_of_loop(ledger);
+    let words = 1 + bits / 64;
+    let times = PRODUCTS + PER_SAMPLE.saturating_mul(remembered - 1);
+    ROW.saturating_add(times.saturating_mul(words.saturating_mul(words)))
+}
+
+/// The steps of adding a row to sums whose denominators have this many bits.
+pub(super) const fn of_sums(bits: u64) -> u64 {
+    let words = bits / 64;
+    2 * words * words
+}
+
+/// How long numbers are, and the denominator that all of them have in common, as long as it is short.
+#[derive(Default)]
+struct Width {
+    numerator: u64,
+    denominator: u64,
+    common: Option<num_bigint::BigInt>,
+    is_long: bool,
+}
+
+impl Width {
+    fn add_reading(&mut self, reading: &Reading) {
+        match reading {
+            Reading::Count(n) => self.add(&BigRational::from_integer((*n).into())),
+            Reading::Exact(Number::Small(n, 1)) => {
+                self.numerator = self
+                    .numerator
+                    .max(64 - u64::from(n.unsigned_abs().leading_zeros()));
+            }
+            Reading::Exact(x) => self.add(&x.to_rational()),
+            Reading::Within(range) => {
+                self.add(range.lo());
+                self.add(range.hi());
+            }
+        }
+    }
+
+    fn add(&mut self, x: &BigRational) {
+        /// A common denominator is sought up to this many bits.
+        const SHORT: u64 = 512;
+        self.numerator = self.numerator.max(x.numer().bits());
+        self.denominator = self.denominator.max(x.denom().bits());
+        if self.is_long {
+            return;
+        }
+        let common = match self.common.take() {
+            Some(common) if (&common % x.denom()).is_zero() => common,
+            Some(common) => num_integer::Integer::lcm(&common, x.denom()),
+            None => x.denom().clone(),
+        };
+        self.is_long = common.bits() > SHORT;
+        self.common = Some(common);
+    }
+
+    /// The bits of a sum of `terms` of them.
+    fn bits(&self, terms: u64) -> u64 {
+        let most = self.denominator.saturating_mul(terms);
+        let common = self.common.as_ref().filter(|_| !self.is_long);
+        let denominator = common.map_or(most, |common| common.bits().min(most));
+        self.numerator.saturating_add(denominator)
+    }
+}
+
+/// The bits of all numbers of a loop.
+fn bits_of_loop(ledger: &Ledger) -> u64 {
+    let ends = ledger.wide();
+    let mut bits = 0;
+    for end in [&ends.least, &ends.most] {
+        let counted = end.try_map(|_, x| {
+            let x = Written::to_rational(x)?;
+            bits += x.numer().bits() + x.denom().bits();
+            Some(())
+        });
+        // What has no numbers takes no work.
+        let _ = counted;
+    }
+    bits / 2
+}
