@@ -68,6 +68,7 @@ figures: ## draw every figure of the documentation into target/figures
 	@mkdir -p target/figures
 	@echo "== passivity plane, simulate, sweep and accuracy"
 	@$(BIN) plane scenes/re35*.toml --plot target/figures/plane.svg
+	@$(BIN) plane $(SCENE) --axes stiffness,rate --log both --plot target/figures/borders.svg
 	@$(BIN) simulate $(SCENE) --speed 4 --plot target/figures/motion.svg
 	@$(BIN) sweep scenes/dimensionless.toml --beta 0:1:41 --sigma 0:1.5:61 --speed 1/2,1,2,5 \
 	    --out target/figures/fig5.csv --plot target/figures/sweep.png

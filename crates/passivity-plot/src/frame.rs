@@ -93,7 +93,7 @@ impl Frame {
         let [left, top] = self.from;
         let longest = self.ticks_beside(svg, &self.y, left, -1.0);
         let middle = 0.5 * (top + self.to[1]);
-        svg.text_upwards([left - 16.0 - longest, middle], 16.0, words);
+        svg.text_upwards([left - 20.0 - longest, middle], 16.0, words);
     }
 
     /// Draws the ticks of another unit of y to the right of the frame, with what they are of.

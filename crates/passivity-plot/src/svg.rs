@@ -117,6 +117,14 @@ impl Svg {
         ));
     }
 
+    /// The area of a cell: beside another one without a seam.
+    pub fn cell(&mut self, places: &[Pixel], fill: &str) {
+        let points = points(places);
+        self.put(format_args!(
+            "<polygon fill=\"{fill}\" shape-rendering=\"crispEdges\" points=\"{points}\"/>"
+        ));
+    }
+
     /// A disc with an edge.
     pub fn disc(&mut self, [x, y]: Pixel, radius: f64, fill: &str, edge: Stroke<'_>) {
         let Stroke { colour, width, .. } = edge;

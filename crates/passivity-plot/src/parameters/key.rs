@@ -147,7 +147,14 @@ impl Key<'_> {
             Some(_) if is_outside(&picture.window, mark) => "; at the edge: it is outside",
             Some(_) => "",
         };
-        self.words(12.0, &mark.place);
+        let [x, y] = &mark.place;
+        let both = format!("{x}, {y}");
+        if both.chars().count() <= LETTERS {
+            self.words(12.0, &both);
+        } else {
+            self.words(12.0, x);
+            self.words(12.0, y);
+        }
         self.words(12.0, &format!("{verdict}{outside}"));
         self.y += 4.0;
     }

@@ -30,8 +30,8 @@ pub struct Mark {
     pub name: String,
     /// Its numbers on the axes over the tolerances; `None` where it has no place on an axis.
     pub ranges: Option<[Interval<BigRational>; 2]>,
-    /// What the key says of the place, with units.
-    pub place: String,
+    /// What the key says of its numbers, with units.
+    pub place: [String; 2],
     /// The verdict.
     pub verdict: Verdict,
 }

@@ -109,11 +109,7 @@ impl Plane {
             return Err(PlaneError::new(message));
         }
         let bounds = scene.bounds();
-        // A number of the axes with π in it is no plain fraction either.
-        let one = |axis: &Axis| Wide::of(&axis.si(&exact(1.0)?)?);
-        let plain = axes.iter().all(|axis| one(axis).is_some());
-        let wide = bounds.try_map(|_, range| range.try_map(Wide::of));
-        let bounds = match wide.filter(|_| plain) {
+        let bounds = match wide(&bounds, &axes) {
             Some(wide) => Bounds::Wide(Box::new(wide)),
             None => Bounds::Exact(Box::new(bounds)),
         };
@@ -255,6 +251,34 @@ impl Plane {
     }
 }
 
+/// The loop in plain fractions: where neither it nor the axes have π in them, or where its costs have to
+/// be computed, which takes too long with π. Then π is enclosed, so closely that no picture shows it;
+/// what passes over the enclosure passes.
+fn wide(bounds: &Loop<Interval<Exact>>, axes: &[Axis; 2]) -> Option<Loop<Interval<Wide>>> {
+    let one = exact(1.0)?;
+    let computed = moved(bounds, axes, [&one, &one])?.has_computed_costs();
+    let plain = axes
+        .iter()
+        .all(|axis| axis.si(&one).is_some_and(|si| Wide::of(&si).is_some()));
+    match bounds.try_map(|_, range| range.try_map(Wide::of)) {
+        Some(wide) if plain || computed => Some(wide),
+        _ if computed => bounds.try_map(|_, range| {
+            let lo = value::<Wide>(range.lo())?.lo().clone();
+            Some(Interval::hull(lo, value::<Wide>(range.hi())?.hi().clone()))
+        }),
+        _ => None,
+    }
+}
+
+/// A number, or a close enclosure of it where this kind of number cannot hold it.
+fn value<S: Enclosed>(x: &Exact) -> Option<Interval<S>> {
+    const BITS: u32 = 64;
+    if let Some(x) = S::of(x) {
+        return Some(Interval::point(x));
+    }
+    x.enclosure(BITS)?.try_map(|end| S::of(&Exact::of(end)))
+}
+
 /// Refuses an axis that the criterion does not know, or that a scene cannot have.
 fn refuse(scene: &Scene, axis: &Axis) -> Result<(), PlaneError> {
     let (parameter, name, given) = (axis.parameter(), axis.name(), &scene.given);
@@ -288,8 +312,7 @@ fn moved<S: Enclosed>(
 ) -> Option<Loop<Interval<S>>> {
     let mut at = bounds.clone();
     for (axis, number) in axes.iter().zip(point) {
-        let value = S::of(&axis.si(number)?)?;
-        at = at.with(axis.parameter(), Interval::point(value));
+        at = at.with(axis.parameter(), value(&axis.si(number)?)?);
     }
     Some(at)
 }

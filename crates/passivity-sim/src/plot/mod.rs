@@ -9,7 +9,7 @@ use passivity_plot::PlotError;
 use plotters::prelude::*;
 
 /// Okabe and Ito's palette: told apart by colour-blind readers too.
-pub(crate) const COLOURS: [RGBColor; 8] = [
+pub(crate) const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -17,7 +17,6 @@ pub(crate) const COLOURS: [RGBColor; 8] = [
     RGBColor(86, 180, 233),
     RGBColor(140, 100, 0),
     RGBColor(90, 90, 90),
-    RGBColor(230, 159, 0),
 ];
 
 pub(crate) type Drawn = Result<(), Box<dyn std::error::Error>>;
@@ -37,16 +36,8 @@ pub(crate) fn svg(
         draw(&root).map_err(|error| fail(&error))?;
         root.present().map_err(|error| fail(&error))?;
     }
-    // Wide lines with sharp corners would have spikes, and dashes of whole pixels would be crooked.
-    let dashed = format!("opacity=\"{DASHED}\"");
-    Ok(text
-        .replace("<polyline ", "<polyline stroke-linejoin=\"round\" ")
-        .replace(&dashed, "opacity=\"1\" stroke-dasharray=\"7 4\""))
+    Ok(text)
 }
-
-/// Opacity of a line that [`svg`] dashes: the drawing library has straight lines and dashed ones, but
-/// no straight dashed ones.
-pub(crate) const DASHED: f64 = 0.985;
 
 /// A label of an axis over `range`: no more digits than needed.
 pub(crate) fn label(x: f64, range: &std::ops::Range<f64>) -> String {

@@ -307,8 +307,7 @@ fn picture(
         Mark {
             name: scene.name.clone(),
             place: [(&axes[0], &x), (&axes[1], &y)]
-                .map(|(axis, range)| place(axis, range.as_ref()))
-                .join(", "),
+                .map(|(axis, range)| place(axis, range.as_ref())),
             ranges: x.zip(y).map(|(x, y)| [x, y]),
             verdict: report.verdict,
         }

@@ -152,7 +152,10 @@ fn key(svg: &mut Svg, top: f64, rows: &[Option<Row>], borders: &Borders) {
             has(|[every, _]| every),
             "border of the criterion: at every speed",
         ),
-        (has(|[_, bound]| bound), "up to operator.max_speed"),
+        (
+            has(|[_, bound]| bound),
+            "border of the criterion: up to operator.max_speed",
+        ),
     ];
     let mut at = 60.0;
     for ((there, words), stroke) in kinds.into_iter().zip(strokes()) {

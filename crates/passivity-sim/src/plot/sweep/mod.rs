@@ -38,7 +38,7 @@ fn fill(svg: &mut Svg, frame: &Frame, column: &Cell, line: &Cell, colour: &str) 
         frame.clamped([column.low, line.high]),
         frame.clamped([column.high, line.low]),
     );
-    svg.area(&corners, colour);
+    svg.cell(&corners, colour);
 }
 
 /// Marks a cell as undecided: hatched, with a cross.
