@@ -86,7 +86,7 @@ impl Labels {
                 let (sin, cos) = (std::f64::consts::TAU * turn).sin_cos();
                 let at = [place[0] + (away + half - 6.0) * cos, place[1] + away * sin];
                 if self.reserve(at, words) {
-                    if ring > 1 {
+                    if ring > 0 {
                         svg.line(&[place, at], Stroke::solid(DARK, 0.7));
                     }
                     write(svg, at, words, BLACK);

@@ -11,6 +11,7 @@ mod column;
 mod extent;
 mod measured;
 mod region;
+mod spans;
 mod window;
 
 pub use column::{Plane, PlaneError, Speeds};

@@ -1,7 +1,8 @@
 //! The region of the plane where the criterion holds: its outline and its border.
 
-use super::column::{End, Plane, Span, Speeds};
+use super::column::{Plane, Speeds};
 use super::extent::{Along, Extent};
+use super::spans::{End, Span};
 
 /// Places in the units of the axes, x and y.
 pub type Line = Vec<[f64; 2]>;
@@ -120,7 +121,7 @@ impl Finder<'_> {
             return vec![middle];
         }
         loop {
-            let (left, right) = (self.between(a, &middle), self.between(&middle, b));
+            let (left, right) = self.both(a, &middle, b);
             // Where the region narrows to a tip, its span may have been missed from further away.
             let beside = [left.last().unwrap_or(a), right.first().unwrap_or(b)];
             let same = |column: &Column| column.spans.len() == middle.spans.len();
@@ -134,6 +135,21 @@ impl Finder<'_> {
             };
             middle = again;
         }
+    }
+
+    /// The columns on either side of one, at the same time where there are many.
+    fn both(&self, a: &Column, middle: &Column, b: &Column) -> (Vec<Column>, Vec<Column>) {
+        if b.share - a.share <= COARSE {
+            return (self.between(a, middle), self.between(middle, b));
+        }
+        std::thread::scope(|scope| {
+            let right = scope.spawn(|| self.between(middle, b));
+            let left = self.between(a, middle);
+            match right.join() {
+                Ok(right) => (left, right),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
+        })
     }
 
     /// Whether the spans of neighbouring columns do not go on into each other.

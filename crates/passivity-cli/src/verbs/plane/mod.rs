@@ -1,5 +1,6 @@
 //! `passivity plane`: scenes in the plane of two parameters.
 
+mod answer;
 mod beta_sigma;
 mod parameters;
 

@@ -1,83 +1,25 @@
 //! The plane of two parameters: borders, scenes and measured points.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use passivity_core::{BigRational, Interval};
 use passivity_plot::parameters::{Group, Mark, Picture, Point, draw};
-use passivity_scene::check::{Report, Verdict, check};
-use passivity_scene::number::nearest_f64;
+use passivity_scene::check::{Report, check};
 use passivity_scene::plane::{
     Extent, Measured, Plane, PlaneError, Prediction, Region, Speeds, Window, window,
 };
 use passivity_scene::{Axis, Motion, Scene};
-use serde::Serialize;
 
+use super::answer::{Compared, Comparison, Document, axis_document, borders, placed, table, text};
 use super::{Args, Log};
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
 
-/// What `plane --axes … --format json` prints; numbers in the units of the axes.
-#[derive(Serialize)]
-struct Document<'a> {
-    axes: [AxisDocument; 2],
-    scenes: Vec<Placed<'a>>,
-    borders: Vec<Border<'a>>,
-    measured: Option<Comparison>,
-    plot: Option<String>,
-    out: Option<String>,
-}
-
-#[derive(Serialize)]
-struct AxisDocument {
-    parameter: &'static str,
-    unit: String,
-    from: f64,
-    to: f64,
-    log: bool,
-}
-
-/// Where a scene stands: over its tolerances, `null` where it has no place on an axis.
-#[derive(Serialize)]
-struct Placed<'a> {
-    scene: &'a str,
-    x: Option<[f64; 2]>,
-    y: Option<[f64; 2]>,
-    verdict: Verdict,
-}
-
-/// The border of a region of scenes that share it.
-#[derive(Serialize)]
-struct Border<'a> {
-    scenes: Vec<&'a str>,
-    speeds: &'static str,
-    found_by: &'static str,
-    /// Places x, y; the region is on the left of the way.
-    lines: &'a [Vec<[f64; 2]>],
-}
-
-#[derive(Serialize)]
-struct Comparison {
-    points: Vec<Compared>,
-    agree: usize,
-    stricter: usize,
-    looser: usize,
-    not_read: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Compared {
-    x: f64,
-    y: f64,
-    stable: bool,
-    prediction: Prediction,
-}
-
 /// Scenes with the same border.
-struct Family {
-    plane: Plane,
-    scenes: Vec<usize>,
-    regions: Vec<(Speeds, Region)>,
+pub(super) struct Family {
+    pub(super) plane: Plane,
+    pub(super) scenes: Vec<usize>,
+    pub(super) regions: Vec<(Speeds, Region)>,
 }
 
 pub(super) fn run(args: &Args, names: [&str; 2]) -> Result<Exit, Failure> {
@@ -345,142 +287,4 @@ fn place(axis: &Axis, range: Option<&Interval<BigRational>>) -> String {
         Some(range) => axis.range_text(range),
         None => format!("no {}", axis.name()),
     }
-}
-
-fn axis_document(axis: &Axis, extent: &Extent) -> AxisDocument {
-    AxisDocument {
-        parameter: axis.key(),
-        unit: axis.unit(),
-        from: extent.from,
-        to: extent.to,
-        log: extent.log,
-    }
-}
-
-fn placed<'a>(axes: &[Axis; 2], scenes: &'a [Scene], reports: &[Report]) -> Vec<Placed<'a>> {
-    let ends = |axis: &Axis, scene| {
-        axis.of_scene(scene)
-            .map(|range| [range.lo(), range.hi()].map(nearest_f64))
-    };
-    let both = scenes.iter().zip(reports);
-    both.map(|(scene, report)| Placed {
-        scene: &scene.name,
-        x: ends(&axes[0], scene),
-        y: ends(&axes[1], scene),
-        verdict: report.verdict,
-    })
-    .collect()
-}
-
-const fn words(speeds: Speeds) -> &'static str {
-    match speeds {
-        Speeds::Every => "every_speed",
-        Speeds::UpToBound => "up_to_max_speed",
-    }
-}
-
-fn names<'a>(scenes: &'a [Scene], family: &Family) -> Vec<&'a str> {
-    family
-        .scenes
-        .iter()
-        .map(|number| scenes[*number].name.as_str())
-        .collect()
-}
-
-fn borders<'a>(scenes: &'a [Scene], families: &'a [Family]) -> Vec<Border<'a>> {
-    let of = |family: &'a Family| {
-        family.regions.iter().map(move |(speeds, region)| Border {
-            scenes: names(scenes, family),
-            speeds: words(*speeds),
-            found_by: found_by(&family.plane),
-            lines: &region.borders,
-        })
-    };
-    families.iter().flat_map(of).collect()
-}
-
-fn found_by(plane: &Plane) -> &'static str {
-    if plane.has_formula() {
-        "formula"
-    } else {
-        "search"
-    }
-}
-
-/// The points of the borders as CSV.
-fn table(axes: &[Axis; 2], scenes: &[Scene], families: &[Family]) -> String {
-    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
-    let [x, y] = axes.each_ref().map(|axis| quoted(&axis.column()));
-    let mut out = format!("scenes,speeds,line,{x},{y}\n");
-    for border in borders(scenes, families) {
-        let names = quoted(&border.scenes.join("; "));
-        for (number, line) in border.lines.iter().enumerate() {
-            for [x, y] in line {
-                // Writing to a string cannot fail.
-                let _ = writeln!(out, "{names},{},{},{x:?},{y:?}", border.speeds, number + 1);
-            }
-        }
-    }
-    out
-}
-
-fn text(
-    args: &Args,
-    scenes: &[Scene],
-    families: &[Family],
-    comparison: Option<&Comparison>,
-) -> String {
-    let count = |n: usize, one: &str| {
-        if n == 1 {
-            format!("1 {one}")
-        } else {
-            format!("{n} {one}s")
-        }
-    };
-    let mut lines = Vec::new();
-    if let Some(path) = &args.plot {
-        lines.push(format!(
-            "{} drawn in {}",
-            count(scenes.len(), "scene"),
-            path.display()
-        ));
-    }
-    if let Some(path) = &args.out {
-        let lines_of = |family: &Family| {
-            family
-                .regions
-                .iter()
-                .map(|(_, region)| region.borders.len())
-                .sum::<usize>()
-        };
-        let all = families.iter().map(lines_of).sum();
-        lines.push(format!(
-            "{} written to {}",
-            count(all, "border"),
-            path.display()
-        ));
-    }
-    let searched = families.iter().any(|family| !family.plane.has_formula());
-    lines.push(if searched {
-        "borders: searched for by halving; every point passes when it is typed into the scene"
-            .to_owned()
-    } else {
-        "borders: solved exactly; every point passes when it is typed into the scene".to_owned()
-    });
-    if let Some(comparison) = comparison {
-        lines.push(format!(
-            "{} measured: {} agree, at {} the criterion is stricter, at {} it is looser",
-            count(comparison.points.len(), "point"),
-            comparison.agree,
-            comparison.stricter,
-            comparison.looser
-        ));
-        if !comparison.not_read.is_empty() {
-            lines.push(format!(
-                "columns not read: {}",
-                comparison.not_read.join(", ")
-            ));
-        }
-    }
-    lines.join("\n")
 }
