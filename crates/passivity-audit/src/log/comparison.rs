@@ -12,7 +12,7 @@ use crate::figure::Figure;
 use crate::ledger::Ledger;
 use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
-use crate::log::running::near;
+use crate::log::running::near_reading;
 use crate::log::step::undefined;
 use crate::number::Written;
 use crate::reading::Reading;
@@ -125,8 +125,7 @@ impl<'a> Comparison<'a> {
             }
             self.law.push_front(law);
             self.law.truncate(self.delay + LAGS + 1);
-            let bounds = force.value.to_rational();
-            let middle = near(&bounds.middle());
+            let middle = near_reading(&force.value);
             for (expected, agreement) in self.law.iter().zip(&mut self.lags) {
                 agreement.compare(middle, *expected, force.rounding, self.compared);
             }

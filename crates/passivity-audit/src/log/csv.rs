@@ -9,7 +9,7 @@ use crate::log::error::{self, TraceError, shown};
 use crate::log::layout::{Form, Layout};
 use crate::log::lines::Block;
 use crate::log::preview::Preview;
-use crate::log::running::near;
+use crate::log::running::near_number;
 use crate::number::{Number, short};
 use crate::reading::Reading;
 
@@ -71,7 +71,7 @@ pub(crate) fn preview(lines: &[&[u8]], notation: Notation) -> Preview {
 /// The double near a field that is a number.
 fn value(field: &[u8], notation: Notation) -> Option<f64> {
     let number = number(field, notation).ok()?;
-    Some(near(&number.to_rational()))
+    Some(near_number(&number))
 }
 
 /// Whether numbers are written with a comma in some field.
@@ -234,7 +234,7 @@ fn push(
         None => None,
     };
     let velocity = match layout.velocity {
-        Some(column) => Some(near(&number_in(velocity, column)?.to_rational())),
+        Some(column) => Some(near_number(&number_in(velocity, column)?)),
         None => None,
     };
     if let (Some(before), true) = (&chunk.closing, closing.is_some())

@@ -1,13 +1,14 @@
 //! The columns of a trace: which there are, in which units, and how their values become ticks,
 //! sampling periods and KΔ.
 
-use passivity_scene::{Motion, Scene};
+use passivity_scene::Scene;
 
 use crate::log::chunk::Force;
 use crate::log::columns::{Columns, Found, Role};
 use crate::log::error::{TraceError, shown};
 use crate::log::guess;
-use crate::log::header::{Heading, split};
+use crate::log::header::Heading;
+use crate::log::names::{by_name, is_no_clock};
 use crate::log::preview::Preview;
 use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
 use crate::number::{Number, difference, is_positive, quotient};
@@ -61,6 +62,8 @@ pub(crate) struct Layout {
     /// Units of time over the sampling period.
     per_period: Number,
     per_force: Scale,
+    /// KΔ in a unit of force.
+    size_of_force: f64,
     /// Ticks per sampling period in a unit of velocity.
     pub(crate) per_velocity: f64,
 }
@@ -131,6 +134,7 @@ impl Layout {
             scale: Scale::One,
             per_period: Number::whole(1),
             per_force: Scale::One,
+            size_of_force: 1.0,
             per_velocity: 1.0,
         }))
     }
@@ -210,6 +214,7 @@ impl Layout {
             said: said.to_vec(),
             scale: signed(scale, position),
             per_period,
+            size_of_force: per_force.size(),
             per_force,
             per_velocity,
         })
@@ -297,75 +302,19 @@ impl Layout {
 
     /// A force as it is known, written to within `rounding` of its unit.
     pub(crate) fn force(&self, x: Number, rounding: f64) -> Force {
-        let (value, unit) = self.per_force.force(x);
         Force {
-            value,
-            rounding: rounding * unit,
+            value: self.per_force.force(x),
+            rounding: rounding * self.size_of_force,
         }
     }
 }
 
-fn header(message: impl Into<String>) -> TraceError {
+pub(crate) fn header(message: impl Into<String>) -> TraceError {
     TraceError::new("header", message)
 }
 
 fn twice(name: &str) -> TraceError {
     header(format!("the column `{name}` is given twice")).column(name)
-}
-
-/// The columns whose names say themselves what they are: `t [s]`, `x_rad`, `count`.
-fn by_name(headings: &[Heading]) -> Result<Vec<Found>, TraceError> {
-    let mut said: Vec<Found> = Vec::new();
-    for (column, heading) in headings.iter().enumerate() {
-        let split = split(&heading.name);
-        let stem = match &split {
-            Ok(split) => split.stem,
-            Err((stem, _)) => stem,
-        };
-        let Some(role) = Role::ALL.into_iter().find(|role| role.name() == stem) else {
-            // The name of something else, where no bracket is open.
-            if let Err((_, message)) = split {
-                return Err(header(message).column(&heading.name));
-            }
-            continue;
-        };
-        let split = split.map_err(|(_, message)| header(message).column(&heading.name))?;
-        if role == Role::Tau && split.unit.is_some() {
-            // A torque, or a time that is not in sampling periods.
-            continue;
-        }
-        if said.iter().any(|found| found.role == role) {
-            return Err(header(format!("the column `{stem}` is given twice")).column(&heading.name));
-        }
-        said.push(Found {
-            role,
-            column,
-            unit: split.unit.map(|unit| unit.into_owned()),
-            reversed: false,
-        });
-    }
-    // Beside another clock `tau` is no time: it may be a torque.
-    if said.iter().any(|found| found.role == Role::T) {
-        said.retain(|found| found.role != Role::Tau);
-    }
-    Ok(said)
-}
-
-/// Whether a column `tau` is no time: another column looks like one, or it runs backward. It may be a
-/// torque.
-fn is_no_clock(said: &[Found], headings: &[Heading], preview: &Preview, scene: &Scene) -> bool {
-    let Some(tau) = said.iter().find(|found| found.role == Role::Tau) else {
-        return false;
-    };
-    let others: Vec<Found> = said
-        .iter()
-        .filter(|f| f.role != Role::Tau)
-        .cloned()
-        .collect();
-    let unread = guess::unread(headings, preview, scene, &others);
-    let is_other = |f: &Found| matches!(f.role, Role::T | Role::Tau) && f.column != tau.column;
-    let backward = scene.motion != Motion::Dimensionless && preview.runs_backward(tau.column);
-    backward || unread.iter().any(is_other)
 }
 
 /// The form of positions and the column that has them.

@@ -14,6 +14,7 @@ mod header;
 mod layout;
 mod lines;
 mod merge;
+mod names;
 mod outcome;
 #[cfg(feature = "parquet")]
 mod parquet;

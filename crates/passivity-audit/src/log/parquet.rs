@@ -18,7 +18,7 @@ use crate::log::error::TraceError;
 use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout};
 use crate::log::preview::Preview;
-use crate::log::running::near;
+use crate::log::running::near_number;
 use crate::log::typed::{Column, Meaning, broken, counts, numbers};
 use crate::reading::Reading;
 
@@ -111,11 +111,8 @@ impl Table {
         });
         // What is wrong with the file is said where it is read.
         let (columns, rows) = read.unwrap_or_default();
-        let field = |column: &Vec<_>, row: usize| {
-            column
-                .get(row)
-                .map(|x: &crate::Number| near(&x.to_rational()))
-        };
+        let field =
+            |column: &Vec<_>, row: usize| column.get(row).map(|x: &crate::Number| near_number(x));
         Preview {
             rows: (0..rows)
                 .map(|row| columns.iter().map(|column| field(column, row)).collect())
@@ -192,7 +189,7 @@ impl Table {
                 i if Some(i) == layout.dtau => chunk.dtaus = read.values,
                 i if Some(i) == layout.time => chunk.times = read.values,
                 i if Some(i) == layout.velocity => {
-                    let near = read.values.iter().map(|v| near(&v.to_rational()));
+                    let near = read.values.iter().map(near_number);
                     chunk.velocities = near.map(|v| v * layout.per_velocity).collect();
                 }
                 _ => {

@@ -3,7 +3,8 @@
 use num_integer::Integer as _;
 use passivity_core::{BigRational, Scalar};
 
-use crate::number::Reduced;
+use crate::number::{Number, Reduced};
+use crate::reading::Reading;
 use crate::sum::Sum;
 
 /// A running sum that starts at zero, and the least value it had, the start included.
@@ -197,6 +198,27 @@ impl RunningSum {
 /// The nearest double.
 pub(crate) fn near(x: &BigRational) -> f64 {
     passivity_scene::number::nearest_f64(x)
+}
+
+/// The double nearest to a number.
+pub(crate) fn near_number(x: &Number) -> f64 {
+    /// Up to here whole numbers are doubles, so that one division rounds once.
+    const EXACT: u64 = 1 << 53;
+    match x {
+        #[allow(clippy::cast_precision_loss)] // none is lost
+        Number::Small(n, d) if n.unsigned_abs().max(d.unsigned_abs()) < EXACT => {
+            *n as f64 / *d as f64
+        }
+        x => near(&x.to_rational()),
+    }
+}
+
+/// The double nearest to the middle of what is known of a number.
+pub(crate) fn near_reading(x: &Reading) -> f64 {
+    match x {
+        Reading::Exact(x) => near_number(x),
+        x => near(&x.to_rational().middle()),
+    }
 }
 
 /// Where an energy was lowest.

@@ -64,19 +64,25 @@ impl Scale {
         }
     }
 
-    /// A force as it is known, and the size of its unit.
-    pub(crate) fn force(&self, x: Number) -> (Reading, f64) {
+    /// A force as it is known.
+    pub(crate) fn force(&self, x: Number) -> Reading {
         match self {
-            Self::One => (Reading::Exact(x), 1.0),
-            Self::Factor(factor) => {
-                let unit = near(&factor.to_rational()).abs();
-                (Reading::Exact(product(&x, factor)), unit)
-            }
+            Self::One => Reading::Exact(x),
+            Self::Factor(factor) => Reading::Exact(product(&x, factor)),
             Self::Irrational(_, range) => {
                 let x = x.to_rational();
                 let range_of_force = Interval::hull(&x * range.lo(), &x * range.hi());
-                (enclosed(&on_grid(&range_of_force)), near(range.lo()).abs())
+                enclosed(&on_grid(&range_of_force))
             }
+        }
+    }
+
+    /// The size of a unit of it.
+    pub(crate) fn size(&self) -> f64 {
+        match self {
+            Self::One => 1.0,
+            Self::Factor(factor) => near(&factor.to_rational()).abs(),
+            Self::Irrational(_, range) => near(range.lo()).abs(),
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
 use crate::log::layout::Layout;
 use crate::log::report::Fitted;
-use crate::log::running::near;
+use crate::log::running::{near_number, near_reading};
 use crate::log::step::undefined;
 use crate::number::{Number, difference};
 
@@ -35,7 +35,7 @@ impl Velocities {
     pub(crate) fn feed(&mut self, layout: &Layout, chunk: &Chunk) -> Result<(), TraceError> {
         for (i, velocity) in chunk.velocities.iter().enumerate() {
             let sample = chunk.samples.get(i).ok_or_else(undefined)?;
-            let position = near(&sample.to_rational().middle());
+            let position = near_reading(&sample);
             let time = chunk.times.get(i).cloned();
             let before = self.latest.replace((position, time.clone()));
             let Some((from, since)) = before else {
@@ -44,11 +44,7 @@ impl Velocities {
             let lasts = match since.zip(time) {
                 Some((since, time)) => {
                     let periods = layout.duration(&since, &time);
-                    near(
-                        &periods
-                            .unwrap_or_else(|| difference(&time, &since))
-                            .to_rational(),
-                    )
+                    near_number(&periods.unwrap_or_else(|| difference(&time, &since)))
                 }
                 None => 1.0,
             };

@@ -68,13 +68,13 @@ pub(super) fn all(name: &str, source: &str, diagnostics: &[Diagnostic], look: Lo
 /// replaced by as many bytes.
 pub(super) fn printable(text: &str) -> String {
     let replaced = text.chars().map(|c| {
-        let hidden = matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}');
+        let hidden = matches!(c, '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}');
         let spared = c == '\n' || c == '\t';
         match c.len_utf8() {
             // The end of a line elsewhere.
             1 if c == '\r' => " ",
             1 if c.is_control() && !spared => "?",
-            2 if c.is_control() => "??",
+            2 if c.is_control() || hidden => "??",
             3 if hidden => "\u{fffd}",
             _ => return c.to_string(),
         }
