@@ -221,7 +221,12 @@ mod tests {
                 let text = format!("use crate::domain;\n// {file}");
                 here.write(&format!("{HARNESSES}/{file}.rs"), &text);
             }
-            for other in ["crates/passivity-scene", "proofs/terms", "proofs/smt"] {
+            for other in [
+                "crates/passivity-monitor",
+                "crates/passivity-scene",
+                "proofs/terms",
+                "proofs/smt",
+            ] {
                 here.write(&format!("{other}/src/lib.rs"), "");
             }
             here.write("crates/passivity-core/tests/properties/main.rs", "");
