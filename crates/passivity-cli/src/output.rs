@@ -59,12 +59,17 @@ fn write_out(text: &str) -> Result<(), Failure> {
         .map_err(|error| Failure::io("standard output", &error))
 }
 
-/// Writes a JSON document to standard output.
+/// Writes a JSON document to standard output, with the version of this program.
 pub(crate) fn emit_json(document: &impl serde::Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(document);
-    let text =
-        text.map_err(|error| Failure::input(format!("this result cannot be JSON: {error}")))?;
-    write_out(&escaped(&text))
+    let failed =
+        |error: serde_json::Error| Failure::input(format!("this result cannot be JSON: {error}"));
+    let mut document = serde_json::to_value(document).map_err(failed)?;
+    if let serde_json::Value::Object(fields) = &mut document {
+        fields.insert("version".to_owned(), env!("CARGO_PKG_VERSION").into());
+    }
+    emit(&escaped(
+        &serde_json::to_string_pretty(&document).map_err(failed)?,
+    ))
 }
 
 /// JSON with what hides in its texts escaped: such characters stand in texts only.

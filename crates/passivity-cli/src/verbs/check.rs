@@ -40,8 +40,8 @@ pub(crate) struct Args {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Check")]
 pub(crate) struct Document {
-    /// The version of this program.
-    version: &'static str,
+    /// The units of the figures: programs get SI, whatever the scene was written in.
+    units: &'static str,
     scenes: Vec<Report>,
     /// What is wrong with the files that could not be read; left out when all could.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -85,7 +85,7 @@ fn saved(paths: &[PathBuf]) -> Vec<Option<(SystemTime, u64)>> {
 fn check_all(args: &Args) -> Result<Exit, Failure> {
     let mut exit = Exit::Holds;
     let mut document = Document {
-        version: env!("CARGO_PKG_VERSION"),
+        units: "SI: m, rad, s, kg, N, N m, J; ticks and samples where a name says nothing of SI",
         scenes: Vec::new(),
         errors: Vec::new(),
     };

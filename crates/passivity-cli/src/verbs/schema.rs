@@ -1,10 +1,10 @@
 //! `passivity schema`: the JSON Schemas of scene files and of what the commands answer.
 
 use passivity_scene::check::{Constants, Design};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::exit::{Exit, Failure};
-use crate::output::emit_json;
+use crate::output::emit;
 use crate::verbs;
 
 /// Print the JSON Schema of scene files, for editors, or of what a command answers as JSON.
@@ -47,8 +47,8 @@ enum Of {
 
 /// Prints the schema.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    let schema: Value = match args.of {
-        Of::Scene => passivity_scene::parse::schema(),
+    let mut schema: Value = match args.of {
+        Of::Scene => return print(&passivity_scene::parse::schema()),
         Of::Check => schemars::schema_for!(verbs::check::Document).into(),
         Of::Explain => schemars::schema_for!(verbs::explain::Document).into(),
         Of::Design => schemars::schema_for!(Design).into(),
@@ -60,6 +60,17 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         #[cfg(feature = "simulate")]
         Of::Accuracy => schemars::schema_for!(passivity_sim::report::Accuracy).into(),
     };
-    emit_json(&schema)?;
+    // What every answer has.
+    schema["properties"]["version"] = json!({
+        "description": "The version of the program.",
+        "type": "string",
+    });
+    print(&schema)
+}
+
+/// Prints a schema, which is no answer and has no version.
+fn print(schema: &Value) -> Result<Exit, Failure> {
+    let text = serde_json::to_string_pretty(schema);
+    emit(&text.map_err(|error| Failure::input(format!("this schema is not JSON: {error}")))?)?;
     Ok(Exit::Holds)
 }

@@ -121,7 +121,7 @@ fn drive(command: &str, groups: &[Group], args: &Args) -> Result<Exit, Failure> 
             })
             .collect();
         emit_json(&json!({
-            "version": env!("CARGO_PKG_VERSION"), "tests": outcome.tests, "differences": listed,
+            "tests": outcome.tests, "differences": listed,
         }))?;
     } else {
         for d in differences.iter().take(LISTED) {
