@@ -1,8 +1,6 @@
 //! The option `--plot`.
 
-use std::path::{Path, PathBuf};
-
-use crate::exit::Failure;
+use std::path::PathBuf;
 
 /// The name of a picture's file; without the feature `plot` there is none to draw it in, and nothing
 /// is done before that is said.
@@ -19,15 +17,15 @@ pub(crate) fn path(_: &str) -> Result<PathBuf, &'static str> {
 
 /// Refuses a picture that cannot be written, before any work is done for it.
 #[cfg(feature = "plot")]
-pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
+pub(crate) fn check(path: Option<&std::path::Path>) -> Result<(), crate::exit::Failure> {
     match path {
-        Some(path) => passivity_plot::check_name(path).map_err(Failure::input),
+        Some(path) => passivity_plot::check_name(path).map_err(crate::exit::Failure::input),
         None => Ok(()),
     }
 }
 
 /// Nothing to check: a name was refused before.
-#[cfg(not(feature = "plot"))]
-pub(crate) fn check(_: Option<&Path>) -> Result<(), Failure> {
+#[cfg(all(feature = "simulate", not(feature = "plot")))]
+pub(crate) fn check(_: Option<&std::path::Path>) -> Result<(), crate::exit::Failure> {
     Ok(())
 }
