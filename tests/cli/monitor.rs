@@ -3,6 +3,9 @@
 //! What can have been given at the most is the same number, which the monitor rounds outward to its unit;
 //! what was given at the least is exact in the monitor, and in an audit never more.
 
+#[path = "../../crates/passivity-monitor-capi/tests/bare/mod.rs"]
+mod bare;
+
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -335,26 +338,13 @@ fn interval(xi: f64, v: f64, force: f64) -> (f64, f64) {
 /// The example, linked with the library as for a microcontroller.
 fn compiled(dir: &Dir) -> PathBuf {
     let capi = root().join("crates/passivity-monitor-capi");
-    let target = root().join("target/monitor-bare");
-    let status = Command::new(env!("CARGO"))
-        .args(["rustc", "--quiet", "--offline", "--release", "--lib"])
-        .args(["--no-default-features", "--crate-type", "staticlib"])
-        .args([
-            "--config",
-            "profile.release.panic=\"abort\"",
-            "--target-dir",
-        ])
-        .arg(&target)
-        .current_dir(&capi)
-        .status()
-        .expect("cargo runs");
-    assert!(status.success(), "the library does not compile");
+    let library = bare::library(&capi);
     let program = dir.path("loop");
     let status = Command::new("cc")
         .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-I"])
         .arg(capi.join("include"))
         .arg(capi.join("examples/loop.c"))
-        .arg(target.join("release/libpassivity_monitor_c.a"))
+        .arg(library)
         .arg("-o")
         .arg(&program)
         .status()

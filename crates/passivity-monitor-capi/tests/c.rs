@@ -1,5 +1,7 @@
 //! A C program calls the library, with an operating system and without one.
 
+mod bare;
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -8,26 +10,10 @@ fn here() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Builds the library as for a microcontroller: nothing but Rust's `core`.
+/// The library as for a microcontroller, built once.
 fn library() -> &'static Path {
     static BUILT: OnceLock<PathBuf> = OnceLock::new();
-    BUILT.get_or_init(|| {
-        let folder = here().join("../../target/monitor-bare");
-        let status = Command::new(env!("CARGO"))
-            .args(["rustc", "--quiet", "--offline", "--release", "--lib"])
-            .args(["--no-default-features", "--crate-type", "staticlib"])
-            .args([
-                "--config",
-                "profile.release.panic=\"abort\"",
-                "--target-dir",
-            ])
-            .arg(&folder)
-            .current_dir(here())
-            .status()
-            .unwrap();
-        assert!(status.success(), "the library does not compile without std");
-        folder.join("release/libpassivity_monitor_c.a")
-    })
+    BUILT.get_or_init(|| bare::library(here()))
 }
 
 fn compile_and_run(name: &str, arguments: &[&str]) {
