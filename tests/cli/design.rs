@@ -102,6 +102,12 @@ fn constants_are_on_the_safe_side() {
     let run = dir.run(&["export", &scene, "--for", "json"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
     let constants = run.json();
+    // A file has the same document as standard output.
+    let args = ["export", &scene, "--for", "json", "--out", "wall.json"];
+    assert_eq!(dir.run(&args).code, 0);
+    let written = std::fs::read_to_string(dir.path("wall.json")).expect("a document");
+    let written: Value = serde_json::from_str(&written).expect("JSON");
+    assert_eq!(written, constants);
     for (key, unit, from) in [
         ("max_stiffness", "N m/rad", "stiffness = \"1 N m/rad\""),
         ("max_damping", "N m s/rad", "stiffness = \"1 N m/rad\""),

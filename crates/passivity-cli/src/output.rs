@@ -27,17 +27,7 @@ pub(crate) fn is_hidden(c: char) -> bool {
 
 /// Our own text with what hides in foreign names escaped.
 pub(crate) fn legible(text: &str) -> Cow<'_, str> {
-    if !text.contains(is_hidden) {
-        return Cow::Borrowed(text);
-    }
-    let mut shown = String::with_capacity(text.len());
-    for c in text.chars() {
-        match is_hidden(c) {
-            true => shown.extend(c.escape_default()),
-            false => shown.push(c),
-        }
-    }
-    Cow::Owned(shown)
+    without_hidden(text, |c, shown| shown.extend(c.escape_default()))
 }
 
 /// Says something on standard error.
@@ -61,31 +51,40 @@ fn write_out(text: &str) -> Result<(), Failure> {
 
 /// Writes a JSON document to standard output, with the version of this program.
 pub(crate) fn emit_json(document: &impl serde::Serialize) -> Result<(), Failure> {
+    write_out(&json_text(document)?)
+}
+
+/// A JSON document as text, with the version of this program.
+pub(crate) fn json_text(document: &impl serde::Serialize) -> Result<String, Failure> {
     let failed =
         |error: serde_json::Error| Failure::input(format!("this result cannot be JSON: {error}"));
     let mut document = serde_json::to_value(document).map_err(failed)?;
     if let serde_json::Value::Object(fields) = &mut document {
         fields.insert("version".to_owned(), env!("CARGO_PKG_VERSION").into());
     }
-    emit(&escaped(
-        &serde_json::to_string_pretty(&document).map_err(failed)?,
-    ))
+    let text = serde_json::to_string_pretty(&document).map_err(failed)?;
+    Ok(escaped(&text).into_owned())
 }
 
 /// JSON with what hides in its texts escaped: such characters stand in texts only.
 fn escaped(json: &str) -> Cow<'_, str> {
-    if !json.contains(is_hidden) {
-        return Cow::Borrowed(json);
+    without_hidden(json, |c, shown| {
+        let mut units = [0; 2];
+        for unit in c.encode_utf16(&mut units) {
+            shown.push_str(&format!("\\u{unit:04x}"));
+        }
+    })
+}
+
+/// The text with each hidden character as `escape` writes it.
+fn without_hidden(text: &str, escape: impl Fn(char, &mut String)) -> Cow<'_, str> {
+    if !text.contains(is_hidden) {
+        return Cow::Borrowed(text);
     }
-    let mut shown = String::with_capacity(json.len());
-    for c in json.chars() {
+    let mut shown = String::with_capacity(text.len());
+    for c in text.chars() {
         match is_hidden(c) {
-            true => {
-                let mut units = [0; 2];
-                for unit in c.encode_utf16(&mut units) {
-                    shown.push_str(&format!("\\u{unit:04x}"));
-                }
-            }
+            true => escape(c, &mut shown),
             false => shown.push(c),
         }
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use passivity_scene::check::{Target, constants};
 
 use crate::exit::{Exit, Failure};
-use crate::output::{emit, emit_json, read_scene, write_new};
+use crate::output::{emit, emit_json, json_text, read_scene, write_new};
 
 /// Write the constants that a control program asks for: stiffness, damping, rate, speed.
 ///
@@ -60,11 +60,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         (Some(target), None) => emit(&constants.to_source(target))?,
         (Some(target), Some(path)) => write_new(path, &constants.to_source(target))?,
         (None, None) => emit_json(&constants)?,
-        (None, Some(path)) => {
-            let text = serde_json::to_string_pretty(&constants);
-            let text = text.map_err(|error| Failure::input(format!("not JSON: {error}")))?;
-            write_new(path, &text)?;
-        }
+        (None, Some(path)) => write_new(path, &json_text(&constants)?)?,
     }
     if !constants.is_passive {
         eprintln!(
