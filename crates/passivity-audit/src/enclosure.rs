@@ -264,7 +264,6 @@ fn through<S: Written>([a, b, c]: [S; 3], [from, to]: [S; 2]) -> Option<[S; 3]> 
         return Some(found);
     }
     // Dividing by a short width made the numbers longer than what they stand for.
-    let lowest = |x: &S| S::from_reduced(&x.to_reduced()?);
-    let [alpha, gamma, kappa] = found.each_ref().map(lowest);
+    let [alpha, gamma, kappa] = found.each_ref().map(S::shortened);
     Some([alpha?, gamma?, kappa?])
 }

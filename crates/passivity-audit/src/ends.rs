@@ -5,6 +5,8 @@ use passivity_core::{
     rational,
 };
 
+use crate::span::{self, Span};
+
 /// A dimensionless loop at the least and at the most that its friction may be.
 ///
 /// All else is exact: it shapes the force or scales the trace, and an account is of one force.
@@ -124,6 +126,28 @@ impl Ends<BigRational> {
     #[must_use]
     pub fn to_fixed(&self) -> Option<Ends<Fixed>> {
         self.try_map(rational::to_fixed)
+    }
+
+    /// The loop over numbers known to within 2⁻⁶⁴. One that does not fit is undefined there.
+    #[must_use]
+    pub(crate) fn to_near(&self) -> Ends<Span> {
+        /// Friction that is known as closely as this is one span, which saves half of the work.
+        const NARROW: i128 = 1 << (span::BITS / 2);
+        let [least, most] =
+            [&self.least, &self.most].map(|ends| ends.map(|_, x| Span::of_rational(x)));
+        let mut one = least.clone();
+        let all = [(&mut one.viscous, &most.viscous), (&mut one.coulomb, &most.coulomb)];
+        let narrow = all.into_iter().all(|(one, most)| match (one, most) {
+            (Some(one), Some(most)) => {
+                *one = one.joined(*most);
+                one.width().is_some_and(|width| width < NARROW)
+            }
+            (one, most) => one.is_none() && most.is_none(),
+        });
+        match narrow {
+            true => Ends::exact(one),
+            false => Ends::between(least, most, self.friction_is_exact),
+        }
     }
 
     /// The loop over big integers.

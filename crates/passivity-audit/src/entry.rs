@@ -4,12 +4,14 @@
 use std::cmp::Ordering;
 
 use passivity_core::ledger::{self, HeldInterval};
-use passivity_core::{Criterion, Ordered, Step, Truth, dissipation, extra_storage};
+use passivity_core::{Criterion, Interval, Ordered, Step, Truth, dissipation, extra_storage};
 
 use crate::enclosure::Rectangle;
 use crate::ends::Ends;
 use crate::figure::{Figure, not};
+use crate::ledger::Truths;
 use crate::number::Written;
+use crate::sum::FigureSum;
 
 /// A sampling interval as a trace has it.
 #[derive(Clone, Copy, Debug)]
@@ -178,9 +180,12 @@ fn between_frictions<S: Ordered>(
         true => None,
         false => Some(ledger::row(&ends.most, held)),
     };
+    // More friction takes more, so the ends are in order also where enclosures of them overlap; that they
+    // are defined is seen to with the rest of the row.
     let by_friction = |lo: S, hi: Option<S>| match hi {
         None => Some(Figure::Exact(lo)),
-        Some(hi) => Figure::between(lo, hi),
+        Some(hi) if hi.compare(&lo) == Some(Ordering::Less) => None,
+        Some(hi) => Some(Figure::Enclosed(Interval::new_unchecked(lo, hi))),
     };
     let of = |pick: fn(&ledger::Row<S>) -> &S| most.as_ref().map(|row| pick(row).clone());
     Some(ledger::Row {
@@ -214,7 +219,7 @@ fn displacement<S: Ordered>(start: &Figure<S>, end: &Figure<S>) -> Option<Figure
 }
 
 /// The margin at the mean speed, and whether the criterion holds there.
-fn criterion<S: Ordered>(
+fn criterion<S: Written>(
     ends: &Ends<S>,
     times_speed: &Figure<S>,
     speed: &Figure<S>,
@@ -226,6 +231,10 @@ fn criterion<S: Ordered>(
         Truth::Fails if may_rest => Truth::Depends,
         truth => truth,
     };
+    if !S::EXACT {
+        // Its value is shown of exact rows alone.
+        return Some((None, truth));
+    }
     // (8) itself is monotone in the speed, and without bound at rest unless σ is on the line.
     let at = |criterion: &Criterion<S>, v: &S| {
         criterion.viscous.clone() + criterion.coulomb.clone().over(v.clone())
@@ -312,6 +321,15 @@ impl<S: Ordered> Entry<S> {
         ]
     }
 
+    /// What the row answers.
+    pub(crate) const fn truths(&self) -> Truths {
+        Truths {
+            criterion_holds: self.criterion_holds,
+            violates_linear: self.violates_linear,
+            violates_quantized: self.violates_quantized,
+        }
+    }
+
     fn is_defined(&self) -> bool {
         let defined = |(_, figure): &(_, Option<&Figure<S>>)| match figure {
             Some(figure) => figure.is_defined(),
@@ -324,5 +342,39 @@ impl<S: Ordered> Entry<S> {
         margin.map(Ordered::sign).all(|sign| sign.is_some())
             && self.dtau.is_positive() == Some(true)
             && self.figures().iter().all(defined)
+    }
+}
+
+impl<S: Written> Entry<S> {
+    /// −F·Δξ, what the passivity observer adds, with enclosed numbers at their lower end: a count as it is.
+    pub(crate) fn observed(&self) -> S {
+        let [force, from, to] = [self.held.lo(), self.xi0.lo(), self.xi1.lo()].map(S::clone);
+        -(force * (to - from))
+    }
+
+    /// What friction took less what was generated against the linear spring, whatever a storage gained: at
+    /// the least and at the most.
+    pub(crate) fn kept(&self) -> [S; 2] {
+        let (taken, generated) = (&self.account.dissipated_lower, &self.account.generated_linear);
+        [
+            taken.lo().clone() - generated.hi().clone(),
+            taken.hi().clone() - generated.lo().clone(),
+        ]
+    }
+
+    /// Adds the five figures that totals are kept of, `times` over; `None` when one is undefined.
+    pub(crate) fn add_to(&self, sums: &mut [FigureSum; 5], times: u64) -> Option<()> {
+        let account = &self.account;
+        let figures = [
+            &account.generated_linear,
+            &account.generated_quantized,
+            &account.dissipated_lower,
+            &account.net_linear,
+            &account.net_quantized,
+        ];
+        for (sum, figure) in sums.iter_mut().zip(figures) {
+            sum.add_times(figure, times)?;
+        }
+        Some(())
     }
 }

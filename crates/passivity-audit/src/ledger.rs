@@ -7,8 +7,9 @@ use passivity_scene::Scene;
 use crate::ends::{Ends, NotExact};
 use crate::entry::{Entry, Recorded, entry};
 use crate::figure::Figure;
-use crate::number::{Number, Reduced, Written};
+use crate::number::{Number, Written};
 use crate::reading::Reading;
+use crate::span::Span;
 use crate::sum::FigureSum;
 
 /// A loop ready to account for intervals.
@@ -31,6 +32,7 @@ use crate::sum::FigureSum;
 pub struct Ledger {
     fixed: Option<Ends<Fixed>>,
     wide: Ends<Wide>,
+    near: Ends<Span>,
 }
 
 /// A sampling interval of a trace, with all that its row is made of.
@@ -76,6 +78,7 @@ impl Ledger {
         let ends = Ends::of(dimensionless)?;
         Ok(Self {
             fixed: ends.to_fixed(),
+            near: ends.to_near(),
             wide: ends.to_wide(),
         })
     }
@@ -137,40 +140,95 @@ impl Ledger {
     /// The row of an interval; `None` for no samples or a Δτ that is not above zero.
     #[must_use]
     pub fn row(&self, interval: &Logged) -> Option<Row> {
-        let on_machine_integers = || {
-            let kept = interval.samples.iter().take(self.window());
-            let samples: Option<Vec<_>> = kept.map(Reading::to_fixed).collect();
-            let force = match &interval.force {
-                Some(force) => Some(force.to_fixed()?),
-                None => None,
-            };
-            let recorded = Recorded {
-                samples: &samples?,
-                end: &interval.end.to_fixed()?,
-                dtau: &interval.dtau.to_fixed()?,
-                force: force.as_ref(),
-            };
-            entry(self.fixed.as_ref()?, &recorded)
-        };
-        if let Some(entry) = on_machine_integers() {
-            return Some(Row::Fixed(Box::new(entry)));
+        let dtau = interval.dtau.to_fixed();
+        let fixed = self.fixed.as_ref().zip(dtau).and_then(|(ends, dtau)| {
+            interval.read().row(ends, self.window(), &dtau, Reading::to_fixed)
+        });
+        match fixed {
+            Some(entry) => Some(Row::Fixed(Box::new(entry))),
+            None => Some(Row::Wide(Box::new(self.wide_entry(interval)?))),
         }
-        let entry = self.wide_entry(interval)?;
-        Some(Row::Wide(Box::new(entry)))
     }
 
     /// The row of an interval on big integers.
     pub(crate) fn wide_entry(&self, interval: &Logged) -> Option<Entry<Wide>> {
-        let kept = interval.samples.iter().take(self.window());
-        let samples: Vec<_> = kept.map(Reading::to_wide).collect();
-        let force = interval.force.as_ref().map(Reading::to_wide);
+        let wide = |reading: &Reading| Some(reading.to_wide());
+        interval.read().row(&self.wide, self.window(), &interval.dtau.to_wide(), wide)
+    }
+
+    /// The row of an interval, enclosed to within 2⁻⁶⁴ an operation; `None` where that leaves something
+    /// open that exact numbers decide.
+    pub(crate) fn near_entry<'r, R>(&self, read: Read<'r, R>, dtau: &Number) -> Option<Entry<Span>>
+    where
+        R: Iterator<Item = &'r Reading>,
+    {
+        let near = |reading: &Reading| Some(reading.to_near());
+        read.row(&self.near, self.window(), &Span::of(dtau), near)
+    }
+
+    /// The loop in spans.
+    pub(crate) const fn near(&self) -> &Ends<Span> {
+        &self.near
+    }
+}
+
+/// What was read of an interval.
+pub(crate) struct Read<'r, R> {
+    /// The samples up to its start, the latest first.
+    pub(crate) samples: R,
+    pub(crate) end: &'r Reading,
+    pub(crate) force: Option<&'r Reading>,
+}
+
+impl Logged {
+    pub(crate) fn read(&self) -> Read<'_, std::slice::Iter<'_, Reading>> {
+        Read {
+            samples: self.samples.iter(),
+            end: &self.end,
+            force: self.force.as_ref(),
+        }
+    }
+}
+
+impl<'r, R: Iterator<Item = &'r Reading>> Read<'r, R> {
+    /// The row on one kind of numbers; `None` when one of them is undefined.
+    fn row<S: Written>(
+        mut self,
+        ends: &Ends<S>,
+        window: usize,
+        dtau: &S,
+        known: impl Fn(&Reading) -> Option<Figure<S>>,
+    ) -> Option<Entry<S>> {
+        let start = self.samples.next()?;
+        let still = start.is_same(self.end);
+        let (xi0, xi1) = (known(start)?, known(self.end)?);
+        // Of what stands still, any position that it may have stands for all.
+        let at = |figure: &Figure<S>| match still {
+            true => Figure::Exact(figure.lo().one_of()),
+            false => figure.clone(),
+        };
+        let one = [at(&xi0)];
+        let several: Vec<Figure<S>>;
+        let samples = match window {
+            1 => &one[..],
+            window => {
+                let earlier = self.samples.take(window - 1).map(|sample| known(sample));
+                several = one.into_iter().map(Some).chain(earlier).collect::<Option<_>>()?;
+                &several
+            }
+        };
+        let force = match self.force {
+            Some(force) => Some(known(force)?),
+            None => None,
+        };
         let recorded = Recorded {
-            samples: &samples,
-            end: &interval.end.to_wide(),
-            dtau: &interval.dtau.to_wide(),
+            samples,
+            end: &at(&xi1),
+            dtau,
             force: force.as_ref(),
         };
-        entry(&self.wide, &recorded)
+        let entry = entry(ends, &recorded)?;
+        Some(Entry { xi0, xi1, ..entry })
     }
 }
 
@@ -223,11 +281,7 @@ impl Row {
     /// What the row answers.
     #[must_use]
     pub fn truths(&self) -> Truths {
-        on_entry!(self, entry => Truths {
-            criterion_holds: entry.criterion_holds,
-            violates_linear: entry.violates_linear,
-            violates_quantized: entry.violates_quantized,
-        })
+        on_entry!(self, entry => entry.truths())
     }
 
     /// `net_linear`, in lowest terms.
@@ -244,26 +298,8 @@ impl Row {
         ]))
     }
 
-    /// The least that `net_linear` may be.
-    pub(crate) fn least_net(&self) -> Option<Reduced> {
-        on_entry!(self, entry => entry.account.net_linear.lo().to_reduced())
-    }
-
     /// Adds the five figures that totals are kept of, `times` over; `None` when one is undefined.
     pub(crate) fn add_to(&self, sums: &mut [FigureSum; 5], times: u64) -> Option<()> {
-        on_entry!(self, entry => {
-            let account = &entry.account;
-            let figures = [
-                &account.generated_linear,
-                &account.generated_quantized,
-                &account.dissipated_lower,
-                &account.net_linear,
-                &account.net_quantized,
-            ];
-            for (sum, figure) in sums.iter_mut().zip(figures) {
-                sum.add_times(figure, times)?;
-            }
-            Some(())
-        })
+        on_entry!(self, entry => entry.add_to(sums, times))
     }
 }

@@ -25,6 +25,7 @@ mod parabola;
 pub mod reading;
 pub mod rows;
 pub mod run;
+mod span;
 pub mod sum;
 
 pub use ends::Ends;
@@ -39,4 +40,4 @@ pub use log::{
     audit_csv, audit_files, legible,
 };
 pub use number::Number;
-pub use reading::Reading;
+pub use reading::{Reading, Scaled};

@@ -238,8 +238,31 @@ impl From<BigRational> for Reduced {
 
 /// A number that can be written in lowest terms.
 pub trait Written: Ordered {
-    /// The number in lowest terms; `None` when it is undefined.
+    /// Whether it is the number itself that is held, not an enclosure of it.
+    const EXACT: bool = true;
+
+    /// The number in lowest terms; `None` when it is undefined, or not exactly known.
     fn to_reduced(&self) -> Option<Reduced>;
+
+    /// The number, or one close below it.
+    fn below(&self) -> Option<Reduced> {
+        self.to_reduced()
+    }
+
+    /// The number, or one close above it.
+    fn above(&self) -> Option<Reduced> {
+        self.to_reduced()
+    }
+
+    /// The number, or one of those in an enclosure.
+    fn one_of(&self) -> Self {
+        self.clone()
+    }
+
+    /// The same number, written with the shortest numerator and denominator.
+    fn shortened(&self) -> Option<Self> {
+        Self::from_reduced(&self.to_reduced()?)
+    }
 
     /// A number in lowest terms as one of this kind; `None` when this kind does not hold it.
     fn from_reduced(x: &Reduced) -> Option<Self>;

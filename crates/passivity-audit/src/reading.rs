@@ -4,6 +4,7 @@ use passivity_core::{BigRational, Fixed, Interval, Ordered, Scalar, Wide, ration
 
 use crate::figure::Figure;
 use crate::number::Number;
+use crate::span::{self, Span};
 
 /// A position in ticks, or a force in KΔ, as a trace gives it.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,8 +14,45 @@ pub enum Reading {
     /// An encoder's count n: a position in [n, n + 1).
     Count(i64),
     /// A number in an interval, as when Δ has π in it; of a position, within one tick.
-    Within(Box<Interval<BigRational>>),
+    Within(Scaled),
 }
+
+/// A number of a trace after a factor with π in it: enclosed, and known to be the same as another where
+/// the trace has the same number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scaled {
+    written: Number,
+    span: Span,
+}
+
+impl Scaled {
+    /// The number that is `written` in the trace, scaled into `span`.
+    pub(crate) const fn new(written: Number, span: Span) -> Self {
+        Self { written, span }
+    }
+
+    /// On a coarser grid, which machine integers have room to compute with.
+    fn coarse(&self) -> Interval<i128> {
+        const DROPPED: u32 = span::BITS - GRID_BITS;
+        let [lo, hi] = self.span.ends();
+        Interval::new_unchecked(lo >> DROPPED, -(-hi >> DROPPED))
+    }
+
+    /// A double near the number.
+    pub(crate) fn near(&self) -> f64 {
+        self.span.near()
+    }
+
+    /// An interval that holds the number.
+    #[must_use]
+    pub fn range(&self) -> Interval<BigRational> {
+        self.coarse()
+            .map(|n| BigRational::new((*n).into(), (1_i128 << GRID_BITS).into()))
+    }
+}
+
+/// Steps of the coarser grid per tick, or per KΔ, as a power of two.
+pub(crate) const GRID_BITS: u32 = 40;
 
 impl Reading {
     /// What is known of the number, on machine integers; `None` when they do not hold it.
@@ -23,7 +61,29 @@ impl Reading {
         match self {
             Self::Exact(x) => x.to_fixed().map(Figure::Exact),
             Self::Count(n) => count(Fixed::new((*n).into(), 1)),
-            Self::Within(range) => range.try_map(rational::to_fixed).map(Figure::Enclosed),
+            Self::Within(x) => {
+                let range = x.coarse().map(|n| Fixed::new(*n, 1 << GRID_BITS));
+                Some(Figure::Enclosed(range))
+            }
+        }
+    }
+
+    /// Whether it is known to be the same number as another, which a count never is: what stands still
+    /// generates nothing, however little is known of where.
+    #[must_use]
+    pub fn is_same(&self, other: &Self) -> bool {
+        !matches!(self, Self::Count(_)) && self == other
+    }
+
+    /// What is known of the number, to within 2⁻⁶⁴.
+    pub(crate) fn to_near(&self) -> Figure<Span> {
+        match self {
+            Self::Exact(x) => Figure::Exact(Span::of(x)),
+            Self::Count(n) => {
+                let tick = Span::whole(*n);
+                Figure::Enclosed(Interval::new_unchecked(tick, tick + Span::one()))
+            }
+            Self::Within(x) => Figure::Exact(x.span),
         }
     }
 
@@ -36,7 +96,7 @@ impl Reading {
                 let tick = Wide::new((*n).into(), 1.into());
                 Figure::Enclosed(Interval::hull(tick.clone(), tick + Wide::one()))
             }
-            Self::Within(range) => Figure::Enclosed(range.map(rational::to_wide)),
+            Self::Within(x) => Figure::Enclosed(x.range().map(rational::to_wide)),
         }
     }
 
@@ -49,7 +109,7 @@ impl Reading {
                 let tick = BigRational::from_integer((*n).into());
                 Interval::hull(tick.clone(), tick + BigRational::one())
             }
-            Self::Within(range) => (**range).clone(),
+            Self::Within(x) => x.range(),
         }
     }
 }

@@ -7,6 +7,7 @@ use passivity_core::{BigRational, Interval};
 
 use crate::figure::Figure;
 use crate::number::{Reduced, Written};
+use crate::span::ONE;
 
 /// The widest denominator that a sum keeps, in bits. Past it (a trace of ever new denominators)
 /// the sum is rounded outward, so that memory stays flat: it becomes an enclosure.
@@ -132,8 +133,15 @@ impl Sum {
 
     /// Adds a number `times` over; `None`, and nothing added, when it is undefined.
     pub fn add_times<S: Written>(&mut self, x: &S, times: u64) -> Option<()> {
-        let x = x.to_reduced()?;
-        let product = match &x {
+        self.add_reduced_times(&x.to_reduced()?, times);
+        Some(())
+    }
+
+    fn add_reduced_times(&mut self, x: &Reduced, times: u64) {
+        if times == 1 {
+            return self.add_reduced(x);
+        }
+        let product = match x {
             Reduced::Small(n, d) => n.checked_mul(times.into()).zip(Some(*d)),
             Reduced::Big(_) => None,
         };
@@ -145,7 +153,6 @@ impl Sum {
             },
             None => self.add_rational(&(x.to_rational() * BigInt::from(times))),
         }
-        Some(())
     }
 
     /// The sum: exact, or enclosed once its denominator grew past [`MAX_DENOMINATOR_BITS`].
@@ -171,6 +178,15 @@ pub struct FigureSum {
 }
 
 impl FigureSum {
+    /// A sum between two numbers in units of the grid of spans.
+    pub(crate) fn of_grid(ends: [i128; 2]) -> Self {
+        let [lo, hi] = ends.map(|n| Sum {
+            small: (n, ONE),
+            ..Sum::default()
+        });
+        Self { lo, hi: Some(hi) }
+    }
+
     /// Adds a figure; `None` when it is undefined.
     pub fn add<S: Written>(&mut self, figure: &Figure<S>) -> Option<()> {
         self.add_times(figure, 1)
@@ -178,14 +194,14 @@ impl FigureSum {
 
     /// Adds a figure `times` over; `None` when it is undefined.
     pub fn add_times<S: Written>(&mut self, figure: &Figure<S>, times: u64) -> Option<()> {
-        if let Figure::Enclosed(_) = figure {
+        if !(S::EXACT && figure.is_exact()) {
             self.hi.get_or_insert_with(|| self.lo.clone());
         }
-        self.lo.add_times(figure.lo(), times)?;
-        match &mut self.hi {
-            Some(hi) => hi.add_times(figure.hi(), times),
-            None => Some(()),
+        self.lo.add_reduced_times(&figure.lo().below()?, times);
+        if let Some(hi) = &mut self.hi {
+            hi.add_reduced_times(&figure.hi().above()?, times);
         }
+        Some(())
     }
 
     /// Adds another sum.

@@ -3,6 +3,7 @@
 use passivity_core::{BigRational, Truth};
 
 use crate::ledger::{Logged, Row, Truths};
+use crate::log::worker::Accounted;
 use crate::log::running::{Lowest, RunningSum};
 use crate::log::supply::Supply;
 use crate::log::timing::Timing;
@@ -71,7 +72,7 @@ impl Account {
     /// the interval where it is worth showing. `None` when a number is undefined.
     pub(crate) fn note(
         &mut self,
-        row: &Row,
+        row: &Accounted,
         net: &Reduced,
         h: u64,
         times: u64,

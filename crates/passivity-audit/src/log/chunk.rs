@@ -1,6 +1,7 @@
 //! A part of a trace, as it was read.
 
 use crate::log::error::TraceError;
+use crate::log::source::Place;
 use crate::number::Number;
 use crate::reading::Reading;
 
@@ -16,8 +17,8 @@ pub(crate) struct Chunk {
     pub(crate) forces: Vec<Force>,
     /// In ticks per sampling period; one per sample, or none at all.
     pub(crate) velocities: Vec<f64>,
-    /// Which file of the log it is from.
-    pub(crate) file: usize,
+    /// Where in the log it is.
+    pub(crate) place: Place,
     /// Where the last row of a ledger ends.
     pub(crate) closing: Option<Reading>,
     /// Whether the last row, a whole one as it stands, lacks its line break.

@@ -6,7 +6,7 @@
 
 use std::collections::VecDeque;
 
-use passivity_core::Controller;
+use passivity_core::{Controller, Wide};
 
 use crate::figure::Figure;
 use crate::ledger::Ledger;
@@ -16,6 +16,7 @@ use crate::log::running::near_reading;
 use crate::log::step::undefined;
 use crate::number::Written;
 use crate::reading::Reading;
+use crate::span::Span;
 
 /// The longest lag that is tried beyond the scene's, in samples.
 const LAGS: usize = 8;
@@ -30,6 +31,9 @@ const ABSOLUTE: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(crate) struct Comparison<'a> {
     ledger: &'a Ledger,
+    /// The controller without delay.
+    near: Controller<Span>,
+    wide: Controller<Wide>,
     /// The delay of the scene.
     pub(crate) delay: usize,
     /// As many samples as the force depends on beside its delay, the latest first.
@@ -71,12 +75,21 @@ pub(crate) struct Fit {
     pub(crate) residual: f64,
 }
 
+fn prompt<S: Clone>(controller: &Controller<S>) -> Controller<S> {
+    Controller {
+        delay: 0,
+        ..controller.clone()
+    }
+}
+
 impl<'a> Comparison<'a> {
     pub(crate) fn new(ledger: &'a Ledger) -> Self {
         let delay = ledger.wide().controller.delay;
         Self {
             ledger,
             delay,
+            near: prompt(&ledger.near().controller),
+            wide: prompt(&ledger.wide().controller),
             samples: VecDeque::new(),
             law: VecDeque::new(),
             compared: 0,
@@ -88,27 +101,17 @@ impl<'a> Comparison<'a> {
     /// The force that the law commands from the latest sample, without delay; `None` when it is
     /// undefined.
     fn commanded(&self) -> Option<f64> {
-        fn of<S: Written>(
-            controller: &Controller<S>,
-            samples: impl Iterator<Item = Option<Figure<S>>>,
+        fn of<'r, S: Written>(
+            prompt: &Controller<S>,
+            samples: impl Iterator<Item = &'r Reading>,
+            known: impl Fn(&Reading) -> Figure<S>,
         ) -> Option<f64> {
-            let prompt = Controller {
-                delay: 0,
-                ..controller.clone()
-            };
-            let measured: Option<Vec<S>> = samples
-                .map(|sample| Some(prompt.measured(sample?.lo())))
-                .collect();
-            Some(prompt.held_force(&measured?).to_reduced()?.near())
+            let measured = samples.map(|sample| prompt.measured(known(sample).lo()));
+            let measured: Vec<S> = measured.collect();
+            Some(prompt.held_force(&measured).below()?.near())
         }
-        let fixed = self.ledger.fixed().and_then(|ends| {
-            let samples = self.samples.iter().map(Reading::to_fixed);
-            of(&ends.controller, samples)
-        });
-        fixed.or_else(|| {
-            let samples = self.samples.iter().map(|sample| Some(sample.to_wide()));
-            of(&self.ledger.wide().controller, samples)
-        })
+        of(&self.near, self.samples.iter(), Reading::to_near)
+            .or_else(|| of(&self.wide, self.samples.iter(), Reading::to_wide))
     }
 
     /// Compares the forces of a chunk.

@@ -230,7 +230,11 @@ fn push(
         None => None,
     };
     let force = match layout.force {
-        Some(column) => Some((force.unwrap_or_default(), number_in(force, column)?)),
+        Some(column) => {
+            let rounding = half_last_digit(force.unwrap_or_default());
+            let force = layout.force(number_in(force, column)?, rounding);
+            Some(force.map_err(|error| error.column(layout.name(column)))?)
+        }
         None => None,
     };
     let velocity = match layout.velocity {
@@ -257,11 +261,7 @@ fn push(
     chunk
         .velocities
         .extend(velocity.map(|v| v * layout.per_velocity));
-    if let Some((text, force)) = force {
-        chunk
-            .forces
-            .push(layout.force(force, half_last_digit(text)));
-    }
+    chunk.forces.extend(force);
     Ok(())
 }
 

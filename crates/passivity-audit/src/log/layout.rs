@@ -301,11 +301,11 @@ impl Layout {
     }
 
     /// A force as it is known, written to within `rounding` of its unit.
-    pub(crate) fn force(&self, x: Number, rounding: f64) -> Force {
-        Force {
-            value: self.per_force.force(x),
+    pub(crate) fn force(&self, x: Number, rounding: f64) -> Result<Force, TraceError> {
+        Ok(Force {
+            value: self.per_force.force(x)?,
             rounding: rounding * self.size_of_force,
-        }
+        })
     }
 }
 

@@ -12,7 +12,7 @@ use crate::log::error::TraceError;
 use crate::log::outcome::Audit;
 use crate::log::step::{between, check_jump, duration};
 use crate::log::velocity::Velocities;
-use crate::log::worker::{Computed, Task};
+use crate::log::worker::{Accounted, Computed, Task};
 use crate::number::Number;
 use crate::reading::Reading;
 
@@ -100,8 +100,8 @@ impl<'a, 'w> Merge<'a, 'w> {
     /// Takes the next chunk with the account of the intervals inside it. False when the trace ends
     /// here, for a mistake.
     pub(crate) fn take(&mut self, chunk: &Chunk, account: Account) -> Result<bool, TraceError> {
-        if chunk.file != self.file {
-            self.file = chunk.file;
+        if chunk.place.file != self.file {
+            self.file = chunk.place.file;
             self.before_file = self.samples;
         }
         let lead = self.task.lead();
@@ -189,9 +189,13 @@ impl<'a, 'w> Merge<'a, 'w> {
                 dtau: dtau.unwrap_or(Number::whole(1)),
                 force,
             };
-            let computed = Computed::of(self.task, &interval)?;
+            let h = usize::try_from(self.account.intervals).unwrap_or(usize::MAX);
+            let computed = Computed::of(self.task, &interval, h)?;
             computed.account(self.task, &interval, &mut self.account)?;
-            self.account.last = Some(computed.row);
+            self.account.last = match computed.row {
+                Accounted::Exact(row) => Some(row),
+                Accounted::Near(_) => self.task.ledger.row(&interval),
+            };
             if self.task.points {
                 self.account.plot();
             }

@@ -2,6 +2,7 @@
 
 mod account;
 mod arrays;
+mod batch;
 mod certificate;
 mod chunk;
 mod columns;
@@ -11,6 +12,7 @@ mod error;
 mod findings;
 mod guess;
 mod header;
+mod irrational;
 mod layout;
 mod lines;
 mod merge;
@@ -231,8 +233,8 @@ fn at_once(
         for (work, [worker, other]) in work.into_iter().zip(workers) {
             running.push(scope.spawn(move || {
                 let mut chunk = match work {
-                    Work::Parse(block, notation, file) => Chunk {
-                        file,
+                    Work::Parse(block, notation, place) => Chunk {
+                        place,
                         ..csv::parse(&block, task.layout, notation)
                     },
                     Work::Account(chunk) => chunk,

@@ -192,9 +192,17 @@ impl Table {
                     let near = read.values.iter().map(near_number);
                     chunk.velocities = near.map(|v| v * layout.per_velocity).collect();
                 }
-                _ => {
-                    let forces = read.values.into_iter();
-                    chunk.forces = forces.map(|x| layout.force(x, 0.0)).collect();
+                column => {
+                    for x in read.values {
+                        match layout.force(x, 0.0) {
+                            Ok(force) => chunk.forces.push(force),
+                            Err(found) => {
+                                let found = found.column(layout.name(column));
+                                keep(chunk.forces.len(), Some(found));
+                                break;
+                            }
+                        }
+                    }
                 }
             }
         }

@@ -5,6 +5,7 @@ use passivity_core::{BigRational, Scalar};
 
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
+use crate::span::ONE;
 use crate::sum::Sum;
 
 /// A running sum that starts at zero, and the least value it had, the start included.
@@ -43,6 +44,19 @@ impl Default for RunningSum {
 }
 
 impl RunningSum {
+    /// A sum of `steps` steps and the least value that it had, after `at` of them, in units of the grid of
+    /// spans.
+    pub(crate) fn of_grid([now, least]: [i128; 2], at: u64, steps: u64) -> Self {
+        Self {
+            now,
+            least,
+            denominator: ONE,
+            at,
+            steps,
+            big: None,
+        }
+    }
+
     /// The common denominator, as long as machine integers hold the sum.
     pub(crate) const fn denominator(&self) -> Option<i128> {
         match self.big {
@@ -217,6 +231,7 @@ pub(crate) fn near_number(x: &Number) -> f64 {
 pub(crate) fn near_reading(x: &Reading) -> f64 {
     match x {
         Reading::Exact(x) => near_number(x),
+        Reading::Within(x) => x.near(),
         x => near(&x.to_rational().middle()),
     }
 }

@@ -1,13 +1,12 @@
 //! How the numbers of a log become ticks, sampling periods and KΔ.
 
-use num_bigint::BigInt;
-use num_traits::Zero as _;
-use passivity_core::{BigRational, Exact, Interval, Loop, Scalar, pi};
+use passivity_core::{Exact, Interval, Loop, Scalar, pi};
 use passivity_scene::units::{Dimension, Unit};
 use passivity_scene::{Motion, Scene};
 
 use crate::log::error::TraceError;
 use crate::log::header::read_unit;
+use crate::log::irrational::Irrational;
 use crate::log::running::near;
 use crate::number::{Number, product};
 use crate::reading::Reading;
@@ -19,8 +18,8 @@ pub(crate) enum Scale {
     One,
     /// By a rational factor.
     Factor(Number),
-    /// By a factor with π in it, which is in the interval.
-    Irrational(Exact, Interval<BigRational>),
+    /// By a factor with π in it.
+    Irrational(Box<Irrational>),
 }
 
 impl Scale {
@@ -31,7 +30,7 @@ impl Scale {
             return Ok(Self::Factor(Number::from(x)));
         }
         match factor.enclosure(BITS) {
-            Some(range) => Ok(Self::Irrational(factor, range)),
+            Some(range) => Ok(Self::Irrational(Box::new(Irrational::new(factor, range)))),
             None => Err(TraceError::new(
                 "unit",
                 "the unit of this column is not defined",
@@ -48,9 +47,10 @@ impl Scale {
         match self {
             Self::One => Self::Factor(Number::whole(-1)),
             Self::Factor(factor) => Self::Factor(product(&factor, &Number::whole(-1))),
-            Self::Irrational(factor, range) => {
-                let range = Interval::hull(-range.lo().clone(), -range.hi().clone());
-                Self::Irrational(Exact::zero() - factor, range)
+            Self::Irrational(by) => {
+                let range = Interval::hull(-by.range.lo().clone(), -by.range.hi().clone());
+                let factor = Exact::zero() - by.factor;
+                Self::Irrational(Box::new(Irrational::new(factor, range)))
             }
         }
     }
@@ -60,20 +60,16 @@ impl Scale {
         match self {
             Self::One => Ok(Reading::Exact(x)),
             Self::Factor(factor) => Ok(Reading::Exact(product(&x, factor))),
-            Self::Irrational(factor, range) => within_a_tick(&x.to_rational(), factor, range),
+            Self::Irrational(by) => by.position(x),
         }
     }
 
     /// A force as it is known.
-    pub(crate) fn force(&self, x: Number) -> Reading {
+    pub(crate) fn force(&self, x: Number) -> Result<Reading, TraceError> {
         match self {
-            Self::One => Reading::Exact(x),
-            Self::Factor(factor) => Reading::Exact(product(&x, factor)),
-            Self::Irrational(_, range) => {
-                let x = x.to_rational();
-                let range_of_force = Interval::hull(&x * range.lo(), &x * range.hi());
-                enclosed(&on_grid(&range_of_force))
-            }
+            Self::One => Ok(Reading::Exact(x)),
+            Self::Factor(factor) => Ok(Reading::Exact(product(&x, factor))),
+            Self::Irrational(by) => by.force(x),
         }
     }
 
@@ -82,7 +78,7 @@ impl Scale {
         match self {
             Self::One => 1.0,
             Self::Factor(factor) => near(&factor.to_rational()).abs(),
-            Self::Irrational(_, range) => near(range.lo()).abs(),
+            Self::Irrational(by) => near(by.range.lo()).abs(),
         }
     }
 }
@@ -199,48 +195,4 @@ pub(crate) fn velocity_scale(text: Option<&str>, scene: &Scene) -> Result<f64, T
             "the unit of this column is not defined",
         )),
     }
-}
-
-/// x·`factor`, enclosed on a fine grid within one tick.
-fn within_a_tick(
-    x: &BigRational,
-    factor: &Exact,
-    range: &Interval<BigRational>,
-) -> Result<Reading, TraceError> {
-    if x.is_zero() {
-        return Ok(Reading::Exact(Number::whole(0)));
-    }
-    let fine = Interval::hull(x * range.lo(), x * range.hi());
-    // No position is a whole number of ticks: π would be rational.
-    let tick = match fine.lo().floor() == fine.hi().floor() {
-        true => fine.lo().floor(),
-        false => (Exact::of(x) * factor.clone())
-            .floor()
-            .to_rational()
-            .ok_or_else(|| {
-                let message = "too close to the border between two ticks to tell which it is in";
-                TraceError::new("position", message)
-            })?,
-    };
-    let coarse = on_grid(&fine);
-    let above = &tick + BigRational::one();
-    let lo = Ord::max(coarse.lo(), &tick).clone();
-    // The enclosure may touch the next tick from below: that is its closure.
-    let hi = Ord::min(coarse.hi(), &above).clone();
-    Ok(enclosed(&Interval::hull(lo, hi)))
-}
-
-/// The interval rounded outward to a grid, small enough for machine integers.
-fn on_grid(range: &Interval<BigRational>) -> Interval<BigRational> {
-    /// Steps of the grid per tick, or per KΔ, as a power of two.
-    const GRID_BITS: u32 = 40;
-    let grid = BigRational::from_integer(BigInt::from(1_u64 << GRID_BITS));
-    Interval::hull(
-        (range.lo() * &grid).floor() / &grid,
-        (range.hi() * &grid).ceil() / &grid,
-    )
-}
-
-fn enclosed(range: &Interval<BigRational>) -> Reading {
-    Reading::Within(Box::new(range.clone()))
 }

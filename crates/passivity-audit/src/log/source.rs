@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use passivity_scene::Scene;
 
+use crate::log::worker::EXACT_ROWS;
 use crate::log::chunk::Chunk;
 use crate::log::columns::Columns;
 use crate::log::csv::{self, Notation};
@@ -58,15 +59,34 @@ pub(crate) enum Reader {
 
 /// What a core is given.
 pub(crate) enum Work {
-    Parse(Block, Notation, usize),
+    Parse(Block, Notation, Place),
     Account(Chunk),
+}
+
+/// Where in a log a chunk is.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Place {
+    /// In which of its files.
+    pub(crate) file: usize,
+    /// How many samples came before it; counted no further than up to the first that are accounted for
+    /// in spans.
+    pub(crate) before: usize,
+}
+
+impl Work {
+    /// About how many samples it has: exactly that, but for the end of a file.
+    fn rows(&self) -> usize {
+        match self {
+            Self::Parse(block, ..) => memchr::memchr_iter(b'\n', &block.bytes).count(),
+            Self::Account(chunk) => chunk.samples.len(),
+        }
+    }
 }
 
 /// The samples of one or more files, in order.
 pub(crate) struct Source {
     reader: Reader,
-    /// Which file is being read.
-    file: usize,
+    place: Place,
     /// The files, or none of a stream or of memory.
     files: Vec<PathBuf>,
     dialect: Dialect,
@@ -78,7 +98,7 @@ impl Source {
     pub(crate) fn of(reader: Reader) -> Self {
         Self {
             reader,
-            file: 0,
+            place: Place::default(),
             files: Vec::new(),
             dialect: Dialect::default(),
             block: lines::BLOCK,
@@ -99,7 +119,7 @@ impl Source {
         let (reader, layout) = opened.read(scene, dialect)?;
         let source = Self {
             reader,
-            file: 0,
+            place: Place::default(),
             files: paths.to_vec(),
             dialect: dialect.clone(),
             block,
@@ -122,25 +142,30 @@ impl Source {
     /// What the next core is to do; `None` at the end.
     pub(crate) fn next(&mut self, layout: &Layout) -> Option<Work> {
         loop {
-            let file = self.file;
+            let place = self.place;
             let work = match &mut self.reader {
                 Reader::Csv(lines, notation) => {
                     let block = lines.next_block();
-                    block.map(|block| Work::Parse(block, *notation, file))
+                    block.map(|block| Work::Parse(block, *notation, place))
                 }
                 #[cfg(feature = "parquet")]
                 Reader::Parquet(table) => table
                     .next_chunk(layout)
-                    .map(|chunk| Work::Account(Chunk { file, ..chunk })),
-                Reader::Memory(chunks) => chunks.pop().map(Work::Account),
+                    .map(|chunk| Work::Account(Chunk { place, ..chunk })),
+                Reader::Memory(chunks) => chunks
+                    .pop()
+                    .map(|chunk| Work::Account(Chunk { place, ..chunk })),
             };
-            if work.is_some() {
-                return work;
+            if let Some(work) = work {
+                if self.place.before < EXACT_ROWS {
+                    self.place.before += work.rows();
+                }
+                return Some(work);
             }
-            let path = self.files.get(self.file + 1)?;
+            let path = self.files.get(self.place.file + 1)?;
             let next =
                 open(path, self.block).and_then(|opened| opened.go_on(layout, &self.dialect));
-            self.file += 1;
+            self.place.file += 1;
             match next {
                 Ok(reader) => self.reader = reader,
                 Err(error) => {
@@ -148,7 +173,7 @@ impl Source {
                     self.files.clear();
                     self.reader = Reader::Memory(Vec::new());
                     return Some(Work::Account(Chunk {
-                        file: self.file,
+                        place: self.place,
                         error: Some(error),
                         ..Chunk::default()
                     }));

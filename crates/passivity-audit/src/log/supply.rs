@@ -19,8 +19,10 @@ use crate::ends::Ends;
 use crate::entry::Entry;
 use crate::figure::Figure;
 use crate::ledger::{Ledger, Logged, Row, on_entry};
+use crate::log::worker::Accounted;
 use crate::number::{Reduced, Written};
 use crate::reading::Reading;
+use crate::span::Span;
 
 /// The two ends of what is known of a number.
 pub(crate) type Bounds = [Reduced; 2];
@@ -38,11 +40,20 @@ pub(crate) struct Contribution {
     room: Reduced,
     /// V(ξ₁) − G·ρ₁: what counts only as long as the trace ends here.
     end: Bounds,
+    /// Whether the numbers are those of spans.
+    near: bool,
 }
+
+/// The most that ρ₀ can be of a number that is enclosed: two steps of the coarse grid of readings.
+const ROOM: Reduced = Reduced::Small(1, 1 << (crate::reading::GRID_BITS - 1));
 
 impl Contribution {
     /// The contribution of an interval with this row; `None` when a number is undefined.
-    pub(crate) fn of(ledger: &Ledger, interval: &Logged, row: &Row) -> Option<Self> {
+    pub(crate) fn of(ledger: &Ledger, interval: &Logged, row: &Accounted) -> Option<Self> {
+        let row = match row {
+            Accounted::Near(entry) => return contribution(ledger.near(), entry),
+            Accounted::Exact(row) => row,
+        };
         if let (Row::Fixed(entry), Some(ends)) = (row, ledger.fixed())
             && let Some(found) = contribution(ends, entry)
         {
@@ -65,7 +76,8 @@ impl Contribution {
         if self.excess == none && *before == none {
             return Some(self.net.clone());
         }
-        self.step_in::<passivity_core::Fixed>(before)
+        let near = self.near.then(|| self.step_in::<Span>(before)).flatten();
+        near.or_else(|| self.step_in::<passivity_core::Fixed>(before))
             .or_else(|| self.step_in::<passivity_core::Wide>(before))
     }
 
@@ -81,22 +93,25 @@ impl Contribution {
         let change = (excess.0 - before.1, excess.1 - before.0);
         let least = net.0 - a.clone().max(b.clone()) + (change.0 * room.clone()).min(S::zero());
         let most = net.1 - a.min(b) + (change.1 * room).max(S::zero());
-        Some([least.to_reduced()?, most.to_reduced()?])
+        Some([least.below()?, most.above()?])
     }
 }
 
 fn contribution<S: Written>(ends: &Ends<S>, entry: &Entry<S>) -> Option<Contribution> {
-    let (start, end, account) = (&entry.xi0, &entry.xi1, &entry.account);
+    let (start, end) = (&entry.xi0, &entry.xi1);
     let law = ends.least.law();
-    let bounds = |of: &Figure<S>| Some([of.lo().to_reduced()?, of.hi().to_reduced()?]);
+    let bounds = |of: &Figure<S>| Some([of.lo().below()?, of.hi().above()?]);
     if let (true, Figure::Exact(to)) = (start.is_exact(), end) {
-        let potential = law.potential(to).to_reduced()?;
         return Some(Contribution {
-            net: bounds(&account.dissipated_lower.minus(&account.generated_linear)?)?,
+            net: {
+                let [least, most] = entry.kept();
+                [least.below()?, most.above()?]
+            },
             excess: [Reduced::ZERO, Reduced::ZERO],
             advance: Reduced::ZERO,
-            room: Reduced::ZERO,
-            end: [potential.clone(), potential],
+            room: if S::EXACT { Reduced::ZERO } else { ROOM },
+            near: !S::EXACT,
+            end: bounds(&Figure::Exact(law.potential(to)))?,
         });
     }
     let own = law.held_force(start.lo());
@@ -124,11 +139,12 @@ fn contribution<S: Written>(ends: &Ends<S>, entry: &Entry<S>) -> Option<Contribu
         net: bounds(&rectangle.row()?.net_linear)?,
         excess: bounds(&excess)?,
         advance: (end.lo().clone() - start.lo().clone()).to_reduced()?,
-        room: (start.hi().clone() - start.lo().clone()).to_reduced()?,
+        room: (start.hi().clone() - start.lo().clone()).above()?,
         end: [
-            first.min(second).min(third).to_reduced()?,
-            fourth.max(fifth).to_reduced()?,
+            first.min(second).min(third).below()?,
+            fourth.max(fifth).above()?,
         ],
+        near: !S::EXACT,
     })
 }
 
@@ -144,6 +160,23 @@ pub(crate) struct Supply {
 }
 
 impl Supply {
+    /// T with these sums, where no force is left to go on with.
+    pub(crate) const fn of(sums: [RunningSum; 2], lowest: [Option<Lowest>; 2]) -> Self {
+        Self {
+            sums,
+            lowest,
+            excess: Some([Reduced::ZERO, Reduced::ZERO]),
+        }
+    }
+
+    /// Whether what comes next needs nothing of the last interval.
+    pub(crate) fn is_settled(&self) -> bool {
+        match &self.excess {
+            Some(excess) => *excess == [Reduced::ZERO, Reduced::ZERO],
+            None => true,
+        }
+    }
+
     /// Goes on with an interval, the `h`th, from 1; `None` when a number is undefined.
     pub(crate) fn add(&mut self, contribution: &Contribution, h: u64) -> Option<()> {
         let none = || [Reduced::ZERO, Reduced::ZERO];
@@ -198,18 +231,21 @@ pub(crate) fn potential(ledger: &Ledger, sample: &Reading) -> Option<[Reduced; 2
 
 /// −F·Δξ over the interval of a row: what the passivity observer adds. Enclosed numbers are taken
 /// at their lower end: a count as it is.
-pub(crate) fn observed(row: &Row) -> Option<Reduced> {
+pub(crate) fn observed(row: &Accounted) -> Option<Reduced> {
     fn of<S: Written>(entry: &Entry<S>) -> Option<Reduced> {
-        let numbers = [entry.held.lo(), entry.xi0.lo(), entry.xi1.lo()];
-        let work = |[force, from, to]: [S; 3]| -(force * (to - from));
-        if let Some(work) = work(numbers.map(Clone::clone)).to_reduced() {
+        if let Some(work) = entry.observed().below() {
             return Some(work);
         }
+        let numbers = [entry.held.lo(), entry.xi0.lo(), entry.xi1.lo()];
+        let work = |[force, from, to]: [BigRational; 3]| -(force * (to - from));
         let [force, from, to] = numbers.map(Written::to_rational);
         let (force, from, to) = (force?, from?, to?);
-        Some((-(force * (to - from))).into())
+        Some(work([force, from, to]).into())
     }
-    on_entry!(row, entry => of(entry))
+    match row {
+        Accounted::Near(entry) => of(entry),
+        Accounted::Exact(row) => on_entry!(row, entry => of(entry)),
+    }
 }
 
 /// Whether that is below zero.

@@ -2,10 +2,9 @@
 
 use std::collections::HashMap;
 
-use crate::ledger::Row;
 use crate::log::account::{Account, Point};
 use crate::log::running::Lowest;
-use crate::log::worker::Computed;
+use crate::log::worker::{Accounted, Computed};
 use crate::number::Reduced;
 use passivity_core::BigRational;
 
@@ -94,7 +93,7 @@ impl Table {
         let id = self.known.len();
         self.known.push(known);
         self.index.insert(key.into(), id);
-        if let (true, [1, 1, step]) = (plain, key) {
+        if let (true, [1, 1, 0, step]) = (plain, key) {
             self.small
                 .resize(usize::try_from(2 * SMALL_STEP + 1).ok()?, None);
             let place = usize::try_from(step.wrapping_add(SMALL_STEP)).ok();
@@ -109,7 +108,7 @@ impl Table {
     /// first such interval and how many there were. Makes room when too many rows are kept.
     pub(crate) fn take_hits<E>(
         &mut self,
-        mut each: impl FnMut(&Row, &Reduced, usize, u64) -> Result<(), E>,
+        mut each: impl FnMut(&Accounted, &Reduced, usize, u64) -> Result<(), E>,
     ) -> Result<(), E> {
         for known in &mut self.known {
             let times = std::mem::take(&mut known.hits);

@@ -3,17 +3,27 @@
 //! A row of counts depends on nothing but a few small integers, and a trace has few different
 //! rows: each is computed once and looked up from then on. Everything else is computed row by row.
 
-use crate::ledger::{Ledger, Logged, Row};
+use crate::entry::Entry;
+use crate::ledger::{Ledger, Logged, Read, Row, Truths, on_entry};
+use crate::figure::Figure;
 use crate::log::account::{Account, Place};
+use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::error::TraceError;
 use crate::log::layout::Layout;
+use crate::log::merge::ROWS_IN_REPORT;
 use crate::log::running::Lowest;
 use crate::log::step::{duration, interval, jump, undefined};
 use crate::log::supply::{Contribution, observed, potential};
 use crate::log::table::Table;
-use crate::number::{Number, Reduced};
+use crate::number::{Number, Reduced, Written as _};
+use crate::reading::Reading;
 use crate::rows;
+use crate::span::Span;
+use crate::sum::FigureSum;
+
+/// How many rows at the start of a trace are of exact numbers.
+pub(crate) const EXACT_ROWS: usize = ROWS_IN_REPORT;
 
 /// About how many points of a chunk are plotted.
 const POINTS: usize = 512;
@@ -44,6 +54,21 @@ impl Task<'_> {
         self.ledger.window() - 1 + usize::from(self.running)
     }
 
+    /// The row of the interval that starts at sample `i` of a chunk and lasts `dtau`, in spans.
+    fn near(&self, samples: &[Reading], chunk: &Chunk, i: usize, dtau: &Number) -> Option<Entry<Span>> {
+        let force = match self.applied {
+            true => Some(&chunk.forces.get(i)?.value),
+            false => None,
+        };
+        let from = (i + 1).saturating_sub(self.ledger.window());
+        let read = Read {
+            samples: samples.get(from..=i)?.iter().rev(),
+            end: samples.get(i + 1)?,
+            force,
+        };
+        self.ledger.near_entry(read, dtau)
+    }
+
     /// The interval that starts at sample `i` of a chunk.
     pub(crate) fn logged(&self, chunk: &Chunk, i: usize) -> Result<Logged, TraceError> {
         let dtau = duration(self.layout, chunk, i)?.unwrap_or(Number::whole(1));
@@ -52,30 +77,92 @@ impl Task<'_> {
     }
 }
 
+/// The row of an interval: of exact numbers, or of spans where nothing is left open by them.
+pub(crate) enum Accounted {
+    Exact(Row),
+    Near(Box<Entry<Span>>),
+}
+
+impl Accounted {
+    pub(crate) fn truths(&self) -> Truths {
+        match self {
+            Self::Exact(row) => row.truths(),
+            Self::Near(entry) => entry.truths(),
+        }
+    }
+
+    /// Adds the figures that totals are kept of, `times` over; `None` when one is undefined.
+    pub(crate) fn add_to(&self, sums: &mut [FigureSum; 5], times: u64) -> Option<()> {
+        match self {
+            Self::Exact(row) => row.add_to(sums, times),
+            Self::Near(entry) => entry.add_to(sums, times),
+        }
+    }
+
+    /// The least that net energy may be.
+    fn least_net(&self) -> Option<Reduced> {
+        match self {
+            Self::Exact(row) => on_entry!(row, entry => entry.account.net_linear.lo().below()),
+            Self::Near(entry) => entry.account.net_linear.lo().below(),
+        }
+    }
+}
+
+/// Whether the row of the interval `h` is one of exact numbers in any case: so that the sums of a short
+/// trace are exact, and those of counts one period apart, of which there are few different ones.
+fn is_exact(interval: &Logged, h: usize) -> bool {
+    match interval.end {
+        Reading::Within(_) => false,
+        Reading::Count(_) if interval.dtau == Number::whole(1) => true,
+        _ => h < EXACT_ROWS,
+    }
+}
+
 /// A row, and what is kept of it.
 pub(crate) struct Computed {
-    pub(crate) row: Row,
+    pub(crate) row: Accounted,
     /// Net energy at the least.
     pub(crate) net: Reduced,
     /// What the observer adds.
     pub(crate) observed: Reduced,
     pub(crate) contribution: Option<Contribution>,
-    /// The row as CSV from `dtau` on.
+    /// The row as CSV, where it is written: up to `dtau`,
+    positions: Vec<u8>,
+    /// and from there on.
     pub(crate) text: Vec<u8>,
 }
 
 impl Computed {
-    /// The row of an interval.
-    pub(crate) fn of(task: &Task<'_>, interval: &Logged) -> Result<Self, TraceError> {
-        Self::defined(task, interval).ok_or_else(undefined)
+    /// The row of the interval `h` of the trace, or of some later one; of exact numbers where they are told
+    /// of.
+    pub(crate) fn of(task: &Task<'_>, interval: &Logged, h: usize) -> Result<Self, TraceError> {
+        Self::defined(task, interval, h).ok_or_else(undefined)
     }
 
-    fn defined(task: &Task<'_>, interval: &Logged) -> Option<Self> {
-        let row = task.ledger.row(interval)?;
-        let mut text = Vec::new();
+    fn defined(task: &Task<'_>, interval: &Logged, h: usize) -> Option<Self> {
+        let near = || {
+            let entry = task.ledger.near_entry(interval.read(), &interval.dtau)?;
+            Self::of_row(task, interval, Accounted::Near(Box::new(entry)))
+        };
+        let near = if is_exact(interval, h) { None } else { near() };
+        let row = match (&near, task.rows) {
+            (Some(_), None) => return near,
+            _ => task.ledger.row(interval)?,
+        };
+        let (mut positions, mut text) = (Vec::new(), Vec::new());
         if let Some(form) = task.rows {
+            form.write_positions(&row, &mut positions)?;
             form.write_account(&row, &mut text)?;
         }
+        let computed = near.or_else(|| Self::of_row(task, interval, Accounted::Exact(row)))?;
+        Some(Self {
+            positions,
+            text,
+            ..computed
+        })
+    }
+
+    fn of_row(task: &Task<'_>, interval: &Logged, row: Accounted) -> Option<Self> {
         let contribution = match task.running {
             true => Some(Contribution::of(task.ledger, interval, &row)?),
             false => None,
@@ -84,7 +171,8 @@ impl Computed {
             net: row.least_net()?,
             observed: observed(&row)?,
             contribution,
-            text,
+            positions: Vec::new(),
+            text: Vec::new(),
             row,
         })
     }
@@ -108,11 +196,8 @@ impl Computed {
         interval: &Logged,
         account: &mut Account,
     ) -> Result<(), TraceError> {
-        if let Some(form) = task.rows {
-            let written = form.write_positions(&self.row, &mut account.rows);
-            written.ok_or_else(undefined)?;
-            account.rows.extend_from_slice(&self.text);
-        }
+        account.rows.extend_from_slice(&self.positions);
+        account.rows.extend_from_slice(&self.text);
         let h = account.intervals;
         let place = || {
             Some(Place {
@@ -163,6 +248,7 @@ impl Worker {
         let mut walk = Walk {
             task,
             from,
+            before: chunk.place.before,
             stride: (chunk.samples.len() / POINTS).max(1),
             timed: !chunk.times.is_empty() || !chunk.dtaus.is_empty(),
             even: from,
@@ -184,6 +270,8 @@ impl Worker {
 struct Walk<'a> {
     task: &'a Task<'a>,
     from: usize,
+    /// How many samples came before the chunk, at least.
+    before: usize,
     /// How many intervals there are from one point of the plot to the next.
     stride: usize,
     timed: bool,
@@ -214,6 +302,9 @@ impl Walk<'_> {
                 }
                 continue;
             }
+            if self.batch(chunk, account)? {
+                continue;
+            }
             let dtau = duration(self.task.layout, chunk, self.at)?;
             jump(&chunk.samples, self.at)?;
             if let (true, Some(dtau)) = (self.timed, &dtau) {
@@ -228,10 +319,15 @@ impl Walk<'_> {
         Ok(())
     }
 
+    /// The number of the interval that starts at sample `i`; of a late one, that of some interval before it.
+    const fn h(&self, i: usize) -> usize {
+        self.before + i
+    }
+
     /// The excess force of the interval before the first one.
     fn excess_before(&self, chunk: &Chunk) -> Result<crate::log::supply::Bounds, TraceError> {
         let before = self.task.logged(chunk, self.from - 1)?;
-        let computed = Computed::of(self.task, &before)?;
+        let computed = Computed::of(self.task, &before, self.h(self.from - 1))?;
         match computed.contribution {
             Some(contribution) => Ok(contribution.excess().clone()),
             None => Err(undefined()),
@@ -262,6 +358,61 @@ impl Walk<'_> {
         any
     }
 
+    /// Intervals between positions that are no counts, as far as spans decide their rows; whether there is
+    /// any.
+    fn batch(&mut self, chunk: &Chunk, account: &mut Account) -> Result<bool, TraceError> {
+        let task = self.task;
+        let Samples::Any(samples) = &chunk.samples else {
+            return Ok(false);
+        };
+        let is_early = || {
+            let is_enclosed = matches!(samples.get(self.at + 1), Some(Reading::Within(_)));
+            self.h(self.at) < EXACT_ROWS && !is_enclosed
+        };
+        if task.rows.is_some() || is_early() || !account.supply.is_settled() {
+            return Ok(false);
+        }
+        let law = task.ledger.near().least.law();
+        let (mut batch, mut end, start) = (Batch::default(), Ok(()), self.at);
+        while let Some(sample) = samples.get(self.at + 1) {
+            let dtau = match duration(task.layout, chunk, self.at) {
+                Ok(dtau) => dtau,
+                Err(error) => {
+                    end = Err(error);
+                    break;
+                }
+            };
+            let lasts = dtau.clone().unwrap_or(Number::whole(1));
+            let row = task.near(samples, chunk, self.at, &lasts);
+            let Some(added) = row.and_then(|row| {
+                let Figure::Exact(to) = sample.to_near() else { return None };
+                batch.add(&row, law.potential(&to))
+            }) else {
+                break;
+            };
+            let () = added;
+            if let (true, Some(dtau)) = (self.timed, &dtau) {
+                account.timing.add(dtau, account.intervals + batch.intervals - 1);
+            }
+            self.at += 1;
+            if task.points && (self.at - self.from).is_multiple_of(self.stride) {
+                break;
+            }
+        }
+        if batch.intervals > 0 {
+            let place = |h: u64| {
+                let i = start + usize::try_from(h).map_err(|_| undefined())?;
+                let interval = task.logged(chunk, i)?;
+                Ok(Place { h, interval })
+            };
+            account.append(batch.account(task.running, place)?);
+            if task.points && (self.at - self.from).is_multiple_of(self.stride) {
+                account.plot();
+            }
+        }
+        end.map(|()| self.at > start)
+    }
+
     /// One interval, by looking its row up or computing it.
     fn one(
         &mut self,
@@ -280,7 +431,7 @@ impl Walk<'_> {
         let window = task.ledger.window();
         let interval = interval(chunk, self.at, window, task.applied, dtau);
         let interval = interval.ok_or_else(undefined)?;
-        let computed = Computed::of(task, &interval)?;
+        let computed = Computed::of(task, &interval, self.h(self.at))?;
         if !keyed || table.is_full() {
             return computed.account(task, &interval, account);
         }
@@ -300,7 +451,9 @@ impl Walk<'_> {
         let (Samples::Counts(counts), Number::Small(n, d)) = (&chunk.samples, dtau) else {
             return false;
         };
-        self.key.extend([*n, *d]);
+        // Counts one period apart have exact rows in any case.
+        let is_early = n != d && self.h(self.at) < EXACT_ROWS;
+        self.key.extend([*n, *d, i64::from(is_early)]);
         let task = self.task;
         if task.ledger.is_plain() && !task.applied {
             let ends = counts.get(self.at).zip(counts.get(self.at + 1));

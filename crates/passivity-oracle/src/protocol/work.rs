@@ -109,7 +109,8 @@ impl Width {
                     .max(64 - u64::from(n.unsigned_abs().leading_zeros()));
             }
             Reading::Exact(x) => self.add(&x.to_rational()),
-            Reading::Within(range) => {
+            Reading::Within(x) => {
+                let range = x.range();
                 self.add(range.lo());
                 self.add(range.hi());
             }

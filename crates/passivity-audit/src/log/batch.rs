@@ -1,0 +1,169 @@
+//! The account of consecutive intervals whose rows spans decide: sums of integers of fixed width.
+
+use crate::entry::Entry;
+use crate::figure::Figure;
+use crate::log::account::{Account, Place, kinds};
+use crate::log::error::TraceError;
+use crate::log::running::{Lowest, RunningSum};
+use crate::log::supply::Supply;
+use crate::run::Tallies;
+use crate::span::Span;
+use crate::sum::FigureSum;
+
+/// A running sum in units of the grid, from zero, and the least value it had, the start included.
+#[derive(Clone, Copy, Debug, Default)]
+struct Course {
+    now: i128,
+    least: i128,
+    at: u64,
+}
+
+impl Course {
+    /// With another step, the `h`th, from 1; `None` where it does not fit.
+    fn with(self, step: i128, h: u64) -> Option<Self> {
+        let now = self.now.checked_add(step)?;
+        Some(match now < self.least {
+            true => Self {
+                now,
+                least: now,
+                at: h,
+            },
+            false => Self { now, ..self },
+        })
+    }
+
+    fn sum(self, steps: u64) -> RunningSum {
+        RunningSum::of_grid([self.now, self.least], self.at, steps)
+    }
+}
+
+/// The least of some energies in units of the grid, and after how many intervals it was.
+#[derive(Clone, Copy, Debug, Default)]
+struct Least(Option<(i128, u64)>);
+
+impl Least {
+    fn keep(&mut self, value: i128, h: u64) {
+        if self.0.is_none_or(|(least, _)| value < least) {
+            self.0 = Some((value, h));
+        }
+    }
+
+    fn lowest(self) -> Option<Lowest> {
+        let (value, h) = self.0?;
+        Some(Lowest::new(crate::span::on_grid(value), h))
+    }
+}
+
+/// Sums over consecutive intervals between exact positions, or ones enclosed in a span.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Batch {
+    pub(crate) intervals: u64,
+    /// The five figures that totals are kept of, at the least and at the most.
+    sums: [[i128; 2]; 5],
+    net: Course,
+    observer: Course,
+    /// Where net energy plus potential was least.
+    stored: Least,
+    /// Net energy at the least and at the most, and where it was least with the potential.
+    supply: [i128; 2],
+    supplied: [Least; 2],
+    tallies: Tallies,
+    /// The first interval of each kind, and the one with the least net energy.
+    firsts: [Option<u64>; 5],
+    worst: Least,
+}
+
+impl Batch {
+    /// Adds an interval; `None`, and nothing added, where something does not fit.
+    pub(crate) fn add(&mut self, entry: &Entry<Span>, potential: Span) -> Option<()> {
+        let h = self.intervals + 1;
+        let account = &entry.account;
+        let figures = [
+            &account.generated_linear,
+            &account.generated_quantized,
+            &account.dissipated_lower,
+            &account.net_linear,
+            &account.net_quantized,
+        ];
+        let mut sums = self.sums;
+        for ([lo, hi], figure) in sums.iter_mut().zip(figures) {
+            let [least, most] = ends(figure)?;
+            *lo = lo.checked_add(least)?;
+            *hi = hi.checked_add(most)?;
+        }
+        let [least_net, _] = ends(&account.net_linear)?;
+        let [observed, _] = entry.observed().defined()?;
+        let [net, observer] = [
+            self.net.with(least_net, h)?,
+            self.observer.with(observed, h)?,
+        ];
+        let [stored, _] = potential.defined()?;
+        let all = net.now.checked_add(stored)?;
+        let [least, most] = entry.kept();
+        let ([least, _], [_, most]) = (least.defined()?, most.defined()?);
+        let step = [least, most];
+        let (mut supply, mut with_potential) = (self.supply, [0; 2]);
+        let both = supply.iter_mut().zip(&mut with_potential);
+        for ((sum, all), (step, end)) in both.zip(step.into_iter().zip(potential.defined()?)) {
+            *sum = sum.checked_add(step)?;
+            *all = sum.checked_add(end)?;
+        }
+        // Everything fits.
+        self.intervals = h;
+        (self.sums, self.net, self.observer, self.supply) = (sums, net, observer, supply);
+        self.stored.keep(all, h);
+        for (least, value) in self.supplied.iter_mut().zip(with_potential) {
+            least.keep(value, h);
+        }
+        self.worst.keep(least_net, h - 1);
+        let truths = entry.truths();
+        self.tallies.add_times(truths, h - 1, 1);
+        for (first, is) in self.firsts.iter_mut().zip(kinds(truths)) {
+            if is {
+                first.get_or_insert(h - 1);
+            }
+        }
+        Some(())
+    }
+
+    /// The account of the intervals; `running` where the verdict is about what the operator has drawn.
+    /// `place` gives an interval worth showing, by how many came before it.
+    pub(crate) fn account(
+        self,
+        running: bool,
+        place: impl Fn(u64) -> Result<Place, TraceError>,
+    ) -> Result<Account, TraceError> {
+        let mut account = Account {
+            intervals: self.intervals,
+            sums: self.sums.map(FigureSum::of_grid),
+            net: self.net.sum(self.intervals),
+            observer: self.observer.sum(self.intervals),
+            tallies: self.tallies,
+            ..Account::default()
+        };
+        if running {
+            let sums = self.supply.map(|now| {
+                let course = Course {
+                    now,
+                    ..Course::default()
+                };
+                course.sum(self.intervals)
+            });
+            account.supply = Supply::of(sums, self.supplied.map(Least::lowest));
+        } else {
+            account.stored = self.stored.lowest();
+        }
+        for (slot, first) in account.firsts.iter_mut().zip(self.firsts) {
+            *slot = first.map(&place).transpose()?;
+        }
+        if let Some((least, h)) = self.worst.0 {
+            account.worst = Some((crate::span::on_grid(least), place(h)?));
+        }
+        Ok(account)
+    }
+}
+
+fn ends(figure: &Figure<Span>) -> Option<[i128; 2]> {
+    let ([lo, _], [_, hi]) = (figure.lo().defined()?, figure.hi().defined()?);
+    Some([lo, hi])
+}

@@ -1,0 +1,185 @@
+//! A factor with π in it, by which the numbers of a log become ticks or KΔ.
+
+use num_bigint::BigInt;
+use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
+use passivity_core::{BigRational, Exact, Interval, Scalar};
+
+use crate::log::error::TraceError;
+use crate::number::Number;
+use crate::reading::{Reading, Scaled};
+use crate::span::{self, Span, product_shifted};
+
+/// A factor with π in it.
+#[derive(Clone, Debug)]
+pub(crate) struct Irrational {
+    pub(crate) factor: Exact,
+    /// Where it is.
+    pub(crate) range: Interval<BigRational>,
+    /// |factor|/10^k for short decimals, by k.
+    by_decimals: Vec<Option<Mantissa>>,
+}
+
+/// A number above `mantissa`/2^shift, by one unit of it at most.
+#[derive(Clone, Copy, Debug)]
+struct Mantissa {
+    mantissa: u128,
+    shift: u32,
+}
+
+/// 10^18 is the largest that 64 bits hold.
+const MOST_DECIMALS: u32 = 18;
+
+impl Mantissa {
+    /// As many bits as a product with 64 others leaves room for.
+    const BITS: u64 = 120;
+
+    /// Of a number in a range that is narrower than a unit; `None` where that cannot be had.
+    fn of(lo: &BigRational, hi: &BigRational) -> Option<Self> {
+        let bits = |x: &BigInt| i64::try_from(x.bits()).ok();
+        let size = bits(lo.numer())? - bits(lo.denom())?;
+        let shift = u32::try_from(i64::try_from(Self::BITS).ok()? - size).ok()?;
+        let scaled = |x: &BigRational| (x * BigRational::from_integer(BigInt::from(1) << shift)).floor();
+        let (below, above) = (scaled(lo), scaled(hi));
+        let mantissa = below.to_integer().to_u128()?;
+        (below == above && shift >= span::BITS).then_some(Self { mantissa, shift })
+    }
+
+    /// What n of it are, enclosed on the grid.
+    fn times(self, n: u64) -> Option<Span> {
+        let shift = self.shift - span::BITS;
+        let (lo, _) = product_shifted(n.into(), self.mantissa, shift)?;
+        let (hi, inexact) = product_shifted(n.into(), self.mantissa + 1, shift)?;
+        Some(Span::between(lo, hi + i128::from(inexact)))
+    }
+}
+
+impl Irrational {
+    pub(crate) fn new(factor: Exact, range: Interval<BigRational>) -> Self {
+        let [a, b] = [range.lo(), range.hi()].map(num_traits::Signed::abs);
+        let (lo, hi) = (Ord::min(&a, &b), Ord::max(&a, &b));
+        let by_decimals = (0..=MOST_DECIMALS).map(|k| {
+            let power = BigRational::from_integer(BigInt::from(10).pow(k));
+            Mantissa::of(&(lo / &power), &(hi / &power))
+        });
+        Self {
+            by_decimals: by_decimals.collect(),
+            factor,
+            range,
+        }
+    }
+
+    /// A short decimal, scaled and enclosed; `None` for other numbers.
+    fn short(&self, x: &Number) -> Option<Span> {
+        let Number::Small(n, d) = x else { return None };
+        let by = |decimals: u32| *self.by_decimals.get(usize::try_from(decimals).ok()?)?;
+        let decimals = d.ilog10();
+        let by = if 10_i64.checked_pow(decimals) == Some(*d) {
+            by(decimals)?
+        } else if d.is_positive() && d.count_ones() == 1 {
+            let whole = by(0)?;
+            Mantissa {
+                shift: whole.shift + d.trailing_zeros(),
+                ..whole
+            }
+        } else {
+            return None;
+        };
+        let size = by.times(n.unsigned_abs())?;
+        Some(match (*n < 0) == self.range.lo().is_negative() {
+            true => size,
+            false => -size,
+        })
+    }
+
+    /// A position in ticks, enclosed within one of them.
+    pub(crate) fn position(&self, x: Number) -> Result<Reading, TraceError> {
+        if let Some(span) = self.short(&x)
+            && span.floor().defined().is_some()
+            && x != Number::whole(0)
+        {
+            return Ok(Reading::Within(Scaled::new(x, span)));
+        }
+        within_a_tick(x, &self.factor, &self.range)
+    }
+
+    /// A force in KΔ.
+    pub(crate) fn force(&self, x: Number) -> Result<Reading, TraceError> {
+        if let Some(span) = self.short(&x) {
+            return Ok(Reading::Within(Scaled::new(x, span)));
+        }
+        let written = x.to_rational();
+        let range = Interval::hull(&written * self.range.lo(), &written * self.range.hi());
+        enclosed(x, &range)
+    }
+}
+
+/// x·`factor`, enclosed within one tick.
+fn within_a_tick(
+    x: Number,
+    factor: &Exact,
+    range: &Interval<BigRational>,
+) -> Result<Reading, TraceError> {
+    let written = x.to_rational();
+    if written.is_zero() {
+        return Ok(Reading::Exact(Number::whole(0)));
+    }
+    let fine = Interval::hull(&written * range.lo(), &written * range.hi());
+    // No position is a whole number of ticks: π would be rational.
+    let tick = match fine.lo().floor() == fine.hi().floor() {
+        true => fine.lo().floor(),
+        false => (Exact::of(&written) * factor.clone())
+            .floor()
+            .to_rational()
+            .ok_or_else(|| {
+                let message = "too close to the border between two ticks to tell which it is in";
+                TraceError::new("position", message)
+            })?,
+    };
+    let above = &tick + BigRational::one();
+    // The enclosure may touch the next tick from below: that is its closure.
+    let lo = Ord::max(fine.lo(), &tick).clone();
+    let hi = Ord::min(fine.hi(), &above).clone();
+    enclosed(x, &Interval::hull(lo, hi))
+}
+
+/// A number that is written as `x` and is in `range`.
+fn enclosed(x: Number, range: &Interval<BigRational>) -> Result<Reading, TraceError> {
+    let ends = [range.lo(), range.hi()].map(Span::of_rational);
+    let [Some([lo, _]), Some([_, hi])] = ends.map(Span::defined) else {
+        let message = format!("{x} is too large a number to compute with");
+        return Err(TraceError::new("number", message));
+    };
+    Ok(Reading::Within(Scaled::new(x, Span::between(lo, hi))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use passivity_core::pi;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_short_decimal_is_enclosed_as_closely_as_by_big_numbers(
+            n: i64, decimals in 0..19_u32, counts in 1..100_000_i32, reversed: bool,
+        ) {
+            // A radian is N/2π ticks.
+            let sign = if reversed { -1 } else { 1 };
+            let factor = Exact::of(&BigRational::new((sign * counts).into(), 2.into())).over(pi::pi());
+            let range = factor.enclosure(256).unwrap();
+            let by = Irrational::new(factor, range.clone());
+            let x = Number::Small(n, 10_i64.pow(decimals));
+            let Some(span) = by.short(&x) else {
+                // Past 2⁶³ ticks.
+                prop_assert!(n.unsigned_abs() / 10_u64.pow(decimals) > 1 << 40);
+                return Ok(());
+            };
+            let exact = Interval::hull(x.to_rational() * range.lo(), x.to_rational() * range.hi());
+            let [lo, hi] = span.defined().unwrap();
+            let at = |n: i128| BigRational::new(n.into(), (1_i128 << span::BITS).into());
+            prop_assert!(at(lo) <= *exact.lo() && *exact.hi() <= at(hi));
+            // A unit of the mantissa is at most a part in 2¹¹⁸ of it.
+            prop_assert!(hi - lo <= 2 + (hi.abs() >> 118));
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! Long logs are accounted for in spans: the answers are those of exact numbers, and the sums enclose
+//! theirs.
+
+use std::fmt::Write as _;
+
+use num_traits::Zero as _;
+use passivity_audit::{Ledger, Logged, Number, Options, Reading, Verdict, audit_csv};
+use passivity_core::{BigRational, Truth};
+use passivity_scene::Scene;
+use proptest::prelude::*;
+
+/// A motor with an encoder whose tick is a rational part of a millimetre.
+const LINEAR: &str = "[device]\nviscous = \"0.4 N s/m\"\ncoulomb = \"0.02 N ± 5%\"\n[sampling]\nrate = \"1 kHz\"\n\
+                      [encoder]\nresolution = \"0.03 mm\"\n[wall]\nstiffness = \"1 N/mm\"\n";
+
+/// One whose tick has π in it.
+const ROTARY: &str = "[device]\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"2e-3 N m\"\n[sampling]\nperiod = \"1 ms\"\n\
+                      [encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"1 N m/rad\"\n";
+
+/// A log that moves, rests now and then, and has an uneven clock and a force near the wall's, late at times.
+fn log(seed: u64, rows: usize, header: &str, size: f64, stiffness: f64) -> String {
+    let mut state = seed | 1;
+    let mut random = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        f64::from(u32::try_from(state >> 32).unwrap()) / f64::from(u32::MAX)
+    };
+    let (mut text, mut t, mut x) = (format!("{header}\n"), 0_u64, 0.0_f64);
+    for i in 0..rows {
+        t += 970 + (60.0 * random()) as u64;
+        if i % 97 < 80 {
+            x += size * (random() - 0.5) - 0.01 * x;
+        }
+        let force = -stiffness * x * (0.8 + 0.5 * random());
+        writeln!(text, "{t},{x:.9},{force:.6}").unwrap();
+    }
+    text
+}
+
+fn audited(text: &str, scene: &Scene, block: usize) -> passivity_audit::Audit {
+    let options = Options {
+        block,
+        ..Options::default()
+    };
+    let input = Box::new(std::io::Cursor::new(text.as_bytes().to_vec()));
+    audit_csv(input, scene, options).unwrap()
+}
+
+/// The sums, and how often each account was short, of exact rows alone.
+fn exactly(text: &str, scene: &Scene) -> ([BigRational; 2], [u64; 2]) {
+    let ledger = Ledger::of_scene(scene);
+    let number = |text: &str| Number::parse(text).unwrap();
+    let (per_tick, per_force) = (
+        BigRational::new(100_000.into(), 3.into()),
+        BigRational::new(100.into(), 3.into()),
+    );
+    let scaled = |x: &str, by: &BigRational| {
+        Reading::Exact(Number::from(number(x).to_rational() * by))
+    };
+    let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|l| l.split(',').collect()).collect();
+    let (mut sums, mut short) = ([BigRational::zero(), BigRational::zero()], [0, 0]);
+    for pair in rows.windows(2) {
+        let [from, to] = pair else { unreachable!() };
+        let dt = number(to[0]).to_rational() - number(from[0]).to_rational();
+        let row = ledger
+            .row(&Logged {
+                samples: vec![scaled(from[1], &per_tick)],
+                end: scaled(to[1], &per_tick),
+                dtau: Number::from(dt / BigRational::from_integer(1000.into())),
+                force: Some(scaled(from[2], &per_force)),
+            })
+            .unwrap();
+        let net = row.net_linear().unwrap();
+        sums[0] += net.lo();
+        sums[1] += net.hi();
+        short[0] += u64::from(row.truths().violates_linear == Truth::Holds);
+        short[1] += u64::from(row.truths().violates_linear == Truth::Depends);
+    }
+    (sums, short)
+}
+
+#[test]
+fn a_long_log_has_the_answers_of_exact_rows_and_sums_around_theirs() {
+    let scene = Scene::from_toml("linear", LINEAR).unwrap();
+    for seed in 1..5 {
+        let text = log(seed, 2500, "t [us],x [m],f [N]", 2e-4, 1000.0);
+        let audit = audited(&text, &scene, 0);
+        let ([least, most], [short, open]) = exactly(&text, &scene);
+        let totals = audit.totals();
+        assert_eq!(totals.violates_linear, short);
+        assert_eq!(totals.depends_linear, open);
+        let (lo, hi) = (totals.net_linear.lo(), totals.net_linear.hi());
+        assert!(*lo <= least && most <= *hi);
+        // A row has some thirty operations on numbers below 2²⁰, each off by 2⁻⁶⁴ times as much.
+        let off = BigRational::new((2500_i64 * 32).into(), (1_i64 << 44).into());
+        assert!(&least - lo <= off && hi - &most <= off);
+        assert!(!totals.generated_linear.is_exact());
+    }
+    let short = audited(&log(1, 900, "t [us],x [m],f [N]", 2e-4, 1000.0), &scene, 0);
+    assert!(short.totals().generated_linear.is_exact());
+}
+
+#[test]
+fn the_report_does_not_depend_on_how_a_log_is_cut() {
+    for (scene, header, size, stiffness) in [
+        (LINEAR, "t [us],x [m],f [N]", 2e-4, 1000.0),
+        (ROTARY, "t [us],x [rad],f [N m]", 2e-3, 1.0),
+        (ROTARY, "t [us],x [deg],f [mN m]", 0.1, 20.0),
+    ] {
+        let scene = Scene::from_toml("scene", scene).unwrap();
+        let text = log(7, 2200, header, size, stiffness);
+        let whole = audited(&text, &scene, 0).to_json();
+        assert!(whole["error"].is_null(), "{whole}");
+        for block in [900, 5000, 20_000] {
+            assert_eq!(audited(&text, &scene, block).to_json(), whole, "{header} in blocks of {block}");
+        }
+    }
+}
+
+#[test]
+fn a_device_that_rests_generates_nothing_whatever_π_says_of_where() {
+    let scene = Scene::from_toml("rotary", ROTARY).unwrap();
+    let mut text = "t [us],x [rad],f [N m]\n".to_owned();
+    for i in 0..1500 {
+        // It rests in the wall, whose force a hand holds, and the clock is uneven.
+        writeln!(text, "{},0.0123,-0.0123", 1000 * i + i % 7).unwrap();
+    }
+    let audit = audited(&text, &scene, 0);
+    assert_eq!(audit.verdict(), Verdict::Holds);
+    let totals = audit.totals();
+    assert_eq!((totals.violates_linear, totals.depends_linear), (0, 0));
+    assert!(totals.net_linear.lo().is_zero() && totals.net_linear.hi().is_zero());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Numbers that fit nothing of fixed width are accounted for all the same.
+    #[test]
+    fn numbers_of_any_size_give_the_same_answers(
+        exponents in prop::collection::vec(0..40_i32, 12), seed in 1..1000_u64,
+    ) {
+        let scene = Scene::from_toml("linear", LINEAR).unwrap();
+        let mut text = log(seed, 1010, "t [us],x [m],f [N]", 2e-4, 1000.0);
+        let mut t = 2_000_000;
+        for (i, exponent) in exponents.iter().enumerate() {
+            t += 1000;
+            let sign = if i % 2 == 0 { "" } else { "-" };
+            writeln!(text, "{t},{sign}3e{},{sign}7e{}", exponent - 20, 20 - exponent).unwrap();
+        }
+        let audit = audited(&text, &scene, 0);
+        let ([least, most], [short, open]) = exactly(&text, &scene);
+        let totals = audit.totals();
+        prop_assert_eq!(totals.violates_linear, short);
+        prop_assert_eq!(totals.depends_linear, open);
+        prop_assert!(*totals.net_linear.lo() <= least && most <= *totals.net_linear.hi());
+    }
+}
