@@ -251,14 +251,21 @@ fn widen<S: Ordered>(ranges: &mut [Interval<S>; 2], values: Accounts<S>) {
 }
 
 /// α, γ and κ of the parabola αd² + γd + κ with these values at one end, in the middle and at the
-/// other end; `None` when one is undefined.
+/// other end, where it is generated energy; `None` when one is undefined.
 fn through<S: Written>([a, b, c]: [S; 3], [from, to]: [S; 2]) -> Option<[S; 3]> {
-    let width = to - from.clone();
+    let width = to.clone() - from.clone();
     let slope = (c.clone() - a.clone()).over(width.clone());
     // The second difference a − 2b + c is 2α(width/2)².
     let alpha = (a.clone() - b.double() + c).double().over(width.square());
     let gamma = slope - alpha.clone() * (from.double() + width.clone());
-    let kappa = a - from.clone() * (alpha.clone() * from + gamma.clone());
+    let one_way = from.is_positive()? == to.is_positive()?
+        && from.is_nonnegative()? == to.is_nonnegative()?
+        && from.sign()? != Ordering::Equal;
+    let kappa = match one_way {
+        true => a - from.clone() * (alpha.clone() * from + gamma.clone()),
+        // Without a displacement nothing is generated.
+        false => S::zero(),
+    };
     let found = [alpha, gamma, kappa];
     if width.square().compare(&S::one())? == Ordering::Equal {
         return Some(found);

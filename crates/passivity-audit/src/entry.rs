@@ -330,22 +330,23 @@ impl<S: Ordered> Entry<S> {
         }
     }
 
+}
+
+impl<S: Written> Entry<S> {
     fn is_defined(&self) -> bool {
         let defined = |(_, figure): &(_, Option<&Figure<S>>)| match figure {
-            Some(figure) => figure.is_defined(),
+            Some(figure) => figure.lo().is_number() && figure.hi().is_number(),
             None => true,
         };
         let margin = self
             .margin
             .iter()
             .flat_map(|m| m.lo().into_iter().chain(m.hi()));
-        margin.map(Ordered::sign).all(|sign| sign.is_some())
+        margin.map(S::is_number).all(|is| is)
             && self.dtau.is_positive() == Some(true)
             && self.figures().iter().all(defined)
     }
-}
 
-impl<S: Written> Entry<S> {
     /// −F·Δξ, what the passivity observer adds, with enclosed numbers at their lower end: a count as it is.
     pub(crate) fn observed(&self) -> S {
         let [force, from, to] = [self.held.lo(), self.xi0.lo(), self.xi1.lo()].map(S::clone);

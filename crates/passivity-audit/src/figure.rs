@@ -71,12 +71,6 @@ impl<S: Ordered> Figure<S> {
         Interval::new(lo, hi).map(Self::Enclosed)
     }
 
-    /// Whether both ends are defined numbers.
-    #[must_use]
-    pub fn is_defined(&self) -> bool {
-        self.lo().sign().is_some() && self.hi().sign().is_some()
-    }
-
     /// Whether every number is at least zero, none is, or it depends; `None` when undefined.
     #[must_use]
     pub fn is_nonnegative(&self) -> Option<Truth> {

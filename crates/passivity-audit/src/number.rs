@@ -244,6 +244,11 @@ pub trait Written: Ordered {
     /// The number in lowest terms; `None` when it is undefined, or not exactly known.
     fn to_reduced(&self) -> Option<Reduced>;
 
+    /// Whether it is a number at all.
+    fn is_number(&self) -> bool {
+        self.sign().is_some()
+    }
+
     /// The number, or one close below it.
     fn below(&self) -> Option<Reduced> {
         self.to_reduced()

@@ -117,6 +117,14 @@ impl Span {
     }
 }
 
+/// How many units of the grid an end of a span is.
+pub(crate) const fn units(end: &Reduced) -> Option<i128> {
+    match end {
+        Reduced::Small(n, ONE) => Some(*n),
+        _ => None,
+    }
+}
+
 /// A number of units of the grid.
 pub(crate) fn on_grid(n: i128) -> BigRational {
     BigRational::new(n.into(), ONE.into())
@@ -124,6 +132,7 @@ pub(crate) fn on_grid(n: i128) -> BigRational {
 
 /// ⌊a·b/2^shift⌋ for numbers that are not negative, and whether that is less than a·b/2^shift; `None` when
 /// it is wider than 127 bits.
+#[inline]
 pub(crate) fn product_shifted(a: u128, b: u128, shift: u32) -> Option<(i128, bool)> {
     const LOW: u128 = u64::MAX as u128;
     let [a1, a0, b1, b0] = [a >> 64, a & LOW, b >> 64, b & LOW];
@@ -150,6 +159,7 @@ pub(crate) fn product_shifted(a: u128, b: u128, shift: u32) -> Option<(i128, boo
 }
 
 /// a·b on the grid, rounded down.
+#[inline]
 fn product_below(a: i128, b: i128) -> Option<i128> {
     let (value, inexact) = product_shifted(a.unsigned_abs(), b.unsigned_abs(), BITS)?;
     match (a < 0) == (b < 0) {
@@ -159,6 +169,7 @@ fn product_below(a: i128, b: i128) -> Option<i128> {
 }
 
 /// a·b on the grid, rounded up.
+#[inline]
 fn product_above(a: i128, b: i128) -> Option<i128> {
     product_below(a.checked_neg()?, b).map(|x| -x)
 }
@@ -185,6 +196,7 @@ fn quotient_above(a: i128, b: i128) -> Option<i128> {
 impl Add for Span {
     type Output = Self;
 
+    #[inline]
     fn add(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) {
             return Self::UNDEFINED;
@@ -199,6 +211,7 @@ impl Add for Span {
 impl Neg for Span {
     type Output = Self;
 
+    #[inline]
     fn neg(self) -> Self {
         if !self.is_defined() {
             return self;
@@ -210,6 +223,7 @@ impl Neg for Span {
 impl Sub for Span {
     type Output = Self;
 
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -218,6 +232,7 @@ impl Sub for Span {
 impl Mul for Span {
     type Output = Self;
 
+    #[inline]
     fn mul(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) {
             return Self::UNDEFINED;
@@ -244,6 +259,7 @@ impl Scalar for Span {
         Self::whole(n.into())
     }
 
+    #[inline]
     fn half(self) -> Self {
         if !self.is_defined() {
             return self;
@@ -254,6 +270,7 @@ impl Scalar for Span {
         }
     }
 
+    #[inline]
     fn floor(&self) -> Self {
         match self.is_defined() && self.lo >> BITS == self.hi >> BITS {
             true => {
@@ -264,6 +281,7 @@ impl Scalar for Span {
         }
     }
 
+    #[inline]
     fn abs(&self) -> Self {
         if self.lo >= 0 {
             *self
@@ -274,6 +292,7 @@ impl Scalar for Span {
         }
     }
 
+    #[inline]
     fn max(self, other: Self) -> Self {
         match self.is_defined() && other.is_defined() {
             true => Self::between(Ord::max(self.lo, other.lo), Ord::max(self.hi, other.hi)),
@@ -281,6 +300,7 @@ impl Scalar for Span {
         }
     }
 
+    #[inline]
     fn min(self, other: Self) -> Self {
         match self.is_defined() && other.is_defined() {
             true => Self::between(Ord::min(self.lo, other.lo), Ord::min(self.hi, other.hi)),
@@ -295,6 +315,7 @@ impl Scalar for Span {
         self.over_positive(divisor)
     }
 
+    #[inline]
     fn square(&self) -> Self {
         let size = self.abs();
         size * size
@@ -364,6 +385,10 @@ impl Written for Span {
 
     fn above(&self) -> Option<Reduced> {
         self.is_defined().then_some(Reduced::Small(self.hi, ONE))
+    }
+
+    fn is_number(&self) -> bool {
+        self.is_defined()
     }
 
     fn one_of(&self) -> Self {

@@ -5,7 +5,7 @@ use crate::figure::Figure;
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
 use crate::log::running::{Lowest, RunningSum};
-use crate::log::supply::Supply;
+use crate::log::supply::{Contribution, Supply};
 use crate::run::Tallies;
 use crate::span::Span;
 use crate::sum::FigureSum;
@@ -54,7 +54,7 @@ impl Least {
     }
 }
 
-/// Sums over consecutive intervals between exact positions, or ones enclosed in a span.
+/// Sums over consecutive intervals.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Batch {
     pub(crate) intervals: u64,
@@ -64,9 +64,8 @@ pub(crate) struct Batch {
     observer: Course,
     /// Where net energy plus potential was least.
     stored: Least,
-    /// Net energy at the least and at the most, and where it was least with the potential.
-    supply: [i128; 2],
-    supplied: [Least; 2],
+    /// What is left of what was stored at the start, where the verdict is about it.
+    pub(crate) supply: Supply,
     tallies: Tallies,
     /// The first interval of each kind, and the one with the least net energy.
     firsts: [Option<u64>; 5],
@@ -74,8 +73,14 @@ pub(crate) struct Batch {
 }
 
 impl Batch {
-    /// Adds an interval; `None`, and nothing added, where something does not fit.
-    pub(crate) fn add(&mut self, entry: &Entry<Span>, potential: Span) -> Option<()> {
+    /// Adds an interval, with the least potential where it ends and, where that is asked for, what it
+    /// contributes to what is left; `None`, and nothing added, where something does not fit.
+    pub(crate) fn add(
+        &mut self,
+        entry: &Entry<Span>,
+        potential: i128,
+        contribution: Option<&Contribution>,
+    ) -> Option<()> {
         let h = self.intervals + 1;
         let account = &entry.account;
         let figures = [
@@ -97,24 +102,14 @@ impl Batch {
             self.net.with(least_net, h)?,
             self.observer.with(observed, h)?,
         ];
-        let [stored, _] = potential.defined()?;
-        let all = net.now.checked_add(stored)?;
-        let [least, most] = entry.kept();
-        let ([least, _], [_, most]) = (least.defined()?, most.defined()?);
-        let step = [least, most];
-        let (mut supply, mut with_potential) = (self.supply, [0; 2]);
-        let both = supply.iter_mut().zip(&mut with_potential);
-        for ((sum, all), (step, end)) in both.zip(step.into_iter().zip(potential.defined()?)) {
-            *sum = sum.checked_add(step)?;
-            *all = sum.checked_add(end)?;
+        let stored = net.now.checked_add(potential)?;
+        if let Some(contribution) = contribution {
+            self.supply.add(contribution, h)?;
         }
         // Everything fits.
         self.intervals = h;
-        (self.sums, self.net, self.observer, self.supply) = (sums, net, observer, supply);
-        self.stored.keep(all, h);
-        for (least, value) in self.supplied.iter_mut().zip(with_potential) {
-            least.keep(value, h);
-        }
+        (self.sums, self.net, self.observer) = (sums, net, observer);
+        self.stored.keep(stored, h);
         self.worst.keep(least_net, h - 1);
         let truths = entry.truths();
         self.tallies.add_times(truths, h - 1, 1);
@@ -142,14 +137,7 @@ impl Batch {
             ..Account::default()
         };
         if running {
-            let sums = self.supply.map(|now| {
-                let course = Course {
-                    now,
-                    ..Course::default()
-                };
-                course.sum(self.intervals)
-            });
-            account.supply = Supply::of(sums, self.supplied.map(Least::lowest));
+            account.supply = self.supply;
         } else {
             account.stored = self.stored.lowest();
         }

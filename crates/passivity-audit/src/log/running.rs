@@ -75,6 +75,9 @@ impl RunningSum {
         if self.big.is_some() {
             return None;
         }
+        if self.denominator == d {
+            return Some(n);
+        }
         if self.denominator % d != 0 {
             let divisor = self.denominator.unsigned_abs().gcd(&d.unsigned_abs());
             let factor = d / i128::try_from(divisor).ok()?;

@@ -97,7 +97,7 @@ impl Contribution {
     }
 }
 
-fn contribution<S: Written>(ends: &Ends<S>, entry: &Entry<S>) -> Option<Contribution> {
+pub(crate) fn contribution<S: Written>(ends: &Ends<S>, entry: &Entry<S>) -> Option<Contribution> {
     let (start, end) = (&entry.xi0, &entry.xi1);
     let law = ends.least.law();
     let bounds = |of: &Figure<S>| Some([of.lo().below()?, of.hi().above()?]);
@@ -160,20 +160,11 @@ pub(crate) struct Supply {
 }
 
 impl Supply {
-    /// T with these sums, where no force is left to go on with.
-    pub(crate) const fn of(sums: [RunningSum; 2], lowest: [Option<Lowest>; 2]) -> Self {
+    /// T from zero, after an interval with this excess force.
+    pub(crate) fn after(excess: Option<Bounds>) -> Self {
         Self {
-            sums,
-            lowest,
-            excess: Some([Reduced::ZERO, Reduced::ZERO]),
-        }
-    }
-
-    /// Whether what comes next needs nothing of the last interval.
-    pub(crate) fn is_settled(&self) -> bool {
-        match &self.excess {
-            Some(excess) => *excess == [Reduced::ZERO, Reduced::ZERO],
-            None => true,
+            excess,
+            ..Self::default()
         }
     }
 
@@ -214,19 +205,22 @@ impl Supply {
     }
 }
 
+/// The least and the largest potential of the wall at a sample that is known on some kind of numbers, in
+/// KΔ².
+pub(crate) fn potential_on<S: Written>(
+    ends: &Ends<S>,
+    sample: &Figure<S>,
+) -> Option<[Reduced; 2]> {
+    let law = ends.least.law();
+    // The potential is convex with its least value at 0, which no tick has inside it.
+    let [a, b] = [sample.lo(), sample.hi()].map(|xi| law.potential(xi));
+    Some([a.clone().min(b.clone()).below()?, a.max(b).above()?])
+}
+
 /// The least and the largest potential of the wall at a sample, in KΔ².
 pub(crate) fn potential(ledger: &Ledger, sample: &Reading) -> Option<[Reduced; 2]> {
-    fn at<S: Written>(ends: &Ends<S>, sample: &Figure<S>) -> Option<[Reduced; 2]> {
-        let law = ends.least.law();
-        // The potential is convex with its least value at 0, which no tick has inside it.
-        let [a, b] = [sample.lo(), sample.hi()].map(|xi| law.potential(xi));
-        Some([
-            a.clone().min(b.clone()).to_reduced()?,
-            a.max(b).to_reduced()?,
-        ])
-    }
-    let on_machine_integers = || at(ledger.fixed()?, &sample.to_fixed()?);
-    on_machine_integers().or_else(|| at(ledger.wide(), &sample.to_wide()))
+    let on_machine_integers = || potential_on(ledger.fixed()?, &sample.to_fixed()?);
+    on_machine_integers().or_else(|| potential_on(ledger.wide(), &sample.to_wide()))
 }
 
 /// −F·Δξ over the interval of a row: what the passivity observer adds. Enclosed numbers are taken

@@ -5,7 +5,6 @@
 
 use crate::entry::Entry;
 use crate::ledger::{Ledger, Logged, Read, Row, Truths, on_entry};
-use crate::figure::Figure;
 use crate::log::account::{Account, Place};
 use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
@@ -13,8 +12,8 @@ use crate::log::error::TraceError;
 use crate::log::layout::Layout;
 use crate::log::merge::ROWS_IN_REPORT;
 use crate::log::running::Lowest;
-use crate::log::step::{duration, interval, jump, undefined};
-use crate::log::supply::{Contribution, observed, potential};
+use crate::log::step::{check_jump, duration, interval, jump, undefined};
+use crate::log::supply::{self, Contribution, Supply, observed, potential, potential_on};
 use crate::log::table::Table;
 use crate::number::{Number, Reduced, Written as _};
 use crate::reading::Reading;
@@ -52,21 +51,6 @@ impl Task<'_> {
     /// How many samples before an interval's own a chunk must have for it to be accounted for.
     pub(crate) fn lead(&self) -> usize {
         self.ledger.window() - 1 + usize::from(self.running)
-    }
-
-    /// The row of the interval that starts at sample `i` of a chunk and lasts `dtau`, in spans.
-    fn near(&self, samples: &[Reading], chunk: &Chunk, i: usize, dtau: &Number) -> Option<Entry<Span>> {
-        let force = match self.applied {
-            true => Some(&chunk.forces.get(i)?.value),
-            false => None,
-        };
-        let from = (i + 1).saturating_sub(self.ledger.window());
-        let read = Read {
-            samples: samples.get(from..=i)?.iter().rev(),
-            end: samples.get(i + 1)?,
-            force,
-        };
-        self.ledger.near_entry(read, dtau)
     }
 
     /// The interval that starts at sample `i` of a chunk.
@@ -108,12 +92,16 @@ impl Accounted {
     }
 }
 
-/// Whether the row of the interval `h` is one of exact numbers in any case: so that the sums of a short
-/// trace are exact, and those of counts one period apart, of which there are few different ones.
-fn is_exact(interval: &Logged, h: usize) -> bool {
-    match interval.end {
+/// One period.
+const UNIT: Number = Number::whole(1);
+
+/// Whether the row of the interval `h`, of this length and with this end, is one of exact numbers in any
+/// case: so that the sums of a short trace are exact, and those of counts one period apart under their own
+/// law, of which there are few different ones.
+fn is_exact(task: &Task<'_>, end: &Reading, dtau: &Number, h: usize) -> bool {
+    match end {
         Reading::Within(_) => false,
-        Reading::Count(_) if interval.dtau == Number::whole(1) => true,
+        Reading::Count(_) if *dtau == UNIT && !task.applied => true,
         _ => h < EXACT_ROWS,
     }
 }
@@ -144,7 +132,10 @@ impl Computed {
             let entry = task.ledger.near_entry(interval.read(), &interval.dtau)?;
             Self::of_row(task, interval, Accounted::Near(Box::new(entry)))
         };
-        let near = if is_exact(interval, h) { None } else { near() };
+        let near = match is_exact(task, &interval.end, &interval.dtau, h) {
+            true => None,
+            false => near(),
+        };
         let row = match (&near, task.rows) {
             (Some(_), None) => return near,
             _ => task.ledger.row(interval)?,
@@ -208,20 +199,26 @@ impl Computed {
         let noted = account.note(&self.row, &self.net, h, 1, place);
         noted.ok_or_else(undefined)?;
         self.enter(&self.observed, account)?;
-        note_stored(task, &interval.end, account)
+        note_stored(task, &self.row, &interval.end, account)
     }
 }
 
 /// Takes note of net energy plus potential after the latest interval, which ends at `sample`.
 fn note_stored(
     task: &Task<'_>,
+    row: &Accounted,
     sample: &crate::Reading,
     account: &mut Account,
 ) -> Result<(), TraceError> {
     if task.running {
         return Ok(());
     }
-    let [least, _] = potential(task.ledger, sample).ok_or_else(undefined)?;
+    let ledger = task.ledger;
+    let potential = match row {
+        Accounted::Near(_) => potential_on(ledger.near(), &sample.to_near()),
+        Accounted::Exact(_) => potential(ledger, sample),
+    };
+    let [least, _] = potential.ok_or_else(undefined)?;
     Lowest::keep_sum(&mut account.stored, &account.net, &least, account.intervals);
     Ok(())
 }
@@ -294,11 +291,10 @@ impl Walk<'_> {
         {
             account.supply.excess = Some(self.excess_before(chunk)?);
         }
-        let unit = Number::whole(1);
         while self.at < last {
             if self.quick(table, chunk, account) {
                 if self.timed {
-                    account.timing.add(&unit, account.intervals);
+                    account.timing.add(&UNIT, account.intervals);
                 }
                 continue;
             }
@@ -310,7 +306,7 @@ impl Walk<'_> {
             if let (true, Some(dtau)) = (self.timed, &dtau) {
                 account.timing.add(dtau, account.intervals);
             }
-            self.one(table, chunk, dtau.unwrap_or(unit.clone()), account)?;
+            self.one(table, chunk, dtau.unwrap_or(UNIT), account)?;
             self.at += 1;
             if self.task.points && (self.at - self.from).is_multiple_of(self.stride) {
                 account.plot();
@@ -358,39 +354,31 @@ impl Walk<'_> {
         any
     }
 
-    /// Intervals between positions that are no counts, as far as spans decide their rows; whether there is
-    /// any.
+    /// Intervals whose rows spans decide, as far as they do; whether there is any.
     fn batch(&mut self, chunk: &Chunk, account: &mut Account) -> Result<bool, TraceError> {
         let task = self.task;
-        let Samples::Any(samples) = &chunk.samples else {
-            return Ok(false);
-        };
-        let is_early = || {
-            let is_enclosed = matches!(samples.get(self.at + 1), Some(Reading::Within(_)));
-            self.h(self.at) < EXACT_ROWS && !is_enclosed
-        };
-        if task.rows.is_some() || is_early() || !account.supply.is_settled() {
+        if task.rows.is_some() {
             return Ok(false);
         }
-        let law = task.ledger.near().least.law();
-        let (mut batch, mut end, start) = (Batch::default(), Ok(()), self.at);
-        while let Some(sample) = samples.get(self.at + 1) {
+        let start = self.at;
+        let mut batch = Batch::default();
+        batch.supply = Supply::after(account.supply.excess.clone());
+        let mut came = Ok(());
+        while self.at + 1 < chunk.samples.len() {
             let dtau = match duration(task.layout, chunk, self.at) {
                 Ok(dtau) => dtau,
                 Err(error) => {
-                    end = Err(error);
+                    came = Err(error);
                     break;
                 }
             };
-            let lasts = dtau.clone().unwrap_or(Number::whole(1));
-            let row = task.near(samples, chunk, self.at, &lasts);
-            let Some(added) = row.and_then(|row| {
-                let Figure::Exact(to) = sample.to_near() else { return None };
-                batch.add(&row, law.potential(&to))
-            }) else {
+            let unit = UNIT;
+            let lasts = dtau.as_ref().unwrap_or(&unit);
+            if self.is_for_the_table(chunk, lasts)
+                || self.add_to(&mut batch, chunk, lasts).is_none()
+            {
                 break;
-            };
-            let () = added;
+            }
             if let (true, Some(dtau)) = (self.timed, &dtau) {
                 account.timing.add(dtau, account.intervals + batch.intervals - 1);
             }
@@ -410,7 +398,52 @@ impl Walk<'_> {
                 account.plot();
             }
         }
-        end.map(|()| self.at > start)
+        came.map(|()| self.at > start)
+    }
+
+    /// Whether the next row is one of counts that may come again, to be looked up.
+    fn is_for_the_table(&self, chunk: &Chunk, dtau: &Number) -> bool {
+        let force = chunk.forces.get(self.at).filter(|_| self.task.applied);
+        let is_few = force.is_none_or(|force| {
+            *dtau == UNIT && matches!(force.value, Reading::Exact(Number::Small(..)))
+        });
+        matches!(chunk.samples, Samples::Counts(_)) && is_few
+    }
+
+    /// Adds the next interval; `None` where spans leave something open, or its row is an exact one.
+    fn add_to(&self, batch: &mut Batch, chunk: &Chunk, dtau: &Number) -> Option<()> {
+        let (task, i) = (self.task, self.at);
+        let ledger = task.ledger;
+        let (start, end) = (chunk.samples.get(i)?, chunk.samples.get(i + 1)?);
+        if is_exact(task, &end, dtau, self.h(i)) {
+            return None;
+        }
+        if let (Reading::Count(from), Reading::Count(to)) = (&start, &end) {
+            check_jump(*from, *to).ok()?;
+        }
+        let force = match task.applied {
+            true => Some(&chunk.forces.get(i)?.value),
+            false => None,
+        };
+        let earlier;
+        let read = Read {
+            samples: match ledger.window() {
+                1 => std::slice::from_ref(&start).iter(),
+                window => {
+                    earlier = chunk.samples.back_from(i, window);
+                    earlier.iter()
+                }
+            },
+            end: &end,
+            force,
+        };
+        let row = ledger.near_entry(read, dtau)?;
+        let contribution = match task.running {
+            true => Some(supply::contribution(ledger.near(), &row)?),
+            false => None,
+        };
+        let [potential, _] = supply::potential_on(ledger.near(), &row.xi1)?;
+        batch.add(&row, crate::span::units(&potential)?, contribution.as_ref())
     }
 
     /// One interval, by looking its row up or computing it.
@@ -451,8 +484,8 @@ impl Walk<'_> {
         let (Samples::Counts(counts), Number::Small(n, d)) = (&chunk.samples, dtau) else {
             return false;
         };
-        // Counts one period apart have exact rows in any case.
-        let is_early = n != d && self.h(self.at) < EXACT_ROWS;
+        // Some rows are exact in any case.
+        let is_early = (n != d || self.task.applied) && self.h(self.at) < EXACT_ROWS;
         self.key.extend([*n, *d, i64::from(is_early)]);
         let task = self.task;
         if task.ledger.is_plain() && !task.applied {
@@ -529,5 +562,5 @@ fn known_row(
     } else {
         known.enter(&known.observed, account)?;
     }
-    note_stored(task, &crate::Reading::Count(*next), account)
+    note_stored(task, &known.row, &Reading::Count(*next), account)
 }
