@@ -18,7 +18,7 @@
 use std::cmp::Ordering;
 
 use passivity_core::ledger::{self, HeldInterval, Row};
-use passivity_core::{Criterion, Interval, Loop, Ordered, Step, dissipation};
+use passivity_core::{Criterion, Friction, Interval, Loop, Ordered, Step, dissipation};
 
 use crate::ends::Ends;
 use crate::figure::Figure;
@@ -172,8 +172,24 @@ impl<S: Written> Rectangle<'_, S> {
         self.figures(found)
     }
 
+    /// Net energy against the linear spring alone.
+    pub(crate) fn net_linear(&self) -> Option<Figure<S>> {
+        let still = self.start.is_exact() && self.end.is_exact();
+        if still || !self.ends.least.law().is_linear() {
+            return Some(self.row()?.net_linear);
+        }
+        let [linear, _] = self.net()?;
+        Some(linear)
+    }
+
     /// `dissipated_lower` less generated energy, at its extremes.
     fn net(&self) -> Option<[Figure<S>; 2]> {
+        let of = |ends: &Loop<S>| {
+            let friction = ends.friction();
+            Friction::new(friction.beta.over(self.dtau.clone()), friction.sigma)
+        };
+        let most = (!self.ends.friction_is_exact()).then(|| of(&self.ends.most));
+        let frictions = (of(&self.ends.least), most);
         let mut found: [Option<Interval<S>>; 2] = [None, None];
         for force in self.forces() {
             for (from, to) in self.edges() {
@@ -185,7 +201,7 @@ impl<S: Written> Rectangle<'_, S> {
                 let accounts = first.into_iter().zip(between).zip(last);
                 for (known, ((a, b), c)) in found.iter_mut().zip(accounts) {
                     let curve = through([a, b, c], [d(from), d(to)])?;
-                    let here = self.net_along(&curve, [d(from), d(to)])?;
+                    let here = net_along(&frictions, &curve, [d(from), d(to)])?;
                     join(known, here);
                 }
             }
@@ -215,25 +231,34 @@ impl<S: Written> Rectangle<'_, S> {
         let along_start = along_start.into_iter().filter(move |_| start);
         along_start.chain(along_end.into_iter().filter(move |_| end))
     }
+}
 
-    /// Net energy along an edge on which generated energy is αd² + γd + κ: at its least with the
-    /// least friction, at its most with the most.
-    fn net_along(&self, [alpha, gamma, kappa]: &[S; 3], [from, to]: [S; 2]) -> Option<Interval<S>> {
-        let (from, to) = (from.clone().min(to.clone()), from.max(to));
-        let range = |of: &Loop<S>| {
-            let friction = of.friction();
-            let parabola = Parabola {
-                square: friction.beta.over(self.dtau.clone()) - alpha.clone(),
-                magnitude: friction.sigma,
-                linear: -gamma.clone(),
-                constant: -kappa.clone(),
-            };
-            parabola.range(&from, &to)
+/// Net energy along an edge on which generated energy is αd² + γd + κ: at its least with the least
+/// friction, at its most with the most. Friction is given as β/Δτ and σ.
+fn net_along<S: Ordered>(
+    (least, most): &(Friction<S>, Option<Friction<S>>),
+    [alpha, gamma, kappa]: &[S; 3],
+    [from, to]: [S; 2],
+) -> Option<Interval<S>> {
+    let (from, to) = (from.clone().min(to.clone()), from.max(to));
+    let range = |friction: &Friction<S>| {
+        let parabola = Parabola {
+            square: friction.beta.clone() - alpha.clone(),
+            magnitude: friction.sigma.clone(),
+            linear: -gamma.clone(),
+            constant: -kappa.clone(),
         };
-        let [least, _] = range(&self.ends.least)?;
-        let [_, most] = range(&self.ends.most)?;
-        Interval::new(least, most)
-    }
+        parabola.range(&from, &to)
+    };
+    let [lowest, highest] = range(least)?;
+    let highest = match most {
+        None => highest,
+        Some(most) => {
+            let [_, highest] = range(most)?;
+            highest
+        }
+    };
+    Interval::new(lowest, highest)
 }
 
 /// Adds a range to what is known so far.

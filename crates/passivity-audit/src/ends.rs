@@ -136,7 +136,10 @@ impl Ends<BigRational> {
         let [least, most] =
             [&self.least, &self.most].map(|ends| ends.map(|_, x| Span::of_rational(x)));
         let mut one = least.clone();
-        let all = [(&mut one.viscous, &most.viscous), (&mut one.coulomb, &most.coulomb)];
+        let all = [
+            (&mut one.viscous, &most.viscous),
+            (&mut one.coulomb, &most.coulomb),
+        ];
         let narrow = all.into_iter().all(|(one, most)| match (one, most) {
             (Some(one), Some(most)) => {
                 *one = one.joined(*most);

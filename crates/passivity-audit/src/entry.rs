@@ -329,7 +329,6 @@ impl<S: Ordered> Entry<S> {
             violates_quantized: self.violates_quantized,
         }
     }
-
 }
 
 impl<S: Written> Entry<S> {
@@ -338,11 +337,11 @@ impl<S: Written> Entry<S> {
             Some(figure) => figure.lo().is_number() && figure.hi().is_number(),
             None => true,
         };
-        let margin = self
+        let mut margin = self
             .margin
             .iter()
             .flat_map(|m| m.lo().into_iter().chain(m.hi()));
-        margin.map(S::is_number).all(|is| is)
+        margin.all(S::is_number)
             && self.dtau.is_positive() == Some(true)
             && self.figures().iter().all(defined)
     }
@@ -356,7 +355,10 @@ impl<S: Written> Entry<S> {
     /// What friction took less what was generated against the linear spring, whatever a storage gained: at
     /// the least and at the most.
     pub(crate) fn kept(&self) -> [S; 2] {
-        let (taken, generated) = (&self.account.dissipated_lower, &self.account.generated_linear);
+        let (taken, generated) = (
+            &self.account.dissipated_lower,
+            &self.account.generated_linear,
+        );
         [
             taken.lo().clone() - generated.hi().clone(),
             taken.hi().clone() - generated.lo().clone(),

@@ -142,7 +142,9 @@ impl Ledger {
     pub fn row(&self, interval: &Logged) -> Option<Row> {
         let dtau = interval.dtau.to_fixed();
         let fixed = self.fixed.as_ref().zip(dtau).and_then(|(ends, dtau)| {
-            interval.read().row(ends, self.window(), &dtau, Reading::to_fixed)
+            interval
+                .read()
+                .row(ends, self.window(), &dtau, Reading::to_fixed)
         });
         match fixed {
             Some(entry) => Some(Row::Fixed(Box::new(entry))),
@@ -153,7 +155,9 @@ impl Ledger {
     /// The row of an interval on big integers.
     pub(crate) fn wide_entry(&self, interval: &Logged) -> Option<Entry<Wide>> {
         let wide = |reading: &Reading| Some(reading.to_wide());
-        interval.read().row(&self.wide, self.window(), &interval.dtau.to_wide(), wide)
+        interval
+            .read()
+            .row(&self.wide, self.window(), &interval.dtau.to_wide(), wide)
     }
 
     /// The row of an interval, enclosed to within 2⁻⁶⁴ an operation; `None` where that leaves something
@@ -212,8 +216,12 @@ impl<'r, R: Iterator<Item = &'r Reading>> Read<'r, R> {
         let samples = match window {
             1 => &one[..],
             window => {
-                let earlier = self.samples.take(window - 1).map(|sample| known(sample));
-                several = one.into_iter().map(Some).chain(earlier).collect::<Option<_>>()?;
+                let earlier = self.samples.take(window - 1).map(&known);
+                several = one
+                    .into_iter()
+                    .map(Some)
+                    .chain(earlier)
+                    .collect::<Option<_>>()?;
                 &several
             }
         };

@@ -21,7 +21,9 @@ const ROTARY: &str = "[device]\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"2e-3 N
 fn log(seed: u64, rows: usize, header: &str, size: f64, stiffness: f64) -> String {
     let mut state = seed | 1;
     let mut random = move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
         f64::from(u32::try_from(state >> 32).unwrap()) / f64::from(u32::MAX)
     };
     let (mut text, mut t, mut x) = (format!("{header}\n"), 0_u64, 0.0_f64);
@@ -53,10 +55,13 @@ fn exactly(text: &str, scene: &Scene) -> ([BigRational; 2], [u64; 2]) {
         BigRational::new(100_000.into(), 3.into()),
         BigRational::new(100.into(), 3.into()),
     );
-    let scaled = |x: &str, by: &BigRational| {
-        Reading::Exact(Number::from(number(x).to_rational() * by))
-    };
-    let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|l| l.split(',').collect()).collect();
+    let scaled =
+        |x: &str, by: &BigRational| Reading::Exact(Number::from(number(x).to_rational() * by));
+    let rows: Vec<Vec<&str>> = text
+        .lines()
+        .skip(1)
+        .map(|l| l.split(',').collect())
+        .collect();
     let (mut sums, mut short) = ([BigRational::zero(), BigRational::zero()], [0, 0]);
     for pair in rows.windows(2) {
         let [from, to] = pair else { unreachable!() };
@@ -111,13 +116,17 @@ fn the_report_does_not_depend_on_how_a_log_is_cut() {
         let whole = audited(&text, &scene, 0).to_json();
         assert!(whole["error"].is_null(), "{whole}");
         for block in [900, 5000, 20_000] {
-            assert_eq!(audited(&text, &scene, block).to_json(), whole, "{header} in blocks of {block}");
+            assert_eq!(
+                audited(&text, &scene, block).to_json(),
+                whole,
+                "{header} in blocks of {block}"
+            );
         }
     }
 }
 
 #[test]
-fn a_device_that_rests_generates_nothing_whatever_π_says_of_where() {
+fn a_device_that_rests_generates_nothing_however_little_is_known_of_where() {
     let scene = Scene::from_toml("rotary", ROTARY).unwrap();
     let mut text = "t [us],x [rad],f [N m]\n".to_owned();
     for i in 0..1500 {

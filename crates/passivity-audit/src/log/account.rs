@@ -3,7 +3,7 @@
 use passivity_core::{BigRational, Truth};
 
 use crate::ledger::{Logged, Row, Truths};
-use crate::log::worker::Accounted;
+use crate::log::computed::Accounted;
 use crate::log::running::{Lowest, RunningSum};
 use crate::log::supply::Supply;
 use crate::log::timing::Timing;

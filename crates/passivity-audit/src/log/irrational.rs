@@ -38,7 +38,8 @@ impl Mantissa {
         let bits = |x: &BigInt| i64::try_from(x.bits()).ok();
         let size = bits(lo.numer())? - bits(lo.denom())?;
         let shift = u32::try_from(i64::try_from(Self::BITS).ok()? - size).ok()?;
-        let scaled = |x: &BigRational| (x * BigRational::from_integer(BigInt::from(1) << shift)).floor();
+        let scaled =
+            |x: &BigRational| (x * BigRational::from_integer(BigInt::from(1) << shift)).floor();
         let (below, above) = (scaled(lo), scaled(hi));
         let mantissa = below.to_integer().to_u128()?;
         (below == above && shift >= span::BITS).then_some(Self { mantissa, shift })

@@ -8,11 +8,12 @@ use crate::ledger::Logged;
 use crate::log::account::Account;
 use crate::log::chunk::Chunk;
 use crate::log::comparison::Comparison;
+use crate::log::computed::{Accounted, Computed};
 use crate::log::error::TraceError;
 use crate::log::outcome::Audit;
 use crate::log::step::{between, check_jump, duration};
 use crate::log::velocity::Velocities;
-use crate::log::worker::{Accounted, Computed, Task};
+use crate::log::worker::Task;
 use crate::number::Number;
 use crate::reading::Reading;
 

@@ -7,6 +7,7 @@ mod certificate;
 mod chunk;
 mod columns;
 mod comparison;
+mod computed;
 mod csv;
 mod error;
 mod findings;

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use passivity_scene::Scene;
 
-use crate::log::worker::EXACT_ROWS;
 use crate::log::chunk::Chunk;
 use crate::log::columns::Columns;
+use crate::log::computed::EXACT_ROWS;
 use crate::log::csv::{self, Notation};
 use crate::log::error::{TraceError, legible};
 use crate::log::header::Heading;

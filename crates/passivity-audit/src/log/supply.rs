@@ -19,7 +19,7 @@ use crate::ends::Ends;
 use crate::entry::Entry;
 use crate::figure::Figure;
 use crate::ledger::{Ledger, Logged, Row, on_entry};
-use crate::log::worker::Accounted;
+use crate::log::computed::Accounted;
 use crate::number::{Reduced, Written};
 use crate::reading::Reading;
 use crate::span::Span;
@@ -136,7 +136,7 @@ pub(crate) fn contribution<S: Written>(ends: &Ends<S>, entry: &Entry<S>) -> Opti
     let [first, second, third] = least;
     let [fourth, fifth] = most;
     Some(Contribution {
-        net: bounds(&rectangle.row()?.net_linear)?,
+        net: bounds(&rectangle.net_linear()?)?,
         excess: bounds(&excess)?,
         advance: (end.lo().clone() - start.lo().clone()).to_reduced()?,
         room: (start.hi().clone() - start.lo().clone()).above()?,
@@ -207,10 +207,7 @@ impl Supply {
 
 /// The least and the largest potential of the wall at a sample that is known on some kind of numbers, in
 /// KΔ².
-pub(crate) fn potential_on<S: Written>(
-    ends: &Ends<S>,
-    sample: &Figure<S>,
-) -> Option<[Reduced; 2]> {
+pub(crate) fn potential_on<S: Written>(ends: &Ends<S>, sample: &Figure<S>) -> Option<[Reduced; 2]> {
     let law = ends.least.law();
     // The potential is convex with its least value at 0, which no tick has inside it.
     let [a, b] = [sample.lo(), sample.hi()].map(|xi| law.potential(xi));

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use crate::log::account::{Account, Point};
+use crate::log::computed::{Accounted, Computed};
 use crate::log::running::Lowest;
-use crate::log::worker::{Accounted, Computed};
 use crate::number::Reduced;
 use passivity_core::BigRational;
 

@@ -3,26 +3,19 @@
 //! A row of counts depends on nothing but a few small integers, and a trace has few different
 //! rows: each is computed once and looked up from then on. Everything else is computed row by row.
 
-use crate::entry::Entry;
-use crate::ledger::{Ledger, Logged, Read, Row, Truths, on_entry};
+use crate::ledger::{Ledger, Logged, Read};
 use crate::log::account::{Account, Place};
 use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
+use crate::log::computed::{Computed, EXACT_ROWS, UNIT, is_exact, note_stored};
 use crate::log::error::TraceError;
 use crate::log::layout::Layout;
-use crate::log::merge::ROWS_IN_REPORT;
-use crate::log::running::Lowest;
 use crate::log::step::{check_jump, duration, interval, jump, undefined};
-use crate::log::supply::{self, Contribution, Supply, observed, potential, potential_on};
+use crate::log::supply::{self, Supply};
 use crate::log::table::Table;
-use crate::number::{Number, Reduced, Written as _};
+use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 use crate::rows;
-use crate::span::Span;
-use crate::sum::FigureSum;
-
-/// How many rows at the start of a trace are of exact numbers.
-pub(crate) const EXACT_ROWS: usize = ROWS_IN_REPORT;
 
 /// About how many points of a chunk are plotted.
 const POINTS: usize = 512;
@@ -59,168 +52,6 @@ impl Task<'_> {
         let found = interval(chunk, i, self.ledger.window(), self.applied, dtau);
         found.ok_or_else(undefined)
     }
-}
-
-/// The row of an interval: of exact numbers, or of spans where nothing is left open by them.
-pub(crate) enum Accounted {
-    Exact(Row),
-    Near(Box<Entry<Span>>),
-}
-
-impl Accounted {
-    pub(crate) fn truths(&self) -> Truths {
-        match self {
-            Self::Exact(row) => row.truths(),
-            Self::Near(entry) => entry.truths(),
-        }
-    }
-
-    /// Adds the figures that totals are kept of, `times` over; `None` when one is undefined.
-    pub(crate) fn add_to(&self, sums: &mut [FigureSum; 5], times: u64) -> Option<()> {
-        match self {
-            Self::Exact(row) => row.add_to(sums, times),
-            Self::Near(entry) => entry.add_to(sums, times),
-        }
-    }
-
-    /// The least that net energy may be.
-    fn least_net(&self) -> Option<Reduced> {
-        match self {
-            Self::Exact(row) => on_entry!(row, entry => entry.account.net_linear.lo().below()),
-            Self::Near(entry) => entry.account.net_linear.lo().below(),
-        }
-    }
-}
-
-/// One period.
-const UNIT: Number = Number::whole(1);
-
-/// Whether the row of the interval `h`, of this length and with this end, is one of exact numbers in any
-/// case: so that the sums of a short trace are exact, and those of counts one period apart under their own
-/// law, of which there are few different ones.
-fn is_exact(task: &Task<'_>, end: &Reading, dtau: &Number, h: usize) -> bool {
-    match end {
-        Reading::Within(_) => false,
-        Reading::Count(_) if *dtau == UNIT && !task.applied => true,
-        _ => h < EXACT_ROWS,
-    }
-}
-
-/// A row, and what is kept of it.
-pub(crate) struct Computed {
-    pub(crate) row: Accounted,
-    /// Net energy at the least.
-    pub(crate) net: Reduced,
-    /// What the observer adds.
-    pub(crate) observed: Reduced,
-    pub(crate) contribution: Option<Contribution>,
-    /// The row as CSV, where it is written: up to `dtau`,
-    positions: Vec<u8>,
-    /// and from there on.
-    pub(crate) text: Vec<u8>,
-}
-
-impl Computed {
-    /// The row of the interval `h` of the trace, or of some later one; of exact numbers where they are told
-    /// of.
-    pub(crate) fn of(task: &Task<'_>, interval: &Logged, h: usize) -> Result<Self, TraceError> {
-        Self::defined(task, interval, h).ok_or_else(undefined)
-    }
-
-    fn defined(task: &Task<'_>, interval: &Logged, h: usize) -> Option<Self> {
-        let near = || {
-            let entry = task.ledger.near_entry(interval.read(), &interval.dtau)?;
-            Self::of_row(task, interval, Accounted::Near(Box::new(entry)))
-        };
-        let near = match is_exact(task, &interval.end, &interval.dtau, h) {
-            true => None,
-            false => near(),
-        };
-        let row = match (&near, task.rows) {
-            (Some(_), None) => return near,
-            _ => task.ledger.row(interval)?,
-        };
-        let (mut positions, mut text) = (Vec::new(), Vec::new());
-        if let Some(form) = task.rows {
-            form.write_positions(&row, &mut positions)?;
-            form.write_account(&row, &mut text)?;
-        }
-        let computed = near.or_else(|| Self::of_row(task, interval, Accounted::Exact(row)))?;
-        Some(Self {
-            positions,
-            text,
-            ..computed
-        })
-    }
-
-    fn of_row(task: &Task<'_>, interval: &Logged, row: Accounted) -> Option<Self> {
-        let contribution = match task.running {
-            true => Some(Contribution::of(task.ledger, interval, &row)?),
-            false => None,
-        };
-        Some(Self {
-            net: row.least_net()?,
-            observed: observed(&row)?,
-            contribution,
-            positions: Vec::new(),
-            text: Vec::new(),
-            row,
-        })
-    }
-
-    /// Adds the row of one interval to the account, all but its sums and tallies.
-    fn enter(&self, observed: &Reduced, account: &mut Account) -> Result<(), TraceError> {
-        account.net.add(&self.net);
-        account.observer.add(observed);
-        account.intervals += 1;
-        if let Some(contribution) = &self.contribution {
-            let added = account.supply.add(contribution, account.intervals);
-            added.ok_or_else(undefined)?;
-        }
-        Ok(())
-    }
-
-    /// Adds the row of one interval to the account.
-    pub(crate) fn account(
-        &self,
-        task: &Task<'_>,
-        interval: &Logged,
-        account: &mut Account,
-    ) -> Result<(), TraceError> {
-        account.rows.extend_from_slice(&self.positions);
-        account.rows.extend_from_slice(&self.text);
-        let h = account.intervals;
-        let place = || {
-            Some(Place {
-                h,
-                interval: interval.clone(),
-            })
-        };
-        let noted = account.note(&self.row, &self.net, h, 1, place);
-        noted.ok_or_else(undefined)?;
-        self.enter(&self.observed, account)?;
-        note_stored(task, &self.row, &interval.end, account)
-    }
-}
-
-/// Takes note of net energy plus potential after the latest interval, which ends at `sample`.
-fn note_stored(
-    task: &Task<'_>,
-    row: &Accounted,
-    sample: &crate::Reading,
-    account: &mut Account,
-) -> Result<(), TraceError> {
-    if task.running {
-        return Ok(());
-    }
-    let ledger = task.ledger;
-    let potential = match row {
-        Accounted::Near(_) => potential_on(ledger.near(), &sample.to_near()),
-        Accounted::Exact(_) => potential(ledger, sample),
-    };
-    let [least, _] = potential.ok_or_else(undefined)?;
-    Lowest::keep_sum(&mut account.stored, &account.net, &least, account.intervals);
-    Ok(())
 }
 
 /// What a core keeps from chunk to chunk.
@@ -380,7 +211,9 @@ impl Walk<'_> {
                 break;
             }
             if let (true, Some(dtau)) = (self.timed, &dtau) {
-                account.timing.add(dtau, account.intervals + batch.intervals - 1);
+                account
+                    .timing
+                    .add(dtau, account.intervals + batch.intervals - 1);
             }
             self.at += 1;
             if task.points && (self.at - self.from).is_multiple_of(self.stride) {
