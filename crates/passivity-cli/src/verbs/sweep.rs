@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use passivity_scene::{Axis, Point, Scene};
-use passivity_sim::report::Sweep;
-use passivity_sim::sweep::{Grid, Range, Row, open, run as sweep};
+use passivity_sim::report::{Outcomes, Sweep};
+use passivity_sim::sweep::{Grid, Range, Row, Shard, merge, open_shard, run_range};
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, may_be_written, read_scene};
@@ -23,6 +23,10 @@ use crate::progress::Progress;
       --out fig5.csv --plot fig5.png
   passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 --speed 1/2,1,2,5 \\
       --out fig5.csv --resume
+  for i in 1 2 3 4; do passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 \\
+      --shard $i/4 --out part-$i.parquet; done     # each on another machine, if you like
+  passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 \\
+      --merge part-*.parquet --out fig5.parquet
   passivity sweep scenes/re35-limit-cycles.toml --vary 'stiffness=0.05:0.5:31 N m/rad' \\
       --vary 'viscous=0:2e-5:31 N m s/rad' --vary 'velocity=1,5 rad/s' --out grid.csv --plot grid.png")]
 pub(crate) struct Args {
@@ -60,6 +64,12 @@ pub(crate) struct Args {
     /// Continue the interrupted sweep whose results are in the file of --out.
     #[arg(long, requires = "out")]
     resume: bool,
+    /// Simulate one piece of the grid only: `3/8` is the third of eight, as even as they can be.
+    #[arg(long, value_name = "I/N", requires = "out", conflicts_with = "plot", value_parser = Shard::parse)]
+    shard: Option<Shard>,
+    /// Simulate nothing: write the files of all shards of this sweep as one, the same as that of one run.
+    #[arg(long, value_name = "PART", num_args = 1.., requires = "out", conflicts_with_all = ["shard", "resume"])]
+    merge: Vec<PathBuf>,
     /// Draw the outcomes into this file, as SVG or PNG according to its extension.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
@@ -80,47 +90,22 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         point.intervals = intervals;
     }
     let grid = grid(args, &scene, &point)?;
-    let mut rows: Vec<Option<Row>> = vec![None; grid.len()];
-    let mut file = None;
-    let mut before = 0;
-    if let Some(path) = &args.out {
-        let opened = open(path, &point, &grid, args.resume).map_err(Failure::input)?;
-        before = opened.found.len();
-        for (index, row) in opened.found {
-            rows[index] = Some(row);
-        }
-        file = Some(opened.rows);
-    }
-    let mut bar = Progress::new(grid.len() as u64, "points");
-    bar.start_at(before as u64);
     let begin = Instant::now();
-    let done: Vec<bool> = rows.iter().map(Option::is_some).collect();
-    let swept = sweep(&point, &grid, &done, |index, row| {
-        rows[index] = Some(row);
-        bar.advance(1);
-        match &mut file {
-            Some(file) => file.add(&grid, index, &row),
-            None => Ok(()),
-        }
-    });
-    let seconds = begin.elapsed().as_secs_f64();
-    drop(bar);
-    let written = match (swept, file) {
-        (Ok(()), Some(file)) => file.finish(&grid, &rows),
-        (result, _) => result,
+    let swept = match args.merge.is_empty() {
+        true => simulated(args, &point, &grid)?,
+        false => merged(args, &point, &grid)?,
     };
-    written.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
+    let seconds = begin.elapsed().as_secs_f64();
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
-        let picture = picture::draw(&scene, &point, &grid, &rows);
+        let picture = picture::draw(&scene, &point, &grid, &swept.rows);
         passivity_plot::save(&picture, path).map_err(Failure::input)?;
     }
-    let simulated = grid.len() - before;
     let report = Sweep::new(
         &scene.name,
-        &grid,
-        &rows,
-        simulated,
+        swept.points,
+        swept.outcomes,
+        swept.simulated,
         point.intervals,
         seconds,
     );
@@ -129,6 +114,86 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         Format::Json => emit_json(&report)?,
     }
     Ok(Exit::Holds)
+}
+
+/// What a sweep gave.
+struct Swept {
+    outcomes: Outcomes,
+    points: usize,
+    /// How many of them were simulated now.
+    simulated: usize,
+    /// For a picture; of a merge only where one is asked for.
+    #[cfg_attr(
+        not(feature = "plot"),
+        expect(dead_code, reason = "there are no pictures")
+    )]
+    rows: Vec<Option<Row>>,
+}
+
+/// Simulates the points that are asked for and not in the file yet.
+fn simulated(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> {
+    let shard = args.shard.unwrap_or(Shard::WHOLE);
+    let range = grid.points(shard).map_err(Failure::input)?;
+    let mut rows: Vec<Option<Row>> = vec![None; range.len()];
+    let mut file = None;
+    let mut before = 0;
+    if let Some(path) = &args.out {
+        let opened = open_shard(path, point, grid, shard, args.resume).map_err(Failure::input)?;
+        before = opened.found.len();
+        for (index, row) in opened.found {
+            rows[index - range.start] = Some(row);
+        }
+        file = Some(opened.rows);
+    }
+    let mut bar = Progress::new(range.len() as u64, "points");
+    bar.start_at(before as u64);
+    let done: Vec<bool> = rows.iter().map(Option::is_some).collect();
+    let swept = run_range(point, grid, range.clone(), &done, 0, |index, row| {
+        rows[index - range.start] = Some(row);
+        bar.advance(1);
+        match &mut file {
+            Some(file) => file.add(grid, index, &row),
+            None => Ok(()),
+        }
+    });
+    drop(bar);
+    let written = match (swept, file) {
+        (Ok(()), Some(file)) => file.finish(grid, &rows),
+        (result, _) => result,
+    };
+    written.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
+    Ok(Swept {
+        outcomes: Outcomes::of(rows.iter().flatten()),
+        points: range.len(),
+        simulated: range.len() - before,
+        rows,
+    })
+}
+
+/// Writes all shards as one file.
+fn merged(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> {
+    let Some(out) = &args.out else {
+        return Err(Failure::input("--merge needs --out"));
+    };
+    let mut outcomes = Outcomes::default();
+    let mut rows = Vec::new();
+    if args.plot.is_some() {
+        let all = grid.points(Shard::WHOLE).map_err(Failure::input)?;
+        rows = vec![None; all.len()];
+    }
+    let done = merge(&args.merge, out, point, grid, |index, row| {
+        outcomes.count(row);
+        if let Some(slot) = rows.get_mut(index) {
+            *slot = Some(*row);
+        }
+    });
+    done.map_err(Failure::input)?;
+    Ok(Swept {
+        outcomes,
+        points: grid.len(),
+        simulated: 0,
+        rows,
+    })
 }
 
 /// The grid that was asked for.
