@@ -148,6 +148,11 @@ impl Sum {
         Some(())
     }
 
+    /// A denominator of all that was added, at least until it was rounded.
+    pub(crate) fn denominator(&self) -> BigInt {
+        self.big.1.lcm(&BigInt::from(self.small.1))
+    }
+
     /// The sum: exact, or enclosed once its denominator grew past [`MAX_DENOMINATOR_BITS`].
     #[must_use]
     pub fn value(&self) -> Figure<BigRational> {
@@ -197,6 +202,40 @@ impl FigureSum {
         if let Some(hi) = &mut self.hi {
             hi.add_sum(other.hi.as_ref().unwrap_or(&other.lo));
         }
+    }
+
+    /// Both ends, exactly as long as nothing was rounded; one where all that was added is exact.
+    pub(crate) fn ends(&self) -> (BigRational, Option<BigRational>) {
+        let end = |sum: &Sum| sum.value().lo().clone();
+        (end(&self.lo), self.hi.as_ref().map(end))
+    }
+
+    /// A sum with these [`ends`](Self::ends).
+    pub(crate) fn from_ends(lo: &BigRational, hi: Option<&BigRational>) -> Self {
+        let sum = |x: &BigRational| {
+            let mut sum = Sum::default();
+            sum.add_rational(x);
+            sum
+        };
+        Self {
+            lo: sum(lo),
+            hi: hi.map(sum),
+        }
+    }
+
+    /// A denominator of all that was added, at least until it was rounded.
+    pub(crate) fn denominator(&self) -> BigInt {
+        let own = self.lo.denominator();
+        match &self.hi {
+            Some(hi) => own.lcm(&hi.denominator()),
+            None => own,
+        }
+    }
+
+    /// Whether something was rounded.
+    pub(crate) fn is_rounded(&self) -> bool {
+        let sums = [Some(&self.lo), self.hi.as_ref()];
+        sums.iter().flatten().any(|sum| !sum.slack.is_zero())
     }
 
     /// How many bits the denominator has that machine integers do not hold.

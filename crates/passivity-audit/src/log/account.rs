@@ -33,8 +33,8 @@ pub struct Point {
 pub(crate) struct Account {
     pub(crate) intervals: u64,
     pub(crate) sums: [FigureSum; 5],
-    /// The row that ends the stretch.
-    pub(crate) last: Option<Row>,
+    /// The interval that ends the stretch.
+    pub(crate) last: Option<Logged>,
     pub(crate) tallies: Tallies,
     /// Net energy, at the least.
     pub(crate) net: RunningSum,

@@ -174,6 +174,20 @@ impl Supply {
         self.excess = other.excess.or(self.excess.take());
     }
 
+    /// Σ at the least and at the most.
+    pub(crate) const fn sums(&self) -> &[RunningSum; 2] {
+        &self.sums
+    }
+
+    /// What was kept elsewhere, of a stretch that another follows.
+    pub(crate) const fn from_parts(sums: [RunningSum; 2], lowest: [Option<Lowest>; 2]) -> Self {
+        Self {
+            sums,
+            lowest,
+            excess: None,
+        }
+    }
+
     /// The least that T was: taken at the least, and at the most.
     pub(crate) const fn lowest(&self) -> [Option<&Lowest>; 2] {
         let [least, most] = &self.lowest;

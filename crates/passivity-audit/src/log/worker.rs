@@ -38,7 +38,36 @@ pub(crate) struct Task<'a> {
     pub(crate) told: bool,
 }
 
-impl Task<'_> {
+impl<'a> Task<'a> {
+    /// The account of the forces in the trace where it has any, and of the scene's law else or where
+    /// that is asked for.
+    pub(crate) fn new(ledger: &'a Ledger, layout: &'a Layout, law: bool) -> Self {
+        let applied = layout.force.is_some() && !law;
+        Self {
+            ledger,
+            layout,
+            rows: None,
+            points: false,
+            applied,
+            running: applied || ledger.has_memory(),
+            compares: true,
+            files: &[],
+            told: false,
+        }
+    }
+
+    /// Beside the account of the forces in the trace, that of the wall's own law.
+    pub(crate) fn by_law(&self) -> Self {
+        Task {
+            rows: None,
+            points: false,
+            applied: false,
+            running: self.ledger.has_memory(),
+            compares: false,
+            ..self.clone()
+        }
+    }
+
     /// How many samples before an interval's own a chunk must have for it to be accounted for.
     pub(crate) fn lead(&self) -> usize {
         self.ledger.window() - 1 + usize::from(self.running)
@@ -341,8 +370,7 @@ impl Walk<'_> {
             noted.ok_or_else(undefined)
         })?;
         if account.intervals > 0 {
-            let last = task.logged(chunk, self.at - 1)?;
-            account.last = Some(task.ledger.row(&last).ok_or_else(undefined)?);
+            account.last = Some(task.logged(chunk, self.at - 1)?);
         }
         Ok(())
     }

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use passivity_scene::{Axis, Point, Scene};
+use passivity_scene::Point;
 use passivity_sim::report::{Outcomes, Sweep};
-use passivity_sim::sweep::{Grid, Range, Row, Shard, merge, open_shard, run_range};
+use passivity_sim::sweep::{Asked, Grid, Row, Shard, merge, open_shard, run_range};
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, may_be_written, read_scene};
@@ -89,7 +89,13 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     if let Some(intervals) = args.intervals {
         point.intervals = intervals;
     }
-    let grid = grid(args, &scene, &point)?;
+    let asked = Asked {
+        beta: args.beta.as_deref(),
+        sigma: args.sigma.as_deref(),
+        speed: args.speed.as_deref(),
+        vary: &args.vary,
+    };
+    let grid = asked.grid(&scene, &point).map_err(Failure::input)?;
     let begin = Instant::now();
     let swept = match args.merge.is_empty() {
         true => simulated(args, &point, &grid)?,
@@ -194,59 +200,6 @@ fn merged(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> {
         simulated: 0,
         rows,
     })
-}
-
-/// The grid that was asked for.
-fn grid(args: &Args, scene: &Scene, point: &Point) -> Result<Grid, Failure> {
-    let range = |text: &str| Range::parse(text).map_err(Failure::input);
-    if let (Some(beta), Some(sigma)) = (&args.beta, &args.sigma) {
-        let speed = match &args.speed {
-            Some(text) => range(text)?,
-            None => {
-                let [_, velocity] = point.start();
-                Range {
-                    values: vec![velocity],
-                }
-            }
-        };
-        return Grid::new(range(beta)?, range(sigma)?, speed).map_err(Failure::input);
-    }
-    let varied = args.vary.iter().map(|text| varied(text, scene));
-    let varied = varied.collect::<Result<Vec<_>, _>>()?;
-    Grid::of_parameters(varied).map_err(|error| Failure::input(format!("--vary {error}")))
-}
-
-/// Reads `stiffness=0.1:2:41 N m/rad`.
-fn varied(text: &str, scene: &Scene) -> Result<(Axis, Range), Failure> {
-    let fail = |what: String| Failure::input(format!("--vary `{text}`: {what}"));
-    let Some((key, rest)) = text.split_once('=') else {
-        let expected = "expected a key, a range and a unit, as in stiffness=0.1:2:41 N m/rad";
-        return Err(fail(expected.to_owned()));
-    };
-    let (key, rest) = (key.trim(), rest.trim());
-    // The unit begins with the first letter after a space: a number has none there.
-    let is_unit = |(at, _): &(usize, char)| {
-        let first = rest.get(at + 1..).and_then(|unit| unit.chars().next());
-        first.is_some_and(|c| c.is_alphabetic() || "°µ(/".contains(c))
-    };
-    let space = rest.char_indices().filter(|(_, c)| *c == ' ').find(is_unit);
-    let (range, unit) = match space {
-        Some((at, _)) => rest.split_at(at),
-        None => (rest, ""),
-    };
-    let named = match unit.trim() {
-        "" => key.to_owned(),
-        unit => format!("{key} [{unit}]"),
-    };
-    let axis = Axis::parse(&named, scene).map_err(|error| fail(error.to_string()))?;
-    if unit.is_empty() && !axis.unit().is_empty() {
-        return Err(fail(format!(
-            "expected a unit after the range, as in {range} {}",
-            axis.unit()
-        )));
-    }
-    let range = Range::parse(range).map_err(|error| fail(error.to_string()))?;
-    Ok((axis, range))
 }
 
 /// The picture of a sweep.

@@ -1,5 +1,6 @@
 //! Sweeps: the outcome of every point of a grid, on all cores, as in Fig. 5.
 
+mod asked;
 mod csv;
 mod disk;
 mod file;
@@ -22,6 +23,7 @@ use crate::lanes;
 use crate::plan::Plan;
 use crate::run;
 
+pub use asked::Asked;
 pub use file::{Opened, Rows, open, open_shard};
 pub use grid::{Grid, MOST_POINTS, Range};
 pub use merge::merge;
