@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use passivity_scene::Point;
 use passivity_sim::report::{Outcomes, Sweep};
-use passivity_sim::sweep::{Asked, Grid, Row, Shard, merge, open_shard, run_range};
+use passivity_sim::sweep::{Asked, Grid, Row, Shard, merge, open, open_shard, run_range};
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, may_be_written, read_scene};
@@ -144,7 +144,11 @@ fn simulated(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> 
     let mut file = None;
     let mut before = 0;
     if let Some(path) = &args.out {
-        let opened = open_shard(path, point, grid, shard, args.resume).map_err(Failure::input)?;
+        let opened = match args.shard {
+            Some(shard) => open_shard(path, point, grid, shard, args.resume),
+            None => open(path, point, grid, args.resume),
+        };
+        let opened = opened.map_err(Failure::input)?;
         before = opened.found.len();
         for (index, row) in opened.found {
             rows[index - range.start] = Some(row);

@@ -108,12 +108,12 @@ fn marker(path: &Path) -> PathBuf {
 }
 
 /// What tells one sweep from another: a hash of the scene, the grid and the shard, exactly.
-fn fingerprint(scene: &Point, grid: &Grid, shard: Shard) -> String {
+fn fingerprint(scene: &Point, grid: &Grid, shard: Option<Shard>) -> String {
     let scene = grid.without(scene);
     let whole = format!("{scene:?}\n{grid:?}\n");
-    match shard.is_whole() {
-        true => format!("passivity sweep 2 {}\n", hash(&whole)),
-        false => format!("passivity sweep 2 {} {shard}\n", hash(&whole)),
+    match shard {
+        None => format!("passivity sweep 2 {}\n", hash(&whole)),
+        Some(shard) => format!("passivity sweep 2 {} {shard}\n", hash(&whole)),
     }
 }
 
@@ -133,7 +133,7 @@ pub(super) fn hash(text: &str) -> String {
 /// A file that cannot be read or written, one of another sweep, one with a row that is none; without
 /// `resume`, one that was left unfinished.
 pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Opened, SimError> {
-    open_shard(path, scene, grid, Shard::WHOLE, resume)
+    open_as(path, scene, grid, None, resume)
 }
 
 /// Opens the file of a shard of a sweep, as [`open`] opens that of the whole. When it is finished it says
@@ -148,6 +148,16 @@ pub fn open_shard(
     scene: &Point,
     grid: &Grid,
     shard: Shard,
+    resume: bool,
+) -> Result<Opened, SimError> {
+    open_as(path, scene, grid, Some(shard), resume)
+}
+
+fn open_as(
+    path: &Path,
+    scene: &Point,
+    grid: &Grid,
+    shard: Option<Shard>,
     resume: bool,
 ) -> Result<Opened, SimError> {
     let mark = marker(path);
@@ -175,8 +185,8 @@ pub fn open_shard(
         file: None,
         buffer: String::new(),
         written: 0,
-        range: shard.range(grid.len()),
-        manifest: (!shard.is_whole()).then(|| Manifest::new(scene, grid, shard)),
+        range: shard.unwrap_or(Shard::WHOLE).range(grid.len()),
+        manifest: shard.map(|shard| Manifest::new(scene, grid, shard)),
     };
     if resume && unfinished {
         return rows.take_up(&mark, scene, grid, shard);
@@ -226,7 +236,7 @@ impl Rows {
         mark: &Path,
         scene: &Point,
         grid: &Grid,
-        shard: Shard,
+        shard: Option<Shard>,
     ) -> Result<Opened, SimError> {
         let saved = fs::read_to_string(mark).map_err(|error| failed(mark, &error))?;
         if saved != fingerprint(scene, grid, shard) {

@@ -71,12 +71,6 @@ impl Shard {
         self.count
     }
 
-    /// Whether it is the whole.
-    #[must_use]
-    pub const fn is_whole(self) -> bool {
-        self.count == 1
-    }
-
     /// The indices that are its own, of `len`.
     #[must_use]
     pub const fn range(self, len: usize) -> Range<usize> {
