@@ -1,20 +1,36 @@
 #!/bin/sh
-# Builds the wheel and tests it from a fresh virtual environment, with and without NumPy.
+# Builds the wheel and tests it from fresh virtual environments: by itself, with NumPy, and with all that it
+# can work with. PYTHON names the interpreter; the wheel is the same for all versions from 3.11 on.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-venv=$(mktemp -d)
-trap 'rm -rf "$venv"' EXIT
-python3 -m venv "$venv"
-"$venv/bin/pip" install --quiet 'maturin>=1.9,<2'
-"$venv/bin/maturin" build --quiet --release --manifest-path "$here/Cargo.toml" \
-    --interpreter "$venv/bin/python" --out "$venv/wheels"
-"$venv/bin/pip" install --quiet --no-index "$venv"/wheels/*.whl
-cd "$venv"
-cp "$here/tests/test_passivity.py" .
-"$venv/bin/python" -m unittest -q test_passivity
-"$venv/bin/python" -c 'import doctest, passivity
-tried = doctest.testmod(passivity)
-assert tried.attempted >= 3 and not tried.failed, tried'
-"$venv/bin/pip" install --quiet numpy
-"$venv/bin/python" -m unittest -q test_passivity
-echo "the wheel passes its tests, without and with NumPy"
+python=${PYTHON:-python3}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cp -r "$here/tests" "$work/tests"
+cd "$work/tests"
+
+environment() {
+    "$python" -m venv "$work/$1"
+    bin=$work/$1/bin
+    shift
+    [ $# -eq 0 ] || "$bin/pip" install --quiet "$@"
+    [ ! -d "$work/wheels" ] || "$bin/pip" install --quiet --no-index "$work"/wheels/*.whl
+}
+
+environment build 'maturin>=1.9,<2'
+"$bin/maturin" build --quiet --release --manifest-path "$here/Cargo.toml" \
+    --interpreter "$bin/python" --out "$work/wheels"
+
+environment alone
+"$bin/python" -W error::ResourceWarning -m unittest -q test_passivity test_native
+"$bin/python" test_docs.py
+environment numpy numpy
+"$bin/python" -m unittest -q test_passivity test_native
+environment all numpy pandas polars pyarrow matplotlib 'dask[distributed]' fsspec mypy pyright
+"$bin/python" -m unittest -q test_passivity test_native test_plot test_distributed
+"$bin/python" test_docs.py
+echo "== mypy --strict, stubtest and pyright"
+"$bin/mypy" --strict typed.py
+"$bin/python" -m mypy.stubtest passivity --ignore-missing-stub
+"$bin/pyright" typed.py
+echo "the wheel passes its tests: alone, with NumPy, and with all that it works with"

@@ -319,3 +319,45 @@ fn mistakes_in_what_is_varied_are_said() {
     assert_eq!(run.code, 2);
     assert!(run.stderr.contains("cannot be used with"), "{}", run.stderr);
 }
+
+#[test]
+fn shards_are_merged_into_the_file_of_one_run() {
+    let dir = Dir::new();
+    let scene = scene(&dir, 500);
+    let sweep = |more: &[&str]| {
+        let mut all = args(&scene, "0:1:5", "0:1.5:4");
+        all.extend(more);
+        dir.run(&all)
+    };
+    for end in ["csv", "parquet"] {
+        let whole = format!("whole.{end}");
+        let run = sweep(&["--out", &whole]).json();
+        let parts: Vec<String> = (1..=3).map(|i| format!("part-{i}.{end}")).collect();
+        for (i, part) in parts.iter().enumerate() {
+            let run = sweep(&["--shard", &format!("{}/3", i + 1), "--out", part]);
+            assert_eq!(run.code, 0, "{}", run.stderr);
+            assert!((13..=14).contains(&run.json()["points"].as_u64().expect("a number")));
+        }
+        let merged = format!("merged.{end}");
+        let mut more = vec!["--out", &merged, "--plot", "grid.svg", "--merge"];
+        more.extend(parts.iter().map(String::as_str));
+        let merge = sweep(&more);
+        assert_eq!(merge.code, 0, "{}", merge.stderr);
+        let merge = merge.json();
+        for field in ["points", "exact", "paper", "intervals"] {
+            assert_eq!(merge[field], run[field], "{field}");
+        }
+        assert_eq!(merge["simulated"], 0);
+        let read = |name: &str| std::fs::read(dir.path(name)).expect("a table");
+        assert!(read(&merged) == read(&whole));
+        let run = sweep(&["--out", &merged, "--merge", &parts[0], &parts[2]]);
+        assert_eq!(run.code, 2);
+        assert!(run.stderr.contains("missing: 2"), "{}", run.stderr);
+        // What is there is not lost for a merge that fails.
+        assert!(read(&merged) == read(&whole));
+    }
+    for wrong in ["0/3", "4/3", "three"] {
+        let run = sweep(&["--shard", wrong, "--out", "x.csv"]);
+        assert_eq!(run.code, 2, "{wrong}");
+    }
+}

@@ -365,17 +365,21 @@ impl<S: Written> Entry<S> {
         ]
     }
 
-    /// Adds the five figures that totals are kept of, `times` over; `None` when one is undefined.
-    pub(crate) fn add_to(&self, sums: &mut [FigureSum; 5], times: u64) -> Option<()> {
+    /// The five figures that totals are kept of.
+    pub(crate) const fn summed(&self) -> [&Figure<S>; 5] {
         let account = &self.account;
-        let figures = [
+        [
             &account.generated_linear,
             &account.generated_quantized,
             &account.dissipated_lower,
             &account.net_linear,
             &account.net_quantized,
-        ];
-        for (sum, figure) in sums.iter_mut().zip(figures) {
+        ]
+    }
+
+    /// Adds these figures, `times` over; `None` when one is undefined.
+    pub(crate) fn add_to(&self, sums: &mut [FigureSum; 5], times: u64) -> Option<()> {
+        for (sum, figure) in sums.iter_mut().zip(self.summed()) {
             sum.add_times(figure, times)?;
         }
         Some(())

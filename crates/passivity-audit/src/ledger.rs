@@ -298,6 +298,14 @@ impl Row {
         on_entry!(self, entry => entry.account.net_linear.try_map(Written::to_rational))
     }
 
+    /// The five figures that totals are kept of, in lowest terms.
+    pub(crate) fn figures(&self) -> Option<[Figure<BigRational>; 5]> {
+        on_entry!(self, entry => {
+            let [a, b, c, d, e] = entry.summed().map(|figure| figure.try_map(Written::to_rational));
+            Some([a?, b?, c?, d?, e?])
+        })
+    }
+
     /// E_gᴸ and E_g, in lowest terms.
     pub(crate) fn generated(&self) -> Option<[Figure<BigRational>; 2]> {
         on_entry!(self, entry => Some([

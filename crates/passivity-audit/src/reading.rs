@@ -38,6 +38,16 @@ impl Scaled {
         Interval::new_unchecked(lo >> DROPPED, -(-hi >> DROPPED))
     }
 
+    /// The number as the trace has it.
+    pub(crate) const fn written(&self) -> &Number {
+        &self.written
+    }
+
+    /// Between which multiples of 2⁻⁶⁴ it is.
+    pub(crate) const fn ends(&self) -> [i128; 2] {
+        self.span.ends()
+    }
+
     /// A double near the number.
     pub(crate) fn near(&self) -> f64 {
         self.span.near()

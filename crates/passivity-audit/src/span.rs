@@ -77,6 +77,12 @@ impl Span {
         Self::checked(lo.to_integer().to_i128(), hi.to_integer().to_i128())
     }
 
+    /// Around all numbers from one to another; `None` where that does not fit.
+    pub(crate) fn around(lo: &BigRational, hi: &BigRational) -> Option<Self> {
+        let span = Self::of_rational(lo).joined(Self::of_rational(hi));
+        span.is_defined().then_some(span)
+    }
+
     /// Around both numbers.
     pub(crate) const fn joined(self, other: Self) -> Self {
         if !(self.is_defined() && other.is_defined()) {
@@ -122,6 +128,23 @@ impl Span {
     fn holds(self, x: &BigRational) -> bool {
         let [lo, hi] = [self.lo, self.hi].map(on_grid);
         self.is_defined() && lo <= *x && *x <= hi
+    }
+}
+
+/// The numbers rounded outward to the grid, where that fits.
+pub(crate) fn outward([lo, hi]: [Reduced; 2]) -> [Reduced; 2] {
+    let above = |x: Reduced| match Span::of_rational(&x.to_rational()).above() {
+        Some(above) => above,
+        None => x,
+    };
+    [below_on_grid(lo), above(hi)]
+}
+
+/// The number rounded down to the grid, where that fits.
+pub(crate) fn below_on_grid(x: Reduced) -> Reduced {
+    match Span::of_rational(&x.to_rational()).below() {
+        Some(below) => below,
+        None => x,
     }
 }
 

@@ -9,9 +9,13 @@ use crate::figure::Figure;
 use crate::number::{Reduced, Written};
 use crate::span::ONE;
 
-/// The widest denominator that a sum keeps, in bits. Past it (a trace of ever new denominators)
-/// the sum is rounded outward, so that memory stays flat: it becomes an enclosure.
+/// The widest denominator that a sum keeps, in bits, unless it is that of a log. Past it (positions of ever
+/// new denominators) the sum is rounded outward, so that memory stays flat: it becomes an enclosure.
 pub const MAX_DENOMINATOR_BITS: u64 = 4096;
+
+/// The same for the sums of a log, of which few rows are exact: room for those of a thousand different
+/// durations.
+pub(crate) const MAX_DENOMINATOR_BITS_OF_LOG: u64 = 1 << 16;
 
 /// The grid of a sum that is rounded outward, 2^−`ROUNDED_BITS`.
 const ROUNDED_BITS: u64 = 1024;
@@ -38,6 +42,8 @@ pub struct Sum {
     big: (BigInt, BigInt),
     /// How far above it the sum may lie.
     slack: BigRational,
+    /// How many bits the denominator may have.
+    most_bits: u64,
 }
 
 impl Default for Sum {
@@ -46,11 +52,20 @@ impl Default for Sum {
             small: (0, 1),
             big: (BigInt::ZERO, BigInt::one()),
             slack: BigRational::zero(),
+            most_bits: MAX_DENOMINATOR_BITS,
         }
     }
 }
 
 impl Sum {
+    /// A sum over the rows of a log.
+    pub(crate) fn of_log() -> Self {
+        Self {
+            most_bits: MAX_DENOMINATOR_BITS_OF_LOG,
+            ..Self::default()
+        }
+    }
+
     /// Adds a number; `None`, and nothing added, when it is undefined.
     pub fn add<S: Written>(&mut self, x: &S) -> Option<()> {
         self.add_reduced(&x.to_reduced()?);
@@ -105,12 +120,12 @@ impl Sum {
         let factor = x.denom() / &divisor;
         *n = &*n * &factor + x.numer() * (&*d / &divisor);
         *d *= factor;
-        if d.bits() <= MAX_DENOMINATOR_BITS {
+        if d.bits() <= self.most_bits {
             return;
         }
         // Perhaps it only looks that wide.
         let reduced = BigRational::new(std::mem::take(n), std::mem::take(d));
-        self.big = if reduced.denom().bits() <= MAX_DENOMINATOR_BITS / 2 {
+        self.big = if reduced.denom().bits() <= self.most_bits / 2 {
             reduced.into_raw()
         } else {
             let scale = BigInt::one() << ROUNDED_BITS;
@@ -155,6 +170,11 @@ impl Sum {
         }
     }
 
+    /// A denominator of all that was added, at least until it was rounded.
+    pub(crate) fn denominator(&self) -> BigInt {
+        self.big.1.lcm(&BigInt::from(self.small.1))
+    }
+
     /// The sum: exact, or enclosed once its denominator grew past [`MAX_DENOMINATOR_BITS`].
     #[must_use]
     pub fn value(&self) -> Figure<BigRational> {
@@ -178,11 +198,19 @@ pub struct FigureSum {
 }
 
 impl FigureSum {
+    /// A sum over the rows of a log.
+    pub(crate) fn of_log() -> Self {
+        Self {
+            lo: Sum::of_log(),
+            hi: None,
+        }
+    }
+
     /// A sum between two numbers in units of the grid of spans.
     pub(crate) fn of_grid(ends: [i128; 2]) -> Self {
         let [lo, hi] = ends.map(|n| Sum {
             small: (n, ONE),
-            ..Sum::default()
+            ..Sum::of_log()
         });
         Self { lo, hi: Some(hi) }
     }
@@ -213,6 +241,40 @@ impl FigureSum {
         if let Some(hi) = &mut self.hi {
             hi.add_sum(other.hi.as_ref().unwrap_or(&other.lo));
         }
+    }
+
+    /// Both ends, exactly as long as nothing was rounded; one where all that was added is exact.
+    pub(crate) fn ends(&self) -> (BigRational, Option<BigRational>) {
+        let end = |sum: &Sum| sum.value().lo().clone();
+        (end(&self.lo), self.hi.as_ref().map(end))
+    }
+
+    /// A sum with these [`ends`](Self::ends).
+    pub(crate) fn from_ends(lo: &BigRational, hi: Option<&BigRational>) -> Self {
+        let sum = |x: &BigRational| {
+            let mut sum = Sum::of_log();
+            sum.add_rational(x);
+            sum
+        };
+        Self {
+            lo: sum(lo),
+            hi: hi.map(sum),
+        }
+    }
+
+    /// A denominator of all that was added, at least until it was rounded.
+    pub(crate) fn denominator(&self) -> BigInt {
+        let own = self.lo.denominator();
+        match &self.hi {
+            Some(hi) => own.lcm(&hi.denominator()),
+            None => own,
+        }
+    }
+
+    /// Whether something was rounded.
+    pub(crate) fn is_rounded(&self) -> bool {
+        let sums = [Some(&self.lo), self.hi.as_ref()];
+        sums.iter().flatten().any(|sum| !sum.slack.is_zero())
     }
 
     /// How many bits the denominator has that machine integers do not hold.

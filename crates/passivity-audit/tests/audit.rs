@@ -419,3 +419,41 @@ fn a_missing_file_is_an_error() {
     let error = audit(&path, &three_fifths(), Options::default()).unwrap_err();
     assert_eq!(error.kind, "io");
 }
+
+#[test]
+fn blank_lines_may_end_a_log_wherever_a_block_ends() {
+    let scene = Scene::from_toml("s", "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"").unwrap();
+    for block in 1..40 {
+        let read = |text: &'static str| {
+            let options = Options {
+                block,
+                ..Options::default()
+            };
+            audit_csv(Box::new(text.as_bytes()), &scene, options).unwrap()
+        };
+        let audit = read("count\n1\n22\n3\n\n \n\n");
+        assert!(audit.error().is_none(), "{block}: {:?}", audit.error());
+        assert_eq!(audit.totals().intervals, 2);
+        let audit = read("count\n1\n22\n3\n\n\n4\n");
+        assert_eq!(
+            audit.error().map(|error| error.row),
+            Some(Some(4)),
+            "{block}"
+        );
+    }
+}
+
+#[test]
+fn what_a_broken_ledger_accounts_for_does_not_depend_on_where_a_block_ends() {
+    let scene = Scene::from_toml("s", "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"").unwrap();
+    for block in 1..40 {
+        let options = Options {
+            block,
+            ..Options::default()
+        };
+        let text = Box::new(&b"xi0,xi1\n0,1\n1,2\n2,4\nx"[..]);
+        let audit = audit_csv(text, &scene, options).unwrap();
+        assert_eq!(audit.totals().intervals, 3, "{block}");
+        assert_eq!(audit.error().and_then(|error| error.row), Some(4));
+    }
+}

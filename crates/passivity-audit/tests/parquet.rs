@@ -12,7 +12,9 @@ use parquet::data_type::{
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
-use passivity_audit::{Audit, Options, TraceError, Verdict, audit, audit_csv};
+use passivity_audit::{
+    Audit, Options, Stretch, TraceError, Verdict, audit, audit_csv, audit_part, merge_parts,
+};
 use passivity_scene::Scene;
 
 fn scene() -> Scene {
@@ -453,5 +455,49 @@ fn a_clock_has_the_unit_of_its_type() {
         // And a clock is no torque.
         let error = audited(&path, Some("f=t [N], x=pos [m]")).unwrap_err();
         assert_eq!(error.kind, "type", "{error}");
+    }
+}
+
+#[test]
+fn merged_pieces_are_the_report_of_the_whole() {
+    let scene = scene();
+    let counts: Vec<i64> = (0..41).map(|i| (i * i) % 7).collect();
+    let mut forces: Vec<Option<f64>> = counts.iter().map(|n| Some(-(*n as f64))).collect();
+    let whole_file = write(
+        "pieces",
+        &[
+            ("count", Column::Whole(counts.clone())),
+            ("f", Column::Sparse(forces.clone())),
+        ],
+        Compression::UNCOMPRESSED,
+    );
+    forces[29] = None;
+    let broken_file = write(
+        "pieces-broken",
+        &[
+            ("count", Column::Whole(counts)),
+            ("f", Column::Sparse(forces)),
+        ],
+        Compression::SNAPPY,
+    );
+    for path in [whole_file, broken_file] {
+        let whole = audit(&path, &scene, Options::default()).unwrap().to_json();
+        let merged = |stretches: &[Stretch]| {
+            let part = |stretch: &Stretch| {
+                let part = audit_part(&path, &scene, *stretch, Options::default()).unwrap();
+                (format!("{stretch:?}"), part)
+            };
+            let parts: Vec<_> = stretches.iter().map(part).collect();
+            merge_parts(&parts, &scene).unwrap().to_json()
+        };
+        for n in [1, 2, 3, 7, 20, 60] {
+            let shards: Vec<Stretch> = (1..=n).map(|i| Stretch::Shard(i, n)).collect();
+            assert_eq!(merged(&shards), whole, "{n}");
+        }
+        for cut in 0..44 {
+            let stretches = [Stretch::Samples(0, Some(cut)), Stretch::Samples(cut, None)];
+            assert_eq!(merged(&stretches), whole, "{cut}");
+        }
+        fs::remove_file(path).unwrap();
     }
 }

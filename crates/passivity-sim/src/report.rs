@@ -12,7 +12,7 @@ use crate::method::Method;
 use crate::outcome::{ExactOutcome, Outcome, PaperOutcome};
 use crate::plan::Plan;
 use crate::simulated::{Detail, Simulated};
-use crate::sweep::{Grid, Row};
+use crate::sweep::Row;
 
 /// `simulate --format json`.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -206,8 +206,41 @@ pub struct Sweep {
     pub seconds: f64,
 }
 
+/// Points by their outcomes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Outcomes {
+    exact: ExactCounts,
+    paper: PaperCounts,
+}
+
+impl Outcomes {
+    /// Counts a point.
+    pub const fn count(&mut self, row: &Row) {
+        *match row.exact {
+            ExactOutcome::AtRest => &mut self.exact.at_rest,
+            ExactOutcome::NeverAtRest => &mut self.exact.never_at_rest,
+            ExactOutcome::Growing => &mut self.exact.growing,
+            ExactOutcome::Undecided => &mut self.exact.undecided,
+        } += 1;
+        *match row.paper {
+            PaperOutcome::Converged => &mut self.paper.converged,
+            PaperOutcome::LimitCycle => &mut self.paper.limit_cycle,
+            PaperOutcome::Unstable => &mut self.paper.unstable,
+        } += 1;
+    }
+
+    /// Those of some points.
+    pub fn of<'r>(rows: impl IntoIterator<Item = &'r Row>) -> Self {
+        let mut outcomes = Self::default();
+        for row in rows {
+            outcomes.count(row);
+        }
+        outcomes
+    }
+}
+
 /// Points by their outcome, as far as it is certain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct ExactCounts {
     /// At rest for ever.
     pub at_rest: usize,
@@ -220,7 +253,7 @@ pub struct ExactCounts {
 }
 
 /// Points by their outcome by the paper's detector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct PaperCounts {
     /// |ξ̇| < 0.01 at the end.
     pub converged: usize,
@@ -231,35 +264,24 @@ pub struct PaperCounts {
 }
 
 impl Sweep {
-    /// The report on a sweep of a scene with this name; `simulated` points took so many seconds.
+    /// The report on a sweep of `points` points; `simulated` of them were simulated now and took so many
+    /// seconds.
     #[must_use]
     pub fn new(
         scene: &str,
-        grid: &Grid,
-        rows: &[Option<Row>],
+        points: usize,
+        outcomes: Outcomes,
         simulated: usize,
         intervals: u64,
         seconds: f64,
     ) -> Self {
-        let rows = || rows.iter().flatten();
-        let exact = |outcome| rows().filter(|row| row.exact == outcome).count();
-        let paper = |outcome| rows().filter(|row| row.paper == outcome).count();
         Self {
             scene: scene.to_owned(),
-            points: grid.len(),
+            points,
             simulated,
             intervals,
-            exact: ExactCounts {
-                at_rest: exact(ExactOutcome::AtRest),
-                never_at_rest: exact(ExactOutcome::NeverAtRest),
-                growing: exact(ExactOutcome::Growing),
-                undecided: exact(ExactOutcome::Undecided),
-            },
-            paper: PaperCounts {
-                converged: paper(PaperOutcome::Converged),
-                limit_cycle: paper(PaperOutcome::LimitCycle),
-                unstable: paper(PaperOutcome::Unstable),
-            },
+            exact: outcomes.exact,
+            paper: outcomes.paper,
             seconds,
         }
     }

@@ -2,7 +2,7 @@
 
 use passivity_core::{BigRational, Truth};
 
-use crate::ledger::{Logged, Row, Truths};
+use crate::ledger::{Logged, Truths};
 use crate::log::computed::Accounted;
 use crate::log::running::{Lowest, RunningSum};
 use crate::log::supply::Supply;
@@ -30,12 +30,12 @@ pub struct Point {
 }
 
 /// Sums and courses over consecutive intervals.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct Account {
     pub(crate) intervals: u64,
     pub(crate) sums: [FigureSum; 5],
-    /// The row that ends the stretch.
-    pub(crate) last: Option<Row>,
+    /// The interval that ends the stretch.
+    pub(crate) last: Option<Logged>,
     pub(crate) tallies: Tallies,
     /// Net energy, at the least.
     pub(crate) net: RunningSum,
@@ -53,6 +53,26 @@ pub(crate) struct Account {
     /// Ledger rows as CSV without their first column.
     pub(crate) rows: Vec<u8>,
     pub(crate) points: Vec<Point>,
+}
+
+impl Default for Account {
+    fn default() -> Self {
+        Self {
+            intervals: 0,
+            sums: std::array::from_fn(|_| FigureSum::of_log()),
+            last: None,
+            tallies: Tallies::default(),
+            net: RunningSum::default(),
+            observer: RunningSum::default(),
+            stored: None,
+            supply: Supply::default(),
+            worst: None,
+            firsts: Default::default(),
+            timing: Timing::default(),
+            rows: Vec::new(),
+            points: Vec::new(),
+        }
+    }
 }
 
 /// The kinds of intervals of which the first is kept, and whether a row with these truths is one:

@@ -5,8 +5,9 @@ use passivity_scene::Scene;
 use super::{Audit, Options, TraceError, run};
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::header::Heading;
-use crate::log::layout::Layout;
+use crate::log::layout::{Form, Layout};
 use crate::log::preview::Preview;
+use crate::log::running::near_number;
 use crate::log::source::{Reader, Source};
 use crate::number::Number;
 
@@ -46,58 +47,213 @@ pub fn audit_arrays(
     scene: &Scene,
     options: Options<'_>,
 ) -> Result<Audit, TraceError> {
-    let (name, len) = match &positions {
-        Positions::Counts(counts) => ("count", counts.len()),
-        Positions::Numbers(name, values) => (name.as_str(), values.len()),
+    let positions = match positions {
+        Positions::Counts(counts) => ("count".to_owned(), Values::Whole(counts)),
+        Positions::Numbers(name, values) => (name, Values::Doubles(values)),
     };
-    let mut headings = vec![Heading::plain(name.to_owned())];
-    if let Some((name, values)) = &times {
-        if values.len() != len {
-            let message = format!(
-                "expected {len} times, one per position, found {}",
-                values.len()
-            );
-            return Err(TraceError::new("fields", message));
-        }
-        headings.push(Heading::plain(name.clone()));
+    let times = times.map(|(name, values)| (name, Values::Doubles(values)));
+    let columns = std::iter::once(positions).chain(times).collect();
+    audit_columns(columns, scene, options)
+}
+
+/// The values of a column in memory.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Whole numbers.
+    Whole(Vec<i64>),
+    /// Doubles, each the dyadic rational that it is.
+    Doubles(Vec<f64>),
+}
+
+/// Audits a trace in memory, in columns whose names say what they are, as those of a file do.
+///
+/// # Errors
+///
+/// [`TraceError`] when the names are not those of a trace's columns, the columns are not of one length, or
+/// rows cannot be written.
+pub fn audit_columns(
+    columns: Vec<(String, Values)>,
+    scene: &Scene,
+    options: Options<'_>,
+) -> Result<Audit, TraceError> {
+    let headings: Vec<Heading> = columns
+        .iter()
+        .map(|(name, _)| Heading::plain(name.clone()))
+        .collect();
+    let len = columns.first().map_or(0, |(_, values)| values.len());
+    if let Some((name, values)) = columns.iter().find(|(_, values)| values.len() != len) {
+        let message = format!(
+            "expected {len} values, as many as in the first column, found {}",
+            values.len()
+        );
+        return Err(TraceError::new("fields", message).column(name));
     }
-    let layout = Layout::read(headings, None, &Preview::default(), scene)?;
-    let mut chunks = Vec::new();
-    for start in (0..len).step_by(ROWS) {
-        let range = start..len.min(start + ROWS);
-        let mut chunk = Chunk::default();
-        let (samples, error) = match &positions {
-            Positions::Counts(counts) => {
-                let counts = counts.get(range.clone()).unwrap_or_default();
-                (Samples::Counts(counts.to_vec()), None)
+    let preview = preview(&columns, len);
+    let told = options.dialect.columns.as_ref();
+    let layout = Layout::read(headings, told, &preview, scene)?;
+    if layout.form == Form::Ledger {
+        let message = "the rows of a ledger are read from a file";
+        return Err(TraceError::new("header", message));
+    }
+    let own = layout.clone();
+    let mut ended = false;
+    let chunks = (0..len).step_by(ROWS).map_while(move |start| {
+        if ended {
+            return None;
+        }
+        let chunk = chunk(&columns, &own, start..len.min(start + ROWS));
+        ended = chunk.error.is_some();
+        Some(chunk)
+    });
+    run(
+        Source::of(Reader::Memory(Box::new(chunks))),
+        &layout,
+        scene,
+        options,
+    )
+}
+
+/// The first rows, by which the names are judged.
+#[expect(clippy::cast_precision_loss, reason = "a number near by")]
+fn preview(columns: &[(String, Values)], len: usize) -> Preview {
+    const PREVIEWED: usize = 20;
+    let field = |values: &Values, row: usize| match values {
+        Values::Whole(values) => values.get(row).map(|n| *n as f64),
+        Values::Doubles(values) => values.get(row).copied().filter(|x| x.is_finite()),
+    };
+    Preview {
+        rows: (0..len.min(PREVIEWED))
+            .map(|row| {
+                columns
+                    .iter()
+                    .map(|(_, values)| field(values, row))
+                    .collect()
+            })
+            .collect(),
+    }
+}
+
+/// Some rows of the columns, up to the first mistake.
+fn chunk(columns: &[(String, Values)], layout: &Layout, range: std::ops::Range<usize>) -> Chunk {
+    let mut chunk = Chunk::default();
+    // How many rows are whole, and what is wrong with the next.
+    let (mut whole, mut error) = (range.len(), None);
+    let mut keep = |len: usize, found: Option<TraceError>, column: usize| {
+        if let Some(found) = found.filter(|_| error.is_none() || len < whole) {
+            error = Some(found.column(layout.name(column)).row(len as u64));
+            whole = len;
+        }
+    };
+    for (column, (_, values)) in columns.iter().enumerate() {
+        if column == layout.position {
+            let (samples, found) = values.samples(range.clone(), layout);
+            keep(samples.len(), found, column);
+            chunk.samples = samples;
+            continue;
+        }
+        let [time, force, velocity] =
+            [layout.time, layout.force, layout.velocity].map(|wanted| wanted == Some(column));
+        if !(time || force || velocity) {
+            continue;
+        }
+        let (numbers, found) = values.numbers(range.clone());
+        keep(numbers.len(), found, column);
+        if time {
+            chunk.times = numbers;
+        } else if force {
+            for x in numbers {
+                match layout.force(x, 0.0) {
+                    Ok(force) => chunk.forces.push(force),
+                    Err(found) => {
+                        keep(chunk.forces.len(), Some(found), column);
+                        break;
+                    }
+                }
             }
-            Positions::Numbers(_, values) => {
-                let values = values.get(range.clone()).unwrap_or_default();
-                let (samples, error) = until_error(values, |x| layout.sample(finite(*x)?));
+        } else {
+            let near = numbers.iter().map(near_number);
+            chunk.velocities = near.map(|v| v * layout.per_velocity).collect();
+        }
+    }
+    chunk.truncate(whole);
+    chunk.error = error;
+    chunk
+}
+
+impl Values {
+    /// How many there are.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        match self {
+            Self::Whole(values) => values.len(),
+            Self::Doubles(values) => values.len(),
+        }
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Positions up to the first that is none.
+    fn samples(
+        &self,
+        range: std::ops::Range<usize>,
+        layout: &Layout,
+    ) -> (Samples, Option<TraceError>) {
+        let is_count = layout.form == Form::Count;
+        match self {
+            Self::Whole(values) if is_count => {
+                let values = values.get(range).unwrap_or_default();
+                (Samples::Counts(values.to_vec()), None)
+            }
+            Self::Doubles(values) if is_count => {
+                let values = values.get(range).unwrap_or_default();
+                let (counts, error) = until_error(values, |x| whole(*x));
+                (Samples::Counts(counts), error)
+            }
+            values => {
+                let (numbers, mut error) = values.numbers(range);
+                let mut samples = Vec::with_capacity(numbers.len());
+                for x in numbers {
+                    match layout.sample(x) {
+                        Ok(sample) => samples.push(sample),
+                        Err(found) => {
+                            error = Some(found);
+                            break;
+                        }
+                    }
+                }
                 (Samples::Any(samples), error)
             }
-        };
-        chunk.samples = samples;
-        chunk.error = error;
-        if let (Some((_, values)), Some(column)) = (&times, layout.time) {
-            let values = values.get(range).unwrap_or_default();
-            let (times, error) = until_error(values, |x| finite(*x));
-            if times.len() < chunk.samples.len() {
-                chunk.truncate(times.len());
-                chunk.error = error.map(|error| error.column(layout.name(column)));
-            }
-            chunk.times = times;
-            chunk.times.truncate(chunk.samples.len());
         }
-        if let Some(error) = chunk.error.take() {
-            let column = error.column.clone();
-            let column = column.unwrap_or_else(|| layout.name(layout.position));
-            chunk.error = Some(error.row(chunk.samples.len() as u64).column(column));
-        }
-        chunks.push(chunk);
     }
-    chunks.reverse();
-    run(Source::of(Reader::Memory(chunks)), &layout, scene, options)
+
+    /// Numbers up to the first that is none.
+    fn numbers(&self, range: std::ops::Range<usize>) -> (Vec<Number>, Option<TraceError>) {
+        match self {
+            Self::Whole(values) => {
+                let values = values.get(range).unwrap_or_default();
+                (values.iter().map(|n| Number::whole(*n)).collect(), None)
+            }
+            Self::Doubles(values) => {
+                until_error(values.get(range).unwrap_or_default(), |x| finite(*x))
+            }
+        }
+    }
+}
+
+/// The count that a double is.
+fn whole(x: f64) -> Result<i64, TraceError> {
+    match finite(x)? {
+        Number::Small(n, d) if n % d == 0 => Ok(n / d),
+        _ => {
+            let message =
+                format!("expected a count, which is a whole number of at most 64 bits, found {x}");
+            Err(TraceError::new("count", message))
+        }
+    }
 }
 
 fn finite(x: f64) -> Result<Number, TraceError> {

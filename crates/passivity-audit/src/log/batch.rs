@@ -83,15 +83,8 @@ impl Batch {
     ) -> Option<()> {
         let h = self.intervals + 1;
         let account = &entry.account;
-        let figures = [
-            &account.generated_linear,
-            &account.generated_quantized,
-            &account.dissipated_lower,
-            &account.net_linear,
-            &account.net_quantized,
-        ];
         let mut sums = self.sums;
-        for ([lo, hi], figure) in sums.iter_mut().zip(figures) {
+        for ([lo, hi], figure) in sums.iter_mut().zip(entry.summed()) {
             let [least, most] = ends(figure)?;
             *lo = lo.checked_add(least)?;
             *hi = hi.checked_add(most)?;

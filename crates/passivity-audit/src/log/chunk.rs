@@ -84,11 +84,67 @@ impl Chunk {
         self.velocities.truncate(len);
     }
 
+    /// Goes on with the rows that follow.
+    pub(crate) fn append(&mut self, mut next: Self) {
+        if self.samples.len() == 0 {
+            self.place = next.place;
+        }
+        match (&mut self.samples, &mut next.samples) {
+            (Samples::Counts(counts), Samples::Counts(more)) => counts.append(more),
+            (Samples::Any(samples), Samples::Any(more)) => samples.append(more),
+            // An empty chunk takes the kind of the next.
+            (samples, _) => *samples = next.samples,
+        }
+        self.times.append(&mut next.times);
+        self.dtaus.append(&mut next.dtaus);
+        self.forces.append(&mut next.forces);
+        self.velocities.append(&mut next.velocities);
+        self.closing = next.closing;
+        self.unended = next.unended;
+        self.error = next.error;
+    }
+
+    /// Keeps the first `len` rows and gives the others.
+    pub(crate) fn split_off(&mut self, len: usize) -> Self {
+        fn split<T>(values: &mut Vec<T>, len: usize) -> Vec<T> {
+            values.split_off(len.min(values.len()))
+        }
+        let samples = match &mut self.samples {
+            Samples::Counts(counts) => Samples::Counts(split(counts, len)),
+            Samples::Any(samples) => Samples::Any(split(samples, len)),
+        };
+        let closing = self.closing.take();
+        // In a ledger a row ends where the next starts, as was found when they were read.
+        self.closing = match (&closing, samples.get(0)) {
+            (Some(_), Some(next)) => Some(next),
+            _ => closing.clone(),
+        };
+        let error = self.error.take();
+        Self {
+            samples,
+            times: split(&mut self.times, len),
+            dtaus: split(&mut self.dtaus, len),
+            forces: split(&mut self.forces, len),
+            velocities: split(&mut self.velocities, len),
+            place: Place {
+                before: self.place.before + len,
+                ..self.place
+            },
+            closing,
+            unended: self.unended,
+            error: error.map(|error| TraceError {
+                row: error.row.map(|row| row.saturating_sub(len as u64)),
+                ..error
+            }),
+        }
+    }
+
     /// Ends the chunk with the sample at `i`, for the row after it is wrong.
     pub(crate) fn cut(&mut self, i: usize, error: TraceError) {
         let len = i + 1;
         self.truncate(len);
         self.closing = None;
+        self.unended = false;
         self.error = Some(error.row(len as u64));
     }
 }

@@ -12,6 +12,7 @@ use crate::figure::Figure;
 use crate::ledger::Ledger;
 use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
+use crate::log::exact::ExactSum;
 use crate::log::running::near_reading;
 use crate::log::step::undefined;
 use crate::number::Written;
@@ -42,18 +43,18 @@ pub(crate) struct Comparison<'a> {
     law: VecDeque<f64>,
     pub(crate) compared: u64,
     /// How the forces agree, by lag.
-    lags: Vec<Agreement>,
+    pub(crate) lags: Vec<Agreement>,
     /// Σ f².
-    squares: f64,
+    pub(crate) squares: ExactSum,
 }
 
 /// How the forces agree with the law at a lag.
-#[derive(Clone, Copy, Debug, Default)]
-struct Agreement {
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Agreement {
     /// As −f(q) and as +f(q): how often they do not, and where first.
-    mismatches: [(u64, Option<u64>); 2],
+    pub(crate) mismatches: [(u64, Option<u64>); 2],
     /// Σ f·p and Σ p², with p the force of the law.
-    products: [f64; 2],
+    pub(crate) products: [ExactSum; 2],
 }
 
 /// At which lag and sign the forces agree with the law, and how well.
@@ -94,7 +95,7 @@ impl<'a> Comparison<'a> {
             law: VecDeque::new(),
             compared: 0,
             lags: vec![Agreement::default(); delay + LAGS + 1],
-            squares: 0.0,
+            squares: ExactSum::default(),
         }
     }
 
@@ -114,9 +115,9 @@ impl<'a> Comparison<'a> {
             .or_else(|| of(&self.wide, self.samples.iter(), Reading::to_wide))
     }
 
-    /// Compares the forces of a chunk.
-    pub(crate) fn feed(&mut self, chunk: &Chunk) -> Result<(), TraceError> {
-        for (i, force) in chunk.forces.iter().enumerate() {
+    /// Compares the forces of the first `rows` samples of a chunk.
+    pub(crate) fn feed(&mut self, chunk: &Chunk, rows: usize) -> Result<(), TraceError> {
+        for (i, force) in chunk.forces.iter().enumerate().take(rows) {
             let sample = chunk.samples.get(i).ok_or_else(undefined)?;
             self.samples.push_front(sample);
             let order = self.ledger.wide().controller.filter.order();
@@ -132,10 +133,38 @@ impl<'a> Comparison<'a> {
             for (expected, agreement) in self.law.iter().zip(&mut self.lags) {
                 agreement.compare(middle, *expected, force.rounding, self.compared);
             }
-            self.squares += middle * middle;
+            self.squares.add(middle * middle);
             self.compared += 1;
         }
         Ok(())
+    }
+
+    /// How many samples before one its force is compared by, at the most.
+    pub(crate) fn history(ledger: &Ledger) -> usize {
+        let controller = &ledger.wide().controller;
+        controller.delay + LAGS + controller.filter.order() + 1
+    }
+
+    /// Forgets what was found, not what came before the next force.
+    pub(crate) fn forget(&mut self) {
+        self.compared = 0;
+        self.squares = ExactSum::default();
+        self.lags.fill(Agreement::default());
+    }
+
+    /// Goes on with what was found of the forces that follow.
+    pub(crate) fn append(&mut self, other: &Self) {
+        self.squares.add_sum(&other.squares);
+        for (own, other) in self.lags.iter_mut().zip(&other.lags) {
+            for (own, other) in own.products.iter_mut().zip(&other.products) {
+                own.add_sum(other);
+            }
+            for (own, other) in own.mismatches.iter_mut().zip(&other.mismatches) {
+                let first = other.1.map(|row| self.compared + row);
+                *own = (own.0 + other.0, own.1.or(first));
+            }
+        }
+        self.compared += other.compared;
     }
 
     fn finding(&self, reversed: bool, lag: usize) -> Option<Finding> {
@@ -173,12 +202,13 @@ impl<'a> Comparison<'a> {
     /// The multiple of the law, at some lag, that the forces come nearest to; `None` when forces or
     /// law are zero throughout.
     pub(crate) fn fit(&self) -> Option<Fit> {
+        let squares = self.squares.value();
         let fits = self.lags.iter().enumerate().filter_map(|(lag, agreement)| {
-            let [mixed, law] = agreement.products;
+            let [mixed, law] = agreement.products.each_ref().map(ExactSum::value);
             let scale = mixed / law;
             // What is left of Σ f²; rounding may leave it a little below zero.
-            let left = (self.squares - scale * mixed).max(0.0);
-            let residual = (left / self.squares).sqrt();
+            let left = (squares - scale * mixed).max(0.0);
+            let residual = (left / squares).sqrt();
             (scale.is_finite() && residual.is_finite()).then_some(Fit {
                 lag,
                 scale,
@@ -199,7 +229,7 @@ impl Agreement {
             }
         }
         let [mixed, own] = &mut self.products;
-        *mixed += force * law;
-        *own += law * law;
+        mixed.add(force * law);
+        own.add(law * law);
     }
 }

@@ -1,6 +1,7 @@
 //! The row of an interval, and what an account keeps of it.
 
 use crate::entry::Entry;
+use crate::figure::Figure;
 use crate::ledger::{Logged, Row, Truths, on_entry};
 use crate::log::account::{Account, Place};
 use crate::log::error::TraceError;
@@ -11,7 +12,7 @@ use crate::log::supply::{Contribution, observed, potential, potential_on};
 use crate::log::worker::Task;
 use crate::number::{Number, Reduced, Written as _};
 use crate::reading::Reading;
-use crate::span::Span;
+use crate::span::{Span, below_on_grid, outward};
 use crate::sum::FigureSum;
 
 /// How many rows at the start of a trace are of exact numbers.
@@ -21,12 +22,15 @@ pub(crate) const EXACT_ROWS: usize = ROWS_IN_REPORT;
 pub(crate) enum Accounted {
     Exact(Row),
     Near(Box<Entry<Span>>),
+    /// Decided by exact numbers, and summed up on the grid of spans: so that the denominators of sums stay
+    /// short.
+    Decided(Row),
 }
 
 impl Accounted {
     pub(crate) fn truths(&self) -> Truths {
         match self {
-            Self::Exact(row) => row.truths(),
+            Self::Exact(row) | Self::Decided(row) => row.truths(),
             Self::Near(entry) => entry.truths(),
         }
     }
@@ -36,6 +40,15 @@ impl Accounted {
         match self {
             Self::Exact(row) => row.add_to(sums, times),
             Self::Near(entry) => entry.add_to(sums, times),
+            Self::Decided(row) => {
+                for (sum, figure) in sums.iter_mut().zip(row.figures()?) {
+                    match Span::around(figure.lo(), figure.hi()) {
+                        Some(span) => sum.add_times(&Figure::Exact(span), times)?,
+                        None => sum.add_times(&figure, times)?,
+                    }
+                }
+                Some(())
+            }
         }
     }
 
@@ -44,6 +57,7 @@ impl Accounted {
         match self {
             Self::Exact(row) => on_entry!(row, entry => entry.account.net_linear.lo().below()),
             Self::Near(entry) => entry.account.net_linear.lo().below(),
+            Self::Decided(row) => Some(row.net_linear()?.lo().clone().into()).map(below_on_grid),
         }
     }
 }
@@ -101,7 +115,11 @@ impl Computed {
             form.write_positions(&row, &mut positions)?;
             form.write_account(&row, &mut text)?;
         }
-        let computed = near.or_else(|| Self::of_row(task, interval, Accounted::Exact(row)))?;
+        let accounted = match is_exact(task, &interval.end, &interval.dtau, h) {
+            true => Accounted::Exact(row),
+            false => Accounted::Decided(row),
+        };
+        let computed = near.or_else(|| Self::of_row(task, interval, accounted))?;
         Some(Self {
             positions,
             text,
@@ -177,6 +195,7 @@ pub(crate) fn note_stored(
     let potential = match row {
         Accounted::Near(_) => potential_on(ledger.near(), &sample.to_near()),
         Accounted::Exact(_) => potential(ledger, sample),
+        Accounted::Decided(_) => potential(ledger, sample).map(outward),
     };
     let [least, _] = potential.ok_or_else(undefined)?;
     Lowest::keep_sum(&mut account.stored, &account.net, &least, account.intervals);

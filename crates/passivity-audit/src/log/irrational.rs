@@ -145,12 +145,13 @@ fn within_a_tick(
 
 /// A number that is written as `x` and is in `range`.
 fn enclosed(x: Number, range: &Interval<BigRational>) -> Result<Reading, TraceError> {
-    let ends = [range.lo(), range.hi()].map(Span::of_rational);
-    let [Some([lo, _]), Some([_, hi])] = ends.map(Span::defined) else {
-        let message = format!("{x} is too large a number to compute with");
-        return Err(TraceError::new("number", message));
-    };
-    Ok(Reading::Within(Scaled::new(x, Span::between(lo, hi))))
+    match Span::around(range.lo(), range.hi()) {
+        Some(span) => Ok(Reading::Within(Scaled::new(x, span))),
+        None => {
+            let message = format!("{x} is too large a number to compute with");
+            Err(TraceError::new("number", message))
+        }
+    }
 }
 
 #[cfg(test)]

@@ -20,6 +20,8 @@ pub(crate) struct Lines<R> {
     rest: Vec<u8>,
     ended: bool,
     block: usize,
+    /// Whether lines that are not read follow.
+    goes_on: bool,
 }
 
 /// A block of lines, or what stopped the reading after it.
@@ -39,7 +41,15 @@ impl<R: Read> Lines<R> {
             rest: Vec::new(),
             ended: false,
             block,
+            goes_on: false,
         }
+    }
+
+    /// As [`new`](Self::new), where lines that are not read follow the input.
+    pub(crate) const fn within(input: R, block: usize) -> Self {
+        let mut lines = Self::new(input, block);
+        lines.goes_on = true;
+        lines
     }
 
     /// The first line, without its break and without a byte order mark.
@@ -80,6 +90,15 @@ impl<R: Read> Lines<R> {
         Ok(())
     }
 
+    /// Whether the line that ends at `end` is blank: then what follows decides whether it may be. There are
+    /// only so many blank lines that are waited for.
+    fn is_blank_before(&self, end: usize) -> bool {
+        let lines = self.rest.get(..end).unwrap_or_default();
+        let written = lines.trim_ascii_end().len();
+        let blank = lines.get(written..).unwrap_or_default();
+        (written == 0 || blank.contains(&b'\n')) && blank.len() < MAX_LINE
+    }
+
     /// The next block of whole lines; `None` after the last.
     pub(crate) fn next_block(&mut self) -> Option<Block> {
         let mut error = None;
@@ -88,7 +107,8 @@ impl<R: Read> Lines<R> {
                 error = Some(TraceError::io(&broken));
                 break;
             }
-            if self.ended || memchr::memrchr(b'\n', &self.rest).is_some() {
+            let whole = memchr::memrchr(b'\n', &self.rest);
+            if self.ended || whole.is_some_and(|end| !self.is_blank_before(end)) {
                 break;
             }
             if self.rest.len() > MAX_LINE {
@@ -115,7 +135,7 @@ impl<R: Read> Lines<R> {
         }
         Some(Block {
             bytes,
-            last: self.ended,
+            last: self.ended && !self.goes_on,
             error,
         })
     }

@@ -8,10 +8,10 @@ use crate::ledger::Logged;
 use crate::log::account::Account;
 use crate::log::chunk::Chunk;
 use crate::log::comparison::Comparison;
-use crate::log::computed::{Accounted, Computed};
+use crate::log::computed::Computed;
 use crate::log::error::TraceError;
 use crate::log::outcome::Audit;
-use crate::log::step::{between, check_jump, duration};
+use crate::log::step::{between, check_jump, duration, undefined};
 use crate::log::velocity::Velocities;
 use crate::log::worker::Task;
 use crate::number::Number;
@@ -37,6 +37,8 @@ pub(crate) struct Merge<'a, 'w> {
     out: Option<&'w mut (dyn Write + 'w)>,
     written: u64,
     account: Account,
+    /// How many intervals of the log came before, counted as far as it matters.
+    before: usize,
     samples: u64,
     /// The latest samples, the latest first.
     recent: Vec<Reading>,
@@ -66,6 +68,9 @@ pub(crate) struct Findings<'a> {
     pub(crate) head: Vec<Logged>,
     pub(crate) error: Option<TraceError>,
     pub(crate) unended: bool,
+    /// The last file, where there are several, and how many samples came before it.
+    pub(crate) file: Option<String>,
+    pub(crate) before_file: u64,
 }
 
 impl<'a, 'w> Merge<'a, 'w> {
@@ -83,6 +88,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             out,
             written: 0,
             account: Account::default(),
+            before: 0,
             samples: 0,
             recent: Vec::new(),
             onward: Onward::default(),
@@ -96,6 +102,43 @@ impl<'a, 'w> Merge<'a, 'w> {
             file: 0,
             before_file: 0,
         })
+    }
+
+    /// Takes the samples up to the first one that is accounted for: intervals after it look back to them.
+    pub(crate) fn lead(&mut self, chunk: &Chunk) -> Result<(), TraceError> {
+        let Some(last) = chunk.samples.len().checked_sub(1) else {
+            return Ok(());
+        };
+        self.before = chunk.place.before + last;
+        self.recent = chunk.samples.back_from(last, self.task.ledger.window());
+        self.onward = onward(chunk, last);
+        self.closing.clone_from(&chunk.closing);
+        self.unended = chunk.unended;
+        if let (true, Some(before)) = (self.task.running, last.checked_sub(1)) {
+            let interval = self.task.logged(chunk, before)?;
+            let computed = Computed::of(self.task, &interval, chunk.place.before + before)?;
+            let contribution = computed.contribution.ok_or_else(undefined)?;
+            self.account.supply.excess = Some(contribution.excess().clone());
+        }
+        self.compare(chunk, chunk.samples.len())?;
+        if let Some(comparison) = &mut self.comparison {
+            comparison.forget();
+        }
+        if let Some(velocities) = &mut self.velocities {
+            velocities.forget();
+        }
+        Ok(())
+    }
+
+    /// Compares the forces and velocities of the first `rows` samples of a chunk.
+    fn compare(&mut self, chunk: &Chunk, rows: usize) -> Result<(), TraceError> {
+        if let Some(comparison) = &mut self.comparison {
+            comparison.feed(chunk, rows)?;
+        }
+        if let Some(velocities) = &mut self.velocities {
+            velocities.feed(self.task.layout, chunk, rows)?;
+        }
+        Ok(())
     }
 
     /// Takes the next chunk with the account of the intervals inside it. False when the trace ends
@@ -113,6 +156,8 @@ impl<'a, 'w> Merge<'a, 'w> {
                 self.samples += i as u64;
                 self.error = Some(self.placed(error, self.samples + 1));
                 self.closing = None;
+                self.unended = false;
+                self.compare(chunk, i)?;
                 return self.flush().map(|()| false);
             }
         }
@@ -123,14 +168,11 @@ impl<'a, 'w> Merge<'a, 'w> {
             self.recent = chunk.samples.back_from(whole - 1, window);
             self.onward = onward(chunk, whole - 1);
         }
-        if let Some(comparison) = &mut self.comparison {
-            comparison.feed(chunk)?;
-        }
-        if let Some(velocities) = &mut self.velocities {
-            velocities.feed(self.task.layout, chunk)?;
-        }
+        self.compare(chunk, whole)?;
         self.thin_points();
-        self.closing.clone_from(&chunk.closing);
+        if whole > 0 {
+            self.closing.clone_from(&chunk.closing);
+        }
         self.unended = chunk.unended;
         let before = self.samples;
         self.samples += whole as u64;
@@ -191,16 +233,14 @@ impl<'a, 'w> Merge<'a, 'w> {
                 force,
             };
             let h = usize::try_from(self.account.intervals).unwrap_or(usize::MAX);
+            let h = self.before.saturating_add(h);
             let computed = Computed::of(self.task, &interval, h)?;
             computed.account(self.task, &interval, &mut self.account)?;
-            self.account.last = match computed.row {
-                Accounted::Exact(row) => Some(row),
-                Accounted::Near(_) => self.task.ledger.row(&interval),
-            };
             if self.task.points {
                 self.account.plot();
             }
             self.recent.clone_from(&interval.samples);
+            self.account.last = Some(interval.clone());
             if self.head.len() < ROWS_IN_REPORT {
                 self.head.push(interval);
             }
@@ -248,9 +288,21 @@ impl<'a, 'w> Merge<'a, 'w> {
         Ok(())
     }
 
-    /// The report, with the account of the wall's own law beside it.
-    pub(crate) fn finish(mut self, scene: &Scene, law: Option<Audit>) -> Result<Audit, TraceError> {
-        if let Some(closing) = self.closing.take() {
+    /// How many samples were taken.
+    pub(crate) const fn samples(&self) -> u64 {
+        self.samples
+    }
+
+    /// What is said of a stretch that cannot be read, for what stands before it cannot.
+    pub(crate) fn fail(mut self, error: TraceError) -> Findings<'a> {
+        self.error = Some(error.row(0));
+        self.findings()
+    }
+
+    /// All that was found. What the last row of a ledger says of its end is one more interval where the log
+    /// `ends` there.
+    pub(crate) fn finish(mut self, ends: bool) -> Result<Findings<'a>, TraceError> {
+        if let Some(closing) = self.closing.take().filter(|_| ends || self.error.is_some()) {
             let dtau = self.onward.dtau.take();
             if let Err(error) = self.interval(closing, dtau) {
                 self.error = Some(self.placed(error, self.samples));
@@ -260,12 +312,13 @@ impl<'a, 'w> Merge<'a, 'w> {
         if let Some(out) = &mut self.out {
             out.flush().map_err(|error| TraceError::io(&error))?;
         }
-        if self.error.is_none() && self.account.intervals == 0 {
-            let message = "a trace needs two samples at least: there is nothing to account for";
-            let error = TraceError::new("empty", message);
-            self.error = Some(self.placed(error, self.samples + 1));
-        }
-        let findings = Findings {
+        Ok(self.findings())
+    }
+
+    fn findings(self) -> Findings<'a> {
+        Findings {
+            file: self.task.files.get(self.file).cloned(),
+            before_file: self.before_file,
             account: self.account,
             samples: self.samples,
             first: self.first,
@@ -274,8 +327,25 @@ impl<'a, 'w> Merge<'a, 'w> {
             head: self.head,
             error: self.error,
             unended: self.unended,
-        };
-        Audit::new(self.task, scene, findings, law)
+        }
+    }
+}
+
+impl Findings<'_> {
+    /// The report, with the account of the wall's own law beside it.
+    pub(crate) fn audit(
+        mut self,
+        task: &Task<'_>,
+        scene: &Scene,
+        law: Option<Audit>,
+    ) -> Result<Audit, TraceError> {
+        if self.error.is_none() && self.account.intervals == 0 {
+            let message = "a trace needs two samples at least: there is nothing to account for";
+            let mut error = TraceError::new("empty", message);
+            error.file.clone_from(&self.file);
+            self.error = Some(error.row(self.samples + 1 - self.before_file));
+        }
+        Audit::new(task, scene, self, law)
     }
 }
 

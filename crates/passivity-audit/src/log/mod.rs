@@ -10,6 +10,7 @@ mod comparison;
 mod computed;
 mod csv;
 mod error;
+mod exact;
 mod findings;
 mod guess;
 mod header;
@@ -21,9 +22,12 @@ mod names;
 mod outcome;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod partial;
+mod piece;
 mod preview;
 mod report;
 mod running;
+mod saved;
 mod scale;
 mod source;
 mod step;
@@ -37,7 +41,7 @@ mod velocity;
 mod worker;
 
 pub use account::Point;
-pub use arrays::{Positions, audit_arrays};
+pub use arrays::{Positions, Values, audit_arrays, audit_columns};
 pub use certificate::Certificate;
 pub use columns::{Columns, Role};
 pub use error::{TraceError, legible};
@@ -45,6 +49,8 @@ pub use findings::Finding;
 pub use guess::Proposal;
 pub use layout::Form;
 pub use outcome::Audit;
+pub use partial::{Partial, audit_part, merge_parts};
+pub use piece::Stretch;
 pub use report::{
     Agreement, ByLaw, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
     Running, Sampling, Shown, Supplied, Verdict,
@@ -60,7 +66,7 @@ use passivity_scene::Scene;
 use crate::ledger::Ledger;
 use crate::log::chunk::Chunk;
 use crate::log::layout::Layout;
-use crate::log::merge::Merge;
+use crate::log::merge::{Findings, Merge};
 use crate::log::source::{Source, Work};
 use crate::log::worker::{Task, Worker};
 
@@ -79,6 +85,8 @@ pub struct Options<'a> {
     pub block: usize,
     /// How the columns are called, and how numbers are written.
     pub dialect: Dialect,
+    /// Is told from time to time how many samples were read, and ends the audit where it says `false`.
+    pub watch: Option<&'a dyn Fn(u64) -> bool>,
 }
 
 /// Audits a log in a file; `-` is standard input, which must be CSV. CSV may be compressed by gzip or
@@ -109,10 +117,7 @@ pub fn audit_files(
 
 /// How many bytes of CSV a core is given at once.
 const fn block(options: &Options<'_>) -> usize {
-    match options.block {
-        0 => lines::BLOCK,
-        block => block,
-    }
+    piece::block(options.block)
 }
 
 /// Audits a trace in CSV.
@@ -150,44 +155,90 @@ fn run(
     options: Options<'_>,
 ) -> Result<Audit, TraceError> {
     let ledger = Ledger::of_scene(scene);
-    let applied = layout.force.is_some() && !options.law;
-    let friction_is_exact = ledger.wide().friction_is_exact();
-    let form = crate::rows::Form {
-        enclosures: layout.encloses(applied) || !friction_is_exact,
-        force: applied,
-    };
     let files = source.names();
     let task = Task {
-        ledger: &ledger,
-        layout,
-        rows: options.rows.is_some().then_some(form),
-        points: options.points,
-        applied,
-        running: applied || ledger.has_memory(),
-        compares: true,
         files: &files,
         told: options.dialect.columns.is_some(),
+        rows: options
+            .rows
+            .is_some()
+            .then(|| form(&ledger, layout, options.law)),
+        points: options.points,
+        ..Task::new(&ledger, layout, options.law)
     };
-    // Beside the account of the forces in the trace, that of the wall's own law.
-    let by_law = Task {
-        rows: None,
-        points: false,
-        applied: false,
-        running: ledger.has_memory(),
-        compares: false,
-        ..task.clone()
+    let by_law = task.by_law();
+    let law = task.applied.then_some(&by_law);
+    let stretch = Reading {
+        lead: 0,
+        ends: true,
     };
-    let law = applied.then_some(&by_law);
+    let (found, beside) = account(&mut source, &task, law, options, stretch)?;
+    let law = beside
+        .map(|beside| beside.audit(&by_law, scene, None))
+        .transpose()?;
+    found.audit(&task, scene, law)
+}
+
+/// How rows are written.
+fn form(ledger: &Ledger, layout: &Layout, law: bool) -> crate::rows::Form {
+    let applied = layout.force.is_some() && !law;
+    let friction_is_exact = ledger.wide().friction_is_exact();
+    crate::rows::Form {
+        enclosures: layout.encloses(applied) || !friction_is_exact,
+        force: applied,
+    }
+}
+
+/// What of a source is accounted for.
+#[derive(Clone, Copy, Debug)]
+struct Reading {
+    /// How many samples come before the first interval, its own first one included; none at the start of
+    /// a log.
+    lead: usize,
+    /// Whether the log ends where the source does.
+    ends: bool,
+}
+
+/// The account of a source, and that of the wall's own law beside it.
+fn account<'a>(
+    source: &mut Source,
+    task: &'a Task<'a>,
+    law: Option<&'a Task<'a>>,
+    options: Options<'_>,
+    reading: Reading,
+) -> Result<(Findings<'a>, Option<Findings<'a>>), TraceError> {
+    let layout = task.layout;
     let threads = threads(options.threads)?;
     let mut workers: Vec<[Worker; 2]> = (0..threads).map(|_| <[Worker; 2]>::default()).collect();
-    let mut merge = Merge::new(&task, options.rows)?;
+    let mut merge = Merge::new(task, options.rows)?;
     let mut beside = law.map(|law| Merge::new(law, None)).transpose()?;
+    let mut first = None;
+    if reading.lead > 0 {
+        let led = leading(source, layout, reading.lead).and_then(|(before, rest)| {
+            if let Some(beside) = &mut beside {
+                beside.lead(&before)?;
+            }
+            merge.lead(&before)?;
+            Ok(rest)
+        });
+        match led {
+            Ok(rest) => first = Some(Work::Account(rest)),
+            Err(error) => {
+                // It is for the stretch before this one to say where.
+                let law = beside.map(|beside| beside.fail(error.clone()));
+                return Ok((merge.fail(error), law));
+            }
+        }
+    }
     loop {
-        let next = std::iter::from_fn(|| source.next(layout));
+        let next = std::iter::from_fn(|| first.take().or_else(|| source.next(layout)));
         let work: Vec<Work> = next.take(threads).collect();
         let ended = work.is_empty();
+        if options.watch.is_some_and(|watch| !watch(merge.samples())) {
+            return Err(TraceError::new("stopped", "the audit was stopped"));
+        }
         let mut goes_on = !ended;
-        for (chunk, [account, other]) in at_once(&task, law, work, &mut workers) {
+        for (chunk, [account, other]) in at_once(task, law, work, &mut workers) {
             if let Some(beside) = &mut beside {
                 beside.take(&chunk, other)?;
             }
@@ -198,10 +249,47 @@ fn run(
         }
         if !goes_on {
             let law = beside
-                .map(|beside| beside.finish(scene, None))
+                .map(|beside| beside.finish(reading.ends))
                 .transpose()?;
-            return merge.finish(scene, law);
+            return Ok((merge.finish(reading.ends)?, law));
         }
+    }
+}
+
+/// The first `lead` samples of a source, and what else was read with them.
+fn leading(
+    source: &mut Source,
+    layout: &Layout,
+    lead: usize,
+) -> Result<(Chunk, Chunk), TraceError> {
+    let mut before = Chunk::default();
+    loop {
+        let Some(work) = source.next(layout) else {
+            let message = "the log ends before this stretch of it: it was changed";
+            return Err(TraceError::new("io", message));
+        };
+        let mut chunk = parsed(work, layout);
+        let missing = lead - before.samples.len();
+        let rest = chunk.split_off(missing);
+        let whole = chunk.samples.len() == missing;
+        before.append(chunk);
+        if whole {
+            return Ok((before, rest));
+        }
+        if let Some(error) = rest.error {
+            return Err(error);
+        }
+    }
+}
+
+/// The samples of a piece of work.
+fn parsed(work: Work, layout: &Layout) -> Chunk {
+    match work {
+        Work::Parse(block, notation, place) => Chunk {
+            place,
+            ..csv::parse(&block, layout, notation)
+        },
+        Work::Account(chunk) => chunk,
     }
 }
 
@@ -233,13 +321,7 @@ fn at_once(
         let mut running = Vec::new();
         for (work, [worker, other]) in work.into_iter().zip(workers) {
             running.push(scope.spawn(move || {
-                let mut chunk = match work {
-                    Work::Parse(block, notation, place) => Chunk {
-                        place,
-                        ..csv::parse(&block, task.layout, notation)
-                    },
-                    Work::Account(chunk) => chunk,
-                };
+                let mut chunk = parsed(work, task.layout);
                 let account = worker.account(task, &mut chunk, task.lead());
                 let beside = match law {
                     Some(law) => other.account(law, &mut chunk, law.lead()),

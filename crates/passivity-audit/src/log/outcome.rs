@@ -44,7 +44,8 @@ impl Audit {
         let law_of_counts =
             task.ledger.is_plain() && task.layout.form == Form::Count && !task.applied;
         if let (true, Some(last)) = (law_of_counts, &account.last) {
-            figures = tightened(figures, last).ok_or_else(undefined)?;
+            let last = task.ledger.row(last).ok_or_else(undefined)?;
+            figures = tightened(figures, &last).ok_or_else(undefined)?;
         }
         let totals = Totals::new(account.intervals, figures, &account.tallies);
         let (net, net_at) = account.net.least();

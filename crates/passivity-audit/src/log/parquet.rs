@@ -19,7 +19,7 @@ use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout};
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
-use crate::log::typed::{Column, Meaning, broken, counts, numbers};
+use crate::log::typed::{self, Column, Meaning, broken, counts, numbers};
 use crate::reading::Reading;
 
 /// How many rows are decoded at once.
@@ -38,6 +38,8 @@ pub(crate) struct Table {
     group: usize,
     columns: Vec<Wanted>,
     left: u64,
+    /// How many rows are read at the most.
+    most: u64,
 }
 
 thread_local! {
@@ -76,6 +78,7 @@ impl Table {
             group: 0,
             columns: Vec::new(),
             left: 0,
+            most: u64::MAX,
         })
     }
 
@@ -137,7 +140,64 @@ impl Table {
         }
     }
 
+    /// How many rows there are.
+    pub(crate) fn rows(&self) -> Result<u64, TraceError> {
+        let rows = self.file.metadata().file_metadata().num_rows();
+        u64::try_from(rows).map_err(|_| TraceError::new("parquet", "a file with less than no rows"))
+    }
+
+    /// The row where the piece `i` of `n` ends: where a group does, if there are enough of them.
+    pub(crate) fn cut(&self, rows: u64, i: u64, n: u64) -> u64 {
+        let even = u128::from(rows) * u128::from(i) / u128::from(n.max(1));
+        let even = u64::try_from(even).unwrap_or(rows);
+        let groups = self.file.metadata().row_groups();
+        if (groups.len() as u64) < n || i == 0 || i >= n {
+            return even;
+        }
+        let mut start = 0;
+        for group in groups {
+            let next = start + u64::try_from(group.num_rows()).unwrap_or(0);
+            if next > even {
+                break;
+            }
+            start = next;
+        }
+        start
+    }
+
+    /// Goes to a row, from which on at most `most` are read.
+    pub(crate) fn seek(&mut self, layout: &Layout, row: u64, most: u64) -> Result<(), TraceError> {
+        self.most = most;
+        let mut row = row;
+        while row > 0 && most > 0 {
+            let group = self
+                .file
+                .get_row_group(self.group)
+                .map_err(|e| broken(&e))?;
+            let rows = u64::try_from(group.metadata().num_rows()).unwrap_or(0);
+            self.group += 1;
+            if rows <= row {
+                row -= rows;
+                continue;
+            }
+            let opened = guarded(|| {
+                let (mut columns, left) = open_group(&*group, layout)?;
+                let skipped = usize::try_from(row).unwrap_or(usize::MAX);
+                for wanted in &mut columns {
+                    typed::skip(&mut wanted.reader, skipped)?;
+                }
+                Ok((columns, left - row))
+            });
+            (self.columns, self.left) = opened?;
+            row = 0;
+        }
+        Ok(())
+    }
+
     fn read(&mut self, layout: &Layout) -> Result<Option<Chunk>, TraceError> {
+        if self.most == 0 {
+            return Ok(None);
+        }
         while self.left == 0 {
             if self.group >= self.file.num_row_groups() {
                 return Ok(None);
@@ -149,7 +209,8 @@ impl Table {
             (self.columns, self.left) = open_group(&*group, layout)?;
             self.group += 1;
         }
-        let rows = ROWS.min(usize::try_from(self.left).unwrap_or(usize::MAX));
+        let left = self.left.min(self.most);
+        let rows = ROWS.min(usize::try_from(left).unwrap_or(usize::MAX));
         let mut chunk = Chunk::default();
         let mut starts = Column::default();
         // How many rows are whole, and what is wrong with the next.
@@ -223,6 +284,7 @@ impl Table {
         }
         chunk.truncate(whole);
         self.left -= u64::try_from(rows).unwrap_or(0);
+        self.most -= u64::try_from(rows).unwrap_or(0);
         if error.is_some() {
             self.left = 0;
             self.group = usize::MAX;

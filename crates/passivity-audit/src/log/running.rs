@@ -1,5 +1,6 @@
 //! A running sum and its least value so far.
 
+use num_bigint::BigInt;
 use num_integer::Integer as _;
 use passivity_core::{BigRational, Scalar};
 
@@ -123,7 +124,7 @@ impl RunningSum {
         let (now, least, denominator) = (self.now, self.least, self.denominator);
         let big = self.big.get_or_insert_with(|| {
             let ratio = |n: i128| BigRational::new(n.into(), denominator.into());
-            let mut sum = Sum::default();
+            let mut sum = Sum::of_log();
             sum.add_rational(&ratio(now));
             Box::new(Big {
                 near: near(&ratio(now)),
@@ -153,6 +154,29 @@ impl RunningSum {
         match &self.big {
             None => BigRational::new(self.now.into(), self.denominator.into()),
             Some(big) => big.now.value().lo().clone(),
+        }
+    }
+
+    /// How many steps there were.
+    pub(crate) const fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// A sum that was kept elsewhere: its total, its least value and after how many steps it was there.
+    pub(crate) fn from_parts(total: &BigRational, least: (BigRational, u64), steps: u64) -> Self {
+        let mut sum = Self::default();
+        sum.add(&Reduced::from(total.clone()));
+        sum.least = 0;
+        sum.set_least(least.0);
+        (sum.at, sum.steps) = (least.1, steps);
+        sum
+    }
+
+    /// A denominator of all steps.
+    pub(crate) fn common(&self) -> BigInt {
+        match &self.big {
+            None => self.denominator.into(),
+            Some(big) => big.now.denominator(),
         }
     }
 

@@ -16,6 +16,7 @@ use crate::log::layout::Layout;
 use crate::log::lines::{self, Block, Lines};
 #[cfg(feature = "parquet")]
 use crate::log::parquet;
+use crate::log::piece::Said;
 
 /// How the columns of a log are called, and how its numbers are written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -30,6 +31,24 @@ pub struct Dialect {
 }
 
 impl Dialect {
+    /// What the header of a CSV file says, with its first lines.
+    pub(crate) fn heading(
+        &self,
+        line: &[u8],
+        first: &[&[u8]],
+        scene: &Scene,
+    ) -> Result<(Layout, Said, Notation), TraceError> {
+        let notation = self.notation()?;
+        let told = self.columns.as_ref();
+        let layout = layout(line, first, notation, told, scene)
+            .map_err(|error| otherwise(error, line, first, self, scene))?;
+        let said = Said {
+            headings: layout.headings.clone(),
+            preview: csv::preview(first, notation),
+        };
+        Ok((layout, said, notation))
+    }
+
     fn notation(&self) -> Result<Notation, TraceError> {
         let usual = if self.decimal_comma { b';' } else { b',' };
         let delimiter = self.delimiter.unwrap_or(usual);
@@ -53,8 +72,8 @@ pub(crate) enum Reader {
     Csv(Lines<Box<dyn Read>>, Notation),
     #[cfg(feature = "parquet")]
     Parquet(Box<parquet::Table>),
-    /// In memory, the last chunk first.
-    Memory(Vec<Chunk>),
+    /// In memory.
+    Memory(Box<dyn Iterator<Item = Chunk>>),
 }
 
 /// What a core is given.
@@ -105,6 +124,12 @@ impl Source {
         }
     }
 
+    /// After so many samples of the log.
+    pub(crate) fn after(mut self, before: usize) -> Self {
+        self.place.before = before.min(EXACT_ROWS);
+        self
+    }
+
     /// Of files in order: the first one is opened, and its header read.
     pub(crate) fn open(
         paths: &[PathBuf],
@@ -153,7 +178,7 @@ impl Source {
                     .next_chunk(layout)
                     .map(|chunk| Work::Account(Chunk { place, ..chunk })),
                 Reader::Memory(chunks) => chunks
-                    .pop()
+                    .next()
                     .map(|chunk| Work::Account(Chunk { place, ..chunk })),
             };
             if let Some(work) = work {
@@ -171,7 +196,7 @@ impl Source {
                 Err(error) => {
                     // The log ends here.
                     self.files.clear();
-                    self.reader = Reader::Memory(Vec::new());
+                    self.reader = Reader::Memory(Box::new(std::iter::empty()));
                     return Some(Work::Account(Chunk {
                         place: self.place,
                         error: Some(error),
@@ -216,7 +241,7 @@ pub(crate) fn opened(
             )),
         };
     }
-    let compressed = start.starts_with(&[0x1f, 0x8b]) || start == [0x28, 0xb5, 0x2f, 0xfd];
+    let compressed = is_compressed(&start);
     // What was read of a pipe cannot be read again.
     let whole: Box<dyn Read> = Box::new(Cursor::new(start.clone()).chain(input));
     if !compressed {
@@ -232,8 +257,13 @@ pub(crate) fn opened(
     Ok(Opened::Csv(Lines::new(whole, block)))
 }
 
+/// Whether a file with these first bytes is compressed by gzip or zstd.
+pub(crate) fn is_compressed(start: &[u8]) -> bool {
+    start.starts_with(&[0x1f, 0x8b]) || start == [0x28, 0xb5, 0x2f, 0xfd]
+}
+
 /// The first four bytes, or as many as there are.
-fn start(input: &mut dyn Read) -> Result<Vec<u8>, TraceError> {
+pub(crate) fn start(input: &mut dyn Read) -> Result<Vec<u8>, TraceError> {
     let mut start = Vec::new();
     let read = input.take(4).read_to_end(&mut start);
     read.map_err(|error| TraceError::io(&error))?;
@@ -276,19 +306,15 @@ impl Opened {
         scene: &Scene,
         dialect: &Dialect,
     ) -> Result<(Reader, Layout), TraceError> {
-        let told = dialect.columns.as_ref();
         match self {
             Self::Csv(mut lines) => {
-                let notation = dialect.notation()?;
                 let line = lines.header()?;
-                let first = lines.first();
-                let layout = layout(&line, &first, notation, told, scene);
-                let layout =
-                    layout.map_err(|error| otherwise(error, &line, &first, dialect, scene))?;
+                let (layout, _, notation) = dialect.heading(&line, &lines.first(), scene)?;
                 Ok((Reader::Csv(lines, notation), layout))
             }
             #[cfg(feature = "parquet")]
             Self::Parquet(table) => {
+                let told = dialect.columns.as_ref();
                 let layout = Layout::read(table.headings()?, told, &table.preview(), scene)?;
                 Ok((Reader::Parquet(table), layout))
             }

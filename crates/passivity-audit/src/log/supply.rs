@@ -22,7 +22,7 @@ use crate::ledger::{Ledger, Logged, Row, on_entry};
 use crate::log::computed::Accounted;
 use crate::number::{Reduced, Written};
 use crate::reading::Reading;
-use crate::span::Span;
+use crate::span::{Span, below_on_grid, outward};
 
 /// The two ends of what is known of a number.
 pub(crate) type Bounds = [Reduced; 2];
@@ -52,8 +52,18 @@ impl Contribution {
     pub(crate) fn of(ledger: &Ledger, interval: &Logged, row: &Accounted) -> Option<Self> {
         let row = match row {
             Accounted::Near(entry) => return contribution(ledger.near(), entry),
-            Accounted::Exact(row) => row,
+            Accounted::Exact(row) => return Self::of_exact(ledger, interval, row),
+            Accounted::Decided(row) => Self::of_exact(ledger, interval, row)?,
         };
+        Some(Self {
+            net: outward(row.net),
+            excess: outward(row.excess),
+            end: outward(row.end),
+            ..row
+        })
+    }
+
+    fn of_exact(ledger: &Ledger, interval: &Logged, row: &Row) -> Option<Self> {
         if let (Row::Fixed(entry), Some(ends)) = (row, ledger.fixed())
             && let Some(found) = contribution(ends, entry)
         {
@@ -198,6 +208,20 @@ impl Supply {
         self.excess = other.excess.or(self.excess.take());
     }
 
+    /// Σ at the least and at the most.
+    pub(crate) const fn sums(&self) -> &[RunningSum; 2] {
+        &self.sums
+    }
+
+    /// What was kept elsewhere, of a stretch that another follows.
+    pub(crate) const fn from_parts(sums: [RunningSum; 2], lowest: [Option<Lowest>; 2]) -> Self {
+        Self {
+            sums,
+            lowest,
+            excess: None,
+        }
+    }
+
     /// The least that T was: taken at the least, and at the most.
     pub(crate) const fn lowest(&self) -> [Option<&Lowest>; 2] {
         let [least, most] = &self.lowest;
@@ -236,6 +260,7 @@ pub(crate) fn observed(row: &Accounted) -> Option<Reduced> {
     match row {
         Accounted::Near(entry) => of(entry),
         Accounted::Exact(row) => on_entry!(row, entry => of(entry)),
+        Accounted::Decided(row) => on_entry!(row, entry => of(entry)).map(below_on_grid),
     }
 }
 

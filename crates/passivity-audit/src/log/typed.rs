@@ -207,6 +207,28 @@ fn values<T: DataType>(reader: &mut ColumnReaderImpl<T>, rows: usize) -> Column<
     Column { values, error }
 }
 
+/// Goes over `rows` values of a column.
+pub(crate) fn skip(reader: &mut ColumnReader, rows: usize) -> Result<(), TraceError> {
+    let skipped = match reader {
+        ColumnReader::BoolColumnReader(reader) => reader.skip_records(rows),
+        ColumnReader::Int32ColumnReader(reader) => reader.skip_records(rows),
+        ColumnReader::Int64ColumnReader(reader) => reader.skip_records(rows),
+        ColumnReader::Int96ColumnReader(reader) => reader.skip_records(rows),
+        ColumnReader::FloatColumnReader(reader) => reader.skip_records(rows),
+        ColumnReader::DoubleColumnReader(reader) => reader.skip_records(rows),
+        ColumnReader::ByteArrayColumnReader(reader) => reader.skip_records(rows),
+        ColumnReader::FixedLenByteArrayColumnReader(reader) => reader.skip_records(rows),
+    };
+    match skipped {
+        Ok(skipped) if skipped == rows => Ok(()),
+        Ok(skipped) => {
+            let message = format!("the column ends after {skipped} of {rows} rows");
+            Err(TraceError::new("parquet", message))
+        }
+        Err(error) => Err(broken(&error)),
+    }
+}
+
 /// The counts of a column.
 pub(crate) fn counts(meaning: Meaning, reader: &mut ColumnReader, rows: usize) -> Column<i64> {
     match (reader, meaning) {

@@ -7,6 +7,7 @@ use std::collections::VecDeque;
 
 use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
+use crate::log::exact::ExactSum;
 use crate::log::layout::Layout;
 use crate::log::report::Fitted;
 use crate::log::running::{near_number, near_reading};
@@ -25,15 +26,20 @@ pub(crate) struct Velocities {
     means: VecDeque<f64>,
     pub(crate) compared: u64,
     /// By lag, Σ v·w and Σ w², with w the mean velocity.
-    products: [[f64; 2]; LAGS + 1],
+    pub(crate) products: [[ExactSum; 2]; LAGS + 1],
     /// Σ v².
-    squares: f64,
+    pub(crate) squares: ExactSum,
 }
 
 impl Velocities {
-    /// Compares the velocities of a chunk, whose first interval lasts as long as its times say.
-    pub(crate) fn feed(&mut self, layout: &Layout, chunk: &Chunk) -> Result<(), TraceError> {
-        for (i, velocity) in chunk.velocities.iter().enumerate() {
+    /// Compares the velocities of the first `rows` samples of a chunk, whose first interval lasts as long as its times say.
+    pub(crate) fn feed(
+        &mut self,
+        layout: &Layout,
+        chunk: &Chunk,
+        rows: usize,
+    ) -> Result<(), TraceError> {
+        for (i, velocity) in chunk.velocities.iter().enumerate().take(rows) {
             let sample = chunk.samples.get(i).ok_or_else(undefined)?;
             let position = near_reading(&sample);
             let time = chunk.times.get(i).cloned();
@@ -54,27 +60,49 @@ impl Velocities {
                 continue;
             }
             for (mean, [mixed, own]) in self.means.iter().zip(&mut self.products) {
-                *mixed += velocity * mean;
-                *own += mean * mean;
+                mixed.add(velocity * mean);
+                own.add(mean * mean);
             }
-            self.squares += velocity * velocity;
+            self.squares.add(velocity * velocity);
             self.compared += 1;
         }
         Ok(())
     }
 
+    /// How many samples before one its velocity is compared by.
+    pub(crate) const HISTORY: usize = LAGS + 2;
+
+    /// Forgets what was found, not what came before the next velocity.
+    pub(crate) fn forget(&mut self) {
+        self.compared = 0;
+        self.products = Default::default();
+        self.squares = ExactSum::default();
+    }
+
+    /// Goes on with what was found of the velocities that follow.
+    pub(crate) fn append(&mut self, other: &Self) {
+        self.compared += other.compared;
+        self.squares.add_sum(&other.squares);
+        let products = self.products.iter_mut().flatten();
+        for (own, other) in products.zip(other.products.iter().flatten()) {
+            own.add_sum(other);
+        }
+    }
+
     /// The multiple of the mean velocities, at some lag, that the velocities come nearest to; `None` when
     /// nothing moved.
     pub(crate) fn fit(&self) -> Option<Fitted> {
+        let squares = self.squares.value();
         let fits = self
             .products
             .iter()
             .enumerate()
-            .filter_map(|(delay, [mixed, own])| {
+            .filter_map(|(delay, sums)| {
+                let [mixed, own] = sums.each_ref().map(ExactSum::value);
                 let scale = mixed / own;
                 // What is left of Σ v²; rounding may leave it a little below zero.
-                let left = (self.squares - scale * mixed).max(0.0);
-                let residual = (left / self.squares).sqrt();
+                let left = (squares - scale * mixed).max(0.0);
+                let residual = (left / squares).sqrt();
                 (scale.is_finite() && residual.is_finite()).then_some(Fitted {
                     delay,
                     scale,

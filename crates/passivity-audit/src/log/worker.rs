@@ -40,7 +40,36 @@ pub(crate) struct Task<'a> {
     pub(crate) told: bool,
 }
 
-impl Task<'_> {
+impl<'a> Task<'a> {
+    /// The account of the forces in the trace where it has any, and of the scene's law else or where
+    /// that is asked for.
+    pub(crate) fn new(ledger: &'a Ledger, layout: &'a Layout, law: bool) -> Self {
+        let applied = layout.force.is_some() && !law;
+        Self {
+            ledger,
+            layout,
+            rows: None,
+            points: false,
+            applied,
+            running: applied || ledger.has_memory(),
+            compares: true,
+            files: &[],
+            told: false,
+        }
+    }
+
+    /// Beside the account of the forces in the trace, that of the wall's own law.
+    pub(crate) fn by_law(&self) -> Self {
+        Task {
+            rows: None,
+            points: false,
+            applied: false,
+            running: self.ledger.has_memory(),
+            compares: false,
+            ..self.clone()
+        }
+    }
+
     /// How many samples before an interval's own a chunk must have for it to be accounted for.
     pub(crate) fn lead(&self) -> usize {
         self.ledger.window() - 1 + usize::from(self.running)
@@ -67,7 +96,27 @@ impl Worker {
     ///
     /// On a mistake the chunk is cut before it.
     pub(crate) fn account(&mut self, task: &Task<'_>, chunk: &mut Chunk, from: usize) -> Account {
-        let mut account = Account::default();
+        let last = chunk.samples.len().saturating_sub(1).max(from);
+        // Apart from the exact rows, whose sums have long denominators, the others are summed up fast.
+        let exact = EXACT_ROWS.saturating_sub(chunk.place.before);
+        let exact = exact.clamp(from, last);
+        let (mut account, goes_on) = self.between(task, chunk, [from, exact], Account::default());
+        if goes_on && exact < last {
+            let mut rest = Account::default();
+            rest.supply = Supply::after(account.supply.excess.clone());
+            account.append(self.between(task, chunk, [exact, last], rest).0);
+        }
+        account
+    }
+
+    /// The account of the intervals between two samples, and whether all of them are accounted for.
+    fn between(
+        &mut self,
+        task: &Task<'_>,
+        chunk: &mut Chunk,
+        [from, until]: [usize; 2],
+        mut account: Account,
+    ) -> (Account, bool) {
         if let Some(denominator) = self.denominator {
             // A course that has the denominator from the start need not change it. That of another
             // course always fits in an empty one.
@@ -76,6 +125,7 @@ impl Worker {
         let mut walk = Walk {
             task,
             from,
+            until,
             before: chunk.place.before,
             stride: (chunk.samples.len() / POINTS).max(1),
             timed: !chunk.times.is_empty() || !chunk.dtaus.is_empty(),
@@ -83,14 +133,17 @@ impl Worker {
             at: from,
             key: Vec::new(),
         };
+        let mut goes_on = true;
         if let Err(error) = walk.run(&mut self.table, chunk, &mut account) {
             chunk.cut(walk.at, error);
+            goes_on = false;
         }
         if let Err(error) = walk.settle(&mut self.table, chunk, &mut account) {
             chunk.cut(walk.at, error);
+            goes_on = false;
         }
         self.denominator = account.net.denominator();
-        account
+        (account, goes_on)
     }
 }
 
@@ -98,6 +151,8 @@ impl Worker {
 struct Walk<'a> {
     task: &'a Task<'a>,
     from: usize,
+    /// The sample at which it ends.
+    until: usize,
     /// How many samples came before the chunk, at least.
     before: usize,
     /// How many intervals there are from one point of the plot to the next.
@@ -117,12 +172,14 @@ impl Walk<'_> {
         chunk: &Chunk,
         account: &mut Account,
     ) -> Result<(), TraceError> {
-        let last = chunk.samples.len().saturating_sub(1);
-        if account.supply.excess.is_none() && self.task.running && self.from > 0 && self.from < last
+        if account.supply.excess.is_none()
+            && self.task.running
+            && self.from > 0
+            && self.from < self.until
         {
             account.supply.excess = Some(self.excess_before(chunk)?);
         }
-        while self.at < last {
+        while self.at < self.until {
             if self.quick(table, chunk, account) {
                 if self.timed {
                     account.timing.add(&UNIT, account.intervals);
@@ -177,7 +234,7 @@ impl Walk<'_> {
             let times = chunk.times.get(self.at..).unwrap_or_default();
             self.even = self.at + task.layout.even(times);
         }
-        let counts = counts.get(..=self.even).unwrap_or(counts);
+        let counts = counts.get(..=self.even.min(self.until)).unwrap_or(counts);
         let stride = task.points.then_some((self.stride, self.from));
         let came = table.quick(counts, self.at, stride, account);
         let any = came > self.at;
@@ -195,7 +252,7 @@ impl Walk<'_> {
         let mut batch = Batch::default();
         batch.supply = Supply::after(account.supply.excess.clone());
         let mut came = Ok(());
-        while self.at + 1 < chunk.samples.len() {
+        while self.at < self.until {
             let dtau = match duration(task.layout, chunk, self.at) {
                 Ok(dtau) => dtau,
                 Err(error) => {
@@ -360,8 +417,7 @@ impl Walk<'_> {
             noted.ok_or_else(undefined)
         })?;
         if account.intervals > 0 {
-            let last = task.logged(chunk, self.at - 1)?;
-            account.last = Some(task.ledger.row(&last).ok_or_else(undefined)?);
+            account.last = Some(task.logged(chunk, self.at - 1)?);
         }
         Ok(())
     }

@@ -5,12 +5,14 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use passivity_audit::{
-    Audit, Columns, Dialect, Options, Proposal, TraceError, Verdict, audit_files,
+    Audit, Columns, Dialect, Options, Partial, Proposal, Stretch, TraceError, Verdict, audit_files,
+    audit_part, merge_parts,
 };
 #[cfg(feature = "plot")]
 use passivity_plot::energy::{Point, draw};
 #[cfg(feature = "plot")]
 use passivity_plot::save;
+use passivity_scene::Scene;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, may_be_written, read_scene, tell};
@@ -31,6 +33,9 @@ use crate::output::{Format, emit, emit_json, may_be_written, read_scene, tell};
   passivity audit log.parquet --scene scene.toml --format json --out rows.csv --plot energy.svg
   passivity audit log.csv.gz --scene scene.toml --delimiter ';' --decimal-comma \\
       --columns 't=timestep [us], x=encoder_paddle_pos [deg], f=motor_torque [N.m]'
+  for i in 1 2 3 4; do passivity audit log.csv --scene scene.toml \\
+      --shard $i/4 --partial part-$i.json; done     # each on another machine, if you like
+  passivity audit --merge part-*.json --scene scene.toml
 
 How the trace is judged: if the force is that of the wall's law without delay or damping, every
 interval must generate no more energy than friction surely dissipated. Otherwise the operator must
@@ -42,7 +47,11 @@ covers.")]
 pub(crate) struct Args {
     /// The trace; several files with the same header are one trace, in this order. `-` reads CSV from
     /// standard input.
-    #[arg(value_name = "TRACE", required = true)]
+    #[arg(
+        value_name = "TRACE",
+        required_unless_present = "merge",
+        conflicts_with = "merge"
+    )]
     traces: Vec<PathBuf>,
     /// The scene in which it was recorded.
     #[arg(long, value_name = "FILE")]
@@ -74,6 +83,24 @@ pub(crate) struct Args {
     /// The number of processor cores to use; 0 for all.
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=1024))]
     threads: u16,
+    /// Write the exact account of a piece of the trace to this file, as JSON for --merge, and no report.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "plot", "certificate"])]
+    partial: Option<PathBuf>,
+    /// Account only for the intervals from sample A to sample B, counted from 0; without B to the end. Pieces
+    /// that follow each other share a sample: 0:1000, 1000:2000, 2000:.
+    #[arg(
+        long,
+        value_name = "A:B",
+        requires = "partial",
+        conflicts_with = "shard"
+    )]
+    range: Option<Stretch>,
+    /// Account only for one piece of the trace: `3/8` is the third of eight, as even as the file allows.
+    #[arg(long, value_name = "I/N", requires = "partial", value_parser = Stretch::parse_shard)]
+    shard: Option<Stretch>,
+    /// Report on the whole trace from the partial accounts of all its pieces: the same report as in one run.
+    #[arg(long, value_name = "PART", num_args = 1.., conflicts_with_all = ["partial", "range", "shard", "columns", "delimiter", "decimal_comma", "out", "plot", "law", "threads"])]
+    merge: Vec<PathBuf>,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -95,14 +122,21 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let inputs: Vec<&Path> = args
         .traces
         .iter()
+        .chain(&args.merge)
         .chain([&args.scene])
         .map(PathBuf::as_path)
         .collect();
-    for output in [&args.out, &args.plot, &args.certificate]
+    for output in [&args.out, &args.plot, &args.certificate, &args.partial]
         .into_iter()
         .flatten()
     {
         may_be_written(output, &inputs, "audit")?;
+    }
+    if let Some(path) = &args.partial {
+        return piece(args, &scene, path);
+    }
+    if !args.merge.is_empty() {
+        return reported(args, &merged(args, &scene)?);
     }
     let mut rows = match &args.out {
         Some(path) => Some(BufWriter::new(
@@ -113,14 +147,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let options = Options {
         rows: rows.as_mut().map(|rows| rows as &mut dyn Write),
         points: args.plot.is_some(),
-        law: args.law,
-        threads: usize::from(args.threads),
-        block: 0,
-        dialect: Dialect {
-            columns: args.columns.clone(),
-            delimiter: args.delimiter,
-            decimal_comma: args.decimal_comma,
-        },
+        ..options(args)
     };
     let traces = traces(args);
     let report = audit_files(&args.traces, &scene, options)
@@ -132,8 +159,75 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         let picture = draw(&title, &course).map_err(Failure::input)?;
         save(&picture, path).map_err(Failure::input)?;
     }
+    reported(args, &report)
+}
+
+/// How the trace is read.
+fn options<'a>(args: &Args) -> Options<'a> {
+    Options {
+        law: args.law,
+        threads: usize::from(args.threads),
+        dialect: Dialect {
+            columns: args.columns.clone(),
+            delimiter: args.delimiter,
+            decimal_comma: args.decimal_comma,
+        },
+        ..Options::default()
+    }
+}
+
+/// Writes the account of a piece.
+fn piece(args: &Args, scene: &Scene, path: &Path) -> Result<Exit, Failure> {
+    let [trace] = args.traces.as_slice() else {
+        return Err(Failure::input("--partial is of a trace in one file"));
+    };
+    let whole = Stretch::Samples(0, None);
+    let stretch = args.range.or(args.shard).unwrap_or(whole);
+    let named = traces(args);
+    let part = audit_part(trace, scene, stretch, options(args))
+        .map_err(|error| Failure::input(refusal(args, &named, &error)))?;
+    let text = part.to_json().map_err(Failure::input)?;
+    // A file that is there is whole.
+    let failed = |error: std::io::Error| Failure::io(path.display(), &error);
+    let mut beside = path.as_os_str().to_owned();
+    beside.push(".tmp");
+    let mut file = File::create(&beside).map_err(failed)?;
+    file.write_all(text.as_bytes())
+        .and_then(|()| file.write_all(b"\n"))
+        .and_then(|()| file.sync_all())
+        .and_then(|()| std::fs::rename(&beside, path))
+        .map_err(failed)?;
+    match args.format {
+        Format::Text => emit(&format!(
+            "{}: {} intervals of {named}",
+            path.display(),
+            part.intervals()
+        ))?,
+        Format::Json => emit_json(
+            &serde_json::json!({"partial": path.display().to_string(), "intervals": part.intervals()}),
+        )?,
+    }
+    Ok(Exit::Holds)
+}
+
+/// The report of the whole trace.
+fn merged(args: &Args, scene: &Scene) -> Result<Audit, Failure> {
+    let mut parts = Vec::new();
+    for path in &args.merge {
+        let name = path.display().to_string();
+        let text = std::fs::read_to_string(path).map_err(|error| Failure::io(&name, &error))?;
+        let part = Partial::from_json(&text);
+        let part = part.map_err(|error| Failure::input(format!("{name}: {error}")))?;
+        parts.push((name, part));
+    }
+    merge_parts(&parts, scene).map_err(Failure::input)
+}
+
+/// Reports.
+fn reported(args: &Args, report: &Audit) -> Result<Exit, Failure> {
+    let traces = traces(args);
     if let Some(path) = &args.certificate {
-        certify(&report, path)?;
+        certify(report, path)?;
     }
     match args.format {
         Format::Text => emit(&report.to_text())?,
@@ -141,8 +235,8 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     }
     if let Some(error) = report.error() {
         tell(&match error.file {
-            Some(_) => format!("error: {error}"),
-            None => format!("error: {traces}: {error}"),
+            None if !traces.is_empty() => format!("error: {traces}: {error}"),
+            _ => format!("error: {error}"),
         });
     }
     Ok(match report.verdict() {

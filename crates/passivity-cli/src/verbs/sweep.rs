@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use passivity_scene::{Axis, Point, Scene};
-use passivity_sim::report::Sweep;
-use passivity_sim::sweep::{Grid, Range, Row, open, run as sweep};
+use passivity_scene::Point;
+use passivity_sim::report::{Outcomes, Sweep};
+use passivity_sim::sweep::{Asked, Grid, Row, Shard, merge, open, open_shard, run_range};
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, may_be_written, read_scene};
@@ -23,6 +23,10 @@ use crate::progress::Progress;
       --out fig5.csv --plot fig5.png
   passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 --speed 1/2,1,2,5 \\
       --out fig5.csv --resume
+  for i in 1 2 3 4; do passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 \\
+      --shard $i/4 --out part-$i.parquet; done     # each on another machine, if you like
+  passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 \\
+      --merge part-*.parquet --out fig5.parquet
   passivity sweep scenes/re35-limit-cycles.toml --vary 'stiffness=0.05:0.5:31 N m/rad' \\
       --vary 'viscous=0:2e-5:31 N m s/rad' --vary 'velocity=1,5 rad/s' --out grid.csv --plot grid.png")]
 pub(crate) struct Args {
@@ -60,6 +64,12 @@ pub(crate) struct Args {
     /// Continue the interrupted sweep whose results are in the file of --out.
     #[arg(long, requires = "out")]
     resume: bool,
+    /// Simulate one piece of the grid only: `3/8` is the third of eight, as even as they can be.
+    #[arg(long, value_name = "I/N", requires = "out", conflicts_with = "plot", value_parser = Shard::parse)]
+    shard: Option<Shard>,
+    /// Simulate nothing: write the files of all shards of this sweep as one, the same as that of one run.
+    #[arg(long, value_name = "PART", num_args = 1.., requires = "out", conflicts_with_all = ["shard", "resume"])]
+    merge: Vec<PathBuf>,
     /// Draw the outcomes into this file, as SVG or PNG according to its extension.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
@@ -79,48 +89,29 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     if let Some(intervals) = args.intervals {
         point.intervals = intervals;
     }
-    let grid = grid(args, &scene, &point)?;
-    let mut rows: Vec<Option<Row>> = vec![None; grid.len()];
-    let mut file = None;
-    let mut before = 0;
-    if let Some(path) = &args.out {
-        let opened = open(path, &point, &grid, args.resume).map_err(Failure::input)?;
-        before = opened.found.len();
-        for (index, row) in opened.found {
-            rows[index] = Some(row);
-        }
-        file = Some(opened.rows);
-    }
-    let mut bar = Progress::new(grid.len() as u64, "points");
-    bar.start_at(before as u64);
-    let begin = Instant::now();
-    let done: Vec<bool> = rows.iter().map(Option::is_some).collect();
-    let swept = sweep(&point, &grid, &done, |index, row| {
-        rows[index] = Some(row);
-        bar.advance(1);
-        match &mut file {
-            Some(file) => file.add(&grid, index, &row),
-            None => Ok(()),
-        }
-    });
-    let seconds = begin.elapsed().as_secs_f64();
-    drop(bar);
-    let written = match (swept, file) {
-        (Ok(()), Some(file)) => file.finish(&grid, &rows),
-        (result, _) => result,
+    let asked = Asked {
+        beta: args.beta.as_deref(),
+        sigma: args.sigma.as_deref(),
+        speed: args.speed.as_deref(),
+        vary: &args.vary,
     };
-    written.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
+    let grid = asked.grid(&scene, &point).map_err(Failure::input)?;
+    let begin = Instant::now();
+    let swept = match args.merge.is_empty() {
+        true => simulated(args, &point, &grid)?,
+        false => merged(args, &point, &grid)?,
+    };
+    let seconds = begin.elapsed().as_secs_f64();
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
-        let picture = picture::draw(&scene, &point, &grid, &rows);
+        let picture = picture::draw(&scene, &point, &grid, &swept.rows);
         passivity_plot::save(&picture, path).map_err(Failure::input)?;
     }
-    let simulated = grid.len() - before;
     let report = Sweep::new(
         &scene.name,
-        &grid,
-        &rows,
-        simulated,
+        swept.points,
+        swept.outcomes,
+        swept.simulated,
         point.intervals,
         seconds,
     );
@@ -131,57 +122,88 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     Ok(Exit::Holds)
 }
 
-/// The grid that was asked for.
-fn grid(args: &Args, scene: &Scene, point: &Point) -> Result<Grid, Failure> {
-    let range = |text: &str| Range::parse(text).map_err(Failure::input);
-    if let (Some(beta), Some(sigma)) = (&args.beta, &args.sigma) {
-        let speed = match &args.speed {
-            Some(text) => range(text)?,
-            None => {
-                let [_, velocity] = point.start();
-                Range {
-                    values: vec![velocity],
-                }
-            }
-        };
-        return Grid::new(range(beta)?, range(sigma)?, speed).map_err(Failure::input);
-    }
-    let varied = args.vary.iter().map(|text| varied(text, scene));
-    let varied = varied.collect::<Result<Vec<_>, _>>()?;
-    Grid::of_parameters(varied).map_err(|error| Failure::input(format!("--vary {error}")))
+/// What a sweep gave.
+struct Swept {
+    outcomes: Outcomes,
+    points: usize,
+    /// How many of them were simulated now.
+    simulated: usize,
+    /// For a picture; of a merge only where one is asked for.
+    #[cfg_attr(
+        not(feature = "plot"),
+        expect(dead_code, reason = "there are no pictures")
+    )]
+    rows: Vec<Option<Row>>,
 }
 
-/// Reads `stiffness=0.1:2:41 N m/rad`.
-fn varied(text: &str, scene: &Scene) -> Result<(Axis, Range), Failure> {
-    let fail = |what: String| Failure::input(format!("--vary `{text}`: {what}"));
-    let Some((key, rest)) = text.split_once('=') else {
-        let expected = "expected a key, a range and a unit, as in stiffness=0.1:2:41 N m/rad";
-        return Err(fail(expected.to_owned()));
-    };
-    let (key, rest) = (key.trim(), rest.trim());
-    // The unit begins with the first letter after a space: a number has none there.
-    let is_unit = |(at, _): &(usize, char)| {
-        let first = rest.get(at + 1..).and_then(|unit| unit.chars().next());
-        first.is_some_and(|c| c.is_alphabetic() || "°µ(/".contains(c))
-    };
-    let space = rest.char_indices().filter(|(_, c)| *c == ' ').find(is_unit);
-    let (range, unit) = match space {
-        Some((at, _)) => rest.split_at(at),
-        None => (rest, ""),
-    };
-    let named = match unit.trim() {
-        "" => key.to_owned(),
-        unit => format!("{key} [{unit}]"),
-    };
-    let axis = Axis::parse(&named, scene).map_err(|error| fail(error.to_string()))?;
-    if unit.is_empty() && !axis.unit().is_empty() {
-        return Err(fail(format!(
-            "expected a unit after the range, as in {range} {}",
-            axis.unit()
-        )));
+/// Simulates the points that are asked for and not in the file yet.
+fn simulated(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> {
+    let shard = args.shard.unwrap_or(Shard::WHOLE);
+    let range = grid.points(shard).map_err(Failure::input)?;
+    let mut rows: Vec<Option<Row>> = vec![None; range.len()];
+    let mut file = None;
+    let mut before = 0;
+    if let Some(path) = &args.out {
+        let opened = match args.shard {
+            Some(shard) => open_shard(path, point, grid, shard, args.resume),
+            None => open(path, point, grid, args.resume),
+        };
+        let opened = opened.map_err(Failure::input)?;
+        before = opened.found.len();
+        for (index, row) in opened.found {
+            rows[index - range.start] = Some(row);
+        }
+        file = Some(opened.rows);
     }
-    let range = Range::parse(range).map_err(|error| fail(error.to_string()))?;
-    Ok((axis, range))
+    let mut bar = Progress::new(range.len() as u64, "points");
+    bar.start_at(before as u64);
+    let done: Vec<bool> = rows.iter().map(Option::is_some).collect();
+    let swept = run_range(point, grid, range.clone(), &done, 0, |index, row| {
+        rows[index - range.start] = Some(row);
+        bar.advance(1);
+        match &mut file {
+            Some(file) => file.add(grid, index, &row),
+            None => Ok(()),
+        }
+    });
+    drop(bar);
+    let written = match (swept, file) {
+        (Ok(()), Some(file)) => file.finish(grid, &rows),
+        (result, _) => result,
+    };
+    written.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
+    Ok(Swept {
+        outcomes: Outcomes::of(rows.iter().flatten()),
+        points: range.len(),
+        simulated: range.len() - before,
+        rows,
+    })
+}
+
+/// Writes all shards as one file.
+fn merged(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> {
+    let Some(out) = &args.out else {
+        return Err(Failure::input("--merge needs --out"));
+    };
+    let mut outcomes = Outcomes::default();
+    let mut rows = Vec::new();
+    if args.plot.is_some() {
+        let all = grid.points(Shard::WHOLE).map_err(Failure::input)?;
+        rows = vec![None; all.len()];
+    }
+    let done = merge(&args.merge, out, point, grid, |index, row| {
+        outcomes.count(row);
+        if let Some(slot) = rows.get_mut(index) {
+            *slot = Some(*row);
+        }
+    });
+    done.map_err(Failure::input)?;
+    Ok(Swept {
+        outcomes,
+        points: grid.len(),
+        simulated: 0,
+        rows,
+    })
 }
 
 /// The picture of a sweep.

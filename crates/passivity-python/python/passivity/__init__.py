@@ -1,50 +1,125 @@
 """Exact energy accounting of haptic devices that render virtual walls.
 
 >>> import passivity
->>> passivity.check({"dimensionless": {"beta": "3/5", "sigma": "3/5"}})["verdict"]
+>>> scene = {"dimensionless": {"mu": "50", "beta": "3/5", "sigma": "3/5"}}
+>>> passivity.check(scene).verdict
 'passive'
 >>> passivity.interval("1", "1/2", beta="3/5", sigma="3/5")["generated_quantized"]
 '1/2'
+>>> passivity.audit([0, 1, 3, 2], scene).verdict
+'holds'
 
 Exact numbers are strings such as ``"3/8"``; ``fractions.Fraction`` reads them. A scene is the path
-of a scene file, or a mapping with its sections and keys.
+of a scene file, its text, or a mapping with its sections and keys. Every call can be interrupted, and lets
+other threads run.
 """
 
 from __future__ import annotations
 
 import json as _json
 import os as _os
-import sys as _sys
-from array import array as _array
+import tempfile as _tempfile
 from collections.abc import Mapping as _Mapping
 from decimal import Decimal as _Decimal
 from fractions import Fraction as _Fraction
+from numbers import Integral as _Integral
+from numbers import Real as _Real
 
-from . import _passivity
-from ._passivity import __version__
+from . import _arrays, _passivity
+from ._passivity import SceneError, SimulationError, TraceError, __version__
+from .results import AuditReport, Record, Simulation, SweepResult, Verdict
+from .results import doubles as _doubles
 
-__all__ = ["Simulation", "__version__", "audit", "check", "interval", "simulate"]
+__all__ = [
+    "AuditReport",
+    "Record",
+    "SceneError",
+    "Simulation",
+    "SimulationError",
+    "SweepResult",
+    "TraceError",
+    "Verdict",
+    "__version__",
+    "audit",
+    "check",
+    "interval",
+    "simulate",
+    "sweep",
+]
 
 
 def _exact(value):
-    """Fractions and decimals as the text that spells them."""
+    """Fractions, decimals and NumPy's numbers as what spells them."""
     if isinstance(value, (_Fraction, _Decimal)):
         return str(value)
+    if isinstance(value, _Integral):
+        return int(value)
+    if isinstance(value, _Real):
+        return float(value)
     raise TypeError(f"a scene cannot hold {type(value).__name__}")
 
 
 def _scene(scene):
     if isinstance(scene, _Mapping):
-        return {"object": _json.dumps(dict(scene), default=_exact, allow_nan=False)}
-    return {"path": _os.fspath(scene)}
+        return "object", _json.dumps(dict(scene), default=_exact, allow_nan=False)
+    if isinstance(scene, str) and "\n" in scene:
+        return "text", scene
+    return "path", _os.fspath(scene)
+
+
+def _reading(columns, delimiter, decimal_comma, law, threads):
+    if isinstance(columns, _Mapping):
+        columns = ", ".join(f"{role}={name}" for role, name in columns.items())
+    return {
+        "columns": columns,
+        "delimiter": delimiter,
+        "decimal_comma": decimal_comma,
+        "law": law,
+        "threads": threads,
+    }
+
+
+def _range(values):
+    """A range as text: `0:1:41` as it is, or a list of numbers."""
+    if values is None or isinstance(values, str):
+        return values
+    if isinstance(values, (_Real, _Decimal)):
+        values = [values]
+    return ",".join(x if isinstance(x, str) else str(_exact(x)) for x in values)
+
+
+def _ranges(beta=None, sigma=None, speed=None, vary=None, intervals=None):
+    """A grid as the native functions take it."""
+    return {
+        "beta": _range(beta),
+        "sigma": _range(sigma),
+        "speed": _range(speed),
+        "vary": [f"{key}={_range(values)}" for key, values in (vary or {}).items()],
+        "intervals": intervals,
+    }
+
+
+def _told(progress, total):
+    """What is called with how much is done, of how much in all."""
+    return None if progress is None else lambda done: progress(done, total)
 
 
 def check(scene):
     """The verdict on a scene: the fields of ``passivity check --format json``.
 
-    Raises ``ValueError`` with the place and what was expected when the scene cannot be read.
+    >>> verdict = check({"dimensionless": {"beta": "2/5", "sigma": "2/5"}})
+    >>> verdict.verdict, verdict["spare"].viscous.lo
+    ('not_passive', '-1/10')
+
+    Raises :class:`SceneError` with the place and what was expected when the scene cannot be read:
+
+    >>> try:
+    ...     check('[sampling]\\nperiod = "1 m"\\n[wall]\\nstiffness = "1 N/m"\\n')
+    ... except SceneError as error:
+    ...     print(error.line, error.key)
+    2 sampling.period
     """
-    return _json.loads(_passivity.check(**_scene(scene)))
+    return Verdict.from_json(_passivity.check(_scene(scene)))
 
 
 def interval(xi0, xi1, *, beta, sigma, dtau=1):
@@ -52,6 +127,9 @@ def interval(xi0, xi1, *, beta, sigma, dtau=1):
 
     Numbers are ints, ``Fraction``, ``Decimal``, strings such as ``"3/8"``, or floats, each of which
     is the dyadic rational that it is. Raises ``ValueError`` for what is no number.
+
+    >>> interval(1, 0.5, beta=1, sigma=1).generated_linear
+    '3/8'
     """
     request = {"op": "interval", "xi0": xi0, "xi1": xi1, "beta": beta, "sigma": sigma, "dtau": dtau}
     for name, value in request.items():
@@ -60,98 +138,157 @@ def interval(xi0, xi1, *, beta, sigma, dtau=1):
                 raise ValueError(f"{name}: {value} is not a number that a quantity can have")
             value = _Fraction(value)
         request[name] = value if isinstance(value, str) else str(value)
-    answer = _json.loads(_passivity.answer(_json.dumps(request).encode()))
+    answer = _json.loads(_passivity.answer(_json.dumps(request).encode()), object_hook=Record)
     if "error" in answer:
         raise ValueError(f"{answer['error']['at']}: {answer['error']['message']}")
     return answer["result"]
 
 
-def audit(trace, scene, *, unit=None, t=None, t_unit="s", out=None, threads=0):
+def audit(
+    trace,
+    scene,
+    *,
+    unit=None,
+    t=None,
+    t_unit="s",
+    f=None,
+    f_unit=None,
+    columns=None,
+    delimiter=None,
+    decimal_comma=False,
+    law=False,
+    out=None,
+    threads=0,
+    progress=None,
+):
     """The exact account of a trace: the fields of ``passivity audit --format json``.
 
-    ``trace`` is the path of a CSV or Parquet file, or a one-dimensional array (NumPy or any other
-    with the buffer protocol, or a sequence): integers are encoder counts, floats positions in ticks,
-    or in ``unit`` when one is given. ``t`` are the times of the samples, in ``t_unit``; in sampling
-    periods with ``t_unit=None``. ``out`` is a file for the rows, as CSV.
+    ``trace`` is the path of a CSV or Parquet file, a list of paths whose files are one trace, or a column of
+    positions: a list, or an array of NumPy, pandas, Polars, Arrow or anything with the buffer protocol.
+    Integers are encoder counts, floats positions in ticks, or in ``unit`` when one is given. ``t`` are the
+    times of the samples, in ``t_unit``; in sampling periods with ``t_unit=None``. ``f`` are the forces that
+    were commanded at the samples, in ``f_unit``; in KΔ with ``f_unit=None``. ``columns`` says which columns
+    of a file are read, as ``--columns`` does: ``"t=time [us], x=position [deg]"`` or a mapping. ``law``
+    selects the force of the scene's law where there are others. ``out`` is a file for the rows, as CSV.
+    ``progress`` is called with how many samples were read, and ``None`` for how many there are.
 
-    Raises ``ValueError`` for a header, unit or array that cannot be read. A mistake further on is
+    >>> scene = {"dimensionless": {"beta": "3/5", "sigma": "3/5"}}
+    >>> report = audit([0.0, 0.5, -0.25], scene, t=[0, 1, 2.5], t_unit=None)
+    >>> report.intervals, report.timing.late
+    (2, 1)
+
+    Raises :class:`TraceError` for a header, unit or array that cannot be read. A mistake further on is
     in the report: ``report["error"]`` says where, and the account is of what came before.
     """
-    where = {**_scene(scene), "out": None if out is None else _os.fspath(out), "threads": threads}
-    if isinstance(trace, (str, _os.PathLike)):
-        if unit is not None or t is not None:
-            raise ValueError("a file has its units and times in its own columns")
-        return _json.loads(_passivity.audit_file(_os.fspath(trace), **where))
-    data, whole = _words(trace, "trace")
+    reading = _reading(columns, delimiter, decimal_comma, law, threads)
+    where = _scene(scene), reading, None if out is None else _os.fspath(out), _told(progress, None)
+    paths = _paths(trace)
+    if paths is not None:
+        if not (unit is None and t is None and f is None and f_unit is None):
+            raise ValueError("a file has its units, times and forces in its own columns")
+        return _report(_passivity.audit_file(paths, *where))
+    data, whole = _arrays.numbers(trace, "trace")
     if whole and unit is not None:
         raise ValueError("counts have no unit")
-    column = "count" if whole else ("xi" if unit is None else f"x [{unit}]")
-    times = None
+    table = [("count" if whole else ("xi" if unit is None else f"x [{unit}]"), data)]
     if t is not None:
-        text, whole_times = _words(t, "t")
-        if whole_times:
-            text = _array("d", _array("q", text)).tobytes()
-        times = ("tau" if t_unit is None else f"t [{t_unit}]", text)
-    return _json.loads(_passivity.audit_arrays(column, data, times, **where))
+        table.append(("tau" if t_unit is None else f"t [{t_unit}]", _arrays.numbers(t, "t")[0]))
+    if f is not None:
+        table.append(("f" if f_unit is None else f"f [{f_unit}]", _arrays.numbers(f, "f")[0]))
+    elif f_unit is not None:
+        raise ValueError("f_unit is the unit of f, and there is none")
+    return _report(_passivity.audit_arrays(table, *where))
 
 
-def _words(values, name):
-    """The bytes of a one-dimensional array as 64-bit integers or doubles, and which it is."""
-    try:
-        view = memoryview(values)
-    except TypeError:
-        values = list(values)
-        whole = all(isinstance(x, int) and not isinstance(x, bool) for x in values)
-        try:
-            return _array("q" if whole else "d", values).tobytes(), whole
-        except (OverflowError, TypeError) as error:
-            raise ValueError(f"{name}: {error}") from None
-    if view.ndim != 1:
-        raise ValueError(f"{name}: expected one dimension, found {view.ndim}")
-    order = {"<": "little", ">": "big", "!": "big"}.get(view.format[0], _sys.byteorder)
-    kind = view.format.lstrip("@=<>!")
-    if order != _sys.byteorder:
-        raise ValueError(f"{name}: expected the byte order of this machine")
-    if kind in ("q", "l") and view.itemsize == 8:
-        return view.tobytes(), True
-    if kind in "bBhHiIlLqQ" and kind:
-        try:
-            return _array("q", view.tolist()).tobytes(), True
-        except OverflowError as error:
-            raise ValueError(f"{name}: {error}") from None
-    if kind == "d":
-        return view.tobytes(), False
-    if kind in ("f", "e"):
-        return _array("d", view.tolist()).tobytes(), False
-    raise ValueError(f"{name}: expected numbers, found the format {view.format!r}")
+def _paths(trace):
+    if isinstance(trace, (str, _os.PathLike)):
+        return [_os.fspath(trace)]
+    if isinstance(trace, (list, tuple)) and trace and all(isinstance(x, (str, _os.PathLike)) for x in trace):
+        names = [_os.fspath(x) for x in trace]
+        if all(_os.path.exists(name) for name in names):
+            return names
+    return None
 
 
-class Simulation(dict):
-    """A simulation's report, with its columns as ``columns``."""
+def _report(answer):
+    text, certificate = answer
+    report = AuditReport.from_json(text)
+    report.certificate = None if certificate is None else Record.from_json(certificate)
+    return report
 
-    columns: dict
 
-
-def simulate(scene, *, method="closed-form", intervals=None, trace=True):
+def simulate(
+    scene, *, method="closed-form", intervals=None, speed=None, trace=True, progress=None
+):
     """The motion of a scene: the fields of ``passivity simulate --format json``.
 
     With ``trace``, ``result.columns`` maps ``xi0``, ``xi1``, ``v0``, ``v1``, ``generated_linear``,
     ``generated_quantized`` and ``dissipated`` to arrays of doubles, one value per interval: NumPy
-    arrays when NumPy is there, else ``array.array``.
+    arrays when NumPy is there, else ``array.array``. ``speed`` is the speed at the start in place of the
+    scene's: a number in ticks per sample, or a text with a unit. ``progress`` is called with how many
+    intervals were simulated and how many are asked for, or ``None`` where the scene says.
+
+    >>> scene = {"dimensionless": {"mu": 50, "beta": "3/5", "sigma": "3/5"}, "run": {"intervals": 2000}}
+    >>> result = simulate(scene, speed=4)
+    >>> result.outcome.exact, len(result.columns["xi0"]) == result.intervals
+    ('at_rest', True)
     """
     report, columns = _passivity.simulate(
-        **_scene(scene), method=method, intervals=intervals, trace=trace
+        _scene(scene),
+        method,
+        intervals,
+        None if speed is None else str(_exact(speed) if not isinstance(speed, str) else speed),
+        trace,
+        _told(progress, intervals),
     )
-    result = Simulation(_json.loads(report))
+    result = Simulation.from_json(report)
     result.columns = {name: _doubles(data) for name, data in columns}
     return result
 
 
-def _doubles(data):
-    try:
-        import numpy
-    except ImportError:
-        values = _array("d")
-        values.frombytes(bytes(data))
-        return values
-    return numpy.frombuffer(bytes(data), dtype=numpy.float64)
+def sweep(
+    scene,
+    *,
+    beta=None,
+    sigma=None,
+    speed=None,
+    vary=None,
+    intervals=None,
+    out=None,
+    resume=False,
+    threads=0,
+    progress=None,
+):
+    """The outcome of every point of a grid: the fields of ``passivity sweep --format json``.
+
+    The grid is of ``beta``, ``sigma`` and perhaps ``speed``, each a range ``"0:1:41"`` (both ends included) or
+    numbers, or of two or three parameters of the scene: ``vary={"stiffness": "0.1:2:41 N m/rad", …}``. The
+    points go to ``out``, as CSV or, where the name ends in ``.parquet``, as Parquet; with ``resume`` an
+    interrupted sweep goes on there. ``progress`` is called with how many points are done, of how many.
+
+    >>> scene = {"dimensionless": {"mu": 50, "beta": 1, "sigma": 1}, "run": {"intervals": 1000}}
+    >>> result = sweep(scene, beta="0:1:3", sigma=["1/4", 1], speed=[5])
+    >>> result.points, result.columns["exact"][-1]
+    (6, 'at_rest')
+    """
+    ranges = _ranges(beta, sigma, speed, vary, intervals)
+    where = _scene(scene)
+    points, axes, _ = _passivity.grid(where, ranges)
+    told = _told(progress, points)
+    if out is not None:
+        path = _os.fspath(out)
+        report = _passivity.sweep(where, ranges, path, None, resume, threads, told)
+        return _swept(report, axes, path)
+    if resume:
+        raise ValueError("resume goes on with the file of `out`, and there is none")
+    with _tempfile.TemporaryDirectory() as folder:
+        path = _os.path.join(folder, "grid.csv")
+        result = _swept(_passivity.sweep(where, ranges, path, None, False, threads, told), axes, path)
+        _ = result.columns
+    return result
+
+
+def _swept(report, axes, path):
+    result = SweepResult.from_json(report)
+    result.axes, result.path = axes, path
+    return result

@@ -1,36 +1,81 @@
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from os import PathLike
 from typing import Any
 
-__version__: str
+from ._passivity import SceneError as SceneError
+from ._passivity import SimulationError as SimulationError
+from ._passivity import TraceError as TraceError
+from ._passivity import __version__ as __version__
+from .results import AuditReport as AuditReport
+from .results import Record as Record
+from .results import Simulation as Simulation
+from .results import SweepResult as SweepResult
+from .results import Verdict as Verdict
 
-Scene = str | PathLike[str] | Mapping[str, Any]
-Exact = str | int | float | Fraction | Decimal
+__all__ = [
+    "AuditReport",
+    "Record",
+    "SceneError",
+    "Simulation",
+    "SimulationError",
+    "SweepResult",
+    "TraceError",
+    "Verdict",
+    "__version__",
+    "audit",
+    "check",
+    "interval",
+    "simulate",
+    "sweep",
+]
 
-def check(scene: Scene) -> dict[str, Any]: ...
-def interval(
-    xi0: Exact, xi1: Exact, *, beta: Exact, sigma: Exact, dtau: Exact = 1
-) -> dict[str, Any]: ...
+_Path = str | PathLike[str]
+_Scene = _Path | Mapping[str, Any]
+_Exact = str | int | float | Fraction | Decimal
+_Numbers = Sequence[int] | Sequence[float] | Any
+_Range = str | _Exact | Iterable[_Exact]
+_Progress = Callable[[int, int | None], object]
+
+def check(scene: _Scene) -> Verdict: ...
+def interval(xi0: _Exact, xi1: _Exact, *, beta: _Exact, sigma: _Exact, dtau: _Exact = 1) -> Record: ...
 def audit(
-    trace: str | PathLike[str] | Sequence[int] | Sequence[float] | Any,
-    scene: Scene,
+    trace: _Path | Sequence[_Path] | _Numbers,
+    scene: _Scene,
     *,
     unit: str | None = None,
-    t: Sequence[float] | Any | None = None,
+    t: _Numbers | None = None,
     t_unit: str | None = "s",
-    out: str | PathLike[str] | None = None,
+    f: _Numbers | None = None,
+    f_unit: str | None = None,
+    columns: str | Mapping[str, str] | None = None,
+    delimiter: str | None = None,
+    decimal_comma: bool = False,
+    law: bool = False,
+    out: _Path | None = None,
     threads: int = 0,
-) -> dict[str, Any]: ...
-
-class Simulation(dict[str, Any]):
-    columns: dict[str, Any]
-
+    progress: _Progress | None = None,
+) -> AuditReport: ...
 def simulate(
-    scene: Scene,
+    scene: _Scene,
     *,
     method: str = "closed-form",
     intervals: int | None = None,
+    speed: _Exact | None = None,
     trace: bool = True,
+    progress: _Progress | None = None,
 ) -> Simulation: ...
+def sweep(
+    scene: _Scene,
+    *,
+    beta: _Range | None = None,
+    sigma: _Range | None = None,
+    speed: _Range | None = None,
+    vary: Mapping[str, _Range] | None = None,
+    intervals: int | None = None,
+    out: _Path | None = None,
+    resume: bool = False,
+    threads: int = 0,
+    progress: _Progress | None = None,
+) -> SweepResult: ...

@@ -12,33 +12,28 @@
 //! renamed. Taking a sweep up leaves it as it is.
 
 use std::collections::{HashMap, HashSet};
-use std::fmt::Write as _;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write as _};
+use std::io::Write as _;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use passivity_scene::Point;
 
 use crate::error::SimError;
-use crate::outcome::{ExactOutcome, PaperOutcome};
 use crate::plan::Plan;
 use crate::run;
+use crate::sweep::csv;
+use crate::sweep::disk::{failed, plain, put_in_place, with_suffix, write_whole};
 use crate::sweep::grid::Grid;
+use crate::sweep::manifest::{Manifest, beside};
 #[cfg(feature = "parquet")]
 use crate::sweep::parquet;
 use crate::sweep::row::{Found, Row};
-
-/// The header of a sweep's file.
-fn header(grid: &Grid) -> String {
-    format!(
-        "{},paper,exact,at_interval,xi,velocity",
-        grid.columns().join(",")
-    )
-}
+use crate::sweep::shard::Shard;
 
 /// How the rows of a finished sweep are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Form {
+pub(super) enum Form {
     Csv,
     #[cfg(feature = "parquet")]
     Parquet,
@@ -46,7 +41,7 @@ enum Form {
 
 impl Form {
     /// The form that the name of a file asks for.
-    fn of(path: &Path) -> Result<Self, SimError> {
+    pub(super) fn of(path: &Path) -> Result<Self, SimError> {
         let parquet = path
             .extension()
             .is_some_and(|end| end.eq_ignore_ascii_case("parquet"));
@@ -60,6 +55,24 @@ impl Form {
             what: "Parquet files are",
             feature: "parquet",
         })
+    }
+
+    /// The rows of a finished file.
+    pub(super) fn read(self, path: &Path, grid: &Grid) -> Result<Vec<Found>, SimError> {
+        match self {
+            Self::Csv => csv::read(path, grid).map(|(rows, _)| rows),
+            #[cfg(feature = "parquet")]
+            Self::Parquet => parquet::read(path, grid).map_err(|error| failed(path, &error)),
+        }
+    }
+
+    /// The error at a row, from 0.
+    pub(super) fn at(self, path: &Path, row: usize, what: &str) -> SimError {
+        match self {
+            Self::Csv => csv::at(path, row, what),
+            #[cfg(feature = "parquet")]
+            Self::Parquet => failed(path, &format!("row {}: {what}", row + 1)),
+        }
     }
 }
 
@@ -75,7 +88,10 @@ pub struct Rows {
     file: Option<File>,
     buffer: String,
     written: usize,
-    total: usize,
+    /// The points whose rows these are.
+    range: Range<usize>,
+    /// What a shard says that it is.
+    manifest: Option<Manifest>,
 }
 
 /// An opened file with what it had.
@@ -83,68 +99,29 @@ pub struct Rows {
 pub struct Opened {
     /// The file.
     pub rows: Rows,
-    /// The rows that were there, by index.
+    /// The rows that were there, by the index of their point in the grid.
     pub found: Vec<(usize, Row)>,
-}
-
-fn failed(path: &Path, error: &dyn std::fmt::Display) -> SimError {
-    SimError::File(format!("`{}`: {error}", path.display()))
-}
-
-fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(suffix);
-    PathBuf::from(name)
 }
 
 fn marker(path: &Path) -> PathBuf {
     with_suffix(path, ".run")
 }
 
-/// What tells one sweep from another: a hash of the scene and the grid, exactly.
-fn fingerprint(scene: &Point, grid: &Grid) -> String {
-    use sha2::Digest as _;
+/// What tells one sweep from another: a hash of the scene, the grid and the shard, exactly.
+fn fingerprint(scene: &Point, grid: &Grid, shard: Option<Shard>) -> String {
     let scene = grid.without(scene);
-    let hash = sha2::Sha256::digest(format!("{scene:?}\n{grid:?}\n"));
-    let hash: String = hash.iter().map(|byte| format!("{byte:02x}")).collect();
-    format!("passivity sweep 2 {hash}\n")
-}
-
-/// Refuses to write to what is no plain file.
-fn plain(path: &Path) -> Result<(), SimError> {
-    match path.symlink_metadata() {
-        Ok(there) if !there.is_file() => {
-            Err(failed(path, &"is no plain file, and is not replaced"))
-        }
-        // What does not exist yet is nothing that is lost.
-        _ => Ok(()),
+    let whole = format!("{scene:?}\n{grid:?}\n");
+    match shard {
+        None => format!("passivity sweep 2 {}\n", hash(&whole)),
+        Some(shard) => format!("passivity sweep 2 {} {shard}\n", hash(&whole)),
     }
 }
 
-/// Writes a small file whole: beside it first, on the disk, and then in its place.
-fn write_whole(path: &Path, text: &str) -> io::Result<()> {
-    let beside = with_suffix(path, ".tmp");
-    let mut file = File::create(&beside)?;
-    file.write_all(text.as_bytes())?;
-    file.sync_all()?;
-    drop(file);
-    fs::rename(&beside, path)?;
-    sync_folder(path)
-}
-
-/// Brings a new name in a folder to the disk, where folders can be opened.
-fn sync_folder(path: &Path) -> io::Result<()> {
-    #[cfg(unix)]
-    if let Some(folder) = path.parent() {
-        let folder = match folder.as_os_str().is_empty() {
-            true => Path::new("."),
-            false => folder,
-        };
-        File::open(folder)?.sync_all()?;
-    }
-    #[cfg(not(unix))]
-    let _ = path;
-    Ok(())
+/// SHA-256 as hexadecimal digits.
+pub(super) fn hash(text: &str) -> String {
+    use sha2::Digest as _;
+    let hash = sha2::Sha256::digest(text);
+    hash.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// Opens the file of a sweep: a new one, or with `resume` one that was left unfinished.
@@ -156,6 +133,33 @@ fn sync_folder(path: &Path) -> io::Result<()> {
 /// A file that cannot be read or written, one of another sweep, one with a row that is none; without
 /// `resume`, one that was left unfinished.
 pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Opened, SimError> {
+    open_as(path, scene, grid, None, resume)
+}
+
+/// Opens the file of a shard of a sweep, as [`open`] opens that of the whole. When it is finished it says
+/// which shard of which sweep it is: a Parquet file in its metadata, for a CSV file the file beside it
+/// whose name has `.manifest` appended.
+///
+/// # Errors
+///
+/// As [`open`].
+pub fn open_shard(
+    path: &Path,
+    scene: &Point,
+    grid: &Grid,
+    shard: Shard,
+    resume: bool,
+) -> Result<Opened, SimError> {
+    open_as(path, scene, grid, Some(shard), resume)
+}
+
+fn open_as(
+    path: &Path,
+    scene: &Point,
+    grid: &Grid,
+    shard: Option<Shard>,
+    resume: bool,
+) -> Result<Opened, SimError> {
     let mark = marker(path);
     let form = Form::of(path)?;
     let journal = match form {
@@ -181,20 +185,21 @@ pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Ope
         file: None,
         buffer: String::new(),
         written: 0,
-        total: grid.len(),
+        range: shard.unwrap_or(Shard::WHOLE).range(grid.len()),
+        manifest: shard.map(|shard| Manifest::new(scene, grid, shard)),
     };
     if resume && unfinished {
-        return rows.take_up(&mark, scene, grid);
+        return rows.take_up(&mark, scene, grid, shard);
     }
     if resume && path.exists() {
-        let found = finished(path, form, scene, grid)?;
+        let found = finished(path, form, scene, grid, &rows.range)?;
         rows.written = found.len();
         return Ok(Opened { rows, found });
     }
     if resume && rows.journal.exists() {
         return Err(unbound(&rows.journal, "it has rows"));
     }
-    rows.start(&mark, &fingerprint(scene, grid), grid)?;
+    rows.start(&mark, &fingerprint(scene, grid, shard), grid)?;
     Ok(Opened {
         rows,
         found: Vec::new(),
@@ -212,8 +217,13 @@ impl Rows {
     /// Starts a new sweep: no rows first, then whose they will be.
     fn start(&mut self, mark: &Path, print: &str, grid: &Grid) -> Result<(), SimError> {
         let journal = &self.journal;
+        // That of a file that is replaced.
+        let said = beside(&self.path);
+        if said.exists() {
+            fs::remove_file(&said).map_err(|error| failed(&said, &error))?;
+        }
         let mut file = File::create(journal).map_err(|error| failed(journal, &error))?;
-        let written = writeln!(file, "{}", header(grid)).and_then(|()| file.sync_all());
+        let written = writeln!(file, "{}", csv::header(grid)).and_then(|()| file.sync_all());
         written.map_err(|error| failed(journal, &error))?;
         write_whole(mark, print).map_err(|error| failed(mark, &error))?;
         self.file = Some(file);
@@ -221,9 +231,15 @@ impl Rows {
     }
 
     /// Takes up a sweep that was left unfinished.
-    fn take_up(mut self, mark: &Path, scene: &Point, grid: &Grid) -> Result<Opened, SimError> {
+    fn take_up(
+        mut self,
+        mark: &Path,
+        scene: &Point,
+        grid: &Grid,
+        shard: Option<Shard>,
+    ) -> Result<Opened, SimError> {
         let saved = fs::read_to_string(mark).map_err(|error| failed(mark, &error))?;
-        if saved != fingerprint(scene, grid) {
+        if saved != fingerprint(scene, grid, shard) {
             return Err(SimError::File(format!(
                 "`{}` is of a sweep of another scene or other ranges: give the same ones, or \
                  another --out",
@@ -231,7 +247,8 @@ impl Rows {
             )));
         }
         let journal = &self.journal;
-        let (found, length) = read(journal, grid)?;
+        let (rows, length) = csv::read(journal, grid)?;
+        let found = place(rows, grid, &self.range, journal, self.form)?;
         if !are_of(&found, scene, grid)? {
             return Err(failed(journal, &"its points are not those of this scene"));
         }
@@ -243,7 +260,7 @@ impl Rows {
         self.file = Some(file);
         self.written = found.len();
         if length == 0 {
-            self.buffer = format!("{}\n", header(grid));
+            self.buffer = format!("{}\n", csv::header(grid));
             self.put()?;
         }
         Ok(Opened { rows: self, found })
@@ -256,18 +273,10 @@ fn finished(
     form: Form,
     scene: &Point,
     grid: &Grid,
+    range: &Range<usize>,
 ) -> Result<Vec<(usize, Row)>, SimError> {
-    let found = match form {
-        Form::Csv => read(path, grid)?.0,
-        #[cfg(feature = "parquet")]
-        Form::Parquet => {
-            let rows = parquet::read(path, grid).map_err(|error| failed(path, &error))?;
-            place(rows.into_iter(), grid, &|number, what| {
-                failed(path, &format!("row {}: {what}", number + 1))
-            })?
-        }
-    };
-    if found.len() < grid.len() {
+    let found = place(form.read(path, grid)?, grid, range, path, form)?;
+    if found.len() < range.len() {
         return Err(unbound(path, "not every point of these ranges is there"));
     }
     if !are_of(&found, scene, grid)? {
@@ -293,97 +302,30 @@ fn are_of(found: &[(usize, Row)], scene: &Point, grid: &Grid) -> Result<bool, Si
     Ok(true)
 }
 
-/// The rows of a CSV file, and how long it is without a torn last line.
-fn read(path: &Path, grid: &Grid) -> Result<(Vec<(usize, Row)>, u64), SimError> {
-    let bytes = fs::read(path).map_err(|error| failed(path, &error))?;
-    let whole = bytes
-        .iter()
-        .rposition(|b| *b == b'\n')
-        .map_or(0, |end| end + 1);
-    let (lines, _torn) = bytes.split_at(whole);
-    // What is no text becomes a line that is no row.
-    let text = String::from_utf8_lossy(lines);
-    let at = |number: usize, what: &str| failed(path, &format!("line {}: {what}", number + 2));
-    let mut lines = text.lines();
-    match lines.next() {
-        None => return Ok((Vec::new(), 0)),
-        Some(line) if line == header(grid) => {}
-        Some(_) => {
-            let expected = header(grid);
-            return Err(failed(
-                path,
-                &format!("line 1: expected the header `{expected}`"),
-            ));
-        }
-    }
-    let mut rows = Vec::new();
-    for (number, line) in lines.enumerate() {
-        rows.push(
-            parse(line, grid.columns().len())
-                .ok_or_else(|| at(number, "expected a row of a sweep"))?,
-        );
-    }
-    Ok((place(rows.into_iter(), grid, &at)?, whole as u64))
-}
-
-/// The rows with the indices of their points in the grid.
+/// The rows of a file with the indices of their points in the grid.
 fn place(
-    rows: impl Iterator<Item = Found>,
+    rows: Vec<Found>,
     grid: &Grid,
-    at: &dyn Fn(usize, &str) -> SimError,
+    range: &Range<usize>,
+    path: &Path,
+    form: Form,
 ) -> Result<Vec<(usize, Row)>, SimError> {
-    let mut places = HashMap::with_capacity(grid.len());
-    for index in 0..grid.len() {
+    let mut places = HashMap::with_capacity(range.len());
+    for index in range.clone() {
         places.insert(grid.doubles(index).map(f64::to_bits), index);
     }
     let mut found = Vec::new();
     let mut seen = HashSet::new();
-    for (number, (values, row)) in rows.enumerate() {
+    for (number, (values, row)) in rows.into_iter().enumerate() {
         let index = places
             .get(&values.map(f64::to_bits))
-            .ok_or_else(|| at(number, "a point that is not in these ranges"))?;
+            .ok_or_else(|| form.at(path, number, "a point that is not in these ranges"))?;
         if !seen.insert(*index) {
-            return Err(at(number, "a point that was there before"));
+            return Err(form.at(path, number, "a point that was there before"));
         }
         found.push((*index, row));
     }
     Ok(found)
-}
-
-fn parse(line: &str, axes: usize) -> Option<Found> {
-    let cells: Vec<&str> = line.split(',').collect();
-    let (at_axes, [paper, exact, at, xi, velocity]) = cells.split_at_checked(axes)? else {
-        return None;
-    };
-    let number = |cell: &str| cell.parse::<f64>().ok();
-    let row = Row {
-        paper: PaperOutcome::named(paper)?,
-        exact: ExactOutcome::named(exact)?,
-        at_interval: if at.is_empty() {
-            None
-        } else {
-            Some(at.parse().ok()?)
-        },
-        xi: number(xi)?,
-        velocity: number(velocity)?,
-    };
-    let mut values = [0.0; 3];
-    for (value, cell) in values.iter_mut().zip(at_axes) {
-        *value = number(cell)?;
-    }
-    Some((values, row))
-}
-
-fn write_row(grid: &Grid, index: usize, row: &Row, out: &mut String) {
-    let values = grid.doubles(index);
-    for value in values.iter().take(grid.columns().len()) {
-        // Writing to a string does not fail.
-        let _ = write!(out, "{value:?},");
-    }
-    let (paper, exact) = (row.paper.name(), row.exact.name());
-    let at = row.at_interval.map_or_else(String::new, |h| h.to_string());
-    let (xi, velocity) = (row.xi, row.velocity);
-    let _ = writeln!(out, "{paper},{exact},{at},{xi:?},{velocity:?}");
 }
 
 impl Rows {
@@ -393,7 +335,7 @@ impl Rows {
     ///
     /// A file that cannot be written: what is in it stays.
     pub fn add(&mut self, grid: &Grid, index: usize, row: &Row) -> Result<(), SimError> {
-        write_row(grid, index, row, &mut self.buffer);
+        csv::write_row(grid, index, row, &mut self.buffer);
         self.put()?;
         self.written += 1;
         Ok(())
@@ -411,12 +353,13 @@ impl Rows {
                 "`{}`: {error}; {} of {} points are kept: go on with --resume",
                 self.journal.display(),
                 self.written,
-                self.total
+                self.range.len()
             ))
         })
     }
 
-    /// Replaces the file by one with every row in the order of the grid, all at once.
+    /// Replaces the file by one with every row in the order of the grid, all at once: `rows` are those of
+    /// the points that are its own.
     ///
     /// # Errors
     ///
@@ -425,24 +368,9 @@ impl Rows {
         if self.file.is_none() {
             return Ok(()); // It was finished before.
         }
-        let ordered = with_suffix(&self.path, ".tmp");
-        let written = match self.form {
-            Form::Csv => {
-                write_ordered(&ordered, grid, rows).map_err(|error| failed(&self.path, &error))
-            }
-            #[cfg(feature = "parquet")]
-            Form::Parquet => {
-                parquet::write(&ordered, grid, rows).map_err(|error| failed(&self.path, &error))
-            }
-        };
-        let placed = written.and_then(|()| {
-            let placed = fs::rename(&ordered, &self.path).and_then(|()| sync_folder(&self.path));
-            placed.map_err(|error| failed(&self.path, &error))
-        });
-        placed.inspect_err(|_| {
-            // What could not be written whole is of no use; the rows are in the journal.
-            let _ = fs::remove_file(&ordered);
-        })?;
+        let named = self.range.clone().zip(rows);
+        let rows = named.filter_map(|(index, row)| row.map(|row| Ok((index, row))));
+        write_ordered(&self.path, self.form, grid, self.manifest.as_ref(), rows)?;
         if self.journal != self.path {
             fs::remove_file(&self.journal).map_err(|error| failed(&self.journal, &error))?;
         }
@@ -451,19 +379,52 @@ impl Rows {
     }
 }
 
-/// Writes a CSV file with every row in the order of the grid.
-fn write_ordered(path: &Path, grid: &Grid, rows: &[Option<Row>]) -> io::Result<()> {
-    let mut file = io::BufWriter::new(File::create(path)?);
-    writeln!(file, "{}", header(grid))?;
-    let mut line = String::new();
-    for (index, row) in rows.iter().enumerate() {
-        if let Some(row) = row {
-            line.clear();
-            write_row(grid, index, row, &mut line);
-            file.write_all(line.as_bytes())?;
+/// Writes rows that come in the order of the grid, and puts the file in its place when all of them are
+/// on the disk.
+pub(super) fn write_ordered(
+    path: &Path,
+    form: Form,
+    grid: &Grid,
+    manifest: Option<&Manifest>,
+    rows: impl Iterator<Item = Result<(usize, Row), SimError>>,
+) -> Result<(), SimError> {
+    let ordered = with_suffix(path, ".tmp");
+    let said = manifest.map(Manifest::to_json);
+    let wrong = |error: &dyn std::fmt::Display| failed(path, error);
+    let written = match form {
+        Form::Csv => csv::Writer::create(&ordered, grid)
+            .map_err(|error| wrong(&error))
+            .and_then(|mut file| {
+                for row in rows {
+                    let (index, row) = row?;
+                    let added = file.add(grid, index, &row);
+                    added.map_err(|error| wrong(&error))?;
+                }
+                file.finish().map_err(|error| wrong(&error))
+            }),
+        #[cfg(feature = "parquet")]
+        Form::Parquet => parquet::Writer::create(&ordered, grid, said.clone())
+            .map_err(|error| wrong(&error))
+            .and_then(|mut file| {
+                for row in rows {
+                    let (index, row) = row?;
+                    let added = file.add(grid, index, &row);
+                    added.map_err(|error| wrong(&error))?;
+                }
+                file.finish(grid).map_err(|error| wrong(&error))
+            }),
+    };
+    let placed =
+        written.and_then(|()| put_in_place(&ordered, path).map_err(|error| failed(path, &error)));
+    placed.inspect_err(|_| {
+        // What could not be written whole is of no use; the rows are in the journal.
+        let _ = fs::remove_file(&ordered);
+    })?;
+    match (form, said) {
+        (Form::Csv, Some(said)) => {
+            let at = beside(path);
+            write_whole(&at, &said).map_err(|error| failed(&at, &error))
         }
+        _ => Ok(()),
     }
-    file.into_inner()
-        .map_err(io::IntoInnerError::into_error)?
-        .sync_all()
 }

@@ -6,9 +6,13 @@ use passivity_scene::{Axis, Point, number};
 use crate::error::SimError;
 use crate::number::to_double;
 use crate::plan::in_range;
+use crate::sweep::shard::Shard;
 
-/// The most values of a range, and the most points of a grid.
+/// The most values of a range, and the most points that are simulated in one run.
 pub const MOST_POINTS: usize = 100_000_000;
+
+/// The most points of a grid, which is then simulated in shards.
+const MOST_OF_GRID: usize = 1_000_000_000_000;
 
 /// The values of a parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -150,9 +154,9 @@ impl Grid {
     fn of(values: [Vec<BigRational>; 3], axes: Axes) -> Result<Self, SimError> {
         let [a, b, c] = values.each_ref().map(Vec::len);
         let size = a.checked_mul(b).and_then(|size| size.checked_mul(c));
-        if size.is_none_or(|size| size > MOST_POINTS) {
+        if size.is_none_or(|size| size > MOST_OF_GRID) {
             return Err(SimError::Method(format!(
-                "a grid of {a} × {b} × {c} points: expected at most {MOST_POINTS}"
+                "a grid of {a} × {b} × {c} points: expected at most {MOST_OF_GRID}"
             )));
         }
         Ok(Self { values, axes })
@@ -165,6 +169,22 @@ impl Grid {
             Axes::Plane => &[],
             Axes::Parameters(axes) => axes,
         }
+    }
+
+    /// The indices of the points of a shard.
+    ///
+    /// # Errors
+    ///
+    /// More points than are simulated in one run.
+    pub fn points(&self, shard: Shard) -> Result<std::ops::Range<usize>, SimError> {
+        let range = shard.range(self.len());
+        if range.len() <= MOST_POINTS {
+            return Ok(range);
+        }
+        Err(SimError::Method(format!(
+            "{} points in one run: expected at most {MOST_POINTS}; cut the grid into more shards",
+            range.len()
+        )))
     }
 
     /// The names of the columns with the values of a point.

@@ -1,10 +1,16 @@
 //! Sweeps: the outcome of every point of a grid, on all cores, as in Fig. 5.
 
+mod asked;
+mod csv;
+mod disk;
 mod file;
 mod grid;
+mod manifest;
+mod merge;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod row;
+mod shard;
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -17,9 +23,12 @@ use crate::lanes;
 use crate::plan::Plan;
 use crate::run;
 
-pub use file::{Opened, Rows, open};
+pub use asked::Asked;
+pub use file::{Opened, Rows, open, open_shard};
 pub use grid::{Grid, MOST_POINTS, Range};
+pub use merge::merge;
 pub use row::Row;
+pub use shard::Shard;
 
 /// Runs the points of a grid that are not `done` yet; `sink` takes each in the order in which they
 /// end, with its index, and its error stops the sweep.
@@ -55,9 +64,26 @@ pub fn run(
     scene: &Point,
     grid: &Grid,
     done: &[bool],
+    sink: impl FnMut(usize, Row) -> Result<(), SimError>,
+) -> Result<(), SimError> {
+    run_range(scene, grid, 0..grid.len(), done, 0, sink)
+}
+
+/// Runs the points of a grid whose indices are in `range`, as [`run`] runs all of them; `done` speaks of
+/// these, the first of the range first. `threads` is how many cores to use, 0 for all.
+///
+/// # Errors
+///
+/// As [`run`].
+pub fn run_range(
+    scene: &Point,
+    grid: &Grid,
+    range: std::ops::Range<usize>,
+    done: &[bool],
+    threads: usize,
     mut sink: impl FnMut(usize, Row) -> Result<(), SimError>,
 ) -> Result<(), SimError> {
-    if grid.is_empty() {
+    if range.is_empty() {
         return Ok(());
     }
     // One point compiled stands for all where they differ in β, σ and speed alone.
@@ -69,7 +95,7 @@ pub fn run(
     } else {
         None
     };
-    let next = AtomicUsize::new(0);
+    let next = AtomicUsize::new(range.start);
     let cancelled = AtomicBool::new(false);
     let take = || {
         if cancelled.load(Ordering::Relaxed) {
@@ -77,10 +103,10 @@ pub fn run(
         }
         loop {
             let index = next.fetch_add(1, Ordering::Relaxed);
-            if index >= grid.len() {
+            if index >= range.end {
                 return None;
             }
-            if done.get(index) != Some(&true) {
+            if done.get(index - range.start) != Some(&true) {
                 return Some(index);
             }
         }
@@ -111,9 +137,12 @@ pub fn run(
             deliver(Ok((index, Row::of(&end))));
         });
     };
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    let workers = match threads {
+        0 => std::thread::available_parallelism().map_or(1, usize::from),
+        threads => threads,
+    };
     std::thread::scope(|scope| {
-        for _ in 0..workers.min(grid.len()) {
+        for _ in 0..workers.min(range.len()) {
             let send = send.clone();
             scope.spawn(|| worker(send));
         }

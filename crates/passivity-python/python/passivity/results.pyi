@@ -1,0 +1,52 @@
+from collections.abc import Sequence
+from typing import Any, Self
+
+__all__ = ["AuditReport", "Record", "Simulation", "SweepResult", "Verdict"]
+
+class Record(dict[str, Any]):
+    def __getattr__(self, name: str) -> Any: ...
+    @classmethod
+    def from_json(cls, text: str) -> Self: ...
+    def _repr_html_(self) -> str: ...
+    def to_arrow(self) -> Any: ...
+
+class Verdict(Record):
+    scene: str
+    verdict: str
+    region: str
+    because: list[str]
+    not_covered: list[str]
+    spare: Record
+
+class AuditReport(Record):
+    certificate: Record | None
+    scene: str
+    verdict: str
+    judged: str
+    samples: int
+    intervals: int
+    totals: Record
+    error: Record | None
+
+class Simulation(Record):
+    columns: dict[str, Any]
+    scene: str
+    method: str
+    intervals: int
+    outcome: Record
+    totals: Record
+    def svg(self, width: int = 640, height: int = 240) -> str: ...
+
+class SweepResult(Record):
+    path: str | None
+    axes: list[str]
+    scene: str
+    points: int
+    simulated: int
+    exact: Record
+    paper: Record
+    @property
+    def columns(self) -> dict[str, list[Any]]: ...
+    def svg(self, size: int = 320) -> str: ...
+
+def doubles(data: bytes) -> Sequence[float]: ...

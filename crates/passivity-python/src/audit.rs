@@ -1,0 +1,191 @@
+//! Audits: of files, of arrays, of pieces.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use passivity_audit::{
+    Audit, Dialect, Options, Partial, Stretch, TraceError, Values, audit_columns, audit_files,
+    audit_part, merge_parts,
+};
+use pyo3::buffer::PyBuffer;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::output::rows_file;
+use crate::scene::{Source, of_trace};
+use crate::watch::follow;
+
+/// How a trace is read, as Python gives it.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Reading {
+    columns: Option<String>,
+    delimiter: Option<String>,
+    decimal_comma: bool,
+    law: bool,
+    threads: u16,
+}
+
+impl Reading {
+    fn dialect(&self, py: Python<'_>) -> PyResult<Dialect> {
+        let delimiter = match self.delimiter.as_deref() {
+            None => None,
+            Some("tab" | "\t") => Some(b'\t'),
+            Some(text) => match text.as_bytes() {
+                [byte] => Some(*byte),
+                _ => return Err(PyValueError::new_err("delimiter: expected one character")),
+            },
+        };
+        let columns = self.columns.as_deref().map(str::parse).transpose();
+        Ok(Dialect {
+            columns: columns.map_err(|error| of_trace(py, &error))?,
+            delimiter,
+            decimal_comma: self.decimal_comma,
+        })
+    }
+}
+
+/// A report with its certificate, as JSON.
+type Report = (String, Option<String>);
+
+fn report(py: Python<'_>, audit: Result<Audit, TraceError>) -> PyResult<Report> {
+    let audit = audit.map_err(|error| of_trace(py, &error))?;
+    let certificate = audit.certificate().map(serde_json::to_string).transpose();
+    let certificate = certificate.map_err(|error| PyValueError::new_err(error.to_string()))?;
+    Ok((audit.to_json().to_string(), certificate))
+}
+
+/// The audit of a trace in files, as JSON.
+#[pyfunction]
+#[pyo3(signature = (traces, scene, reading, out=None, progress=None))]
+pub(crate) fn audit_file(
+    py: Python<'_>,
+    traces: Vec<PathBuf>,
+    scene: Source,
+    reading: Reading,
+    out: Option<PathBuf>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Report> {
+    let inputs: Vec<&Path> = traces
+        .iter()
+        .map(PathBuf::as_path)
+        .chain(scene.path())
+        .collect();
+    let mut rows = rows_file(out, &inputs)?;
+    let dialect = reading.dialect(py)?;
+    let scene = scene.read(py)?;
+    let audit = follow(py, progress.as_ref(), move |watch| {
+        let look = |samples| watch.set(samples);
+        let options = Options {
+            rows: rows.as_mut().map(|rows| rows as &mut (dyn Write + '_)),
+            law: reading.law,
+            threads: reading.threads.into(),
+            dialect,
+            watch: Some(&look),
+            ..Options::default()
+        };
+        audit_files(&traces, &scene, options)
+    })?;
+    report(py, audit)
+}
+
+/// The numbers of an array of 64-bit integers or doubles.
+fn values(py: Python<'_>, name: &str, array: &Bound<'_, PyAny>) -> PyResult<Values> {
+    if let Ok(buffer) = PyBuffer::<i64>::get(array) {
+        return Ok(Values::Whole(buffer.to_vec(py)?));
+    }
+    match PyBuffer::<f64>::get(array) {
+        Ok(buffer) => Ok(Values::Doubles(buffer.to_vec(py)?)),
+        Err(_) => Err(PyValueError::new_err(format!(
+            "{name}: expected 64-bit integers or doubles"
+        ))),
+    }
+}
+
+/// The audit of a trace in memory, as JSON.
+#[pyfunction]
+#[pyo3(signature = (columns, scene, reading, out=None, progress=None))]
+pub(crate) fn audit_arrays(
+    py: Python<'_>,
+    columns: Vec<(String, Bound<'_, PyAny>)>,
+    scene: Source,
+    reading: Reading,
+    out: Option<PathBuf>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Report> {
+    let inputs: Vec<&Path> = scene.path().into_iter().collect();
+    let mut rows = rows_file(out, &inputs)?;
+    let dialect = reading.dialect(py)?;
+    let mut read = Vec::new();
+    for (name, array) in columns {
+        let values = values(py, &name, &array)?;
+        read.push((name, values));
+    }
+    let scene = scene.read(py)?;
+    let audit = follow(py, progress.as_ref(), move |watch| {
+        let look = |samples| watch.set(samples);
+        let options = Options {
+            rows: rows.as_mut().map(|rows| rows as &mut (dyn Write + '_)),
+            law: reading.law,
+            threads: reading.threads.into(),
+            dialect,
+            watch: Some(&look),
+            ..Options::default()
+        };
+        audit_columns(read, &scene, options)
+    })?;
+    report(py, audit)
+}
+
+/// The exact account of a piece of a trace, as JSON for `audit_merge`, with its numbers of samples and
+/// intervals; `stretch` is `a:b` in samples, or `i/n` for one of n pieces.
+#[pyfunction]
+#[pyo3(signature = (trace, scene, reading, stretch, progress=None))]
+pub(crate) fn audit_piece(
+    py: Python<'_>,
+    trace: PathBuf,
+    scene: Source,
+    reading: Reading,
+    stretch: &str,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<(String, u64, u64)> {
+    let stretch = match stretch.contains('/') {
+        true => Stretch::parse_shard(stretch),
+        false => stretch.parse(),
+    };
+    let stretch = stretch.map_err(|error| of_trace(py, &error))?;
+    let dialect = reading.dialect(py)?;
+    let scene = scene.read(py)?;
+    let part = follow(py, progress.as_ref(), move |watch| {
+        let look = |samples| watch.set(samples);
+        let options = Options {
+            law: reading.law,
+            threads: reading.threads.into(),
+            dialect,
+            watch: Some(&look),
+            ..Options::default()
+        };
+        let part = audit_part(&trace, &scene, stretch, options)?;
+        Ok((part.to_json()?, part.samples(), part.intervals()))
+    })?;
+    part.map_err(|error: TraceError| of_trace(py, &error))
+}
+
+/// The report of the whole from the accounts of its pieces, each with a name.
+#[pyfunction]
+pub(crate) fn audit_merge(
+    py: Python<'_>,
+    parts: Vec<(String, String)>,
+    scene: Source,
+) -> PyResult<Report> {
+    let scene = scene.read(py)?;
+    let audit = follow(py, None, move |_| {
+        let mut read = Vec::new();
+        for (name, text) in parts {
+            let part = Partial::from_json(&text)?;
+            read.push((name, part));
+        }
+        merge_parts(&read, &scene)
+    })?;
+    report(py, audit)
+}

@@ -1,0 +1,302 @@
+"""Habits of the ecosystem: containers, errors with places, interrupts, progress, results in notebooks."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import textwrap
+import threading
+import time
+import unittest
+from array import array
+from fractions import Fraction
+
+import passivity
+
+SCENE = {"dimensionless": {"mu": 50, "beta": "3/5", "sigma": Fraction(3, 5)}}
+ROTARY = {
+    "device": {"inertia": "6.28e-6 kg m^2", "viscous": "9e-6 N m s/rad", "coulomb": "2e-3 N m"},
+    "sampling": {"period": "1 ms"},
+    "encoder": {"counts_per_revolution": 8192},
+    "wall": {"stiffness": "2 N m/rad"},
+}
+COUNTS = [0, 1, 3, 2, -1]
+FLOATS = [0.0, 0.5, 1.25, -0.5]
+
+
+def optional(name):
+    try:
+        return __import__(name)
+    except ImportError:
+        return None
+
+
+numpy, pandas, polars, pyarrow = map(optional, ("numpy", "pandas", "polars", "pyarrow"))
+
+
+class Containers(unittest.TestCase):
+    def test_integers_are_counts_and_floats_are_positions(self):
+        forms = {"list": list, "tuple": tuple}
+        if numpy is not None:
+            forms |= {
+                "list of numpy": lambda x: list(numpy.array(x)),
+                "numpy": numpy.array,
+                "big-endian": lambda x: numpy.array(x).astype(numpy.array(x).dtype.newbyteorder(">")),
+                "strided": lambda x: numpy.repeat(x, 2)[::2],
+                "objects": lambda x: numpy.array(x, dtype=object),
+                "unmasked": lambda x: numpy.ma.array(x).filled(0),
+            }
+        if pandas is not None:
+            forms |= {"pandas": pandas.Series, "index": pandas.Index}
+            forms["nullable"] = lambda x: pandas.Series(x).astype({"i": "Int64", "f": "Float64"}[numpy.array(x).dtype.kind])
+        if polars is not None:
+            forms["polars"] = lambda x: polars.Series("a", x)
+            forms["polars chunks"] = lambda x: polars.concat(
+                [polars.Series("a", x[:2]), polars.Series("a", x[2:])], rechunk=False
+            )
+        if pyarrow is not None:
+            forms["arrow"] = pyarrow.array
+            forms["arrow slice"] = lambda x: pyarrow.array([x[0], *x])[1:]
+            forms["arrow chunks"] = lambda x: pyarrow.chunked_array([x[:1], x[1:]])
+        for values, kind, code in ((COUNTS, "count", "q"), (FLOATS, "xi", "d")):
+            expected = passivity.audit(array(code, values), SCENE)
+            self.assertEqual(expected["positions"], kind)
+            for name, form in forms.items():
+                with self.subTest(name=name, kind=kind):
+                    self.assertEqual(passivity.audit(form(values), SCENE), expected)
+
+    def test_smaller_numbers_are_the_same(self):
+        expected = passivity.audit(COUNTS, SCENE)
+        if numpy is not None:
+            for kind in ("int8", "int16", "int32", "int64"):
+                self.assertEqual(passivity.audit(numpy.array(COUNTS, dtype=kind), SCENE), expected)
+            positive = passivity.audit([0, 1, 3], SCENE)
+            for kind in ("uint8", "uint64"):
+                self.assertEqual(passivity.audit(numpy.array([0, 1, 3], dtype=kind), SCENE), positive)
+        if pyarrow is not None:
+            for kind in (pyarrow.int8(), pyarrow.int16(), pyarrow.int32()):
+                self.assertEqual(passivity.audit(pyarrow.array(COUNTS, kind), SCENE), expected)
+
+    def test_what_is_no_column_is_refused(self):
+        wrong = [{1, 2}, frozenset([1]), {1: 2}, b"12", [True, False], [1, "2"], [None, 1], [Fraction(1, 3)]]
+        if numpy is not None:
+            wrong += [numpy.ma.array([1, 2], mask=[0, 1]), numpy.array([True]), numpy.array([1j])]
+            wrong += [numpy.array([2**63], dtype=numpy.uint64), numpy.array(["2"]), numpy.zeros((2, 2))]
+        if pandas is not None:
+            wrong.append(pandas.Series([1, None], dtype="Int64"))
+        if polars is not None:
+            wrong += [polars.Series([1, None]), polars.Series(["a"]), polars.Series([True])]
+        if pyarrow is not None:
+            wrong += [pyarrow.array([1, None]), pyarrow.array(["a"]), pyarrow.chunked_array([[1], [None]])]
+        for values in wrong:
+            with self.subTest(values=repr(values)), self.assertRaises(ValueError):
+                passivity.audit(values, SCENE)
+
+    def test_forces_and_times(self):
+        stiff = {"dimensionless": {"mu": 50, "beta": "3/5", "sigma": "3/5"}}
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "log.csv")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("tau,count,f\n0,0,0.0000000\n1,1,-1.0000000\n2.5,3,-3.0000000\n3.5,2,-2.0000000\n")
+            expected = passivity.audit(path, stiff)
+        report = passivity.audit([0, 1, 3, 2], stiff, t=[0, 1, 2.5, 3.5], t_unit=None, f=[0, -1, -3, -2])
+        self.assertEqual(report, expected)
+        self.assertEqual(report.account, "applied")
+        law = passivity.audit([0, 1, 3, 2], stiff, t=[0, 1, 2.5, 3.5], t_unit=None, f=[0, 1, 3, 2], law=True)
+        self.assertEqual(law.account, "law")
+        report = passivity.audit([0, 1, 3, 2], ROTARY, f=[0.0, 1.0, 0.0, 0.0], f_unit="mN m")
+        self.assertEqual(report.force.compared, 4)
+        for wrong in ({"f": [1.0]}, {"f_unit": "N"}, {"f": [1.0, 2.0], "f_unit": "kg"}):
+            with self.assertRaises(ValueError):
+                passivity.audit([1, 2], ROTARY, **wrong)
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name, text=None):
+        path = os.path.join(self.folder.name, name)
+        if text is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        return path
+
+    def read(self, path):
+        with open(path, encoding="utf-8") as file:
+            return file.read()
+
+    def test_columns_and_several_files(self):
+        log = self.path("log.csv", "time;pos\n0,0;0\n1,0;1\n")
+        report = passivity.audit(
+            log, ROTARY, columns={"t": "time [ms]", "count": "pos"}, delimiter=";", decimal_comma=True
+        )
+        self.assertEqual((report.intervals, report.timing.uneven), (1, 0))
+        a, b = self.path("a.csv", "count\n0\n1\n"), self.path("b.csv", "count\n3\n")
+        self.assertEqual(passivity.audit([a, b], SCENE), passivity.audit([0, 1, 3], SCENE))
+
+    def test_nothing_that_is_read_is_written_over(self):
+        scene = self.path("scene.toml", '[dimensionless]\nmu = "50"\nbeta = "1"\nsigma = "1"\n')
+        log = self.path("log.csv", "count\n0\n1\n")
+        link = self.path("link.csv")
+        os.symlink(log, link)
+        grid = {"beta": "0:1:2", "sigma": "1/2", "speed": 5}
+        for out in (scene, log, link, self.folder.name, "/dev/null"):
+            before = self.read(log), self.read(scene)
+            with self.assertRaises(ValueError, msg=out):
+                passivity.audit(log, scene, out=out)
+            if out != log:
+                with self.assertRaises(ValueError, msg=out):
+                    passivity.sweep(scene, out=out, **grid)
+            self.assertEqual(before, (self.read(log), self.read(scene)))
+
+    def test_sweep(self):
+        grid = {"beta": "0:1:3", "sigma": [Fraction(1, 4), 0.5], "speed": 5, "intervals": 500}
+        told = []
+        out = self.path("grid.csv")
+        report = passivity.sweep(SCENE, out=out, progress=lambda *done: told.append(done), **grid)
+        self.assertEqual((report.points, report.simulated, told[-1]), (6, 6, (6, 6)))
+        self.assertEqual(report.axes, ["beta", "sigma", "speed"])
+        again = passivity.sweep(SCENE, out=out, resume=True, **grid)
+        self.assertEqual((again.simulated, again.exact), (0, report.exact))
+        here = passivity.sweep(SCENE, **grid)
+        self.assertEqual(here.columns, report.columns)
+        self.assertIn("<svg", report._repr_html_())
+        varied = passivity.sweep(
+            ROTARY, vary={"stiffness": "0.5:2:3 N m/rad", "velocity": "1,5 rad/s"}, intervals=50
+        )
+        self.assertEqual((varied.points, varied.axes[0]), (6, "stiffness [N m/rad]"))
+        with self.assertRaises(passivity.SimulationError):
+            passivity.sweep(SCENE, beta="0:1", sigma="1")
+        if pyarrow is not None:
+            table = passivity.sweep(SCENE, out=self.path("grid.parquet"), **grid).to_arrow()
+            self.assertEqual(table.to_pydict(), report.columns)
+
+
+class Errors(unittest.TestCase):
+    def test_a_scene_says_where(self):
+        text = '[sampling]\nperiod = "1 ms"\n[wall]\nstifness = "2 N m/rad"\n'
+        with self.assertRaises(passivity.SceneError) as caught:
+            passivity.check(text)
+        error = caught.exception
+        self.assertIsInstance(error, ValueError)
+        self.assertEqual((error.kind, error.line), ("missing_key", 3))
+        self.assertIsNotNone(json.loads(error.diagnostics))
+
+    def test_a_trace_says_where(self):
+        with self.assertRaises(passivity.TraceError) as caught:
+            passivity.audit([0.0, 1.0], SCENE, unit="kg")
+        self.assertEqual((caught.exception.kind, caught.exception.column), ("unit", "x [kg]"))
+
+    def test_a_motion_that_cannot_be(self):
+        with self.assertRaises(passivity.SimulationError):
+            passivity.simulate({"dimensionless": {"beta": 1, "sigma": 1}})
+
+
+class Results(unittest.TestCase):
+    def test_fields_are_attributes(self):
+        verdict = passivity.check(SCENE)
+        self.assertIsInstance(verdict, passivity.Verdict)
+        self.assertIsInstance(verdict, dict)
+        self.assertEqual(verdict.spare.viscous["lo"], verdict["spare"]["viscous"].lo)
+        with self.assertRaisesRegex(AttributeError, "nonsense"):
+            verdict.nonsense
+        self.assertEqual(json.loads(json.dumps(verdict)), verdict)
+        self.assertIn("passive", verdict._repr_html_())
+
+    def test_a_name_is_shown_as_text(self):
+        record = passivity.Record.from_json('{"scene": "<script>"}')
+        self.assertNotIn("<script>", record._repr_html_())
+
+    def test_certificate(self):
+        report = passivity.audit([0.0, 1.0, 0.0], {"dimensionless": {"beta": 0, "sigma": 0}})
+        self.assertEqual(report.verdict, "fails")
+        self.assertEqual(report.certificate.log.row, report.first_violation.row)
+        self.assertIsNone(passivity.audit([0, 0], SCENE).certificate)
+
+    def test_motion(self):
+        told = []
+        result = passivity.simulate(
+            SCENE, speed=10, intervals=5000, progress=lambda *done: told.append(done)
+        )
+        self.assertIn("<svg", result._repr_html_())
+        self.assertEqual(result, {**passivity.simulate(SCENE, speed="10", intervals=5000), "seconds": result["seconds"]})
+        if numpy is not None:
+            self.assertEqual(result.columns["xi0"].dtype, numpy.float64)
+
+    def test_arrow(self):
+        if pyarrow is None:
+            with self.assertRaisesRegex(ImportError, "pip install pyarrow"):
+                passivity.check(SCENE).to_arrow()
+            return
+        self.assertEqual(passivity.check(SCENE).to_arrow()["verdict"].to_pylist(), ["passive"])
+        motion = passivity.simulate(SCENE, speed=3, intervals=20)
+        self.assertEqual(motion.to_arrow()["xi0"].to_pylist(), list(motion.columns["xi0"]))
+        self.assertEqual(passivity.audit([0, 1, 2], SCENE).to_arrow().num_rows, 2)
+
+
+class Interrupts(unittest.TestCase):
+    """An interrupt ends every call within 0.2 s; other threads run meanwhile."""
+
+    LONG = {
+        "simulate": "passivity.simulate(SCENE, speed=100, intervals=2**40, trace=False)",
+        "sweep": "passivity.sweep(SCENE, beta='0:1:400', sigma='0:0.4:400', speed=[1, 5], intervals=2**32)",
+        "audit": "passivity.audit([i * 0.1 for i in range(10**6)], SCENE)",
+    }
+
+    def test_interrupt(self):
+        for name, call in self.LONG.items():
+            with self.subTest(call=name):
+                program = f"""
+                    import passivity, sys, time
+                    SCENE = {{"dimensionless": {{"mu": 50, "beta": "1", "sigma": "1/5"}}}}
+                    print("ready", flush=True)
+                    try:
+                        {call}
+                    except KeyboardInterrupt:
+                        print(time.time(), flush=True)
+                """
+                child = subprocess.Popen(
+                    [sys.executable, "-c", textwrap.dedent(program)], stdout=subprocess.PIPE, text=True
+                )
+                self.addCleanup(child.stdout.close)
+                self.addCleanup(child.kill)
+                self.assertEqual(child.stdout.readline(), "ready\n")
+                time.sleep(1.0)
+                self.assertIsNone(child.poll(), "it takes long enough")
+                sent = time.time()
+                child.send_signal(signal.SIGINT)
+                caught = float(child.stdout.readline())
+                self.assertLess(caught - sent, 0.2)
+                self.assertEqual(child.wait(10), 0)
+
+    def test_what_progress_raises_ends_the_call(self):
+        def enough(done, total):
+            if done:
+                raise RuntimeError("enough")
+
+        with self.assertRaisesRegex(RuntimeError, "enough"):
+            passivity.simulate(SCENE, speed=100, intervals=2**40, trace=False, progress=enough)
+
+    def test_other_threads_run(self):
+        ticks = []
+        done = threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks.append(time.perf_counter())
+                time.sleep(0.005)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        passivity.sweep(SCENE, beta="0:0.4:40", sigma="0:0.3:40", speed=5, intervals=20_000)
+        done.set()
+        thread.join()
+        self.assertLess(max(b - a for a, b in zip(ticks, ticks[1:])), 0.5)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,112 @@
+//! What a finished shard says that it is.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use passivity_scene::Point;
+use serde::{Deserialize, Serialize};
+
+use crate::error::SimError;
+use crate::sweep::disk::{failed, with_suffix};
+use crate::sweep::file::{Form, hash};
+use crate::sweep::grid::Grid;
+#[cfg(feature = "parquet")]
+use crate::sweep::parquet;
+use crate::sweep::shard::Shard;
+
+const FORMAT: &str = "passivity-sweep-shard-1";
+
+/// Which shard of which sweep a file is.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Manifest {
+    format: String,
+    /// Of this program: other versions may simulate otherwise in the last bit.
+    version: String,
+    /// A hash of what the points have in common.
+    scene: String,
+    /// A hash of the axes and their values.
+    grid: String,
+    pub(super) shard: usize,
+    pub(super) of: usize,
+    pub(super) points: usize,
+}
+
+impl Manifest {
+    pub(super) fn new(scene: &Point, grid: &Grid, shard: Shard) -> Self {
+        Self {
+            format: FORMAT.to_owned(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            scene: hash(&format!("{:?}", grid.without(scene))),
+            grid: hash(&format!("{grid:?}")),
+            shard: shard.index(),
+            of: shard.count(),
+            points: shard.range(grid.len()).len(),
+        }
+    }
+
+    pub(super) fn to_json(&self) -> String {
+        format!(
+            "{{\"format\": \"{}\", \"version\": \"{}\", \"scene\": \"{}\", \"grid\": \"{}\", \
+             \"shard\": {}, \"of\": {}, \"points\": {}}}\n",
+            self.format, self.version, self.scene, self.grid, self.shard, self.of, self.points
+        )
+    }
+
+    /// That of a file.
+    pub(super) fn read(path: &Path, form: Form) -> Result<Self, SimError> {
+        let (at, text) = match form {
+            Form::Csv => {
+                let at = beside(path);
+                // A file that is missing is the first thing to say.
+                fs::metadata(path).map_err(|error| failed(path, &error))?;
+                let text = match fs::read_to_string(&at) {
+                    Ok(text) => text,
+                    Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+                        return Err(no_shard(path));
+                    }
+                    Err(error) => return Err(failed(&at, &error)),
+                };
+                (at, text)
+            }
+            #[cfg(feature = "parquet")]
+            Form::Parquet => {
+                let text = parquet::manifest(path).map_err(|error| failed(path, &error))?;
+                (path.to_owned(), text.ok_or_else(|| no_shard(path))?)
+            }
+        };
+        serde_json::from_str(&text).map_err(|error| failed(&at, &format!("manifest: {error}")))
+    }
+
+    /// Whether another is of the same sweep in as many shards; in words why not.
+    pub(super) fn is_with(&self, other: &Self) -> Result<(), String> {
+        let differs = |what: &str| Err(format!("is a shard of a sweep {what}"));
+        if self.format != other.format || self.version != other.version {
+            return differs(&format!(
+                "by another version of this program, {}",
+                self.version
+            ));
+        }
+        if self.scene != other.scene {
+            return differs("of another scene");
+        }
+        if self.grid != other.grid {
+            return differs("of other ranges");
+        }
+        if self.of != other.of {
+            return differs(&format!("in {} shards, not in {}", self.of, other.of));
+        }
+        Ok(())
+    }
+}
+
+fn no_shard(path: &Path) -> SimError {
+    failed(
+        path,
+        &"is no finished shard: nothing says of which sweep it is",
+    )
+}
+
+/// The file that says what a shard in CSV is.
+pub(super) fn beside(path: &Path) -> PathBuf {
+    with_suffix(path, ".manifest")
+}
