@@ -5,7 +5,7 @@ use crate::figure::Figure;
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
 use crate::log::running::{Lowest, RunningSum};
-use crate::log::supply::{Contribution, Supply};
+use crate::log::supply::{Bounds, Contribution, Supply};
 use crate::run::Tallies;
 use crate::span::Span;
 use crate::sum::FigureSum;
@@ -65,7 +65,7 @@ pub(crate) struct Batch {
     /// Where net energy plus potential was least.
     stored: Least,
     /// What is left of what was stored at the start, where the verdict is about it.
-    pub(crate) supply: Supply,
+    supply: Supply,
     tallies: Tallies,
     /// The first interval of each kind, and the one with the least net energy.
     firsts: [Option<u64>; 5],
@@ -73,6 +73,14 @@ pub(crate) struct Batch {
 }
 
 impl Batch {
+    /// After an interval with this excess force.
+    pub(crate) fn after(excess: Option<Bounds>) -> Self {
+        Self {
+            supply: Supply::after(excess),
+            ..Self::default()
+        }
+    }
+
     /// Adds an interval, with the least potential where it ends and, where that is asked for, what it
     /// contributes to what is left; `None`, and nothing added, where something does not fit.
     pub(crate) fn add(

@@ -57,7 +57,10 @@ impl Accounted {
         match self {
             Self::Exact(row) => on_entry!(row, entry => entry.account.net_linear.lo().below()),
             Self::Near(entry) => entry.account.net_linear.lo().below(),
-            Self::Decided(row) => Some(row.net_linear()?.lo().clone().into()).map(below_on_grid),
+            Self::Decided(row) => {
+                let net = row.net_linear()?.lo().clone();
+                Some(below_on_grid(net.into()))
+            }
         }
     }
 }

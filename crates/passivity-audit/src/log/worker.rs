@@ -102,8 +102,10 @@ impl Worker {
         let exact = exact.clamp(from, last);
         let (mut account, goes_on) = self.between(task, chunk, [from, exact], Account::default());
         if goes_on && exact < last {
-            let mut rest = Account::default();
-            rest.supply = Supply::after(account.supply.excess.clone());
+            let rest = Account {
+                supply: Supply::after(account.supply.excess.clone()),
+                ..Account::default()
+            };
             account.append(self.between(task, chunk, [exact, last], rest).0);
         }
         account
@@ -249,8 +251,7 @@ impl Walk<'_> {
             return Ok(false);
         }
         let start = self.at;
-        let mut batch = Batch::default();
-        batch.supply = Supply::after(account.supply.excess.clone());
+        let mut batch = Batch::after(account.supply.excess.clone());
         let mut came = Ok(());
         while self.at < self.until {
             let dtau = match duration(task.layout, chunk, self.at) {
