@@ -30,8 +30,9 @@ pub enum Asked {
 }
 
 impl<V, S: Ordered> Joints<V, S> {
-    /// Whether the bounds that joints have can help: no joint without one is coupled to another.
-    fn is_bounded(&self) -> Option<bool> {
+    /// Whether the bounds that joints have can help: some have one, and no joint without one is coupled
+    /// to another. `None` when a number is undefined.
+    pub fn is_bounded(&self) -> Option<bool> {
         if self.joints.iter().all(|joint| joint.max_speed.is_none()) {
             return Some(false);
         }

@@ -150,6 +150,18 @@ impl<V, S: Clone> Joints<V, S> {
         self
     }
 
+    /// The same device with the shape of its wall in another kind of number.
+    #[must_use]
+    pub fn reshaped<U>(self, shape: Shape<U>) -> Joints<V, U> {
+        Joints {
+            stiffness: self.stiffness,
+            period: self.period,
+            joints: self.joints,
+            shape,
+            unilateral: self.unilateral,
+        }
+    }
+
     /// The same device with every value taken through `f`; `None` when `f` gives up on one.
     pub fn try_map<U>(&self, mut f: impl FnMut(Place, &V) -> Option<U>) -> Option<Joints<U, S>> {
         let mut of_loop = |parameter, value| {

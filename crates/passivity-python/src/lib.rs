@@ -7,31 +7,41 @@ use std::path::PathBuf;
 
 use passivity_audit::{Audit, Options, Positions, TraceError};
 use passivity_oracle::protocol;
-use passivity_scene::{Scene, check as checked};
+use passivity_scene::{AnyScene, Scene, SceneError};
 use passivity_sim::report::Simulation as Report;
 use passivity_sim::{Line, Method, Plan};
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 
 /// A scene as the Python half passes it: a file's path, or a JSON object.
-fn read_scene(path: Option<PathBuf>, object: Option<&str>) -> PyResult<Scene> {
+fn read<T>(
+    path: Option<PathBuf>,
+    object: Option<&str>,
+    from_path: fn(PathBuf) -> Result<T, SceneError>,
+    from_json: fn(&serde_json::Value) -> Result<T, SceneError>,
+) -> PyResult<T> {
     let refused = |error: &dyn std::fmt::Display| PyValueError::new_err(error.to_string());
     match (path, object) {
-        (Some(path), _) => Scene::read(path).map_err(|error| refused(&error)),
+        (Some(path), _) => from_path(path).map_err(|error| refused(&error)),
         (None, Some(text)) => {
             let value = serde_json::from_str(text).map_err(|error| refused(&error))?;
-            Scene::from_json(&value).map_err(|error| refused(&error))
+            from_json(&value).map_err(|error| refused(&error))
         }
         (None, None) => Err(PyValueError::new_err("expected a scene")),
     }
+}
+
+/// A scene of a device of one joint.
+fn read_scene(path: Option<PathBuf>, object: Option<&str>) -> PyResult<Scene> {
+    read(path, object, Scene::read, Scene::from_json)
 }
 
 /// The verdict on a scene, as JSON.
 #[pyfunction]
 #[pyo3(signature = (path=None, object=None))]
 fn check(py: Python<'_>, path: Option<PathBuf>, object: Option<&str>) -> PyResult<String> {
-    let scene = read_scene(path, object)?;
-    Ok(py.detach(|| checked::check(&scene).to_json().to_string()))
+    let scene = read(path, object, AnyScene::read, AnyScene::from_json)?;
+    Ok(py.detach(|| scene.check().to_json().to_string()))
 }
 
 /// Where an audit writes its rows.

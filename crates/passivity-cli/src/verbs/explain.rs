@@ -2,12 +2,13 @@
 
 use std::path::PathBuf;
 
-use passivity_scene::explain::{Explanation, explain};
+use passivity_scene::AnyScene;
+use passivity_scene::any::AnyExplanation;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, read_scene};
+use crate::output::{Format, emit, emit_json, look, scene_at};
 
 /// Show the derivation of the verdict with the scene's numbers filled in.
 ///
@@ -35,23 +36,32 @@ pub(crate) struct Args {
 #[schemars(rename = "Explain")]
 pub(crate) struct Document {
     #[serde(flatten)]
-    explanation: Explanation,
+    explanation: AnyExplanation,
     /// What `simulate` computes in each interval, a line for each step.
     plan: Vec<String>,
 }
 
 /// Explains the scene.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    let scene = read_scene(&args.scene)?;
-    let explanation = explain(&scene);
+    let scene = scene_at(&args.scene).map_err(|error| Failure::Scene(error.render(look())))?;
+    let explanation = scene.explain();
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
-        let picture = passivity_plot::frequency::draw(&scene, &explanation.report);
+        let (AnyScene::One(scene), AnyExplanation::One(explanation)) = (&scene, &explanation)
+        else {
+            return Err(Failure::input(
+                "`--plot` draws what a loop costs at each frequency: it needs a device of one joint",
+            ));
+        };
+        let picture = passivity_plot::frequency::draw(scene, &explanation.report);
         let picture = picture
             .map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
         passivity_plot::save(&picture, path).map_err(Failure::input)?;
     }
-    let plan = plan(&scene);
+    let plan = match &scene {
+        AnyScene::One(scene) => plan(scene),
+        AnyScene::Joints(_) => vec!["none: several joints are not simulated".to_owned()],
+    };
     match args.format {
         Format::Text => {
             let mut text = explanation.to_text();

@@ -224,17 +224,7 @@ fn boxed(device: &Device) -> Joints<Interval<Wide>, Wide> {
     let point = device
         .try_map(|_, x| Some(Interval::point(to_wide(x))))
         .unwrap();
-    with_shape(point, &device.shape)
-}
-
-fn with_shape<V>(device: Joints<V, BigRational>, shape: &Shape<BigRational>) -> Joints<V, Wide> {
-    Joints {
-        stiffness: device.stiffness,
-        period: device.period,
-        joints: device.joints,
-        shape: shape.try_map(|x| Some(to_wide(x))).unwrap(),
-        unilateral: device.unilateral,
-    }
+    point.reshaped(device.shape.try_map(|x| Some(to_wide(x))).unwrap())
 }
 
 fn rational(x: &Wide) -> BigRational {
