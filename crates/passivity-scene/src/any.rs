@@ -4,8 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::check::{Report, Verdict};
-use crate::explain::Explanation;
-use crate::joints::{JointExplanation, JointReport, JointScene};
+use crate::joints::{JointReport, JointScene};
 use crate::scene::Scene;
 
 /// A scene file that was read: of a device of one joint, or of one of several.
@@ -27,16 +26,6 @@ pub enum AnyReport {
     Joints(Box<JointReport>),
 }
 
-/// What `explain` answers for either kind of scene.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-#[serde(untagged)]
-pub enum AnyExplanation {
-    /// Of a device of one joint.
-    One(Box<Explanation>),
-    /// Of a device of several joints.
-    Joints(Box<JointExplanation>),
-}
-
 impl AnyScene {
     /// Checks the scene.
     #[must_use]
@@ -44,15 +33,6 @@ impl AnyScene {
         match self {
             Self::One(scene) => AnyReport::One(Box::new(crate::check::check(scene))),
             Self::Joints(scene) => AnyReport::Joints(Box::new(crate::joints::check(scene))),
-        }
-    }
-
-    /// Explains the scene.
-    #[must_use]
-    pub fn explain(&self) -> AnyExplanation {
-        match self {
-            Self::One(scene) => AnyExplanation::One(Box::new(crate::explain::explain(scene))),
-            Self::Joints(scene) => AnyExplanation::Joints(Box::new(crate::joints::explain(scene))),
         }
     }
 }
@@ -82,17 +62,6 @@ impl AnyReport {
         match self {
             Self::One(report) => report.to_json(),
             Self::Joints(report) => report.to_json(),
-        }
-    }
-}
-
-impl AnyExplanation {
-    /// The explanation for people.
-    #[must_use]
-    pub fn to_text(&self) -> String {
-        match self {
-            Self::One(explanation) => explanation.to_text(),
-            Self::Joints(explanation) => explanation.to_text(),
         }
     }
 }

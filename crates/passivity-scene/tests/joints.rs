@@ -665,3 +665,30 @@ fn a_scene_of_one_joint_is_asked_for() {
     let part = "a wall with a `direction` acts on a device of several joints; expected `[[joint]]` for each joint";
     assert!(error.to_string().contains(part), "{error}");
 }
+
+/// The shipped scenes have the verdicts of their folder's table.
+#[test]
+fn shipped_scenes_of_joints() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/joints");
+    let table = std::fs::read_to_string(folder.join("README.md")).unwrap();
+    let rows = table.lines().filter_map(|line| {
+        let (name, rest) = line.strip_prefix("| `")?.split_once(".toml` |")?;
+        let verdict = rest.trim_end_matches('|').rsplit_once('|')?.1.trim();
+        Some((format!("{name}.toml"), verdict.replace(' ', "_")))
+    });
+    let mut rows: Vec<(String, String)> = rows.collect();
+    let files = std::fs::read_dir(&folder)
+        .unwrap()
+        .map(|file| file.unwrap().file_name());
+    let files = files.map(|name| name.to_string_lossy().into_owned());
+    let mut found: Vec<(String, String)> = files
+        .filter(|name| name.ends_with(".toml"))
+        .map(|name| {
+            let scene = AnyScene::read(folder.join(&name)).unwrap_or_else(|e| panic!("{e}"));
+            (name, scene.check().verdict().name().to_owned())
+        })
+        .collect();
+    rows.sort();
+    found.sort();
+    assert_eq!(found, rows);
+}

@@ -69,7 +69,7 @@ impl JointReport {
     fn wall_text(&self) -> String {
         match self.direction_texts.as_slice() {
             [] => format!("a stiffness matrix for {} joints", self.joints.len()),
-            ways => format!("moves by {} for a unit of each joint", ways.join(", ")),
+            ways => format!("moves by {}, one entry a joint", ways.join(", ")),
         }
     }
 
