@@ -20,6 +20,14 @@ pub enum Form<S> {
 }
 
 impl<S> Form<S> {
+    /// The same in another kind of number; `None` when `f` gives up on one.
+    fn try_map<U>(&self, f: impl Fn(&S) -> Option<U>) -> Option<Form<U>> {
+        Some(match self {
+            Self::Semidefinite => Form::Semidefinite,
+            Self::Negative(d) => Form::Negative(d.iter().map(f).collect::<Option<_>>()?),
+        })
+    }
+
     /// Whether the form is never negative.
     #[must_use]
     pub const fn is_semidefinite(&self) -> bool {
@@ -93,10 +101,14 @@ pub fn least_last<S: Ordered>(mut rows: Vec<Vec<S>>) -> Option<S> {
 pub fn quadratic<S: Scalar>(rows: &[Vec<S>], d: &[S]) -> S {
     let row = |row: &Vec<S>| {
         let terms = row.iter().zip(d);
-        terms.fold(S::zero(), |sum, (a, x)| sum + a.clone() * x.clone())
+        terms.fold(S::zero(), |sum, (a, x)| {
+            (sum + a.clone() * x.clone()).shortened()
+        })
     };
     let terms = rows.iter().zip(d);
-    terms.fold(S::zero(), |sum, (r, x)| sum + row(r) * x.clone())
+    terms.fold(S::zero(), |sum, (r, x)| {
+        (sum + row(r) * x.clone()).shortened()
+    })
 }
 
 fn unit<S: Scalar>(n: usize, at: usize) -> Vec<S> {
@@ -181,6 +193,9 @@ fn enclosed<S: Enclosed>(rows: &[Vec<S>], bits: u32) -> Option<Form<S>> {
             middles.push(range.middle());
         }
         middle.push(middles);
+    }
+    if width == BigRational::zero() {
+        return decide(middle)?.try_map(|x| S::of(&Exact::of(x)));
     }
     // By Gershgorin's circles the matrices of the enclosure are at most this far from the middle.
     let n = i32::try_from(rows.len()).ok()?;

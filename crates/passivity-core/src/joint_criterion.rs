@@ -53,7 +53,8 @@ impl<S: Ordered> Joints<S, S> {
     #[must_use]
     pub fn spare_coulomb(&self) -> Vec<S> {
         let pairs = self.joints.iter().zip(self.coulomb_needed());
-        let spare = |(joint, needed): (&Joint<S>, S)| joint.coulomb_friction() - needed;
+        let spare =
+            |(joint, needed): (&Joint<S>, S)| (joint.coulomb_friction() - needed).shortened();
         pairs.map(spare).collect()
     }
 
@@ -80,7 +81,7 @@ impl<S: Ordered> Joints<S, S> {
                 if i == j {
                     slope = slope - taken;
                 } else if let Some(bound) = &other.max_speed {
-                    at_rest = at_rest - taken * bound.clone();
+                    at_rest = (at_rest - taken * bound.clone()).shortened();
                 }
             }
             margins.push(match &joint.max_speed {
@@ -104,7 +105,7 @@ impl<S: Ordered> Joints<S, S> {
             if !friction.is_positive()? {
                 return Some(Ok(i));
             }
-            load = load + a.square().over(friction);
+            load = (load + a.square().over(friction)).shortened();
         }
         Some(Err(load))
     }

@@ -117,9 +117,9 @@ impl<S: Enclosed> Joints<Interval<S>, S> {
                 if i == j {
                     slope = slope - viscous.clone();
                 }
-                per_way = per_way + lower(&slope, &of)?;
+                per_way = (per_way + lower(&slope, &of)?).shortened();
             }
-            sum = sum + lower(&(per_way * d.abs()), &length)?;
+            sum = (sum + lower(&(per_way * d.abs()), &length)?).shortened();
         }
         Some(sum)
     }

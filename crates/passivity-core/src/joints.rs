@@ -227,7 +227,9 @@ pub(crate) fn dot<'a, S: Scalar + 'a>(
     y: impl IntoIterator<Item = &'a S>,
 ) -> S {
     let pairs = x.into_iter().zip(y);
-    pairs.fold(S::zero(), |sum, (x, y)| sum + x.clone() * y.clone())
+    pairs.fold(S::zero(), |sum, (x, y)| {
+        (sum + x.clone() * y.clone()).shortened()
+    })
 }
 
 impl<S: Scalar> Joint<S> {
@@ -271,7 +273,7 @@ impl<S: Scalar> Joints<S, S> {
     pub fn stiffness_matrix(&self) -> Vec<Vec<S>> {
         let mut rows = self.shape.rows();
         for entry in rows.iter_mut().flatten() {
-            *entry = self.stiffness.clone() * entry.clone();
+            *entry = (self.stiffness.clone() * entry.clone()).shortened();
         }
         rows
     }
@@ -349,7 +351,7 @@ impl<S: Scalar> Joints<S, S> {
         let pairs = self.joints.iter().zip(displacement);
         pairs.fold(S::zero(), |sum, (joint, d)| {
             let viscous = (joint.viscous_friction() * d.square()).over(self.period.clone());
-            sum + viscous + joint.coulomb_friction() * d.abs()
+            (sum + viscous + joint.coulomb_friction() * d.abs()).shortened()
         })
     }
 

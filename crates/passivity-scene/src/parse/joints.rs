@@ -20,7 +20,7 @@ use crate::units::{Dimension, Unit};
 use crate::written::Form as Writing;
 
 /// The most joints that a device may have.
-pub const MAX_JOINTS: usize = 16;
+pub const MAX_JOINTS: usize = 12;
 
 /// The key that makes a scene one of several joints.
 pub(super) const KEY: &str = "joint";
