@@ -8,7 +8,7 @@ use std::ffi::{CStr, CString, c_char, c_longlong};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use passivity_oracle::protocol;
-use passivity_scene::{Scene, check};
+use passivity_scene::AnyScene;
 use serde_json::{Map, Value, json};
 
 /// The version that [`passivity_version`] gives.
@@ -140,8 +140,8 @@ pub unsafe extern "C" fn passivity_check(scene_toml: *const c_char) -> *mut c_ch
         return std::ptr::null_mut();
     };
     give(|| {
-        let answer = match Scene::from_toml("scene", &scene) {
-            Ok(scene) => json!({ "result": check::check(&scene).to_json() }),
+        let answer = match AnyScene::from_toml("scene", &scene) {
+            Ok(scene) => json!({ "result": scene.check().to_json() }),
             Err(error) => json!({
                 "error": {"kind": "scene", "message": error.to_string(), "at": error.to_json()},
             }),

@@ -30,6 +30,10 @@ int main(void) {
     expect("check", passivity_check("[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"\n"),
            "\"verdict\":\"passive\"");
     expect("check", passivity_check("[dimensionless]\nbeta = 1\n[nonsense]\n"), "\"error\"");
+    expect("check of joints",
+           passivity_check("[[joint]]\nviscous = \"1 N s/m\"\n[sampling]\nperiod = \"1 ms\"\n"
+                           "[wall]\nstiffness = \"1 N/mm\"\ndirection = [\"1\"]\n"),
+           "\"viscous_definite\":true");
     if (passivity_interval(NULL, "1", "1", "1", NULL) != NULL || passivity_check(NULL) != NULL ||
         passivity_answer(NULL, 5) != NULL || strlen(passivity_version()) < 5) {
         fprintf(stderr, "null arguments, or the version\n");

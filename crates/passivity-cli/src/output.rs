@@ -5,7 +5,7 @@ use std::io::{IsTerminal as _, Write as _};
 use std::path::Path;
 
 use passivity_scene::diagnostic::Look;
-use passivity_scene::{Scene, SceneError};
+use passivity_scene::{AnyScene, Scene, SceneError};
 
 use crate::exit::Failure;
 
@@ -137,18 +137,23 @@ pub(crate) fn look() -> Look {
     }
 }
 
-/// Reads a scene file, or standard input where the path is `-`.
-pub(crate) fn scene_at(path: &Path) -> Result<Scene, SceneError> {
+/// Reads a scene file of either kind, or standard input where the path is `-`.
+pub(crate) fn scene_at(path: &Path) -> Result<AnyScene, SceneError> {
     if path.as_os_str() == "-" {
-        Scene::from_reader("standard input", std::io::stdin().lock())
+        AnyScene::from_reader("standard input", std::io::stdin().lock())
     } else {
-        Scene::read(path)
+        AnyScene::read(path)
     }
 }
 
-/// Reads a scene, with every diagnostic when it cannot be read.
+/// Reads a scene of a device of one joint, with every diagnostic when it cannot be read.
 pub(crate) fn read_scene(path: &Path) -> Result<Scene, Failure> {
-    scene_at(path).map_err(|error| Failure::Scene(error.render(look())))
+    let scene = if path.as_os_str() == "-" {
+        Scene::from_reader("standard input", std::io::stdin().lock())
+    } else {
+        Scene::read(path)
+    };
+    scene.map_err(|error| Failure::Scene(error.render(look())))
 }
 
 /// Writes a file that must not be there yet.

@@ -34,6 +34,11 @@ pub trait Integer: Clone + PartialEq {
     fn compare(&self, other: &Self) -> Option<Ordering> {
         self.sub(other)?.signum()
     }
+    /// A numerator and a denominator of the same quotient, without their common factors where these are
+    /// worth looking for. The sign of the denominator stays.
+    fn shortened(numerator: Self, denominator: Self) -> (Self, Self) {
+        (numerator, denominator)
+    }
 }
 
 macro_rules! machine_integer {
@@ -98,6 +103,13 @@ impl Integer for BigInt {
     fn halved(&self) -> Option<Self> {
         self.is_even()
             .then(|| num_integer::Integer::div_floor(self, &Self::from(2)))
+    }
+    fn shortened(numerator: Self, denominator: Self) -> (Self, Self) {
+        let divisor = numerator.gcd(&denominator);
+        if divisor.is_zero() || divisor.is_one() {
+            return (numerator, denominator);
+        }
+        (numerator / &divisor, denominator / divisor)
     }
 }
 
@@ -228,6 +240,10 @@ impl<I: Integer> Scalar for Fraction<I> {
             None => d.mul(&I::from_i32(2)).map(|d| (n, d)),
         };
         Self::from_parts(self.value.and_then(halve))
+    }
+
+    fn shortened(self) -> Self {
+        Self::from_parts(self.value.map(|(n, d)| I::shortened(n, d)))
     }
 
     fn floor(&self) -> Self {

@@ -10,6 +10,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use num_bigint::{BigInt, Sign};
+use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, Zero as _};
 
@@ -198,6 +199,30 @@ impl Integer for Polynomial {
                 _ => None,
             }
         })
+    }
+
+    fn shortened(numerator: Self, denominator: Self) -> (Self, Self) {
+        let both = || {
+            numerator
+                .coefficients
+                .iter()
+                .chain(&denominator.coefficients)
+        };
+        let divisor = both().fold(BigInt::ZERO, |divisor, c| divisor.gcd(c));
+        if divisor.is_zero() {
+            return (numerator, denominator);
+        }
+        // Powers of π that both have.
+        let powers = |of: &Self| of.coefficients.iter().take_while(|c| c.is_zero()).count();
+        let common = match numerator.coefficients.is_empty() {
+            true => powers(&denominator),
+            false => powers(&numerator).min(powers(&denominator)),
+        };
+        let divided = |of: &Self| {
+            let kept = of.coefficients.iter().skip(common);
+            Self::trimmed(kept.map(|c| c / &divisor).collect())
+        };
+        (divided(&numerator), divided(&denominator))
     }
 
     fn halved(&self) -> Option<Self> {

@@ -54,6 +54,13 @@ pub trait Scalar:
     #[must_use]
     fn over(self, divisor: Self) -> Self;
 
+    /// The same value, with common factors of its parts divided out where it is made of big ones: what
+    /// a long sum of fractions is worth.
+    #[must_use]
+    fn shortened(self) -> Self {
+        self
+    }
+
     /// Zero.
     #[must_use]
     fn zero() -> Self {

@@ -91,6 +91,14 @@ fn check_is_that_of_the_scene() {
     assert_eq!(report["witness"]["gain_per_cycle"], "1/120");
     let (_, at) = error(r#"{"op":"check","scene":{"dimensionless":{"beta":"x","sigma":1}}}"#);
     assert_eq!(at, "scene.dimensionless.beta");
+    let joints = result(
+        r#"{"op":"check","scene":{"joint":[{"viscous":"1 N s/m","coulomb":"1 N","encoder":{"resolution":"1 mm"}}],
+            "sampling":{"period":"1 ms"},"wall":{"stiffness":"1 N/mm","direction":["1"]}}}"#
+            .replace('\n', "")
+            .as_str(),
+    );
+    assert_eq!(joints["viscous_definite"], true);
+    assert_eq!(joints["joints"][0]["coulomb_needed"]["lo"], "1/2");
 }
 
 #[test]

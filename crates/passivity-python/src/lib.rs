@@ -9,7 +9,6 @@ mod sweep;
 mod watch;
 
 use passivity_oracle::protocol;
-use passivity_scene::check as checked;
 use pyo3::prelude::*;
 
 use crate::scene::{SceneError, SimulationError, Source, TraceError};
@@ -17,10 +16,8 @@ use crate::scene::{SceneError, SimulationError, Source, TraceError};
 /// The verdict on a scene, as JSON.
 #[pyfunction]
 fn check(py: Python<'_>, scene: Source) -> PyResult<String> {
-    let scene = scene.read(py)?;
-    watch::follow(py, None, move |_| {
-        checked::check(&scene).to_json().to_string()
-    })
+    let scene = scene.read_any(py)?;
+    watch::follow(py, None, move |_| scene.check().to_json().to_string())
 }
 
 /// The answer to a request of the line protocol.

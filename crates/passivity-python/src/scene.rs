@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_scene::Scene;
+use passivity_scene::{AnyScene, Scene};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -39,16 +39,31 @@ impl Source {
         (kind == "path").then(|| Path::new(text))
     }
 
-    /// Reads the scene.
+    /// Reads the scene of a device of one joint.
     pub(crate) fn read(&self, py: Python<'_>) -> PyResult<Scene> {
+        self.read_by(py, Scene::read, Scene::from_toml, Scene::from_json)
+    }
+
+    /// Reads the scene of a device of one joint or of several.
+    pub(crate) fn read_any(&self, py: Python<'_>) -> PyResult<AnyScene> {
+        self.read_by(py, AnyScene::read, AnyScene::from_toml, AnyScene::from_json)
+    }
+
+    fn read_by<T>(
+        &self,
+        py: Python<'_>,
+        from_path: fn(PathBuf) -> Result<T, passivity_scene::SceneError>,
+        from_toml: fn(&str, &str) -> Result<T, passivity_scene::SceneError>,
+        from_json: fn(&serde_json::Value) -> Result<T, passivity_scene::SceneError>,
+    ) -> PyResult<T> {
         let (kind, text) = &self.0;
         let scene = match kind.as_str() {
-            "path" => Scene::read(PathBuf::from(text)),
-            "text" => Scene::from_toml("scene", text),
+            "path" => from_path(PathBuf::from(text)),
+            "text" => from_toml("scene", text),
             _ => {
                 let value = serde_json::from_str(text)
                     .map_err(|error| PyValueError::new_err(error.to_string()))?;
-                Scene::from_json(&value)
+                from_json(&value)
             }
         };
         scene.map_err(|error| of_scene(py, &error))

@@ -16,10 +16,12 @@
     )
 )]
 
+pub mod any;
 pub mod check;
 pub mod diagnostic;
 pub mod display;
 pub mod explain;
+pub mod joints;
 pub mod json;
 pub mod number;
 pub mod parse;
@@ -29,7 +31,9 @@ pub mod scene;
 pub mod units;
 pub mod written;
 
+pub use any::AnyScene;
 pub use diagnostic::{Diagnostic, SceneError};
+pub use joints::JointScene;
 pub use parse::{Axis, AxisError};
 pub use passivity_core::{Effect, Exact};
 pub use point::Point;

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use std::time::{Duration, SystemTime};
 
-use passivity_scene::check::{Report, Verdict, check};
+use passivity_scene::any::AnyReport;
+use passivity_scene::check::Verdict;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -42,7 +43,7 @@ pub(crate) struct Args {
 pub(crate) struct Document {
     /// The units of the figures: programs get SI, whatever the scene was written in.
     units: &'static str,
-    scenes: Vec<Report>,
+    scenes: Vec<AnyReport>,
     /// What is wrong with the files that could not be read; left out when all could.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(default)]
@@ -92,7 +93,7 @@ fn check_all(args: &Args) -> Result<Exit, Failure> {
     for path in &args.scenes {
         match scene_at(path) {
             Ok(scene) => {
-                let report = check(&scene);
+                let report = scene.check();
                 exit = exit.and(exit_of(&report));
                 if args.format == Format::Text {
                     emit(&report.to_text())?;
@@ -112,8 +113,8 @@ fn check_all(args: &Args) -> Result<Exit, Failure> {
     Ok(exit)
 }
 
-fn exit_of(report: &Report) -> Exit {
-    match report.verdict {
+fn exit_of(report: &AnyReport) -> Exit {
+    match report.verdict() {
         Verdict::Passive => Exit::Holds,
         Verdict::NotPassive | Verdict::NotGuaranteed | Verdict::Depends => Exit::Fails,
         Verdict::NotCovered => Exit::NotCovered,

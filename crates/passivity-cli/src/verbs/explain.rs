@@ -2,12 +2,14 @@
 
 use std::path::PathBuf;
 
+use passivity_scene::AnyScene;
 use passivity_scene::explain::{Explanation, explain};
+use passivity_scene::joints::JointExplanation;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, read_scene};
+use crate::output::{Format, emit, emit_json, look, scene_at};
 
 /// Show the derivation of the verdict with the scene's numbers filled in.
 ///
@@ -32,38 +34,71 @@ pub(crate) struct Args {
 
 /// What `explain --format json` prints.
 #[derive(Serialize, JsonSchema)]
+#[serde(untagged)]
 #[schemars(rename = "Explain")]
-pub(crate) struct Document {
+pub(crate) enum Document {
+    /// Of a device of one joint.
+    One(Box<Planned<Explanation>>),
+    /// Of a device of several joints.
+    Joints(Box<Planned<JointExplanation>>),
+}
+
+/// An explanation, and what a simulation does.
+#[derive(Serialize, JsonSchema)]
+pub(crate) struct Planned<E> {
     #[serde(flatten)]
-    explanation: Explanation,
+    explanation: E,
     /// What `simulate` computes in each interval, a line for each step.
     plan: Vec<String>,
 }
 
 /// Explains the scene.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    let scene = read_scene(&args.scene)?;
-    let explanation = explain(&scene);
-    #[cfg(feature = "plot")]
-    if let Some(path) = &args.plot {
-        let picture = passivity_plot::frequency::draw(&scene, &explanation.report);
-        let picture = picture
-            .map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
-        passivity_plot::save(&picture, path).map_err(Failure::input)?;
-    }
-    let plan = plan(&scene);
-    match args.format {
-        Format::Text => {
-            let mut text = explanation.to_text();
-            text += "\nSimulation, in each interval\n";
-            for line in plan {
-                text += &format!("  {line}\n");
+    let scene = scene_at(&args.scene).map_err(|error| Failure::Scene(error.render(look())))?;
+    let (text, document) = match &scene {
+        AnyScene::One(scene) => {
+            let explanation = explain(scene);
+            #[cfg(feature = "plot")]
+            if let Some(path) = &args.plot {
+                let picture = passivity_plot::frequency::draw(scene, &explanation.report);
+                let picture = picture.map_err(|error| {
+                    Failure::input(format!("`{}`: {error}", args.scene.display()))
+                })?;
+                passivity_plot::save(&picture, path).map_err(Failure::input)?;
             }
-            emit(&text)?;
+            let (text, plan) = (explanation.to_text(), plan(scene));
+            let text = with_plan(text, &plan);
+            (text, Document::One(Box::new(Planned { explanation, plan })))
         }
-        Format::Json => emit_json(&Document { explanation, plan })?,
+        AnyScene::Joints(scene) => {
+            #[cfg(feature = "plot")]
+            if args.plot.is_some() {
+                return Err(Failure::input(
+                    "`--plot` draws what a loop costs at each frequency: it needs a device of one joint",
+                ));
+            }
+            let explanation = passivity_scene::joints::explain(scene);
+            let plan = vec!["none: several joints are not simulated".to_owned()];
+            let text = with_plan(explanation.to_text(), &plan);
+            (
+                text,
+                Document::Joints(Box::new(Planned { explanation, plan })),
+            )
+        }
+    };
+    match args.format {
+        Format::Text => emit(&text)?,
+        Format::Json => emit_json(&document)?,
     }
     Ok(Exit::Holds)
+}
+
+fn with_plan(mut text: String, plan: &[String]) -> String {
+    text += "\nSimulation, in each interval\n";
+    for line in plan {
+        text += &format!("  {line}\n");
+    }
+    text
 }
 
 /// What `simulate` computes in each interval, or why it cannot.

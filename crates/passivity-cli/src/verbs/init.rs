@@ -12,6 +12,7 @@ use crate::output::{emit, write_new};
 #[command(after_help = "Examples:
   passivity init rotary --out knob.toml
   passivity init linear | passivity check -
+  passivity init joints --out arm.toml
   passivity schema > scene.schema.json")]
 pub(crate) struct Args {
     /// The kind of device.
@@ -29,6 +30,8 @@ enum Kind {
     Rotary,
     /// A device that moves along a line.
     Linear,
+    /// An arm of several joints.
+    Joints,
     /// Numbers without units.
     Dimensionless,
 }
@@ -38,6 +41,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let sketch = match args.kind {
         Kind::Rotary => Sketch::Rotary,
         Kind::Linear => Sketch::Linear,
+        Kind::Joints => Sketch::Joints,
         Kind::Dimensionless => Sketch::Dimensionless,
     };
     match &args.out {

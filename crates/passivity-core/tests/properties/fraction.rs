@@ -5,7 +5,7 @@ use std::cmp::Ordering::{Equal, Greater, Less};
 use num_bigint::BigInt;
 use passivity_core::fraction::Integer;
 use passivity_core::rational::{from_fixed, from_wide, to_fixed, to_wide};
-use passivity_core::{BigRational, Fixed, Fraction, Ordered, Scalar, Wide};
+use passivity_core::{BigRational, Exact, Fixed, Fraction, Ordered, Scalar, Wide, pi};
 use proptest::prelude::*;
 
 use crate::common::{half, magnitude, number, q, sampled, squared, zero};
@@ -104,6 +104,20 @@ sampled! {
         prop_assert_eq!(wide.reduced(), Some((n.numer().clone(), n.denom().clone())));
         prop_assert_eq!(from_wide(&wide), Some(n.clone()));
         prop_assert_eq!(to_wide(&n).reduced(), Some((n.numer().clone(), n.denom().clone())));
+    }
+
+    /// Shortened a number is the same, in lowest terms, and without a π that both of its parts have.
+    fn num_exact_fraction_shortened(n in number(), k in 1i32..1000) {
+        let long = to_wide(&n) * Wide::new(BigInt::from(k), BigInt::from(k));
+        prop_assert_eq!(long.clone().shortened(), long.clone());
+        let parts = long.shortened();
+        let lowest = Some((n.numer(), n.denom()));
+        prop_assert_eq!(parts.parts(), lowest);
+        let turned = (Exact::of(&n) * Exact::integer(k) * pi::pi()).over(Exact::integer(k) * pi::pi());
+        let turned = turned.shortened().to_wide().unwrap();
+        prop_assert_eq!(turned.parts(), lowest);
+        let with_pi = Exact::of(&n) + pi::pi();
+        prop_assert_eq!(with_pi.clone().shortened(), with_pi);
     }
 
     fn num_exact_fraction_round_trip(n in any::<i128>(), d in 1i128..) {

@@ -21,6 +21,7 @@ mod fraction;
 mod frequency;
 mod generation;
 mod interval;
+mod joints;
 mod law;
 mod ledger;
 mod parameter;

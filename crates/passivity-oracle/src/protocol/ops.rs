@@ -1,7 +1,7 @@
 //! The operations: `interval`, `run`, `motion`, `check`, `version`.
 
 use passivity_core::{BigRational, Friction, Interval, Loop, Scalar};
-use passivity_scene::{Scene, check};
+use passivity_scene::AnyScene;
 use serde::Serialize;
 
 use super::fields::{Fields, bad, duration, list, missing, number, sample};
@@ -243,14 +243,14 @@ fn motion(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
 fn verdict(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     fields.only(&["scene"])?;
     let (_, value) = fields.get(&["scene"]).ok_or_else(|| missing("scene"))?;
-    let scene = Scene::from_json(value).map_err(|error| {
+    let scene = AnyScene::from_json(value).map_err(|error| {
         let first = error.diagnostics().first();
         let key = first.and_then(|diagnostic| diagnostic.scene_key());
         let at = key.map_or_else(|| "scene".to_owned(), |key| format!("scene.{key}"));
         let kind = first.map_or("scene", |diagnostic| diagnostic.kind().name());
         Refusal::new(kind, At::Field(at), error.to_string())
     })?;
-    serde_json::to_writer(out, &check::check(&scene))
+    serde_json::to_writer(out, &scene.check())
         .map_err(|error| Refusal::new("undefined", At::Request, error.to_string()))
 }
 

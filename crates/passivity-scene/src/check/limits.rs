@@ -145,7 +145,7 @@ pub(super) fn limit<S: Enclosed>(
 
 /// The first number of at least five digits, rounded to the safe side, that passes when it is typed
 /// into the scene file.
-pub(super) fn typed_back<S: Enclosed>(
+pub(crate) fn typed_back<S: Enclosed>(
     written: &Written,
     border: &BigRational,
     rounding: Rounding,

@@ -19,10 +19,11 @@ pub use constants::{Constants, Target, constants};
 pub use decide::Verdict;
 pub use design::{Design, Setting, Stiffest, design};
 pub use limits::{Limit, Side};
-pub(crate) use limits::{border, is_searched};
+pub(crate) use limits::{border, is_searched, typed_back};
 pub use report::{Costs, Report, Spare, check};
-pub(crate) use text::unit_of;
+pub(crate) use text::{short, unit_of, words};
 pub use unforced::Unforced;
+pub(crate) use witness::rationals;
 pub use witness::{WaveFormula, Witness};
 
 use passivity_core::{BigRational, Enclosed, Exact, Interval};
@@ -37,7 +38,7 @@ pub fn enclosure(range: &Interval<Exact>) -> Option<Interval<BigRational>> {
 }
 
 /// A figure as it is reported: from the lower bound of one end to the upper bound of the other.
-fn figure<S: Enclosed>(range: &Interval<S>) -> Option<Interval<BigRational>> {
+pub(crate) fn figure<S: Enclosed>(range: &Interval<S>) -> Option<Interval<BigRational>> {
     let (lo, hi) = (range.lo().enclosed(BITS)?, range.hi().enclosed(BITS)?);
     Some(Interval::hull(lo.lo().clone(), hi.hi().clone()))
 }

@@ -324,7 +324,7 @@ impl Limit {
     }
 }
 
-fn words(effects: &[Effect]) -> String {
+pub(crate) fn words(effects: &[Effect]) -> String {
     let words: Vec<&str> = effects.iter().map(|effect| effect.words()).collect();
     words.join("; ")
 }
@@ -342,7 +342,7 @@ fn listed(positions: &[BigRational]) -> String {
 }
 
 /// A rational as it is when that is short enough to read, else rounded.
-fn short(x: &BigRational) -> String {
+pub(crate) fn short(x: &BigRational) -> String {
     let exact = x.to_string();
     if exact.len() <= 40 {
         exact

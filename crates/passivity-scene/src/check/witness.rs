@@ -88,6 +88,9 @@ pub(super) fn witness<S: Enclosed>(
     })
 }
 
-fn rationals<S: Serializer>(list: &[BigRational], serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn rationals<S: Serializer>(
+    list: &[BigRational],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(list.iter().map(crate::json::rational))
 }

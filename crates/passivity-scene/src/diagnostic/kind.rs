@@ -47,6 +47,16 @@ pub enum Kind {
     ToleranceOutOfBounds,
     /// Linear and rotary units in one scene.
     MixedMotion,
+    /// Something that is not covered for a device of several joints.
+    NotWithJoints,
+    /// A device of several joints where one of a single joint is asked for.
+    SeveralJoints,
+    /// A list with more or fewer entries than there are joints.
+    WrongCount,
+    /// A stiffness matrix that is not symmetric.
+    NotSymmetric,
+    /// A stiffness matrix that is not positive semidefinite.
+    NotSemidefinite,
     /// A file of samples that cannot be read, or something in it.
     Samples,
 }
@@ -77,6 +87,11 @@ impl Kind {
             Self::OutOfBounds => "out_of_bounds",
             Self::ToleranceOutOfBounds => "tolerance_out_of_bounds",
             Self::MixedMotion => "mixed_motion",
+            Self::NotWithJoints => "not_with_joints",
+            Self::SeveralJoints => "several_joints",
+            Self::WrongCount => "wrong_count",
+            Self::NotSymmetric => "not_symmetric",
+            Self::NotSemidefinite => "not_semidefinite",
             Self::Samples => "samples",
         }
     }

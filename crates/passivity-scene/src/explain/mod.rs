@@ -15,7 +15,7 @@ use crate::display::{approx, range, wrapped};
 use crate::scene::{Motion, Scene};
 use equations::{Cost, held_force, motion, readable};
 pub use frequency::Frequency;
-use theorems::sentence;
+pub(crate) use theorems::sentence;
 
 /// What a line of the derivation says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -26,6 +26,8 @@ pub enum Step {
     Sigma,
     /// μ from the parameters.
     Mu,
+    /// How a wall acts on several joints.
+    Wall,
     /// The digital controller H(z).
     Controller,
     /// The force that is held.

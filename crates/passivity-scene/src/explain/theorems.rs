@@ -1,7 +1,7 @@
 //! What each theorem says, for people.
 
 /// What a theorem says, in a sentence.
-pub(super) fn sentence(id: &str) -> &'static str {
+pub(crate) fn sentence(id: &str) -> &'static str {
     match id {
         "TH-REGION" => "a region is the set of speeds at which the criterion holds",
         "TH-INTERVAL" => {
@@ -26,6 +26,11 @@ pub(super) fn sentence(id: &str) -> &'static str {
         "TH-DAC" => "a force step δ costs ½δ of Coulomb friction",
         "TH-DELAY" => "each sample of delay raises the β that is required by 1",
         "TH-DAMP" => "virtual damping B raises the β and the σ that are required by B each",
+        "TH-NDOF" => {
+            "a wall of several joints draws nothing at any speed exactly when viscous friction \
+             outweighs sampling in every direction, diag(b) − (T/2)K positive semidefinite, and the \
+             Coulomb friction of each joint the encoders of all that it is coupled to"
+        }
         "TH-LTI" => {
             "a linear controller with all its delays costs the largest λ(θ) over all frequencies of \
              the motion, no less: below it a wave draws energy; and half the sum of its response of σ"

@@ -19,10 +19,10 @@ pub const MAX_INTERVALS: u64 = 1_000_000_000;
 const MAX_NAME: usize = 200;
 
 /// The sections of a file, by name.
-struct Sections(Vec<Section>);
+pub(super) struct Sections(pub(super) Vec<Section>);
 
 impl Sections {
-    fn take(&mut self, name: &str) -> Option<Section> {
+    pub(super) fn take(&mut self, name: &str) -> Option<Section> {
         let at = self.0.iter().position(|section| section.name == name)?;
         Some(self.0.remove(at))
     }
@@ -131,7 +131,7 @@ pub(super) fn value(
     match key {
         "wall.damping_cutoff" => reader.cutoff(entry, &spec),
         "sampling.rate" => reader.reciprocal(entry, &spec),
-        "encoder.counts_per_revolution" => {
+        "encoder.counts_per_revolution" | "joint.encoder.counts_per_revolution" => {
             encoder::counts_per_revolution(&entry, key, at_motor, reader)
         }
         _ => reader.quantity(entry, &spec),
@@ -237,7 +237,7 @@ fn read_section(
 }
 
 /// The name and the sections; what is neither is reported.
-fn split(entries: Vec<Entry>, reader: &mut Reader<'_>) -> (Option<String>, Sections) {
+pub(super) fn split(entries: Vec<Entry>, reader: &mut Reader<'_>) -> (Option<String>, Sections) {
     let mut name = None;
     let mut found = Vec::new();
     for entry in entries {
@@ -283,7 +283,7 @@ fn split(entries: Vec<Entry>, reader: &mut Reader<'_>) -> (Option<String>, Secti
     (name, Sections(found))
 }
 
-fn read_name(text: &str) -> Option<String> {
+pub(super) fn read_name(text: &str) -> Option<String> {
     let name = text.trim();
     let fits = !name.is_empty() && name.chars().count() <= MAX_NAME;
     (fits && !name.chars().any(char::is_control)).then(|| name.to_owned())
@@ -348,6 +348,16 @@ fn read_wall(
             .key("wall.damping")
             .expected("`damping` beside `damping_cutoff` or `damping_time_constant`");
         reader.report(diagnostic);
+    }
+    for key in ["direction", "stiffness_matrix"] {
+        if let Some(entry) = section.take(key) {
+            let message = format!("a wall with a `{key}` acts on a device of several joints");
+            let diagnostic = Diagnostic::new(Kind::MissingKey, message)
+                .at(entry.key_span)
+                .key(format!("wall.{key}"))
+                .expected("`[[joint]]` for each joint, in place of [device] and [encoder]");
+            reader.report(diagnostic);
+        }
     }
     let unilateral = section.take("unilateral");
     let unilateral = unilateral.and_then(|entry| reader.flag(&entry, "wall.unilateral"));

@@ -6,9 +6,11 @@ use crate::diagnostic::{Diagnostic, Kind};
 
 /// The sections of a scene file, in the order in which they are listed; the first holds what
 /// stands before any section.
-const SECTIONS: [&str; 14] = [
+const SECTIONS: [&str; 16] = [
     "",
     "device",
+    "joint",
+    "joint.encoder",
     "transmission",
     "motor",
     "sampling",
@@ -24,7 +26,7 @@ const SECTIONS: [&str; 14] = [
 ];
 
 /// The keys that are no parameters, with their sections.
-const OTHER_KEYS: [&str; 12] = [
+const OTHER_KEYS: [&str; 21] = [
     ".name",
     "transmission.ratio",
     "transmission.motor_pulley",
@@ -33,6 +35,15 @@ const OTHER_KEYS: [&str; 12] = [
     "encoder.side",
     "sampling.delay",
     "wall.unilateral",
+    "wall.direction",
+    "wall.stiffness_matrix",
+    "joint.name",
+    "joint.viscous",
+    "joint.coulomb",
+    "joint.max_speed",
+    "joint.encoder",
+    "joint.encoder.resolution",
+    "joint.encoder.counts_per_revolution",
     "controller.numerator",
     "controller.denominator",
     "operator.arm",
@@ -131,6 +142,8 @@ fn homes(key: &str) -> Vec<String> {
 fn heading(section: &str) -> String {
     if section.is_empty() {
         "the top of the file, before any section".to_owned()
+    } else if section == "joint" {
+        "[[joint]]".to_owned()
     } else {
         format!("[{section}]")
     }
@@ -149,7 +162,7 @@ pub(super) fn wrong_key(section: &str, key: &str) -> Diagnostic {
     let message = if section.is_empty() {
         format!("`{shown}` is not a key that stands before the sections")
     } else {
-        format!("`{shown}` is not a key of [{section}]")
+        format!("`{shown}` is not a key of {}", heading(section))
     };
     let keys = known(section);
     let expected = match keys.as_slice() {

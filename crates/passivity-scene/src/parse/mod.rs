@@ -8,6 +8,7 @@ mod costs;
 mod encoder;
 mod file;
 mod given;
+mod joints;
 mod keys;
 mod measure;
 mod motion;
@@ -23,6 +24,7 @@ pub use amount::{MAX_NUMBER_CHARS, MAX_NUMBER_EXPONENT};
 pub use axis::{Axis, AxisError};
 pub use build::MAX_INTERVALS;
 pub use encoder::MAX_COUNTS;
+pub use joints::MAX_JOINTS;
 pub use samples::{MAX_BYTES as MAX_SAMPLE_BYTES, MAX_SAMPLES};
 pub use schema::schema;
 pub use sketch::Sketch;
@@ -33,6 +35,7 @@ use serde_json::Value;
 
 use passivity_core::{BigRational, Parameter};
 
+use crate::any::AnyScene;
 use crate::diagnostic::{Diagnostic, Kind, SceneError};
 use crate::number;
 use crate::parse::node::Entry;
@@ -60,20 +63,7 @@ impl Scene {
     ///
     /// [`SceneError`] with everything that is wrong with the file and can be told at once.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, SceneError> {
-        let path = path.as_ref();
-        let shown = path.display().to_string();
-        let refuse = |diagnostic: Box<Diagnostic>| SceneError::new(&shown, "", vec![*diagnostic]);
-        let bytes = file::read(path, MAX_BYTES).map_err(refuse)?;
-        let text = file::text(bytes)
-            .map_err(|(text, diagnostic)| SceneError::new(&shown, &text, vec![*diagnostic]))?;
-        let name = path.file_stem().map(|stem| stem.to_string_lossy());
-        let folder = path.parent().unwrap_or_else(|| Path::new(""));
-        parse(
-            &shown,
-            name.as_deref().unwrap_or("scene"),
-            &text,
-            Some(folder),
-        )
+        read(path.as_ref(), build)
     }
 
     /// Reads a scene from a stream, such as a pipe; `name` is what errors call it. It may name files
@@ -83,11 +73,7 @@ impl Scene {
     ///
     /// [`SceneError`] as for [`read`](Self::read).
     pub fn from_reader(name: &str, stream: impl std::io::Read) -> Result<Self, SceneError> {
-        let refuse = |diagnostic: Box<Diagnostic>| SceneError::new(name, "", vec![*diagnostic]);
-        let bytes = file::limited(stream, MAX_BYTES).map_err(refuse)?;
-        let text = file::text(bytes)
-            .map_err(|(text, diagnostic)| SceneError::new(name, &text, vec![*diagnostic]))?;
-        parse(name, name, &text, Some(Path::new("")))
+        from_reader(name, stream, build)
     }
 
     /// Reads a scene from the text of a scene file. It may name no other files.
@@ -112,10 +98,7 @@ impl Scene {
     /// assert_eq!(scene.given.stiffness.value.lo().to_rational().unwrap().to_string(), "1900");
     /// ```
     pub fn from_toml(name: &str, text: &str) -> Result<Self, SceneError> {
-        if u64::try_from(text.len()).unwrap_or(u64::MAX) > MAX_BYTES {
-            return Err(SceneError::new(name, "", vec![file::too_large(MAX_BYTES)]));
-        }
-        parse(name, name, text, None)
+        from_toml(name, text, build)
     }
 
     /// Reads a scene from a JSON object with the sections and keys of a scene file. It may name no
@@ -135,17 +118,45 @@ impl Scene {
     /// assert_eq!(scene.point().at.friction().sigma.to_string(), "3/5");
     /// ```
     pub fn from_json(value: &Value) -> Result<Self, SceneError> {
-        const NAME: &str = "scene";
-        let built = node::from_json(value)
-            .map_err(|diagnostic| vec![*diagnostic])
-            .and_then(|entries| build(NAME, entries, None));
-        built.map_err(|mut diagnostics| {
-            // There is no text that a place could be in.
-            for diagnostic in &mut diagnostics {
-                diagnostic.span = None;
-            }
-            SceneError::new(NAME, "", diagnostics)
-        })
+        from_json(value, build)
+    }
+}
+
+impl AnyScene {
+    /// Reads a scene file of either kind, as [`Scene::read`] does one of a single joint.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError`] with everything that is wrong with the file and can be told at once.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, SceneError> {
+        read(path.as_ref(), build_any)
+    }
+
+    /// Reads a scene of either kind from a stream, as [`Scene::from_reader`] does.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError`] as for [`read`](Self::read).
+    pub fn from_reader(name: &str, stream: impl std::io::Read) -> Result<Self, SceneError> {
+        from_reader(name, stream, build_any)
+    }
+
+    /// Reads a scene of either kind from the text of a scene file, as [`Scene::from_toml`] does.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError`] with everything that is wrong with the text and can be told at once.
+    pub fn from_toml(name: &str, text: &str) -> Result<Self, SceneError> {
+        from_toml(name, text, build_any)
+    }
+
+    /// Reads a scene of either kind from a JSON object, as [`Scene::from_json`] does.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError`] with everything that is wrong with the object, by key.
+    pub fn from_json(value: &Value) -> Result<Self, SceneError> {
+        from_json(value, build_any)
     }
 }
 
@@ -256,20 +267,101 @@ fn of_text(text: &str, problems: Vec<Diagnostic>) -> SceneError {
     SceneError::new(&format!("`{text}`"), "", problems)
 }
 
-fn parse(shown: &str, name: &str, text: &str, folder: Option<&Path>) -> Result<Scene, SceneError> {
+/// What makes a scene of the tree of a file; files that it names are looked for in a folder, or it may
+/// name none.
+type Build<T> = fn(&str, Vec<Entry>, Option<&Path>) -> Result<T, Vec<Diagnostic>>;
+
+fn read<T>(path: &Path, build: Build<T>) -> Result<T, SceneError> {
+    let shown = path.display().to_string();
+    let refuse = |diagnostic: Box<Diagnostic>| SceneError::new(&shown, "", vec![*diagnostic]);
+    let bytes = file::read(path, MAX_BYTES).map_err(refuse)?;
+    let text = file::text(bytes)
+        .map_err(|(text, diagnostic)| SceneError::new(&shown, &text, vec![*diagnostic]))?;
+    let name = path.file_stem().map(|stem| stem.to_string_lossy());
+    let folder = path.parent().unwrap_or_else(|| Path::new(""));
+    let name = name.as_deref().unwrap_or("scene");
+    parse((&shown, name), &text, Some(folder), build)
+}
+
+fn from_reader<T>(
+    name: &str,
+    stream: impl std::io::Read,
+    build: Build<T>,
+) -> Result<T, SceneError> {
+    let refuse = |diagnostic: Box<Diagnostic>| SceneError::new(name, "", vec![*diagnostic]);
+    let bytes = file::limited(stream, MAX_BYTES).map_err(refuse)?;
+    let text = file::text(bytes)
+        .map_err(|(text, diagnostic)| SceneError::new(name, &text, vec![*diagnostic]))?;
+    parse((name, name), &text, Some(Path::new("")), build)
+}
+
+fn from_toml<T>(name: &str, text: &str, build: Build<T>) -> Result<T, SceneError> {
+    if u64::try_from(text.len()).unwrap_or(u64::MAX) > MAX_BYTES {
+        return Err(SceneError::new(name, "", vec![file::too_large(MAX_BYTES)]));
+    }
+    parse((name, name), text, None, build)
+}
+
+fn from_json<T>(value: &Value, build: Build<T>) -> Result<T, SceneError> {
+    const NAME: &str = "scene";
+    let built = node::from_json(value)
+        .map_err(|diagnostic| vec![*diagnostic])
+        .and_then(|entries| build(NAME, entries, None));
+    built.map_err(|mut diagnostics| {
+        // There is no text that a place could be in.
+        for diagnostic in &mut diagnostics {
+            diagnostic.span = None;
+        }
+        SceneError::new(NAME, "", diagnostics)
+    })
+}
+
+/// Reads a text: of what errors call it and of the scene's name, the text and the folder of its files.
+fn parse<T>(
+    (shown, name): (&str, &str),
+    text: &str,
+    folder: Option<&Path>,
+    build: Build<T>,
+) -> Result<T, SceneError> {
     node::from_toml(text)
         .map_err(|diagnostic| vec![*diagnostic])
         .and_then(|entries| build(name, entries, folder))
         .map_err(|diagnostics| SceneError::new(shown, text, diagnostics))
 }
 
-fn build(name: &str, entries: Vec<Entry>, folder: Option<&Path>) -> Result<Scene, Vec<Diagnostic>> {
-    let mut reader = Reader {
+fn reader(folder: Option<&Path>) -> Reader<'_> {
+    Reader {
         problems: Vec::new(),
         unit_notes: Vec::new(),
         dimensionless: false,
         transmission: None,
         folder,
-    };
+    }
+}
+
+fn of_joints(entries: &[Entry]) -> Option<&Entry> {
+    entries.iter().find(|entry| entry.key == joints::KEY)
+}
+
+fn build(name: &str, entries: Vec<Entry>, folder: Option<&Path>) -> Result<Scene, Vec<Diagnostic>> {
+    if let Some(entry) = of_joints(&entries) {
+        return Err(vec![joints::not_here(entry)]);
+    }
+    let mut reader = reader(folder);
     build::scene(name, entries, &mut reader).ok_or(reader.problems)
+}
+
+fn build_any(
+    name: &str,
+    entries: Vec<Entry>,
+    folder: Option<&Path>,
+) -> Result<AnyScene, Vec<Diagnostic>> {
+    if of_joints(&entries).is_none() {
+        return build(name, entries, folder).map(|scene| AnyScene::One(Box::new(scene)));
+    }
+    let mut reader = reader(folder);
+    let scene = joints::scene(name, entries, &mut reader);
+    scene
+        .map(|scene| AnyScene::Joints(Box::new(scene)))
+        .ok_or(reader.problems)
 }

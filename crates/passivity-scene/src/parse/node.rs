@@ -114,7 +114,13 @@ fn item_node(source: &str, item: &Item) -> Node {
     let content = match item {
         Item::Value(value) => return value_node(source, value),
         Item::Table(table) => Content::Table(entries(source, table)),
-        Item::ArrayOfTables(_) => Content::Other("a list of tables"),
+        Item::ArrayOfTables(tables) => {
+            let node = |table: &toml_edit::Table| Node {
+                content: Content::Table(entries(source, table)),
+                span: table.span().unwrap_or(0..0),
+            };
+            Content::List(tables.iter().map(node).collect())
+        }
         Item::None => Content::Other("nothing"),
     };
     Node {

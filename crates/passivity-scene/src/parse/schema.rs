@@ -27,7 +27,17 @@ pub fn schema() -> Value {
         json!({"type": "string", "description": "the scene's name; without it that of the file"}),
     );
     for section in sections() {
-        properties.insert(section.to_owned(), table(section));
+        let content = match section {
+            "joint" => json!({
+                "type": "array",
+                "description": "the joints of a device of several, in place of device and encoder",
+                "minItems": 1,
+                "maxItems": super::MAX_JOINTS,
+                "items": table(section),
+            }),
+            _ => table(section),
+        };
+        properties.insert(section.to_owned(), content);
     }
     json!({
         "$schema": "http://json-schema.org/draft-07/schema#",
@@ -59,6 +69,8 @@ fn table(section: &'static str) -> Value {
 /// What a section is, in a sentence.
 fn about(section: &str) -> &'static str {
     match section {
+        "joint" => "what is known of one joint of a device of several",
+        "joint.encoder" => "the encoder of the joint; without it its position is known exactly",
         "device" => "what the hand holds: its inertia and its friction",
         "transmission" => "a rigid transmission between the motor and the device",
         "motor" => "what is known at the motor's side of the transmission",
@@ -77,12 +89,21 @@ fn about(section: &str) -> &'static str {
 
 /// The schema of one key.
 fn value(key: &'static str) -> Value {
+    let of_joint = [
+        ("joint.viscous", Parameter::Viscous),
+        ("joint.coulomb", Parameter::Coulomb),
+        ("joint.max_speed", Parameter::MaxSpeed),
+        ("joint.encoder.resolution", Parameter::Resolution),
+    ];
+    if let Some((_, parameter)) = of_joint.into_iter().find(|(joint, _)| *joint == key) {
+        return quantity(parameter, key);
+    }
     let parameter = Parameter::ALL.iter().find(|parameter| {
         let row = parameter.row();
         row.key == key || row.other_keys.contains(&key) || row.dimensionless_key == Some(key)
     });
     match (key, parameter) {
-        ("encoder.counts_per_revolution", _) => json!({
+        ("encoder.counts_per_revolution" | "joint.encoder.counts_per_revolution", _) => json!({
             "description": "counts per revolution behind the decoder, such as 8192 or \"14 bit\"; the resolution Δ is 2π over it",
             "type": ["integer", "string"],
         }),
@@ -103,6 +124,20 @@ fn value(key: &'static str) -> Value {
         ("wall.unilateral", None) => json!({
             "description": "whether the wall is on one side only, x ≥ 0",
             "type": "boolean",
+        }),
+        ("joint.encoder", None) => table("joint.encoder"),
+        ("joint.name", None) => json!({
+            "description": "what the joint is called, such as \"elbow\"",
+            "type": "string",
+        }),
+        ("wall.direction", None) => json!({
+            "description": "of a device of several joints: the way of the wall for a unit of each joint, Jᵀn, such as [\"0.2 m/rad\", \"0.05 m/rad\"]",
+            "type": "array", "minItems": 1, "items": {"type": ["string", "number"]},
+        }),
+        ("wall.stiffness_matrix", None) => json!({
+            "description": "of a device of several joints: torque of each joint (row) for a unit of each (column), in place of stiffness and direction",
+            "type": "array", "minItems": 1,
+            "items": {"type": "array", "minItems": 1, "items": {"type": ["string", "number"]}},
         }),
         ("encoder.side", None) => json!({
             "description": "where the encoder sits",
@@ -170,6 +205,9 @@ mod tests {
             let mut place = &schema;
             for part in key.split('.') {
                 place = &place["properties"][part];
+                if place["type"] == "array" && place["items"]["type"] == "object" {
+                    place = &place["items"];
+                }
             }
             let description = place["description"].as_str();
             assert!(

@@ -7,6 +7,8 @@ pub enum Sketch {
     Rotary,
     /// A device that moves along a line.
     Linear,
+    /// A device of several joints.
+    Joints,
     /// Numbers without units: β, σ and μ.
     Dimensionless,
 }
@@ -26,6 +28,7 @@ impl Sketch {
         match self {
             Self::Rotary => ROTARY,
             Self::Linear => LINEAR,
+            Self::Joints => JOINTS,
             Self::Dimensionless => DIMENSIONLESS,
         }
     }
@@ -112,6 +115,36 @@ stiffness = "1 N/mm"
 max_speed = "40 mm/s"                # the hand is never faster; without it every speed is asked for
 "#;
 
+const JOINTS: &str = r#"#:schema scene.schema.json
+# A haptic device of several joints and a virtual wall at one pose of it. Fill in what your data sheets
+# or your bench say, keep the source of each number in a comment, and ask `passivity check` about this file.
+#
+# A value is a number with a unit, and what is known of it: "9e-6 N m s/rad ± 10%", "4 … 6 mN m",
+# "<0.05 N". A joint may turn (N m, rad) or move along a line (N, m).
+
+[[joint]]                            # one of these for each joint, in order
+name = "shoulder"
+viscous = "0.01 N m s/rad ± 10%"     # viscous friction, at the joint
+coulomb = "20 mN m"                  # Coulomb friction, at the joint
+encoder = { counts_per_revolution = 65536 } # of the joint; or { resolution = "0.005 deg" }
+# max_speed = "2 rad/s"              # the joint is never faster; without it every speed is asked for
+
+[[joint]]
+name = "elbow"
+viscous = "0.01 N m s/rad ± 10%"
+coulomb = "20 mN m"
+encoder = { counts_per_revolution = 65536 }
+# max_speed = "2 rad/s"
+
+[sampling]
+rate = "1 kHz"                       # or period = "1 ms"
+
+[wall]
+stiffness = "0.3 N/mm"               # along its normal
+direction = ["0.2 m/rad", "0.05 m/rad"] # how far a radian of each joint moves the hand along the normal: Jᵀn
+# unilateral = true                  # a wall on one side only
+"#;
+
 const DIMENSIONLESS: &str = r#"#:schema scene.schema.json
 # A wall without units: lengths in ticks of the encoder, times in sampling periods, forces in KΔ.
 
@@ -137,8 +170,8 @@ sigma = "3/5"                        # σ = c/(KΔ), Coulomb friction
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Scene;
-    use crate::check::{Verdict, check};
+    use crate::AnyScene;
+    use crate::check::Verdict;
 
     /// The sketch with every commented key and section in force, but for those that `left` names.
     fn uncommented(sketch: Sketch, left: &[&str]) -> String {
@@ -162,12 +195,17 @@ mod tests {
 
     #[test]
     fn each_sketch_is_a_scene_also_with_all_its_comments_in_force() {
-        for sketch in [Sketch::Rotary, Sketch::Linear, Sketch::Dimensionless] {
-            let scene = Scene::from_toml("mine", sketch.text()).unwrap();
-            assert_eq!(check(&scene).verdict, Verdict::Passive);
+        for sketch in [
+            Sketch::Rotary,
+            Sketch::Linear,
+            Sketch::Joints,
+            Sketch::Dimensionless,
+        ] {
+            let scene = AnyScene::from_toml("mine", sketch.text()).unwrap();
+            assert_eq!(scene.check().verdict(), Verdict::Passive);
             // Friction at the device goes where that at the motor is given.
             let text = uncommented(sketch, &["coulomb = \"2 mN", "coulomb = \"0.04"]);
-            Scene::from_toml("mine", &text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+            AnyScene::from_toml("mine", &text).unwrap_or_else(|e| panic!("{e}\n{text}"));
         }
     }
 }

@@ -8,6 +8,7 @@ mod criterion;
 mod effects;
 mod errata;
 mod generation;
+mod joints;
 mod limits;
 mod witness;
 mod words;
@@ -23,6 +24,7 @@ pub fn all() -> Vec<Query> {
         effects::queries(),
         controller::queries(),
         boxes::queries(),
+        joints::queries(),
         errata::queries(),
     ]
     .concat()

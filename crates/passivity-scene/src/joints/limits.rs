@@ -1,0 +1,150 @@
+//! Limits of the parameters of a device of several joints, one at a time (CHECK-LIMITS).
+
+use num_traits::Signed as _;
+use passivity_core::joint_criterion::Asked;
+use passivity_core::joints::{Joints, Place};
+use passivity_core::parameter::Hurts;
+use passivity_core::{BigRational, Enclosed, Interval, Parameter, Truth};
+use schemars::JsonSchema;
+use serde::{Serialize, Serializer};
+
+use super::JointScene;
+use crate::check::{Limit, Side, figure, typed_back, unit_of};
+use crate::display::Rounding;
+use crate::json::write_interval as interval;
+use crate::written::Written;
+
+/// The limit of one parameter of a device of several joints, all others as they are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointLimit {
+    /// Its key, of a joint with the joint's number, as in `joint[2].coulomb`.
+    pub key: String,
+    /// Which parameter it is.
+    pub place: Place,
+    /// The limit, as that of a device of one joint.
+    pub limit: Limit,
+}
+
+/// How a limit looks in JSON.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "JointLimit")]
+pub(super) struct Shape<'a> {
+    /// The key of the parameter, of a joint with its number from 1, as in `joint[2].coulomb`.
+    parameter: &'a str,
+    /// What it is now.
+    #[serde(serialize_with = "interval")]
+    #[schemars(with = "crate::json::shape::Interval")]
+    now: &'a Interval<BigRational>,
+    /// Where the criterion is met with equality.
+    #[serde(serialize_with = "interval")]
+    #[schemars(with = "crate::json::shape::Interval")]
+    border: &'a Interval<BigRational>,
+    /// On which side of the border the criterion holds.
+    holds: Side,
+    /// Whether this parameter alone is enough.
+    suffices: bool,
+    /// The border in SI, rounded to the safe side; null where it is not enough alone.
+    printed: &'a Option<String>,
+}
+
+impl Serialize for JointLimit {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let shape = Shape {
+            parameter: &self.key,
+            now: &self.limit.now,
+            border: &self.limit.border,
+            holds: self.limit.side,
+            suffices: self.limit.suffices,
+            printed: &self.limit.printed,
+        };
+        shape.serialize(serializer)
+    }
+}
+
+/// The limits of all parameters that the criterion limits, at the speeds asked for.
+pub(super) fn limits<S: Enclosed>(
+    scene: &JointScene,
+    bounds: &Joints<Interval<S>, S>,
+    asked: Asked,
+) -> Vec<JointLimit> {
+    let of = |place| limit(place, scene, bounds, asked);
+    let mut limits: Vec<JointLimit> = bounds.places().filter_map(of).collect();
+    // Of a joint that needs no friction nothing is said.
+    limits
+        .retain(|limit| limit.limit.side == Side::AtMost || limit.limit.border.hi().is_positive());
+    limits
+}
+
+/// The limit of one parameter; `None` where the criterion does not limit it, or where no value of it
+/// is enough.
+fn limit<S: Enclosed>(
+    place: Place,
+    scene: &JointScene,
+    bounds: &Joints<Interval<S>, S>,
+    asked: Asked,
+) -> Option<JointLimit> {
+    let (side, rounding) = match place.parameter.row().hurts {
+        Hurts::Less => (Side::AtLeast, Rounding::Up),
+        Hurts::More => (Side::AtMost, Rounding::Down),
+        Hurts::Neither => return None,
+    };
+    // An encoder or a bound that is not there has no limit.
+    let default = place.parameter.row().default;
+    let now = match bounds.get(place) {
+        Some(now) => now.clone(),
+        None => Interval::point(S::integer(default?)),
+    };
+    let [hardest, easiest] = bounds.border(place, asked)?;
+    if side == Side::AtMost && !hardest.is_positive()? {
+        return None;
+    }
+    let suffices = |x: &S| {
+        let moved = bounds.clone().with(place, Interval::point(x.clone()));
+        moved.decide(asked) == Truth::Holds
+    };
+    let motion = scene.motion(place);
+    let given = scene.given.get(place);
+    let written = match given.filter(|given| !given.text.is_empty()) {
+        Some(given) => given.written.clone(),
+        None => Written::si(unit_of(place.parameter, motion)),
+    };
+    let limit = Limit {
+        parameter: place.parameter,
+        now: figure(&now)?,
+        suffices: suffices(&hardest),
+        border: figure(&Interval::hull(hardest, easiest))?,
+        side,
+        printed: None,
+        written,
+        typed: None,
+    };
+    let border = limit.hardest();
+    let printed = typed_back(&Written::si(""), border, rounding, suffices);
+    let typed = typed_back(&limit.written, border, rounding, suffices);
+    Some(JointLimit {
+        key: scene.key(place),
+        place,
+        limit: Limit {
+            printed,
+            typed,
+            ..limit
+        },
+    })
+}
+
+/// The largest stiffness at the speeds asked for, or the largest factor of a matrix; 0 where there is
+/// none, `None` where there is no largest.
+pub(super) fn stiffest<S: Enclosed>(
+    bounds: &Joints<Interval<S>, S>,
+    asked: Asked,
+) -> Option<Interval<S>> {
+    let place = Place {
+        parameter: Parameter::Stiffness,
+        joint: None,
+    };
+    let [hardest, easiest] = bounds.border(place, asked)?;
+    if !hardest.is_positive()? {
+        return Some(Interval::point(S::zero()));
+    }
+    Some(Interval::hull(hardest, easiest))
+}
