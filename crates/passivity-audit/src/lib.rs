@@ -34,9 +34,9 @@ pub use json::NumberedRow;
 pub use ledger::{Ledger, Logged, Row, Truths};
 pub use log::{
     Agreement, Audit, ByLaw, Certificate, Columns, Dialect, Finding, Firsts, Fitted, Force, Form,
-    Found, Judged, Least, MAX_THREADS, Moved, Observer, Options, Point, Positions, Proposal,
-    Report, Role, Running, Sampling, Shown, Supplied, TraceError, Verdict, audit, audit_arrays,
-    audit_csv, audit_files, legible,
+    Found, Judged, Least, MAX_SAMPLES, MAX_THREADS, Moved, Observer, Options, Point, Positions,
+    Proposal, Report, Role, Running, Sampled, Sampling, Shown, Supplied, TraceError, Verdict,
+    audit, audit_arrays, audit_csv, audit_files, legible, samples,
 };
 pub use number::Number;
 pub use reading::Reading;

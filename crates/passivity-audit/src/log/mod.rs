@@ -21,6 +21,7 @@ mod parquet;
 mod preview;
 mod report;
 mod running;
+mod samples;
 mod scale;
 mod source;
 mod step;
@@ -46,7 +47,7 @@ pub use report::{
     Agreement, ByLaw, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
     Running, Sampling, Shown, Supplied, Verdict,
 };
-
+pub use samples::{MAX_SAMPLES, Sampled, samples};
 pub use source::Dialect;
 
 use std::io::{Read, Write};
