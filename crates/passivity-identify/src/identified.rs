@@ -161,7 +161,7 @@ pub(crate) const PARAMETERS: [Parameter; 3] =
 /// let sketch = Scene::from_toml("sketch", "[dimensionless]\nmu = 10").unwrap();
 /// let way = |n: i64| match n {
 ///     0..=10 => 45 * n * n / 100,
-///     n => 45 + (90 * (n - 10) - 5 * (n - 10) * (n - 10)) / 10,
+///     n => 45 + (900 * (n - 10) - 5 * (n - 10) * (n - 10)) / 100,
 /// };
 /// let count = |n: i64| Reading::Count(way(n.min(100)));
 /// let force = |n: i64| Reading::Exact(Number::whole(if n < 10 { 10 } else { 0 }));

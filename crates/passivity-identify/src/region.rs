@@ -3,7 +3,9 @@
 //! With p = b/m, q = c/m and r = 1/m the acceleration u·r − p·v − q·sgn(v) is linear in the parameters. The
 //! search cuts in sheared coordinates, in which what fits is about as long as it is wide:
 //!
-//!     t₁ = q + α·p + γ·r,   t₂ = p + δ·r,   t₃ = r
+//! ```text
+//! t₁ = q + α·p + γ·r,   t₂ = p + δ·r,   t₃ = r
+//! ```
 //!
 //! A part is a box in t, whose corners are found back by substitution, each enclosed. Which shear it is
 //! decides how long a search takes, not what it finds.
