@@ -256,7 +256,7 @@ fn a_picture_is_drawn() {
     for words in [
         "residual in ticks",
         "best estimate",
-        "viscous friction in N m s/rad",
+        "viscous friction, % from",
     ] {
         assert!(picture.contains(words), "{words}");
     }

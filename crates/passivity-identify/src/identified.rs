@@ -91,6 +91,7 @@ pub struct Identified {
     pub lacks: Vec<Lack>,
     pub(crate) logs: Vec<Log>,
     pub(crate) found: Found,
+    #[cfg_attr(not(feature = "plot"), expect(dead_code, reason = "for pictures"))]
     pub(crate) shear: Shear,
     pub(crate) best: Option<[f64; 3]>,
     pub(crate) units: [[f64; 2]; 3],
@@ -235,6 +236,7 @@ pub fn identify(
             parts: Vec::new(),
             hull: None,
             refuted_by: None,
+            fitting: Vec::new(),
             stopped_early: false,
         };
         return Ok(whole(nothing, Shear::default(), None, None));
@@ -256,7 +258,9 @@ pub fn identify(
         effort: options.effort,
     };
     let found = task.search(parts(&shear, most, inertia, slabs), progress);
-    let best = found.hull.map(|hull| estimate::best(&logs, &hull, first));
+    let best = found
+        .hull
+        .map(|hull| estimate::best(&logs, &hull, first, &found.fitting));
     let hull = found.hull;
     Ok(whole(found, shear, best, hull))
 }

@@ -264,7 +264,7 @@ impl<'a> Ahead<'a> {
         if !may_stop || a >= 0.0 || least > 0.0 {
             return bounded;
         }
-        let stop = Stop::find(v, a, slope, duration.hi);
+        let stop = Stop::find(v, a, slope, duration);
         // On [earliest, latest] the speed only falls.
         let on = Propagator::new(&range(slope, slope), &range(stop.earliest, stop.earliest));
         let until = after(v, a, &on);
@@ -317,7 +317,7 @@ impl<'a> Ahead<'a> {
                 way: there.way.min(0.0),
             };
         }
-        let stop = Stop::find(v, a, slope, duration.hi);
+        let stop = Stop::find(v, a, slope, duration);
         let on = Propagator::new(&range(slope, slope), &range(stop.earliest, stop.earliest));
         let way = after(v, a, &on).way.min(0.0);
         let left = add(duration.hi, -stop.earliest);
@@ -358,13 +358,14 @@ struct Stop {
 }
 
 impl Stop {
-    /// Of v′ = a − λv with v and a of opposite signs, within `most`.
+    /// Of v′ = a − λv with v and a of opposite signs, within an interval.
     ///
     /// The time comes from the library's logarithm, which is not trusted: that v has not changed its sign
     /// shortly before and has shortly after is shown by enclosures.
-    fn find(v: f64, a: f64, slope: f64, most: f64) -> Self {
+    fn find(v: f64, a: f64, slope: f64, duration: &Duration) -> Self {
         /// How far off the time is looked at.
         const ASIDE: f64 = 1e-12;
+        let most = duration.hi;
         let ratio = -v / a;
         let w = slope * ratio;
         let stretch = if w > 1e-9 {
@@ -388,7 +389,7 @@ impl Stop {
             true => early.min(most),
             false => 0.0,
         };
-        let is_over = late.is_finite() && late < most && speed(late)[1] <= 0.0;
+        let is_over = late.is_finite() && late < duration.lo && speed(late)[1] <= 0.0;
         Self {
             earliest,
             latest: is_over.then_some(late),

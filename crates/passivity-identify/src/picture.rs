@@ -5,6 +5,8 @@ use passivity_core::Parameter;
 use passivity_plot::PlotError;
 use passivity_plot::frame::Frame;
 use passivity_plot::svg::{Anchor, BLACK, COLOURS, DARK, LIGHT, Pixel, Stroke, Svg, rectangle};
+use passivity_scene::Motion;
+use passivity_scene::display::significant;
 use passivity_scene::plane::Extent;
 
 use crate::estimate::residuals;
@@ -54,7 +56,7 @@ impl Identified {
 
     fn time_words(&self) -> &'static str {
         match self.motion {
-            passivity_scene::Motion::Dimensionless => "time in sampling periods",
+            Motion::Dimensionless => "time in sampling periods",
             _ => "time in s",
         }
     }
@@ -178,13 +180,19 @@ impl Identified {
         };
         let [kt, kd] = [scale(VISCOUS), scale(COULOMB)];
         let [b, c, _] = hull;
+        let [viscous, coulomb, _] = best;
+        let axes = [
+            Axis::of(Parameter::Viscous, b, kt, viscous, self.motion),
+            Axis::of(Parameter::Coulomb, c, kd, coulomb, self.motion),
+        ];
+        let [x, y] = &axes;
         let frame = Frame {
-            x: extent(b.into_iter().map(|x| x * kt))?,
-            y: extent(c.into_iter().map(|x| x * kd))?,
+            x: extent(b.into_iter().map(|b| x.shown(b)))?,
+            y: extent(c.into_iter().map(|c| y.shown(c)))?,
             from: [left, top],
             to: [right, bottom],
         };
-        let place = |[b, c]: [f64; 2]| frame.clamped([b * kt, c * kd]);
+        let place = |[b, c]: [f64; 2]| frame.clamped([x.shown(b), y.shown(c)]);
         for part in &self.found.parts {
             let outline: Vec<Pixel> = self.outline(part).into_iter().map(place).collect();
             svg.area(&outline, "#9ecae1");
@@ -192,28 +200,13 @@ impl Identified {
         let mut edge = rectangle(place([b[0], c[1]]), place([b[1], c[0]])).to_vec();
         edge.extend(edge.first().copied());
         svg.line(&edge, Stroke::solid(BLACK, 1.5));
-        let [viscous, coulomb, _] = best;
         svg.disc(
             place([viscous, coulomb]),
             5.0,
             COLOURS[1],
             Stroke::solid(BLACK, 1.0),
         );
-        let words = |parameter: Parameter| {
-            format!(
-                "{} in{}",
-                parameter.row().name,
-                match unit(parameter, self.motion) {
-                    "" if parameter == Parameter::Viscous => " KT",
-                    "" => " KΔ",
-                    unit => unit,
-                }
-            )
-        };
-        frame.draw(
-            svg,
-            [&words(Parameter::Viscous), &words(Parameter::Coulomb)],
-        );
+        frame.draw(svg, [&x.words, &y.words]);
         svg.text(
             [left, top - 26.0],
             12.0,
@@ -237,6 +230,43 @@ impl Identified {
             [near(corner.viscous) / r, near(corner.coulomb) / r].map(|x| x.max(0.0))
         });
         hull(corners.collect())
+    }
+}
+
+/// An axis of the set of frictions.
+struct Axis {
+    words: String,
+    /// What is taken away from a value, and what one of the rest is shown as.
+    origin: f64,
+    factor: f64,
+}
+
+impl Axis {
+    /// Of a parameter between `ends`: in per cent from the best estimate, where it is known so well that its
+    /// digits would not tell.
+    fn of(parameter: Parameter, ends: Ends, si: f64, best: f64, motion: Motion) -> Self {
+        let name = parameter.row().name;
+        let unit = match (unit(parameter, motion), parameter) {
+            ("", Parameter::Viscous) => " KT",
+            ("", _) => " KΔ",
+            (unit, _) => unit,
+        };
+        if ends[1] - ends[0] > 0.01 * best {
+            return Self {
+                words: format!("{name} in{unit}"),
+                origin: 0.0,
+                factor: si,
+            };
+        }
+        Self {
+            words: format!("{name}, % from {}{unit}", significant(best * si)),
+            origin: best,
+            factor: 100.0 / best,
+        }
+    }
+
+    fn shown(&self, x: f64) -> f64 {
+        (x - self.origin) * self.factor
     }
 }
 
@@ -283,7 +313,7 @@ fn extent(values: impl Iterator<Item = f64>) -> Result<Extent, PlotError> {
         return Err(PlotError::new("there is nothing finite to draw"));
     }
     let room = (0.06 * (hi - lo))
-        .max(1e-6 * hi.abs())
+        .max(1e-6 * hi.abs().max(lo.abs()))
         .max(f64::MIN_POSITIVE);
     Ok(Extent {
         from: lo - room,

@@ -56,9 +56,9 @@ pub(crate) struct Args {
     #[arg(long, value_enum, default_value_t)]
     inertia: Mass,
     /// How much work the search for the bounds may be, in millions of sampling intervals of motion; when it
-    /// is spent, the bounds are wider, and as sure.
-    #[arg(long, value_name = "MILLIONS", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=100_000))]
-    effort: u32,
+    /// is spent, the bounds are wider, and as sure. By default 20, or a thousandth of the number of rows if that is more.
+    #[arg(long, value_name = "MILLIONS", value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    effort: Option<u64>,
     /// Say which columns are read: `role=name`, as for `passivity audit`.
     #[arg(long, value_name = "COLUMNS")]
     columns: Option<Columns>,
@@ -106,6 +106,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     crate::picture::check(args.plot.as_deref())?;
     let (text, sketch) = sketch(&args.scene)?;
     let (logs, files) = logs(args, &sketch)?;
+    let rows: u64 = logs.iter().map(|log| log.positions.len() as u64).sum();
     let options = Options {
         count_error: args.count_error,
         force_error: args.force_error,
@@ -113,7 +114,10 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             Mass::Sketch => Inertia::Sketch,
             Mass::Free => Inertia::Free,
         },
-        effort: u64::from(args.effort) * 1_000_000,
+        effort: match args.effort {
+            Some(millions) => millions * 1_000_000,
+            None => rows.max(20_000) * 1_000,
+        },
     };
     let mut bar = Progress::new(options.effort, "intervals at the most");
     let mut done = 0;
