@@ -29,6 +29,8 @@ pub enum Lack {
     Slow,
     /// The device neither speeds up nor slows down enough for its inertia to show.
     Acceleration,
+    /// The inertia was looked for as well, and the search for it did not come to its end.
+    Inertia,
     /// None of these: there is too little of it.
     Length,
 }
@@ -64,6 +66,10 @@ impl fmt::Display for Lack {
             ),
             Self::Acceleration => f.write_str(
                 "the inertia hardly shows: add a log with a short push and a fast one, or give the inertia",
+            ),
+            Self::Inertia => f.write_str(
+                "the inertia was looked for over decades, and the search was not finished: give it in the \
+                 sketch, with a generous tolerance",
             ),
             Self::Length => f.write_str("there is too little motion: add a longer log, or a second one"),
         }
@@ -112,6 +118,9 @@ pub(crate) fn lacks(identified: &Identified) -> Vec<Lack> {
     }
     if wide(INERTIA) && !wide(VISCOUS) && !wide(COULOMB) {
         all.push(Lack::Acceleration);
+    }
+    if identified.parameters.len() == 3 && identified.stopped_early {
+        return vec![Lack::Inertia];
     }
     if all.is_empty() {
         all.push(Lack::Length);

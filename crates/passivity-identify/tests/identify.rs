@@ -84,6 +84,9 @@ fn th_ident_an_inertia_within_a_tolerance_or_unknown_is_held_too() {
         };
         let found = identify(&[trial.log], &sketch(1.0, 0.0), &free, |_| {}).unwrap();
         assert_eq!(found.parameters.len(), 3);
+        if found.stopped_early && !found.is_informative() {
+            assert_eq!(found.lacks, [Lack::Inertia]);
+        }
         // What is true of the device, not of the sketch.
         device.inertia = trial.device.inertia;
         assert_holds(&found, &device, number);
