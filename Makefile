@@ -10,10 +10,10 @@ BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
 # What `check` and `explain` need, built in a hurry: no pictures, no Parquet, no safety case.
 QUICK = $(CARGO) run --quiet --profile quick $(FLAGS) -p passivity-cli --no-default-features --features simulate --
 # Builds that leave something out.
-LEAN = "passivity-cli" "passivity-cli --features simulate" "passivity-cli --features audit,oracle,vectors" \
+LEAN = "passivity-cli" "passivity-cli --features simulate" "passivity-cli --features identify" "passivity-cli --features audit,oracle,vectors" \
     "passivity-cli --features audit,plot,simulate" passivity-capi passivity-audit passivity-monitor passivity-plot passivity-sim
 # The crates that are published, each after those that it needs.
-PUBLISHED = core scene audit oracle vectors plot sim capi monitor monitor-capi
+PUBLISHED = core scene audit oracle vectors plot sim identify capi monitor monitor-capi
 
 .PHONY: help setup run test check fmt clippy doc features package bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate test-python fuzz
 

@@ -9,7 +9,7 @@ use std::process::Command;
 use crate::harness::Dir;
 
 /// The pages outside the folder of guides that show commands.
-const PAGES: [&str; 3] = ["audit.md", "devices.md", "oracle.md"];
+const PAGES: [&str; 4] = ["audit.md", "devices.md", "identify.md", "oracle.md"];
 
 struct Shown {
     command: String,

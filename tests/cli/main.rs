@@ -11,6 +11,7 @@ mod design;
 mod explain;
 mod guides;
 mod harness;
+mod identify;
 mod joints;
 mod logs;
 mod monitor;

@@ -296,6 +296,6 @@ fn through<S: Written>([a, b, c]: [S; 3], [from, to]: [S; 2]) -> Option<[S; 3]> 
         return Some(found);
     }
     // Dividing by a short width made the numbers longer than what they stand for.
-    let [alpha, gamma, kappa] = found.each_ref().map(S::shortened);
+    let [alpha, gamma, kappa] = found.each_ref().map(S::in_lowest_terms);
     Some([alpha?, gamma?, kappa?])
 }

@@ -35,10 +35,10 @@ pub use json::NumberedRow;
 pub use ledger::{Ledger, Logged, Row, Truths};
 pub use log::{
     Agreement, Audit, ByLaw, Certificate, Columns, Dialect, Finding, Firsts, Fitted, Force, Form,
-    Found, Judged, Least, MAX_THREADS, Moved, Observer, Options, Partial, Point, Positions,
-    Proposal, Report, Role, Running, Sampling, Shown, Stretch, Supplied, TraceError, Values,
-    Verdict, audit, audit_arrays, audit_columns, audit_csv, audit_files, audit_part, legible,
-    merge_parts,
+    Found, Judged, Least, MAX_SAMPLES, MAX_THREADS, Moved, Observer, Options, Partial, Point,
+    Positions, Proposal, Report, Role, Running, Sampled, Sampling, Shown, Stretch, Supplied,
+    TraceError, Values, Verdict, audit, audit_arrays, audit_columns, audit_csv, audit_files,
+    audit_part, legible, merge_parts, samples,
 };
 pub use number::Number;
 pub use reading::{Reading, Scaled};

@@ -265,7 +265,7 @@ pub trait Written: Ordered {
     }
 
     /// The same number, written with the shortest numerator and denominator.
-    fn shortened(&self) -> Option<Self> {
+    fn in_lowest_terms(&self) -> Option<Self> {
         Self::from_reduced(&self.to_reduced()?)
     }
 

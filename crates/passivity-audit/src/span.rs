@@ -432,7 +432,7 @@ impl Written for Span {
         }
     }
 
-    fn shortened(&self) -> Option<Self> {
+    fn in_lowest_terms(&self) -> Option<Self> {
         self.is_defined().then_some(*self)
     }
 }

@@ -43,6 +43,7 @@ pub(crate) enum Command {
     Plane(verbs::plane::Args),
     Accuracy(verbs::accuracy::Args),
     Audit(verbs::audit::Args),
+    Identify(verbs::identify::Args),
     Oracle(verbs::oracle::Args),
     Vectors(verbs::vectors::Args),
     Case(verbs::case::Args),

@@ -5,7 +5,7 @@ mod exit;
 mod output;
 #[cfg(any(feature = "audit", feature = "simulate"))]
 mod picture;
-#[cfg(feature = "simulate")]
+#[cfg(any(feature = "identify", feature = "simulate"))]
 mod progress;
 mod verbs;
 

@@ -26,6 +26,7 @@ impl Progress {
         }
     }
 
+    #[cfg(feature = "simulate")]
     /// Says what was there before: it counts as done, not as fast work.
     pub(crate) fn start_at(&self, done: u64) {
         self.bar.set_position(done);
@@ -42,6 +43,7 @@ impl Progress {
         }
     }
 
+    #[cfg(feature = "simulate")]
     /// Says what is being done.
     pub(crate) fn say(&self, what: String) {
         self.bar.set_message(what);

@@ -76,12 +76,13 @@ pub struct Claim {
 }
 
 /// An item of the kernel, in files `generation::bound_22`, the module first; of the reader of scene
-/// files, `scene/check/report::check`; or of the monitor, `monitor/account::net`.
+/// files, `scene/check/report::check`; of the monitor, `monitor/account::net`; or of the identification,
+/// `identify/motion::lead`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Item {
     /// The module of the kernel; after `scene/` the file in the crate that reads scene files, after
-    /// `monitor/` that of the monitor.
+    /// `monitor/` that of the monitor, after `identify/` that of the identification.
     pub module: String,
     /// The item within it, as in `Row::violates_linear`.
     pub name: String,
@@ -94,6 +95,7 @@ impl Item {
         let (folder, within) = match self.module.split_once('/') {
             Some(("scene", within)) => ("passivity-scene", within),
             Some(("monitor", within)) => ("passivity-monitor", within),
+            Some(("identify", within)) => ("passivity-identify", within),
             _ => ("passivity-core", self.module.as_str()),
         };
         format!("crates/{folder}/src/{within}.rs")

@@ -11,8 +11,9 @@ use passivity_evidence::EvidenceError;
 use crate::sources::Sources;
 
 /// The crates whose files are found: the name in paths, and the folder of the sources.
-const CRATES: [(&str, &str); 7] = [
+const CRATES: [(&str, &str); 8] = [
     ("passivity_core", "crates/passivity-core/src"),
+    ("passivity_identify", "crates/passivity-identify/src"),
     ("passivity_monitor", "crates/passivity-monitor/src"),
     ("passivity_scene", "crates/passivity-scene/src"),
     ("passivity_terms", "proofs/terms/src"),

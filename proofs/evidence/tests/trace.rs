@@ -74,11 +74,12 @@ fn every_claim_has_code_that_cites_it() {
     let mut cited = trace::in_doc_comments(&root().join("crates/passivity-core/src")).unwrap();
     cited.extend(trace::in_doc_comments(&root().join("crates/passivity-scene/src/check")).unwrap());
     cited.extend(trace::in_doc_comments(&root().join("crates/passivity-monitor/src")).unwrap());
+    cited.extend(trace::in_doc_comments(&root().join("crates/passivity-identify/src")).unwrap());
     for claim in &claims().claims {
         assert!(!claim.code.is_empty(), "{} has no code", claim.id);
         assert!(
             cited.contains_key(&claim.id),
-            "no doc comment of the kernel, of `check` or of the monitor cites {}",
+            "no doc comment of the kernel, of `check`, of the monitor or of the identification cites {}",
             claim.id
         );
         for item in &claim.code {
@@ -113,6 +114,7 @@ fn every_claim_has_the_evidence_that_is_expected() {
     let claims = claims();
     let mut tests = functions(&root().join("crates/passivity-core/tests/properties"));
     tests.extend(functions(&root().join("crates/passivity-scene/tests")));
+    tests.extend(functions(&root().join("crates/passivity-identify/tests")));
     let harnesses = functions(&root().join("proofs/kani/src"));
     let queries: Vec<String> = std::fs::read_dir(root().join("proofs/smt/queries"))
         .unwrap()
@@ -160,6 +162,7 @@ fn every_property_test_names_a_claim() {
     let claims = claims();
     let mut all = functions(&root().join("crates/passivity-core/tests/properties"));
     all.extend(functions(&root().join("crates/passivity-scene/tests")));
+    all.extend(functions(&root().join("crates/passivity-identify/tests")));
     let named = |name: &String| {
         ["check_", "eq_", "err_", "th_", "num_"]
             .iter()

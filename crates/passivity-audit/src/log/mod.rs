@@ -27,6 +27,7 @@ mod piece;
 mod preview;
 mod report;
 mod running;
+mod samples;
 mod saved;
 mod scale;
 mod source;
@@ -55,7 +56,7 @@ pub use report::{
     Agreement, ByLaw, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
     Running, Sampling, Shown, Supplied, Verdict,
 };
-
+pub use samples::{MAX_SAMPLES, Sampled, samples};
 pub use source::Dialect;
 
 use std::io::{Read, Write};

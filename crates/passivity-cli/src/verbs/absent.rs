@@ -31,6 +31,7 @@ macro_rules! absent {
 absent! {
     "audit": audit;
     "case": case;
+    "identify": identify;
     "oracle": oracle;
     "plot": plane;
     "simulate": accuracy simulate sweep;

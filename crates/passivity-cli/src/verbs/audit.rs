@@ -107,7 +107,7 @@ pub(crate) struct Args {
 }
 
 /// Reads the character between fields.
-fn delimiter(text: &str) -> Result<u8, &'static str> {
+pub(crate) fn delimiter(text: &str) -> Result<u8, &'static str> {
     match (text, text.as_bytes()) {
         ("tab" | "\\t", _) => Ok(b'\t'),
         (_, [byte]) => Ok(*byte),
@@ -305,7 +305,7 @@ fn command(args: &Args, proposal: &Proposal) -> String {
 }
 
 /// A word as a shell takes it.
-fn quoted(word: &str) -> String {
+pub(crate) fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./+:@%".contains(c);
     match !word.is_empty() && word.chars().all(is_plain) {
         true => word.to_owned(),

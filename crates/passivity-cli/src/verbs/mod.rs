@@ -13,6 +13,8 @@ pub(crate) mod completions;
 pub(crate) mod design;
 pub(crate) mod explain;
 pub(crate) mod export;
+#[cfg(feature = "identify")]
+pub(crate) mod identify;
 pub(crate) mod init;
 pub(crate) mod man;
 #[cfg(feature = "oracle")]
@@ -47,6 +49,7 @@ pub(crate) fn run(command: &Command) -> Result<Exit, Failure> {
         Command::Plane(args) => plane::run(args),
         Command::Accuracy(args) => accuracy::run(args),
         Command::Audit(args) => audit::run(args),
+        Command::Identify(args) => identify::run(args),
         Command::Oracle(args) => oracle::run(args),
         Command::Case(args) => case::run(args),
         Command::Vectors(args) => vectors::run(args),

@@ -34,6 +34,9 @@ enum Of {
     Design,
     /// `export --for json`.
     Export,
+    /// `identify --format json`.
+    #[cfg(feature = "identify")]
+    Identify,
     /// `simulate --format json`.
     #[cfg(feature = "simulate")]
     Simulate,
@@ -53,6 +56,8 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         Of::Explain => schemars::schema_for!(verbs::explain::Document).into(),
         Of::Design => schemars::schema_for!(Design).into(),
         Of::Export => schemars::schema_for!(Constants).into(),
+        #[cfg(feature = "identify")]
+        Of::Identify => schemars::schema_for!(passivity_identify::Report).into(),
         #[cfg(feature = "simulate")]
         Of::Simulate => schemars::schema_for!(passivity_sim::report::Simulation).into(),
         #[cfg(feature = "simulate")]

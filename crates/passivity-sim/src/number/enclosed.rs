@@ -118,6 +118,14 @@ impl From<&BigRational> for Enclosed<Double> {
     }
 }
 
+impl Enclosed<Double> {
+    /// The interval [`lo`, `hi`] of doubles, in which `lo` ≤ `hi` or both are undefined.
+    #[must_use]
+    pub const fn of_doubles(lo: f64, hi: f64) -> Self {
+        Self::new(Double(lo), Double(hi))
+    }
+}
+
 #[cfg(feature = "multiprecision")]
 impl Enclosed<super::big::Big> {
     /// The tightest interval of numbers of `bits` bits around a rational number.

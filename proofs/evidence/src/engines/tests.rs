@@ -20,8 +20,8 @@ struct Program {
     shared: &'static [&'static str],
 }
 
-/// The tests of the kernel, and of what `check` says of scenes.
-const PROGRAMS: [Program; 2] = [
+/// The tests of the kernel, of what `check` says of scenes, and of the identification.
+const PROGRAMS: [Program; 3] = [
     Program {
         said: "properties.txt",
         tests: "crates/passivity-core/tests/properties",
@@ -31,6 +31,14 @@ const PROGRAMS: [Program; 2] = [
         said: "verdicts.txt",
         tests: "crates/passivity-scene/tests/verdicts.rs",
         shared: &["crates/passivity-scene/Cargo.toml"],
+    },
+    Program {
+        said: "identify.txt",
+        tests: "crates/passivity-identify/tests/identify.rs",
+        shared: &[
+            "crates/passivity-identify/Cargo.toml",
+            "crates/passivity-identify/tests/trial/mod.rs",
+        ],
     },
 ];
 

@@ -1,0 +1,110 @@
+//! The samples of a log as they are, for whoever makes something else of them than an account.
+
+use std::path::{Path, PathBuf};
+
+use passivity_scene::Scene;
+
+use crate::log::chunk::Chunk;
+use crate::log::csv;
+use crate::log::error::TraceError;
+use crate::log::layout::Layout;
+use crate::log::lines::BLOCK;
+use crate::log::source::{Dialect, Source, Work};
+use crate::log::step::{between, check_jump};
+use crate::number::Number;
+use crate::reading::Reading;
+
+/// The most samples of a log that are held in memory.
+pub const MAX_SAMPLES: usize = 1_000_000;
+
+/// The samples of a log, with the force that was held after each.
+#[derive(Clone, Debug, Default)]
+pub struct Sampled {
+    /// The positions, in ticks.
+    pub positions: Vec<Reading>,
+    /// The forces, in KΔ; as many as positions.
+    pub forces: Vec<Reading>,
+    /// How long each interval was, in sampling periods: one fewer than positions.
+    pub durations: Vec<Number>,
+}
+
+/// Reads the samples of one log, whose forces are given and whose times may be.
+///
+/// # Errors
+///
+/// [`TraceError`] for what an audit refuses, for a log without forces, and for one of more than
+/// [`MAX_SAMPLES`] samples.
+pub fn samples(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled, TraceError> {
+    let paths: [PathBuf; 1] = [path.to_owned()];
+    let (mut source, layout) = Source::open(&paths, scene, dialect, BLOCK)?;
+    if layout.force.is_none() {
+        let message =
+            "the force that was commanded is needed: a column such as `f [N]` or `f [N m]`";
+        return Err(TraceError::new("header", message));
+    }
+    if layout.form == crate::Form::Ledger {
+        let message = "expected samples, found the rows of a ledger";
+        return Err(TraceError::new("header", message));
+    }
+    let mut all = Sampled::default();
+    let mut time = None;
+    while let Some(work) = source.next(&layout) {
+        let chunk = match work {
+            Work::Parse(block, notation, _) => csv::parse(&block, &layout, notation),
+            Work::Account(chunk) => chunk,
+        };
+        append(&mut all, &mut time, &chunk, &layout)?;
+    }
+    match all.positions.len() {
+        0 | 1 => Err(TraceError::new(
+            "empty",
+            "a log of at least two samples is needed",
+        )),
+        _ => Ok(all),
+    }
+}
+
+/// Adds the samples of a chunk; `time` is that of the last sample before it.
+fn append(
+    all: &mut Sampled,
+    time: &mut Option<Number>,
+    chunk: &Chunk,
+    layout: &Layout,
+) -> Result<(), TraceError> {
+    let before = all.positions.len();
+    let number = |row: usize| (before + row + 1) as u64;
+    for row in 0..chunk.samples.len() {
+        let at = |error: TraceError| error.row(number(row));
+        if all.positions.len() == MAX_SAMPLES {
+            let message = format!("a log may have {MAX_SAMPLES} samples here");
+            return Err(at(TraceError::new("too_long", message)));
+        }
+        let (Some(position), Some(force)) = (chunk.samples.get(row), chunk.forces.get(row)) else {
+            return Err(at(TraceError::new(
+                "fields",
+                "a position or a force is missing",
+            )));
+        };
+        let now = chunk.times.get(row);
+        if let Some(last) = all.positions.last() {
+            if let (Reading::Count(from), Reading::Count(to)) = (last, &position) {
+                check_jump(*from, *to).map_err(at)?;
+            }
+            let duration = match (&time, now) {
+                (Some(from), Some(to)) => between(layout, from, to).map_err(at)?,
+                _ => Number::whole(1),
+            };
+            all.durations.push(duration);
+        }
+        *time = now.cloned();
+        all.positions.push(position);
+        all.forces.push(force.value.clone());
+    }
+    match &chunk.error {
+        Some(error) => {
+            let row = error.row.map_or(before as u64, |row| before as u64 + row);
+            Err(error.clone().row(row + 1))
+        }
+        None => Ok(()),
+    }
+}

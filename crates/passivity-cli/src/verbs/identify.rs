@@ -1,0 +1,271 @@
+//! `passivity identify`: friction and inertia of a device from logs of its motion.
+
+use std::path::{Path, PathBuf};
+
+use passivity_audit::{Columns, Dialect, TraceError};
+use passivity_identify::{
+    Identified, Inertia, LogReport, Options, Provenance, Report, Sampled, identify, read,
+    read_sketch,
+};
+#[cfg(feature = "plot")]
+use passivity_plot::save;
+use passivity_scene::Scene;
+
+use crate::exit::{Exit, Failure};
+use crate::output::{Format, emit, emit_json, may_be_written, tell};
+use crate::progress::Progress;
+use crate::verbs::audit::{delimiter, quoted};
+
+/// Find the friction of a device, and its inertia, from logs of its motion: bounds that surely hold them,
+/// and a best estimate.
+///
+/// Each log is one experiment: the device starts at rest, nobody touches it, and the commanded force, in
+/// the column `f [N]` or `f [N m]`, is held from each sample to the next. Positions are counts, or `x [unit]`,
+/// as `passivity audit` reads them. The sketch is a scene that says what is known: sampling period, encoder
+/// and, if known, the inertia; it may lack a wall. Friction in the sketch is not used, and is replaced in the scene that is
+/// written. The model is m·dv/dt = u − b·v − c·sgn(v); every part of the parameters that is left out is refuted by
+/// an enclosure of all its motions. Period and encoder are taken at their nominal values.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  passivity identify push.csv --scene sketch.toml --out device.toml
+  passivity identify push.csv ramp.csv swing.csv --scene sketch.toml --out device.toml --plot fit.svg
+  passivity identify push.csv --scene sketch.toml --inertia free --format json
+
+Exit codes: 0 some parameters fit, and every bound is finite; 1 none fit (the answer says where in the
+log), or a bound is missing; 2 a log or the sketch is invalid; 3 the sketch has an effect that is not
+covered: an amplifier's lag, a latency, or a hand.")]
+pub(crate) struct Args {
+    /// The logs, one experiment each.
+    #[arg(value_name = "LOG", required = true)]
+    logs: Vec<PathBuf>,
+    /// What is known of the device: a scene, perhaps without a wall.
+    #[arg(long, value_name = "SKETCH")]
+    scene: PathBuf,
+    /// Write the sketch with the ranges that were found to this file.
+    #[arg(long, value_name = "SCENE")]
+    out: Option<PathBuf>,
+    /// By how many ticks a count may be off to either side: count n then says that the device is between n − N
+    /// and n + 1 + N ticks. A position x of a log is taken as a count of x/Δ.
+    #[arg(long, value_name = "N", default_value_t = 1.0)]
+    count_error: f64,
+    /// By how much the force may differ from the logged one to either side, in N or N m.
+    #[arg(long, value_name = "F", default_value_t = 0.0)]
+    force_error: f64,
+    /// Take the inertia, with its tolerance, from the sketch, or look for it (over six decades); a sketch
+    /// without an inertia has it looked for.
+    #[arg(long, value_enum, default_value_t)]
+    inertia: Mass,
+    /// How much work the search for the bounds may be, in millions of sampling intervals of motion; when it
+    /// is spent, the bounds are wider, and as sure. By default 20, or a thousandth of the number of rows if that is more.
+    #[arg(long, value_name = "MILLIONS", value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    effort: Option<u64>,
+    /// Say which columns are read: `role=name`, as for `passivity audit`.
+    #[arg(long, value_name = "COLUMNS")]
+    columns: Option<Columns>,
+    /// The character between the fields of CSV, or `tab`.
+    #[arg(long, value_name = "CHARACTER", value_parser = delimiter)]
+    delimiter: Option<u8>,
+    /// Numbers are written with a comma, as in 0,25.
+    #[arg(long)]
+    decimal_comma: bool,
+    /// The name of the device, for the scene that is written.
+    #[arg(long, value_name = "NAME")]
+    device: Option<String>,
+    /// When the logs were recorded, for the scene that is written.
+    #[arg(long, value_name = "DATE")]
+    date: Option<String>,
+    /// Draw what was measured beside what is simulated, and the parameters that fit, as SVG or PNG.
+    #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
+    plot: Option<PathBuf>,
+    /// How to write the result.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// Where the inertia comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+enum Mass {
+    /// From the sketch, over its tolerance.
+    #[default]
+    Sketch,
+    /// Looked for.
+    Free,
+}
+
+/// Identifies and reports.
+pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    let inputs: Vec<&Path> = args
+        .logs
+        .iter()
+        .chain([&args.scene])
+        .map(PathBuf::as_path)
+        .collect();
+    for output in [&args.out, &args.plot].into_iter().flatten() {
+        may_be_written(output, &inputs, "identification")?;
+    }
+    crate::picture::check(args.plot.as_deref())?;
+    let (text, sketch) = sketch(&args.scene)?;
+    let (logs, files) = logs(args, &sketch)?;
+    let rows: u64 = logs.iter().map(|log| log.positions.len() as u64).sum();
+    let options = Options {
+        count_error: args.count_error,
+        force_error: args.force_error,
+        inertia: match args.inertia {
+            Mass::Sketch => Inertia::Sketch,
+            Mass::Free => Inertia::Free,
+        },
+        effort: match args.effort {
+            Some(millions) => millions * 1_000_000,
+            None => rows.max(20_000) * 1_000,
+        },
+    };
+    let mut bar = Progress::new(options.effort, "intervals at the most");
+    let mut done = 0;
+    let found = identify(&logs, &sketch, &options, |steps| {
+        bar.advance(steps - done);
+        done = steps;
+    });
+    drop(bar);
+    let found = match found {
+        Ok(found) => found,
+        Err(error) if error.is_not_covered() => {
+            tell(&format!("{}: {error}", args.scene.display()));
+            return Ok(Exit::NotCovered);
+        }
+        Err(error) => return Err(Failure::input(error)),
+    };
+    #[cfg(feature = "plot")]
+    if let Some(path) = &args.plot {
+        let title = format!("{}: {}", sketch.name, names(args));
+        let picture = found.picture(&title).map_err(Failure::input)?;
+        save(&picture, path).map_err(Failure::input)?;
+    }
+    let report = Report::new(&sketch, &found, files.clone());
+    match args.format {
+        Format::Text => emit(&report.to_text(sketch.motion))?,
+        Format::Json => emit_json(&report)?,
+    }
+    if let Some(out) = &args.out {
+        write(out, &text, &found, files, args)?;
+    }
+    Ok(match found.is_bounded() {
+        true => Exit::Holds,
+        false => Exit::Fails,
+    })
+}
+
+/// Writes the scene, or says why there is none.
+fn write(
+    out: &Path,
+    text: &str,
+    found: &Identified,
+    logs: Vec<LogReport>,
+    args: &Args,
+) -> Result<(), Failure> {
+    if !found.is_bounded() {
+        tell(&format!(
+            "{} is not written: a parameter has no bounds",
+            out.display()
+        ));
+        return Ok(());
+    }
+    let said = Provenance {
+        logs,
+        device: args.device.clone(),
+        date: args.date.clone(),
+    };
+    let scene = found.scene(text, &said).map_err(Failure::input)?;
+    std::fs::write(out, &scene).map_err(|error| Failure::io(out.display(), &error))?;
+    if Scene::from_toml("scene", &scene).is_err() {
+        tell(&format!(
+            "{} has no wall yet: add a [wall] with its stiffness before you check it",
+            out.display()
+        ));
+    }
+    Ok(())
+}
+
+/// The text of the sketch, and what it says.
+fn sketch(path: &Path) -> Result<(String, Scene), Failure> {
+    /// As of a scene.
+    const MOST: u64 = passivity_scene::parse::MAX_BYTES;
+    let failed = |error: std::io::Error| Failure::io(path.display(), &error);
+    let size = path.metadata().map_err(failed)?.len();
+    if size > MOST {
+        return Err(Failure::input(format!(
+            "{}: larger than {MOST} bytes",
+            path.display()
+        )));
+    }
+    let text = std::fs::read_to_string(path).map_err(failed)?;
+    let name = path
+        .file_stem()
+        .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let sketch = read_sketch(&name, &text);
+    let sketch = sketch.map_err(|error| Failure::input(format!("{}: {error}", path.display())))?;
+    Ok((text, sketch))
+}
+
+/// The logs, with the hash of each file.
+fn logs(args: &Args, sketch: &Scene) -> Result<(Vec<Sampled>, Vec<LogReport>), Failure> {
+    let dialect = Dialect {
+        columns: args.columns.clone(),
+        delimiter: args.delimiter,
+        decimal_comma: args.decimal_comma,
+    };
+    let (mut logs, mut files) = (Vec::new(), Vec::new());
+    for path in &args.logs {
+        if path.as_os_str() == "-" {
+            return Err(Failure::input(
+                "a log must be a file: its hash goes into the scene",
+            ));
+        }
+        let log = read(path, sketch, &dialect).map_err(|error| refusal(args, path, &error))?;
+        logs.push(log);
+        let sha256 = passivity_identify::sha256(path);
+        files.push(LogReport {
+            file: path.display().to_string(),
+            sha256: sha256.map_err(|error| Failure::io(path.display(), &error))?,
+        });
+    }
+    Ok((logs, files))
+}
+
+/// The names of the logs, for people.
+#[cfg(feature = "plot")]
+fn names(args: &Args) -> String {
+    let names: Vec<String> = args
+        .logs
+        .iter()
+        .map(|log| log.display().to_string())
+        .collect();
+    names.join(", ")
+}
+
+/// Why a log is refused, with the command that reads it as it seems to be meant.
+fn refusal(args: &Args, path: &Path, error: &TraceError) -> Failure {
+    let Some(proposal) = &error.proposal else {
+        return Failure::input(format!("{}: {error}", path.display()));
+    };
+    let mut words = vec!["passivity".to_owned(), "identify".to_owned()];
+    words.extend(args.logs.iter().map(|log| log.display().to_string()));
+    words.extend(["--scene".to_owned(), args.scene.display().to_string()]);
+    words.extend(["--columns".to_owned(), proposal.columns.clone()]);
+    match proposal.delimiter {
+        Some('\t') => words.extend(["--delimiter".to_owned(), "tab".to_owned()]),
+        Some(other) => words.extend(["--delimiter".to_owned(), other.to_string()]),
+        None => {}
+    }
+    if proposal.decimal_comma {
+        words.push("--decimal-comma".to_owned());
+    }
+    if let Some(out) = &args.out {
+        words.extend(["--out".to_owned(), out.display().to_string()]);
+    }
+    let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
+    Failure::input(format!(
+        "{}: {error} run: {}",
+        path.display(),
+        words.join(" ")
+    ))
+}

@@ -1,0 +1,280 @@
+//! The best estimate: least squares over the motion in closed form. It also says in which coordinates to
+//! search; the box does not rest on it.
+
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use nalgebra::{DMatrix, DVector, Dyn, Owned};
+
+use crate::log::Log;
+use crate::motion::{Propagators, simulated};
+use crate::region::{Ends, Shear};
+use crate::search::fits;
+
+/// What was measured less what is simulated, in ticks; where the device started is what fits best.
+pub(crate) fn residuals(log: &Log, at: [f64; 3]) -> Vec<f64> {
+    let simulated = simulated(log, at, &mut Propagators::default());
+    let mut residuals: Vec<f64> = log.middles().zip(simulated).map(|(x, y)| x - y).collect();
+    #[allow(clippy::cast_precision_loss)] // at most a million
+    let mean = residuals.iter().sum::<f64>() / residuals.len() as f64;
+    residuals.iter_mut().for_each(|residual| *residual -= mean);
+    residuals
+}
+
+fn all_residuals(logs: &[Log], at: [f64; 3]) -> DVector<f64> {
+    let all = logs.iter().flat_map(|log| residuals(log, at));
+    DVector::from_vec(all.collect())
+}
+
+/// Half the sum of the squares of all residuals; infinite where there is none.
+fn cost(logs: &[Log], at: [f64; 3]) -> f64 {
+    let cost = 0.5 * all_residuals(logs, at).norm_squared();
+    if cost.is_finite() {
+        cost
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// What an optimiser turns for a parameter.
+#[derive(Clone, Copy, Debug)]
+enum Knob {
+    /// It stays.
+    Fixed(f64),
+    /// Its logarithm.
+    Logarithm,
+    /// An angle θ: lo + (hi − lo)(1 + sin θ)/2, which is never outside.
+    Within(Ends),
+}
+
+impl Knob {
+    fn value(self, turned: f64) -> f64 {
+        match self {
+            Self::Fixed(x) => x,
+            Self::Logarithm => turned.exp(),
+            Self::Within([lo, hi]) => (lo + (hi - lo) * 0.5 * (1.0 + turned.sin())).clamp(lo, hi),
+        }
+    }
+
+    fn turned(self, value: f64) -> f64 {
+        /// So far from the ends, of the width, a search starts: there its slope is not zero.
+        const INSET: f64 = 0.02;
+        match self {
+            Self::Fixed(_) => 0.0,
+            Self::Logarithm => value.max(f64::MIN_POSITIVE).ln(),
+            Self::Within([lo, hi]) => {
+                let share = ((value - lo) / (hi - lo)).clamp(INSET, 1.0 - INSET);
+                (2.0 * share - 1.0).asin()
+            }
+        }
+    }
+}
+
+/// The least squares as the optimiser has them.
+struct Fit<'a> {
+    logs: &'a [Log],
+    knobs: [Knob; 3],
+    turned: DVector<f64>,
+}
+
+impl Fit<'_> {
+    fn at(&self, turned: &DVector<f64>) -> [f64; 3] {
+        let mut turned = turned.iter();
+        self.knobs.map(|knob| match knob {
+            Knob::Fixed(x) => x,
+            knob => knob.value(turned.next().copied().unwrap_or(f64::NAN)),
+        })
+    }
+}
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Fit<'_> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, turned: &DVector<f64>) {
+        self.turned.copy_from(turned);
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.turned.clone()
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        let residuals = all_residuals(self.logs, self.at(&self.turned));
+        residuals.iter().all(|r| r.is_finite()).then_some(residuals)
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        /// Of a knob: the motion is known to some 10⁻¹³, so the difference to some 10⁻⁹.
+        const STEP: f64 = 1e-4;
+        let column = |index: usize| {
+            let moved = |by: f64| {
+                let mut turned = self.turned.clone();
+                if let Some(knob) = turned.get_mut(index) {
+                    *knob += by;
+                }
+                all_residuals(self.logs, self.at(&turned))
+            };
+            (moved(STEP) - moved(-STEP)) / (2.0 * STEP)
+        };
+        let columns: Vec<DVector<f64>> = (0..self.turned.len()).map(column).collect();
+        let jacobian = DMatrix::from_columns(&columns);
+        jacobian.iter().all(|x| x.is_finite()).then_some(jacobian)
+    }
+}
+
+/// Turns the knobs from a start on; gives the parameters and what they cost.
+fn minimized(logs: &[Log], knobs: [Knob; 3], start: [f64; 3]) -> ([f64; 3], f64) {
+    let free = knobs
+        .into_iter()
+        .zip(start)
+        .filter(|(knob, _)| !matches!(knob, Knob::Fixed(_)));
+    let turned: Vec<f64> = free.map(|(knob, value)| knob.turned(value)).collect();
+    let before = cost(logs, start);
+    if turned.is_empty() {
+        return (start, before);
+    }
+    let fit = Fit {
+        logs,
+        knobs,
+        turned: DVector::from_vec(turned),
+    };
+    let (fit, _) = LevenbergMarquardt::new().with_patience(12).minimize(fit);
+    let found = fit.at(&fit.turned);
+    let after = cost(logs, found);
+    // A search that went nowhere gives back where it started.
+    if after <= before {
+        (found, after)
+    } else {
+        (start, before)
+    }
+}
+
+/// How many intervals of motion the costs on a grid may take.
+const GRID: usize = 20_000_000;
+
+/// Parameters near those with the least squares, b up to and c up to their most and m in its interval: from
+/// a grid over decades on.
+pub(crate) fn first(logs: &[Log], most: [f64; 2], inertia: Ends) -> [f64; 3] {
+    let samples = logs.iter().map(Log::len).sum::<usize>().max(1);
+    let is_fixed = inertia[1] <= 1.001 * inertia[0];
+    let middle = 0.5 * inertia[0] + 0.5 * inertia[1];
+    let knobs = [
+        Knob::Logarithm,
+        Knob::Logarithm,
+        if is_fixed {
+            Knob::Fixed(middle)
+        } else {
+            Knob::Logarithm
+        },
+    ];
+    let dimensions = if is_fixed { 2 } else { 3 };
+    let points = (3..=9_u32)
+        .rev()
+        .find(|n| n.pow(dimensions) as usize * samples <= GRID);
+    let points = points.unwrap_or(3);
+    // From the most downwards, over four decades of b and m and two of c.
+    let share = |i: u32, decades: f64| 10_f64.powf(-decades * f64::from(i) / f64::from(points));
+    let mut grid = Vec::new();
+    for i in 0..points {
+        for j in 0..points {
+            let (b, c) = (most[0] * share(i, 4.0), 0.95 * most[1] * share(j, 2.0));
+            match is_fixed {
+                true => grid.push([b, c, middle]),
+                false => grid.extend((0..points).map(|k| [b, c, inertia[1] * share(k, 4.0)])),
+            }
+        }
+    }
+    let mut known: Vec<(f64, [f64; 3])> = grid.into_iter().map(|at| (cost(logs, at), at)).collect();
+    known.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let tried = known
+        .into_iter()
+        .take(3)
+        .map(|(_, at)| minimized(logs, knobs, at));
+    let best = tried.min_by(|a, b| a.1.total_cmp(&b.1));
+    best.map_or([most[0], most[1], middle], |(at, _)| at)
+}
+
+/// The parameters within a box with the least squares, from a start on that need not be in it. Where these
+/// are refuted, as errors that are not evenly spread can have it, those of the least squares among some that
+/// fit, if any are known.
+pub(crate) fn best(
+    logs: &[Log],
+    hull: &[Ends; 3],
+    start: [f64; 3],
+    fitting: &[[f64; 3]],
+) -> [f64; 3] {
+    let knobs = hull.map(|[lo, hi]| match hi > lo {
+        true => Knob::Within([lo, hi]),
+        false => Knob::Fixed(lo),
+    });
+    let inside = |at: [f64; 3]| {
+        let mut values = at.into_iter();
+        hull.map(|[lo, hi]| values.next().unwrap_or(lo).clamp(lo, hi))
+    };
+    let middle = hull.map(|[lo, hi]| 0.5 * lo + 0.5 * hi);
+    let tried = [inside(start), middle].map(|start| minimized(logs, knobs, start));
+    let [(first, least), (second, other)] = tried;
+    let found = if least <= other { first } else { second };
+    if fitting.is_empty() || fits(logs, found) {
+        return found;
+    }
+    // As many as a grid may cost.
+    let samples = logs.iter().map(Log::len).sum::<usize>();
+    let every = (fitting.len() * samples).div_ceil(GRID).max(1);
+    let known = fitting.iter().step_by(every);
+    let known = known.map(|at| (cost(logs, *at), *at));
+    let best = known.min_by(|a, b| a.0.total_cmp(&b.0));
+    best.map_or(found, |(_, at)| at)
+}
+
+/// Coordinates in which the squares around a place do not mix, and the weight of each.
+///
+/// With H = JᵀJ for q, p, r = c/m, b/m, 1/m the factors of H = LDLᵀ: Σ Dᵢ(Lᵀx)ᵢ².
+pub(crate) fn coordinates(logs: &[Log], at: [f64; 3]) -> (Shear, [f64; 3]) {
+    /// Of a parameter.
+    const STEP: f64 = 1e-4;
+    let [b, c, m] = at;
+    let [q, p, r] = [c / m, b / m, 1.0 / m];
+    // A friction of zero is moved by a small one.
+    let fastest = logs
+        .iter()
+        .map(Log::fastest)
+        .fold(f64::MIN_POSITIVE, f64::max);
+    let least = 1e-3 * (q + p * fastest);
+    let steps = [STEP * q.max(least), STEP * p.max(least / fastest), STEP * r];
+    let of =
+        |[q, p, r]: [f64; 3]| all_residuals(logs, [(p / r).max(0.0), (q / r).max(0.0), 1.0 / r]);
+    let base = of([q, p, r]);
+    let column = |moved: [f64; 3], step: f64| (of(moved) - &base) / step;
+    let [dq, dp, dr] = steps;
+    let columns = [
+        column([q + dq, p, r], dq),
+        column([q, p + dp, r], dp),
+        column([q, p, r + dr], dr),
+    ];
+    let [jq, jp, jr] = &columns;
+    let above_zero = |x: f64| {
+        if x > 0.0 && x.is_finite() {
+            x
+        } else {
+            f64::MIN_POSITIVE
+        }
+    };
+    let ratio = |x: f64, y: f64| {
+        let ratio = x / y;
+        if ratio.is_finite() { ratio } else { 0.0 }
+    };
+    let first = above_zero(jq.dot(jq));
+    let alpha = ratio(jq.dot(jp), first);
+    let gamma = ratio(jq.dot(jr), first);
+    let second = above_zero(jp.dot(jp) - alpha * jq.dot(jp));
+    let mixed = jp.dot(jr) - alpha * jq.dot(jr);
+    let delta = ratio(mixed, second);
+    let third = above_zero(jr.dot(jr) - gamma * jq.dot(jr) - delta * mixed);
+    let shear = Shear {
+        viscous_in_coulomb: alpha,
+        mobility_in_coulomb: gamma,
+        mobility_in_viscous: delta,
+    };
+    (shear, [first, second, third].map(f64::sqrt))
+}

@@ -1,0 +1,458 @@
+//! From samples to what is known of the device's parameters.
+
+use std::fmt;
+use std::path::Path;
+
+use passivity_audit::{Dialect, Sampled, TraceError, samples};
+use passivity_core::parameter::Unit;
+use passivity_core::{BigRational, Effect, Exact, Interval, Loop, Parameter, Scalar as _};
+use passivity_scene::{Motion, Scene};
+use passivity_sim::{Double, Enclosed};
+
+use crate::estimate;
+use crate::lacks::{self, Lack};
+use crate::log::{Errors, Log};
+use crate::region::{COULOMB, Corner, Ends, INERTIA, Part, Shear};
+use crate::search::{self, Found, Task};
+
+/// What the inertia is taken to be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Inertia {
+    /// What the sketch says, over its tolerance; looked for where it says nothing.
+    #[default]
+    Sketch,
+    /// Looked for, whatever the sketch says.
+    Free,
+}
+
+/// What is known of the logs, and how much work a search may be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// By how many ticks a count may be off to either side: count n says that the device is between n − e
+    /// and n + 1 + e ticks.
+    pub count_error: f64,
+    /// By how much the force may be off to either side, in SI units (KΔ where the sketch is
+    /// dimensionless).
+    pub force_error: f64,
+    /// What the inertia is taken to be.
+    pub inertia: Inertia,
+    /// How many sampling intervals of motion are computed at the most, in the search for the box.
+    pub effort: u64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            count_error: 1.0,
+            force_error: 0.0,
+            inertia: Inertia::Sketch,
+            effort: 20_000_000,
+        }
+    }
+}
+
+/// What is known of a parameter, in SI units (in K, T and Δ where the sketch is dimensionless).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The parameter is surely not below this.
+    pub lo: f64,
+    /// The parameter is surely not above this; `None` where nothing bounds it.
+    pub hi: Option<f64>,
+    /// The best estimate; `None` where the device did not surely move.
+    pub best: Option<f64>,
+}
+
+/// Where the logs show that no parameters fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refutation {
+    /// Which log, from 0.
+    pub log: usize,
+    /// The row of the log, from 1: no parameters fit the rows up to it, and those of the logs before.
+    pub row: usize,
+    /// When that row was recorded, in seconds (sampling periods where the sketch is dimensionless) from the
+    /// log's first one.
+    pub time: f64,
+    /// What it may be.
+    pub suspicion: String,
+}
+
+/// What the logs say of the device.
+#[derive(Clone, Debug)]
+pub struct Identified {
+    /// Viscous and Coulomb friction, and the inertia where it was looked for; nothing where nothing fits.
+    pub parameters: Vec<(Parameter, Bounds)>,
+    /// How many samples the logs have.
+    pub samples: usize,
+    /// Where the logs show that no parameters fit.
+    pub refuted_by: Option<Refutation>,
+    /// Whether the work came to its bound before the box was as narrow as it could be.
+    pub stopped_early: bool,
+    /// What the logs lack, where the box is wide.
+    pub lacks: Vec<Lack>,
+    pub(crate) logs: Vec<Log>,
+    pub(crate) found: Found,
+    #[cfg_attr(not(feature = "plot"), expect(dead_code, reason = "for pictures"))]
+    pub(crate) shear: Shear,
+    pub(crate) best: Option<[f64; 3]>,
+    pub(crate) units: [[f64; 2]; 3],
+    /// T in seconds.
+    pub(crate) period: f64,
+    pub(crate) motion: Motion,
+}
+
+/// Why parameters cannot be looked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct IdentifyError {
+    message: String,
+    is_not_covered: bool,
+}
+
+impl IdentifyError {
+    pub(crate) fn new(message: impl Into<String>) -> Self {
+        Self {
+            message: message.into(),
+            is_not_covered: false,
+        }
+    }
+
+    /// Whether the sketch has an effect that TH-IDENT does not cover.
+    #[must_use]
+    pub const fn is_not_covered(&self) -> bool {
+        self.is_not_covered
+    }
+}
+
+impl fmt::Display for IdentifyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for IdentifyError {}
+
+/// Reads the samples of a log.
+///
+/// # Errors
+///
+/// [`TraceError`] as [`samples`].
+pub fn read(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled, TraceError> {
+    samples(path, scene, dialect)
+}
+
+/// The parameters that are looked for, in the order of a [`Region`].
+pub(crate) const PARAMETERS: [Parameter; 3] =
+    [Parameter::Viscous, Parameter::Coulomb, Parameter::Inertia];
+
+/// Looks for the parameters that can have produced the logs (TH-IDENT); `progress` is told how much of the
+/// effort is spent.
+///
+/// # Errors
+///
+/// [`IdentifyError`] for a sketch with effects that are not covered, for one without an encoder, and for a
+/// log that does not start at rest.
+///
+/// # Example
+///
+/// ```
+/// use passivity_audit::{Number, Reading};
+/// use passivity_identify::{Options, Sampled, identify};
+/// use passivity_scene::Scene;
+///
+/// // Pushed with 10 KΔ for ten samples, a device with μ = 10, β = 0 and σ = 1 coasts to rest.
+/// let sketch = Scene::from_toml("sketch", "[dimensionless]\nmu = 10").unwrap();
+/// let way = |n: i64| match n {
+///     0..=10 => 45 * n * n / 100,
+///     n => 45 + (900 * (n - 10) - 5 * (n - 10) * (n - 10)) / 100,
+/// };
+/// let count = |n: i64| Reading::Count(way(n.min(100)));
+/// let force = |n: i64| Reading::Exact(Number::whole(if n < 10 { 10 } else { 0 }));
+/// let log = Sampled {
+///     positions: (0..120).map(count).collect(),
+///     forces: (0..120).map(force).collect(),
+///     durations: vec![Number::whole(1); 119],
+/// };
+/// let found = identify(&[log], &sketch, &Options::default(), |_| {}).unwrap();
+/// let (_, coulomb) = found.parameters[1];
+/// assert!(coulomb.lo <= 1.0 && 1.0 <= coulomb.hi.unwrap());
+/// ```
+pub fn identify(
+    sampled: &[Sampled],
+    sketch: &Scene,
+    options: &Options,
+    progress: impl FnMut(u64),
+) -> Result<Identified, IdentifyError> {
+    covered(sketch)?;
+    let nominal = sketch.given.map(|_, given| given.nominal.clone());
+    let units = units(&nominal)?;
+    let force_unit = *units.get(COULOMB).unwrap_or(&[1.0; 2]);
+    let errors = Errors {
+        count: options.count_error,
+        force: crate::directed::div(options.force_error, force_unit[0]),
+    };
+    if !(errors.count >= 0.0 && errors.count.is_finite()) {
+        return Err(IdentifyError::new(
+            "the error of a count must be zero or above it",
+        ));
+    }
+    if !(errors.force >= 0.0 && errors.force.is_finite()) {
+        return Err(IdentifyError::new(
+            "the error of the force must be zero or above it",
+        ));
+    }
+    let logs: Vec<Log> = sampled.iter().map(|one| Log::of(one, errors)).collect();
+    if logs.is_empty() {
+        return Err(IdentifyError::new("a log is needed"));
+    }
+    for (number, log) in logs.iter().enumerate() {
+        starts_at_rest(log, number, logs.len())?;
+    }
+    let inertia = match options.inertia {
+        Inertia::Sketch => inertia(sketch, &nominal)?,
+        Inertia::Free => None,
+    };
+    let period = middle(ends(&nominal.period)?);
+    let bounds = search::first_bounds(&logs);
+    let least_inertia = 1.001 * LEAST_INERTIA * bounds[2].unwrap_or(0.0);
+    let whole = |found: Found, shear, best, region: Option<[Ends; 3]>| {
+        let mut identified = Identified {
+            parameters: Vec::new(),
+            samples: logs.iter().map(Log::len).sum(),
+            refuted_by: None,
+            stopped_early: found.stopped_early,
+            lacks: Vec::new(),
+            logs: logs.clone(),
+            found,
+            shear,
+            best,
+            units,
+            period,
+            motion: sketch.motion,
+        };
+        identified.describe(inertia.is_none(), least_inertia, region.as_ref());
+        identified
+    };
+    let [Some(viscous), Some(coulomb), Some(mass)] = bounds else {
+        let nothing = Found {
+            parts: Vec::new(),
+            hull: None,
+            refuted_by: None,
+            fitting: Vec::new(),
+            stopped_early: false,
+        };
+        return Ok(whole(nothing, Shear::default(), None, None));
+    };
+    let most = [viscous, coulomb];
+    // Without an inertia in the sketch it is looked for over six decades.
+    let (inertia, slabs) = match inertia {
+        Some(ends) => (ends, 1),
+        None => ([mass * LEAST_INERTIA, mass], SLABS),
+    };
+    let first = estimate::first(&logs, most, inertia);
+    let (shear, weights) = estimate::coordinates(&logs, first);
+    let task = Task {
+        logs: &logs,
+        shear,
+        weights,
+        most,
+        near: first,
+        effort: options.effort,
+    };
+    let found = task.search(parts(&shear, most, inertia, slabs), progress);
+    let best = found
+        .hull
+        .map(|hull| estimate::best(&logs, &hull, first, &found.fitting));
+    let hull = found.hull;
+    Ok(whole(found, shear, best, hull))
+}
+
+/// The least inertia that is looked for, of the largest that the logs allow.
+const LEAST_INERTIA: f64 = 1e-6;
+
+/// Into how many parts it is cut before the search.
+const SLABS: u32 = 20;
+
+/// Parts that hold all parameters up to the most, the inertia cut evenly over its decades.
+fn parts(shear: &Shear, most: [f64; 2], [least, largest]: Ends, slabs: u32) -> Vec<Part> {
+    use crate::directed::{div, mul};
+    let down = |x: f64| -div(-1.0, x);
+    let ratio = (largest / least).powf(1.0 / f64::from(slabs));
+    let mut parts = Vec::new();
+    let mut upper = largest;
+    for slab in 1..=slabs {
+        let lower = match slab == slabs {
+            true => least,
+            false => (upper / ratio).max(least),
+        };
+        let mobility = [down(upper), div(1.0, lower)];
+        let [viscous, coulomb] = most.map(|most| [0.0, mul(most, mobility[1])]);
+        parts.push(shear.around(&Corner {
+            viscous,
+            coulomb,
+            mobility,
+        }));
+        upper = lower;
+    }
+    parts
+}
+
+/// Refuses what TH-IDENT does not cover: a force that changes between samples, and a hand.
+fn covered(sketch: &Scene) -> Result<(), IdentifyError> {
+    let refused = [Effect::Latency, Effect::Amplifier, Effect::Arm];
+    let mut effects = sketch.effects();
+    effects.retain(|effect| {
+        refused.contains(effect) || (*effect == Effect::Force && !sketch.is_unforced())
+    });
+    if let Some(effect) = effects.first() {
+        return Err(IdentifyError {
+            message: format!(
+                "the sketch has {}: TH-IDENT is about a device that nobody touches, under a force that is \
+                 held from each sample to the next",
+                effect.name()
+            ),
+            is_not_covered: true,
+        });
+    }
+    if sketch.motion != Motion::Dimensionless && !sketch.given.has_encoder() {
+        return Err(IdentifyError::new(
+            "the sketch needs an [encoder]: its resolution says how well positions are known",
+        ));
+    }
+    Ok(())
+}
+
+/// KT, KΔ and KT², between doubles.
+fn units(nominal: &Loop<Exact>) -> Result<[[f64; 2]; 3], IdentifyError> {
+    let [viscous, coulomb, inertia] =
+        [Unit::VISCOUS, Unit::FORCE, Unit::INERTIA].map(|unit| ends(&nominal.unit(unit)));
+    Ok([viscous?, coulomb?, inertia?])
+}
+
+/// Doubles around a number.
+fn ends(x: &Exact) -> Result<[f64; 2], IdentifyError> {
+    /// Bits of an enclosure: past those of a double.
+    const BITS: u32 = 80;
+    let undefined = || IdentifyError::new("a number of the sketch is not defined");
+    let known = x.enclosure(BITS).ok_or_else(undefined)?;
+    Ok(around(&known))
+}
+
+fn around(known: &Interval<BigRational>) -> [f64; 2] {
+    let [lo, _] = Enclosed::<Double>::from(known.lo()).bounds();
+    let [_, hi] = Enclosed::<Double>::from(known.hi()).bounds();
+    [lo, hi]
+}
+
+fn middle([lo, hi]: [f64; 2]) -> f64 {
+    0.5 * lo + 0.5 * hi
+}
+
+/// μ over the tolerance of the sketch; `None` where it has no inertia.
+fn inertia(sketch: &Scene, nominal: &Loop<Exact>) -> Result<Option<[f64; 2]>, IdentifyError> {
+    let Some(given) = &sketch.given.inertia else {
+        return Ok(None);
+    };
+    let unit = nominal.unit(Unit::INERTIA);
+    let [lo, _] = ends(&given.value.lo().clone().over(unit.clone()))?;
+    let [_, hi] = ends(&given.value.hi().clone().over(unit))?;
+    Ok(Some([lo, hi]))
+}
+
+/// Refuses a log in which the device moves before there is a force.
+fn starts_at_rest(log: &Log, number: usize, logs: usize) -> Result<(), IdentifyError> {
+    let is_free = |[lo, hi]: &[f64; 2]| *lo <= 0.0 && *hi >= 0.0;
+    let first = log.forces.iter().position(|force| !is_free(force));
+    let mut known = [f64::NEG_INFINITY, f64::INFINITY];
+    let before = log
+        .positions
+        .iter()
+        .take(first.unwrap_or(log.len() - 1) + 1);
+    for (row, [lo, hi]) in before.enumerate() {
+        known = [known[0].max(*lo), known[1].min(*hi)];
+        if known[0] > known[1] {
+            let of = if logs > 1 {
+                format!("log {}, ", number + 1)
+            } else {
+                String::new()
+            };
+            return Err(IdentifyError::new(format!(
+                "{of}row {}: the device moves before there is a force: a log must start at rest, with no \
+                 hand on the device",
+                row + 1
+            )));
+        }
+    }
+    Ok(())
+}
+
+impl Identified {
+    /// Whether some parameters fit the logs.
+    #[must_use]
+    pub const fn fits(&self) -> bool {
+        self.refuted_by.is_none()
+    }
+
+    /// Whether every parameter is bounded on both sides.
+    #[must_use]
+    pub fn is_bounded(&self) -> bool {
+        self.fits()
+            && self
+                .parameters
+                .iter()
+                .all(|(_, bounds)| bounds.hi.is_some())
+    }
+
+    /// Whether the box is narrow: every parameter within a fifth of its estimate, end to end.
+    #[must_use]
+    pub fn is_informative(&self) -> bool {
+        self.fits() && self.parameters.iter().all(|(_, bounds)| bounds.is_narrow())
+    }
+
+    /// Fills in what follows from the search.
+    fn describe(&mut self, inertia_is_free: bool, least_inertia: f64, region: Option<&[Ends; 3]>) {
+        if let Some(place) = self.found.refuted_by {
+            let log = self.logs.get(place.log);
+            let time = log.and_then(|log| log.times().get(place.sample).copied());
+            self.refuted_by = Some(Refutation {
+                log: place.log,
+                row: place.sample + 1,
+                time: time.map_or(f64::NAN, |time| time * self.period),
+                suspicion: log.map_or_else(String::new, |log| lacks::suspicion(log, place.sample)),
+            });
+            return;
+        }
+        let wanted = if inertia_is_free { 3 } else { 2 };
+        for (dimension, parameter) in PARAMETERS.into_iter().enumerate().take(wanted) {
+            let unit = self.units.get(dimension).copied().unwrap_or([f64::NAN; 2]);
+            let ends = region.and_then(|region| region.get(dimension).copied());
+            let best = self.best.and_then(|best| best.get(dimension).copied());
+            // An inertia may be smaller than what was looked at.
+            let is_open = dimension == INERTIA && ends.is_some_and(|[lo, _]| lo <= least_inertia);
+            let lo = match ends.filter(|_| !is_open) {
+                Some([lo, _]) => crate::directed::mul_down(lo, unit[0]),
+                None => 0.0,
+            };
+            let hi = ends.map(|[_, hi]| crate::directed::mul(hi, unit[1]));
+            let best = best.map(|best| best * middle(unit));
+            self.parameters.push((
+                parameter,
+                Bounds {
+                    lo,
+                    hi,
+                    best: best.map(|best| best.clamp(lo, hi.unwrap_or(f64::INFINITY))),
+                },
+            ));
+        }
+        self.lacks = lacks::lacks(self);
+    }
+}
+
+impl Bounds {
+    /// Whether the parameter is within a fifth of its estimate, end to end.
+    #[must_use]
+    pub fn is_narrow(&self) -> bool {
+        match (self.hi, self.best) {
+            (Some(hi), Some(best)) => hi - self.lo <= 0.2 * best,
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! What a log lacks for its parameters to be known well, and what a log may show that no parameters fit.
+
+use std::fmt;
+
+use crate::identified::Identified;
+use crate::log::Log;
+use crate::motion::{Propagators, simulated};
+use crate::region::{COULOMB, INERTIA, VISCOUS};
+
+/// What a log lacks.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Lack {
+    /// There is no force in it.
+    Force,
+    /// The force moves the device by no more than the counts leave open.
+    Motion,
+    /// The device moves by few ticks.
+    Way {
+        /// How many it surely moves.
+        ticks: f64,
+    },
+    /// The device is never left to coast.
+    Coasting,
+    /// The device moves at one speed: viscous and Coulomb friction are not told apart.
+    Speeds,
+    /// Viscous friction is small beside Coulomb friction at the speeds of the log.
+    Fast,
+    /// Coulomb friction is small beside viscous friction at the speeds of the log.
+    Slow,
+    /// The device neither speeds up nor slows down enough for its inertia to show.
+    Acceleration,
+    /// The inertia was looked for as well, and the search for it did not come to its end.
+    Inertia,
+    /// None of these: there is too little of it.
+    Length,
+}
+
+/// So many ticks at least make a log that says something.
+const FEW: f64 = 100.0;
+
+impl fmt::Display for Lack {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Force => f.write_str("there is no force in the log: record the commanded force, and push"),
+            Self::Motion => f.write_str(
+                "the force never surely exceeds friction: the device moves by no more than the counts leave \
+                 open, so push harder or longer",
+            ),
+            Self::Way { ticks } => write!(
+                f,
+                "the device surely moves by {ticks:.0} ticks only: push it over a few hundred at least"
+            ),
+            Self::Coasting => f.write_str(
+                "there is no coasting phase: let the device come to rest with the force at zero",
+            ),
+            Self::Speeds => f.write_str(
+                "the device moves at about one speed only, so viscous and Coulomb friction cannot be told \
+                 apart: let it coast to rest, or add a log at another force",
+            ),
+            Self::Fast => f.write_str(
+                "viscous friction is small beside Coulomb friction at these speeds: add a faster log",
+            ),
+            Self::Slow => f.write_str(
+                "Coulomb friction is small beside viscous friction at these speeds: add a slower log, or one \
+                 in which the device coasts to rest",
+            ),
+            Self::Acceleration => f.write_str(
+                "the inertia hardly shows: add a log with a short push and a fast one, or give the inertia",
+            ),
+            Self::Inertia => f.write_str(
+                "the inertia was looked for over decades, and the search was not finished: give it in the \
+                 sketch, with a generous tolerance",
+            ),
+            Self::Length => f.write_str("there is too little motion: add a longer log, or a second one"),
+        }
+    }
+}
+
+/// What the logs lack: nothing where the box is narrow.
+pub(crate) fn lacks(identified: &Identified) -> Vec<Lack> {
+    if identified.is_informative() {
+        return Vec::new();
+    }
+    let logs = &identified.logs;
+    if logs.iter().all(|log| log.largest_force() == 0.0) {
+        return vec![Lack::Force];
+    }
+    let ticks = logs.iter().map(Log::sure_way).fold(0.0, f64::max);
+    let Some(best) = identified.best.filter(|_| ticks > 0.0) else {
+        return vec![Lack::Motion];
+    };
+    let mut all = Vec::new();
+    if ticks < FEW {
+        all.push(Lack::Way { ticks });
+    }
+    let motions: Vec<Vec<[f64; 2]>> = logs.iter().map(|log| steps(log, best)).collect();
+    if !logs
+        .iter()
+        .zip(&motions)
+        .any(|(log, steps)| coasts(log, steps))
+    {
+        all.push(Lack::Coasting);
+    }
+    let speeds = Speeds::of(&motions);
+    if speeds.fast < 2.0 * speeds.slow {
+        all.push(Lack::Speeds);
+    }
+    let [viscous, coulomb, _] = best;
+    let wide = |dimension: usize| {
+        let found = identified.parameters.get(dimension);
+        found.is_some_and(|(_, bounds)| !bounds.is_narrow())
+    };
+    if wide(VISCOUS) && viscous * speeds.fast < 0.2 * coulomb {
+        all.push(Lack::Fast);
+    }
+    if wide(COULOMB) && coulomb < 0.2 * viscous * speeds.slow {
+        all.push(Lack::Slow);
+    }
+    if wide(INERTIA) && !wide(VISCOUS) && !wide(COULOMB) {
+        all.push(Lack::Acceleration);
+    }
+    if identified.parameters.len() == 3 && identified.stopped_early {
+        return vec![Lack::Inertia];
+    }
+    if all.is_empty() {
+        all.push(Lack::Length);
+    }
+    all
+}
+
+/// The way over each interval, and its duration, as they are at the best estimate.
+fn steps(log: &Log, best: [f64; 3]) -> Vec<[f64; 2]> {
+    let ways = simulated(log, best, &mut Propagators::default());
+    let pairs = ways.iter().zip(ways.iter().skip(1));
+    let durations = log.durations.iter();
+    pairs
+        .zip(durations)
+        .map(|((from, to), duration)| [to - from, duration.hi])
+        .collect()
+}
+
+/// Whether the device moves by some ticks while the force is next to nothing.
+fn coasts(log: &Log, steps: &[[f64; 2]]) -> bool {
+    /// Ticks.
+    const SOME: f64 = 10.0;
+    let little = 0.005 * log.largest_force();
+    let free = log.intervals().zip(steps);
+    let free = free.filter(|((force, _), _)| force.iter().all(|end| end.abs() <= little));
+    free.map(|(_, [way, _])| way.abs()).sum::<f64>() >= SOME
+}
+
+/// The speeds of the motion: a tenth of the time that it moves it is slower than the one, a tenth faster
+/// than the other.
+struct Speeds {
+    slow: f64,
+    fast: f64,
+}
+
+impl Speeds {
+    fn of(motions: &[Vec<[f64; 2]>]) -> Self {
+        let all = motions.iter().flatten();
+        let mut speeds: Vec<f64> = all.map(|[way, time]| way.abs() / time).collect();
+        let most = speeds.iter().copied().fold(0.0, f64::max);
+        speeds.retain(|speed| *speed > 1e-3 * most);
+        speeds.sort_by(f64::total_cmp);
+        let at = |tenths: usize| {
+            let index = speeds.len().saturating_sub(1) * tenths / 10;
+            speeds.get(index).copied().unwrap_or(0.0)
+        };
+        Self {
+            slow: at(1),
+            fast: at(9),
+        }
+    }
+}
+
+/// What it may be that no parameters fit up to a sample.
+pub(crate) fn suspicion(log: &Log, sample: usize) -> String {
+    let middles: Vec<f64> = log.middles().take(sample + 1).collect();
+    let forces: Vec<f64> = log
+        .forces
+        .iter()
+        .take(sample)
+        .map(|[lo, hi]| 0.5 * lo + 0.5 * hi)
+        .collect();
+    let pushed_both_ways = forces.iter().any(|f| *f > 0.0) && forces.iter().any(|f| *f < 0.0);
+    let first = middles.first().copied().unwrap_or(0.0);
+    let reached = |of: fn(f64, f64) -> f64| middles.iter().copied().fold(first, of);
+    let (low, high) = (reached(f64::min), reached(f64::max));
+    let last = middles.last().copied().unwrap_or(first);
+    // More than the counts' error can be.
+    let slack = log
+        .positions
+        .first()
+        .map_or(3.0, |[lo, hi]| 2.0 * (hi - lo));
+    let turned = (high - last).min(high - first) > slack || (last - low).min(first - low) > slack;
+    let moved = high - low > slack;
+    match (moved, turned || pushed_both_ways) {
+        (false, _) => "the device starts later than its friction explains: static friction above the \
+                       sliding one, a force that acts late, or another scale of the force"
+            .to_owned(),
+        (true, true) => "only after a reversal nothing fits: backlash, or a friction that is not the same in \
+                         both directions"
+            .to_owned(),
+        (true, false) => "nothing fits already within one direction: friction that depends on the position, \
+                          cogging, static friction above the sliding one, a hand on the device, another \
+                          inertia or another scale of the force"
+            .to_owned(),
+    }
+}

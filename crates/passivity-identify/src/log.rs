@@ -1,0 +1,161 @@
+//! A log as the search needs it: doubles that surely hold what was recorded.
+
+use num_traits::ToPrimitive as _;
+use passivity_audit::{Number, Reading, Sampled};
+use passivity_sim::{Double, Enclosed};
+
+use crate::directed::{add, add_down, mul};
+use crate::motion::Duration;
+
+/// One experiment: samples of a device that starts at rest, with the force held after each.
+#[derive(Clone, Debug)]
+pub(crate) struct Log {
+    /// Where the device may be at each sample, in ticks.
+    pub(crate) positions: Vec<[f64; 2]>,
+    /// The force that is held from each sample to the next, in KΔ.
+    pub(crate) forces: Vec<[f64; 2]>,
+    /// How long each interval is, in sampling periods: one fewer than positions.
+    pub(crate) durations: Vec<Duration>,
+}
+
+/// By how much what is recorded may be off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Errors {
+    /// Of a count, in ticks, to either side.
+    pub(crate) count: f64,
+    /// Of the force, in KΔ, to either side.
+    pub(crate) force: f64,
+}
+
+impl Log {
+    /// What is known of samples: a count n, or a position x of the log in ticks, says that the device is
+    /// in [n − e, n + 1 + e], where e is the error of a count.
+    pub(crate) fn of(sampled: &Sampled, errors: Errors) -> Self {
+        let position = |reading: &Reading| {
+            let [lo, hi] = around(reading);
+            let whole_tick = matches!(reading, Reading::Count(_));
+            let hi = if whole_tick { hi } else { add(hi, 1.0) };
+            [add_down(lo, -errors.count), add(hi, errors.count)]
+        };
+        let force = |reading: &Reading| {
+            let [lo, hi] = around(reading);
+            [add_down(lo, -errors.force), add(hi, errors.force)]
+        };
+        let mut different: Vec<[f64; 2]> = Vec::new();
+        let mut last: Option<Duration> = None;
+        let mut durations = Vec::with_capacity(sampled.durations.len());
+        for duration in &sampled.durations {
+            let [lo, hi] = around_number(duration);
+            let is_same = |known: &Duration| known.lo == lo && known.hi == hi;
+            let next = last.filter(is_same).unwrap_or_else(|| {
+                let known = different.iter().position(|ends| *ends == [lo, hi]);
+                // Those that no motion keeps need not be told apart.
+                let index = known.unwrap_or(different.len());
+                if known.is_none() && different.len() < crate::motion::KEPT {
+                    different.push([lo, hi]);
+                }
+                Duration { lo, hi, index }
+            });
+            durations.push(next);
+            last = Some(next);
+        }
+        Self {
+            positions: sampled.positions.iter().map(position).collect(),
+            forces: sampled.forces.iter().map(force).collect(),
+            durations,
+        }
+    }
+
+    /// How many samples there are.
+    pub(crate) const fn len(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// When each sample was taken, in sampling periods from the first, nearly.
+    pub(crate) fn times(&self) -> Vec<f64> {
+        let mut now = 0.0;
+        let after = self.durations.iter().map(|duration| {
+            now += duration.lo;
+            now
+        });
+        std::iter::once(0.0).chain(after).collect()
+    }
+
+    /// The middle of where the device may be at each sample.
+    pub(crate) fn middles(&self) -> impl Iterator<Item = f64> + '_ {
+        self.positions.iter().map(|[lo, hi]| 0.5 * lo + 0.5 * hi)
+    }
+
+    /// The intervals: the force over each and its duration.
+    pub(crate) fn intervals(&self) -> impl Iterator<Item = (&[f64; 2], &Duration)> {
+        self.forces.iter().zip(&self.durations)
+    }
+
+    /// How far apart two samples surely are, at the most over all pairs; below zero where none are.
+    pub(crate) fn sure_way(&self) -> f64 {
+        let most = |x: f64, [lo, _]: &[f64; 2]| x.max(*lo);
+        let least = |x: f64, [_, hi]: &[f64; 2]| x.min(*hi);
+        let highest = self.positions.iter().fold(f64::NEG_INFINITY, most);
+        let lowest = self.positions.iter().fold(f64::INFINITY, least);
+        add_down(highest, -lowest)
+    }
+
+    /// The largest magnitude of the force.
+    pub(crate) fn largest_force(&self) -> f64 {
+        let forces = self.intervals().flat_map(|(force, _)| *force);
+        forces.fold(0.0, |most, force| most.max(force.abs()))
+    }
+
+    /// The largest mean speed over a fiftieth of the log, in ticks per sampling period.
+    pub(crate) fn fastest(&self) -> f64 {
+        let times = self.times();
+        let middles: Vec<f64> = self.middles().collect();
+        let stretch = (self.len() / 50).max(1);
+        let pairs = middles.iter().zip(middles.iter().skip(stretch));
+        let spans = times.iter().zip(times.iter().skip(stretch));
+        let speeds = pairs.zip(spans).map(|((from, to), (start, end))| {
+            (to - from).abs() / (end - start).max(f64::MIN_POSITIVE)
+        });
+        speeds.fold(0.0, f64::max)
+    }
+
+    /// ∫|u| and ∬|u| over the log, rounded up.
+    pub(crate) fn impulses(&self) -> [f64; 2] {
+        let (mut once, mut twice) = (0.0, 0.0);
+        for ([lo, hi], duration) in self.intervals() {
+            once = add(once, mul(lo.abs().max(hi.abs()), duration.hi));
+            twice = add(twice, mul(once, duration.hi));
+        }
+        [once, twice]
+    }
+}
+
+/// Doubles around what is known of a number.
+fn around(reading: &Reading) -> [f64; 2] {
+    match reading {
+        Reading::Exact(x) => around_number(x),
+        reading => {
+            let known = reading.to_rational();
+            let [lo, _] = Enclosed::<Double>::from(known.lo()).bounds();
+            let [_, hi] = Enclosed::<Double>::from(known.hi()).bounds();
+            [lo, hi]
+        }
+    }
+}
+
+/// The tightest doubles around a number, or the next ones.
+fn around_number(x: &Number) -> [f64; 2] {
+    /// Up to here whole numbers are doubles.
+    const EXACT: u64 = 1 << 53;
+    if let Number::Small(n, d) = x
+        && n.unsigned_abs().max(d.unsigned_abs()) < EXACT
+        && let (Some(numerator), Some(denominator)) = (n.to_f64(), d.to_f64())
+    {
+        let near = numerator / denominator;
+        return match n % d == 0 {
+            true => [near, near],
+            false => [near.next_down(), near.next_up()],
+        };
+    }
+    Enclosed::<Double>::from(&x.to_rational()).bounds()
+}

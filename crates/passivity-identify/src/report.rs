@@ -1,0 +1,203 @@
+//! What `passivity identify` answers: for programs, and for people.
+
+use passivity_core::Parameter;
+use passivity_scene::display::significant;
+use passivity_scene::{Motion, Scene};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::identified::{Bounds, Identified};
+
+/// What the logs say of the device. Figures are in SI units, or in K, T and Δ where the sketch is
+/// dimensionless.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Report {
+    /// The name of the sketch.
+    pub scene: String,
+    /// The logs, in order.
+    pub logs: Vec<LogReport>,
+    /// How many samples they have together.
+    pub samples: usize,
+    /// What is known of each parameter; `null` for all of them where nothing fits.
+    pub parameters: Parameters,
+    /// Where no parameters fit; `null` where some do.
+    pub refuted_by: Option<RefutedBy>,
+    /// Whether every parameter is known within a fifth of its estimate, end to end.
+    pub informative: bool,
+    /// What the logs lack, in words.
+    pub lacks: Vec<String>,
+    /// Whether the work came to its bound before the box was as narrow as it could be.
+    pub stopped_early: bool,
+}
+
+/// A log.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct LogReport {
+    /// Its file.
+    pub file: String,
+    /// The SHA-256 of the file, in hexadecimal.
+    pub sha256: String,
+}
+
+/// What is known of each parameter.
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+pub struct Parameters {
+    /// Viscous friction.
+    pub viscous: Option<Known>,
+    /// Coulomb friction.
+    pub coulomb: Option<Known>,
+    /// The inertia, where it was looked for.
+    pub inertia: Option<Known>,
+}
+
+/// What is known of a parameter.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+pub struct Known {
+    /// It is surely not below this.
+    pub lo: f64,
+    /// It is surely not above this; `null` where nothing bounds it.
+    pub hi: Option<f64>,
+    /// The best estimate; `null` where the device did not surely move.
+    pub best: Option<f64>,
+}
+
+/// Where the logs show that no parameters fit.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct RefutedBy {
+    /// The file of the log.
+    pub log: String,
+    /// The row, from 1, the header not counted: no parameters fit the rows up to it.
+    pub row: usize,
+    /// When it was recorded, in seconds from the log's first row.
+    pub time: f64,
+    /// What it may be.
+    pub suspicion: String,
+}
+
+impl Report {
+    /// The report on logs, each with its file's name and its hash.
+    #[must_use]
+    pub fn new(scene: &Scene, identified: &Identified, logs: Vec<LogReport>) -> Self {
+        let known = |parameter: Parameter| {
+            let found = identified
+                .parameters
+                .iter()
+                .find(|(which, _)| *which == parameter);
+            found.map(|(_, Bounds { lo, hi, best })| Known {
+                lo: *lo,
+                hi: *hi,
+                best: *best,
+            })
+        };
+        let refuted_by = identified.refuted_by.as_ref().map(|refutation| RefutedBy {
+            log: logs
+                .get(refutation.log)
+                .map_or_else(String::new, |log| log.file.clone()),
+            row: refutation.row,
+            time: refutation.time,
+            suspicion: refutation.suspicion.clone(),
+        });
+        Self {
+            scene: scene.name.clone(),
+            samples: identified.samples,
+            parameters: Parameters {
+                viscous: known(Parameter::Viscous),
+                coulomb: known(Parameter::Coulomb),
+                inertia: known(Parameter::Inertia),
+            },
+            refuted_by,
+            informative: identified.is_informative(),
+            lacks: identified.lacks.iter().map(ToString::to_string).collect(),
+            stopped_early: identified.stopped_early,
+            logs,
+        }
+    }
+
+    /// The report for people.
+    #[must_use]
+    pub fn to_text(&self, motion: Motion) -> String {
+        let count = match self.logs.len() {
+            1 => "1 log".to_owned(),
+            n => format!("{n} logs"),
+        };
+        let mut lines = vec![format!("{}: {count}, {} samples", self.scene, self.samples)];
+        if let Some(refuted) = &self.refuted_by {
+            let seconds = if motion == Motion::Dimensionless {
+                "sampling periods"
+            } else {
+                "s"
+            };
+            lines.push(format!(
+                "no viscous and Coulomb friction fit: {}, rows 1 to {} (until {} {seconds})",
+                refuted.log,
+                refuted.row,
+                significant(refuted.time)
+            ));
+            lines.push(format!("it may be: {}", refuted.suspicion));
+        }
+        for (parameter, known) in [
+            (Parameter::Viscous, &self.parameters.viscous),
+            (Parameter::Coulomb, &self.parameters.coulomb),
+            (Parameter::Inertia, &self.parameters.inertia),
+        ] {
+            let Some(known) = known else { continue };
+            let unit = unit(parameter, motion);
+            let range = match known.hi {
+                Some(hi) => format!("{} … {}{unit}", below(known.lo), above(hi)),
+                None => format!(
+                    "at least {}{unit}; nothing bounds it above",
+                    below(known.lo)
+                ),
+            };
+            let best = known.best.map_or_else(String::new, |best| {
+                format!("; best estimate {}", significant(best))
+            });
+            lines.push(format!("{:<17} {range}{best}", parameter.row().name));
+        }
+        if self.refuted_by.is_none() && self.informative {
+            lines.push("surely within these bounds, if the device is one of this model".to_owned());
+        }
+        lines.extend(
+            self.lacks
+                .iter()
+                .map(|lack| format!("to know more: {lack}")),
+        );
+        if self.stopped_early {
+            lines.push(
+                "the search came to its bound: with more --effort the box may be narrower"
+                    .to_owned(),
+            );
+        }
+        lines.join("\n")
+    }
+}
+
+/// The unit of a parameter after a space, as a scene writes it.
+pub(crate) fn unit(parameter: Parameter, motion: Motion) -> &'static str {
+    match (parameter, motion) {
+        (_, Motion::Dimensionless) => "",
+        (Parameter::Viscous, Motion::Linear) => " N s/m",
+        (Parameter::Viscous, Motion::Rotary) => " N m s/rad",
+        (Parameter::Coulomb, Motion::Linear) => " N",
+        (Parameter::Coulomb, Motion::Rotary) => " N m",
+        (_, Motion::Linear) => " kg",
+        (_, Motion::Rotary) => " kg m^2",
+    }
+}
+
+/// Six digits that are not above a bound.
+pub(crate) fn below(x: f64) -> String {
+    digits(x, passivity_scene::display::Rounding::Down)
+}
+
+/// Six digits that are not below a bound.
+pub(crate) fn above(x: f64) -> String {
+    digits(x, passivity_scene::display::Rounding::Up)
+}
+
+fn digits(x: f64, to: passivity_scene::display::Rounding) -> String {
+    match passivity_core::BigRational::from_float(x) {
+        Some(exact) => passivity_scene::display::rounded(&exact, 6, to),
+        None => x.to_string(),
+    }
+}

@@ -1,0 +1,253 @@
+//! TH-IDENT: the box holds what is true, a log that fits nothing is refuted at its place, and one that says
+//! little says what it lacks.
+
+mod trial;
+
+use passivity_audit::Number;
+use passivity_core::Parameter;
+use passivity_identify::random::Random;
+use passivity_identify::{Bounds, Identified, Inertia, Lack, Options, Sampled, identify};
+use trial::{Device, recorded, sketch, trial};
+
+/// So much work that a debug build takes a fraction of a second for a log: the box is as sure.
+fn quick() -> Options {
+    Options {
+        effort: 600_000,
+        ..Options::default()
+    }
+}
+
+fn run(logs: &[Sampled], device: &Device) -> Identified {
+    identify(logs, &sketch(device.inertia, 0.0), &quick(), |_| {}).unwrap()
+}
+
+fn bounds(found: &Identified, parameter: Parameter) -> Bounds {
+    let known = found
+        .parameters
+        .iter()
+        .find(|(which, _)| *which == parameter);
+    known
+        .unwrap_or_else(|| panic!("{parameter:?} in {found:?}"))
+        .1
+}
+
+fn assert_holds(found: &Identified, device: &Device, what: u64) {
+    let truth = [device.viscous, device.coulomb, device.inertia];
+    assert!(found.fits(), "{what}: {:?}", found.refuted_by);
+    for ((parameter, bounds), truth) in found.parameters.iter().zip(truth) {
+        let hi = bounds.hi.unwrap_or(f64::INFINITY);
+        assert!(
+            bounds.lo <= truth && truth <= hi,
+            "{what}: {parameter:?} {truth} {bounds:?}"
+        );
+        if let Some(best) = bounds.best {
+            assert!(
+                bounds.lo <= best && best <= hi,
+                "{what}: {parameter:?} {bounds:?}"
+            );
+        }
+        if found.is_informative() {
+            let off = bounds.best.unwrap() / truth - 1.0;
+            assert!(off.abs() < 0.05, "{what}: {parameter:?} {truth} {bounds:?}");
+        }
+    }
+}
+
+/// The first 32 of the devices of which `examples/table.rs` runs 200.
+#[test]
+fn th_ident_the_true_values_are_inside() {
+    let mut informative = 0;
+    let mut kinds = std::collections::BTreeSet::new();
+    for number in 0..32 {
+        let trial = trial(number);
+        kinds.insert(trial.kind);
+        let found = run(&[trial.log], &trial.device);
+        assert_holds(&found, &trial.device, number);
+        informative += u32::from(found.is_informative());
+    }
+    assert!(informative >= 20, "{informative}");
+    assert_eq!(kinds.len(), trial::KINDS.len());
+}
+
+#[test]
+fn th_ident_an_inertia_within_a_tolerance_or_unknown_is_held_too() {
+    for number in [0, 1, 2, 5, 9] {
+        let trial = trial(number);
+        let mut device = trial.device;
+        let near = sketch(device.inertia * 1.15, 20.0);
+        let found = identify(std::slice::from_ref(&trial.log), &near, &quick(), |_| {}).unwrap();
+        assert_eq!(found.parameters.len(), 2);
+        assert_holds(&found, &device, number);
+        let free = Options {
+            inertia: Inertia::Free,
+            ..quick()
+        };
+        let found = identify(&[trial.log], &sketch(1.0, 0.0), &free, |_| {}).unwrap();
+        assert_eq!(found.parameters.len(), 3);
+        if found.stopped_early && !found.is_informative() {
+            assert_eq!(found.lacks, [Lack::Inertia]);
+        }
+        // What is true of the device, not of the sketch.
+        device.inertia = trial.device.inertia;
+        assert_holds(&found, &device, number);
+    }
+}
+
+const DEVICE: Device = Device {
+    viscous: 0.05,
+    coulomb: 2.0,
+    inertia: 20.0,
+};
+
+fn even(samples: usize) -> Vec<Number> {
+    vec![Number::whole(1); samples]
+}
+
+fn pushed(force: f64, pushed: usize, samples: usize, seed: u64) -> Sampled {
+    let mut random = Random::new(seed);
+    recorded(&DEVICE, 0.3, &even(samples), &mut random, true, |row, _| {
+        if row < pushed { force } else { 0.0 }
+    })
+}
+
+#[test]
+fn several_logs_narrow_the_box() {
+    let (first, second) = (pushed(12.0, 20, 300, 1), pushed(30.0, 20, 500, 2));
+    let alone = run(std::slice::from_ref(&first), &DEVICE);
+    let both = run(&[first, second], &DEVICE);
+    assert_holds(&alone, &DEVICE, 0);
+    assert_holds(&both, &DEVICE, 1);
+    assert_eq!(both.samples, 301 + 501);
+    for parameter in [Parameter::Viscous, Parameter::Coulomb] {
+        let width = |found| {
+            let bounds: Bounds = bounds(found, parameter);
+            bounds.hi.unwrap() - bounds.lo
+        };
+        assert!(width(&both) < 0.7 * width(&alone), "{parameter:?}");
+    }
+}
+
+#[test]
+fn a_log_says_what_it_lacks() {
+    let lacks = |log: Sampled| {
+        let found = run(&[log], &DEVICE);
+        assert_holds(&found, &DEVICE, 0);
+        assert!(!found.is_informative());
+        found.lacks
+    };
+    let still = |_, _| 0.0;
+    let mut random = Random::new(3);
+    let log = recorded(&DEVICE, 0.0, &even(50), &mut random, true, still);
+    assert_eq!(lacks(log), [Lack::Force]);
+    // Below Coulomb friction.
+    let log = recorded(&DEVICE, 0.0, &even(50), &mut random, true, |_, _| 1.9);
+    assert_eq!(lacks(log), [Lack::Motion]);
+    let found = lacks(pushed(6.0, 10, 60, 4));
+    assert!(
+        matches!(found[..], [Lack::Way { ticks }, ..] if ticks < 100.0),
+        "{found:?}"
+    );
+    // One speed, from the first samples on: 2 + 0.05·v = 2.4.
+    let log = recorded(&DEVICE, 0.0, &even(60), &mut random, true, |row, _| {
+        if row == 0 { 2.4 + 160.0 } else { 2.4 }
+    });
+    let found = lacks(log);
+    assert!(
+        found.contains(&Lack::Coasting) && found.contains(&Lack::Speeds),
+        "{found:?}"
+    );
+    for lack in found {
+        assert!(lack.to_string().len() > 30);
+    }
+}
+
+#[test]
+fn nothing_bounds_the_friction_of_a_device_that_stays() {
+    let mut random = Random::new(3);
+    let log = recorded(&DEVICE, 0.0, &even(50), &mut random, true, |_, _| 1.0);
+    let found = run(&[log], &DEVICE);
+    let viscous = bounds(&found, Parameter::Viscous);
+    assert_eq!((viscous.lo, viscous.hi, viscous.best), (0.0, None, None));
+    assert!(found.fits() && !found.is_bounded());
+}
+
+/// A device whose encoder sits behind a play of some ticks.
+#[test]
+fn backlash_is_refuted_after_the_reversal() {
+    let mut random = Random::new(7);
+    let mut log = recorded(
+        &DEVICE,
+        0.0,
+        &even(500),
+        &mut random,
+        false,
+        |row, _| match row {
+            0..30 => 20.0,
+            250..280 => -20.0,
+            _ => 0.0,
+        },
+    );
+    // Pushed forwards the play is taken up; backwards the encoder stays behind by it.
+    let play = 30;
+    let mut seen = i64::MIN;
+    for reading in &mut log.positions {
+        if let passivity_audit::Reading::Count(n) = reading {
+            seen = seen.max(*n).min(*n + play);
+            *n = seen;
+        }
+    }
+    let found = run(&[log], &DEVICE);
+    let refuted = found.refuted_by.clone().expect("nothing fits");
+    assert!((250..450).contains(&refuted.row), "{refuted:?}");
+    assert!(
+        (refuted.time - (refuted.row - 1) as f64).abs() < 1e-6,
+        "{refuted:?}"
+    );
+    assert!(refuted.suspicion.contains("backlash"), "{refuted:?}");
+    assert!(found.parameters.is_empty() && !found.is_bounded());
+}
+
+#[test]
+fn friction_that_depends_on_the_position_is_refuted() {
+    let mut random = Random::new(8);
+    // Cogging, as a force that the log does not have.
+    let mut log = recorded(&DEVICE, 0.0, &even(400), &mut random, true, |row, count| {
+        let push = if row < 30 { 20.0 } else { 0.0 };
+        push + 1.5 * (count as f64 / 40.0).sin()
+    });
+    for (row, force) in log.forces.iter_mut().enumerate() {
+        let push = if row < 30 { 20 } else { 0 };
+        *force = passivity_audit::Reading::Exact(Number::whole(push));
+    }
+    let found = run(&[log], &DEVICE);
+    let refuted = found.refuted_by.expect("nothing fits");
+    assert!(refuted.suspicion.contains("cogging"), "{refuted:?}");
+}
+
+#[test]
+fn a_log_that_does_not_start_at_rest_is_refused() {
+    let mut log = pushed(20.0, 20, 200, 9);
+    log.positions.drain(..30);
+    log.forces.drain(..30);
+    log.durations.drain(..30);
+    let refused = identify(&[log], &sketch(20.0, 0.0), &quick(), |_| {});
+    let message = refused.unwrap_err().to_string();
+    assert!(message.contains("before there is a force"), "{message}");
+}
+
+#[test]
+fn the_error_of_the_force_is_taken_into_account() {
+    let log = pushed(12.0, 20, 300, 1);
+    let exact = run(std::slice::from_ref(&log), &DEVICE);
+    let loose = Options {
+        force_error: 0.05,
+        ..quick()
+    };
+    let loose = identify(&[log], &sketch(20.0, 0.0), &loose, |_| {}).unwrap();
+    let width = |found: &Identified| {
+        let coulomb = bounds(found, Parameter::Coulomb);
+        coulomb.hi.unwrap() - coulomb.lo
+    };
+    assert_holds(&loose, &DEVICE, 0);
+    assert!(width(&loose) > width(&exact) + 0.05);
+}

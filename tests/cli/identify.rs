@@ -1,0 +1,263 @@
+//! `passivity identify`: what it answers, writes and refuses.
+
+use std::path::{Path, PathBuf};
+
+use crate::harness::{Dir, Run};
+
+fn shipped(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/identify");
+    let path: PathBuf = folder.join(name);
+    path.to_str().expect("UTF-8").to_owned()
+}
+
+fn identify(dir: &Dir, log: &str, more: &[&str]) -> Run {
+    let (log, sketch) = (shipped(log), shipped("sketch.toml"));
+    let mut words = vec!["identify", &log, "--scene", &sketch, "--effort", "1"];
+    words.extend(more);
+    dir.run(&words)
+}
+
+/// What the shipped logs were simulated with.
+const TRUTH: [(&str, f64); 2] = [("viscous", 4e-5), ("coulomb", 1.5e-3)];
+
+#[test]
+fn a_scene_is_written_that_holds_what_is_true_and_is_checked() {
+    let dir = Dir::new();
+    let said = [
+        "--out",
+        "knob.toml",
+        "--device",
+        "knob\n3",
+        "--date",
+        "today",
+    ];
+    let run = identify(&dir, "push.csv", &said);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(
+        run.stdout.contains("surely within these bounds"),
+        "{}",
+        run.stdout
+    );
+    let scene = std::fs::read_to_string(dir.path("knob.toml")).unwrap();
+    assert!(
+        scene.contains("# Device: knob3\n# Recorded: today\n# Log: "),
+        "{scene}"
+    );
+    assert!(scene.contains("133c77d24f7fc6510f46a6604313b140ab401caacc401f771673f3221e32b97f"));
+    assert!(
+        scene.contains("# A knob whose friction is not known"),
+        "the sketch stays: {scene}"
+    );
+    let checked = dir.check(&scene);
+    for (field, truth) in [
+        ("beta", 4e-5 / (0.5 * 1e-3)),
+        ("sigma", 1.5e-3 / (0.5 * std::f64::consts::TAU / 8192.0)),
+    ] {
+        let near = checked.approx(field);
+        assert!((near / truth - 1.0).abs() < 0.01, "{field}: {near} {truth}");
+        let ends = &checked.scene[field];
+        assert_ne!(ends["lo"], ends["hi"]);
+    }
+    // The scene is a sketch itself, and its friction is replaced.
+    let log = shipped("ramp.csv");
+    let again = dir.run(&[
+        "identify",
+        &log,
+        "--scene",
+        "knob.toml",
+        "--effort",
+        "1",
+        "--out",
+        "second.toml",
+    ]);
+    assert_eq!(again.code, 0, "{}", again.stderr);
+    let second = std::fs::read_to_string(dir.path("second.toml")).unwrap();
+    assert_eq!(second.matches("viscous = ").count(), 1, "{second}");
+}
+
+#[test]
+fn the_json_answer_is_as_the_contract_and_its_schema_say() {
+    let dir = Dir::new();
+    let run = identify(&dir, "push.csv", &["--format", "json"]);
+    let answer = run.json();
+    assert_eq!(run.code, 0);
+    assert_eq!(
+        (answer["samples"].as_u64(), answer["refuted_by"].is_null()),
+        (Some(501), true)
+    );
+    assert_eq!(answer["informative"], true);
+    assert!(answer["version"].is_string());
+    for (name, truth) in TRUTH {
+        let known = &answer["parameters"][name];
+        let [lo, hi, best] = ["lo", "hi", "best"].map(|end| known[end].as_f64().expect(end));
+        assert!(
+            lo <= truth && truth <= hi && lo <= best && best <= hi,
+            "{known}"
+        );
+        assert!((best / truth - 1.0).abs() < 0.05, "{known}");
+    }
+    assert!(answer["parameters"]["inertia"].is_null());
+    let schema = dir.run(&["schema", "identify"]).json();
+    let known = schema["properties"].as_object().expect("properties");
+    for field in answer.as_object().expect("an object").keys() {
+        assert!(known.contains_key(field), "{field}");
+    }
+}
+
+#[test]
+fn several_logs_narrow_and_a_tolerance_of_the_inertia_is_held() {
+    let dir = Dir::new();
+    let width = |run: &Run| {
+        let known = run.json()["parameters"]["coulomb"].clone();
+        let [lo, hi] = ["lo", "hi"].map(|end| known[end].as_f64().expect(end));
+        assert!(lo <= 1.5e-3 && 1.5e-3 <= hi, "{known}");
+        hi - lo
+    };
+    let ramp = shipped("ramp.csv");
+    let alone = width(&identify(&dir, "push.csv", &["--format", "json"]));
+    let both = width(&identify(&dir, "push.csv", &[&ramp, "--format", "json"]));
+    assert!(both < alone, "{both} {alone}");
+    let sketch = std::fs::read_to_string(shipped("sketch.toml")).unwrap();
+    let loose = sketch.replace("2e-5 kg m^2", "2.1e-5 kg m^2 ± 10%");
+    let loose = loose.replace("[wall]\nstiffness = \"0.5 N m/rad\"\n", "");
+    dir.write("loose.toml", loose);
+    let push = shipped("push.csv");
+    let words = [
+        "identify",
+        &push,
+        "--scene",
+        "loose.toml",
+        "--effort",
+        "1",
+        "--format",
+        "json",
+        "--out",
+        "knob.toml",
+    ];
+    let run = dir.run(&words);
+    assert!(width(&run) > alone);
+    assert!(run.stderr.contains("has no wall yet"), "{}", run.stderr);
+}
+
+#[test]
+fn a_device_that_is_none_of_the_model_is_refuted_at_its_place() {
+    let dir = Dir::new();
+    let run = identify(
+        &dir,
+        "backlash.csv",
+        &["--format", "json", "--out", "none.toml"],
+    );
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let answer = run.json();
+    let refuted = &answer["refuted_by"];
+    let row = refuted["row"].as_f64().expect("a row");
+    assert!((2.0..=551.0).contains(&row), "{refuted}");
+    assert!((refuted["time"].as_f64().unwrap() - (row - 1.0) * 1e-3).abs() < 1e-9);
+    assert!(refuted["log"].as_str().unwrap().ends_with("backlash.csv"));
+    assert!(answer["parameters"]["viscous"].is_null());
+    assert!(!dir.path("none.toml").exists() && run.stderr.contains("is not written"));
+    let text = identify(&dir, "backlash.csv", &[]);
+    assert!(text.stdout.contains("it may be: "), "{}", text.stdout);
+}
+
+#[test]
+fn a_log_without_motion_bounds_nothing() {
+    let dir = Dir::new();
+    let log = dir.write("still.csv", "count,f [N m]\n5,0\n5,0\n6,0\n5,0\n");
+    let sketch = shipped("sketch.toml");
+    let run = dir.run(&[
+        "identify",
+        &log,
+        "--scene",
+        &sketch,
+        "--format",
+        "json",
+        "--plot",
+        "still.svg",
+    ]);
+    assert_eq!(run.code, 1);
+    let answer = run.json();
+    assert!(answer["parameters"]["viscous"]["hi"].is_null());
+    assert!(answer["lacks"][0].as_str().unwrap().contains("no force"));
+    assert!(dir.path("still.svg").exists());
+}
+
+#[test]
+fn bad_input_is_refused_with_its_place() {
+    let dir = Dir::new();
+    let sketch = shipped("sketch.toml");
+    let refused = |name: &str, log: &str, sketch: &str, word: &str| {
+        let log = dir.write(name, log);
+        let run = dir.run(&["identify", &log, "--scene", sketch, "--out", "out.toml"]);
+        assert_eq!(run.code, 2, "{word}: {}", run.stderr);
+        assert!(run.stderr.contains(word), "{word}: {}", run.stderr);
+        assert!(!dir.path("out.toml").exists());
+    };
+    refused(
+        "a.csv",
+        "count\n0\n1\n",
+        &sketch,
+        "force that was commanded",
+    );
+    refused(
+        "b.csv",
+        "count,f [N m]\n0,1\n",
+        &sketch,
+        "at least two samples",
+    );
+    refused("c.csv", "count,f [N m]\n0,1\nx,1\n", &sketch, "row 2");
+    refused(
+        "d.csv",
+        "count,f [N m]\n0,0\n9,0\n",
+        &sketch,
+        "before there is a force",
+    );
+    refused(
+        "e.csv",
+        "t [s],count,f [N m]\n0,0,1\n0,1,1\n",
+        &sketch,
+        "row 2",
+    );
+    refused(
+        "f.csv",
+        "pos [rad],torque [N m]\n0,1\n0.1,1\n",
+        &sketch,
+        "run: passivity identify f.csv",
+    );
+    let bare = dir.write(
+        "bare.toml",
+        "[sampling]\nrate = \"1 kHz\"\n[wall]\nstiffness = \"1 N/m\"\n",
+    );
+    refused(
+        "g.csv",
+        "x [m],f [N]\n0,1\n0.1,1\n",
+        &bare,
+        "needs an [encoder]",
+    );
+    let out = dir.run(&["identify", "a.csv", "--scene", &bare, "--out", &bare]);
+    assert_eq!(out.code, 2);
+    assert!(
+        out.stderr.contains("is read by this identification"),
+        "{}",
+        out.stderr
+    );
+    let lag = std::fs::read_to_string(&sketch).unwrap() + "[amplifier]\ntime_constant = \"1 ms\"\n";
+    let lag = dir.write("lag.toml", lag);
+    let run = dir.run(&["identify", &shipped("push.csv"), "--scene", &lag]);
+    assert_eq!(run.code, 3, "{}", run.stderr);
+}
+
+#[test]
+fn a_picture_is_drawn() {
+    let dir = Dir::new();
+    let run = identify(&dir, "push.csv", &["--plot", "fit.svg"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let picture = std::fs::read_to_string(dir.path("fit.svg")).unwrap();
+    for words in [
+        "residual in ticks",
+        "best estimate",
+        "viscous friction, % from",
+    ] {
+        assert!(picture.contains(words), "{words}");
+    }
+}
