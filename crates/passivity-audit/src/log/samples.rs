@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use passivity_scene::Scene;
 
 use crate::log::chunk::Chunk;
-use crate::log::csv;
 use crate::log::error::TraceError;
 use crate::log::layout::Layout;
 use crate::log::lines::BLOCK;
-use crate::log::source::{Dialect, Source, Work};
+use crate::log::parsed;
+use crate::log::source::{Dialect, Source};
 use crate::log::step::{between, check_jump};
 use crate::number::Number;
 use crate::reading::Reading;
@@ -49,10 +49,7 @@ pub fn samples(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled,
     let mut all = Sampled::default();
     let mut time = None;
     while let Some(work) = source.next(&layout) {
-        let chunk = match work {
-            Work::Parse(block, notation, _) => csv::parse(&block, &layout, notation),
-            Work::Account(chunk) => chunk,
-        };
+        let chunk = parsed(work, &layout);
         append(&mut all, &mut time, &chunk, &layout)?;
     }
     match all.positions.len() {
