@@ -133,10 +133,13 @@ fn closest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<
 
 /// The sections that have this key, as `[wall]`.
 fn homes(key: &str) -> Vec<String> {
-    let having = SECTIONS
-        .iter()
-        .filter(|section| known(section).contains(&key));
-    having.map(|section| heading(section)).collect()
+    let split = all_keys().filter_map(|known| known.rsplit_once('.'));
+    let having: Vec<&str> = split
+        .filter(|(_, name)| *name == key)
+        .map(|(home, _)| home)
+        .collect();
+    let sections = SECTIONS.iter().filter(|section| having.contains(section));
+    sections.map(|section| heading(section)).collect()
 }
 
 fn heading(section: &str) -> String {
