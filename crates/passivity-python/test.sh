@@ -26,11 +26,13 @@ environment alone
 "$bin/python" test_docs.py
 environment numpy numpy
 "$bin/python" -m unittest -q test_passivity test_native
-environment all numpy pandas polars pyarrow matplotlib 'dask[distributed]' fsspec mypy pyright
+environment all numpy pandas polars pyarrow matplotlib 'dask[distributed]' fsspec mypy pyright nbclient nbformat ipykernel
 "$bin/python" -m unittest -q test_passivity test_native test_plot test_distributed
 "$bin/python" test_docs.py
 echo "== mypy --strict, stubtest and pyright"
 "$bin/mypy" --strict typed.py
 "$bin/python" -m mypy.stubtest passivity --ignore-missing-stub
-"$bin/pyright" typed.py
+"$bin/pyright" --pythonpath "$bin/python" typed.py
+echo "== the guide"
+"$bin/python" "$here/guide.py" "$here/../../docs/z-width.ipynb"
 echo "the wheel passes its tests: alone, with NumPy, and with all that it works with"

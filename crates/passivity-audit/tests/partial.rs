@@ -226,3 +226,41 @@ fn compressed_logs_and_streams_are_refused() {
     let error = part(Path::new("-"), scene, Stretch::Shard(1, 2), false).unwrap_err();
     assert!(error.to_string().contains("standard input"), "{error}");
 }
+
+#[test]
+fn a_changed_account_ends_in_a_report_or_an_error() {
+    let scene = &scenes()[4];
+    let walk: Vec<(i32, u32)> = (0..40_i32)
+        .map(|i| (i % 5 - 2, u32::from(i % 7 == 0)))
+        .collect();
+    let log = Log::new("csv", &text(5, &walk, None, 0));
+    let (name, first) = part(&log.0, scene, Stretch::Shard(1, 2), false).unwrap();
+    let second = part(&log.0, scene, Stretch::Shard(2, 2), false).unwrap();
+    let json = first.to_json().unwrap();
+    let (mut refused, mut read) = (0, 0);
+    let digits = json.char_indices().filter(|(_, c)| c.is_ascii_digit());
+    for (at, _) in digits.step_by(211) {
+        for new in [
+            "",
+            "-",
+            "0",
+            "99999999999999999999",
+            "18446744073709551615",
+            "null",
+            "/0",
+        ] {
+            let changed = format!("{}{new}{}", &json[..at], &json[at + 1..]);
+            let merged = Partial::from_json(&changed)
+                .and_then(|part| merge_parts(&[(name.clone(), part), second.clone()], scene));
+            match merged {
+                Ok(audit) => {
+                    read += 1;
+                    // Whatever it says, it can be said.
+                    assert!(!audit.to_text().is_empty() && audit.to_json().is_object());
+                }
+                Err(_) => refused += 1,
+            }
+        }
+    }
+    assert!(refused > 20 && read > 5, "{refused} {read}");
+}

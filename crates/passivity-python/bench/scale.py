@@ -141,6 +141,21 @@ def audits(folder, rows, workers_tried):
         killer = Killer(client, 2)
         took, report = clock(lambda: distributed.audit(client, path, LAW, shards=64, progress=killer))
     say("audit, killed", killed=killer.killed, seconds=took, same=json.dumps(report) == json.dumps(whole))
+    logs = [f"{path}.{i}.csv" for i in range(8)]
+    for name in logs:
+        os.link(path, name)
+    seconds, _ = clock(lambda: [passivity.audit(name, LAW, threads=2) for name in logs])
+    for workers in workers_tried:
+        with cluster(workers) as local, Client(local) as client:
+            took, reports = clock(lambda: distributed.audit(client, logs, LAW))
+        say(
+            "audit, eight logs",
+            workers=workers,
+            two_threads=seconds,
+            seconds=took,
+            of_two_threads=seconds / took,
+            same=all(json.dumps(report) == json.dumps(whole) for report in reports),
+        )
 
 
 def main():

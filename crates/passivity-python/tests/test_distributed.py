@@ -169,6 +169,10 @@ class OnACluster(unittest.TestCase):
 
         every = {(i, j, 0) for i in range(160) for j in range(160) if differs(i, j)}
         self.assertEqual(set(border.cells), every)
+        quick = distributed.border(None, SCENE, grid, thorough=False)
+        self.assertLess(quick.simulated, border.simulated)
+        self.assertLessEqual(set(quick.cells), every)
+        self.assertGreater(len(quick.cells), 0.9 * len(every))
 
 
 if __name__ == "__main__":

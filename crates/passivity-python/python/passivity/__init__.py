@@ -204,9 +204,7 @@ def _paths(trace):
     if isinstance(trace, (str, _os.PathLike)):
         return [_os.fspath(trace)]
     if isinstance(trace, (list, tuple)) and trace and all(isinstance(x, (str, _os.PathLike)) for x in trace):
-        names = [_os.fspath(x) for x in trace]
-        if all(_os.path.exists(name) for name in names):
-            return names
+        return [_os.fspath(x) for x in trace]
     return None
 
 

@@ -19,4 +19,5 @@ def refine(
     evaluate: Callable[[list[int]], Sequence[_Outcome]],
     *,
     coarse: int = 16,
+    thorough: bool = True,
 ) -> tuple[list[tuple[int, int, int]], dict[int, _Outcome]]: ...

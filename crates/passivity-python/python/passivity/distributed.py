@@ -13,13 +13,12 @@ from __future__ import annotations
 import hashlib as _hashlib
 import json as _json
 import os as _os
-import shutil as _shutil
 import statistics as _statistics
 import tempfile as _tempfile
 import time as _time
-import uuid as _uuid
 
 from . import _passivity, _ranges, _report, _scene, _swept, _reading, __version__
+from ._parts import Parts as _Parts
 from .adaptive import Border as _Border
 from .adaptive import refine as _refine
 
@@ -28,76 +27,8 @@ __all__ = ["audit", "border", "sweep"]
 # How long a task should take at the least, by how long a task takes that does nothing.
 _OVERHEADS = 25
 
-
-class _Parts:
-    """A folder of shards: a local path, or any store that fsspec knows."""
-
-    def __init__(self, place, options=None):
-        self.place = _os.fspath(place)
-        self.options = options or {}
-        self.is_local = "://" not in self.place
-
-    def _store(self):
-        import fsspec
-
-        return fsspec.core.url_to_fs(self.place, **self.options)
-
-    def names(self):
-        """The names of the files in the folder."""
-        if self.is_local:
-            return set(_os.listdir(self.place)) if _os.path.isdir(self.place) else set()
-        store, root = self._store()
-        if not store.exists(root):
-            return set()
-        store.invalidate_cache()
-        return {found.rstrip("/").rsplit("/", 1)[-1] for found in store.ls(root, detail=False)}
-
-    def read(self, name):
-        if self.is_local:
-            with open(_os.path.join(self.place, name), "rb") as file:
-                return file.read()
-        store, root = self._store()
-        return store.cat_file(f"{root}/{name}")
-
-    def put(self, local, name):
-        """Gives a local file its place in the folder: there is all of it or nothing."""
-        own = f".{name}.{_uuid.uuid4().hex}"
-        if self.is_local:
-            _os.makedirs(self.place, exist_ok=True)
-            beside = _os.path.join(self.place, own)
-            _shutil.copyfile(local, beside)
-            with open(beside, "rb") as file:
-                _os.fsync(file.fileno())
-            _os.replace(beside, _os.path.join(self.place, name))
-            return
-        store, root = self._store()
-        store.makedirs(root, exist_ok=True)
-        store.put_file(local, f"{root}/{own}")
-        store.mv(f"{root}/{own}", f"{root}/{name}")
-
-    def write(self, name, data):
-        with _tempfile.TemporaryDirectory() as folder:
-            path = _os.path.join(folder, name)
-            with open(path, "wb") as file:
-                file.write(data)
-            self.put(path, name)
-
-    def fetch(self, names, folder):
-        """Local paths of files in the folder."""
-        if self.is_local:
-            return [_os.path.join(self.place, name) for name in names]
-        store, root = self._store()
-        paths = [_os.path.join(folder, name) for name in names]
-        for name, path in zip(names, paths, strict=True):
-            store.get_file(f"{root}/{name}", path)
-        return paths
-
-    def remove(self):
-        if self.is_local:
-            _shutil.rmtree(self.place)
-        else:
-            store, root = self._store()
-            store.rm(root, recursive=True)
+# How many seconds a measurement takes at the least.
+_PROBE = 0.1
 
 
 def _nothing(_):
@@ -221,7 +152,7 @@ def _cost_of_points(client, scene, ranges, points, threads):
         count = min(points, most)
         indices = [points * i // count for i in range(count)]
         seconds = client.submit(_probe_points, scene, ranges, indices, threads, pure=False).result()
-        if seconds > 0.25 or count == points:
+        if seconds > _PROBE or count == points:
             break
     return seconds / count
 
@@ -322,16 +253,16 @@ def _probe_log(scene, reading, log, pieces):
     return times
 
 
-def _cost_of_log(client, scene, reading, log):
-    """Seconds that a log takes, from pieces in three places of it."""
-    size = _os.path.getsize(log)
+def _cost_of_bytes(client, scene, reading, log):
+    """Seconds that a byte of a log takes, from pieces in three places of it."""
+    size = max(1, _os.path.getsize(log))
     for bytes_ in (1 << 18, 1 << 21, 1 << 24):
         count = max(1, size // bytes_)
         pieces = [f"{max(1, count * i // 4)}/{count}" for i in (1, 2, 3)]
         times = client.submit(_probe_log, scene, reading, log, pieces, pure=False).result()
-        if _statistics.median(times) > 0.25 or count == 1:
+        if _statistics.median(times) > _PROBE or count == 1:
             break
-    return _statistics.median(times) * count
+    return _statistics.median(times) * count / size
 
 
 def audit(
@@ -371,8 +302,13 @@ def audit(
         if shards is not None:
             return [shards] * len(logs)
         overhead, workers = _overhead(client), max(1, _workers(client) // threads)
-        costs = [_cost_of_log(client, source, reading, log) for log in logs]
-        return [_cut(cost, seconds, overhead, workers, 1_000_000) for cost in costs]
+        sizes = [_os.path.getsize(log) for log in logs]
+        # The logs of one call are of one kind.
+        largest = max(zip(sizes, logs, strict=True), default=(0, None))[1]
+        cost = largest and _cost_of_bytes(client, source, reading, largest)
+        # Many logs are enough to do for all workers as they are.
+        workers = max(1, workers // max(1, len(logs)))
+        return [_cut(cost * size, seconds, overhead, workers, 1_000_000) for size in sizes]
 
     if folder is None:
         counts, there = count(), set()
@@ -401,11 +337,22 @@ def _outcomes(scene, ranges, indices, threads):
     return [exact for _, exact, _, _, _ in _passivity.sweep_points(scene, ranges, indices, threads)]
 
 
-def border(client, scene, grid, *, coarse=16, chunk=2000, threads=1, retries=20, progress=None):
+def border(
+    client,
+    scene,
+    grid,
+    *,
+    coarse=16,
+    thorough=True,
+    chunk=2000,
+    threads=1,
+    retries=20,
+    progress=None,
+):
     """The cells of a grid between points of different outcomes, without simulating all of it.
 
     ``grid`` is as for :func:`sweep`. Starting from ``coarse`` cells an axis, the cells whose corners differ
-    and those around them are halved until they are those of the grid. ``client`` may be ``None``: then it is
+    are halved, and unless not ``thorough`` those around them, until they are those of the grid. ``client`` may be ``None``: then it is
     done here. ``progress`` is called with how many points were simulated, and ``None``.
 
     Returns a :class:`passivity.adaptive.Border`.
@@ -430,7 +377,7 @@ def border(client, scene, grid, *, coarse=16, chunk=2000, threads=1, retries=20,
             progress(simulated, None)
         return found
 
-    cells, outcomes = _refine([len(axis) for axis in values], evaluate, coarse=coarse)
+    cells, outcomes = _refine([len(axis) for axis in values], evaluate, coarse=coarse, thorough=thorough)
     result = _Border(points=points, simulated=len(outcomes), cells=cells)
     result.outcomes, result.axes = outcomes, axes
     return result

@@ -65,6 +65,7 @@ def border(
     grid: Mapping[str, Any],
     *,
     coarse: int = 16,
+    thorough: bool = True,
     chunk: int = 2000,
     threads: int = 1,
     retries: int = 20,

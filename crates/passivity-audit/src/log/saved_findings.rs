@@ -1,0 +1,245 @@
+//! What was found in a stretch of a log as a file has it, and what two stretches give together.
+
+use std::collections::BTreeSet;
+use std::sync::{Mutex, PoisonError};
+
+use num_bigint::BigInt;
+use passivity_core::BigRational;
+use serde::{Deserialize, Serialize};
+
+use crate::ledger::Ledger;
+use crate::log::comparison::Comparison;
+use crate::log::error::TraceError;
+use crate::log::exact::ExactSum;
+use crate::log::merge::{Findings, ROWS_IN_REPORT};
+use crate::log::running::RunningSum;
+use crate::log::saved::{Ratio, SavedAccount, SavedInterval, SavedReading, counted, wrong};
+use crate::log::velocity::Velocities;
+use crate::sum::FigureSum;
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct SavedAgreement {
+    mismatches: [(u64, Option<u64>); 2],
+    products: [Option<String>; 2],
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct SavedComparison {
+    compared: u64,
+    squares: Option<String>,
+    lags: Vec<SavedAgreement>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct SavedVelocities {
+    compared: u64,
+    squares: Option<String>,
+    products: Vec<[Option<String>; 2]>,
+}
+
+fn exact_sum(text: &Option<String>) -> Result<ExactSum, TraceError> {
+    ExactSum::from_text(text.as_deref()).ok_or_else(|| wrong("a sum that is no number"))
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct SavedError {
+    kind: String,
+    row: Option<u64>,
+    column: Option<String>,
+    message: String,
+}
+
+impl SavedError {
+    fn value(&self) -> Result<TraceError, TraceError> {
+        Ok(TraceError {
+            row: self.row,
+            column: self.column.clone(),
+            ..TraceError::new(kept(&self.kind)?, self.message.clone())
+        })
+    }
+}
+
+/// The kind of an error for as long as the program runs: there are few.
+fn kept(kind: &str) -> Result<&'static str, TraceError> {
+    static KINDS: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
+    const MOST: usize = 100;
+    let mut kinds = KINDS.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = kinds.get(kind) {
+        return Ok(known);
+    }
+    if kinds.len() >= MOST || kind.len() > MOST {
+        return Err(wrong("a kind of error that there is not"));
+    }
+    let new: &'static str = Box::leak(kind.to_owned().into_boxed_str());
+    kinds.insert(new);
+    Ok(new)
+}
+
+/// What was found in a stretch.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct SavedFindings {
+    account: SavedAccount,
+    pub(crate) samples: u64,
+    first: Option<SavedReading>,
+    comparison: Option<SavedComparison>,
+    velocities: Option<SavedVelocities>,
+    /// All intervals, of a short stretch.
+    head: Vec<SavedInterval>,
+    error: Option<SavedError>,
+    unended: bool,
+    /// A denominator of all that was summed, and not only of the sums.
+    denominator: Ratio,
+}
+
+impl SavedFindings {
+    pub(crate) const fn intervals(&self) -> u64 {
+        self.account.intervals
+    }
+
+    pub(crate) fn of(x: &Findings<'_>) -> Self {
+        let head = match x.account.intervals > ROWS_IN_REPORT as u64 {
+            true => Vec::new(),
+            false => x.head.iter().map(SavedInterval::of).collect(),
+        };
+        Self {
+            account: SavedAccount::of(&x.account),
+            samples: x.samples,
+            first: x.first.as_ref().map(SavedReading::of),
+            comparison: x.comparison.as_ref().map(|found| SavedComparison {
+                compared: found.compared,
+                squares: found.squares.to_text(),
+                lags: found
+                    .lags
+                    .iter()
+                    .map(|lag| SavedAgreement {
+                        mismatches: lag.mismatches,
+                        products: lag.products.each_ref().map(ExactSum::to_text),
+                    })
+                    .collect(),
+            }),
+            velocities: x.velocities.as_ref().map(|found| SavedVelocities {
+                compared: found.compared,
+                squares: found.squares.to_text(),
+                products: found
+                    .products
+                    .iter()
+                    .map(|sums| sums.each_ref().map(ExactSum::to_text))
+                    .collect(),
+            }),
+            head,
+            error: x.error.as_ref().map(|error| SavedError {
+                kind: error.kind.to_string(),
+                row: error.row,
+                column: error.column.clone(),
+                message: error.message.clone(),
+            }),
+            unended: x.unended,
+            denominator: Ratio::of(&BigRational::from_integer(x.denominator())),
+        }
+    }
+
+    /// A denominator of all that was summed.
+    pub(crate) fn denominator(&self) -> Result<BigInt, TraceError> {
+        self.denominator.value().map(|x| x.to_integer())
+    }
+
+    pub(crate) fn value<'a>(&self, ledger: &'a Ledger) -> Result<Findings<'a>, TraceError> {
+        let compared = self.comparison.iter().flat_map(|found| {
+            let mismatches = found.lags.iter().flat_map(|lag| lag.mismatches);
+            let counts = mismatches.flat_map(|(count, first)| [Some(count), first]);
+            counts.flatten().chain([found.compared])
+        });
+        counted(
+            compared
+                .chain([self.samples])
+                .chain(self.velocities.iter().map(|found| found.compared))
+                .chain(self.error.iter().filter_map(|error| error.row)),
+        )?;
+        let comparison = match &self.comparison {
+            None => None,
+            Some(saved) => {
+                let mut found = Comparison::new(ledger);
+                found.compared = saved.compared;
+                found.squares = exact_sum(&saved.squares)?;
+                if found.lags.len() != saved.lags.len() {
+                    return Err(wrong("forces that are compared at other delays"));
+                }
+                for (lag, saved) in found.lags.iter_mut().zip(&saved.lags) {
+                    let [mixed, own] = &saved.products;
+                    lag.mismatches = saved.mismatches;
+                    lag.products = [exact_sum(mixed)?, exact_sum(own)?];
+                }
+                Some(found)
+            }
+        };
+        let velocities = match &self.velocities {
+            None => None,
+            Some(saved) => {
+                let mut found = Velocities::default();
+                found.compared = saved.compared;
+                found.squares = exact_sum(&saved.squares)?;
+                if found.products.len() != saved.products.len() {
+                    return Err(wrong("velocities that are compared at other delays"));
+                }
+                for (sums, [mixed, own]) in found.products.iter_mut().zip(&saved.products) {
+                    *sums = [exact_sum(mixed)?, exact_sum(own)?];
+                }
+                Some(found)
+            }
+        };
+        let head = self.head.iter().map(SavedInterval::value);
+        Ok(Findings {
+            account: self.account.value()?,
+            samples: self.samples,
+            first: self.first.as_ref().map(SavedReading::value).transpose()?,
+            comparison,
+            velocities,
+            head: head.collect::<Result<_, _>>()?,
+            error: self.error.as_ref().map(SavedError::value).transpose()?,
+            unended: self.unended,
+            file: None,
+            before_file: 0,
+        })
+    }
+}
+
+impl Findings<'_> {
+    /// Goes on with what was found in the stretch that follows.
+    pub(crate) fn append(&mut self, next: Self) {
+        let before = self.samples;
+        if self.account.intervals + next.account.intervals <= ROWS_IN_REPORT as u64 {
+            self.head.extend(next.head);
+        }
+        self.account.append(next.account);
+        self.samples += next.samples;
+        self.first = self.first.take().or(next.first);
+        if let (Some(own), Some(next)) = (&mut self.comparison, &next.comparison) {
+            own.append(next);
+        }
+        if let (Some(own), Some(next)) = (&mut self.velocities, &next.velocities) {
+            own.append(next);
+        }
+        self.error = next.error.map(|error| TraceError {
+            row: error.row.map(|row| before + row),
+            ..error
+        });
+        self.unended |= next.unended;
+    }
+
+    /// The common denominator of the sums.
+    pub(crate) fn denominator(&self) -> BigInt {
+        let account = &self.account;
+        let figures = account.sums.iter().map(FigureSum::denominator);
+        let running = [&account.net, &account.observer]
+            .into_iter()
+            .chain(account.supply.sums())
+            .map(RunningSum::common);
+        let all = figures.chain(running);
+        all.fold(BigInt::from(1), num_integer::lcm)
+    }
+
+    /// Whether a sum was rounded.
+    pub(crate) fn is_rounded(&self) -> bool {
+        self.account.sums.iter().any(FigureSum::is_rounded)
+    }
+}
