@@ -7,7 +7,6 @@ use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use crate::log::Log;
 use crate::motion::{Propagators, simulated};
 use crate::region::{Ends, Shear};
-use crate::search::fits;
 
 /// What was measured less what is simulated, in ticks; where the device started is what fits best.
 pub(crate) fn residuals(log: &Log, at: [f64; 3]) -> Vec<f64> {
@@ -194,15 +193,9 @@ pub(crate) fn first(logs: &[Log], most: [f64; 2], inertia: Ends) -> [f64; 3] {
     best.map_or([most[0], most[1], middle], |(at, _)| at)
 }
 
-/// The parameters within a box with the least squares, from a start on that need not be in it. Where these
-/// are refuted, as errors that are not evenly spread can have it, those of the least squares among some that
-/// fit, if any are known.
-pub(crate) fn best(
-    logs: &[Log],
-    hull: &[Ends; 3],
-    start: [f64; 3],
-    fitting: &[[f64; 3]],
-) -> [f64; 3] {
+/// The parameters within a box with the least squares, from a start on that need not be in it. They may lie
+/// beside the parts that are left, where the errors of the counts are not evenly spread.
+pub(crate) fn best(logs: &[Log], hull: &[Ends; 3], start: [f64; 3]) -> [f64; 3] {
     let knobs = hull.map(|[lo, hi]| match hi > lo {
         true => Knob::Within([lo, hi]),
         false => Knob::Fixed(lo),
@@ -214,17 +207,7 @@ pub(crate) fn best(
     let middle = hull.map(|[lo, hi]| 0.5 * lo + 0.5 * hi);
     let tried = [inside(start), middle].map(|start| minimized(logs, knobs, start));
     let [(first, least), (second, other)] = tried;
-    let found = if least <= other { first } else { second };
-    if fitting.is_empty() || fits(logs, found) {
-        return found;
-    }
-    // As many as a grid may cost.
-    let samples = logs.iter().map(Log::len).sum::<usize>();
-    let every = (fitting.len() * samples).div_ceil(GRID).max(1);
-    let known = fitting.iter().step_by(every);
-    let known = known.map(|at| (cost(logs, *at), *at));
-    let best = known.min_by(|a, b| a.0.total_cmp(&b.0));
-    best.map_or(found, |(_, at)| at)
+    if least <= other { first } else { second }
 }
 
 /// Coordinates in which the squares around a place do not mix, and the weight of each.

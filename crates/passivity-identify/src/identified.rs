@@ -139,7 +139,7 @@ pub fn read(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled, Tr
     samples(path, scene, dialect)
 }
 
-/// The parameters that are looked for, in the order of a [`Region`].
+/// The parameters that are looked for, in the order of a box.
 pub(crate) const PARAMETERS: [Parameter; 3] =
     [Parameter::Viscous, Parameter::Coulomb, Parameter::Inertia];
 
@@ -236,7 +236,6 @@ pub fn identify(
             parts: Vec::new(),
             hull: None,
             refuted_by: None,
-            fitting: Vec::new(),
             stopped_early: false,
         };
         return Ok(whole(nothing, Shear::default(), None, None));
@@ -258,9 +257,7 @@ pub fn identify(
         effort: options.effort,
     };
     let found = task.search(parts(&shear, most, inertia, slabs), progress);
-    let best = found
-        .hull
-        .map(|hull| estimate::best(&logs, &hull, first, &found.fitting));
+    let best = found.hull.map(|hull| estimate::best(&logs, &hull, first));
     let hull = found.hull;
     Ok(whole(found, shear, best, hull))
 }

@@ -31,8 +31,6 @@ pub(crate) struct Found {
     pub(crate) hull: Option<[Ends; 3]>,
     /// By which place of the logs the last part was refuted, where nothing is left.
     pub(crate) refuted_by: Option<Place>,
-    /// Some parameters that fit.
-    pub(crate) fitting: Vec<[f64; 3]>,
     /// Whether the work came to its bound before the box was as narrow as asked for.
     pub(crate) stopped_early: bool,
 }
@@ -68,18 +66,6 @@ impl Kept<'_> {
         });
         refuted
     }
-}
-
-/// Whether logs do not refute parameters.
-pub(crate) fn fits(logs: &[Log], at: [f64; 3]) -> bool {
-    let bundle = Bundle::point(at);
-    logs.iter().all(|log| {
-        let mut kept = Kept {
-            log,
-            propagators: Propagators::default(),
-        };
-        kept.refute(&bundle, &mut 0).is_none()
-    })
 }
 
 /// The parameters that are not ruled out by how far the device surely moved: all that a search needs to
@@ -223,7 +209,6 @@ struct Search<'a> {
     last: Option<Place>,
     /// How far towards each face parameters are known that fit.
     reached: [f64; 6],
-    fitting: Vec<[f64; 3]>,
 }
 
 impl Search<'_> {
@@ -255,12 +240,7 @@ impl Search<'_> {
 
     /// Notes parameters that fit, where they do.
     fn look_at(&mut self, at: [f64; 3]) {
-        /// So many are kept.
-        const MOST: usize = 256;
         if self.refuted(&Bundle::point(at)).is_none() {
-            if self.fitting.len() < MOST {
-                self.fitting.push(at);
-            }
             for (reached, (dimension, is_most)) in self.reached.iter_mut().zip(FACES) {
                 let value = at.get(dimension).copied().unwrap_or(f64::NAN);
                 *reached = reached.max(if is_most { value } else { -value });
@@ -298,7 +278,6 @@ impl Task<'_> {
             steps: 0,
             last: None,
             reached: [f64::NEG_INFINITY; 6],
-            fitting: Vec::new(),
         };
         search.look_at(self.near);
         for part in parts {
@@ -341,7 +320,6 @@ impl Task<'_> {
             refuted_by: search.last.filter(|_| hull.is_none()),
             parts: left.map(|left| left.part).collect(),
             hull,
-            fitting: search.fitting,
             stopped_early,
         }
     }
