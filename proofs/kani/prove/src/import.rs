@@ -222,6 +222,7 @@ mod tests {
                 here.write(&format!("{HARNESSES}/{file}.rs"), &text);
             }
             for other in [
+                "crates/passivity-identify",
                 "crates/passivity-monitor",
                 "crates/passivity-scene",
                 "proofs/terms",
