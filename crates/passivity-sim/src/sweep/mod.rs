@@ -69,12 +69,12 @@ pub fn run(
     run_range(scene, grid, 0..grid.len(), done, 0, sink)
 }
 
-/// Runs the points of a grid whose indices are in `range`, as [`run`] runs all of them; `done` speaks of
+/// Runs the points of a grid whose indices are in `range`, as [`run()`] runs all of them; `done` speaks of
 /// these, the first of the range first. `threads` is how many cores to use, 0 for all.
 ///
 /// # Errors
 ///
-/// As [`run`].
+/// As [`run()`].
 pub fn run_range(
     scene: &Point,
     grid: &Grid,
