@@ -43,6 +43,16 @@ impl Reading {
             decimal_comma: self.decimal_comma,
         })
     }
+
+    fn options<'a>(&self, dialect: Dialect, watch: &'a dyn Fn(u64) -> bool) -> Options<'a> {
+        Options {
+            law: self.law,
+            threads: self.threads.into(),
+            dialect,
+            watch: Some(watch),
+            ..Options::default()
+        }
+    }
 }
 
 /// A report with its certificate, as JSON.
@@ -78,11 +88,7 @@ pub(crate) fn audit_file(
         let look = |samples| watch.set(samples);
         let options = Options {
             rows: rows.as_mut().map(|rows| rows as &mut (dyn Write + '_)),
-            law: reading.law,
-            threads: reading.threads.into(),
-            dialect,
-            watch: Some(&look),
-            ..Options::default()
+            ..reading.options(dialect, &look)
         };
         audit_files(&traces, &scene, options)
     })?;
@@ -126,11 +132,7 @@ pub(crate) fn audit_arrays(
         let look = |samples| watch.set(samples);
         let options = Options {
             rows: rows.as_mut().map(|rows| rows as &mut (dyn Write + '_)),
-            law: reading.law,
-            threads: reading.threads.into(),
-            dialect,
-            watch: Some(&look),
-            ..Options::default()
+            ..reading.options(dialect, &look)
         };
         audit_columns(read, &scene, options)
     })?;
@@ -158,13 +160,7 @@ pub(crate) fn audit_piece(
     let scene = scene.read(py)?;
     let part = follow(py, progress.as_ref(), move |watch| {
         let look = |samples| watch.set(samples);
-        let options = Options {
-            law: reading.law,
-            threads: reading.threads.into(),
-            dialect,
-            watch: Some(&look),
-            ..Options::default()
-        };
+        let options = reading.options(dialect, &look);
         let part = audit_part(&trace, &scene, stretch, options)?;
         Ok((part.to_json()?, part.samples(), part.intervals()))
     })?;

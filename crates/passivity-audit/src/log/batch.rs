@@ -10,33 +10,6 @@ use crate::run::Tallies;
 use crate::span::Span;
 use crate::sum::FigureSum;
 
-/// A running sum in units of the grid, from zero, and the least value it had, the start included.
-#[derive(Clone, Copy, Debug, Default)]
-struct Course {
-    now: i128,
-    least: i128,
-    at: u64,
-}
-
-impl Course {
-    /// With another step, the `h`th, from 1; `None` where it does not fit.
-    fn with(self, step: i128, h: u64) -> Option<Self> {
-        let now = self.now.checked_add(step)?;
-        Some(match now < self.least {
-            true => Self {
-                now,
-                least: now,
-                at: h,
-            },
-            false => Self { now, ..self },
-        })
-    }
-
-    fn sum(self, steps: u64) -> RunningSum {
-        RunningSum::of_grid([self.now, self.least], self.at, steps)
-    }
-}
-
 /// The least of some energies in units of the grid, and after how many intervals it was.
 #[derive(Clone, Copy, Debug, Default)]
 struct Least(Option<(i128, u64)>);
@@ -60,8 +33,8 @@ pub(crate) struct Batch {
     pub(crate) intervals: u64,
     /// The five figures that totals are kept of, at the least and at the most.
     sums: [[i128; 2]; 5],
-    net: Course,
-    observer: Course,
+    net: RunningSum,
+    observer: RunningSum,
     /// Where net energy plus potential was least.
     stored: Least,
     /// What is left of what was stored at the start, where the verdict is about it.
@@ -76,6 +49,8 @@ impl Batch {
     /// After an interval with this excess force.
     pub(crate) fn after(excess: Option<Bounds>) -> Self {
         Self {
+            net: RunningSum::on_grid(),
+            observer: RunningSum::on_grid(),
             supply: Supply::after(excess),
             ..Self::default()
         }
@@ -99,11 +74,11 @@ impl Batch {
         }
         let [least_net, _] = ends(&account.net_linear)?;
         let [observed, _] = entry.observed().defined()?;
-        let [net, observer] = [
-            self.net.with(least_net, h)?,
-            self.observer.with(observed, h)?,
-        ];
-        let stored = net.now.checked_add(potential)?;
+        let (mut net, mut observer) = (self.net.clone(), self.observer.clone());
+        if !(net.add_scaled(least_net) && observer.add_scaled(observed)) {
+            return None;
+        }
+        let stored = net.now().checked_add(potential)?;
         if let Some(contribution) = contribution {
             self.supply.add(contribution, h)?;
         }
@@ -132,8 +107,8 @@ impl Batch {
         let mut account = Account {
             intervals: self.intervals,
             sums: self.sums.map(FigureSum::of_grid),
-            net: self.net.sum(self.intervals),
-            observer: self.observer.sum(self.intervals),
+            net: self.net,
+            observer: self.observer,
             tallies: self.tallies,
             ..Account::default()
         };

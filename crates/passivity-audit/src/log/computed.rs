@@ -105,10 +105,8 @@ impl Computed {
             let entry = task.ledger.near_entry(interval.read(), &interval.dtau)?;
             Self::of_row(task, interval, Accounted::Near(Box::new(entry)))
         };
-        let near = match is_exact(task, &interval.end, &interval.dtau, h) {
-            true => None,
-            false => near(),
-        };
+        let exact = is_exact(task, &interval.end, &interval.dtau, h);
+        let near = if exact { None } else { near() };
         let row = match (&near, task.rows) {
             (Some(_), None) => return near,
             _ => task.ledger.row(interval)?,
@@ -118,7 +116,7 @@ impl Computed {
             form.write_positions(&row, &mut positions)?;
             form.write_account(&row, &mut text)?;
         }
-        let accounted = match is_exact(task, &interval.end, &interval.dtau, h) {
+        let accounted = match exact {
             true => Accounted::Exact(row),
             false => Accounted::Decided(row),
         };
@@ -188,7 +186,7 @@ impl Computed {
 pub(crate) fn note_stored(
     task: &Task<'_>,
     row: &Accounted,
-    sample: &crate::Reading,
+    sample: &Reading,
     account: &mut Account,
 ) -> Result<(), TraceError> {
     if task.running {

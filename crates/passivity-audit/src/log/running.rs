@@ -45,16 +45,11 @@ impl Default for RunningSum {
 }
 
 impl RunningSum {
-    /// A sum of `steps` steps and the least value that it had, after `at` of them, in units of the grid of
-    /// spans.
-    pub(crate) fn of_grid([now, least]: [i128; 2], at: u64, steps: u64) -> Self {
+    /// A sum from zero in units of the grid of spans.
+    pub(crate) fn on_grid() -> Self {
         Self {
-            now,
-            least,
             denominator: ONE,
-            at,
-            steps,
-            big: None,
+            ..Self::default()
         }
     }
 

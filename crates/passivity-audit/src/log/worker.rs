@@ -1,7 +1,8 @@
 //! The work of one core: the account of the intervals inside a chunk.
 //!
 //! A row of counts depends on nothing but a few small integers, and a trace has few different
-//! rows: each is computed once and looked up from then on. Everything else is computed row by row.
+//! rows: each is computed once and looked up from then on. Everything else is computed row by row, in
+//! spans and in batches as far as these decide.
 
 use crate::ledger::{Ledger, Logged, Read};
 use crate::log::account::{Account, Place};
@@ -188,15 +189,16 @@ impl Walk<'_> {
                 }
                 continue;
             }
-            if self.batch(chunk, account)? {
+            let dtau = duration(self.task.layout, chunk, self.at)?;
+            let lasts = dtau.clone().unwrap_or(UNIT);
+            if !self.is_for_the_table(chunk, &lasts) && self.batch(chunk, account)? {
                 continue;
             }
-            let dtau = duration(self.task.layout, chunk, self.at)?;
             jump(&chunk.samples, self.at)?;
             if let (true, Some(dtau)) = (self.timed, &dtau) {
                 account.timing.add(dtau, account.intervals);
             }
-            self.one(table, chunk, dtau.unwrap_or(UNIT), account)?;
+            self.one(table, chunk, lasts, account)?;
             self.at += 1;
             if self.task.points && (self.at - self.from).is_multiple_of(self.stride) {
                 account.plot();

@@ -249,12 +249,29 @@ fn reported(args: &Args, report: &Audit) -> Result<Exit, Failure> {
 
 /// The names of the traces, for people.
 fn traces(args: &Args) -> String {
-    let names: Vec<String> = args
-        .traces
+    names(&args.traces)
+}
+
+/// The names of files, for people.
+pub(crate) fn names(paths: &[PathBuf]) -> String {
+    let names: Vec<String> = paths
         .iter()
-        .map(|trace| trace.display().to_string())
+        .map(|path| path.display().to_string())
         .collect();
     names.join(", ")
+}
+
+/// The words of a command that read the columns and fields as they are proposed.
+pub(crate) fn read_as(proposal: &Proposal) -> Vec<String> {
+    let mut words = vec!["--columns".to_owned(), proposal.columns.clone()];
+    if let Some(delimiter) = proposal.delimiter {
+        let name = match delimiter {
+            '\t' => "tab".to_owned(),
+            other => other.to_string(),
+        };
+        words.extend(["--delimiter".to_owned(), name]);
+    }
+    words
 }
 
 /// Why a header is refused, with the command that reads it as it seems to be meant.
@@ -269,14 +286,9 @@ fn refusal(args: &Args, traces: &str, error: &TraceError) -> String {
 fn command(args: &Args, proposal: &Proposal) -> String {
     let mut words = vec!["passivity".to_owned(), "audit".to_owned()];
     words.extend(args.traces.iter().map(|trace| trace.display().to_string()));
+    words.extend(["--scene".to_owned(), args.scene.display().to_string()]);
+    words.extend(read_as(proposal));
     let mut option = |name: &str, value: String| words.extend([format!("--{name}"), value]);
-    option("scene", args.scene.display().to_string());
-    option("columns", proposal.columns.clone());
-    match proposal.delimiter {
-        Some('\t') => option("delimiter", "tab".to_owned()),
-        Some(delimiter) => option("delimiter", delimiter.to_string()),
-        None => {}
-    }
     for (name, path) in [
         ("out", &args.out),
         ("plot", &args.plot),

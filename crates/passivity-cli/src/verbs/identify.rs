@@ -14,7 +14,7 @@ use passivity_scene::Scene;
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, may_be_written, tell};
 use crate::progress::Progress;
-use crate::verbs::audit::{delimiter, quoted};
+use crate::verbs::audit::{delimiter, quoted, read_as};
 
 /// Find the friction of a device, and its inertia, from logs of its motion: bounds that surely hold them,
 /// and a best estimate.
@@ -136,7 +136,11 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     };
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
-        let title = format!("{}: {}", sketch.name, names(args));
+        let title = format!(
+            "{}: {}",
+            sketch.name,
+            crate::verbs::audit::names(&args.logs)
+        );
         let picture = found.picture(&title).map_err(Failure::input)?;
         save(&picture, path).map_err(Failure::input)?;
     }
@@ -231,17 +235,6 @@ fn logs(args: &Args, sketch: &Scene) -> Result<(Vec<Sampled>, Vec<LogReport>), F
     Ok((logs, files))
 }
 
-/// The names of the logs, for people.
-#[cfg(feature = "plot")]
-fn names(args: &Args) -> String {
-    let names: Vec<String> = args
-        .logs
-        .iter()
-        .map(|log| log.display().to_string())
-        .collect();
-    names.join(", ")
-}
-
 /// Why a log is refused, with the command that reads it as it seems to be meant.
 fn refusal(args: &Args, path: &Path, error: &TraceError) -> Failure {
     let Some(proposal) = &error.proposal else {
@@ -250,12 +243,7 @@ fn refusal(args: &Args, path: &Path, error: &TraceError) -> Failure {
     let mut words = vec!["passivity".to_owned(), "identify".to_owned()];
     words.extend(args.logs.iter().map(|log| log.display().to_string()));
     words.extend(["--scene".to_owned(), args.scene.display().to_string()]);
-    words.extend(["--columns".to_owned(), proposal.columns.clone()]);
-    match proposal.delimiter {
-        Some('\t') => words.extend(["--delimiter".to_owned(), "tab".to_owned()]),
-        Some(other) => words.extend(["--delimiter".to_owned(), other.to_string()]),
-        None => {}
-    }
+    words.extend(read_as(proposal));
     if proposal.decimal_comma {
         words.push("--decimal-comma".to_owned());
     }
