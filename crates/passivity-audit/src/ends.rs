@@ -132,7 +132,7 @@ impl Ends<BigRational> {
     #[must_use]
     pub(crate) fn to_near(&self) -> Ends<Span> {
         /// Friction that is known as closely as this is one span, which saves half of the work.
-        const NARROW: i128 = 1 << (span::BITS / 2);
+        const NARROW: i128 = 1 << (span::BITS - 40);
         let [least, most] =
             [&self.least, &self.most].map(|ends| ends.map(|_, x| Span::of_rational(x)));
         let mut one = least.clone();

@@ -34,6 +34,8 @@ pub struct Entry<S> {
     pub xi0: Figure<S>,
     /// ξ₁, in ticks.
     pub xi1: Figure<S>,
+    /// Whether it is known that nothing moved, however little is known of where.
+    pub rests: bool,
     /// Δτ, in sampling periods.
     pub dtau: S,
     /// The account, as the kernel gives it.
@@ -157,6 +159,9 @@ pub fn entry<S: Written>(ends: &Ends<S>, interval: &Recorded<'_, S>) -> Option<E
     let entry = Entry {
         xi0: start.clone(),
         xi1: interval.end.clone(),
+        rests: speed
+            .exact()
+            .is_some_and(|v| v.sign() == Some(Ordering::Equal)),
         dtau: interval.dtau.clone(),
         margin,
         criterion_holds,
@@ -348,6 +353,9 @@ impl<S: Written> Entry<S> {
 
     /// −F·Δξ, what the passivity observer adds, with enclosed numbers at their lower end: a count as it is.
     pub(crate) fn observed(&self) -> S {
+        if self.rests {
+            return S::zero();
+        }
         let [force, from, to] = [self.held.lo(), self.xi0.lo(), self.xi1.lo()].map(S::clone);
         -(force * (to - from))
     }

@@ -88,6 +88,15 @@ impl Number {
         }
     }
 
+    /// The same number in lowest terms.
+    #[must_use]
+    pub(crate) fn reduced(self) -> Self {
+        match self {
+            Self::Small(n, d) => small(n.into(), d.into()).unwrap_or(self),
+            Self::Big(_) => self,
+        }
+    }
+
     /// The number in lowest terms.
     #[must_use]
     pub fn to_rational(&self) -> BigRational {
@@ -126,64 +135,57 @@ impl PartialEq for Number {
     }
 }
 
-/// A literal of at most 18 digits and no exponent: `-12`, `0.375`, `3/8`. `None` for all else,
-/// which is then for the full parser to read or to refuse.
-pub(crate) fn short(text: &[u8]) -> Option<(i64, i64)> {
-    let (negative, digits) = match text.split_first()? {
+/// A short decimal as a numerator and a power of ten: `-12`, `0.375`. `None` for one of more than 19 digits
+/// and for all else.
+#[inline]
+pub(crate) fn decimal(text: &[u8]) -> Option<(i64, i64)> {
+    /// 64 bits hold any number of as many digits.
+    const MOST: usize = 19;
+    fn digits(text: &[u8], mut value: u64) -> (u64, &[u8]) {
+        let mut rest = text;
+        while let Some((digit @ b'0'..=b'9', after)) = rest.split_first() {
+            value = value.wrapping_mul(10).wrapping_add(u64::from(digit - b'0'));
+            rest = after;
+        }
+        (value, rest)
+    }
+    let (negative, text) = match text.split_first()? {
         (b'-', rest) => (true, rest),
         (b'+', rest) => (false, rest),
         _ => (false, text),
     };
-    if digits.is_empty() || digits.len() > 24 {
+    let (value, rest) = digits(text, 0);
+    let whole = text.len() - rest.len();
+    let (value, decimals) = match rest.split_first() {
+        None => (value, 0),
+        Some((b'.', fraction)) => match digits(fraction, value) {
+            (value, []) => (value, fraction.len()),
+            _ => return None,
+        },
+        Some(_) => return None,
+    };
+    if !(1..=MOST).contains(&(whole + decimals)) {
         return None;
     }
-    let (mut value, mut denominator, mut seen) = (0_i64, 1_i64, 0_u32);
-    let mut rest = digits.iter();
-    let mut separator = 0;
-    for byte in rest.by_ref() {
-        match byte {
-            b'0'..=b'9' => {
-                value = value.checked_mul(10)?.checked_add(i64::from(byte - b'0'))?;
-                seen += 1;
-            }
-            _ => {
-                separator = *byte;
-                break;
-            }
-        }
+    let value = i64::try_from(value).ok()?;
+    let power = 10_i64.checked_pow(u32::try_from(decimals).ok()?)?;
+    Some((if negative { -value } else { value }, power))
+}
+
+/// A short literal without an exponent: `-12`, `0.375`, `3/8`. `None` for all else, which is then for the
+/// full parser to read or to refuse.
+pub(crate) fn short(text: &[u8]) -> Option<(i64, i64)> {
+    if let Some(decimal) = decimal(text) {
+        return Some(decimal);
     }
-    match separator {
-        0 => {}
-        b'.' => {
-            for byte in rest {
-                if !byte.is_ascii_digit() {
-                    return None;
-                }
-                value = value.checked_mul(10)?.checked_add(i64::from(byte - b'0'))?;
-                denominator = denominator.checked_mul(10)?;
-                seen += 1;
-            }
+    let slash = memchr::memchr(b'/', text)?;
+    let (numerator, denominator) = text.split_at_checked(slash)?;
+    match (decimal(numerator)?, decimal(denominator.get(1..)?)?) {
+        ((n, 1), (d @ 1.., 1)) if denominator.iter().skip(1).all(u8::is_ascii_digit) => {
+            Some((n, d))
         }
-        b'/' if seen > 0 => {
-            denominator = 0;
-            for byte in rest {
-                if !byte.is_ascii_digit() {
-                    return None;
-                }
-                denominator = denominator
-                    .checked_mul(10)?
-                    .checked_add(i64::from(byte - b'0'))?;
-            }
-            if denominator == 0 {
-                return None;
-            }
-        }
-        _ => return None,
+        _ => None,
     }
-    if seen == 0 {
-        return None;
-    }
-    Some((if negative { -value } else { value }, denominator))
 }
 
 /// Whether numerator and denominator have at most [`MAX_BITS`] bits.
@@ -409,20 +411,30 @@ fn small(n: i128, d: i128) -> Option<Number> {
     Some(Number::Small(n, i64::try_from(d / divisor).ok()?))
 }
 
-/// a/b for b that is not zero.
+/// a/b for b that is not zero, not in lowest terms.
 pub(crate) fn quotient(a: &Number, b: &Number) -> Number {
     if let (Number::Small(n, d), Number::Small(m, e)) = (a, b) {
-        let (n, d, m, e) = (
-            i128::from(*n),
-            i128::from(*d),
-            i128::from(*m),
-            i128::from(*e),
-        );
-        if let Some(quotient) = small(n * e * m.signum(), (d * m).abs()) {
+        let [n, d, m, e] = [*n, *d, *m, *e].map(i128::from);
+        let (numerator, denominator) = (n * e * m.signum(), (d * m).abs());
+        if let (Ok(n), Ok(d)) = (i64::try_from(numerator), i64::try_from(denominator)) {
+            return Number::Small(n, d);
+        }
+        if let Some(quotient) = small(numerator, denominator) {
             return quotient;
         }
     }
     Number::from(a.to_rational().over(b.to_rational()))
+}
+
+/// Whether a < b.
+#[inline]
+pub(crate) fn is_less(a: &Number, b: &Number) -> bool {
+    match (a, b) {
+        (Number::Small(n, d), Number::Small(m, e)) => {
+            i128::from(*n) * i128::from(*e) < i128::from(*m) * i128::from(*d)
+        }
+        _ => is_positive(&difference(b, a)),
+    }
 }
 
 /// Whether a number is above zero.

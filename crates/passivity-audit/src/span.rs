@@ -6,6 +6,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use num_traits::ToPrimitive as _;
 use passivity_core::{BigRational, Ordered, Scalar};
 
+use crate::figure::Figure;
 use crate::number::{Number, Reduced, Written};
 
 /// Bits behind the point.
@@ -14,7 +15,7 @@ pub(crate) const BITS: u32 = 64;
 /// One, on the grid.
 pub(crate) const ONE: i128 = 1 << BITS;
 
-/// A number between two multiples of 2⁻⁶⁴.
+/// A number that is no further than a radius from a middle, both of them multiples of 2⁻⁶⁴.
 ///
 /// Every operation rounds outward, so that whatever the numbers are that the operands stand for, the
 /// result of the exact operation is in the result. Comparisons are answered only where they come out
@@ -22,39 +23,68 @@ pub(crate) const ONE: i128 = 1 << BITS;
 /// caller then computes with exact numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Span {
-    /// In units of 2⁻⁶⁴; above `hi` where the number is undefined.
-    lo: i128,
-    hi: i128,
+    /// In units of 2⁻⁶⁴, below [`LARGEST`] in magnitude.
+    middle: i128,
+    /// In the same units; [`UNKNOWN`] where the number is undefined.
+    radius: u64,
 }
 
+/// Leaves room for the radius, and for a sum.
+const LARGEST: i128 = 1 << 126;
+
+/// The radius of what is undefined: sums of it saturate, so that it stays.
+const UNKNOWN: u64 = u64::MAX;
+
 impl Span {
-    const UNDEFINED: Self = Self { lo: 1, hi: 0 };
+    const UNDEFINED: Self = Self {
+        middle: 0,
+        radius: UNKNOWN,
+    };
 
-    /// Between two multiples of 2⁻⁶⁴.
-    pub(crate) const fn between(lo: i128, hi: i128) -> Self {
-        Self { lo, hi }
-    }
-
-    const fn checked(lo: Option<i128>, hi: Option<i128>) -> Self {
-        match (lo, hi) {
-            (Some(lo), Some(hi)) => Self { lo, hi },
-            _ => Self::UNDEFINED,
+    #[inline]
+    const fn checked(middle: i128, radius: u64) -> Self {
+        // −LARGEST < middle < LARGEST, in one comparison.
+        let shifted = middle.wrapping_add(LARGEST).cast_unsigned();
+        if shifted.wrapping_sub(1) < (2 * LARGEST.cast_unsigned()) - 1 {
+            Self { middle, radius }
+        } else {
+            Self::UNDEFINED
         }
     }
 
+    /// Between two multiples of 2⁻⁶⁴, or one unit further down where they are an odd number of units apart.
+    #[inline]
+    pub(crate) const fn between(lo: i128, hi: i128) -> Self {
+        let (Some(sum), Some(width)) = (lo.checked_add(hi), hi.checked_sub(lo)) else {
+            return Self::UNDEFINED;
+        };
+        if width < 0 || width >> BITS != 0 {
+            return Self::UNDEFINED;
+        }
+        // Half of less than 2⁶⁴, rounded up.
+        Self::checked(sum >> 1, ((width + 1) >> 1) as u64)
+    }
+
+    /// No further than a radius from a middle, in units of 2⁻⁶⁴.
+    #[inline]
+    pub(crate) const fn centred(middle: i128, radius: u64) -> Self {
+        Self::checked(middle, radius)
+    }
+
+    #[inline]
     const fn is_defined(self) -> bool {
-        self.lo <= self.hi
+        self.radius != UNKNOWN
     }
 
     /// A whole number.
     #[must_use]
+    #[inline]
     pub(crate) const fn whole(n: i64) -> Self {
-        // 2⁶³·2⁶⁴ is what 128 bits hold.
-        let n = (n as i128) << BITS;
-        Self { lo: n, hi: n }
+        Self::checked((n as i128) << BITS, 0)
     }
 
     /// Around n/d.
+    #[inline]
     pub(crate) fn of(x: &Number) -> Self {
         match x {
             Number::Small(n, d) => Self::ratio(*n, *d),
@@ -63,62 +93,63 @@ impl Span {
     }
 
     /// Around n/d, d > 0.
+    #[inline]
     fn ratio(n: i64, d: i64) -> Self {
+        if d == 1 {
+            return Self::whole(n);
+        }
         let (n, d) = ((n as i128) << BITS, i128::from(d));
-        let lo = n.div_euclid(d);
-        let hi = lo + i128::from(lo * d != n);
-        Self { lo, hi }
+        let below = n.div_euclid(d);
+        Self::checked(below, u64::from(below * d != n))
     }
 
     /// Around a big number.
     pub(crate) fn of_rational(x: &BigRational) -> Self {
-        let scaled = x * BigRational::from_integer(ONE.into());
-        let [lo, hi] = [scaled.floor(), scaled.ceil()];
-        Self::checked(lo.to_integer().to_i128(), hi.to_integer().to_i128())
+        match on_both_sides(x, x) {
+            Some([lo, hi]) => Self::between(lo, hi),
+            None => Self::UNDEFINED,
+        }
     }
 
-    /// Around all numbers from one to another; `None` where that does not fit.
+    /// Around all numbers from one to another; `None` where that does not fit, or is too wide.
     pub(crate) fn around(lo: &BigRational, hi: &BigRational) -> Option<Self> {
-        let span = Self::of_rational(lo).joined(Self::of_rational(hi));
+        let [lo, hi] = on_both_sides(lo, hi)?;
+        let span = Self::between(lo, hi);
         span.is_defined().then_some(span)
     }
 
     /// Around both numbers.
-    pub(crate) const fn joined(self, other: Self) -> Self {
-        if !(self.is_defined() && other.is_defined()) {
-            return Self::UNDEFINED;
-        }
-        Self {
-            lo: if self.lo < other.lo {
-                self.lo
-            } else {
-                other.lo
-            },
-            hi: if self.hi > other.hi {
-                self.hi
-            } else {
-                other.hi
-            },
+    pub(crate) fn joined(self, other: Self) -> Self {
+        match (self.defined(), other.defined()) {
+            (Some([a, b]), Some([c, d])) => Self::between(Ord::min(a, c), Ord::max(b, d)),
+            _ => Self::UNDEFINED,
         }
     }
 
     /// How far its ends are apart, where it is defined.
     pub(crate) fn width(self) -> Option<i128> {
-        self.hi.checked_sub(self.lo).filter(|width| *width >= 0)
+        self.is_defined().then(|| 2 * i128::from(self.radius))
     }
 
     /// A double near the number, where it is defined.
     #[allow(clippy::cast_precision_loss)] // that is what near means
     pub(crate) fn near(self) -> f64 {
-        self.lo as f64 / ONE as f64
+        self.middle as f64 / ONE as f64
     }
 
     /// The ends, in units of 2⁻⁶⁴, of a number that is defined.
+    #[inline]
     pub(crate) const fn ends(self) -> [i128; 2] {
-        [self.lo, self.hi]
+        let radius = self.radius as i128;
+        // 2¹²⁶ and 2⁶⁴ at most.
+        [
+            self.middle.wrapping_sub(radius),
+            self.middle.wrapping_add(radius),
+        ]
     }
 
     /// The ends, where the number is defined.
+    #[inline]
     pub(crate) fn defined(self) -> Option<[i128; 2]> {
         self.is_defined().then_some(self.ends())
     }
@@ -126,26 +157,37 @@ impl Span {
     /// Whether the exact number is in it: for tests.
     #[cfg(test)]
     fn holds(self, x: &BigRational) -> bool {
-        let [lo, hi] = [self.lo, self.hi].map(on_grid);
+        let [lo, hi] = self.ends().map(on_grid);
         self.is_defined() && lo <= *x && *x <= hi
     }
 }
 
+/// The first number rounded down to the grid and the second one rounded up, where that fits.
+fn on_both_sides(lo: &BigRational, hi: &BigRational) -> Option<[i128; 2]> {
+    let scaled = |x: &BigRational| x * BigRational::from_integer(ONE.into());
+    let lo = scaled(lo).floor().to_integer().to_i128()?;
+    Some([lo, scaled(hi).ceil().to_integer().to_i128()?])
+}
+
+/// What is known of a number between these two, on the grid; `None` where that does not fit.
+pub(crate) fn figure_around(lo: &BigRational, hi: &BigRational) -> Option<Figure<Span>> {
+    let ends = on_both_sides(lo, hi)?;
+    let [lo, hi] = ends.map(|end| Span::between(end, end));
+    (lo.is_defined() && hi.is_defined())
+        .then(|| Figure::Enclosed(passivity_core::Interval::new_unchecked(lo, hi)))
+}
+
 /// The numbers rounded outward to the grid, where that fits.
 pub(crate) fn outward([lo, hi]: [Reduced; 2]) -> [Reduced; 2] {
-    let above = |x: Reduced| match Span::of_rational(&x.to_rational()).above() {
-        Some(above) => above,
-        None => x,
-    };
-    [below_on_grid(lo), above(hi)]
+    let x = hi.to_rational();
+    let above = on_both_sides(&x, &x).map_or(hi, |[_, above]| Reduced::Small(above, ONE));
+    [below_on_grid(lo), above]
 }
 
 /// The number rounded down to the grid, where that fits.
 pub(crate) fn below_on_grid(x: Reduced) -> Reduced {
-    match Span::of_rational(&x.to_rational()).below() {
-        Some(below) => below,
-        None => x,
-    }
+    let exact = x.to_rational();
+    on_both_sides(&exact, &exact).map_or(x, |[below, _]| Reduced::Small(below, ONE))
 }
 
 /// How many units of the grid an end of a span is.
@@ -161,100 +203,61 @@ pub(crate) fn on_grid(n: i128) -> BigRational {
     BigRational::new(n.into(), ONE.into())
 }
 
-/// ⌊a·b/2^shift⌋ for numbers that are not negative, and whether that is less than a·b/2^shift; `None` when
-/// it is wider than 127 bits.
+/// The upper and the lower half of a number on the grid: what is whole, and the rest.
 #[inline]
-pub(crate) fn product_shifted(a: u128, b: u128, shift: u32) -> Option<(i128, bool)> {
-    const LOW: u128 = u64::MAX as u128;
-    let [a1, a0, b1, b0] = [a >> 64, a & LOW, b >> 64, b & LOW];
-    let low = a0 * b0;
-    let (middle, carry) = (a1 * b0).overflowing_add(a0 * b1);
-    let (low, carry_low) = low.overflowing_add(middle << 64);
-    let high = a1 * b1 + (middle >> 64) + (u128::from(carry) << 64) + u128::from(carry_low);
-    let (value, rest) = match shift {
-        0 => (if high == 0 { low } else { u128::MAX }, 0),
-        1..=127 => {
-            if high >> shift != 0 {
-                return None;
-            }
-            (
-                (high << (128 - shift)) | (low >> shift),
-                low << (128 - shift),
-            )
-        }
-        128 => (high, low),
-        129..=255 => {
-            let shift = shift - 128;
-            (high >> shift, (high << (128 - shift)) | low)
-        }
-        _ => return None,
-    };
-    Some((i128::try_from(value).ok()?, rest != 0))
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // halves
+const fn halves(x: i128) -> (i64, u64) {
+    ((x >> BITS) as i64, x as u64)
 }
 
-/// a·b on the grid, rounded down.
+/// a·b for a with a sign and b without.
 #[inline]
-fn product_below(a: i128, b: i128) -> Option<i128> {
-    let (value, inexact) = product_shifted(a.unsigned_abs(), b.unsigned_abs(), BITS)?;
-    match (a < 0) == (b < 0) {
-        true => Some(value),
-        false => Some(-value - i128::from(inexact)),
-    }
+const fn signed_by_unsigned(a: i64, b: u64) -> i128 {
+    let product = (a.cast_unsigned() as u128) * (b as u128);
+    // As an unsigned number, a below zero is 2⁶⁴ too much.
+    let excess = if a < 0 { b } else { 0 };
+    product.wrapping_sub((excess as u128) << BITS).cast_signed()
 }
 
-/// a·b on the grid, rounded up.
+/// What a radius grows to by a factor of this magnitude, rounded up.
 #[inline]
-fn product_above(a: i128, b: i128) -> Option<i128> {
-    product_below(a.checked_neg()?, b).map(|x| -x)
-}
-
-/// a/b on the grid, rounded down, b > 0; `None` where it does not fit.
-fn quotient_below(a: i128, b: i128) -> Option<i128> {
-    /// Past it the rest has no room for half of the bits at a time.
-    const WIDEST: i128 = 1 << 94;
-    const HALF: u32 = BITS / 2;
-    if b >= WIDEST {
-        return None;
-    }
-    let (whole, rest) = (a.div_euclid(b), a.rem_euclid(b));
-    let (upper, rest) = ((rest << HALF) / b, (rest << HALF) % b);
-    let lower = (rest << HALF) / b;
-    whole.checked_mul(ONE)?.checked_add((upper << HALF) + lower)
-}
-
-/// a/b on the grid, rounded up, b > 0.
-fn quotient_above(a: i128, b: i128) -> Option<i128> {
-    quotient_below(a.checked_neg()?, b).map(|x| -x)
+const fn radius_times(radius: u64, factor: u128) -> u128 {
+    let upper = (factor >> BITS) * radius as u128;
+    let lower = (factor & u64::MAX as u128) * radius as u128;
+    let more = (lower >> BITS).wrapping_add((lower & u64::MAX as u128 != 0) as u128);
+    // A factor is below 2¹²⁶, so that this is below 2⁶²·2⁶⁴ and a little more.
+    upper.wrapping_add(more)
 }
 
 impl Add for Span {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
-        if !(self.is_defined() && other.is_defined()) {
-            return Self::UNDEFINED;
-        }
-        Self::checked(self.lo.checked_add(other.lo), self.hi.checked_add(other.hi))
+        // Both are below 2¹²⁶.
+        Self::checked(
+            self.middle.wrapping_add(other.middle),
+            self.radius.saturating_add(other.radius),
+        )
     }
 }
 
 impl Neg for Span {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
-        if !self.is_defined() {
-            return self;
+        Self {
+            middle: self.middle.wrapping_neg(),
+            ..self
         }
-        Self::checked(self.hi.checked_neg(), self.lo.checked_neg())
     }
 }
 
 impl Sub for Span {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -265,27 +268,37 @@ impl Mul for Span {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        if !(self.is_defined() && other.is_defined()) {
+        // Past it a product may be LARGEST.
+        const ROOM: i128 = 1 << 60;
+        let ((a, a_rest), (b, b_rest)) = (halves(self.middle), halves(other.middle));
+        let whole = i128::from(a) * i128::from(b);
+        if !(-ROOM..ROOM).contains(&whole) || !(self.is_defined() && other.is_defined()) {
             return Self::UNDEFINED;
         }
-        if self.hi <= 0 && self.lo < 0 {
-            return -(-self * other);
+        let rest = u128::from(a_rest) * u128::from(b_rest);
+        // |a·b| < 2⁶⁰ and |a|, |b| < 2⁶²: each term is below 2¹²⁶, and only one of the two in the middle can
+        // be past 2¹²⁵. So nothing wraps around, and what is past LARGEST is seen.
+        let middle = (whole << BITS)
+            .wrapping_add(signed_by_unsigned(a, b_rest))
+            .wrapping_add(signed_by_unsigned(b, a_rest))
+            .wrapping_add((rest >> BITS).cast_signed());
+        let mut radius = u128::from(rest & u128::from(u64::MAX) != 0);
+        if self.radius | other.radius != 0 {
+            // Below 2¹²⁶ and a little more each.
+            radius = radius
+                .wrapping_add(radius_times(other.radius, self.middle.unsigned_abs()))
+                .wrapping_add(radius_times(self.radius, other.middle.unsigned_abs()))
+                .wrapping_add(radius_times(self.radius, other.radius.into()));
         }
-        let ([a, b], [c, d]) = ([self.lo, self.hi], [other.lo, other.hi]);
-        if a >= 0 {
-            let (below, above) = (if c >= 0 { a } else { b }, if d >= 0 { b } else { a });
-            return Self::checked(product_below(below, c), product_above(above, d));
+        match u64::try_from(radius) {
+            Ok(radius) => Self::checked(middle, radius),
+            Err(_) => Self::UNDEFINED,
         }
-        let least = |x: Option<i128>, y: Option<i128>| Some(x?.min(y?));
-        let most = |x: Option<i128>, y: Option<i128>| Some(x?.max(y?));
-        Self::checked(
-            least(product_below(a, d), product_below(b, c)),
-            most(product_above(a, c), product_above(b, d)),
-        )
     }
 }
 
 impl Scalar for Span {
+    #[inline]
     fn integer(n: i32) -> Self {
         Self::whole(n.into())
     }
@@ -295,106 +308,135 @@ impl Scalar for Span {
         if !self.is_defined() {
             return self;
         }
+        // Half of the radius, of what an odd middle loses by rounding down, and what rounds up.
+        let odd = u64::from(self.middle & 1 != 0);
         Self {
-            lo: self.lo >> 1,
-            hi: (self.hi >> 1) + (self.hi & 1),
+            middle: self.middle >> 1,
+            radius: self.radius.div_ceil(2) + (odd & !self.radius),
         }
     }
 
     #[inline]
     fn floor(&self) -> Self {
-        match self.is_defined() && self.lo >> BITS == self.hi >> BITS {
-            true => {
-                let floor = (self.lo >> BITS) << BITS;
-                Self::between(floor, floor)
-            }
+        let [lo, hi] = self.ends().map(|end| end >> BITS);
+        match self.is_defined() && lo == hi {
+            true => Self {
+                middle: lo << BITS,
+                radius: 0,
+            },
             false => Self::UNDEFINED,
         }
     }
 
     #[inline]
     fn abs(&self) -> Self {
-        if self.lo >= 0 {
-            *self
-        } else if self.hi <= 0 {
-            -*self
-        } else {
-            Self::checked(Some(0), self.lo.checked_neg().map(|lo| lo.max(self.hi)))
+        let radius = i128::from(self.radius);
+        let size = self.middle.abs();
+        if size >= radius || !self.is_defined() {
+            return Self {
+                middle: size,
+                ..*self
+            };
         }
+        Self::between(0, size + radius)
     }
 
     #[inline]
     fn max(self, other: Self) -> Self {
-        match self.is_defined() && other.is_defined() {
-            true => Self::between(Ord::max(self.lo, other.lo), Ord::max(self.hi, other.hi)),
-            false => Self::UNDEFINED,
+        match (self.defined(), other.defined()) {
+            (Some([a, b]), Some([c, d])) => {
+                if a >= d {
+                    self
+                } else if c >= b {
+                    other
+                } else {
+                    Self::between(Ord::max(a, c), Ord::max(b, d))
+                }
+            }
+            _ => Self::UNDEFINED,
         }
     }
 
     #[inline]
     fn min(self, other: Self) -> Self {
-        match self.is_defined() && other.is_defined() {
-            true => Self::between(Ord::min(self.lo, other.lo), Ord::min(self.hi, other.hi)),
-            false => Self::UNDEFINED,
-        }
-    }
-
-    fn over(self, divisor: Self) -> Self {
-        if !self.is_defined() || divisor.is_defined() && divisor.hi < 0 {
-            return -self.over_positive(-divisor);
-        }
-        self.over_positive(divisor)
+        -Scalar::max(-self, -other)
     }
 
     #[inline]
-    fn square(&self) -> Self {
-        let size = self.abs();
-        size * size
+    fn over(self, divisor: Self) -> Self {
+        if divisor == Self::whole(1) {
+            return self;
+        }
+        match divisor.middle < 0 {
+            true => -self * (-divisor).inverse(),
+            false => self * divisor.inverse(),
+        }
     }
 }
 
 impl Span {
-    fn over_positive(self, divisor: Self) -> Self {
-        if !self.is_defined() || !divisor.is_defined() || divisor.lo <= 0 {
+    /// 1/x for x above zero.
+    ///
+    /// With y near 1/x and e = 1 − xy, 1/x = y/(1 − e), which is y + ye + ye²/(1 − e).
+    #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // y need only be near
+    fn inverse(self) -> Self {
+        /// Below it, e²/(1 − e) ≤ 2e².
+        const HALF: u128 = 1 << (BITS - 1);
+        /// Past it 1/x is wider than 126 bits.
+        const LEAST: i128 = 1 << 4;
+        if !self.is_defined() || self.middle < LEAST {
             return Self::UNDEFINED;
         }
-        if divisor == Self::between(ONE, ONE) {
-            return self;
+        let near = (ONE as f64 / self.middle as f64 * ONE as f64) as i128;
+        let near = Self::checked(near, 0);
+        let error = Self::whole(1) - self * near;
+        let size = error.middle.unsigned_abs() + u128::from(error.radius);
+        if !error.is_defined() || size > HALF {
+            return Self::UNDEFINED;
         }
-        let below = if self.lo >= 0 { divisor.hi } else { divisor.lo };
-        let above = if self.hi >= 0 { divisor.lo } else { divisor.hi };
-        Self::checked(
-            quotient_below(self.lo, below),
-            quotient_above(self.hi, above),
-        )
+        // 2e² is at most 2⁶³ units, as is what is left.
+        let square = (size * size).div_ceil(1 << (BITS - 1));
+        let left = match u64::try_from(square) {
+            Ok(square) => radius_times(square, near.middle.unsigned_abs()),
+            Err(_) => return Self::UNDEFINED,
+        };
+        let inverse = near + near * error;
+        match u64::try_from(left) {
+            Ok(left) => Self {
+                radius: inverse.radius.saturating_add(left),
+                ..inverse
+            },
+            Err(_) => Self::UNDEFINED,
+        }
     }
 }
 
 impl Ordered for Span {
+    #[inline]
     fn sign(&self) -> Option<Ordering> {
-        match (self.is_defined(), self.lo, self.hi) {
-            (false, ..) => None,
-            (_, 0, 0) => Some(Ordering::Equal),
-            (_, 1.., _) => Some(Ordering::Greater),
-            (_, _, ..0) => Some(Ordering::Less),
+        let radius = i128::from(self.radius);
+        match (self.middle, self.radius) {
+            (_, UNKNOWN) => None,
+            (0, 0) => Some(Ordering::Equal),
+            (middle, _) if middle > radius => Some(Ordering::Greater),
+            (middle, _) if -middle > radius => Some(Ordering::Less),
             _ => None,
         }
     }
 
+    #[inline]
     fn is_nonnegative(&self) -> Option<bool> {
-        match (self.is_defined(), self.lo, self.hi) {
-            (true, 0.., _) => Some(true),
-            (true, _, ..0) => Some(false),
+        let [lo, hi] = self.defined()?;
+        match (lo >= 0, hi < 0) {
+            (true, _) => Some(true),
+            (_, true) => Some(false),
             _ => None,
         }
     }
 
+    #[inline]
     fn is_positive(&self) -> Option<bool> {
-        match (self.is_defined(), self.lo, self.hi) {
-            (true, 1.., _) => Some(true),
-            (true, _, ..=0) => Some(false),
-            _ => None,
-        }
+        (-*self).is_nonnegative().map(|is| !is)
     }
 }
 
@@ -402,7 +444,7 @@ impl Written for Span {
     const EXACT: bool = false;
 
     fn to_reduced(&self) -> Option<Reduced> {
-        (self.lo == self.hi).then_some(Reduced::Small(self.lo, ONE))
+        (self.radius == 0).then_some(Reduced::Small(self.middle, ONE))
     }
 
     fn from_reduced(x: &Reduced) -> Option<Self> {
@@ -414,11 +456,11 @@ impl Written for Span {
     }
 
     fn below(&self) -> Option<Reduced> {
-        self.is_defined().then_some(Reduced::Small(self.lo, ONE))
+        self.defined().map(|[lo, _]| Reduced::Small(lo, ONE))
     }
 
     fn above(&self) -> Option<Reduced> {
-        self.is_defined().then_some(Reduced::Small(self.hi, ONE))
+        self.defined().map(|[_, hi]| Reduced::Small(hi, ONE))
     }
 
     fn is_number(&self) -> bool {
@@ -426,9 +468,9 @@ impl Written for Span {
     }
 
     fn one_of(&self) -> Self {
-        Self {
-            hi: self.lo,
-            ..*self
+        match self.is_defined() {
+            true => Self { radius: 0, ..*self },
+            false => *self,
         }
     }
 

@@ -1,20 +1,26 @@
 //! The account of consecutive intervals whose rows spans decide: sums of integers of fixed width.
 
-use crate::entry::Entry;
-use crate::figure::Figure;
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
+use crate::log::motion::Addend;
 use crate::log::running::{Lowest, RunningSum};
-use crate::log::supply::{Bounds, Contribution, Supply};
+use crate::log::supply::{Bounds, NO_FORCE, Supplied, Supply};
 use crate::run::Tallies;
-use crate::span::Span;
+use crate::span::on_grid;
 use crate::sum::FigureSum;
+
+/// The most intervals of a batch: together with [`WIDEST`] they leave sums room in 128 bits.
+const MOST: u64 = 1 << 20;
+
+/// Energies past it, 2³⁶ KΔ², are for exact numbers.
+const WIDEST: u128 = 1 << 100;
 
 /// The least of some energies in units of the grid, and after how many intervals it was.
 #[derive(Clone, Copy, Debug, Default)]
 struct Least(Option<(i128, u64)>);
 
 impl Least {
+    #[inline]
     fn keep(&mut self, value: i128, h: u64) {
         if self.0.is_none_or(|(least, _)| value < least) {
             self.0 = Some((value, h));
@@ -23,7 +29,28 @@ impl Least {
 
     fn lowest(self) -> Option<Lowest> {
         let (value, h) = self.0?;
-        Some(Lowest::new(crate::span::on_grid(value), h))
+        Some(Lowest::new(on_grid(value), h))
+    }
+}
+
+/// A sum in units of the grid, and its least value so far.
+#[derive(Clone, Copy, Debug, Default)]
+struct Course {
+    now: i128,
+    least: (i128, u64),
+}
+
+impl Course {
+    #[inline]
+    fn add(&mut self, step: i128, h: u64) {
+        self.now += step;
+        if self.now < self.least.0 {
+            self.least = (self.now, h);
+        }
+    }
+
+    fn running(self, steps: u64) -> RunningSum {
+        RunningSum::of_grid(self.now, self.least, steps)
     }
 }
 
@@ -33,12 +60,16 @@ pub(crate) struct Batch {
     pub(crate) intervals: u64,
     /// The five figures that totals are kept of, at the least and at the most.
     sums: [[i128; 2]; 5],
-    net: RunningSum,
-    observer: RunningSum,
+    net: Course,
+    observer: Course,
     /// Where net energy plus potential was least.
     stored: Least,
-    /// What is left of what was stored at the start, where the verdict is about it.
-    supply: Supply,
+    /// What is left of what was stored at the start, where the verdict is about it, at the least and at the
+    /// most; and where it was least with the potential.
+    supply: [Course; 2],
+    lowest: [Least; 2],
+    /// The excess force of the last interval, where it had any.
+    excess: Option<Bounds>,
     tallies: Tallies,
     /// The first interval of each kind, and the one with the least net energy.
     firsts: [Option<u64>; 5],
@@ -49,47 +80,52 @@ impl Batch {
     /// After an interval with this excess force.
     pub(crate) fn after(excess: Option<Bounds>) -> Self {
         Self {
-            net: RunningSum::on_grid(),
-            observer: RunningSum::on_grid(),
-            supply: Supply::after(excess),
+            excess: excess.filter(|excess| *excess != NO_FORCE),
             ..Self::default()
         }
     }
 
-    /// Adds an interval, with the least potential where it ends and, where that is asked for, what it
-    /// contributes to what is left; `None`, and nothing added, where something does not fit.
-    pub(crate) fn add(
-        &mut self,
-        entry: &Entry<Span>,
-        potential: i128,
-        contribution: Option<&Contribution>,
-    ) -> Option<()> {
+    /// The excess force of the last interval, where it had any.
+    pub(crate) const fn excess(&self) -> Option<&Bounds> {
+        self.excess.as_ref()
+    }
+
+    /// Adds an interval; `None`, and nothing added, where something does not fit.
+    pub(crate) fn add(&mut self, addend: Addend) -> Option<()> {
         let h = self.intervals + 1;
-        let account = &entry.account;
-        let mut sums = self.sums;
-        for ([lo, hi], figure) in sums.iter_mut().zip(entry.summed()) {
-            let [least, most] = ends(figure)?;
-            *lo = lo.checked_add(least)?;
-            *hi = hi.checked_add(most)?;
+        // The bits of all of them: together they are as wide as the widest.
+        let mut bits = addend.observed.unsigned_abs() | addend.potential.unsigned_abs();
+        for [lo, hi] in addend.sums {
+            bits |= lo.unsigned_abs() | hi.unsigned_abs();
         }
-        let [least_net, _] = ends(&account.net_linear)?;
-        let [observed, _] = entry.observed().defined()?;
-        let (mut net, mut observer) = (self.net.clone(), self.observer.clone());
-        if !(net.add_scaled(least_net) && observer.add_scaled(observed)) {
+        if let Some(Supplied { step, end, .. }) = &addend.supply {
+            for n in step.iter().chain(end) {
+                bits |= n.unsigned_abs();
+            }
+        }
+        if h > MOST || bits >= WIDEST {
             return None;
         }
-        let stored = net.now().checked_add(potential)?;
-        if let Some(contribution) = contribution {
-            self.supply.add(contribution, h)?;
+        if let Some(supply) = addend.supply {
+            let sums = self.supply.iter_mut().zip(&mut self.lowest);
+            for ((sum, lowest), (step, end)) in sums.zip(supply.step.into_iter().zip(supply.end)) {
+                sum.add(step, h);
+                lowest.keep(sum.now + end, h);
+            }
+            self.excess = supply.excess;
         }
-        // Everything fits.
         self.intervals = h;
-        (self.sums, self.net, self.observer) = (sums, net, observer);
-        self.stored.keep(stored, h);
+        for ([lo, hi], [least, most]) in self.sums.iter_mut().zip(addend.sums) {
+            *lo += least;
+            *hi += most;
+        }
+        let [_, _, _, [least_net, _], _] = addend.sums;
+        self.net.add(least_net, h);
+        self.observer.add(addend.observed, h);
+        self.stored.keep(self.net.now + addend.potential, h);
         self.worst.keep(least_net, h - 1);
-        let truths = entry.truths();
-        self.tallies.add_times(truths, h - 1, 1);
-        for (first, is) in self.firsts.iter_mut().zip(kinds(truths)) {
+        self.tallies.add_times(addend.truths, h - 1, 1);
+        for (first, is) in self.firsts.iter_mut().zip(kinds(addend.truths)) {
             if is {
                 first.get_or_insert(h - 1);
             }
@@ -107,13 +143,16 @@ impl Batch {
         let mut account = Account {
             intervals: self.intervals,
             sums: self.sums.map(FigureSum::of_grid),
-            net: self.net,
-            observer: self.observer,
+            net: self.net.running(self.intervals),
+            observer: self.observer.running(self.intervals),
             tallies: self.tallies,
             ..Account::default()
         };
         if running {
-            account.supply = self.supply;
+            let sums = self.supply.map(|sum| sum.running(self.intervals));
+            let lowest = self.lowest.map(Least::lowest);
+            account.supply =
+                Supply::from_parts(sums, lowest, Some(self.excess.unwrap_or(NO_FORCE)));
         } else {
             account.stored = self.stored.lowest();
         }
@@ -121,13 +160,8 @@ impl Batch {
             *slot = first.map(&place).transpose()?;
         }
         if let Some((least, h)) = self.worst.0 {
-            account.worst = Some((crate::span::on_grid(least), place(h)?));
+            account.worst = Some((on_grid(least), place(h)?));
         }
         Ok(account)
     }
-}
-
-fn ends(figure: &Figure<Span>) -> Option<[i128; 2]> {
-    let ([lo, _], [_, hi]) = (figure.lo().defined()?, figure.hi().defined()?);
-    Some([lo, hi])
 }

@@ -8,7 +8,6 @@ use std::collections::VecDeque;
 
 use passivity_core::{Controller, Wide};
 
-use crate::figure::Figure;
 use crate::ledger::Ledger;
 use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
@@ -30,17 +29,16 @@ const ABSOLUTE: f64 = 1e-9;
 
 /// The forces of a trace compared with those of the law, at every lag.
 #[derive(Clone, Debug)]
-pub(crate) struct Comparison<'a> {
-    ledger: &'a Ledger,
+pub(crate) struct Comparison {
     /// The controller without delay.
     near: Controller<Span>,
     wide: Controller<Wide>,
     /// The delay of the scene.
     pub(crate) delay: usize,
-    /// As many samples as the force depends on beside its delay, the latest first.
+    /// As many samples as the force depends on beside its delay, the latest first, if it is more than one.
     samples: VecDeque<Reading>,
     /// What the law gives without delay, the latest first.
-    law: VecDeque<f64>,
+    law: Vec<f64>,
     pub(crate) compared: u64,
     /// How the forces agree, by lag.
     pub(crate) lags: Vec<Agreement>,
@@ -83,52 +81,54 @@ fn prompt<S: Clone>(controller: &Controller<S>) -> Controller<S> {
     }
 }
 
-impl<'a> Comparison<'a> {
-    pub(crate) fn new(ledger: &'a Ledger) -> Self {
+impl Comparison {
+    pub(crate) fn new(ledger: &Ledger) -> Self {
         let delay = ledger.wide().controller.delay;
         Self {
-            ledger,
             delay,
             near: prompt(&ledger.near().controller),
             wide: prompt(&ledger.wide().controller),
             samples: VecDeque::new(),
-            law: VecDeque::new(),
+            law: Vec::new(),
             compared: 0,
             lags: vec![Agreement::default(); delay + LAGS + 1],
             squares: ExactSum::default(),
         }
     }
 
-    /// The force that the law commands from the latest sample, without delay; `None` when it is
+    /// The force that the law commands from this sample, the latest one, without delay; `None` when it is
     /// undefined.
-    fn commanded(&self) -> Option<f64> {
-        fn of<'r, S: Written>(
-            prompt: &Controller<S>,
-            samples: impl Iterator<Item = &'r Reading>,
-            known: impl Fn(&Reading) -> Figure<S>,
-        ) -> Option<f64> {
-            let measured = samples.map(|sample| prompt.measured(known(sample).lo()));
-            let measured: Vec<S> = measured.collect();
-            Some(prompt.held_force(&measured).below()?.near())
+    fn commanded(&mut self, sample: Reading) -> Option<f64> {
+        let order = self.wide.filter.order();
+        if order == 0 {
+            let span = |sample: &Reading| {
+                let measured = self.near.measured(sample.to_near().lo());
+                let force = self.near.held_force(&[measured]);
+                force.defined().map(|_| force.near())
+            };
+            return span(&sample).or_else(|| {
+                let measured = self.wide.measured(sample.to_wide().lo());
+                Some(self.wide.held_force(&[measured]).below()?.near())
+            });
         }
-        of(&self.near, self.samples.iter(), Reading::to_near)
-            .or_else(|| of(&self.wide, self.samples.iter(), Reading::to_wide))
+        self.samples.push_front(sample);
+        self.samples.truncate(order + 1);
+        let known = self.samples.iter().map(Reading::to_wide);
+        let measured: Vec<Wide> = known.map(|known| self.wide.measured(known.lo())).collect();
+        Some(self.wide.held_force(&measured).below()?.near())
     }
 
     /// Compares the forces of the first `rows` samples of a chunk.
     pub(crate) fn feed(&mut self, chunk: &Chunk, rows: usize) -> Result<(), TraceError> {
         for (i, force) in chunk.forces.iter().enumerate().take(rows) {
             let sample = chunk.samples.get(i).ok_or_else(undefined)?;
-            self.samples.push_front(sample);
-            let order = self.ledger.wide().controller.filter.order();
-            self.samples.truncate(order + 1);
-            let law = self.commanded().ok_or_else(undefined)?;
+            let law = self.commanded(sample).ok_or_else(undefined)?;
             // Before the first sample the device stood where it finds it.
-            while self.law.len() < self.delay + LAGS {
-                self.law.push_back(law);
+            self.law.resize(self.delay + LAGS + 1, law);
+            self.law.rotate_right(1);
+            if let Some(latest) = self.law.first_mut() {
+                *latest = law;
             }
-            self.law.push_front(law);
-            self.law.truncate(self.delay + LAGS + 1);
             let middle = near_reading(&force.value);
             for (expected, agreement) in self.law.iter().zip(&mut self.lags) {
                 agreement.compare(middle, *expected, force.rounding, self.compared);
@@ -221,9 +221,12 @@ impl<'a> Comparison<'a> {
 
 impl Agreement {
     fn compare(&mut self, force: f64, law: f64, rounding: f64, row: u64) {
-        for (sign, (mismatches, first)) in [1.0, -1.0].into_iter().zip(&mut self.mismatches) {
-            let off = (force - sign * law).abs();
-            if off > rounding + RELATIVE * law.abs() + ABSOLUTE {
+        let most = rounding + RELATIVE * law.abs() + ABSOLUTE;
+        for (off, (mismatches, first)) in [force - law, force + law]
+            .into_iter()
+            .zip(&mut self.mismatches)
+        {
+            if off.abs() > most {
                 *mismatches += 1;
                 first.get_or_insert(row);
             }

@@ -1,7 +1,6 @@
 //! The row of an interval, and what an account keeps of it.
 
 use crate::entry::Entry;
-use crate::figure::Figure;
 use crate::ledger::{Logged, Row, Truths, on_entry};
 use crate::log::account::{Account, Place};
 use crate::log::error::TraceError;
@@ -12,7 +11,7 @@ use crate::log::supply::{Contribution, observed, potential, potential_on};
 use crate::log::worker::Task;
 use crate::number::{Number, Reduced, Written as _};
 use crate::reading::Reading;
-use crate::span::{Span, below_on_grid, outward};
+use crate::span::{Span, below_on_grid, figure_around, outward};
 use crate::sum::FigureSum;
 
 /// How many rows at the start of a trace are of exact numbers.
@@ -42,8 +41,8 @@ impl Accounted {
             Self::Near(entry) => entry.add_to(sums, times),
             Self::Decided(row) => {
                 for (sum, figure) in sums.iter_mut().zip(row.figures()?) {
-                    match Span::around(figure.lo(), figure.hi()) {
-                        Some(span) => sum.add_times(&Figure::Exact(span), times)?,
+                    match figure_around(figure.lo(), figure.hi()) {
+                        Some(figure) => sum.add_times(&figure, times)?,
                         None => sum.add_times(&figure, times)?,
                     }
                 }

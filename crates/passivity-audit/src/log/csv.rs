@@ -10,7 +10,7 @@ use crate::log::layout::{Form, Layout};
 use crate::log::lines::Block;
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
-use crate::number::{Number, short};
+use crate::number::{Number, decimal, short};
 use crate::reading::Reading;
 
 /// What stands between fields, and before the decimals of a number.
@@ -231,8 +231,9 @@ fn push(
     };
     let force = match layout.force {
         Some(column) => {
-            let rounding = half_last_digit(force.unwrap_or_default());
-            let force = layout.force(number_in(force, column)?, rounding);
+            let (number, rounding) = rounded(force.unwrap_or_default(), notation)
+                .map_err(|error| error.column(layout.name(column)))?;
+            let force = layout.force(number, rounding);
             Some(force.map_err(|error| error.column(layout.name(column)))?)
         }
         None => None,
@@ -311,6 +312,16 @@ fn whole(field: &[u8], notation: Notation) -> Result<i64, TraceError> {
             Err(TraceError::new("count", message))
         }
     }
+}
+
+/// A number, and half a unit of its last digit.
+fn rounded(text: &[u8], notation: Notation) -> Result<(Number, f64), TraceError> {
+    if let Some((n, power)) = decimal(text) {
+        #[allow(clippy::cast_precision_loss)] // a power of ten that is a double
+        let unit = power as f64;
+        return Ok((Number::Small(n, power), 0.5 / unit));
+    }
+    Ok((number(text, notation)?, half_last_digit(text)))
 }
 
 /// Half a unit of the last digit of a decimal: how far off its rounding may be.

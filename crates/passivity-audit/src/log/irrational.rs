@@ -7,7 +7,7 @@ use passivity_core::{BigRational, Exact, Interval, Scalar};
 use crate::log::error::TraceError;
 use crate::number::Number;
 use crate::reading::{Reading, Scaled};
-use crate::span::{self, Span, product_shifted};
+use crate::span::{self, Span};
 
 /// A factor with π in it.
 #[derive(Clone, Debug)]
@@ -46,11 +46,25 @@ impl Mantissa {
     }
 
     /// What n of it are, enclosed on the grid.
+    #[inline]
     fn times(self, n: u64) -> Option<Span> {
+        const WORD: u32 = 64;
         let shift = self.shift - span::BITS;
-        let (lo, _) = product_shifted(n.into(), self.mantissa, shift)?;
-        let (hi, inexact) = product_shifted(n.into(), self.mantissa + 1, shift)?;
-        Some(Span::between(lo, hi + i128::from(inexact)))
+        let [upper, lower] = [self.mantissa >> WORD, self.mantissa & u128::from(u64::MAX)];
+        let low = u128::from(n) * lower;
+        // Below 2⁵⁶·2⁶⁴ and a little more. The product is high·2⁶⁴ and the lower half of low.
+        let high = u128::from(n) * upper + (low >> WORD);
+        let low = low & u128::from(u64::MAX);
+        let product = match shift {
+            0..WORD if high.leading_zeros() <= WORD - shift => return None,
+            0..WORD => (high << (WORD - shift)) | (low >> shift),
+            _ => high.checked_shr(shift - WORD).unwrap_or(0),
+        };
+        // What was cut off, and n times less than a unit of the mantissa.
+        let above = 2 + n.checked_shr(shift).unwrap_or(0);
+        let middle = i128::try_from(product).ok()?;
+        let span = Span::centred(middle, above);
+        span.defined().map(|_| span)
     }
 }
 
@@ -180,8 +194,9 @@ mod tests {
             let [lo, hi] = span.defined().unwrap();
             let at = |n: i128| BigRational::new(n.into(), (1_i128 << span::BITS).into());
             prop_assert!(at(lo) <= *exact.lo() && *exact.hi() <= at(hi));
-            // A unit of the mantissa is at most a part in 2¹¹⁸ of it.
-            prop_assert!(hi - lo <= 2 + (hi.abs() >> 118));
+            // A unit of the mantissa is at most a part in 2¹¹⁹ of it, and the radius is one more than that and
+            // what was cut off.
+            prop_assert!(hi - lo <= 4 + (hi.abs() >> 118));
         }
     }
 }

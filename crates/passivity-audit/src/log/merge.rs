@@ -47,7 +47,7 @@ pub(crate) struct Merge<'a, 'w> {
     /// In a ledger: where the latest row ends.
     closing: Option<Reading>,
     first: Option<Reading>,
-    comparison: Option<Comparison<'a>>,
+    comparison: Option<Comparison>,
     velocities: Option<Velocities>,
     /// The first intervals, for the rows in the report.
     head: Vec<Logged>,
@@ -59,11 +59,11 @@ pub(crate) struct Merge<'a, 'w> {
 }
 
 /// All that an audit found.
-pub(crate) struct Findings<'a> {
+pub(crate) struct Findings {
     pub(crate) account: Account,
     pub(crate) samples: u64,
     pub(crate) first: Option<Reading>,
-    pub(crate) comparison: Option<Comparison<'a>>,
+    pub(crate) comparison: Option<Comparison>,
     pub(crate) velocities: Option<Velocities>,
     pub(crate) head: Vec<Logged>,
     pub(crate) error: Option<TraceError>,
@@ -294,14 +294,14 @@ impl<'a, 'w> Merge<'a, 'w> {
     }
 
     /// What is said of a stretch that cannot be read, for what stands before it cannot.
-    pub(crate) fn fail(mut self, error: TraceError) -> Findings<'a> {
+    pub(crate) fn fail(mut self, error: TraceError) -> Findings {
         self.error = Some(error.row(0));
         self.findings()
     }
 
     /// All that was found. What the last row of a ledger says of its end is one more interval where the log
     /// `ends` there.
-    pub(crate) fn finish(mut self, ends: bool) -> Result<Findings<'a>, TraceError> {
+    pub(crate) fn finish(mut self, ends: bool) -> Result<Findings, TraceError> {
         if let Some(closing) = self.closing.take().filter(|_| ends || self.error.is_some()) {
             let dtau = self.onward.dtau.take();
             if let Err(error) = self.interval(closing, dtau) {
@@ -315,7 +315,7 @@ impl<'a, 'w> Merge<'a, 'w> {
         Ok(self.findings())
     }
 
-    fn findings(self) -> Findings<'a> {
+    fn findings(self) -> Findings {
         Findings {
             file: self.task.files.get(self.file).cloned(),
             before_file: self.before_file,
@@ -331,7 +331,7 @@ impl<'a, 'w> Merge<'a, 'w> {
     }
 }
 
-impl Findings<'_> {
+impl Findings {
     /// The report, with the account of the wall's own law beside it.
     pub(crate) fn audit(
         mut self,

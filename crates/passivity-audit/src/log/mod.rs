@@ -18,6 +18,7 @@ mod irrational;
 mod layout;
 mod lines;
 mod merge;
+mod motion;
 mod names;
 mod outcome;
 #[cfg(feature = "parquet")]
@@ -70,6 +71,7 @@ use crate::ledger::Ledger;
 use crate::log::chunk::Chunk;
 use crate::log::layout::Layout;
 use crate::log::merge::{Findings, Merge};
+use crate::log::motion::Motion;
 use crate::log::source::{Source, Work};
 use crate::log::worker::{Task, Worker};
 
@@ -209,7 +211,7 @@ fn account<'a>(
     law: Option<&'a Task<'a>>,
     options: Options<'_>,
     reading: Reading,
-) -> Result<(Findings<'a>, Option<Findings<'a>>), TraceError> {
+) -> Result<(Findings, Option<Findings>), TraceError> {
     let layout = task.layout;
     let threads = threads(options.threads)?;
     let mut workers: Vec<[Worker; 2]> = (0..threads).map(|_| <[Worker; 2]>::default()).collect();
@@ -325,9 +327,13 @@ fn at_once(
         for (work, [worker, other]) in work.into_iter().zip(workers) {
             running.push(scope.spawn(move || {
                 let mut chunk = parsed(work, task.layout);
-                let account = worker.account(task, &mut chunk, task.lead());
+                let motions = match task.rows {
+                    None => Motion::all(task.ledger, task.layout, &chunk),
+                    Some(_) => Vec::new(),
+                };
+                let account = worker.account(task, (&mut chunk, &motions), task.lead());
                 let beside = match law {
-                    Some(law) => other.account(law, &mut chunk, law.lead()),
+                    Some(law) => other.account(law, (&mut chunk, &motions), law.lead()),
                     None => account::Account::default(),
                 };
                 (chunk, [account, beside])

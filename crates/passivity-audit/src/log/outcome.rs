@@ -36,7 +36,7 @@ impl Audit {
     pub(crate) fn new(
         task: &Task<'_>,
         scene: &Scene,
-        findings: Findings<'_>,
+        findings: Findings,
         law: Option<Self>,
     ) -> Result<Self, TraceError> {
         let account = findings.account;
@@ -293,7 +293,7 @@ impl Observer {
 }
 
 impl Agreement {
-    fn new(comparison: &Comparison<'_>) -> Option<Self> {
+    fn new(comparison: &Comparison) -> Option<Self> {
         let (own, best) = (comparison.as_scene_says()?, comparison.best()?);
         Some(Self {
             compared: comparison.compared,

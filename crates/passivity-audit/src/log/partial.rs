@@ -296,8 +296,8 @@ fn joined<'a>(
     parts: &[&(String, Partial)],
     ledger: &'a Ledger,
     account: impl Fn(&Partial) -> Option<&SavedFindings>,
-) -> Result<Option<Findings<'a>>, TraceError> {
-    let mut all: Option<Findings<'a>> = None;
+) -> Result<Option<Findings>, TraceError> {
+    let mut all: Option<Findings> = None;
     let mut denominator = BigInt::from(1);
     for (name, part) in parts {
         let Some(saved) = account(part) else {

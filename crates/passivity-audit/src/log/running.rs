@@ -45,9 +45,13 @@ impl Default for RunningSum {
 }
 
 impl RunningSum {
-    /// A sum from zero in units of the grid of spans.
-    pub(crate) fn on_grid() -> Self {
+    /// A sum in units of the grid of spans, and the least value it had after how many of its steps.
+    pub(crate) fn of_grid(now: i128, (least, at): (i128, u64), steps: u64) -> Self {
         Self {
+            now,
+            least,
+            at,
+            steps,
             denominator: ONE,
             ..Self::default()
         }

@@ -372,6 +372,7 @@ impl SavedAccount {
             supply: Supply::from_parts(
                 [least.value()?, most.value()?],
                 [lowest(low)?, lowest(high)?],
+                None,
             ),
             worst: maybe(self.worst.as_ref(), |(net, place)| {
                 Ok((net.value()?, place.value()?))

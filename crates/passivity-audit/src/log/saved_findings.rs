@@ -96,7 +96,7 @@ impl SavedFindings {
         self.account.intervals
     }
 
-    pub(crate) fn of(x: &Findings<'_>) -> Self {
+    pub(crate) fn of(x: &Findings) -> Self {
         let head = match x.account.intervals > ROWS_IN_REPORT as u64 {
             true => Vec::new(),
             false => x.head.iter().map(SavedInterval::of).collect(),
@@ -143,7 +143,7 @@ impl SavedFindings {
         self.denominator.value().map(|x| x.to_integer())
     }
 
-    pub(crate) fn value<'a>(&self, ledger: &'a Ledger) -> Result<Findings<'a>, TraceError> {
+    pub(crate) fn value<'a>(&self, ledger: &'a Ledger) -> Result<Findings, TraceError> {
         let compared = self.comparison.iter().flat_map(|found| {
             let mismatches = found.lags.iter().flat_map(|lag| lag.mismatches);
             let counts = mismatches.flat_map(|(count, first)| [Some(count), first]);
@@ -203,7 +203,7 @@ impl SavedFindings {
     }
 }
 
-impl Findings<'_> {
+impl Findings {
     /// Goes on with what was found in the stretch that follows.
     pub(crate) fn append(&mut self, next: Self) {
         let before = self.samples;

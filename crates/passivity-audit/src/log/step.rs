@@ -9,7 +9,7 @@ use crate::number::Number;
 /// A count that jumps by this much in one interval is no motion.
 pub(crate) const MAX_JUMP: i64 = 1 << 31;
 
-/// Δτ of the interval that starts at sample `i`; `None` when the trace does not say.
+/// Δτ of the interval that starts at sample `i`, not in lowest terms; `None` when the trace does not say.
 pub(crate) fn duration(
     layout: &Layout,
     chunk: &Chunk,

@@ -22,7 +22,7 @@ use crate::ledger::{Ledger, Logged, Row, on_entry};
 use crate::log::computed::Accounted;
 use crate::number::{Reduced, Written};
 use crate::reading::Reading;
-use crate::span::{Span, below_on_grid, outward};
+use crate::span::{ONE, Span, below_on_grid, outward, units};
 
 /// The two ends of what is known of a number.
 pub(crate) type Bounds = [Reduced; 2];
@@ -42,6 +42,43 @@ pub(crate) struct Contribution {
     end: Bounds,
     /// Whether the numbers are those of spans.
     near: bool,
+}
+
+/// No excess force.
+pub(crate) const NO_FORCE: Bounds = [Reduced::ZERO, Reduced::ZERO];
+
+/// What an interval adds to T, in units of the grid of spans: at the least and at the most.
+#[derive(Clone, Debug)]
+pub(crate) struct Supplied {
+    pub(crate) step: [i128; 2],
+    /// What T has beside as long as the trace ends here.
+    pub(crate) end: [i128; 2],
+    /// Its excess force, where it has any.
+    pub(crate) excess: Option<Bounds>,
+}
+
+impl Supplied {
+    /// Of an interval between known positions, with this net energy and this potential where it ends.
+    pub(crate) fn known(net: [i128; 2], end: [i128; 2], before: Option<&Bounds>) -> Option<Self> {
+        match before {
+            None => Some(Self {
+                step: net,
+                end,
+                excess: None,
+            }),
+            before => {
+                let known = Contribution {
+                    net: net.map(|n| Reduced::Small(n, ONE)),
+                    excess: NO_FORCE,
+                    advance: Reduced::ZERO,
+                    room: ROOM,
+                    end: end.map(|n| Reduced::Small(n, ONE)),
+                    near: true,
+                };
+                known.supplied(before)
+            }
+        }
+    }
 }
 
 /// The most that ρ₀ can be of a number that is enclosed: two steps of the coarse grid of readings.
@@ -80,10 +117,21 @@ impl Contribution {
         &self.excess
     }
 
+    /// What the interval adds to T, after one with this excess force, in units of the grid of spans; `None`
+    /// where it is not on it.
+    pub(crate) fn supplied(self, before: Option<&Bounds>) -> Option<Supplied> {
+        let [least, most] = self.step(before.unwrap_or(&NO_FORCE))?;
+        let [first, last] = &self.end;
+        Some(Supplied {
+            step: [units(&least)?, units(&most)?],
+            end: [units(first)?, units(last)?],
+            excess: (self.excess != NO_FORCE).then_some(self.excess),
+        })
+    }
+
     /// What the interval adds to Σ, after one with this excess force.
     fn step(&self, before: &Bounds) -> Option<Bounds> {
-        let none = [Reduced::ZERO, Reduced::ZERO];
-        if self.excess == none && *before == none {
+        if self.excess == NO_FORCE && *before == NO_FORCE {
             return Some(self.net.clone());
         }
         let near = self.near.then(|| self.step_in::<Span>(before)).flatten();
@@ -117,7 +165,7 @@ pub(crate) fn contribution<S: Written>(ends: &Ends<S>, entry: &Entry<S>) -> Opti
                 let [least, most] = entry.kept();
                 [least.below()?, most.above()?]
             },
-            excess: [Reduced::ZERO, Reduced::ZERO],
+            excess: NO_FORCE,
             advance: Reduced::ZERO,
             room: if S::EXACT { Reduced::ZERO } else { ROOM },
             near: !S::EXACT,
@@ -180,8 +228,7 @@ impl Supply {
 
     /// Goes on with an interval, the `h`th, from 1; `None` when a number is undefined.
     pub(crate) fn add(&mut self, contribution: &Contribution, h: u64) -> Option<()> {
-        let none = || [Reduced::ZERO, Reduced::ZERO];
-        let before = self.excess.take().unwrap_or_else(none);
+        let before = self.excess.take().unwrap_or(NO_FORCE);
         let step = contribution.step(&before)?;
         let ends = step.iter().zip(&contribution.end);
         for ((sum, lowest), (step, end)) in self.sums.iter_mut().zip(&mut self.lowest).zip(ends) {
@@ -214,11 +261,15 @@ impl Supply {
     }
 
     /// What was kept elsewhere, of a stretch that another follows.
-    pub(crate) const fn from_parts(sums: [RunningSum; 2], lowest: [Option<Lowest>; 2]) -> Self {
+    pub(crate) const fn from_parts(
+        sums: [RunningSum; 2],
+        lowest: [Option<Lowest>; 2],
+        excess: Option<Bounds>,
+    ) -> Self {
         Self {
             sums,
             lowest,
-            excess: None,
+            excess,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use num_traits::ToPrimitive as _;
 
-use crate::number::{Number, difference, is_positive};
+use crate::number::{Number, difference, is_less, is_positive};
 
 /// How long intervals were.
 #[derive(Clone, Debug, Default)]
@@ -21,15 +21,16 @@ pub(crate) struct Timing {
 impl Timing {
     /// Counts the interval `h`.
     pub(crate) fn add(&mut self, dtau: &Number, h: u64) {
-        let one = Number::whole(1);
-        if *dtau != one {
+        const ONE: Number = Number::whole(1);
+        /// From here on, a sample is missing.
+        const MISSING: Number = Number::Small(3, 2);
+        if *dtau != ONE {
             self.uneven += 1;
-            let beyond = difference(dtau, &one);
-            let missed = nearest(&beyond);
-            if is_positive(&beyond) {
+            if is_less(&ONE, dtau) {
                 self.late += 1;
             }
-            if missed > 0 {
+            if !is_less(dtau, &MISSING) {
+                let missed = nearest(&difference(dtau, &ONE));
                 self.missed = self.missed.saturating_add(missed);
                 self.first_missed.get_or_insert(h);
             }
@@ -38,7 +39,6 @@ impl Timing {
     }
 
     fn widen(&mut self, [shortest, longest]: [&Number; 2]) {
-        let is_less = |a: &Number, b: &Number| is_positive(&difference(b, a));
         match &mut self.range {
             None => self.range = Some([shortest.clone(), longest.clone()]),
             Some([least, most]) => {

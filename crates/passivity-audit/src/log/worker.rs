@@ -11,8 +11,9 @@ use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::{Computed, EXACT_ROWS, UNIT, is_exact, note_stored};
 use crate::log::error::TraceError;
 use crate::log::layout::Layout;
+use crate::log::motion::{Addend, Motion};
 use crate::log::step::{check_jump, duration, interval, jump, undefined};
-use crate::log::supply::{self, Supply};
+use crate::log::supply::Supply;
 use crate::log::table::Table;
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
@@ -78,7 +79,7 @@ impl<'a> Task<'a> {
 
     /// The interval that starts at sample `i` of a chunk.
     pub(crate) fn logged(&self, chunk: &Chunk, i: usize) -> Result<Logged, TraceError> {
-        let dtau = duration(self.layout, chunk, i)?.unwrap_or(Number::whole(1));
+        let dtau = duration(self.layout, chunk, i)?.unwrap_or(UNIT).reduced();
         let found = interval(chunk, i, self.ledger.window(), self.applied, dtau);
         found.ok_or_else(undefined)
     }
@@ -93,21 +94,32 @@ pub(crate) struct Worker {
 }
 
 impl Worker {
-    /// The account of the intervals that start at sample `from` or later and end in the chunk.
+    /// The account of the intervals that start at sample `from` or later and end in the chunk, whose motions
+    /// are known as far as [`Motion::all`] gives them.
     ///
     /// On a mistake the chunk is cut before it.
-    pub(crate) fn account(&mut self, task: &Task<'_>, chunk: &mut Chunk, from: usize) -> Account {
+    pub(crate) fn account(
+        &mut self,
+        task: &Task<'_>,
+        (chunk, motions): (&mut Chunk, &[Option<Motion>]),
+        from: usize,
+    ) -> Account {
         let last = chunk.samples.len().saturating_sub(1).max(from);
         // Apart from the exact rows, whose sums have long denominators, the others are summed up fast.
         let exact = EXACT_ROWS.saturating_sub(chunk.place.before);
         let exact = exact.clamp(from, last);
-        let (mut account, goes_on) = self.between(task, chunk, [from, exact], Account::default());
+        let (mut account, goes_on) = self.between(
+            task,
+            (&mut *chunk, motions),
+            [from, exact],
+            Account::default(),
+        );
         if goes_on && exact < last {
             let rest = Account {
                 supply: Supply::after(account.supply.excess.clone()),
                 ..Account::default()
             };
-            account.append(self.between(task, chunk, [exact, last], rest).0);
+            account.append(self.between(task, (chunk, motions), [exact, last], rest).0);
         }
         account
     }
@@ -116,7 +128,7 @@ impl Worker {
     fn between(
         &mut self,
         task: &Task<'_>,
-        chunk: &mut Chunk,
+        (chunk, motions): (&mut Chunk, &[Option<Motion>]),
         [from, until]: [usize; 2],
         mut account: Account,
     ) -> (Account, bool) {
@@ -127,6 +139,7 @@ impl Worker {
         }
         let mut walk = Walk {
             task,
+            motions,
             from,
             until,
             before: chunk.place.before,
@@ -153,6 +166,8 @@ impl Worker {
 /// The way through a chunk.
 struct Walk<'a> {
     task: &'a Task<'a>,
+    /// Those of the chunk, where they are known.
+    motions: &'a [Option<Motion>],
     from: usize,
     /// The sample at which it ends.
     until: usize,
@@ -198,7 +213,7 @@ impl Walk<'_> {
             if let (true, Some(dtau)) = (self.timed, &dtau) {
                 account.timing.add(dtau, account.intervals);
             }
-            self.one(table, chunk, lasts, account)?;
+            self.one(table, chunk, lasts.reduced(), account)?;
             self.at += 1;
             if self.task.points && (self.at - self.from).is_multiple_of(self.stride) {
                 account.plot();
@@ -307,6 +322,19 @@ impl Walk<'_> {
     fn add_to(&self, batch: &mut Batch, chunk: &Chunk, dtau: &Number) -> Option<()> {
         let (task, i) = (self.task, self.at);
         let ledger = task.ledger;
+        let before = task.running.then(|| batch.excess());
+        let force = match task.applied {
+            true => Some(&chunk.forces.get(i)?.value),
+            false => None,
+        };
+        if let (Some(Some(motion)), Samples::Any(samples)) = (self.motions.get(i), &chunk.samples) {
+            let ends = [samples.get(i)?, samples.get(i + 1)?];
+            if is_exact(task, ends[1], dtau, self.h(i)) {
+                return None;
+            }
+            let addend = motion.addend(ledger.near(), ends, force, before)?;
+            return batch.add(addend);
+        }
         let (start, end) = (chunk.samples.get(i)?, chunk.samples.get(i + 1)?);
         if is_exact(task, &end, dtau, self.h(i)) {
             return None;
@@ -314,10 +342,6 @@ impl Walk<'_> {
         if let (Reading::Count(from), Reading::Count(to)) = (&start, &end) {
             check_jump(*from, *to).ok()?;
         }
-        let force = match task.applied {
-            true => Some(&chunk.forces.get(i)?.value),
-            false => None,
-        };
         let earlier;
         let read = Read {
             samples: match ledger.window() {
@@ -331,12 +355,7 @@ impl Walk<'_> {
             force,
         };
         let row = ledger.near_entry(read, dtau)?;
-        let contribution = match task.running {
-            true => Some(supply::contribution(ledger.near(), &row)?),
-            false => None,
-        };
-        let [potential, _] = supply::potential_on(ledger.near(), &row.xi1)?;
-        batch.add(&row, crate::span::units(&potential)?, contribution.as_ref())
+        batch.add(Addend::of_entry(ledger.near(), &row, before)?)
     }
 
     /// One interval, by looking its row up or computing it.
