@@ -27,7 +27,9 @@ impl<S: Ordered> Parabola<S> {
     /// The least and the largest value on [from, to]; `None` when a number is undefined.
     ///
     /// The vertices of both branches are candidates, as are the ends and the kink at zero: so the
-    /// extremes are exact.
+    /// extremes are exact. A vertex is inside where the slope changes its sign. Where an enclosure leaves that
+    /// open the vertex is so close to an end that its value is not told from that of the end, and it may
+    /// stand for it.
     pub(crate) fn range(&self, from: &S, to: &S) -> Option<[S; 2]> {
         let (first, last) = (self.at(from), self.at(to));
         let mut least = first.clone().min(last.clone());
@@ -37,24 +39,34 @@ impl<S: Ordered> Parabola<S> {
             most = most.clone().max(value);
         };
         let zero = S::zero();
-        let inside = |d: &S, lo: &S, hi: &S| {
-            Some(d.compare(lo)? != Ordering::Less && d.compare(hi)? != Ordering::Greater)
-        };
-        if inside(&zero, from, to)? {
+        let (left, right) = (from.sign()?, to.sign()?);
+        if left != Ordering::Greater && right != Ordering::Less {
             candidate(self.constant.clone());
         }
         if self.square.sign()? != Ordering::Equal {
             let twice = self.square.double();
-            let right = (from.clone().max(zero.clone()), to.clone());
-            let left = (from.clone(), to.clone().min(zero));
-            let slopes = [
-                self.linear.clone() + self.magnitude.clone(),
-                self.linear.clone() - self.magnitude.clone(),
+            let branches = [
+                (
+                    right == Ordering::Greater,
+                    self.linear.clone() + self.magnitude.clone(),
+                    (from.clone().max(zero.clone()), to.clone()),
+                ),
+                (
+                    left == Ordering::Less,
+                    self.linear.clone() - self.magnitude.clone(),
+                    (from.clone(), to.clone().min(zero)),
+                ),
             ];
-            for (slope, (lo, hi)) in slopes.into_iter().zip([right, left]) {
-                let vertex = (-slope.clone()).over(twice.clone());
-                if inside(&vertex, &lo, &hi)? {
-                    candidate(self.constant.clone() - slope.square().over(twice.clone()).half());
+            for (_, at_zero, (lo, hi)) in branches.into_iter().filter(|(is, ..)| *is) {
+                let slope = |d: S| (twice.clone() * d + at_zero.clone()).sign();
+                let turns = match (slope(lo), slope(hi)) {
+                    (Some(Ordering::Equal), _) | (_, Some(Ordering::Equal)) => false,
+                    (Some(first), Some(last)) => first != last,
+                    _ => true,
+                };
+                if turns {
+                    let height = at_zero.square().over(twice.double());
+                    candidate(self.constant.clone() - height);
                 }
             }
         }

@@ -3,11 +3,12 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use num_traits::ToPrimitive as _;
 use passivity_core::{BigRational, Ordered, Scalar};
 
-use crate::figure::Figure;
 use crate::number::{Number, Reduced, Written};
+
+use grid::on_both_sides;
+pub(crate) use grid::{below_on_grid, figure_around, on_grid, outward, units};
 
 /// Bits behind the point.
 pub(crate) const BITS: u32 = 64;
@@ -162,47 +163,6 @@ impl Span {
     }
 }
 
-/// The first number rounded down to the grid and the second one rounded up, where that fits.
-fn on_both_sides(lo: &BigRational, hi: &BigRational) -> Option<[i128; 2]> {
-    let scaled = |x: &BigRational| x * BigRational::from_integer(ONE.into());
-    let lo = scaled(lo).floor().to_integer().to_i128()?;
-    Some([lo, scaled(hi).ceil().to_integer().to_i128()?])
-}
-
-/// What is known of a number between these two, on the grid; `None` where that does not fit.
-pub(crate) fn figure_around(lo: &BigRational, hi: &BigRational) -> Option<Figure<Span>> {
-    let ends = on_both_sides(lo, hi)?;
-    let [lo, hi] = ends.map(|end| Span::between(end, end));
-    (lo.is_defined() && hi.is_defined())
-        .then(|| Figure::Enclosed(passivity_core::Interval::new_unchecked(lo, hi)))
-}
-
-/// The numbers rounded outward to the grid, where that fits.
-pub(crate) fn outward([lo, hi]: [Reduced; 2]) -> [Reduced; 2] {
-    let x = hi.to_rational();
-    let above = on_both_sides(&x, &x).map_or(hi, |[_, above]| Reduced::Small(above, ONE));
-    [below_on_grid(lo), above]
-}
-
-/// The number rounded down to the grid, where that fits.
-pub(crate) fn below_on_grid(x: Reduced) -> Reduced {
-    let exact = x.to_rational();
-    on_both_sides(&exact, &exact).map_or(x, |[below, _]| Reduced::Small(below, ONE))
-}
-
-/// How many units of the grid an end of a span is.
-pub(crate) const fn units(end: &Reduced) -> Option<i128> {
-    match end {
-        Reduced::Small(n, ONE) => Some(*n),
-        _ => None,
-    }
-}
-
-/// A number of units of the grid.
-pub(crate) fn on_grid(n: i128) -> BigRational {
-    BigRational::new(n.into(), ONE.into())
-}
-
 /// The upper and the lower half of a number on the grid: what is whole, and the rest.
 #[inline]
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // halves
@@ -272,7 +232,8 @@ impl Mul for Span {
         const ROOM: i128 = 1 << 60;
         let ((a, a_rest), (b, b_rest)) = (halves(self.middle), halves(other.middle));
         let whole = i128::from(a) * i128::from(b);
-        if !(-ROOM..ROOM).contains(&whole) || !(self.is_defined() && other.is_defined()) {
+        let fits = (-ROOM..ROOM).contains(&whole);
+        if !(fits && self.is_defined() && other.is_defined()) {
             return Self::UNDEFINED;
         }
         let rest = u128::from(a_rest) * u128::from(b_rest);
@@ -479,5 +440,6 @@ impl Written for Span {
     }
 }
 
+mod grid;
 #[cfg(test)]
 mod tests;

@@ -33,7 +33,12 @@ fn log(seed: u64, rows: usize, header: &str, size: f64, stiffness: f64) -> Strin
             x += size * (random() - 0.5) - 0.01 * x;
         }
         let force = -stiffness * x * (0.8 + 0.5 * random());
-        writeln!(text, "{t},{x:.9},{force:.6}").unwrap();
+        if header.contains("count") {
+            // A tick is 30 µm.
+            writeln!(text, "{t},{:.0},{force:.6}", (x / 3e-5).floor()).unwrap();
+        } else {
+            writeln!(text, "{t},{x:.9},{force:.6}").unwrap();
+        }
     }
     text
 }
@@ -57,6 +62,11 @@ fn exactly(text: &str, scene: &Scene) -> ([BigRational; 2], [u64; 2]) {
     );
     let scaled =
         |x: &str, by: &BigRational| Reading::Exact(Number::from(number(x).to_rational() * by));
+    let counts = text.starts_with("t [us],count");
+    let sample = |x: &str| match counts {
+        true => Reading::Count(x.parse().unwrap()),
+        false => scaled(x, &per_tick),
+    };
     let rows: Vec<Vec<&str>> = text
         .lines()
         .skip(1)
@@ -68,8 +78,8 @@ fn exactly(text: &str, scene: &Scene) -> ([BigRational; 2], [u64; 2]) {
         let dt = number(to[0]).to_rational() - number(from[0]).to_rational();
         let row = ledger
             .row(&Logged {
-                samples: vec![scaled(from[1], &per_tick)],
-                end: scaled(to[1], &per_tick),
+                samples: vec![sample(from[1])],
+                end: sample(to[1]),
                 dtau: Number::from(dt / BigRational::from_integer(1000.into())),
                 force: Some(scaled(from[2], &per_force)),
             })
@@ -86,8 +96,13 @@ fn exactly(text: &str, scene: &Scene) -> ([BigRational; 2], [u64; 2]) {
 #[test]
 fn a_long_log_has_the_answers_of_exact_rows_and_sums_around_theirs() {
     let scene = Scene::from_toml("linear", LINEAR).unwrap();
-    for seed in 1..5 {
-        let text = log(seed, 2500, "t [us],x [m],f [N]", 2e-4, 1000.0);
+    for (seed, header) in [
+        (1, "t [us],x [m],f [N]"),
+        (2, "t [us],x [m],f [N]"),
+        (3, "t [us],count,f [N]"),
+        (4, "t [us],count,f [N]"),
+    ] {
+        let text = log(seed, 2500, header, 2e-4, 1000.0);
         let audit = audited(&text, &scene, 0);
         let ([least, most], [short, open]) = exactly(&text, &scene);
         let totals = audit.totals();
@@ -108,6 +123,8 @@ fn a_long_log_has_the_answers_of_exact_rows_and_sums_around_theirs() {
 fn the_report_does_not_depend_on_how_a_log_is_cut() {
     for (scene, header, size, stiffness) in [
         (LINEAR, "t [us],x [m],f [N]", 2e-4, 1000.0),
+        (LINEAR, "t [us],count,f [N]", 2e-4, 1000.0),
+        (ROTARY, "t [us],count,f [N m]", 2e-4, 1.0),
         (ROTARY, "t [us],x [rad],f [N m]", 2e-3, 1.0),
         (ROTARY, "t [us],x [deg],f [mN m]", 0.1, 20.0),
     ] {

@@ -8,7 +8,7 @@ use crate::log::merge::ROWS_IN_REPORT;
 use crate::log::running::Lowest;
 use crate::log::step::undefined;
 use crate::log::supply::{Contribution, observed, potential, potential_on};
-use crate::log::worker::Task;
+use crate::log::task::Task;
 use crate::number::{Number, Reduced, Written as _};
 use crate::reading::Reading;
 use crate::span::{Span, below_on_grid, figure_around, outward};

@@ -119,6 +119,9 @@ impl Irrational {
 
     /// A force in KΔ.
     pub(crate) fn force(&self, x: Number) -> Result<Reading, TraceError> {
+        if x == Number::whole(0) {
+            return Ok(Reading::Exact(x));
+        }
         if let Some(span) = self.short(&x) {
             return Ok(Reading::Within(Scaled::new(x, span)));
         }

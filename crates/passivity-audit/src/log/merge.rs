@@ -12,8 +12,8 @@ use crate::log::computed::Computed;
 use crate::log::error::TraceError;
 use crate::log::outcome::Audit;
 use crate::log::step::{between, check_jump, duration, undefined};
+use crate::log::task::Task;
 use crate::log::velocity::Velocities;
-use crate::log::worker::Task;
 use crate::number::Number;
 use crate::reading::Reading;
 

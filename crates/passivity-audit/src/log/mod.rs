@@ -37,6 +37,7 @@ mod source;
 mod step;
 mod supply;
 mod table;
+mod task;
 mod text;
 mod timing;
 #[cfg(feature = "parquet")]
@@ -71,9 +72,9 @@ use crate::ledger::Ledger;
 use crate::log::chunk::Chunk;
 use crate::log::layout::Layout;
 use crate::log::merge::{Findings, Merge};
-use crate::log::motion::Motion;
 use crate::log::source::{Source, Work};
-use crate::log::worker::{Task, Worker};
+use crate::log::task::Task;
+use crate::log::worker::Worker;
 
 /// What an audit is to give besides its report.
 #[derive(Default)]
@@ -327,10 +328,7 @@ fn at_once(
         for (work, [worker, other]) in work.into_iter().zip(workers) {
             running.push(scope.spawn(move || {
                 let mut chunk = parsed(work, task.layout);
-                let motions = match task.rows {
-                    None => Motion::all(task.ledger, task.layout, &chunk),
-                    Some(_) => Vec::new(),
-                };
+                let motions = worker.motions(task, &chunk);
                 let account = worker.account(task, (&mut chunk, &motions), task.lead());
                 let beside = match law {
                     Some(law) => other.account(law, (&mut chunk, &motions), law.lead()),

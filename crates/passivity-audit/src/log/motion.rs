@@ -1,24 +1,35 @@
 //! What a motion between two samples comes to in spans, and what a force makes of it.
 
+use std::collections::HashMap;
+
 use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::{Criterion, Friction, Loop, Ordered as _, Step, Truth, dissipation};
 
 use crate::ends::Ends;
 use crate::entry::Entry;
 use crate::figure::{Figure, not};
-use crate::ledger::{Ledger, Truths};
+use crate::ledger::{Ledger, Read, Truths};
 use crate::log::chunk::{Chunk, Samples};
+use crate::log::computed::UNIT;
 use crate::log::layout::Layout;
-use crate::log::step::duration;
+use crate::log::step::{check_jump, duration};
 use crate::log::supply::{self, Bounds, Supplied};
-use crate::number::Written as _;
+use crate::number::{Number, Written as _};
 use crate::reading::Reading;
 use crate::span::Span;
 
-/// What an interval between two known positions comes to under any force: computed once for all accounts
-/// that are kept of it.
+/// What is computed of an interval once, for all accounts that are kept of it.
+#[derive(Clone, Debug)]
+pub(crate) enum Motion {
+    /// Between two known positions: what it comes to under any force.
+    Known(Known),
+    /// Between two counts, whose account under the wall's own law is part of that under another force.
+    Counted(Box<Addend>),
+}
+
+/// What an interval between two known positions comes to under any force.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Motion {
+pub(crate) struct Known {
     /// The least that friction takes (26), of the loop with the least and with the most friction.
     dissipated: [Span; 2],
     /// Whether the criterion holds at the mean speed.
@@ -41,26 +52,95 @@ pub(crate) struct Addend {
     pub(crate) supply: Option<Supplied>,
 }
 
-impl Motion {
-    /// The motions of all intervals of a chunk, where they are of known positions and spans leave nothing
-    /// open; none of a loop whose force remembers earlier samples.
-    pub(crate) fn all(ledger: &Ledger, layout: &Layout, chunk: &Chunk) -> Vec<Option<Self>> {
-        let Samples::Any(samples) = &chunk.samples else {
-            return Vec::new();
-        };
+/// What of motions is kept from chunk to chunk.
+#[derive(Debug, Default)]
+pub(crate) struct Motions {
+    /// What intervals between counts add, by the ticks they cross and by Δτ: of an interval from 0.
+    counted: HashMap<[i64; 3], Addend>,
+}
+
+/// The most intervals between counts that are kept.
+const MOST: usize = 1 << 14;
+
+impl Motions {
+    /// The motions of all intervals of a chunk for which `is_asked`, where spans leave nothing open; none of a
+    /// loop whose force remembers earlier samples.
+    pub(crate) fn all(
+        &mut self,
+        ledger: &Ledger,
+        layout: &Layout,
+        chunk: &Chunk,
+        is_asked: impl Fn(usize, &Number) -> bool,
+    ) -> Vec<Option<Motion>> {
         if ledger.has_memory() {
             return Vec::new();
         }
-        let near = ledger.near();
-        let motion = |(i, pair): (usize, &[Reading])| {
-            let [from, to] = pair else { return None };
-            let dtau = duration(layout, chunk, i).ok()?;
-            let dtau = dtau.map_or_else(|| Span::whole(1), |dtau| Span::of(&dtau));
-            Self::of(near, from, to, &dtau)
+        let motion = |i: usize| {
+            let dtau = duration(layout, chunk, i).ok()?.unwrap_or(UNIT);
+            if !is_asked(i, &dtau) {
+                return None;
+            }
+            match &chunk.samples {
+                Samples::Any(samples) => {
+                    let (from, to) = (samples.get(i)?, samples.get(i + 1)?);
+                    let known = Known::of(ledger.near(), from, to, &Span::of(&dtau))?;
+                    Some(Motion::Known(known))
+                }
+                Samples::Counts(counts) => {
+                    let counts = [*counts.get(i)?, *counts.get(i + 1)?];
+                    Some(Motion::Counted(Box::new(
+                        self.counted(ledger, counts, &dtau)?,
+                    )))
+                }
+            }
         };
-        samples.windows(2).enumerate().map(motion).collect()
+        (0..chunk.samples.len().saturating_sub(1))
+            .map(motion)
+            .collect()
     }
 
+    /// What an interval between counts adds under the force of the wall alone, which depends on where it
+    /// starts only by what the observer adds and by the potential where it ends.
+    fn counted(&mut self, ledger: &Ledger, [from, to]: [i64; 2], dtau: &Number) -> Option<Addend> {
+        check_jump(from, to).ok()?;
+        let Number::Small(n, d) = dtau else {
+            return None;
+        };
+        if !ledger.is_plain() {
+            return None;
+        }
+        let crossed = to - from;
+        let key = [crossed, *n, *d];
+        let addend = match self.counted.get(&key) {
+            Some(addend) => addend.clone(),
+            None => {
+                let [start, end] = [0, crossed].map(Reading::Count);
+                let read = Read {
+                    samples: std::slice::from_ref(&start).iter(),
+                    end: &end,
+                    force: None,
+                };
+                let entry = ledger.near_entry(read, dtau)?;
+                let addend = Addend::of_entry(ledger.near(), &entry, None, None)?;
+                if self.counted.len() < MOST {
+                    self.counted.insert(key, addend.clone());
+                }
+                addend
+            }
+        };
+        let (start, end) = (Span::whole(from), Reading::Count(to).to_near());
+        let force = ledger.near().least.law().held_force(&start);
+        let observed = -(force * (*end.lo() - start));
+        let [potential, _] = supply::potential_on(ledger.near(), &end)?;
+        Some(Addend {
+            observed: observed.defined()?[0],
+            potential: crate::span::units(&potential)?,
+            ..addend
+        })
+    }
+}
+
+impl Known {
     fn of(ends: &Ends<Span>, from: &Reading, to: &Reading, dtau: &Span) -> Option<Self> {
         let step = step(from, to)?;
         let d = step.displacement();
@@ -184,12 +264,13 @@ fn step(from: &Reading, to: &Reading) -> Option<Step<Span>> {
 }
 
 impl Addend {
-    /// What a row adds, where it is known that everything fits; after an interval with the excess force
-    /// `before`, where the account is of T.
+    /// What a row adds; after an interval with the excess force `before`, where the account is of T, and with
+    /// this net energy under the wall's own force, where that is known.
     pub(crate) fn of_entry(
         ends: &Ends<Span>,
         entry: &Entry<Span>,
         before: Option<Option<&Bounds>>,
+        own: Option<[i128; 2]>,
     ) -> Option<Self> {
         let [a, b, c, d, e] = entry
             .summed()
@@ -201,7 +282,7 @@ impl Addend {
             potential: crate::span::units(&potential)?,
             truths: entry.truths(),
             supply: match before {
-                Some(before) => Some(supply::contribution(ends, entry)?.supplied(before)?),
+                Some(before) => Some(supply::contribution(ends, entry, own)?.supplied(before)?),
                 None => None,
             },
         })

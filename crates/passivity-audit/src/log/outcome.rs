@@ -19,7 +19,7 @@ use crate::log::report::{
 use crate::log::running::{Lowest, RunningSum};
 use crate::log::step::undefined;
 use crate::log::supply::{is_below_zero, potential};
-use crate::log::worker::Task;
+use crate::log::task::Task;
 use crate::run::{Tallies, Totals, tightened};
 use crate::sum::FigureSum;
 

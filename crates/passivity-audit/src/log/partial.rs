@@ -24,7 +24,7 @@ use crate::log::preview::Preview;
 use crate::log::saved::{MOST_BITS, wrong};
 use crate::log::saved_findings::SavedFindings;
 use crate::log::source::Dialect;
-use crate::log::worker::Task;
+use crate::log::task::Task;
 use crate::log::{Options, Reading, account};
 
 const FORMAT: &str = "passivity-audit-partial-1";
@@ -292,9 +292,9 @@ pub fn merge_parts(parts: &[(String, Partial)], scene: &Scene) -> Result<Audit, 
 }
 
 /// One account of all stretches, up to the first mistake in the log.
-fn joined<'a>(
+fn joined(
     parts: &[&(String, Partial)],
-    ledger: &'a Ledger,
+    ledger: &Ledger,
     account: impl Fn(&Partial) -> Option<&SavedFindings>,
 ) -> Result<Option<Findings>, TraceError> {
     let mut all: Option<Findings> = None;

@@ -143,7 +143,7 @@ impl SavedFindings {
         self.denominator.value().map(|x| x.to_integer())
     }
 
-    pub(crate) fn value<'a>(&self, ledger: &'a Ledger) -> Result<Findings, TraceError> {
+    pub(crate) fn value(&self, ledger: &Ledger) -> Result<Findings, TraceError> {
         let compared = self.comparison.iter().flat_map(|found| {
             let mismatches = found.lags.iter().flat_map(|lag| lag.mismatches);
             let counts = mismatches.flat_map(|(count, first)| [Some(count), first]);

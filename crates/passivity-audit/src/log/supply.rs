@@ -88,7 +88,7 @@ impl Contribution {
     /// The contribution of an interval with this row; `None` when a number is undefined.
     pub(crate) fn of(ledger: &Ledger, interval: &Logged, row: &Accounted) -> Option<Self> {
         let row = match row {
-            Accounted::Near(entry) => return contribution(ledger.near(), entry),
+            Accounted::Near(entry) => return contribution(ledger.near(), entry, None),
             Accounted::Exact(row) => return Self::of_exact(ledger, interval, row),
             Accounted::Decided(row) => Self::of_exact(ledger, interval, row)?,
         };
@@ -102,13 +102,13 @@ impl Contribution {
 
     fn of_exact(ledger: &Ledger, interval: &Logged, row: &Row) -> Option<Self> {
         if let (Row::Fixed(entry), Some(ends)) = (row, ledger.fixed())
-            && let Some(found) = contribution(ends, entry)
+            && let Some(found) = contribution(ends, entry, None)
         {
             return Some(found);
         }
         match row {
-            Row::Wide(entry) => contribution(ledger.wide(), entry),
-            Row::Fixed(_) => contribution(ledger.wide(), &ledger.wide_entry(interval)?),
+            Row::Wide(entry) => contribution(ledger.wide(), entry, None),
+            Row::Fixed(_) => contribution(ledger.wide(), &ledger.wide_entry(interval)?, None),
         }
     }
 
@@ -155,7 +155,13 @@ impl Contribution {
     }
 }
 
-pub(crate) fn contribution<S: Written>(ends: &Ends<S>, entry: &Entry<S>) -> Option<Contribution> {
+/// The contribution of a row; `own_net` is its net energy under the wall's own force at the middle of the tick,
+/// where that is known in units of the grid.
+pub(crate) fn contribution<S: Written>(
+    ends: &Ends<S>,
+    entry: &Entry<S>,
+    own_net: Option<[i128; 2]>,
+) -> Option<Contribution> {
     let (start, end) = (&entry.xi0, &entry.xi1);
     let law = ends.least.law();
     let bounds = |of: &Figure<S>| Some([of.lo().below()?, of.hi().above()?]);
@@ -194,7 +200,10 @@ pub(crate) fn contribution<S: Written>(ends: &Ends<S>, entry: &Entry<S>) -> Opti
     let [first, second, third] = least;
     let [fourth, fifth] = most;
     Some(Contribution {
-        net: bounds(&rectangle.net_linear()?)?,
+        net: match own_net {
+            Some(ends) => ends.map(|end| Reduced::Small(end, ONE)),
+            None => bounds(&rectangle.net_linear()?)?,
+        },
         excess: bounds(&excess)?,
         advance: (end.lo().clone() - start.lo().clone()).to_reduced()?,
         room: (start.hi().clone() - start.lo().clone()).above()?,

@@ -4,98 +4,47 @@
 //! rows: each is computed once and looked up from then on. Everything else is computed row by row, in
 //! spans and in batches as far as these decide.
 
-use crate::ledger::{Ledger, Logged, Read};
+use crate::ledger::Read;
 use crate::log::account::{Account, Place};
 use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::{Computed, EXACT_ROWS, UNIT, is_exact, note_stored};
 use crate::log::error::TraceError;
-use crate::log::layout::Layout;
-use crate::log::motion::{Addend, Motion};
+use crate::log::motion::{Addend, Motion, Motions};
 use crate::log::step::{check_jump, duration, interval, jump, undefined};
 use crate::log::supply::Supply;
 use crate::log::table::Table;
+use crate::log::task::Task;
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
-use crate::rows;
 
 /// About how many points of a chunk are plotted.
 const POINTS: usize = 512;
-
-/// What is asked of every chunk.
-#[derive(Clone, Debug)]
-pub(crate) struct Task<'a> {
-    pub(crate) ledger: &'a Ledger,
-    pub(crate) layout: &'a Layout,
-    /// Whether rows are written, and how.
-    pub(crate) rows: Option<rows::Form>,
-    pub(crate) points: bool,
-    /// Whether the account is of the forces in the trace.
-    pub(crate) applied: bool,
-    /// Whether the verdict is about what the operator has drawn so far.
-    pub(crate) running: bool,
-    /// Whether the forces and velocities of the trace are compared with what they should be.
-    pub(crate) compares: bool,
-    /// The names of the files, where there are several.
-    pub(crate) files: &'a [String],
-    /// Whether the columns are read as they were told to be.
-    pub(crate) told: bool,
-}
-
-impl<'a> Task<'a> {
-    /// The account of the forces in the trace where it has any, and of the scene's law else or where
-    /// that is asked for.
-    pub(crate) fn new(ledger: &'a Ledger, layout: &'a Layout, law: bool) -> Self {
-        let applied = layout.force.is_some() && !law;
-        Self {
-            ledger,
-            layout,
-            rows: None,
-            points: false,
-            applied,
-            running: applied || ledger.has_memory(),
-            compares: true,
-            files: &[],
-            told: false,
-        }
-    }
-
-    /// Beside the account of the forces in the trace, that of the wall's own law.
-    pub(crate) fn by_law(&self) -> Self {
-        Task {
-            rows: None,
-            points: false,
-            applied: false,
-            running: self.ledger.has_memory(),
-            compares: false,
-            ..self.clone()
-        }
-    }
-
-    /// How many samples before an interval's own a chunk must have for it to be accounted for.
-    pub(crate) fn lead(&self) -> usize {
-        self.ledger.window() - 1 + usize::from(self.running)
-    }
-
-    /// The interval that starts at sample `i` of a chunk.
-    pub(crate) fn logged(&self, chunk: &Chunk, i: usize) -> Result<Logged, TraceError> {
-        let dtau = duration(self.layout, chunk, i)?.unwrap_or(UNIT).reduced();
-        let found = interval(chunk, i, self.ledger.window(), self.applied, dtau);
-        found.ok_or_else(undefined)
-    }
-}
 
 /// What a core keeps from chunk to chunk.
 #[derive(Default)]
 pub(crate) struct Worker {
     table: Table,
+    motions: Motions,
     /// That of net energy, to which the rows of the last chunk led.
     denominator: Option<i128>,
 }
 
 impl Worker {
+    /// What is computed of a chunk once, for this account and another one beside it.
+    pub(crate) fn motions(&mut self, task: &Task<'_>, chunk: &Chunk) -> Vec<Option<Motion>> {
+        match task.rows {
+            None => self
+                .motions
+                .all(task.ledger, task.layout, chunk, |i, dtau| {
+                    !task.looks_up(chunk, i, dtau)
+                }),
+            Some(_) => Vec::new(),
+        }
+    }
+
     /// The account of the intervals that start at sample `from` or later and end in the chunk, whose motions
-    /// are known as far as [`Motion::all`] gives them.
+    /// are known as far as [`motions`](Self::motions) gives them.
     ///
     /// On a mistake the chunk is cut before it.
     pub(crate) fn account(
@@ -206,7 +155,7 @@ impl Walk<'_> {
             }
             let dtau = duration(self.task.layout, chunk, self.at)?;
             let lasts = dtau.clone().unwrap_or(UNIT);
-            if !self.is_for_the_table(chunk, &lasts) && self.batch(chunk, account)? {
+            if !self.looks_up(chunk, &lasts) && self.batch(chunk, account)? {
                 continue;
             }
             jump(&chunk.samples, self.at)?;
@@ -280,9 +229,7 @@ impl Walk<'_> {
             };
             let unit = UNIT;
             let lasts = dtau.as_ref().unwrap_or(&unit);
-            if self.is_for_the_table(chunk, lasts)
-                || self.add_to(&mut batch, chunk, lasts).is_none()
-            {
+            if self.looks_up(chunk, lasts) || self.add_to(&mut batch, chunk, lasts).is_none() {
                 break;
             }
             if let (true, Some(dtau)) = (self.timed, &dtau) {
@@ -309,13 +256,11 @@ impl Walk<'_> {
         came.map(|()| self.at > start)
     }
 
-    /// Whether the next row is one of counts that may come again, to be looked up.
-    fn is_for_the_table(&self, chunk: &Chunk, dtau: &Number) -> bool {
-        let force = chunk.forces.get(self.at).filter(|_| self.task.applied);
-        let is_few = force.is_none_or(|force| {
-            *dtau == UNIT && matches!(force.value, Reading::Exact(Number::Small(..)))
-        });
-        matches!(chunk.samples, Samples::Counts(_)) && is_few
+    /// Whether the next row is one to be looked up.
+    fn looks_up(&self, chunk: &Chunk, dtau: &Number) -> bool {
+        // What is known already need not be.
+        let known = matches!(self.motions.get(self.at), Some(Some(_)));
+        !known && self.task.looks_up(chunk, self.at, dtau)
     }
 
     /// Adds the next interval; `None` where spans leave something open, or its row is an exact one.
@@ -327,14 +272,6 @@ impl Walk<'_> {
             true => Some(&chunk.forces.get(i)?.value),
             false => None,
         };
-        if let (Some(Some(motion)), Samples::Any(samples)) = (self.motions.get(i), &chunk.samples) {
-            let ends = [samples.get(i)?, samples.get(i + 1)?];
-            if is_exact(task, ends[1], dtau, self.h(i)) {
-                return None;
-            }
-            let addend = motion.addend(ledger.near(), ends, force, before)?;
-            return batch.add(addend);
-        }
         let (start, end) = (chunk.samples.get(i)?, chunk.samples.get(i + 1)?);
         if is_exact(task, &end, dtau, self.h(i)) {
             return None;
@@ -342,6 +279,17 @@ impl Walk<'_> {
         if let (Reading::Count(from), Reading::Count(to)) = (&start, &end) {
             check_jump(*from, *to).ok()?;
         }
+        let own = match self.motions.get(i) {
+            Some(Some(Motion::Known(known))) => {
+                let addend = known.addend(ledger.near(), [&start, &end], force, before)?;
+                return batch.add(addend);
+            }
+            Some(Some(Motion::Counted(counted))) => match force {
+                None => return batch.add((**counted).clone()),
+                Some(_) => Some(counted.sums[3]),
+            },
+            Some(None) | None => None,
+        };
         let earlier;
         let read = Read {
             samples: match ledger.window() {
@@ -355,7 +303,7 @@ impl Walk<'_> {
             force,
         };
         let row = ledger.near_entry(read, dtau)?;
-        batch.add(Addend::of_entry(ledger.near(), &row, before)?)
+        batch.add(Addend::of_entry(ledger.near(), &row, before, own)?)
     }
 
     /// One interval, by looking its row up or computing it.

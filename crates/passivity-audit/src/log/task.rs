@@ -1,0 +1,83 @@
+//! What is asked of every chunk of a log.
+
+use crate::ledger::{Ledger, Logged};
+use crate::log::chunk::{Chunk, Samples};
+use crate::log::computed::UNIT;
+use crate::log::error::TraceError;
+use crate::log::layout::Layout;
+use crate::log::step::{duration, interval, undefined};
+use crate::number::Number;
+use crate::reading::Reading;
+use crate::rows;
+
+/// What is asked of every chunk.
+#[derive(Clone, Debug)]
+pub(crate) struct Task<'a> {
+    pub(crate) ledger: &'a Ledger,
+    pub(crate) layout: &'a Layout,
+    /// Whether rows are written, and how.
+    pub(crate) rows: Option<rows::Form>,
+    pub(crate) points: bool,
+    /// Whether the account is of the forces in the trace.
+    pub(crate) applied: bool,
+    /// Whether the verdict is about what the operator has drawn so far.
+    pub(crate) running: bool,
+    /// Whether the forces and velocities of the trace are compared with what they should be.
+    pub(crate) compares: bool,
+    /// The names of the files, where there are several.
+    pub(crate) files: &'a [String],
+    /// Whether the columns are read as they were told to be.
+    pub(crate) told: bool,
+}
+
+impl<'a> Task<'a> {
+    /// The account of the forces in the trace where it has any, and of the scene's law else or where
+    /// that is asked for.
+    pub(crate) fn new(ledger: &'a Ledger, layout: &'a Layout, law: bool) -> Self {
+        let applied = layout.force.is_some() && !law;
+        Self {
+            ledger,
+            layout,
+            rows: None,
+            points: false,
+            applied,
+            running: applied || ledger.has_memory(),
+            compares: true,
+            files: &[],
+            told: false,
+        }
+    }
+
+    /// Beside the account of the forces in the trace, that of the wall's own law.
+    pub(crate) fn by_law(&self) -> Self {
+        Task {
+            rows: None,
+            points: false,
+            applied: false,
+            running: self.ledger.has_memory(),
+            compares: false,
+            ..self.clone()
+        }
+    }
+
+    /// Whether the row that starts at sample `i` is one of counts that may come again, to be looked up.
+    pub(crate) fn looks_up(&self, chunk: &Chunk, i: usize, dtau: &Number) -> bool {
+        let force = chunk.forces.get(i).filter(|_| self.applied);
+        let is_few = force.is_none_or(|force| {
+            *dtau == UNIT && matches!(force.value, Reading::Exact(Number::Small(..)))
+        });
+        matches!(chunk.samples, Samples::Counts(_)) && is_few
+    }
+
+    /// How many samples before an interval's own a chunk must have for it to be accounted for.
+    pub(crate) fn lead(&self) -> usize {
+        self.ledger.window() - 1 + usize::from(self.running)
+    }
+
+    /// The interval that starts at sample `i` of a chunk.
+    pub(crate) fn logged(&self, chunk: &Chunk, i: usize) -> Result<Logged, TraceError> {
+        let dtau = duration(self.layout, chunk, i)?.unwrap_or(UNIT).reduced();
+        let found = interval(chunk, i, self.ledger.window(), self.applied, dtau);
+        found.ok_or_else(undefined)
+    }
+}
