@@ -1,0 +1,441 @@
+//! `passivity case` with recordings of the device as evidence.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::harness::{Dir, Run};
+
+const SCENE: &str =
+    "# Measured on the bench.\n[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n";
+
+/// Positions with the force of the wall's law: −(⌊ξ⌋ + ½).
+const LAW: &str = "tau,xi,f\n0,1/4,-0.5\n1,5/4,-1.5\n2,1/2,-0.5\n3,1/2,-0.5\n";
+/// The operator is given energy: the motor pulls along the motion.
+const ACTIVE: &str = "tau,xi,f\n0,1/4,-0.5\n1,5/4,-1.5\n2,1/2,50\n3,40,-40.5\n4,39,-39.5\n";
+const FLIPPED: &str = "tau,xi,f\n0,1/4,0.5\n1,5/4,1.5\n2,1/2,0.5\n3,1/2,0.5\n";
+const LATE: &str = "tau,xi,f\n0,1/4,-0.5\n1,5/4,-0.5\n2,9/4,-1.5\n3,1/2,-2.5\n4,1/2,-0.5\n";
+
+/// The knob that the shipped logs were simulated with, with a wall that is passive to 5 rad/s.
+const KNOB: &str = "# A knob, from its drawing.\n[device]\ninertia = \"2e-5 kg m^2\"\n\
+    viscous = \"4e-5 N m s/rad ± 5%\"\ncoulomb = \"1.5e-3 N m ± 5%\"\n[sampling]\nrate = \"1 kHz\"\n\
+    [encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"0.5 N m/rad\"\n\
+    [operator]\nmax_speed = \"5 rad/s\"\n";
+
+fn shipped(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/identify");
+    folder.join(name).to_str().expect("UTF-8").to_owned()
+}
+
+fn case(dir: &Dir, scene: &str, more: &[&str]) -> Run {
+    let words = [
+        "case", scene, "--out", "case", "--format", "json", "--device", "knob 3",
+    ];
+    let date = match more.contains(&"--date") {
+        true => &[][..],
+        false => &["--date", "2026-11-20"],
+    };
+    dir.run(&[&words, date, more].concat())
+}
+
+fn read(dir: &Dir, name: &str) -> String {
+    fs::read_to_string(dir.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// The one scene of the answer.
+fn scene(run: &Run) -> Value {
+    run.json()["scenes"][0].clone()
+}
+
+/// An element of the argument, with all its lines.
+fn element(dir: &Dir, id: &str) -> String {
+    let yaml = read(dir, "case/scene.gsn.yaml");
+    let start = format!("\n{id}:\n");
+    let node = yaml.split(&start).nth(1);
+    let node = node.unwrap_or_else(|| panic!("{id}\n{yaml}"));
+    node.split("\n\n").next().expect("its lines").to_owned()
+}
+
+#[test]
+fn a_log_that_holds_is_evidence_with_its_hash_length_and_figures() {
+    let dir = Dir::new();
+    let (path, log) = (dir.write("scene.toml", SCENE), dir.write("run.csv", LAW));
+    let run = case(&dir, &path, &["--log", &log]);
+    assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
+    let recorded = &scene(&run)["recorded"];
+    assert_eq!(recorded["device_as_given"], "knob 3");
+    let found = &recorded["logs"][0];
+    let sum = passivity_evidence::Sha256::of(LAW.as_bytes()).to_string();
+    assert_eq!(found["source"]["sha256"], sum.as_str());
+    assert_eq!(found["source"]["date"], "2026-11-20");
+    assert_eq!(found["evidence"]["outcome"], "supports");
+    assert_eq!(found["duration_periods"]["lo"], "3");
+    assert_eq!(found["duration_is_recorded"], true);
+    let audit = dir.run(&["audit", &log, "--scene", &path, "--format", "json"]);
+    let audit = audit.json();
+    for field in ["verdict", "judged", "account", "samples", "totals", "force"] {
+        assert_eq!(found["audit"][field], audit[field], "{field}");
+    }
+    let stored: Value = serde_json::from_str(&read(&dir, "case/scene.recorded.json")).unwrap();
+    assert_eq!(&stored, recorded);
+    let html = read(&dir, "case/case.html");
+    for says in [
+        sum.as_str(),
+        "«knob 3»",
+        "was not verified",
+        "HOLDS: no interval generated more than friction dissipates",
+        "4 samples, 3 sampling periods, by the times in the log",
+        "law in all 4 rows",
+        "1.9875 KΔ²",
+        "Assumptions in the recordings",
+        "is examined in what was recorded of it",
+        "--log ",
+    ] {
+        assert!(html.contains(says), "{says}");
+    }
+    let solution = element(&dir, "Sn-log-1");
+    assert!(solution.contains(&sum[..12]), "{solution}");
+    assert!(solution.contains("standing: \"shown\""), "{solution}");
+    assert!(element(&dir, "S-energy").contains("G-recorded"));
+}
+
+#[test]
+fn a_log_that_contradicts_leaves_the_top_goal_unsupported() {
+    let dir = Dir::new();
+    let path = dir.write("scene.toml", SCENE);
+    for (text, why) in [
+        (ACTIVE, "the operator surely drew more"),
+        (FLIPPED, "the force has the opposite sign"),
+        (LATE, "with 1 sample of delay, and the scene has no delay"),
+    ] {
+        let log = dir.write("run.csv", text);
+        let good = dir.write("good.csv", LAW);
+        let run = case(&dir, &path, &["--log", &good, "--log", &log]);
+        assert_eq!(run.code, 1, "{why}: {}", run.stderr);
+        let answer = scene(&run);
+        assert_eq!(answer["verdict"], "passive");
+        assert_eq!(answer["standing"], "open");
+        let [first, second] = [0, 1].map(|i| answer["recorded"]["logs"][i]["evidence"].clone());
+        assert_eq!(first["outcome"], "supports");
+        assert_eq!(second["outcome"], "contradicts", "{why}");
+        assert!(
+            second["because"].as_str().unwrap().contains(why),
+            "{second}"
+        );
+        let objections = run.json()["objections"].to_string();
+        assert!(objections.contains("G-log-2 is defeated"), "{objections}");
+        assert!(element(&dir, "G-log-2").contains("defeated: true"));
+        assert!(element(&dir, "CG-log-2").contains("challenges: G-log-2"));
+        let html = read(&dir, "case/case.html");
+        let page_one = html.split("<nav").next().expect("a first page");
+        assert!(page_one.contains("contradicts the case"), "{page_one}");
+        assert!(page_one.contains("the argument is not supported"));
+        assert!(!page_one.contains("verdict good"), "nothing green");
+    }
+}
+
+#[test]
+fn counts_that_leave_it_open_are_no_support() {
+    let dir = Dir::new();
+    let text = "# Measured.\n[dimensionless]\nmu = \"50\"\nbeta = \"2/5\"\nsigma = \"3/5\"\n\
+                [operator]\nmax_speed = \"1\"\n";
+    let path = dir.write("scene.toml", text);
+    let log = dir.write("run.csv", "count\n0\n1\n3\n3\n");
+    let run = case(&dir, &path, &["--log", &log]);
+    let answer = scene(&run);
+    let audit = dir.run(&["audit", &log, "--scene", &path, "--format", "json"]);
+    assert_eq!(audit.json()["verdict"], "depends");
+    assert_eq!((run.code, answer["standing"].as_str()), (1, Some("open")));
+    assert_eq!(answer["recorded"]["logs"][0]["evidence"]["outcome"], "open");
+    assert!(element(&dir, "G-log-1-open").contains("undeveloped: true"));
+    let html = read(&dir, "case/case.html");
+    assert!(html.contains("leaves the case open"));
+}
+
+#[test]
+fn an_interval_that_is_late_or_fast_is_an_assumption_that_is_not_met() {
+    let dir = Dir::new();
+    let limited = "# Measured.\n[dimensionless]\nmu = \"50\"\nbeta = \"2/5\"\nsigma = \"3/5\"\n\
+                   [operator]\nmax_speed = \"1\"\n";
+    let path = dir.write("scene.toml", limited);
+    let log = dir.write("run.csv", "tau,xi\n0,0\n1,4\n3,4\n");
+    let run = case(&dir, &path, &["--log", &log]);
+    let objections = run.json()["objections"].to_string();
+    assert!(objections.contains("A-SPEED is not met"), "{objections}");
+    assert!(objections.contains("A-SAMPLING is not met"), "{objections}");
+    let html = read(&dir, "case/case.html");
+    assert!(html.contains("NOT met in the recording"));
+}
+
+#[test]
+fn a_changed_log_is_noticed_and_a_missing_one_is_said() {
+    let dir = Dir::new();
+    let (path, log) = (dir.write("scene.toml", SCENE), dir.write("run.csv", LAW));
+    assert_eq!(case(&dir, &path, &["--log", &log]).code, 0);
+    let check = || dir.run(&["case", "--check", "case", "--format", "json"]);
+    assert_eq!(check().code, 0, "{}", check().stdout);
+    dir.write("run.csv", LAW.replace("1/4", "1/3"));
+    let run = check();
+    assert_eq!(run.code, 1);
+    let changed = run.json()["changed"].to_string();
+    assert!(changed.contains("log `run.csv` has changed"), "{changed}");
+    fs::remove_file(dir.path("run.csv")).expect("the log");
+    let run = check();
+    assert_eq!(run.code, 0, "{}", run.stdout);
+    let missing = run.json()["not_compared"].to_string();
+    assert!(
+        missing.contains("run.csv") && missing.contains("top goal"),
+        "{missing}"
+    );
+    assert_eq!(dir.run(&["case", "--check", "case", "--strict"]).code, 1);
+    // The log is the same, and the scene is another: what the log comes to is found anew.
+    dir.write("run.csv", LAW);
+    dir.write(
+        "scene.toml",
+        SCENE.replace("[dim", "[sampling]\ndelay = 1\n[dim"),
+    );
+    let changed = check().json()["changed"].to_string();
+    let says = "the recordings come to: contradicts; in the case to: supports";
+    assert!(changed.contains(says), "{changed}");
+}
+
+#[test]
+fn identified_friction_is_compared_with_the_scene_and_links_its_assumption() {
+    let dir = Dir::new();
+    let push = shipped("push.csv");
+    let evidence = ["--identification", &push, "--effort", "1"];
+    let path = dir.write("scene.toml", KNOB);
+    let run = case(&dir, &path, &evidence);
+    assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
+    let found = scene(&run)["recorded"]["identification"].clone();
+    assert_eq!(found["evidence"]["outcome"], "supports");
+    assert_eq!(found["sources"][0]["path"], push.as_str());
+    assert_eq!(found["over_identified_ranges"]["verdict"], "passive");
+    assert_eq!(found["compared"].as_array().unwrap().len(), 2);
+    let goal = element(&dir, "G-friction");
+    assert!(goal.contains("supportedBy: [Sn-identification]"), "{goal}");
+    assert!(goal.contains("inContextOf: [A-FRICTION]"), "{goal}");
+    let html = read(&dir, "case/case.html");
+    assert!(html.contains("explain every one of 501 samples"));
+    assert!(html.contains("met in the recording"));
+    // A parameter of which the scene names no source has one now.
+    let unsourced = KNOB.replace("# A knob, from its drawing.\n", "");
+    dir.write("scene.toml", unsourced);
+    let run = case(&dir, &path, &evidence);
+    let open = element(&dir, "G-sources");
+    assert!(open.contains("device.inertia"), "{open}");
+    assert!(
+        !open.contains("viscous") && !open.contains("coulomb"),
+        "{open}"
+    );
+    assert_eq!(run.code, 0);
+    assert!(read(&dir, "case/case.html").contains("identified from logs"));
+}
+
+#[test]
+fn friction_outside_of_what_was_identified_contradicts_the_case() {
+    let dir = Dir::new();
+    let push = shipped("push.csv");
+    let evidence = ["--identification", push.as_str(), "--effort", "1"];
+    for (old, new, why) in [
+        (
+            "1.5e-3 N m ± 5%",
+            "1.7e-3 N m ± 5%",
+            "Coulomb friction is 1.7e-3 N m ± 5% in the scene",
+        ),
+        (
+            "4e-5 N m s/rad ± 5%",
+            "5e-5 N m s/rad",
+            "viscous friction is 5e-5 N m s/rad in the scene",
+        ),
+        (
+            "viscous = \"4e-5 N m s/rad ± 5%\"\n",
+            "",
+            "viscous friction is none in the scene",
+        ),
+    ] {
+        let text = KNOB.replace(old, new).replace("5 rad/s", "3 rad/s");
+        let path = dir.write("scene.toml", text);
+        let run = case(&dir, &path, &evidence);
+        let answer = scene(&run);
+        assert_eq!(answer["verdict"], "passive", "{new}");
+        assert_eq!(
+            (run.code, answer["standing"].as_str()),
+            (1, Some("open")),
+            "{new}"
+        );
+        let evidence = answer["recorded"]["identification"]["evidence"].clone();
+        assert_eq!(evidence["outcome"], "contradicts");
+        assert!(
+            evidence["because"].as_str().unwrap().contains(why),
+            "{evidence}"
+        );
+        assert!(element(&dir, "G-friction").contains("defeated: true"));
+        assert!(element(&dir, "CSn-identification").contains("SHA-256"));
+        let html = read(&dir, "case/case.html");
+        assert!(html.contains("contradicts the case"), "{new}");
+        assert!(
+            html.contains("What the logs say, as a scene takes it"),
+            "{new}"
+        );
+    }
+    // A device that is none of the model.
+    let path = dir.write("scene.toml", KNOB);
+    let backlash = shipped("backlash.csv");
+    let run = case(
+        &dir,
+        &path,
+        &["--identification", &backlash, "--effort", "1"],
+    );
+    assert_eq!(
+        (run.code, scene(&run)["standing"].as_str()),
+        (1, Some("open"))
+    );
+    let html = read(&dir, "case/case.html");
+    assert!(html.contains("no viscous and Coulomb friction fit"));
+    let objections = run.json()["objections"].to_string();
+    assert!(objections.contains("A-FRICTION is not met"), "{objections}");
+}
+
+#[test]
+fn a_verdict_that_part_of_the_identified_range_does_not_have_is_open() {
+    let dir = Dir::new();
+    // Passive for the scene's friction, which is at the upper end of what was identified; up to the
+    // speed where a little less does not suffice.
+    let text = KNOB
+        .replace("4e-5 N m s/rad ± 5%", "4e-5 N m s/rad")
+        .replace("1.5e-3 N m ± 5%", "1.501e-3 N m")
+        .replace("5 rad/s", "6.23 rad/s");
+    let path = dir.write("scene.toml", text);
+    let push = shipped("push.csv");
+    let run = case(&dir, &path, &["--identification", &push, "--effort", "1"]);
+    let answer = scene(&run);
+    assert_eq!(answer["verdict"], "passive", "{}", run.stderr);
+    let evidence = answer["recorded"]["identification"]["evidence"].clone();
+    assert_eq!(evidence["outcome"], "open", "{evidence}");
+    assert_eq!((run.code, answer["standing"].as_str()), (1, Some("open")));
+    assert!(element(&dir, "G-identification-open").contains("undeveloped: true"));
+}
+
+#[test]
+fn names_that_are_hostile_stay_text() {
+    let dir = Dir::new();
+    let path = dir.write("scene.toml", SCENE);
+    let name = "<script>\"&'\u{202e}.csv";
+    let log = dir.write(name, LAW);
+    let device = "<b>knob</b>\u{202e}\u{7}";
+    let words = [
+        "case",
+        &path,
+        "--out",
+        "case",
+        "--log",
+        &log,
+        "--device",
+        device,
+        "--date",
+        "2026-11-20",
+    ];
+    let run = dir.run(&words);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(!run.stdout.contains('\u{202e}'), "{}", run.stdout);
+    for file in ["case.html", "scene.gsn.svg", "scene.gsn.yaml"] {
+        let text = read(&dir, &format!("case/{file}"));
+        assert!(
+            !text.contains('\u{202e}') && !text.contains('\u{7}'),
+            "{file}"
+        );
+        if file != "scene.gsn.yaml" {
+            assert!(!text.contains("<script") && !text.contains("<b>"), "{file}");
+            assert!(text.contains("&lt;script&gt;"), "{file}");
+        }
+    }
+    assert_eq!(dir.run(&["case", "--check", "case"]).code, 0);
+}
+
+#[test]
+fn what_is_missing_or_wrong_is_one_error_with_its_place() {
+    let dir = Dir::new();
+    let (path, log) = (dir.write("scene.toml", SCENE), dir.write("run.csv", LAW));
+    let broken = dir.write("broken.csv", "tau,xi\n0,0\n1,x\n");
+    let empty = dir.write("empty.csv", "xi\n");
+    let counts = dir.write("counts.csv", "count\n0\n1\n");
+    let other = dir.write("other.csv", "time [s],pos\n0,0\n1,1\n");
+    fs::create_dir(dir.path("folder")).expect("a folder");
+    let given = ["--device", "d", "--date", "2026-11-20"];
+    let with = |more: &[&'static str]| [&given[..], more].concat();
+    for (words, about) in [
+        (vec!["--log", log.as_str()], "--device"),
+        (vec!["--log", &log, "--device", "d"], "--date"),
+        (with(&["--columns", "x=pos"]), "--log or --identification"),
+        (
+            vec!["--log", &log, "--device", "TODO", "--date", "2026-11-20"],
+            "--device",
+        ),
+        (
+            vec!["--log", &log, "--device", "d", "--date", "2026-02-30"],
+            "2026-02-30",
+        ),
+        (
+            [&given[..], &["--log", &log, "--date", "2026-11-21"]].concat(),
+            "found 2",
+        ),
+        (
+            [&given[..], &["--log", &broken]].concat(),
+            "`broken.csv`: row 2, column `xi`",
+        ),
+        ([&given[..], &["--log", &empty]].concat(), "`empty.csv`"),
+        ([&given[..], &["--log", "none.csv"]].concat(), "`none.csv`"),
+        (
+            [&given[..], &["--log", "folder"]].concat(),
+            "expected a plain file",
+        ),
+        (
+            [&given[..], &["--log", "-"]].concat(),
+            "a log must be a file",
+        ),
+        (
+            [&given[..], &["--log", &log, "--columns", "x"]].concat(),
+            "--columns",
+        ),
+        (
+            [&given[..], &["--identification", &empty]].concat(),
+            "`empty.csv`",
+        ),
+        (
+            [&given[..], &["--identification", &counts]].concat(),
+            "the force that was commanded is needed",
+        ),
+        (
+            [&given[..], &["--log", &other]].concat(),
+            "run: passivity case scene.toml --out new --device d --date 2026-11-20 --log other.csv \
+             --columns 'xi=pos'",
+        ),
+        (
+            [&given[..], &["--log", &log, &path]].concat(),
+            "a log is of a device in one scene",
+        ),
+    ] {
+        let run = dir.run(&[&["case", &path, "--out", "new"], &words[..]].concat());
+        assert_eq!(run.code, 2, "{words:?}: {}{}", run.stdout, run.stderr);
+        assert_eq!(run.stderr.matches("error: ").count(), 1, "{}", run.stderr);
+        assert!(run.stderr.contains(about), "{about}: {}", run.stderr);
+        assert!(!dir.path("new").exists(), "{words:?}");
+    }
+    // Each log has the date of its own.
+    let words = [
+        "--log",
+        &log,
+        "--log",
+        &log,
+        "--date",
+        "2026-11-20",
+        "--date",
+        "2026-11-21",
+    ];
+    let run = case(&dir, &path, &words);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let logs = scene(&run)["recorded"]["logs"].clone();
+    assert_eq!(logs[1]["source"]["date"], "2026-11-21");
+}
