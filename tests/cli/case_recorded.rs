@@ -15,6 +15,7 @@ const LAW: &str = "tau,xi,f\n0,1/4,-0.5\n1,5/4,-1.5\n2,1/2,-0.5\n3,1/2,-0.5\n";
 /// The operator is given energy: the motor pulls along the motion.
 const ACTIVE: &str = "tau,xi,f\n0,1/4,-0.5\n1,5/4,-1.5\n2,1/2,50\n3,40,-40.5\n4,39,-39.5\n";
 const FLIPPED: &str = "tau,xi,f\n0,1/4,0.5\n1,5/4,1.5\n2,1/2,0.5\n3,1/2,0.5\n";
+const TWICE: &str = "tau,xi,f\n0,1/4,-1\n1,5/4,-3\n2,1/2,-1\n3,1/2,-1\n";
 const LATE: &str = "tau,xi,f\n0,1/4,-0.5\n1,5/4,-0.5\n2,9/4,-1.5\n3,1/2,-2.5\n4,1/2,-0.5\n";
 
 /// The knob that the shipped logs were simulated with, with a wall that is passive to 5 rad/s.
@@ -107,6 +108,7 @@ fn a_log_that_contradicts_leaves_the_top_goal_unsupported() {
     for (text, why) in [
         (ACTIVE, "the operator surely drew more"),
         (FLIPPED, "the force has the opposite sign"),
+        (TWICE, "the force is 2 times that of the wall's law"),
         (LATE, "with 1 sample of delay, and the scene has no delay"),
     ] {
         let log = dir.write("run.csv", text);
@@ -132,6 +134,30 @@ fn a_log_that_contradicts_leaves_the_top_goal_unsupported() {
         assert!(page_one.contains("contradicts the case"), "{page_one}");
         assert!(page_one.contains("the argument is not supported"));
         assert!(!page_one.contains("verdict good"), "nothing green");
+    }
+}
+
+#[test]
+fn a_force_within_the_tolerance_of_the_stiffness_is_that_of_the_scene() {
+    let dir = Dir::new();
+    // 1.1 times the law of the nominal stiffness.
+    let log = "tau,xi,f [N]\n0,1/4,-0.00055\n1,5/4,-0.00165\n2,1/2,-0.00055\n3,1/2,-0.00055\n";
+    let log = dir.write("run.csv", log);
+    for (tolerance, outcome) in [
+        (" ± 20%", "supports"),
+        (" ± 5%", "contradicts"),
+        ("", "contradicts"),
+    ] {
+        let text = format!(
+            "# Measured.\n[device]\nviscous = \"0.8 N s/m\"\ncoulomb = \"0.8e-3 N\"\n[sampling]\n\
+             period = \"1 s\"\n[encoder]\nresolution = \"1 mm\"\n[wall]\n\
+             stiffness = \"1 N/m{tolerance}\"\n"
+        );
+        let path = dir.write("scene.toml", text);
+        let run = case(&dir, &path, &["--log", &log]);
+        let found = &scene(&run)["recorded"]["logs"][0];
+        assert_eq!(found["evidence"]["outcome"], outcome, "{found}");
+        assert_eq!(run.code, i32::from(outcome != "supports"));
     }
 }
 

@@ -92,7 +92,10 @@ impl Log {
                     .to_owned()
             }
             Some(force) if force.agrees => {
-                format!("that of the wall's law in all {} rows", force.compared)
+                format!(
+                    "that of the wall's law in all {} rows, to within the digits that are written",
+                    force.compared
+                )
             }
             Some(force) => format!(
                 "not that of the wall's law in {} of {} rows; the account is of the force in the log",
