@@ -6,7 +6,6 @@
 mod accuracy;
 mod audit;
 mod case;
-mod case_recorded;
 mod check;
 mod design;
 mod explain;

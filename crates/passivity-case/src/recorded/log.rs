@@ -111,10 +111,10 @@ impl Log {
             .findings
             .iter()
             .filter(move |finding| match finding.kind {
-                // Rounded forces, and velocities that nothing is computed from.
-                "noise" | "velocity" => false,
+                "delay" | "sign" | "other_force" => true,
                 "scale" => !scale_is_tolerated,
-                _ => true,
+                // Rounded forces, velocities that nothing is computed from, how the file was read.
+                _ => false,
             })
     }
 
