@@ -166,6 +166,38 @@ fn counts_that_leave_it_open_are_no_support() {
 }
 
 #[test]
+fn forces_that_tell_nothing_of_the_wall_are_no_support() {
+    let dir = Dir::new();
+    let path = dir.write("scene.toml", SCENE);
+    for (text, why) in [
+        (
+            "tau,xi,f\n0,1/4,0\n1,1/4,0\n2,1/4,0\n",
+            "is zero in every row",
+        ),
+        // To the nearest whole number 0.5 is 1 as well.
+        ("tau,xi,f\n0,1/4,-1\n1,1/4,-1\n2,1/4,-1\n", "too few digits"),
+    ] {
+        let log = dir.write("run.csv", text);
+        let audit = dir.run(&["audit", &log, "--scene", &path, "--format", "json"]);
+        let audit = audit.json();
+        assert_eq!(
+            (audit["verdict"].as_str(), &audit["force"]["agrees"]),
+            (Some("holds"), &true.into())
+        );
+        let run = case(&dir, &path, &["--log", &log]);
+        let answer = scene(&run);
+        let evidence = answer["recorded"]["logs"][0]["evidence"].clone();
+        assert_eq!(evidence["outcome"], "open", "{evidence}");
+        assert!(
+            evidence["because"].as_str().unwrap().contains(why),
+            "{evidence}"
+        );
+        assert_eq!((run.code, answer["standing"].as_str()), (1, Some("open")));
+        assert!(!read(&dir, "case/case.html").contains("the recorded force is that of"));
+    }
+}
+
+#[test]
 fn an_interval_that_is_late_or_fast_is_an_assumption_that_is_not_met() {
     let dir = Dir::new();
     let limited = "# Measured.\n[dimensionless]\nmu = \"50\"\nbeta = \"2/5\"\nsigma = \"3/5\"\n\

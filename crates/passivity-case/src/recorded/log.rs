@@ -148,8 +148,26 @@ impl Log {
             return Outcome::Contradicts(other.join("; "));
         }
         match self.report.verdict {
-            Verdict::Holds => Outcome::Supports,
+            Verdict::Holds => self.untold_force().map_or(Outcome::Supports, Outcome::Open),
             _ => Outcome::Open(self.headline()),
+        }
+    }
+
+    /// Why forces that agree with the wall's law to within their digits say nothing about the wall.
+    fn untold_force(&self) -> Option<String> {
+        /// Digits this rough tell a force from none, from one of the other sign and from half of it.
+        const ROUGH: f64 = 0.2;
+        let force = self.report.force.as_ref().filter(|force| force.agrees)?;
+        match force.fit {
+            None => Some(
+                "the force, or that of the wall's law, is zero in every row: the log says nothing about \
+                 the wall"
+                    .to_owned(),
+            ),
+            Some(fit) if (fit.scale - 1.0).abs() < ROUGH && fit.residual < ROUGH => None,
+            Some(_) => Some(
+                "the force is written with too few digits to tell it from that of another wall".to_owned(),
+            ),
         }
     }
 
@@ -205,7 +223,8 @@ impl Log {
                 ),
             }
         }
-        if let Some(force) = self.report.force.as_ref().filter(|force| force.agrees) {
+        let agrees = self.report.force.as_ref().filter(|force| force.agrees);
+        if let (Some(force), None) = (agrees, self.untold_force()) {
             let says = format!(
                 "the recorded force is that of the wall's law in all {} rows",
                 force.compared
