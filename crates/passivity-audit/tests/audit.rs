@@ -370,6 +370,22 @@ fn uneven_sampling_is_reported() {
 }
 
 #[test]
+fn a_trace_is_as_long_as_its_times_say() {
+    let scene = three_fifths();
+    let mut text = "tau,xi\n".to_owned();
+    for h in 0..1000 {
+        let _ = writeln!(text, "{}/4,{}", 10 + 5 * h, h % 7);
+    }
+    for block in [64, 1 << 20] {
+        let (audit, _) = audited(text.as_bytes(), &scene, 3, block);
+        let periods = audit.duration().expect("times").to_string();
+        assert_eq!(periods, "4995/4", "{block}");
+    }
+    let (untimed, _) = audited(b"xi\n1\n2\n", &scene, 1, 64);
+    assert_eq!(untimed.duration(), None);
+}
+
+#[test]
 fn forces_are_compared_with_the_law_and_their_delay_found() {
     let law = |n: i64| -(n as f64 + 0.5);
     let counts = [0_i64, 1, 3, 6, 8, 9, 9, 8, 4, 0, -3, -7, -5, 0, 2, 3];

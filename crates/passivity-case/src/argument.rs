@@ -1,5 +1,7 @@
 //! The argument of a case: why this display renders this wall passively, or why it does not.
 
+mod recorded;
+
 use std::collections::BTreeMap;
 
 use passivity_scene::Effect;
@@ -22,13 +24,14 @@ const NUMERICS: &str = "G-numerics";
 const PARAMETERS: &str = "G-parameters";
 
 /// The goals under the strategy: each has a drawing of its own in the document.
-pub const PARTS: [&str; 6] = [
+pub const PARTS: [&str; 7] = [
     GENERATION,
     DISSIPATION,
     SUM,
     CRITERION,
     NUMERICS,
     PARAMETERS,
+    recorded::RECORDED,
 ];
 
 /// The argument for one scene, with the standing of the recorded evidence.
@@ -50,6 +53,7 @@ pub fn argue(study: &Study, records: &Records) -> Argument {
     build.criterion();
     build.numerics();
     build.parameters();
+    build.recorded();
     build.not_covered();
     build.counter();
     build.assumptions();
@@ -253,8 +257,8 @@ impl<'a> Builder<'a> {
         self.argument.hang(STRATEGY, goal);
         let mut at_head = Vec::new();
         let mut open = Vec::new();
-        for (_, given) in self.study.scene.parameters() {
-            match self.study.source(given) {
+        for (parameter, given) in self.study.scene.parameters() {
+            match self.study.source(parameter, given) {
                 Source::Comment(comment) => {
                     let text = format!("{}: {}", given.key, clipped(&comment, 90));
                     let solution = Node::new(Kind::Solution, format!("Sn-{}", given.key), text)
@@ -262,6 +266,8 @@ impl<'a> Builder<'a> {
                         .stands(Standing::Shown);
                     self.argument.hang(PARAMETERS, solution);
                 }
+                // The goal about friction has it.
+                Source::Identified => {}
                 Source::Head => at_head.push(given.key),
                 Source::None => open.push(given.key),
             }

@@ -7,7 +7,7 @@ use passivity_evidence::{Freshness, Sha256};
 use serde::{Deserialize, Serialize};
 
 use crate::argument::argue;
-use crate::gsn::Argument;
+use crate::gsn::{Argument, Node};
 use crate::info::Info;
 use crate::records::Records;
 use crate::study::Study;
@@ -105,10 +105,24 @@ impl Case {
         for (study, argument) in self.scenes() {
             let name = study.name();
             for node in argument.nodes().filter(|node| node.is_defeated()) {
-                say(format!("{name}: {} is defeated", node.id));
+                let against = argument.nodes();
+                let against = against.filter(|other| other.challenges.as_ref() == Some(&node.id));
+                let against: Vec<&str> = against.map(|other| other.text.as_str()).collect();
+                say(format!(
+                    "{name}: {} is defeated: {}",
+                    node.id,
+                    against.join(" ")
+                ));
             }
-            for node in argument.nodes().filter(|node| node.is_undeveloped()) {
+            let open = |node: &&Node| node.is_undeveloped() && !node.is_defeated();
+            for node in argument.nodes().filter(open) {
                 say(format!("{name}: {} is open: {}", node.id, node.text));
+            }
+            for seen in study.unmet(argument) {
+                say(format!(
+                    "{name}: {} is not met: {}",
+                    seen.assumption, seen.says
+                ));
             }
         }
         for claim in &self.records.claims.claims {

@@ -3,13 +3,16 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use passivity_audit::legible;
+use passivity_evidence::Sha256;
+
 use crate::case::Case;
 use crate::error::CaseError;
 use crate::files::read_bytes;
-use crate::manifest::Manifest;
+use crate::manifest::{FileEntry, Manifest, RecordedEntry, words};
+use crate::recorded::{Recorded, sum};
 use crate::records::Records;
 use crate::study::Study;
-use passivity_evidence::Sha256;
 
 /// A file of a case is no larger than this.
 const MOST_BYTES: u64 = 1 << 30;
@@ -87,6 +90,9 @@ fn scenes(folder: &Path, manifest: &Manifest, findings: &mut Findings) -> Vec<St
                         .push(format!("scene `{}` has changed", entry.path));
                 }
                 study.slug.clone_from(name);
+                if let Some(recorded) = &entry.recorded {
+                    read_again(&mut study, recorded, findings);
+                }
                 studies.push(study);
             }
             Err(error) => findings
@@ -95,6 +101,43 @@ fn scenes(folder: &Path, manifest: &Manifest, findings: &mut Findings) -> Vec<St
         }
     }
     studies
+}
+
+/// Reads the recordings again, unless one is gone or is another now: then that is what is found.
+fn read_again(study: &mut Study, entry: &RecordedEntry, findings: &mut Findings) {
+    let mut is_as_it_was = true;
+    for FileEntry { path, sha256 } in &entry.files {
+        let shown = legible(path);
+        if !Path::new(path).exists() {
+            findings.not_at_hand.push(format!(
+                "log `{shown}`: it is not here, and the case has no copy of it"
+            ));
+            is_as_it_was = false;
+            continue;
+        }
+        match sum(Path::new(path)) {
+            Ok(now) if now == *sha256 => continue,
+            Ok(_) => findings.changed.push(format!("log `{shown}` has changed")),
+            Err(error) => findings.changed.push(format!("log {error}")),
+        }
+        is_as_it_was = false;
+    }
+    if !is_as_it_was {
+        return;
+    }
+    match Recorded::read(entry.given.clone(), &study.scene, &study.text, |_, _| {}) {
+        Ok(recorded) => study.recorded = Some(recorded),
+        Err(error) => findings.changed.push(error.to_string()),
+    }
+    let now = words(study);
+    if now != entry.outcomes {
+        findings.changed.push(format!(
+            "{}: the recordings come to: {}; in the case to: {}",
+            study.slug,
+            now.join(", "),
+            entry.outcomes.join(", ")
+        ));
+    }
 }
 
 fn verdicts(manifest: &Manifest, studies: Vec<Study>, records: &Records, findings: &mut Findings) {
@@ -109,6 +152,11 @@ fn verdicts(manifest: &Manifest, studies: Vec<Study>, records: &Records, finding
                 "{}: the verdict is {verdict}, in the case it is {}",
                 study.slug, entry.verdict
             ));
+        }
+        if entry.recorded.is_some() && study.recorded.is_none() {
+            let what = "the top goal: a recording that it rests on could not be read again";
+            findings.not_at_hand.push(format!("{}: {what}", study.slug));
+            continue;
         }
         let standing = argument.standing().words();
         if standing != entry.standing {

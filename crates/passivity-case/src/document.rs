@@ -220,6 +220,13 @@ impl Document {
     }
 }
 
+/// A text with a capital letter at its start.
+pub(crate) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
+}
+
 /// An id from any text: lower-case letters, digits and hyphens.
 ///
 /// # Example

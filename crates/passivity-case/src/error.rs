@@ -3,12 +3,14 @@
 use std::fmt;
 use std::path::Path;
 
+use passivity_audit::{Proposal, TraceError};
 use passivity_evidence::EvidenceError;
 
 /// One message for people: where, and what is wrong there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CaseError {
     message: String,
+    proposal: Option<Box<Proposal>>,
 }
 
 impl CaseError {
@@ -16,7 +18,21 @@ impl CaseError {
     pub fn new(message: impl Into<String>) -> Self {
         Self {
             message: message.into(),
+            proposal: None,
         }
+    }
+
+    /// A log that cannot be read.
+    pub(crate) fn of_log(path: &Path, error: TraceError) -> Self {
+        let mut refused = Self::within(path, &error);
+        refused.proposal = error.proposal;
+        refused
+    }
+
+    /// What the header of a log may mean, where that is why it cannot be read.
+    #[must_use]
+    pub fn proposal(&self) -> Option<&Proposal> {
+        self.proposal.as_deref()
     }
 
     /// A file or folder that cannot be read or written.

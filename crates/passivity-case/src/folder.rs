@@ -40,6 +40,14 @@ pub fn files(case: &Case) -> Result<BTreeMap<String, Vec<u8>>, CaseError> {
         let drawing = draw(argument, argument.top(), &[], name);
         files.insert(format!("{name}.gsn.svg"), drawing.svg.into_bytes());
         files.insert(format!("{name}.toml"), study.text.clone().into_bytes());
+        if let Some(recorded) = &study.recorded {
+            let text = serde_json::to_string_pretty(&recorded.to_json(&study.scene))
+                .map_err(|error| CaseError::new(format!("the recordings: {error}")))?;
+            files.insert(
+                format!("{name}.recorded.json"),
+                format!("{text}\n").into_bytes(),
+            );
+        }
     }
     let manifest = Manifest::of(case, &files);
     files.insert(MANIFEST.to_owned(), manifest.to_text()?.into_bytes());

@@ -111,7 +111,7 @@ pub fn is_placeholder(text: &str) -> bool {
 }
 
 /// Whether a text is a day of the calendar.
-fn is_date(text: &str) -> bool {
+pub(crate) fn is_date(text: &str) -> bool {
     let parsed = text.parse::<toml::value::Datetime>();
     parsed.is_ok_and(|found| found.date.is_some() && found.time.is_none())
 }

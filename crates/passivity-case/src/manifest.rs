@@ -9,6 +9,9 @@ use serde::{Deserialize, Serialize};
 use crate::case::{Case, HistoryEntry, VERSION};
 use crate::error::CaseError;
 use crate::files::read_text;
+use crate::gsn::Argument;
+use crate::recorded::{Recorded, Recordings, Source};
+use crate::study::Study;
 
 /// The manifest's file name.
 pub const MANIFEST: &str = "manifest.json";
@@ -20,7 +23,7 @@ const FORMAT: u64 = 1;
 const MOST_BYTES: u64 = 64 << 20;
 
 /// What a case was written from.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Manifest {
     /// The form of the file.
     format: u64,
@@ -43,7 +46,7 @@ pub struct Manifest {
 }
 
 /// A scene of a case.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct SceneEntry {
     /// Where it was read.
     pub path: String,
@@ -53,6 +56,49 @@ pub struct SceneEntry {
     pub verdict: String,
     /// How the top goal stood.
     pub standing: String,
+    /// What was recorded of the device, where the case has it as evidence.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub recorded: Option<RecordedEntry>,
+}
+
+/// Recordings of a device, as a case has them.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct RecordedEntry {
+    /// What a person gave: which files, how they are read, which device, and when.
+    pub given: Recordings,
+    /// Each file, with its hash when it was read.
+    pub files: Vec<FileEntry>,
+    /// What each log, and the identification, came to.
+    pub outcomes: Vec<String>,
+}
+
+/// A file outside of the case that it rests on.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
+pub struct FileEntry {
+    /// Where it was read.
+    pub path: String,
+    /// Its SHA-256.
+    pub sha256: Sha256,
+}
+
+impl RecordedEntry {
+    fn of(study: &Study, recorded: &Recorded) -> Self {
+        let file = |source: &Source| FileEntry {
+            path: source.path.clone(),
+            sha256: source.sha256,
+        };
+        Self {
+            given: recorded.given.clone(),
+            files: recorded.sources().map(file).collect(),
+            outcomes: words(study),
+        }
+    }
+}
+
+/// What each recording of a study comes to, in a word.
+pub(crate) fn words(study: &Study) -> Vec<String> {
+    let outcomes = study.outcomes();
+    outcomes.iter().map(|o| o.word().to_owned()).collect()
 }
 
 impl Manifest {
@@ -60,12 +106,16 @@ impl Manifest {
     #[must_use]
     pub fn of(case: &Case, files: &BTreeMap<String, Vec<u8>>) -> Self {
         let records = &case.records;
-        let scene = |(study, argument): (&crate::Study, &crate::gsn::Argument)| {
+        let scene = |(study, argument): (&Study, &Argument)| {
             let entry = SceneEntry {
                 path: study.path.to_string_lossy().into_owned(),
                 sha256: study.sha256,
                 verdict: study.report().verdict.name().to_owned(),
                 standing: argument.standing().words().to_owned(),
+                recorded: study
+                    .recorded
+                    .as_ref()
+                    .map(|recorded| RecordedEntry::of(study, recorded)),
             };
             (study.slug.clone(), entry)
         };

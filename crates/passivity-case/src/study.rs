@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use passivity_core::Parameter;
 use passivity_evidence::Sha256;
 use passivity_scene::check::{Report, Verdict};
 use passivity_scene::explain::{Explanation, explain};
@@ -10,8 +11,9 @@ use passivity_scene::{Given, Scene};
 use crate::criterion::Criterion;
 use crate::document::slug;
 use crate::error::CaseError;
-use crate::gsn::Anchor;
+use crate::gsn::{Anchor, Argument};
 use crate::info::is_placeholder;
+use crate::recorded::{Observed, Outcome, Recorded};
 
 /// A scene with its check and the text of its file.
 #[derive(Clone, Debug)]
@@ -28,6 +30,8 @@ pub struct Study {
     pub sha256: Sha256,
     /// The name in ids and file names, of its own among the scenes of a case.
     pub slug: String,
+    /// What was recorded of the device, where the case has it as evidence.
+    pub recorded: Option<Recorded>,
 }
 
 /// Where a parameter's value comes from, as far as the scene file says.
@@ -35,6 +39,8 @@ pub struct Study {
 pub enum Source {
     /// A comment at the parameter.
     Comment(String),
+    /// The logs from which it was identified.
+    Identified,
     /// The comment at the head of the file, which speaks of all parameters.
     Head,
     /// The file does not say.
@@ -64,6 +70,7 @@ impl Study {
                 None => slug(&scene.name),
             },
             path: path.to_owned(),
+            recorded: None,
             text,
             scene,
         }
@@ -141,14 +148,54 @@ impl Study {
         paragraphs.join("\n")
     }
 
-    /// Where the value of a parameter comes from: a comment on its line, or on the lines just
-    /// above it, or the head of the file.
+    /// What the recordings of the device come to as evidence, each by itself.
     #[must_use]
-    pub fn source(&self, given: &Given) -> Source {
+    pub fn outcomes(&self) -> Vec<Outcome> {
+        let recorded = self.recorded.as_ref();
+        recorded.map_or_else(Vec::new, |recorded| recorded.outcomes(&self.scene))
+    }
+
+    /// Whether a recording of the device contradicts the scene or its verdict.
+    #[must_use]
+    pub fn is_contradicted(&self) -> bool {
+        let mut outcomes = self.outcomes().into_iter();
+        outcomes.any(|outcome| matches!(outcome, Outcome::Contradicts(_)))
+    }
+
+    /// What the recordings say of the assumptions of the proofs.
+    #[must_use]
+    pub fn observed(&self) -> Vec<Observed> {
+        let recorded = self.recorded.as_ref();
+        recorded.map_or_else(Vec::new, |recorded| recorded.observed(&self.scene))
+    }
+
+    /// The assumptions of the argument that a recording shows not to be met.
+    #[must_use]
+    pub fn unmet(&self, argument: &Argument) -> Vec<Observed> {
+        let mut observed = self.observed();
+        observed.retain(|seen| !seen.is_met && argument.node(seen.assumption).is_some());
+        observed
+    }
+
+    /// Whether a parameter was identified from logs, and the scene and its verdict agree with that.
+    fn is_identified(&self, parameter: Parameter) -> bool {
+        let recorded = self.recorded.as_ref();
+        let identification = recorded.and_then(|recorded| recorded.identification.as_ref());
+        identification.is_some_and(|found| {
+            let mut compared = found.compared.iter();
+            found.outcome() == Outcome::Supports && compared.any(|c| c.parameter == parameter)
+        })
+    }
+
+    /// Where the value of a parameter comes from: a comment on its line, or on the lines just
+    /// above it, or logs from which it was identified, or the head of the file.
+    #[must_use]
+    pub fn source(&self, parameter: Parameter, given: &Given) -> Source {
         match self.comment_at(given.span.start) {
+            Some(comment) if !is_placeholder(&comment) => Source::Comment(comment),
+            _ if self.is_identified(parameter) => Source::Identified,
             // Who wrote that it is still to be done has said that there is no source.
-            Some(comment) if is_placeholder(&comment) => Source::None,
-            Some(comment) => Source::Comment(comment),
+            Some(_) => Source::None,
             None if is_placeholder(&self.head()) => Source::None,
             None => Source::Head,
         }
@@ -185,7 +232,7 @@ impl Study {
     pub fn unsourced(&self) -> Vec<&'static str> {
         let parameters = self.scene.parameters().into_iter();
         parameters
-            .filter(|(_, given)| self.source(given) == Source::None)
+            .filter(|(parameter, given)| self.source(*parameter, given) == Source::None)
             .map(|(_, given)| given.key)
             .collect()
     }
@@ -221,12 +268,10 @@ mod tests {
     fn sources_are_the_comments_of_the_file() {
         let study = study(TEXT);
         let source = |key: &str| {
-            let given = study
-                .scene
-                .parameters()
-                .into_iter()
-                .find(|(_, g)| g.key == key);
-            study.source(given.expect(key).1)
+            let parameters = study.scene.parameters();
+            let given = parameters.into_iter().find(|(_, g)| g.key == key);
+            let (parameter, given) = given.expect(key);
+            study.source(parameter, given)
         };
         assert_eq!(
             source("dimensionless.mu"),

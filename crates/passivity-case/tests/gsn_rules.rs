@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use passivity_case::argument::argue;
-use passivity_case::{Records, Study};
+use passivity_case::{Recorded, Recording, Recordings, Records, Study};
 use passivity_evidence::{Assessed, Assumption, Claim, Claims, Engine, Freshness};
 use saphyr::{LoadableYamlNode as _, Yaml};
 
@@ -371,4 +371,55 @@ fn a_passive_scene_with_all_records_is_shown_and_a_cycle_defeats_one_that_is_not
         assert_eq!(argument.top().is_defeated(), witness, "{}", study.name());
         assert_eq!(argument.node("CG-cycle").is_some(), witness);
     }
+}
+
+/// Recordings that support a case, that leave it open and that contradict it: every way in which they
+/// come into an argument.
+#[test]
+fn arguments_with_recordings_keep_every_rule() {
+    let folder = std::env::temp_dir().join(format!("passivity-gsn-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a temporary folder");
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/dimensionless.toml");
+    let log = |name: &str, text: &str| {
+        let path = folder.join(name);
+        std::fs::write(&path, text).expect("a log");
+        Recording {
+            path: path.to_str().expect("UTF-8").to_owned(),
+            date: "2026-11-20".to_owned(),
+        }
+    };
+    let law = "tau,xi,f\n0,1/4,-0.5\n1,5/4,-1.5\n2,1/2,-0.5\n";
+    let logs = [
+        log("law.csv", law),
+        log("flipped.csv", &law.replace('-', "")),
+        log("open.csv", "count\n0\n1\n3\n3\n"),
+    ];
+    let records = Records::read(None, None).expect("the records of this build");
+    let mut outcomes = BTreeSet::new();
+    for chosen in 1..8 {
+        let of = |bit: usize| logs.get(bit).filter(|_| chosen >> bit & 1 == 1).cloned();
+        let given = Recordings {
+            device: "a: \"device\" # 7".to_owned(),
+            logs: (0..3).filter_map(of).collect(),
+            identification: (0..1).filter_map(of).collect(),
+            columns: None,
+            delimiter: None,
+            decimal_comma: false,
+            count_error: 1.0,
+            force_error: 0.0,
+            effort: Some(1_000_000),
+        };
+        let mut study = Study::read(&scene).expect("a scene");
+        let recorded = Recorded::read(given, &study.scene, &study.text, |_, _| {});
+        study.recorded = Some(recorded.expect("logs"));
+        let argument = argue(&study, &records);
+        let yaml = argument.to_yaml();
+        assert_eq!(broken(&yaml), BTreeSet::new(), "{yaml}");
+        outcomes.extend(study.outcomes().iter().map(|outcome| outcome.word()));
+    }
+    let _ = std::fs::remove_dir_all(&folder);
+    assert_eq!(
+        outcomes,
+        BTreeSet::from(["contradicts", "open", "supports"])
+    );
 }

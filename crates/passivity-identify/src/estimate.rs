@@ -4,8 +4,9 @@
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
+use crate::kept::Propagators;
 use crate::log::Log;
-use crate::motion::{Propagators, simulated};
+use crate::motion::simulated;
 use crate::region::{Ends, Shear};
 
 /// What was measured less what is simulated, in ticks; where the device started is what fits best.

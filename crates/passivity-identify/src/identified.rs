@@ -51,6 +51,14 @@ impl Default for Options {
     }
 }
 
+impl Options {
+    /// How much work the search is, unless another bound is asked for: more for logs of many rows.
+    #[must_use]
+    pub fn effort_for(rows: usize) -> u64 {
+        (rows as u64).max(20_000) * 1_000
+    }
+}
+
 /// What is known of a parameter, in SI units (in K, T and Δ where the sketch is dimensionless).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {

@@ -3,8 +3,9 @@
 use std::fmt;
 
 use crate::identified::Identified;
+use crate::kept::Propagators;
 use crate::log::Log;
-use crate::motion::{Propagators, simulated};
+use crate::motion::simulated;
 use crate::region::{COULOMB, INERTIA, VISCOUS};
 
 /// What a log lacks.

@@ -25,6 +25,7 @@ mod directed;
 mod estimate;
 mod hash;
 mod identified;
+mod kept;
 mod lacks;
 mod log;
 mod motion;
@@ -35,6 +36,7 @@ pub mod random;
 mod region;
 mod report;
 mod search;
+mod stop;
 mod written;
 
 pub use hash::sha256;

@@ -5,7 +5,7 @@ use passivity_audit::{Number, Reading, Sampled};
 use passivity_sim::{Double, Enclosed};
 
 use crate::directed::{add, add_down, mul};
-use crate::motion::Duration;
+use crate::kept::Duration;
 
 /// One experiment: samples of a device that starts at rest, with the force held after each.
 #[derive(Clone, Debug)]
@@ -51,7 +51,7 @@ impl Log {
                 let known = different.iter().position(|ends| *ends == [lo, hi]);
                 // Those that no motion keeps need not be told apart.
                 let index = known.unwrap_or(different.len());
-                if known.is_none() && different.len() < crate::motion::KEPT {
+                if known.is_none() && different.len() < crate::kept::KEPT {
                     different.push([lo, hi]);
                 }
                 Duration { lo, hi, index }

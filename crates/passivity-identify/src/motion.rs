@@ -21,75 +21,12 @@
 //! above R), so that there w′ ≤ y′. With λ near p this is as good as the part is small, and for one point it
 //! is the motion itself, to rounding.
 
-use std::collections::HashMap;
-
 use crate::directed::{add, add_down, mul, mul_down};
+use crate::kept::{Duration, Propagators, propagator};
 use crate::log::Log;
 use crate::propagator::{Propagator, range};
 use crate::region::Corner;
-
-/// How long an interval is, in sampling periods.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Duration {
-    pub(crate) lo: f64,
-    pub(crate) hi: f64,
-    /// Which of the log's different durations it is.
-    pub(crate) index: usize,
-}
-
-/// How many different durations have their propagators kept.
-pub(crate) const KEPT: usize = 4096;
-
-/// How many slopes λ have theirs kept.
-const SLOPES: usize = 32;
-
-/// The propagators of one log, by the slope and the duration.
-#[derive(Debug, Default)]
-pub(crate) struct Propagators {
-    by_slope: HashMap<u64, Vec<Option<Propagator>>>,
-}
-
-impl Propagators {
-    /// Those of a slope; the others are forgotten when there are too many.
-    fn of_slope(&mut self, slope: f64) -> &mut Vec<Option<Propagator>> {
-        if self.by_slope.len() >= SLOPES && !self.by_slope.contains_key(&slope.to_bits()) {
-            self.by_slope.clear();
-        }
-        self.by_slope.entry(slope.to_bits()).or_default()
-    }
-}
-
-fn propagator(kept: &mut Vec<Option<Propagator>>, slope: f64, duration: &Duration) -> Propagator {
-    let compute = || Propagator::new(&range(slope, slope), &range(duration.lo, duration.hi));
-    if duration.index >= KEPT {
-        return compute();
-    }
-    if kept.len() <= duration.index {
-        kept.resize(duration.index + 1, None);
-    }
-    match kept.get_mut(duration.index) {
-        Some(kept) => *kept.get_or_insert_with(compute),
-        None => compute(),
-    }
-}
-
-/// A speed and a way, both at the most.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Reached {
-    velocity: f64,
-    way: f64,
-}
-
-const NOWHERE: Reached = Reached {
-    velocity: 0.0,
-    way: 0.0,
-};
-
-/// Where numbers are too large to tell.
-const WITHOUT_BOUND: Reached = Reached {
-    velocity: f64::INFINITY,
-    way: f64::INFINITY,
-};
+use crate::stop::{NOWHERE, Reached, Stop, WITHOUT_BOUND, after};
 
 /// Parameters of which motions are looked at, by the corners of what they lie in.
 #[derive(Clone, Debug)]
@@ -338,62 +275,6 @@ const fn rest_of(left: f64) -> Duration {
         lo: left,
         hi: left,
         index: usize::MAX,
-    }
-}
-
-/// Where v′ = a − λv leads from v, at the most.
-fn after(v: f64, a: f64, over: &Propagator) -> Reached {
-    let most = |[lo, hi]: [f64; 2], x: f64| mul(if x > 0.0 { hi } else { lo }, x);
-    Reached {
-        velocity: add(most(over.decay, v), most(over.first, a)),
-        way: add(most(over.first, v), most(over.second, a)),
-    }
-}
-
-/// When a speed comes to its stop: surely not before the one time, and surely by the other, where that is
-/// known to be within the interval.
-struct Stop {
-    earliest: f64,
-    latest: Option<f64>,
-}
-
-impl Stop {
-    /// Of v′ = a − λv with v and a of opposite signs, within an interval.
-    ///
-    /// The time comes from the library's logarithm, which is not trusted: that v has not changed its sign
-    /// shortly before and has shortly after is shown by enclosures.
-    fn find(v: f64, a: f64, slope: f64, duration: &Duration) -> Self {
-        /// How far off the time is looked at.
-        const ASIDE: f64 = 1e-12;
-        let most = duration.hi;
-        let ratio = -v / a;
-        let w = slope * ratio;
-        let stretch = if w > 1e-9 {
-            w.ln_1p() / w
-        } else {
-            1.0 - 0.5 * w
-        };
-        let near = ratio * stretch;
-        let speed = |time: f64| {
-            let at = Propagator::new(&range(slope, slope), &range(time, time));
-            let (up, down) = (after(v, a, &at), after(-v, -a, &at));
-            // The least and the most of v, turned so that it starts above zero.
-            if v > 0.0 {
-                [-down.velocity, up.velocity]
-            } else {
-                [-up.velocity, down.velocity]
-            }
-        };
-        let (early, late) = (near * (1.0 - ASIDE), near * (1.0 + ASIDE));
-        let earliest = match early.is_finite() && early > 0.0 && speed(early.min(most))[0] >= 0.0 {
-            true => early.min(most),
-            false => 0.0,
-        };
-        let is_over = late.is_finite() && late < duration.lo && speed(late)[1] <= 0.0;
-        Self {
-            earliest,
-            latest: is_over.then_some(late),
-        }
     }
 }
 

@@ -11,8 +11,9 @@ use passivity_scene::plane::Extent;
 
 use crate::estimate::residuals;
 use crate::identified::Identified;
+use crate::kept::Propagators;
 use crate::log::Log;
-use crate::motion::{Propagators, simulated};
+use crate::motion::simulated;
 use crate::region::{COULOMB, Ends, Part, VISCOUS};
 use crate::report::unit;
 

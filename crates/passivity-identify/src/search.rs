@@ -8,8 +8,9 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use crate::directed::{add, add_down, div};
+use crate::kept::Propagators;
 use crate::log::Log;
-use crate::motion::{Bundle, Propagators, lead};
+use crate::motion::{Bundle, lead};
 use crate::region::{Ends, Part, Shear};
 
 /// Where in the logs a part of the parameters is refuted.

@@ -11,6 +11,7 @@ mod engines;
 pub mod imported;
 pub mod mutants;
 mod reads;
+mod rust_text;
 mod sources;
 mod table;
 pub mod trace;

@@ -47,6 +47,8 @@ pub(crate) struct Merge<'a, 'w> {
     /// In a ledger: where the latest row ends.
     closing: Option<Reading>,
     first: Option<Reading>,
+    /// When the first sample was taken.
+    began: Option<Number>,
     comparison: Option<Comparison>,
     velocities: Option<Velocities>,
     /// The first intervals, for the rows in the report.
@@ -63,6 +65,8 @@ pub(crate) struct Findings {
     pub(crate) account: Account,
     pub(crate) samples: u64,
     pub(crate) first: Option<Reading>,
+    /// From the first sample's time to the last one's, in sampling periods.
+    pub(crate) duration: Option<Number>,
     pub(crate) comparison: Option<Comparison>,
     pub(crate) velocities: Option<Velocities>,
     pub(crate) head: Vec<Logged>,
@@ -94,6 +98,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             onward: Onward::default(),
             closing: None,
             first: None,
+            began: None,
             comparison: compared.then(|| Comparison::new(task.ledger)),
             velocities: moved.then(Velocities::default),
             head: Vec::new(),
@@ -147,6 +152,9 @@ impl<'a, 'w> Merge<'a, 'w> {
         if chunk.place.file != self.file {
             self.file = chunk.place.file;
             self.before_file = self.samples;
+        }
+        if self.began.is_none() {
+            self.began = chunk.times.first().cloned();
         }
         let lead = self.task.lead();
         let whole = chunk.samples.len();
@@ -316,7 +324,10 @@ impl<'a, 'w> Merge<'a, 'w> {
     }
 
     fn findings(self) -> Findings {
+        let times = self.began.as_ref().zip(self.onward.time.as_ref());
+        let duration = times.and_then(|(from, to)| self.task.layout.duration(from, to));
         Findings {
+            duration,
             file: self.task.files.get(self.file).cloned(),
             before_file: self.before_file,
             account: self.account,

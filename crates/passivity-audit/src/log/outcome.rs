@@ -20,6 +20,7 @@ use crate::log::running::{Lowest, RunningSum};
 use crate::log::step::undefined;
 use crate::log::supply::{is_below_zero, potential};
 use crate::log::task::Task;
+use crate::number::Number;
 use crate::run::{Tallies, Totals, tightened};
 use crate::sum::FigureSum;
 
@@ -30,6 +31,7 @@ pub struct Audit {
     points: Vec<Point>,
     tallies: Tallies,
     certificate: Option<Certificate>,
+    duration: Option<Number>,
 }
 
 impl Audit {
@@ -158,6 +160,7 @@ impl Audit {
             totals,
         };
         Ok(Self {
+            duration: findings.duration,
             report,
             points: account.points,
             tallies: account.tallies,
@@ -200,6 +203,13 @@ impl Audit {
     #[must_use]
     pub const fn certificate(&self) -> Option<&Certificate> {
         self.certificate.as_ref()
+    }
+
+    /// How long the trace is, from the first sample's time to the last one's, in sampling periods; `None`
+    /// of a trace without times, and of one that was audited in pieces.
+    #[must_use]
+    pub fn duration(&self) -> Option<BigRational> {
+        self.duration.as_ref().map(Number::to_rational)
     }
 
     /// The course of the energy, for a plot; empty unless it was asked for.

@@ -192,6 +192,8 @@ impl SavedFindings {
             account: self.account.value()?,
             samples: self.samples,
             first: self.first.as_ref().map(SavedReading::value).transpose()?,
+            // A piece does not keep when its samples were taken.
+            duration: None,
             comparison,
             velocities,
             head: head.collect::<Result<_, _>>()?,

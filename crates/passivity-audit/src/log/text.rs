@@ -61,7 +61,9 @@ impl Report {
         out.0
     }
 
-    fn headline(&self) -> String {
+    /// What the audit says, in a line.
+    #[must_use]
+    pub fn headline(&self) -> String {
         let drawn = || {
             let supply = self.running.supply.as_ref();
             let lowest = supply.and_then(|s| s.surely_drawn.as_ref().zip(s.surely_drawn_after));

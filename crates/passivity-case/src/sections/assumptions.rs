@@ -34,6 +34,45 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         &columns,
         rows.map(row).collect(),
     );
+    recorded(document, case, &used);
+}
+
+/// What the recordings say of these assumptions.
+fn recorded(document: &mut Document, case: &Case, used: &BTreeSet<&str>) {
+    let seen = case.studies.iter().flat_map(|study| {
+        let seen = study.observed().into_iter();
+        seen.filter(|seen| used.contains(seen.assumption))
+            .map(move |seen| (study, seen))
+    });
+    let rows: Vec<Row> = seen
+        .map(|(study, seen)| {
+            let anchor = Anchor::Assumption(seen.assumption.to_owned());
+            let met = match seen.is_met {
+                true => Line::text("met in the recording"),
+                false => Line::strong("NOT met in the recording"),
+            };
+            let says = Line::text(format!("{} (", seen.says))
+                .and(Line::link(
+                    study.anchor("recorded"),
+                    "Recordings of the device",
+                ))
+                .and(Line::text(")"));
+            [Line::link(anchor.id(), anchor.title()), met, says].into()
+        })
+        .collect();
+    if rows.is_empty() {
+        return;
+    }
+    document.say(
+        "The recordings of the device say this of the assumptions. A recording shows what happened \
+         while it was made, and no more.",
+    );
+    let columns = [
+        ("Assumption", 17),
+        ("Found", 20),
+        ("In which recording", 63),
+    ];
+    document.table("Assumptions in the recordings", &columns, rows);
 }
 
 /// In the annex: the claims that each assumption is made for, and the assumptions of claims that

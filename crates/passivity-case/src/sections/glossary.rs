@@ -3,7 +3,7 @@
 use crate::document::{Document, Row};
 
 /// Each word or letter with its meaning.
-const TERMS: [(&str, &str); 24] = [
+const TERMS: [(&str, &str); 26] = [
     (
         "b, c, m",
         "The viscous friction, the Coulomb friction and the mass or inertia of the device.",
@@ -72,6 +72,14 @@ const TERMS: [(&str, &str); 24] = [
     (
         "Witness",
         "A cycle of motion, in exact numbers, that draws energy from the display in each round.",
+    ),
+    (
+        "Log, audit",
+        "What the device recorded of a motion: positions, and perhaps times and forces; the exact account of its energy, interval by interval.",
+    ),
+    (
+        "Identification",
+        "Ranges that surely hold the friction of the device, found from logs in which it moves freely.",
     ),
     (
         "Claim, assumption, caveat",

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::case::Case;
 use crate::document::{Document, Line};
+use crate::study::Study;
 
 pub(super) fn write(document: &mut Document, case: &Case) {
     document.heading(2, "limits", "Limits");
@@ -56,14 +57,22 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         (
             "The parameters: ",
             "the verdict is about the numbers in the scene file. Whether the device has them is shown \
-             on the bench, not here; friction falls with wear and rises with cold.",
-        ),
-        (
-            "The software that renders the wall ",
-            "is not examined: the scene describes what it should do. Recorded traces of it can be \
-             audited with passivity audit.",
+             on the bench, and here only as far as a recording says it, of the day on which it was made; \
+             friction falls with wear and rises with cold.",
         ),
     ];
     items.extend(fixed.map(|(head, rest)| Line::strong(head).and(rest.into())));
+    let has_logs = |study: &Study| study.recorded.as_ref().is_some_and(|r| !r.logs.is_empty());
+    let software = match case.studies.iter().any(has_logs) {
+        true => {
+            "is examined in what was recorded of it, and nowhere else: the scene describes what it \
+             should do."
+        }
+        false => {
+            "is not examined: the scene describes what it should do. Recorded logs of it can be \
+             audited with passivity audit, and be evidence of this case with --log."
+        }
+    };
+    items.push(Line::strong("The software that renders the wall ").and(software.into()));
     document.list(items);
 }

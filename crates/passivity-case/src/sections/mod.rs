@@ -8,6 +8,7 @@ mod glossary;
 mod hazards;
 mod levels;
 mod limits;
+mod recorded;
 mod reproduce;
 mod scene;
 mod standards;

@@ -2,10 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use passivity_audit::legible;
 use passivity_evidence::{Claim, Sha256};
 
 use crate::case::{Case, VERSION};
 use crate::document::{Block, Document, Line, Row};
+use crate::recorded::Recorded;
 
 pub(super) fn write(document: &mut Document, case: &Case) {
     document.heading(2, "reproduce", "How to reproduce");
@@ -24,9 +26,10 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         .iter()
         .map(|study| format!("passivity explain {}\n", study.path.display()));
     document.blocks.push(Block::Listing(format!(
-        "make prove\npassivity check {scenes}\n{}passivity case {scenes} --out case\npassivity case \
+        "make prove\npassivity check {scenes}\n{}passivity case {scenes} --out case{}\npassivity case \
          --check case",
         explain.collect::<String>(),
+        case.studies.iter().filter_map(|study| study.recorded.as_ref()).map(words).collect::<String>(),
     )));
     let commit = match &case.records.commit {
         Some(commit) => Line::code(commit),
@@ -54,10 +57,53 @@ pub(super) fn write(document: &mut Document, case: &Case) {
             ]
             .into(),
         );
+        for source in study.recorded.iter().flat_map(Recorded::sources) {
+            let what = format!("SHA-256 of the log {}", source.name);
+            rows.push([what.into(), Line::hash(&source.sha256)].into());
+        }
     }
     document.table("Versions and hashes", &[("What", 35), ("Value", 65)], rows);
     sources(document, case);
     history(document, case);
+}
+
+/// The words of the command that give the recordings.
+fn words(recorded: &Recorded) -> String {
+    let given = &recorded.given;
+    let mut options: Vec<(&str, String)> = Vec::new();
+    options.extend(given.logs.iter().map(|log| ("--log", log.path.clone())));
+    let identification = given.identification.iter();
+    options.extend(identification.map(|log| ("--identification", log.path.clone())));
+    options.push(("--device", given.device.clone()));
+    let dates = given.logs.iter().chain(&given.identification);
+    let mut dates: Vec<String> = dates.map(|log| log.date.clone()).collect();
+    if dates.iter().all(|date| Some(date) == dates.first()) {
+        dates.truncate(1);
+    }
+    options.extend(dates.into_iter().map(|date| ("--date", date)));
+    options.extend(given.columns.iter().map(|text| ("--columns", text.clone())));
+    let delimiter = given.delimiter.iter().map(|letter| match letter {
+        '\t' => "tab".to_owned(),
+        letter => letter.to_string(),
+    });
+    options.extend(delimiter.map(|text| ("--delimiter", text)));
+    if !given.identification.is_empty() {
+        options.push(("--count-error", given.count_error.to_string()));
+        options.push(("--force-error", given.force_error.to_string()));
+        let millions = given.effort.map(|effort| (effort / 1_000_000).to_string());
+        options.extend(millions.map(|effort| ("--effort", effort)));
+    }
+    let mut words: Vec<String> = options
+        .into_iter()
+        .map(|(name, value)| format!("{name} '{}'", legible(&value).replace('\'', "'\\''")))
+        .collect();
+    if given.decimal_comma {
+        words.push("--decimal-comma".to_owned());
+    }
+    words
+        .iter()
+        .map(|word| format!(" \\\n    {word}"))
+        .collect()
 }
 
 /// The files that the evidence covers, each with its sum; files that no claim implements are in the

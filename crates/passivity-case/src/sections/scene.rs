@@ -5,6 +5,7 @@ use passivity_scene::check::enclosure;
 use passivity_scene::display::{Rounding, range, rounded};
 use passivity_scene::explain::{self, Step};
 
+use super::recorded;
 use crate::case::Case;
 use crate::document::{Block, Document, Line, Row};
 use crate::figures;
@@ -21,6 +22,7 @@ pub(super) fn write(document: &mut Document, case: &Case, study: &Study) {
     );
     verdict(document, study);
     parameters(document, study);
+    recorded::write(document, study);
     derivation(document, study);
     document.blocks.extend(figures::of_plane(study));
     document.heading(3, study.anchor("motions"), "Motion and energy");
@@ -132,15 +134,16 @@ fn parameters(document: &mut Document, study: &Study) {
         document.say(Line::text("The scene file says: ").and(paragraph.into()));
     }
     let mut rows: Vec<Row> = Vec::new();
-    for (_, given) in study.scene.parameters() {
+    for (parameter, given) in study.scene.parameters() {
         let si = enclosure(&given.value).map_or_else(|| "undefined".to_owned(), |x| range(&x));
-        let source = match study.source(given) {
-            Source::Comment(comment) => comment,
-            Source::Head => "head of the scene file".to_owned(),
-            Source::None => "open: the scene file names no source".to_owned(),
+        let source = match study.source(parameter, given) {
+            Source::Comment(comment) => comment.into(),
+            Source::Identified => Line::link(study.anchor("identified"), "identified from logs"),
+            Source::Head => "head of the scene file".into(),
+            Source::None => "open: the scene file names no source".into(),
         };
         let text = Line::code(&given.text);
-        rows.push([Line::code(given.key), text, si.into(), source.into()].into());
+        rows.push([Line::code(given.key), text, si.into(), source].into());
     }
     let delay = study.scene.given.delay;
     if delay > 0 {

@@ -7,6 +7,7 @@ use crate::case::Case;
 use crate::document::{Block, Document, Line, Row};
 use crate::gsn::{Argument, Standing};
 use crate::info::Info;
+use crate::recorded::Outcome;
 use crate::study::Study;
 use passivity_scene::check::Verdict;
 
@@ -16,9 +17,11 @@ pub(super) fn write(document: &mut Document, case: &Case) {
     for (study, argument) in case.scenes() {
         let line = Line::strong(format!("{}: {}.", study.name(), study.report().headline()))
             .and(format!(" {}", sentence(study, argument)).into());
-        document
-            .blocks
-            .push(Block::Verdict(study.is_passive(), line));
+        let is_good = study.is_passive() && !study.is_contradicted();
+        document.blocks.push(Block::Verdict(is_good, line));
+        for line in against(study) {
+            document.blocks.push(Block::Verdict(false, line));
+        }
     }
     document.blocks.push(Block::Beside([
         ("What is shown".to_owned(), shown(case)),
@@ -57,8 +60,67 @@ fn people(document: &mut Document, info: Option<&Info>) {
     document.table("This document", &columns, rows.collect());
 }
 
+/// What in the recordings of the device does not support the case.
+fn against(study: &Study) -> Vec<Line> {
+    let Some(recorded) = &study.recorded else {
+        return Vec::new();
+    };
+    let logs = recorded.logs.iter().map(|log| {
+        let name = format!("Log «{}»", log.source.name);
+        (name, log.outcome(&study.scene))
+    });
+    let identification = recorded.identification.iter();
+    let identification =
+        identification.map(|found| ("Identified friction".to_owned(), found.outcome()));
+    let all = logs.chain(identification);
+    let not_supporting = all.filter_map(|(name, outcome)| {
+        let word = match &outcome {
+            Outcome::Supports => return None,
+            Outcome::Open(_) => "leaves the case open",
+            Outcome::Contradicts(_) => "contradicts the case",
+        };
+        let why = outcome.because().unwrap_or_default();
+        let says = Line::strong(format!("{name} {word}: ")).and(format!("{why} (").into());
+        let to = Line::link(study.anchor("recorded"), "Recordings of the device");
+        Some(says.and(to).and(").".into()))
+    });
+    not_supporting.collect()
+}
+
+/// What the recordings of the device show where they support the case.
+fn supporting(study: &Study) -> Vec<Line> {
+    let Some(recorded) = &study.recorded else {
+        return Vec::new();
+    };
+    let (name, device) = (study.name(), recorded.device());
+    let mut items = Vec::new();
+    for log in &recorded.logs {
+        if log.outcome(&study.scene) == Outcome::Supports {
+            let (file, date) = (&log.source.name, &log.source.date);
+            items.push(Line::text(format!(
+                "«{name}»: the log «{file}» of the device «{device}» ({date}; both as given), {} samples: {}.",
+                log.report.samples,
+                log.headline()
+            )));
+        }
+    }
+    let identification = recorded.identification.iter();
+    for found in identification.filter(|found| found.outcome() == Outcome::Supports) {
+        items.push(Line::text(format!(
+            "«{name}»: the friction that was identified from {} samples of the device «{device}» (as given) \
+             agrees with the scene, and all of its range has the same verdict.",
+            found.report.samples
+        )));
+    }
+    items
+}
+
 /// What the verdict and the argument come to.
 fn sentence(study: &Study, argument: &Argument) -> &'static str {
+    if study.is_passive() && study.is_contradicted() {
+        return "That is the verdict for the scene as written; recordings of the device contradict it, and \
+                the argument is not supported.";
+    }
     match (study.is_passive(), argument.standing()) {
         (true, Standing::Shown) => "Every part of the argument is shown.",
         (true, Standing::Stale) => {
@@ -72,6 +134,7 @@ fn sentence(study: &Study, argument: &Argument) -> &'static str {
 
 fn shown(case: &Case) -> Vec<Line> {
     let mut items: Vec<Line> = case.scenes().filter_map(|(s, a)| shown_of(s, a)).collect();
+    items.extend(case.studies.iter().flat_map(supporting));
     let records = &case.records;
     let fresh = records.assessed.iter();
     let fresh = fresh.filter(|a| a.freshness == Freshness::Fresh).count();
@@ -105,9 +168,13 @@ fn shown(case: &Case) -> Vec<Line> {
 
 fn shown_of(study: &Study, argument: &Argument) -> Option<Line> {
     let name = study.name();
+    let as_written = match study.is_contradicted() {
+        true => ", if the device were as the scene file says",
+        false => "",
+    };
     match (study.report().verdict, argument.standing()) {
         (Verdict::Passive, _) => Some(Line::text(format!(
-            "«{name}»: {}, whatever the operator does, the hand draws no more energy than was stored \
+            "«{name}»{as_written}: {}, whatever the operator does, the hand draws no more energy than was stored \
              at the start. This holds for every value of the parameters within their tolerances.",
             study.speeds()
         ))),
@@ -146,10 +213,14 @@ fn not_shown(case: &Case) -> Vec<Line> {
             .and(Line::link("assumptions", "Assumptions"))
             .and(").".into()),
     );
-    items.push(Line::text(
+    let beyond = match case.studies.iter().any(|study| study.recorded.is_some()) {
+        true => ", beyond what was recorded of it",
+        false => "",
+    };
+    items.push(Line::text(format!(
         "That the device has the parameters of the scene file, and that its software does what the \
-         scene describes.",
-    ));
+         scene describes{beyond}.",
+    )));
     items.push(
         Line::text("Safety from any other hazard than energy that the display injects (")
             .and(Line::link("hazards", "Hazards"))

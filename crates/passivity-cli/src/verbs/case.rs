@@ -1,5 +1,7 @@
 //! `passivity case`: the safety case.
 
+mod recordings;
+
 use std::path::{Path, PathBuf};
 
 use passivity_case::case::Objection;
@@ -10,6 +12,7 @@ use serde_json::json;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json};
+use recordings::Options;
 
 /// Write the safety case of scenes, or check a written one against the sources.
 ///
@@ -22,13 +25,20 @@ use crate::output::{Format, emit, emit_json};
   passivity case scenes/re35.toml --out case
   passivity case scenes/re35.toml --out case --strict
   passivity case scenes/re35.toml --out case --info device.toml --pdf
+  passivity case scenes/re35.toml --out case --log run.csv --identification push.csv \\
+      --device 'trainer 7' --date 2026-11-20
   passivity case --check case
+
+Logs are evidence about the device: each --log is audited as passivity audit does, and friction is
+identified from all --identification together as passivity identify does, with the scene as what is known.
+A log that fails its audit, a force that is not the wall's, and friction outside of what the scene says
+contradict the case: its top goal is then not shown. A case with logs is of one scene.
 
 The file of --info is TOML with the fields title, author, reviewer, approval, intended_use and date,
 each of which may be left out.
 
-Exit codes: 0 every scene is passive (with --check: the case is current); 1 not, or with --strict
-something is stale, missing or open; 2 bad input, or --pdf found no browser to print with (the rest
+Exit codes: 0 every scene is passive and every log supports it (with --check: the case is current);
+1 not, or with --strict something is stale, missing or open; 2 bad input, or --pdf found no browser to print with (the rest
 of the case is written); 3 a scene has an effect that no theorem covers.")]
 pub(crate) struct Args {
     /// Scene files.
@@ -62,6 +72,8 @@ pub(crate) struct Args {
     /// Who wrote the case, who reviewed and approved it, for which use, and when: a small TOML file.
     #[arg(long, value_name = "FILE", conflicts_with = "check")]
     info: Option<PathBuf>,
+    #[command(flatten)]
+    recordings: Options,
     /// Also print the document as PDF, with the headless browser that the environment variable
     /// PASSIVITY_BROWSER names, else with chromium, chromium-browser or google-chrome on the PATH.
     #[arg(long, conflicts_with = "check")]
@@ -102,9 +114,17 @@ fn root(args: &Args) -> Result<Option<PathBuf>, Failure> {
 
 fn write(args: &Args, out: &Path, records: Records) -> Result<Exit, Failure> {
     let studies = args.scenes.iter().map(|path| Study::read(path));
-    let studies = studies
+    let mut studies = studies
         .collect::<Result<Vec<_>, _>>()
         .map_err(Failure::input)?;
+    if let Some(given) = args.recordings.given()? {
+        let [study] = studies.as_mut_slice() else {
+            return Err(Failure::input(
+                "a log is of a device in one scene: write a case of that scene alone",
+            ));
+        };
+        study.recorded = Some(recordings::read(given, study)?);
+    }
     let info = args.info.as_deref().map(Info::read).transpose();
     let info = info.map_err(Failure::input)?;
     let history = folder::history(out).map_err(Failure::input)?;
@@ -120,10 +140,13 @@ fn write(args: &Args, out: &Path, records: Records) -> Result<Exit, Failure> {
         Format::Text => emit(&summary(&case, out, &objections))?,
         Format::Json => emit_json(&document(&case, out, args.pdf, &objections))?,
     }
-    let verdicts = case
-        .studies
-        .iter()
-        .map(|study| exit_of(study.report().verdict));
+    let verdicts = case.studies.iter().map(|study| {
+        let recorded = study.recorded.as_ref();
+        let recorded = recorded.map_or(Exit::Holds, |found| {
+            recordings::exit_of(found, &study.scene)
+        });
+        exit_of(study.report().verdict).and(recorded)
+    });
     let exit = verdicts.fold(Exit::Holds, Exit::and);
     Ok(if args.strict && !objections.is_empty() {
         exit.and(Exit::Fails)
@@ -173,6 +196,7 @@ fn summary(case: &Case, out: &Path, objections: &[Objection]) -> String {
             argument.standing().words()
         );
         text.push_str(&line);
+        text.push_str(&recordings::summary(study));
     }
     if objections.is_empty() {
         text.push_str("  Nothing is open, stale or missing.\n");
@@ -194,7 +218,8 @@ fn document(case: &Case, out: &Path, pdf: bool, objections: &[Objection]) -> ser
         .map(|(study, argument)| {
             json!({ "scene": study.name(), "name": study.slug,
                 "verdict": study.report().verdict.name(),
-                "top_goal": argument.top().id, "standing": argument.standing().words() })
+                "top_goal": argument.top().id, "standing": argument.standing().words(),
+                "recorded": study.recorded.as_ref().map(|found| found.to_json(&study.scene)) })
         })
         .collect();
     let objections: Vec<String> = objections.iter().map(ToString::to_string).collect();

@@ -106,7 +106,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     crate::picture::check(args.plot.as_deref())?;
     let (text, sketch) = sketch(&args.scene)?;
     let (logs, files) = logs(args, &sketch)?;
-    let rows: u64 = logs.iter().map(|log| log.positions.len() as u64).sum();
+    let rows = logs.iter().map(|log| log.positions.len()).sum();
     let options = Options {
         count_error: args.count_error,
         force_error: args.force_error,
@@ -116,7 +116,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         },
         effort: match args.effort {
             Some(millions) => millions * 1_000_000,
-            None => rows.max(20_000) * 1_000,
+            None => Options::effort_for(rows),
         },
     };
     let mut bar = Progress::new(options.effort, "intervals at the most");

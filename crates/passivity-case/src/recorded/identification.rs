@@ -1,0 +1,340 @@
+//! Friction that is identified from logs, and the scene beside it.
+
+use passivity_audit::{Dialect, Sampled};
+use passivity_core::{BigRational, Interval, Parameter, Scalar as _};
+use passivity_identify::{LogReport, Options, Provenance, Report, identify};
+use passivity_scene::check::{Verdict, check, enclosure};
+use passivity_scene::display::{Rounding, rounded};
+use passivity_scene::{Given, Scene};
+use serde_json::{Value, json};
+
+use super::{Observed, Outcome, Recordings, Source};
+use crate::criterion::Criterion;
+use crate::error::CaseError;
+
+/// What logs of the free device say of its friction.
+#[derive(Clone, Debug)]
+pub struct Identification {
+    /// The files.
+    pub sources: Vec<Source>,
+    /// What was identified.
+    pub report: Report,
+    /// Each parameter beside what the scene says of it.
+    pub compared: Vec<Compared>,
+    /// The verdict for a scene with the identified ranges in place of its own; `None` where a parameter
+    /// has no bounds.
+    pub over: Option<Over>,
+    /// The verdict of the scene itself.
+    own: Over,
+}
+
+/// A verdict.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Over {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Whether it is about every speed.
+    pub at_every_speed: bool,
+    /// The verdict in a line.
+    pub headline: String,
+}
+
+/// A parameter as it is identified, beside the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// The parameter.
+    pub parameter: Parameter,
+    /// The key under which the scene file gives it, or would.
+    pub key: &'static str,
+    /// What the scene file says of it; `None` where it has no such friction.
+    pub text: Option<String>,
+    /// What the scene says of it, with its tolerance, in SI units.
+    pub scene: Interval<BigRational>,
+    /// The least that it can be.
+    pub lo: BigRational,
+    /// The most that it can be; `None` where nothing bounds it.
+    pub hi: Option<BigRational>,
+    /// The best estimate.
+    pub best: Option<f64>,
+    /// The unit, after a space.
+    pub unit: &'static str,
+}
+
+impl Compared {
+    /// Whether some value is both in the scene and in the identified range.
+    #[must_use]
+    pub fn agrees(&self) -> bool {
+        let above = self.hi.as_ref().is_some_and(|hi| self.scene.lo() > hi);
+        !above && *self.scene.hi() >= self.lo
+    }
+
+    /// The identified range, rounded outwards, as a scene takes it.
+    #[must_use]
+    pub fn range(&self) -> String {
+        let lo = rounded(&self.lo, 6, Rounding::Down);
+        match &self.hi {
+            Some(hi) => format!("{lo} … {}{}", rounded(hi, 6, Rounding::Up), self.unit),
+            None => format!("at least {lo}{}; nothing bounds it above", self.unit),
+        }
+    }
+
+    /// What the scene says, in words.
+    #[must_use]
+    pub fn in_scene(&self) -> String {
+        self.text.clone().unwrap_or_else(|| "none".to_owned())
+    }
+
+    fn of(
+        parameter: Parameter,
+        given: Option<&Given>,
+        known: passivity_identify::Known,
+        unit: &'static str,
+    ) -> Result<Self, CaseError> {
+        let undefined = || {
+            let name = parameter.row().name;
+            CaseError::new(format!(
+                "the {name} of the scene, or the identified one, is no number"
+            ))
+        };
+        let exact = |x: f64| BigRational::from_float(x).ok_or_else(undefined);
+        let scene = match given {
+            // A friction that the scene does not have is zero there.
+            None => Interval::point(BigRational::zero()),
+            Some(given) => enclosure(&given.value).ok_or_else(undefined)?,
+        };
+        let row = parameter.row();
+        Ok(Self {
+            parameter,
+            key: given.map_or(row.key, |given| given.key),
+            text: given.map(|given| given.text.clone()),
+            scene,
+            lo: exact(known.lo)?,
+            hi: known.hi.map(exact).transpose()?,
+            best: known.best,
+            unit,
+        })
+    }
+}
+
+impl Over {
+    fn of(scene: &Scene) -> Self {
+        let report = check(scene);
+        Self {
+            verdict: report.verdict,
+            at_every_speed: report.at_every_speed,
+            headline: report.headline(),
+        }
+    }
+}
+
+impl Identification {
+    pub(super) fn read(
+        given: &Recordings,
+        scene: &Scene,
+        text: &str,
+        dialect: &Dialect,
+        mut progress: impl FnMut(u64, u64),
+    ) -> Result<Self, CaseError> {
+        let mut sources = Vec::new();
+        let mut logs: Vec<Sampled> = Vec::new();
+        for recording in &given.identification {
+            let (source, log) = Source::bound(recording, |path| {
+                let read = passivity_identify::read(path, scene, dialect);
+                read.map_err(|error| CaseError::of_log(path, error))
+            })?;
+            sources.push(source);
+            logs.push(log);
+        }
+        let rows = logs.iter().map(|log| log.positions.len()).sum();
+        let options = Options {
+            count_error: given.count_error,
+            force_error: given.force_error,
+            effort: given.effort.unwrap_or_else(|| Options::effort_for(rows)),
+            ..Options::default()
+        };
+        let effort = options.effort;
+        let names: Vec<&str> = sources.iter().map(|source| source.name.as_str()).collect();
+        let refuse =
+            |error| CaseError::new(format!("--identification {}: {error}", names.join(", ")));
+        let found =
+            identify(&logs, scene, &options, |done| progress(done, effort)).map_err(refuse)?;
+        let over = match found.is_bounded() {
+            false => None,
+            true => {
+                let text = found.scene(text, &Provenance::default()).map_err(refuse)?;
+                let scene = Scene::from_toml(&scene.name, &text);
+                let scene = scene.map_err(|error| CaseError::new(error.to_string()))?;
+                Some(Over::of(&scene))
+            }
+        };
+        let files = sources.iter().map(|source| LogReport {
+            file: source.path.clone(),
+            sha256: source.sha256.to_string(),
+        });
+        let report = Report::new(scene, &found, files.collect());
+        let (viscous_unit, coulomb_unit) = Criterion::of(scene).units();
+        let [own_viscous, own_coulomb] = [&scene.given.viscous, &scene.given.coulomb];
+        let pairs = [
+            (
+                Parameter::Viscous,
+                own_viscous,
+                report.parameters.viscous,
+                viscous_unit,
+            ),
+            (
+                Parameter::Coulomb,
+                own_coulomb,
+                report.parameters.coulomb,
+                coulomb_unit,
+            ),
+        ];
+        let compared = pairs
+            .into_iter()
+            .filter_map(|(parameter, own, known, unit)| {
+                Some(Compared::of(parameter, own.as_ref(), known?, unit))
+            });
+        Ok(Self {
+            compared: compared.collect::<Result<_, _>>()?,
+            sources,
+            report,
+            over,
+            own: Over::of(scene),
+        })
+    }
+
+    /// The parameters of which no value is both in the scene and in the identified range.
+    pub fn outside(&self) -> impl Iterator<Item = &Compared> {
+        self.compared.iter().filter(|compared| !compared.agrees())
+    }
+
+    /// What the identification comes to as evidence.
+    #[must_use]
+    pub fn outcome(&self) -> Outcome {
+        if let Some(refuted) = &self.report.refuted_by {
+            return Outcome::Contradicts(format!(
+                "no viscous and Coulomb friction fit «{}», rows 1 to {}: {}",
+                self.name_of(&refuted.log),
+                refuted.row,
+                refuted.suspicion
+            ));
+        }
+        let outside: Vec<String> = self
+            .outside()
+            .map(|compared| {
+                format!(
+                    "{} is {} in the scene, and surely {} on the device",
+                    compared.parameter.row().name,
+                    compared.in_scene(),
+                    compared.range()
+                )
+            })
+            .collect();
+        if !outside.is_empty() {
+            return Outcome::Contradicts(outside.join("; "));
+        }
+        match &self.over {
+            None => {
+                let lacks = self.report.lacks.join("; ");
+                Outcome::Open(format!("a parameter has no bounds: {lacks}"))
+            }
+            Some(over) if self.is_as_own(over) => Outcome::Supports,
+            Some(over) => Outcome::Open(format!(
+                "over the identified ranges the verdict is another than for the scene's values: {}",
+                over.headline
+            )),
+        }
+    }
+
+    /// Whether the identified ranges have the scene's verdict.
+    fn is_as_own(&self, over: &Over) -> bool {
+        (over.verdict, over.at_every_speed) == (self.own.verdict, self.own.at_every_speed)
+    }
+
+    /// The name of a log that the report names by its path.
+    fn name_of(&self, path: &str) -> String {
+        let source = self.sources.iter().find(|source| source.path == path);
+        source.map_or_else(
+            || passivity_audit::legible(path),
+            |source| source.name.clone(),
+        )
+    }
+
+    /// What the logs say of assumptions.
+    pub(super) fn observed(&self) -> Vec<Observed> {
+        let samples = self.report.samples;
+        let mut all = Vec::new();
+        let mut see = |assumption, is_met, says: String| {
+            all.push(Observed {
+                assumption,
+                is_met,
+                says: format!("Identification: {says}"),
+            });
+        };
+        match &self.report.refuted_by {
+            None => see(
+                "A-FRICTION",
+                true,
+                format!("constant b and c explain every one of {samples} samples of free motion"),
+            ),
+            Some(refuted) => see(
+                "A-FRICTION",
+                false,
+                format!(
+                    "no constant b and c explain rows 1 to {} of «{}»",
+                    refuted.row,
+                    self.name_of(&refuted.log)
+                ),
+            ),
+        }
+        let is_at_most = |compared: &Compared| {
+            let hi = compared.hi.as_ref();
+            hi.is_some_and(|hi| hi <= compared.scene.hi())
+        };
+        if !self.compared.is_empty() && self.compared.iter().all(is_at_most) {
+            let says = "b and c are surely no more than the scene says".to_owned();
+            see("A-FRICTION-AT-MOST", true, says);
+        }
+        all
+    }
+
+    /// The identification for programs.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
+        let compared = self.compared.iter().map(|compared| {
+            json!({ "parameter": compared.key, "in_scene": compared.in_scene(),
+                "identified": compared.range(), "agrees": compared.agrees() })
+        });
+        let compared: Vec<Value> = compared.collect();
+        let over = self
+            .over
+            .as_ref()
+            .map(|over| json!({ "verdict": over.verdict.name(), "headline": over.headline }));
+        json!({ "sources": self.sources, "evidence": self.outcome().to_json(),
+            "compared": compared, "over_identified_ranges": over, "report": self.report })
+    }
+}
+
+impl Outcome {
+    /// The word for it.
+    #[must_use]
+    pub const fn word(&self) -> &'static str {
+        match self {
+            Self::Supports => "supports",
+            Self::Open(_) => "open",
+            Self::Contradicts(_) => "contradicts",
+        }
+    }
+
+    /// Why it does not support the case.
+    #[must_use]
+    pub fn because(&self) -> Option<&str> {
+        match self {
+            Self::Supports => None,
+            Self::Open(why) | Self::Contradicts(why) => Some(why),
+        }
+    }
+
+    pub(super) fn to_json(&self) -> Value {
+        json!({ "outcome": self.word(), "because": self.because() })
+    }
+}

@@ -1,0 +1,267 @@
+//! A log of the device in the scene, audited.
+
+use num_traits::ToPrimitive as _;
+use passivity_audit::{Dialect, Finding, Options, Report, Verdict, audit};
+use passivity_core::{BigRational, Interval};
+use passivity_scene::check::enclosure;
+use passivity_scene::display::{approx, range};
+use passivity_scene::{Motion, Scene};
+use serde_json::{Value, json};
+
+use super::{Observed, Outcome, Recording, Source};
+use crate::error::CaseError;
+
+/// A log with its audit.
+#[derive(Clone, Debug)]
+pub struct Log {
+    /// Which one it is, from 1.
+    pub number: usize,
+    /// The file.
+    pub source: Source,
+    /// The audit, without rows.
+    pub report: Report,
+    /// How long the log is, from its first sample to its last, in sampling periods: at least, and at
+    /// most.
+    pub duration: [BigRational; 2],
+    /// Whether the log says so itself; if not, every interval counts as one period.
+    pub is_timed: bool,
+}
+
+impl Log {
+    pub(super) fn read(
+        number: usize,
+        recording: &Recording,
+        scene: &Scene,
+        dialect: &Dialect,
+    ) -> Result<Self, CaseError> {
+        let (source, audit) = Source::bound(recording, |path| {
+            let options = Options {
+                dialect: dialect.clone(),
+                ..Options::default()
+            };
+            let found = audit(path, scene, options);
+            found.map_err(|error| CaseError::of_log(path, error))
+        })?;
+        if let Some(error) = audit.error() {
+            return Err(CaseError::within(recording.path.as_ref(), error));
+        }
+        let timed = audit.duration();
+        let mut report = audit.report().clone();
+        report.rows = None;
+        Ok(Self {
+            number,
+            source,
+            is_timed: timed.is_some(),
+            duration: match timed {
+                Some(periods) => [periods.clone(), periods],
+                None => untimed(&report),
+            },
+            report,
+        })
+    }
+
+    /// What the audit says, in a line.
+    #[must_use]
+    pub fn headline(&self) -> String {
+        self.report.headline()
+    }
+
+    /// How long the log is, in words.
+    #[must_use]
+    pub fn duration_text(&self, scene: &Scene) -> String {
+        let period = scene.given.period.nominal.to_rational();
+        let (period, unit) = match (scene.motion, period) {
+            (Motion::Linear | Motion::Rotary, Some(period)) => (period, "s"),
+            _ => (BigRational::from_integer(1.into()), "sampling periods"),
+        };
+        let [lo, hi] = self.duration.each_ref().map(|end| end * &period);
+        let text = format!("{} {unit}", range(&Interval::hull(lo, hi)));
+        match self.is_timed {
+            true => format!("{text}, by the times in the log"),
+            false => format!("{text}, by the scene's sampling period: the log has no times"),
+        }
+    }
+
+    /// What the forces of the log say, in words.
+    #[must_use]
+    pub fn force_text(&self) -> String {
+        match &self.report.force {
+            None => {
+                "none in the log: the account is of the force that the wall's law commands at the \
+                     recorded positions"
+                    .to_owned()
+            }
+            Some(force) if force.agrees => {
+                format!(
+                    "that of the wall's law in all {} rows, to within the digits that are written",
+                    force.compared
+                )
+            }
+            Some(force) => format!(
+                "not that of the wall's law in {} of {} rows; the account is of the force in the log",
+                force.mismatches, force.compared
+            ),
+        }
+    }
+
+    /// The findings by which the loop that was recorded is another than the one in the scene.
+    pub fn other_loop(&self, scene: &Scene) -> impl Iterator<Item = &Finding> {
+        let scale_is_tolerated = self.scale_is_tolerated(scene);
+        self.report
+            .findings
+            .iter()
+            .filter(move |finding| match finding.kind {
+                "delay" | "sign" | "other_force" => true,
+                "scale" => !scale_is_tolerated,
+                // Rounded forces, velocities that nothing is computed from, how the file was read.
+                _ => false,
+            })
+    }
+
+    /// Whether the forces are those of a wall as stiff as the scene's tolerance allows.
+    fn scale_is_tolerated(&self, scene: &Scene) -> bool {
+        let fit = self.report.force.as_ref().and_then(|force| force.fit);
+        let stiffness = &scene.given.stiffness;
+        let nominal = stiffness.nominal.enclosure(64);
+        let ends = enclosure(&stiffness.value);
+        let (Some(fit), Some(nominal), Some(ends)) = (fit, nominal, ends) else {
+            return false;
+        };
+        let near = |x: &BigRational| x.to_f64();
+        let (Some(nominal), Some(lo), Some(hi)) =
+            (near(nominal.lo()), near(ends.lo()), near(ends.hi()))
+        else {
+            return false;
+        };
+        let scaled = fit.scale.abs() * nominal;
+        stiffness.has_tolerance() && lo <= scaled && scaled <= hi
+    }
+
+    /// What the log comes to as evidence.
+    #[must_use]
+    pub fn outcome(&self, scene: &Scene) -> Outcome {
+        if self.report.verdict == Verdict::Fails {
+            return Outcome::Contradicts(self.headline());
+        }
+        let other: Vec<&str> = self.other_loop(scene).map(|f| f.says.as_str()).collect();
+        if !other.is_empty() {
+            return Outcome::Contradicts(other.join("; "));
+        }
+        match self.report.verdict {
+            Verdict::Holds => self.untold_force().map_or(Outcome::Supports, Outcome::Open),
+            _ => Outcome::Open(self.headline()),
+        }
+    }
+
+    /// Why forces that agree with the wall's law to within their digits say nothing about the wall.
+    fn untold_force(&self) -> Option<String> {
+        /// Digits this rough tell a force from none, from one of the other sign and from half of it.
+        const ROUGH: f64 = 0.2;
+        let force = self.report.force.as_ref().filter(|force| force.agrees)?;
+        match force.fit {
+            None => Some(
+                "the force, or that of the wall's law, is zero in every row: the log says nothing about \
+                 the wall"
+                    .to_owned(),
+            ),
+            Some(fit) if (fit.scale - 1.0).abs() < ROUGH && fit.residual < ROUGH => None,
+            Some(_) => Some(
+                "the force is written with too few digits to tell it from that of another wall".to_owned(),
+            ),
+        }
+    }
+
+    /// What the log says of assumptions.
+    pub(super) fn observed(&self, scene: &Scene) -> Vec<Observed> {
+        let name = &self.source.name;
+        let mut all = Vec::new();
+        let mut see = |assumption, is_met, says: String| {
+            all.push(Observed {
+                assumption,
+                is_met,
+                says: format!("«{name}»: {says}"),
+            });
+        };
+        let totals = &self.report.totals;
+        let all_of = self.report.intervals;
+        match (totals.criterion_fails, totals.criterion_depends) {
+            (0, 0) => see(
+                "A-SPEED",
+                true,
+                format!("the criterion holds at the speed of each of the {all_of} intervals"),
+            ),
+            (0, _) => {}
+            (fails, _) => see(
+                "A-SPEED",
+                false,
+                format!("the criterion fails at the speed of {fails} of {all_of} intervals"),
+            ),
+        }
+        if let Some(timing) = &self.report.timing {
+            let longest = approx(&timing.longest);
+            match (timing.late, is_within_period(&timing.longest, scene)) {
+                (0, _) => see(
+                    "A-SAMPLING",
+                    true,
+                    "no interval lasts longer than the sampling period".to_owned(),
+                ),
+                (_, true) => see(
+                    "A-SAMPLING",
+                    true,
+                    format!(
+                        "no interval lasts longer than the tolerance of the sampling period allows \
+                         (the longest {longest} periods)"
+                    ),
+                ),
+                (late, false) => see(
+                    "A-SAMPLING",
+                    false,
+                    format!(
+                        "{late} of {all_of} intervals last longer than the sampling period, the \
+                         longest {longest} periods"
+                    ),
+                ),
+            }
+        }
+        let agrees = self.report.force.as_ref().filter(|force| force.agrees);
+        if let (Some(force), None) = (agrees, self.untold_force()) {
+            let says = format!(
+                "the recorded force is that of the wall's law in all {} rows",
+                force.compared
+            );
+            see("A-LAW", true, says);
+        }
+        all
+    }
+
+    /// The log for programs.
+    #[must_use]
+    pub fn to_json(&self, scene: &Scene) -> Value {
+        let [lo, hi] = &self.duration;
+        json!({
+            "source": self.source,
+            "duration_periods": { "lo": lo.to_string(), "hi": hi.to_string(), "approx": lo.to_f64() },
+            "duration_is_recorded": self.is_timed, "headline": self.headline(),
+            "evidence": self.outcome(scene).to_json(), "audit": self.report,
+        })
+    }
+}
+
+/// Between how many periods a log without times lasts: a ledger says how long its intervals are.
+fn untimed(report: &Report) -> [BigRational; 2] {
+    let count = BigRational::from_integer(report.intervals.into());
+    match &report.timing {
+        Some(timing) => [&timing.shortest, &timing.longest].map(|end| end * &count),
+        None => [count.clone(), count],
+    }
+}
+
+/// Whether an interval of so many periods is within the period's tolerance.
+fn is_within_period(longest: &BigRational, scene: &Scene) -> bool {
+    let period = &scene.given.period;
+    let (Some(nominal), Some(ends)) = (period.nominal.to_rational(), enclosure(&period.value))
+    else {
+        return false;
+    };
+    longest * nominal <= *ends.hi()
+}

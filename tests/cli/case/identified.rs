@@ -1,0 +1,136 @@
+//! `passivity case --identification`: friction that is identified from logs, as evidence.
+
+use std::path::Path;
+
+use super::read;
+use super::recorded::{case, element, scene};
+use crate::harness::Dir;
+
+/// The knob that the shipped logs were simulated with, with a wall that is passive to 5 rad/s.
+const KNOB: &str = "# A knob, from its drawing.\n[device]\ninertia = \"2e-5 kg m^2\"\n\
+    viscous = \"4e-5 N m s/rad ± 5%\"\ncoulomb = \"1.5e-3 N m ± 5%\"\n[sampling]\nrate = \"1 kHz\"\n\
+    [encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"0.5 N m/rad\"\n\
+    [operator]\nmax_speed = \"5 rad/s\"\n";
+
+fn shipped(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/identify");
+    folder.join(name).to_str().expect("UTF-8").to_owned()
+}
+
+#[test]
+fn identified_friction_is_compared_with_the_scene_and_links_its_assumption() {
+    let dir = Dir::new();
+    let push = shipped("push.csv");
+    let evidence = ["--identification", &push, "--effort", "1"];
+    let path = dir.write("scene.toml", KNOB);
+    let run = case(&dir, &path, &evidence);
+    assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
+    let found = scene(&run)["recorded"]["identification"].clone();
+    assert_eq!(found["evidence"]["outcome"], "supports");
+    assert_eq!(found["sources"][0]["path"], push.as_str());
+    assert_eq!(found["over_identified_ranges"]["verdict"], "passive");
+    assert_eq!(found["compared"].as_array().unwrap().len(), 2);
+    let goal = element(&dir, "G-friction");
+    assert!(goal.contains("supportedBy: [Sn-identification]"), "{goal}");
+    assert!(goal.contains("inContextOf: [A-FRICTION]"), "{goal}");
+    let html = read(&dir, "case/case.html");
+    assert!(html.contains("explain every one of 501 samples"));
+    assert!(html.contains("met in the recording"));
+    // A parameter of which the scene names no source has one now.
+    let unsourced = KNOB.replace("# A knob, from its drawing.\n", "");
+    dir.write("scene.toml", unsourced);
+    let run = case(&dir, &path, &evidence);
+    let open = element(&dir, "G-sources");
+    assert!(open.contains("device.inertia"), "{open}");
+    assert!(
+        !open.contains("viscous") && !open.contains("coulomb"),
+        "{open}"
+    );
+    assert_eq!(run.code, 0);
+    assert!(read(&dir, "case/case.html").contains("identified from logs"));
+}
+
+#[test]
+fn friction_outside_of_what_was_identified_contradicts_the_case() {
+    let dir = Dir::new();
+    let push = shipped("push.csv");
+    let evidence = ["--identification", push.as_str(), "--effort", "1"];
+    for (old, new, why) in [
+        (
+            "1.5e-3 N m ± 5%",
+            "1.7e-3 N m ± 5%",
+            "Coulomb friction is 1.7e-3 N m ± 5% in the scene",
+        ),
+        (
+            "4e-5 N m s/rad ± 5%",
+            "5e-5 N m s/rad",
+            "viscous friction is 5e-5 N m s/rad in the scene",
+        ),
+        (
+            "viscous = \"4e-5 N m s/rad ± 5%\"\n",
+            "",
+            "viscous friction is none in the scene",
+        ),
+    ] {
+        let text = KNOB.replace(old, new).replace("5 rad/s", "3 rad/s");
+        let path = dir.write("scene.toml", text);
+        let run = case(&dir, &path, &evidence);
+        let answer = scene(&run);
+        assert_eq!(answer["verdict"], "passive", "{new}");
+        assert_eq!(
+            (run.code, answer["standing"].as_str()),
+            (1, Some("open")),
+            "{new}"
+        );
+        let evidence = answer["recorded"]["identification"]["evidence"].clone();
+        assert_eq!(evidence["outcome"], "contradicts");
+        assert!(
+            evidence["because"].as_str().unwrap().contains(why),
+            "{evidence}"
+        );
+        assert!(element(&dir, "G-friction").contains("defeated: true"));
+        assert!(element(&dir, "CSn-identification").contains("SHA-256"));
+        let html = read(&dir, "case/case.html");
+        assert!(html.contains("contradicts the case"), "{new}");
+        assert!(
+            html.contains("What the logs say, as a scene takes it"),
+            "{new}"
+        );
+    }
+    // A device that is none of the model.
+    let path = dir.write("scene.toml", KNOB);
+    let backlash = shipped("backlash.csv");
+    let run = case(
+        &dir,
+        &path,
+        &["--identification", &backlash, "--effort", "1"],
+    );
+    assert_eq!(
+        (run.code, scene(&run)["standing"].as_str()),
+        (1, Some("open"))
+    );
+    let html = read(&dir, "case/case.html");
+    assert!(html.contains("no viscous and Coulomb friction fit"));
+    let objections = run.json()["objections"].to_string();
+    assert!(objections.contains("A-FRICTION is not met"), "{objections}");
+}
+
+#[test]
+fn a_verdict_that_part_of_the_identified_range_does_not_have_is_open() {
+    let dir = Dir::new();
+    // Passive for the scene's friction, which is at the upper end of what was identified; up to the
+    // speed where a little less does not suffice.
+    let text = KNOB
+        .replace("4e-5 N m s/rad ± 5%", "4e-5 N m s/rad")
+        .replace("1.5e-3 N m ± 5%", "1.501e-3 N m")
+        .replace("5 rad/s", "6.23 rad/s");
+    let path = dir.write("scene.toml", text);
+    let push = shipped("push.csv");
+    let run = case(&dir, &path, &["--identification", &push, "--effort", "1"]);
+    let answer = scene(&run);
+    assert_eq!(answer["verdict"], "passive", "{}", run.stderr);
+    let evidence = answer["recorded"]["identification"]["evidence"].clone();
+    assert_eq!(evidence["outcome"], "open", "{evidence}");
+    assert_eq!((run.code, answer["standing"].as_str()), (1, Some("open")));
+    assert!(element(&dir, "G-identification-open").contains("undeveloped: true"));
+}
