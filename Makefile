@@ -11,7 +11,7 @@ BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
 QUICK = $(CARGO) run --quiet --profile quick $(FLAGS) -p passivity-cli --no-default-features --features simulate --
 # Builds that leave something out.
 LEAN = "passivity-cli" "passivity-cli --features simulate" "passivity-cli --features identify" "passivity-cli --features audit,oracle,vectors" \
-    "passivity-cli --features audit,plot,simulate" passivity-capi passivity-audit passivity-monitor passivity-plot passivity-sim
+    "passivity-cli --features audit,plot,simulate" passivity-capi passivity-audit "passivity-audit --features mcap" passivity-monitor passivity-plot passivity-sim
 # The crates that are published, each after those that it needs.
 PUBLISHED = core scene audit oracle vectors plot sim identify capi monitor monitor-capi
 
