@@ -116,6 +116,6 @@ test-python: ## build the Python wheel and test it from a fresh virtual environm
 	@echo "== the Python wheel"
 	@crates/passivity-python/test.sh
 
-fuzz: ## ten minutes of libFuzzer on each of five readers; needs cargo-fuzz and a nightly
+fuzz: ## ten minutes of libFuzzer on each of six readers; needs cargo-fuzz and a nightly
 	@echo "== fuzz/run 600"
 	@fuzz/run 600
