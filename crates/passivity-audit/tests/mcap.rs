@@ -530,6 +530,35 @@ fn other_encodings_are_refused_by_name() {
 }
 
 #[test]
+fn messages_that_are_long_or_wide_take_bounded_work() {
+    let long = format!("{{\"data\":[{}0]}}", "0,".repeat(3 << 20));
+    let list = format!("[{}0]", "0,".repeat(63));
+    let lists = format!("[{}{list}]", format!("{list},").repeat(63));
+    let wide = format!("{{\"data\":[{}{lists}]}}", format!("{lists},").repeat(63));
+    for (message, why) in [(long, "longer than 4 MiB"), (wide, "expected a column")] {
+        let mut bytes = Cursor::new(Vec::new());
+        let mut writer = Writer::new(&mut bytes).unwrap();
+        let channel = writer
+            .add_channel(0, "/data", "json", &BTreeMap::new())
+            .unwrap();
+        for i in 0..3 {
+            let message = Sent {
+                topic: "/data",
+                log_time: START,
+                bytes: message.clone().into_bytes(),
+            };
+            put(&mut writer, channel, i, &message);
+        }
+        writer.finish().unwrap();
+        drop(writer);
+        let path = save("long", &bytes.into_inner());
+        let error = audit(&path, &scene(), Options::default()).unwrap_err();
+        assert!(error.message.contains(why), "{error}");
+        fs::remove_file(path).unwrap();
+    }
+}
+
+#[test]
 fn files_that_are_cut_short_are_accounted_for_up_to_there() {
     for chunk in [None, Some(2000)] {
         let options = WriteOptions::new()

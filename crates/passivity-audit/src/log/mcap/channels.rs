@@ -12,6 +12,9 @@ use crate::log::mcap::{binary, json};
 /// The most that all definitions of messages may take, in bytes.
 const MOST_TEXTS: usize = 64 << 20;
 
+/// The longest message that is decoded, in bytes: decoded it can take some hundred times as much.
+const MOST_MESSAGE: usize = 4 << 20;
+
 /// How the messages of a channel are decoded.
 pub(crate) enum Decoder {
     Cdr(Schema),
@@ -73,6 +76,9 @@ impl Decoder {
 
     /// Decodes a message.
     pub(crate) fn decode<'a>(&'a self, message: &'a [u8]) -> Result<Value<'a>, &'static str> {
+        if message.len() > MOST_MESSAGE {
+            return Err("it is longer than 4 MiB");
+        }
         match self {
             Self::Cdr(schema) => binary::cdr(schema, message),
             Self::Ros1(schema) => binary::ros1(schema, message),

@@ -253,8 +253,13 @@ impl Topic {
             let times = times.into_iter();
             found.extend(times.map(|(place, name, x)| (place, name.to_owned(), Some(x))));
         }
-        for (place, name, near) in found {
-            let known = self.columns.iter().position(|column| column.place == place);
+        for (i, (place, name, near)) in found.into_iter().enumerate() {
+            // Most messages have the numbers of the first one.
+            let is_it = |column: &Column| column.place == place;
+            let known = match self.columns.get(i).is_some_and(is_it) {
+                true => Some(i),
+                false => self.columns.iter().position(is_it),
+            };
             if let Some(at) = known {
                 let column = self.columns.get_mut(at);
                 column

@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::fmt::{self, Write as _};
 
+use crate::log::layout::MAX_COLUMNS;
+
 /// How many elements of a list can be columns.
 pub(crate) const MOST_ELEMENTS: usize = 64;
 
@@ -118,7 +120,7 @@ impl Value<'_> {
         }
     }
 
-    /// Every number, with the path to it; whether it is a time.
+    /// The first numbers, as many as there can be columns.
     pub(crate) fn leaves(&self) -> Vec<Leaf> {
         let mut leaves = Vec::new();
         self.walk(&mut Vec::new(), None, &mut leaves);
@@ -126,6 +128,9 @@ impl Value<'_> {
     }
 
     fn walk(&self, path: &mut Vec<Step>, names: Option<&[&str]>, leaves: &mut Vec<Leaf>) {
+        if leaves.len() >= MAX_COLUMNS {
+            return;
+        }
         let mut within = |step: Step, value: &Value<'_>, names: Option<&[&str]>| {
             path.push(step);
             value.walk(path, names, leaves);
