@@ -406,6 +406,12 @@ fn rows_before_the_first_force_are_left_out_and_said() {
         said.says,
         "2 messages on /joint_states came before the first on /wrench and are no rows"
     );
+    // Who needs to know how the log began is told that this is not known.
+    let error = samples(&path, &scene(), &dialect(COLUMNS)).unwrap_err();
+    assert!(
+        error.message.contains("came before") && error.message.contains("mcap filter"),
+        "{error}"
+    );
     // A log that goes on in another file goes on with the force that was held.
     let first = save(
         "first",
