@@ -11,7 +11,7 @@ BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
 QUICK = $(CARGO) run --quiet --profile quick $(FLAGS) -p passivity-cli --no-default-features --features simulate --
 # Builds that leave something out.
 LEAN = "passivity-cli" "passivity-cli --features simulate" "passivity-cli --features identify" "passivity-cli --features audit,oracle,vectors" \
-    "passivity-cli --features audit,plot,simulate" passivity-capi passivity-audit passivity-monitor passivity-plot passivity-sim
+    "passivity-cli --features audit,plot,simulate" passivity-capi passivity-audit "passivity-audit --features mcap" passivity-monitor passivity-plot passivity-sim
 # The crates that are published, each after those that it needs.
 PUBLISHED = core scene audit oracle vectors plot sim identify capi monitor monitor-capi
 
@@ -116,6 +116,6 @@ test-python: ## build the Python wheel and test it from a fresh virtual environm
 	@echo "== the Python wheel"
 	@crates/passivity-python/test.sh
 
-fuzz: ## ten minutes of libFuzzer on each of five readers; needs cargo-fuzz and a nightly
+fuzz: ## ten minutes of libFuzzer on each of six readers; needs cargo-fuzz and a nightly
 	@echo "== fuzz/run 600"
 	@fuzz/run 600

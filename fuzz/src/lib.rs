@@ -23,7 +23,7 @@ pub struct Target {
 }
 
 /// Every reader of foreign bytes.
-pub const TARGETS: [Target; 5] = [
+pub const TARGETS: [Target; 6] = [
     Target {
         name: "scene",
         run: scene::run,
@@ -35,6 +35,10 @@ pub const TARGETS: [Target; 5] = [
     Target {
         name: "parquet",
         run: trace::parquet,
+    },
+    Target {
+        name: "mcap",
+        run: trace::mcap,
     },
     Target {
         name: "request",

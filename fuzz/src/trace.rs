@@ -1,10 +1,10 @@
-//! Traces, CSV and Parquet, in one of a few scenes.
+//! Traces, CSV, Parquet and MCAP, in one of a few scenes.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use passivity_audit::{Audit, Options, TraceError, audit, audit_csv};
+use passivity_audit::{Audit, Dialect, Options, TraceError, audit, audit_csv};
 use passivity_scene::Scene;
 
 /// The first byte of the input says which.
@@ -94,29 +94,60 @@ pub(crate) fn csv(data: &[u8]) {
 
 /// A report or an error.
 pub(crate) fn parquet(data: &[u8]) {
+    in_file(data, "parquet", |path, scene| {
+        read(path, scene, Dialect::default());
+    });
+}
+
+/// A report or an error; by the columns that the error proposes, where it does.
+pub(crate) fn mcap(data: &[u8]) {
+    in_file(data, "mcap", |path, scene| {
+        let Some(error) = read(path, scene, Dialect::default()) else {
+            return;
+        };
+        if let Some(proposal) = error.proposal {
+            let columns = proposal.columns.parse();
+            let columns = columns.unwrap_or_else(|e| panic!("{}: {e}", proposal.columns));
+            let told = Dialect {
+                columns: Some(columns),
+                ..Dialect::default()
+            };
+            read(path, scene, told);
+        }
+    });
+}
+
+/// Gives the bytes as a file, in the scene that the first byte names.
+fn in_file(data: &[u8], extension: &str, read: impl Fn(&Path, &Scene)) {
     let Some((first, bytes)) = data.split_first() else {
         return;
     };
-    let path = file();
+    let path = file(extension);
     if let Err(error) = fs::write(&path, bytes) {
         panic!("{}: {error}", path.display());
     }
+    read(&path, scene(*first));
+    // A file that stays behind in the temporary folder does no harm.
+    let _ = fs::remove_file(&path);
+}
+
+/// Audits a file with its rows; gives what is refused.
+fn read(path: &Path, scene: &Scene, dialect: Dialect) -> Option<TraceError> {
     let mut rows = Vec::new();
     let options = Options {
         rows: Some(&mut rows),
         threads: 1,
+        dialect,
         ..Options::default()
     };
-    let found = audit(&path, scene(*first), options);
-    // A file that stays behind in the temporary folder does no harm.
-    let _ = fs::remove_file(&path);
-    Found::of(found, rows);
+    let found = audit(path, scene, options);
+    Found::of(found, rows).report.err()
 }
 
 /// A file for this thread alone.
-fn file() -> PathBuf {
+fn file(extension: &str) -> PathBuf {
     let name = format!(
-        "passivity-fuzz-{}-{:?}.parquet",
+        "passivity-fuzz-{}-{:?}.{extension}",
         std::process::id(),
         std::thread::current().id()
     );

@@ -123,6 +123,11 @@ fn parquet_traces() {
 }
 
 #[test]
+fn mcap_traces() {
+    replay("mcap");
+}
+
+#[test]
 fn requests() {
     replay("request");
 }

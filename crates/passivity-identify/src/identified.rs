@@ -152,7 +152,7 @@ pub(crate) const PARAMETERS: [Parameter; 3] =
     [Parameter::Viscous, Parameter::Coulomb, Parameter::Inertia];
 
 /// Looks for the parameters that can have produced the logs (TH-IDENT); `progress` is told how much of the
-/// effort is spent.
+/// effort is spent, and ends the search where it says `false`: the bounds are then wider, and as sure.
 ///
 /// # Errors
 ///
@@ -179,7 +179,7 @@ pub(crate) const PARAMETERS: [Parameter; 3] =
 ///     forces: (0..120).map(force).collect(),
 ///     durations: vec![Number::whole(1); 119],
 /// };
-/// let found = identify(&[log], &sketch, &Options::default(), |_| {}).unwrap();
+/// let found = identify(&[log], &sketch, &Options::default(), |_| true).unwrap();
 /// let (_, coulomb) = found.parameters[1];
 /// assert!(coulomb.lo <= 1.0 && 1.0 <= coulomb.hi.unwrap());
 /// ```
@@ -187,7 +187,7 @@ pub fn identify(
     sampled: &[Sampled],
     sketch: &Scene,
     options: &Options,
-    progress: impl FnMut(u64),
+    progress: impl FnMut(u64) -> bool,
 ) -> Result<Identified, IdentifyError> {
     covered(sketch)?;
     let nominal = sketch.given.map(|_, given| given.nominal.clone());
@@ -441,7 +441,8 @@ impl Identified {
             self.parameters.push((
                 parameter,
                 Bounds {
-                    lo,
+                    // Not minus zero.
+                    lo: lo + 0.0,
                     hi,
                     best: best.map(|best| best.clamp(lo, hi.unwrap_or(f64::INFINITY))),
                 },

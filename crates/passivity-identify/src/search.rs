@@ -266,8 +266,9 @@ impl Search<'_> {
 }
 
 impl Task<'_> {
-    /// Searches parts; `progress` is told how much of the effort is spent.
-    pub(crate) fn search(&self, parts: Vec<Part>, mut progress: impl FnMut(u64)) -> Found {
+    /// Searches parts; `progress` is told how much of the effort is spent, and ends the search where it says
+    /// `false`.
+    pub(crate) fn search(&self, parts: Vec<Part>, mut progress: impl FnMut(u64) -> bool) -> Found {
         let kept = |log| Kept {
             log,
             propagators: Propagators::default(),
@@ -313,7 +314,10 @@ impl Task<'_> {
             for half in left.part.halves(self.widest(&left.part)) {
                 search.keep(half);
             }
-            progress(search.steps.min(self.effort));
+            if !progress(search.steps.min(self.effort)) {
+                stopped_early = true;
+                break;
+            }
         }
         let hull = search.parts.hull();
         let left = search.parts.all.into_iter().flatten();

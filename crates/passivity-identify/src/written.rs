@@ -2,7 +2,7 @@
 
 use passivity_core::{BigRational, Parameter};
 use passivity_scene::display::significant;
-use passivity_scene::{Motion, Scene};
+use passivity_scene::{Motion, Scene, SceneError};
 use toml_edit::{DocumentMut, Item, Table, value};
 
 use crate::identified::{Identified, IdentifyError};
@@ -26,12 +26,14 @@ pub struct Provenance {
 ///
 /// # Errors
 ///
-/// [`IdentifyError`] with what is wrong with it.
-pub fn read_sketch(name: &str, text: &str) -> Result<Scene, IdentifyError> {
-    let refuse = |error: &dyn std::fmt::Display| IdentifyError::new(error.to_string());
-    let document: DocumentMut = text.parse().map_err(|error| refuse(&error))?;
+/// [`SceneError`] with what is wrong with it.
+pub fn read_sketch(name: &str, text: &str) -> Result<Scene, SceneError> {
+    let Ok(document) = text.parse::<DocumentMut>() else {
+        // This says where it is no TOML.
+        return Scene::from_toml(name, text);
+    };
     if document.contains_key("wall") || document.contains_key("dimensionless") {
-        return Scene::from_toml(name, text).map_err(|error| refuse(&error));
+        return Scene::from_toml(name, text);
     }
     let with = |stiffness: &str| {
         let mut document = document.clone();
@@ -42,7 +44,7 @@ pub fn read_sketch(name: &str, text: &str) -> Result<Scene, IdentifyError> {
     };
     let [rotary, linear] = WALLS.map(with);
     // Of the motion that the rest of the sketch is of.
-    rotary.or(linear).map_err(|error| refuse(&error))
+    rotary.or(linear)
 }
 
 impl Identified {
@@ -167,7 +169,8 @@ impl Identified {
 
     /// Reads the scene back: it must hold every bound.
     fn holds(&self, text: &str) -> Result<(), IdentifyError> {
-        let scene = read_sketch("scene", text)?;
+        let scene = read_sketch("scene", text);
+        let scene = scene.map_err(|error| IdentifyError::new(error.to_string()))?;
         let bounds = scene.bounds();
         for (parameter, found) in &self.parameters {
             let read = match parameter {

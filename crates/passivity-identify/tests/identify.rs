@@ -18,7 +18,7 @@ fn quick() -> Options {
 }
 
 fn run(logs: &[Sampled], device: &Device) -> Identified {
-    identify(logs, &sketch(device.inertia, 0.0), &quick(), |_| {}).unwrap()
+    identify(logs, &sketch(device.inertia, 0.0), &quick(), |_| true).unwrap()
 }
 
 fn bounds(found: &Identified, parameter: Parameter) -> Bounds {
@@ -75,14 +75,14 @@ fn th_ident_an_inertia_within_a_tolerance_or_unknown_is_held_too() {
         let trial = trial(number);
         let mut device = trial.device;
         let near = sketch(device.inertia * 1.15, 20.0);
-        let found = identify(std::slice::from_ref(&trial.log), &near, &quick(), |_| {}).unwrap();
+        let found = identify(std::slice::from_ref(&trial.log), &near, &quick(), |_| true).unwrap();
         assert_eq!(found.parameters.len(), 2);
         assert_holds(&found, &device, number);
         let free = Options {
             inertia: Inertia::Free,
             ..quick()
         };
-        let found = identify(&[trial.log], &sketch(1.0, 0.0), &free, |_| {}).unwrap();
+        let found = identify(&[trial.log], &sketch(1.0, 0.0), &free, |_| true).unwrap();
         assert_eq!(found.parameters.len(), 3);
         if found.stopped_early && !found.is_informative() {
             assert_eq!(found.lacks, [Lack::Inertia]);
@@ -230,7 +230,7 @@ fn a_log_that_does_not_start_at_rest_is_refused() {
     log.positions.drain(..30);
     log.forces.drain(..30);
     log.durations.drain(..30);
-    let refused = identify(&[log], &sketch(20.0, 0.0), &quick(), |_| {});
+    let refused = identify(&[log], &sketch(20.0, 0.0), &quick(), |_| true);
     let message = refused.unwrap_err().to_string();
     assert!(message.contains("before there is a force"), "{message}");
 }
@@ -243,11 +243,30 @@ fn the_error_of_the_force_is_taken_into_account() {
         force_error: 0.05,
         ..quick()
     };
-    let loose = identify(&[log], &sketch(20.0, 0.0), &loose, |_| {}).unwrap();
+    let loose = identify(&[log], &sketch(20.0, 0.0), &loose, |_| true).unwrap();
     let width = |found: &Identified| {
         let coulomb = bounds(found, Parameter::Coulomb);
         coulomb.hi.unwrap() - coulomb.lo
     };
     assert_holds(&loose, &DEVICE, 0);
     assert!(width(&loose) > width(&exact) + 0.05);
+}
+
+#[test]
+fn a_search_that_is_stopped_has_bounds_that_are_wider_and_as_sure() {
+    let log = pushed(12.0, 20, 300, 1);
+    let whole = run(std::slice::from_ref(&log), &DEVICE);
+    let mut told = 0;
+    let stopped = identify(&[log], &sketch(20.0, 0.0), &quick(), |_| {
+        told += 1;
+        told < 20
+    });
+    let stopped = stopped.unwrap();
+    assert_eq!(told, 20);
+    assert!(stopped.stopped_early);
+    assert_holds(&stopped, &DEVICE, 0);
+    for parameter in [Parameter::Viscous, Parameter::Coulomb] {
+        let [whole, stopped] = [&whole, &stopped].map(|found| bounds(found, parameter));
+        assert!(stopped.lo <= whole.lo && stopped.hi.is_none_or(|hi| whole.hi.unwrap() <= hi));
+    }
 }

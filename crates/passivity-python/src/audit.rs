@@ -28,20 +28,8 @@ pub(crate) struct Reading {
 
 impl Reading {
     fn dialect(&self, py: Python<'_>) -> PyResult<Dialect> {
-        let delimiter = match self.delimiter.as_deref() {
-            None => None,
-            Some("tab" | "\t") => Some(b'\t'),
-            Some(text) => match text.as_bytes() {
-                [byte] => Some(*byte),
-                _ => return Err(PyValueError::new_err("delimiter: expected one character")),
-            },
-        };
-        let columns = self.columns.as_deref().map(str::parse).transpose();
-        Ok(Dialect {
-            columns: columns.map_err(|error| of_trace(py, &error))?,
-            delimiter,
-            decimal_comma: self.decimal_comma,
-        })
+        let (columns, delimiter) = (self.columns.as_deref(), self.delimiter.as_deref());
+        dialect(py, columns, delimiter, self.decimal_comma)
     }
 
     fn options<'a>(&self, dialect: Dialect, watch: &'a dyn Fn(u64) -> bool) -> Options<'a> {
@@ -53,6 +41,29 @@ impl Reading {
             ..Options::default()
         }
     }
+}
+
+/// How the columns of a file are called, and how its numbers are written.
+pub(crate) fn dialect(
+    py: Python<'_>,
+    columns: Option<&str>,
+    delimiter: Option<&str>,
+    decimal_comma: bool,
+) -> PyResult<Dialect> {
+    let delimiter = match delimiter {
+        None => None,
+        Some("tab" | "\t") => Some(b'\t'),
+        Some(text) => match text.as_bytes() {
+            [byte] => Some(*byte),
+            _ => return Err(PyValueError::new_err("delimiter: expected one character")),
+        },
+    };
+    let columns = columns.map(str::parse).transpose();
+    Ok(Dialect {
+        columns: columns.map_err(|error| of_trace(py, &error))?,
+        delimiter,
+        decimal_comma,
+    })
 }
 
 /// A report with its certificate, as JSON.

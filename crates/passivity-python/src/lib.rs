@@ -2,6 +2,7 @@
 //! see is in `python/passivity`.
 
 mod audit;
+mod identify;
 mod output;
 mod scene;
 mod simulate;
@@ -11,7 +12,7 @@ mod watch;
 use passivity_oracle::protocol;
 use pyo3::prelude::*;
 
-use crate::scene::{SceneError, SimulationError, Source, TraceError};
+use crate::scene::{IdentificationError, SceneError, SimulationError, Source, TraceError};
 
 /// The verdict on a scene, as JSON.
 #[pyfunction]
@@ -37,12 +38,14 @@ fn _passivity(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("SceneError", py.get_type::<SceneError>())?;
     module.add("TraceError", py.get_type::<TraceError>())?;
     module.add("SimulationError", py.get_type::<SimulationError>())?;
+    module.add("IdentificationError", py.get_type::<IdentificationError>())?;
     module.add_function(wrap_pyfunction!(check, module)?)?;
     module.add_function(wrap_pyfunction!(answer, module)?)?;
     module.add_function(wrap_pyfunction!(audit::audit_file, module)?)?;
     module.add_function(wrap_pyfunction!(audit::audit_arrays, module)?)?;
     module.add_function(wrap_pyfunction!(audit::audit_piece, module)?)?;
     module.add_function(wrap_pyfunction!(audit::audit_merge, module)?)?;
+    module.add_function(wrap_pyfunction!(identify::identify, module)?)?;
     module.add_function(wrap_pyfunction!(simulate::simulate, module)?)?;
     module.add_function(wrap_pyfunction!(sweep::grid, module)?)?;
     module.add_function(wrap_pyfunction!(sweep::sweep, module)?)?;

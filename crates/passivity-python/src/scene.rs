@@ -25,6 +25,13 @@ pyo3::create_exception!(
     "A scene that cannot be simulated as asked, or a sweep that cannot be written or merged."
 );
 
+pyo3::create_exception!(
+    passivity,
+    IdentificationError,
+    PyValueError,
+    "A sketch or a log by which no parameters can be looked for; `not_covered` says whether the sketch has an effect that is not covered."
+);
+
 /// A scene: a file's path, the text of one with a name for it, or a JSON object.
 #[derive(Clone, FromPyObject)]
 pub(crate) struct Source(
@@ -47,6 +54,12 @@ impl Source {
     /// Reads the scene of a device of one joint or of several.
     pub(crate) fn read_any(&self, py: Python<'_>) -> PyResult<AnyScene> {
         self.read_by(py, AnyScene::read, AnyScene::from_toml, AnyScene::from_json)
+    }
+
+    /// Which of them it is, and the path or text.
+    pub(crate) fn parts(&self) -> (&str, &str) {
+        let (kind, text) = &self.0;
+        (kind, text)
     }
 
     fn read_by<T>(
@@ -82,7 +95,7 @@ fn with(
     }
 }
 
-fn of_scene(py: Python<'_>, error: &passivity_scene::SceneError) -> PyErr {
+pub(crate) fn of_scene(py: Python<'_>, error: &passivity_scene::SceneError) -> PyErr {
     let raised = SceneError::new_err(error.to_string());
     with(py, raised, |raised| {
         let first = error.diagnostics().first();
@@ -101,6 +114,16 @@ pub(crate) fn of_trace(py: Python<'_>, error: &passivity_audit::TraceError) -> P
         raised.setattr("column", error.column.as_deref())?;
         raised.setattr("kind", error.kind)?;
         raised.setattr("file", error.file.as_deref())
+    })
+}
+
+pub(crate) fn of_identification(
+    py: Python<'_>,
+    error: &passivity_identify::IdentifyError,
+) -> PyErr {
+    let raised = IdentificationError::new_err(error.to_string());
+    with(py, raised, |raised| {
+        raised.setattr("not_covered", error.is_not_covered())
     })
 }
 

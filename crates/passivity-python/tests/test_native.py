@@ -23,6 +23,19 @@ ROTARY = {
     "wall": {"stiffness": "2 N m/rad"},
 }
 COUNTS = [0, 1, 3, 2, -1]
+
+
+def pushed():
+    """A log of a device with μ = 10, β = 0 and σ = 1, pushed with 10 KΔ for ten samples: it coasts to rest."""
+
+    def way(n):
+        return 45 * n * n // 100 if n <= 10 else 45 + (900 * (n - 10) - 5 * (n - 10) ** 2) // 100
+
+    rows = (f"{way(min(n, 100))},{10 if n < 10 else 0}\n" for n in range(120))
+    return "count,f\n" + "".join(rows)
+
+
+SKETCH = {"dimensionless": {"mu": 10}}
 FLOATS = [0.0, 0.5, 1.25, -0.5]
 
 
@@ -113,7 +126,7 @@ class Containers(unittest.TestCase):
                 passivity.audit([1, 2], ROTARY, **wrong)
 
 
-class Files(unittest.TestCase):
+class InFolder(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
@@ -129,6 +142,8 @@ class Files(unittest.TestCase):
         with open(path, encoding="utf-8") as file:
             return file.read()
 
+
+class Files(InFolder):
     def test_columns_and_several_files(self):
         log = self.path("log.csv", "time;pos\n0,0;0\n1,0;1\n")
         report = passivity.audit(
@@ -174,6 +189,76 @@ class Files(unittest.TestCase):
         if pyarrow is not None:
             table = passivity.sweep(SCENE, out=self.path("grid.parquet"), **grid).to_arrow()
             self.assertEqual(table.to_pydict(), report.columns)
+
+
+class Identify(InFolder):
+    def test_bounds_hold_what_is_true(self):
+        log = self.path("push.csv", pushed())
+        sketch = self.path("sketch.toml", "[dimensionless]\nmu = 10\n")
+        told = []
+        found = passivity.identify(log, sketch, effort=5, progress=lambda done, most: told.append((done, most)))
+        self.assertIsInstance(found, passivity.Identification)
+        viscous, coulomb = found.parameters.viscous, found.parameters.coulomb
+        self.assertTrue(viscous.lo <= 0 <= viscous.hi and coulomb.lo <= 1 <= coulomb.hi, found.parameters)
+        self.assertTrue(coulomb.lo <= coulomb.best <= coulomb.hi)
+        self.assertEqual((found.samples, found.refuted_by, found.parameters.inertia), (120, None, None))
+        self.assertEqual(len(found.logs[0].sha256), 64)
+        self.assertTrue(told and all(most == 5_000_000 for _, most in told), told)
+        self.assertEqual(told, sorted(told))
+        # What was found is a scene, and the sketch may come in every form.
+        self.assertTrue(passivity.check(found.toml)["sigma"]["lo"] != passivity.check(found.toml)["sigma"]["hi"])
+        with open(sketch, encoding="utf-8") as file:
+            text = file.read()
+        for other in (SKETCH, text):
+            self.assertEqual(passivity.identify(log, other, effort=5).parameters, found.parameters)
+        # A picture, a table, and two logs that say no less than one.
+        self.assertTrue(found.svg().startswith("<svg") and found.svg() in found._repr_html_())
+        both = passivity.identify([log, log], SKETCH, effort=10).parameters.coulomb
+        self.assertLessEqual(both.hi - both.lo, (coulomb.hi - coulomb.lo) * 1.01)
+        if pyarrow is not None:
+            self.assertEqual(found.to_arrow()["parameter"].to_pylist(), ["viscous", "coulomb"])
+
+    def test_a_scene_is_written(self):
+        log, out = self.path("push.csv", pushed()), self.path("device.toml")
+        found = passivity.identify(log, SKETCH, effort=5, out=out, device="knob 3", date="today")
+        self.assertEqual(self.read(out), found.toml)
+        self.assertIn("# Device: knob 3\n# Recorded: today\n", found.toml)
+        with self.assertRaises(ValueError):
+            passivity.identify(log, SKETCH, out=log)
+        self.assertEqual(self.read(log), pushed())
+
+    def test_a_log_that_does_not_fit_is_refuted_there(self):
+        still = self.path("still.csv", "count,f\n" + "0,0\n" * 5 + "0,9\n" * 5 + "99,0\n" * 5)
+        found = passivity.identify(still, SKETCH, effort=1)
+        self.assertEqual((found.refuted_by.row, found.toml), (11, None))
+        self.assertIsNone(found.parameters.viscous)
+
+    def test_mistakes_say_where(self):
+        log = self.path("push.csv", pushed())
+        torn = self.path("torn.csv", "count,f\n0,0\n1,x\n")
+        with self.assertRaises(passivity.TraceError) as caught:
+            passivity.identify([log, torn], SKETCH)
+        self.assertEqual((caught.exception.row, caught.exception.column), (2, "f"))
+        self.assertEqual(caught.exception.file, torn)
+        with self.assertRaisesRegex(passivity.TraceError, "the force"):
+            passivity.identify(self.path("bare.csv", "count\n0\n1\n"), SKETCH)
+        with self.assertRaises(passivity.SceneError) as caught:
+            passivity.identify(log, '[dimensionless]\nmu = "ten"\n')
+        self.assertEqual((caught.exception.line, caught.exception.key), (2, "dimensionless.mu"))
+        moving = self.path("moving.csv", "count,f\n0,0\n5,0\n9,0\n")
+        with self.assertRaisesRegex(passivity.IdentificationError, "row 2") as caught:
+            passivity.identify(moving, SKETCH)
+        self.assertFalse(caught.exception.not_covered)
+        lag = {**ROTARY, "amplifier": {"time_constant": "1 ms"}}
+        rotary = self.path("rotary.csv", "count,f [N m]\n0,0\n0,0\n")
+        with self.assertRaises(passivity.IdentificationError) as caught:
+            passivity.identify(rotary, lag)
+        self.assertTrue(caught.exception.not_covered)
+        for wrong in ({"inertia": "known"}, {"effort": 0}, {"count_error": -1}):
+            with self.assertRaises(ValueError):
+                passivity.identify(log, SKETCH, **wrong)
+        with self.assertRaises(TypeError):
+            passivity.identify([0, 1, 3], SKETCH)
 
 
 class Errors(unittest.TestCase):
@@ -244,15 +329,22 @@ class Interrupts(unittest.TestCase):
     LONG = {
         "simulate": "passivity.simulate(SCENE, speed=100, intervals=2**40, trace=False)",
         "sweep": "passivity.sweep(SCENE, beta='0:1:400', sigma='0:0.4:400', speed=[1, 5], intervals=2**32)",
+        "identify": "passivity.identify(LOG, {'dimensionless': {'mu': 10}}, inertia='free', effort=10000)",
         "audit": "passivity.audit([i * 0.1 for i in range(10**6)], SCENE)",
     }
 
     def test_interrupt(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        log = os.path.join(folder.name, "push.csv")
+        with open(log, "w", encoding="utf-8") as file:
+            file.write(pushed())
         for name, call in self.LONG.items():
             with self.subTest(call=name):
                 program = f"""
                     import passivity, sys, time
                     SCENE = {{"dimensionless": {{"mu": 50, "beta": "1", "sigma": "1/5"}}}}
+                    LOG = {log!r}
                     print("ready", flush=True)
                     try:
                         {call}

@@ -20,13 +20,15 @@ def all_of_it(client: object, path: str) -> None:
     one: passivity.AuditReport = distributed.audit(client, path, path)
     many: list[passivity.AuditReport] = distributed.audit(client, [path], path)
     border: adaptive.Border = distributed.border(None, path, {"beta": "0:1:9", "sigma": "0:1:9"})
+    found: passivity.Identification = passivity.identify([path], path, inertia="free", effort=5)
+    scene: str | None = found.toml
     plot.motion(motion)
     plot.outcomes(grid)
     try:
         passivity.check(path)
     except passivity.SceneError as error:
         line: int | None = error.line
-        print(line, name, row, intervals, text, cells, points, one, many, border.cells)
+        print(line, name, row, intervals, text, cells, points, one, many, border.cells, scene)
 
 
 def outcomes(indices: list[int]) -> Sequence[bool]:

@@ -121,15 +121,12 @@ fn preview(columns: &[(String, Values)], len: usize) -> Preview {
         Values::Whole(values) => values.get(row).map(|n| *n as f64),
         Values::Doubles(values) => values.get(row).copied().filter(|x| x.is_finite()),
     };
+    let rows = 0..len.min(PREVIEWED);
+    let column =
+        |(_, values): &(String, Values)| rows.clone().map(|row| field(values, row)).collect();
     Preview {
-        rows: (0..len.min(PREVIEWED))
-            .map(|row| {
-                columns
-                    .iter()
-                    .map(|(_, values)| field(values, row))
-                    .collect()
-            })
-            .collect(),
+        columns: columns.iter().map(column).collect(),
+        groups: Vec::new(),
     }
 }
 

@@ -285,6 +285,19 @@ fn parts(text: &str) -> Result<Vec<&str>, TraceError> {
 }
 
 impl Columns {
+    /// Whether a column of this topic is named.
+    #[cfg(feature = "mcap")]
+    pub(crate) fn mentions(&self, topic: &str) -> bool {
+        let is_within = |text: &str| {
+            text.strip_prefix(topic)
+                .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[', ' ']))
+        };
+        let texts = self.0.iter().map(|assignment| assignment.text.as_str());
+        texts
+            .flat_map(|text| [text, text.strip_prefix('-').unwrap_or(text).trim_start()])
+            .any(is_within)
+    }
+
     /// The columns of a header that these names say, each said once.
     pub(crate) fn find(&self, headings: &[Heading]) -> Result<Vec<Found>, TraceError> {
         let mut found: Vec<Found> = Vec::new();

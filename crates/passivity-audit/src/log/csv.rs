@@ -63,9 +63,7 @@ pub(crate) fn preview(lines: &[&[u8]], notation: Notation) -> Preview {
             .map(|field| value(trimmed(field), notation))
             .collect()
     };
-    Preview {
-        rows: lines.iter().map(row).collect(),
-    }
+    Preview::of_rows(&lines.iter().map(row).collect::<Vec<_>>())
 }
 
 /// The double near a field that is a number.

@@ -161,6 +161,23 @@ const NOT_MEASURED: [&str; 16] = [
     "stiffness",
 ];
 
+/// What is no position, though its last word may be `x`: a derivative, which is named after what it is one of,
+/// and other vectors.
+const NO_POSITION: [&str; 12] = [
+    "dot",
+    "velocity",
+    "speed",
+    "force",
+    "torque",
+    "moment",
+    "effort",
+    "wrench",
+    "twist",
+    "acceleration",
+    "orientation",
+    "covariance",
+];
+
 /// What a force that was held is called.
 const HELD: [&str; 6] = ["cmd", "command", "commanded", "motor", "applied", "desired"];
 
@@ -233,11 +250,16 @@ fn score(
     let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
     if kind == Kind::Force {
         score += i32::from(has(&HELD));
+        // Of a wrench, which has both.
+        let other: &[&str] = match scene.motion {
+            Motion::Linear => &["torque", "moment"],
+            _ => &["force"],
+        };
+        score -= i32::from(has(other));
     } else if has(&NOT_MEASURED) {
         score -= 4;
     }
-    // A derivative is named after what it is one of.
-    if kind == Kind::Position && has(&["dot", "velocity", "speed"]) {
+    if kind == Kind::Position && has(&NO_POSITION) {
         score -= 4;
     }
     if kind == Kind::Time && !preview.increases(column) {
@@ -278,8 +300,17 @@ pub(crate) fn unread(
             }
         }
     }
-    // The sort is stable: of equals the first column.
-    candidates.sort_by_key(|candidate| std::cmp::Reverse(candidate.score));
+    // What is said together with the position goes before what is said elsewhere; the sort is stable: of
+    // equals the first column.
+    let best = |kind: Kind| {
+        let of_kind = candidates.iter().filter(|c| c.kind == kind);
+        of_kind.rev().max_by_key(|c| c.score).map(|c| c.column)
+    };
+    let is_position = |found: &&Found| Kind::of(found.role) == Kind::Position;
+    let position = said.iter().find(is_position).map(|found| found.column);
+    let position = position.or_else(|| best(Kind::Position));
+    let beside = |c: &Candidate| position.is_none_or(|at| preview.together(at, c.column));
+    candidates.sort_by_key(|c| std::cmp::Reverse((c.score, beside(c))));
     let mut found: Vec<Found> = Vec::new();
     for Candidate { kind, column, .. } in candidates {
         if found

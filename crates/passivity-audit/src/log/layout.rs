@@ -6,6 +6,7 @@ use passivity_scene::Scene;
 use crate::log::chunk::Force;
 use crate::log::columns::{Columns, Found, Role};
 use crate::log::error::{TraceError, shown};
+use crate::log::findings::Finding;
 use crate::log::guess;
 use crate::log::header::Heading;
 use crate::log::names::{by_name, is_no_clock};
@@ -58,6 +59,8 @@ pub(crate) struct Layout {
     /// The columns as they were told, each with what it says.
     pub(crate) headings: Vec<Heading>,
     said: Vec<Found>,
+    /// What stands out in how the log was put together.
+    pub(crate) finding: Option<Finding>,
     scale: Scale,
     /// Units of time over the sampling period.
     per_period: Number,
@@ -131,6 +134,7 @@ impl Layout {
             velocity: None,
             headings: headings.to_vec(),
             said: Vec::new(),
+            finding: None,
             scale: Scale::One,
             per_period: Number::whole(1),
             per_force: Scale::One,
@@ -212,6 +216,7 @@ impl Layout {
             velocity: find(Role::V).map(|found| found.column),
             headings: headings.to_vec(),
             said: said.to_vec(),
+            finding: None,
             scale: signed(scale, position),
             per_period,
             size_of_force: per_force.size(),

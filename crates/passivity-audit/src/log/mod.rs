@@ -1,4 +1,4 @@
-//! The exact ledger of a recorded trace: CSV or Parquet, streamed, on every core.
+//! The exact ledger of a recorded trace: CSV, Parquet or MCAP, streamed, on every core.
 
 mod account;
 mod arrays;
@@ -12,11 +12,15 @@ mod csv;
 mod error;
 mod exact;
 mod findings;
+#[cfg(any(feature = "mcap", feature = "parquet"))]
+mod guarded;
 mod guess;
 mod header;
 mod irrational;
 mod layout;
 mod lines;
+#[cfg(feature = "mcap")]
+mod mcap;
 mod merge;
 mod motion;
 mod names;
@@ -95,8 +99,8 @@ pub struct Options<'a> {
     pub watch: Option<&'a dyn Fn(u64) -> bool>,
 }
 
-/// Audits a log in a file; `-` is standard input, which must be CSV. CSV may be compressed by gzip or
-/// zstd.
+/// Audits a log in a file, CSV, Parquet or MCAP; `-` is standard input, which must be CSV. CSV may be
+/// compressed by gzip or zstd.
 ///
 /// # Errors
 ///

@@ -73,7 +73,9 @@ impl Audit {
         let forced = agreement
             .iter()
             .flat_map(|a| of_force(a, task.layout, scene));
-        let found: Vec<Finding> = forced.chain(moved.iter().flat_map(of_velocity)).collect();
+        let moving = moved.iter().flat_map(of_velocity);
+        let found = task.layout.finding.clone().into_iter().chain(forced);
+        let found: Vec<Finding> = found.chain(moving).collect();
         let is_its_law = !task.applied || agreement.as_ref().is_some_and(|a| a.agrees);
         let judged = match is_its_law && !task.ledger.has_memory() {
             true => Judged::Interval,

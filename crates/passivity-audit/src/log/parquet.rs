@@ -1,9 +1,7 @@
 //! Parquet traces: the same columns, read in batches.
 
-use std::cell::Cell;
 use std::fs::File;
 use std::path::Path;
-use std::sync::Once;
 
 use parquet::basic::Type as Physical;
 use parquet::column::page::{Page, PageMetadata, PageReader};
@@ -15,6 +13,7 @@ use parquet::schema::types::ColumnDescPtr;
 
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::error::TraceError;
+use crate::log::guarded::guarded;
 use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout};
 use crate::log::preview::Preview;
@@ -42,37 +41,12 @@ pub(crate) struct Table {
     most: u64,
 }
 
-thread_local! {
-    /// Whether this thread is within [`guarded`].
-    static GUARDED: Cell<bool> = const { Cell::new(false) };
-}
-
-/// The library asserts on some corrupt files: what it says then is an error like any other, and
-/// not said twice.
-fn guarded<T>(read: impl FnOnce() -> Result<T, TraceError>) -> Result<T, TraceError> {
-    static QUIET: Once = Once::new();
-    QUIET.call_once(|| {
-        let report = std::panic::take_hook();
-        std::panic::set_hook(Box::new(move |panic| {
-            if !GUARDED.get() {
-                report(panic);
-            }
-        }));
-    });
-    let read = std::panic::AssertUnwindSafe(read);
-    GUARDED.set(true);
-    let outcome = std::panic::catch_unwind(read);
-    GUARDED.set(false);
-    outcome.unwrap_or_else(|_| {
-        let message = "cannot be read as Parquet: its contents contradict each other";
-        Err(TraceError::new("parquet", message))
-    })
-}
-
 impl Table {
     pub(crate) fn open(path: &Path) -> Result<Self, TraceError> {
         let file = File::open(path).map_err(|error| TraceError::io(&error))?;
-        let file = guarded(|| SerializedFileReader::new(file).map_err(|error| broken(&error)))?;
+        let file = guarded("parquet", || {
+            SerializedFileReader::new(file).map_err(|error| broken(&error))
+        })?;
         Ok(Self {
             file,
             group: 0,
@@ -89,14 +63,16 @@ impl Table {
             name: column.path().string(),
             unit: Meaning::of(column).ok().and_then(Meaning::unit),
         };
-        guarded(|| Ok(schema.columns().iter().map(heading).collect()))
+        guarded("parquet", || {
+            Ok(schema.columns().iter().map(heading).collect())
+        })
     }
 
     /// The first rows, to judge the names by; what cannot be read is no number.
     pub(crate) fn preview(&self) -> Preview {
         const ROWS: usize = 20;
         const COLUMNS: usize = 64;
-        let read = guarded(|| {
+        let read = guarded("parquet", || {
             let group = self.file.get_row_group(0).map_err(|e| broken(&e))?;
             let schema = self.file.metadata().file_metadata().schema_descr();
             let rows = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
@@ -108,24 +84,23 @@ impl Table {
                     }
                     Err(_) => Vec::new(),
                 };
-                columns.push(values);
+                let near = values.iter().map(|x| Some(near_number(x)));
+                let mut near: Vec<Option<f64>> = near.collect();
+                near.resize(rows.min(ROWS), None);
+                columns.push(near);
             }
-            Ok((columns, rows.min(ROWS)))
+            Ok(columns)
         });
-        // What is wrong with the file is said where it is read.
-        let (columns, rows) = read.unwrap_or_default();
-        let field =
-            |column: &Vec<_>, row: usize| column.get(row).map(|x: &crate::Number| near_number(x));
         Preview {
-            rows: (0..rows)
-                .map(|row| columns.iter().map(|column| field(column, row)).collect())
-                .collect(),
+            // What is wrong with the file is said where it is read.
+            columns: read.unwrap_or_default(),
+            groups: Vec::new(),
         }
     }
 
     /// The next stretch of rows; `None` after the last.
     pub(crate) fn next_chunk(&mut self, layout: &Layout) -> Option<Chunk> {
-        let chunk = guarded(|| self.read(layout));
+        let chunk = guarded("parquet", || self.read(layout));
         match chunk {
             Ok(chunk) => chunk,
             Err(error) => {
@@ -180,7 +155,7 @@ impl Table {
                 row -= rows;
                 continue;
             }
-            let opened = guarded(|| {
+            let opened = guarded("parquet", || {
                 let (mut columns, left) = open_group(&*group, layout)?;
                 let skipped = usize::try_from(row).unwrap_or(usize::MAX);
                 for wanted in &mut columns {

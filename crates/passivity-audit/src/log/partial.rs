@@ -118,11 +118,10 @@ impl Partial {
                 .map(|x| x.as_ref().map(field).transpose())
                 .collect()
         };
+        let rows: Vec<_> = self.preview.iter().map(row).collect::<Result<_, _>>()?;
         let said = Said {
             headings: headings.collect::<Result<_, _>>()?,
-            preview: Preview {
-                rows: self.preview.iter().map(row).collect::<Result<_, _>>()?,
-            },
+            preview: Preview::of_rows(&rows),
         };
         said.layout(dialect, scene)
     }
@@ -231,7 +230,7 @@ pub fn audit_part(
             .collect(),
         preview: said
             .preview
-            .rows
+            .rows()
             .iter()
             .map(|row| row.iter().map(bits).collect())
             .collect(),

@@ -145,6 +145,11 @@ impl Piece {
             Opened::Csv(lines) => csv(path, (len, log), lines, (scene, dialect), stretch, block),
             #[cfg(feature = "parquet")]
             Opened::Parquet(table) => parquet(log, table, (scene, dialect), stretch),
+            #[cfg(feature = "mcap")]
+            Opened::Mcap(_) => {
+                let message = "an MCAP file can only be read from its start: a piece of it cannot be accounted for alone";
+                Err(TraceError::new("mcap", message))
+            }
         }
     }
 }

@@ -3,23 +3,54 @@
 /// The first rows of a log, as numbers near by.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Preview {
-    /// The fields of each row; `None` where a field is no number.
-    pub(crate) rows: Vec<Vec<Option<f64>>>,
+    /// The first fields of each column; `None` where a field is no number.
+    pub(crate) columns: Vec<Vec<Option<f64>>>,
+    /// Which group each column is of; all are of one where it is not said.
+    pub(crate) groups: Vec<usize>,
 }
 
 impl Preview {
-    fn column(&self, column: usize) -> impl Iterator<Item = Option<f64>> + '_ {
-        self.rows
-            .iter()
-            .map(move |row| row.get(column).copied().flatten())
+    /// The fields of some rows; `None` where a field is no number.
+    pub(crate) fn of_rows(rows: &[Vec<Option<f64>>]) -> Self {
+        let width = rows.iter().map(Vec::len).max().unwrap_or(0);
+        let field = |row: &Vec<Option<f64>>, column| row.get(column).copied().flatten();
+        let column = |column| rows.iter().map(|row| field(row, column)).collect();
+        Self {
+            columns: (0..width).map(column).collect(),
+            groups: Vec::new(),
+        }
     }
 
+    /// The fields of each row.
+    pub(crate) fn rows(&self) -> Vec<Vec<Option<f64>>> {
+        let len = self.columns.iter().map(Vec::len).max().unwrap_or(0);
+        let field = |column: &Vec<Option<f64>>, row| column.get(row).copied().flatten();
+        let row = |row| {
+            self.columns
+                .iter()
+                .map(|column| field(column, row))
+                .collect()
+        };
+        (0..len).map(row).collect()
+    }
+
+    fn column(&self, column: usize) -> impl Iterator<Item = Option<f64>> + '_ {
+        self.columns.get(column).into_iter().flatten().copied()
+    }
+
+    /// Whether nothing in a column is no number; a column that is not in the rows is not of numbers.
     pub(crate) fn is_of_numbers(&self, column: usize) -> bool {
-        self.column(column).all(|x| x.is_some())
+        self.columns.is_empty()
+            || (column < self.columns.len() && self.column(column).all(|x| x.is_some()))
+    }
+
+    /// Whether two columns come from the same place.
+    pub(crate) fn together(&self, a: usize, b: usize) -> bool {
+        self.groups.get(a) == self.groups.get(b)
     }
 
     pub(crate) fn is_whole(&self, column: usize) -> bool {
-        !self.rows.is_empty()
+        self.column(column).next().is_some()
             && self
                 .column(column)
                 .all(|x| x.is_some_and(|x| x.fract() == 0.0))

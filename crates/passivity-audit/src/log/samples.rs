@@ -37,6 +37,13 @@ pub struct Sampled {
 pub fn samples(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled, TraceError> {
     let paths: [PathBuf; 1] = [path.to_owned()];
     let (mut source, layout) = Source::open(&paths, scene, dialect, BLOCK)?;
+    if let Some(finding) = &layout.finding {
+        let message = format!(
+            "{}: what held the device until then is not known; cut the file so that it starts there (`mcap filter`)",
+            finding.says
+        );
+        return Err(TraceError::new("not_yet", message));
+    }
     if layout.force.is_none() {
         let message =
             "the force that was commanded is needed: a column such as `f [N]` or `f [N m]`";

@@ -1,4 +1,4 @@
-//! Where samples come from: files in order, CSV as it is or compressed, Parquet, or memory.
+//! Where samples come from: files in order, CSV as it is or compressed, Parquet, MCAP, or memory.
 
 use std::fs::File;
 use std::io::{Cursor, Read};
@@ -14,6 +14,8 @@ use crate::log::error::{TraceError, legible};
 use crate::log::header::Heading;
 use crate::log::layout::Layout;
 use crate::log::lines::{self, Block, Lines};
+#[cfg(feature = "mcap")]
+use crate::log::mcap;
 #[cfg(feature = "parquet")]
 use crate::log::parquet;
 use crate::log::piece::Said;
@@ -72,6 +74,8 @@ pub(crate) enum Reader {
     Csv(Lines<Box<dyn Read>>, Notation),
     #[cfg(feature = "parquet")]
     Parquet(Box<parquet::Table>),
+    #[cfg(feature = "mcap")]
+    Mcap(Box<mcap::Rows>),
     /// In memory.
     Memory(Box<dyn Iterator<Item = Chunk>>),
 }
@@ -173,6 +177,11 @@ impl Source {
                     let block = lines.next_block();
                     block.map(|block| Work::Parse(block, *notation, place))
                 }
+                #[cfg(feature = "mcap")]
+                Reader::Mcap(rows) => {
+                    let block = rows.next_block();
+                    block.map(|block| Work::Parse(block, Notation::default(), place))
+                }
                 #[cfg(feature = "parquet")]
                 Reader::Parquet(table) => table
                     .next_chunk(layout)
@@ -188,8 +197,8 @@ impl Source {
                 return Some(work);
             }
             let path = self.files.get(self.place.file + 1)?;
-            let next =
-                open(path, self.block).and_then(|opened| opened.go_on(layout, &self.dialect));
+            let next = open(path, self.block)
+                .and_then(|opened| opened.go_on(layout, &self.dialect, &self.reader));
             self.place.file += 1;
             match next {
                 Ok(reader) => self.reader = reader,
@@ -213,6 +222,8 @@ pub(crate) enum Opened {
     Csv(Lines<Box<dyn Read>>),
     #[cfg(feature = "parquet")]
     Parquet(Box<parquet::Table>),
+    #[cfg(feature = "mcap")]
+    Mcap(mcap::Log),
 }
 
 /// Opens a file, or standard input for `-`, by what it starts with.
@@ -225,7 +236,10 @@ fn open(path: &Path, block: usize) -> Result<Opened, TraceError> {
     opened(Box::new(file), block, Some(path))
 }
 
-/// A stream, which may be compressed; Parquet must be a file.
+/// The first bytes of an MCAP file.
+const MCAP: [u8; 4] = [0x89, b'M', b'C', b'A'];
+
+/// A stream, which may be compressed; Parquet and MCAP must be files.
 pub(crate) fn opened(
     mut input: Box<dyn Read>,
     block: usize,
@@ -241,6 +255,15 @@ pub(crate) fn opened(
             )),
         };
     }
+    if start == MCAP {
+        return match path {
+            Some(path) => open_mcap(path, block),
+            None => Err(TraceError::new(
+                "mcap",
+                "MCAP must be a file: it is read twice",
+            )),
+        };
+    }
     let compressed = is_compressed(&start);
     // What was read of a pipe cannot be read again.
     let whole: Box<dyn Read> = Box::new(Cursor::new(start.clone()).chain(input));
@@ -252,6 +275,10 @@ pub(crate) fn opened(
     if start == *b"PAR1" {
         let message = "Parquet inside a compressed file is not read: decompress the file";
         return Err(TraceError::new("parquet", message));
+    }
+    if start == MCAP {
+        let message = "MCAP inside a compressed file is not read: decompress the file";
+        return Err(TraceError::new("mcap", message));
     }
     let whole: Box<dyn Read> = Box::new(Cursor::new(start).chain(inside));
     Ok(Opened::Csv(Lines::new(whole, block)))
@@ -299,6 +326,18 @@ fn open_parquet(_: &Path) -> Result<Opened, TraceError> {
     Err(TraceError::new("parquet", message))
 }
 
+#[cfg(feature = "mcap")]
+#[allow(clippy::unnecessary_wraps)] // as without the feature
+fn open_mcap(path: &Path, block: usize) -> Result<Opened, TraceError> {
+    Ok(Opened::Mcap(mcap::Log::new(path, block)))
+}
+
+#[cfg(not(feature = "mcap"))]
+fn open_mcap(_: &Path, _: usize) -> Result<Opened, TraceError> {
+    let message = "MCAP is not in this build: build it with the feature `mcap`";
+    Err(TraceError::new("mcap", message))
+}
+
 impl Opened {
     /// Reads the header.
     pub(crate) fn read(
@@ -318,12 +357,30 @@ impl Opened {
                 let layout = Layout::read(table.headings()?, told, &table.preview(), scene)?;
                 Ok((Reader::Parquet(table), layout))
             }
+            #[cfg(feature = "mcap")]
+            Self::Mcap(log) => {
+                let (rows, layout) = log.read(scene, dialect.columns.as_ref())?;
+                Ok((Reader::Mcap(Box::new(rows)), layout))
+            }
         }
     }
 
     /// Reads the header of a file that goes on with a log.
-    fn go_on(self, layout: &Layout, dialect: &Dialect) -> Result<Reader, TraceError> {
+    fn go_on(
+        self,
+        layout: &Layout,
+        dialect: &Dialect,
+        #[cfg_attr(not(feature = "mcap"), allow(unused_variables))] before: &Reader,
+    ) -> Result<Reader, TraceError> {
         let (reader, headings) = match self {
+            #[cfg(feature = "mcap")]
+            Self::Mcap(log) => {
+                let Reader::Mcap(before) = before else {
+                    let message = "an MCAP file goes on only with a log in MCAP";
+                    return Err(TraceError::new("mcap", message));
+                };
+                return Ok(Reader::Mcap(Box::new(log.go_on(before)?)));
+            }
             Self::Csv(mut lines) => {
                 let notation = dialect.notation()?;
                 let names = csv::names(&lines.header()?, notation)?;

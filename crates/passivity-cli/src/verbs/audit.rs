@@ -19,8 +19,8 @@ use crate::output::{Format, emit, emit_json, may_be_written, read_scene, tell};
 
 /// Compute the exact energy account of a recorded or simulated trace, interval by interval.
 ///
-/// The trace is CSV with a header, as it is or compressed by gzip or zstd, or Parquet. It has one of the
-/// columns `xi` (ticks), `x [unit]` or `count` (encoder counts), and perhaps `t [unit]` (or `tau`, in
+/// The trace is CSV with a header, as it is or compressed by gzip or zstd, Parquet, or MCAP, where a column is a
+/// number in the messages on a topic, such as `/joint_states.position.knee`. It has one of the columns `xi` (ticks), `x [unit]` or `count` (encoder counts), and perhaps `t [unit]` (or `tau`, in
 /// sampling periods), `v [unit]` and `f [unit]`, the force that was commanded at each sample and held
 /// until the next. Columns of other names are named by `--columns`; if a header is not understood, the
 /// error shows the command that reads it. If the trace has forces, the account is that of
@@ -33,6 +33,8 @@ use crate::output::{Format, emit, emit_json, may_be_written, read_scene, tell};
   passivity audit log.parquet --scene scene.toml --format json --out rows.csv --plot energy.svg
   passivity audit log.csv.gz --scene scene.toml --delimiter ';' --decimal-comma \\
       --columns 't=timestep [us], x=encoder_paddle_pos [deg], f=motor_torque [N.m]'
+  passivity audit run.mcap --scene scene.toml --columns 't=/joint_states.header.stamp, \
+      x=/joint_states.position.knee [rad], f=/joint_states.effort.knee [N m]'
   for i in 1 2 3 4; do passivity audit log.csv --scene scene.toml \\
       --shard $i/4 --partial part-$i.json; done     # each on another machine, if you like
   passivity audit --merge part-*.json --scene scene.toml

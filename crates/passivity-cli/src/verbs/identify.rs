@@ -124,6 +124,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let found = identify(&logs, &sketch, &options, |steps| {
         bar.advance(steps - done);
         done = steps;
+        true
     });
     drop(bar);
     let found = match found {

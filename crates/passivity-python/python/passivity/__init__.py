@@ -26,12 +26,14 @@ from numbers import Integral as _Integral
 from numbers import Real as _Real
 
 from . import _arrays, _passivity
-from ._passivity import SceneError, SimulationError, TraceError, __version__
-from .results import AuditReport, Record, Simulation, SweepResult, Verdict
+from ._passivity import IdentificationError, SceneError, SimulationError, TraceError, __version__
+from .results import AuditReport, Identification, Record, Simulation, SweepResult, Verdict
 from .results import doubles as _doubles
 
 __all__ = [
     "AuditReport",
+    "Identification",
+    "IdentificationError",
     "Record",
     "SceneError",
     "Simulation",
@@ -42,6 +44,7 @@ __all__ = [
     "__version__",
     "audit",
     "check",
+    "identify",
     "interval",
     "simulate",
     "sweep",
@@ -163,7 +166,7 @@ def audit(
 ):
     """The exact account of a trace: the fields of ``passivity audit --format json``.
 
-    ``trace`` is the path of a CSV or Parquet file, a list of paths whose files are one trace, or a column of
+    ``trace`` is the path of a CSV, Parquet or MCAP file, a list of paths whose files are one trace, or a column of
     positions: a list, or an array of NumPy, pandas, Polars, Arrow or anything with the buffer protocol.
     Integers are encoder counts, floats positions in ticks, or in ``unit`` when one is given. ``t`` are the
     times of the samples, in ``t_unit``; in sampling periods with ``t_unit=None``. ``f`` are the forces that
@@ -213,6 +216,77 @@ def _report(answer):
     report = AuditReport.from_json(text)
     report.certificate = None if certificate is None else Record.from_json(certificate)
     return report
+
+
+def identify(
+    logs,
+    sketch,
+    *,
+    count_error=1.0,
+    force_error=0.0,
+    inertia="sketch",
+    effort=None,
+    columns=None,
+    delimiter=None,
+    decimal_comma=False,
+    out=None,
+    device=None,
+    date=None,
+    progress=None,
+):
+    """The friction of a device, and its inertia, from logs of its motion: the fields of ``passivity identify
+    --format json``. The bounds surely hold the true parameters, if the device is one of the model.
+
+    ``logs`` is the path of a log with the commanded force, or a list of them, one experiment each: the device
+    starts at rest, and nobody touches it. ``sketch`` is a scene that says what is known: sampling period,
+    encoder and, with ``inertia="sketch"``, the inertia; with ``inertia="free"`` it is looked for. A wall may be
+    missing. ``count_error`` is by how many ticks a count may be off, ``force_error`` by how much the force may,
+    in N or N m. ``effort`` is how much work the search may be, in millions of intervals of motion. ``columns``,
+    ``delimiter`` and ``decimal_comma`` are those of :func:`audit`. ``out`` is a file for the scene that was
+    found, with ``device`` and ``date`` noted in it; it is written where every parameter has bounds.
+    ``progress`` is called with how much of the work is done, in intervals, and the most that it is where
+    ``effort`` says so.
+
+    >>> sketch = "[sampling]\\nperiod = '1 ms'\\n[device]\\ninertia = '6e-6 kg m^2'\\n[encoder]\\ncounts_per_revolution = 8192\\n"
+    >>> with _tempfile.TemporaryDirectory() as folder:
+    ...     log = _os.path.join(folder, "rest.csv")
+    ...     with open(log, "w") as file:
+    ...         _ = file.write("count,f [N m]\\n" + "0,0.001\\n" * 50)
+    ...     found = identify(log, sketch)
+    >>> found.refuted_by, found.informative, found.parameters.coulomb.best
+    (None, False, None)
+
+    Raises :class:`TraceError` for a log that cannot be read, :class:`SceneError` for a sketch that cannot, and
+    :class:`IdentificationError` for a log or a sketch by which nothing can be looked for.
+    """
+    if inertia not in ("sketch", "free"):
+        raise ValueError(f"inertia: expected 'sketch' or 'free', found {inertia!r}")
+    paths = _paths(logs)
+    if paths is None:
+        raise TypeError("logs: expected the path of a log, or a list of paths")
+    if isinstance(columns, _Mapping):
+        columns = ", ".join(f"{role}={name}" for role, name in columns.items())
+    asked = {
+        "columns": columns,
+        "delimiter": delimiter,
+        "decimal_comma": decimal_comma,
+        "count_error": count_error,
+        "force_error": force_error,
+        "free_inertia": inertia == "free",
+        "effort": effort,
+        "device": device,
+        "date": date,
+    }
+    report, scene, picture = _passivity.identify(
+        paths,
+        _scene(sketch),
+        asked,
+        None if out is None else _os.fspath(out),
+        _told(progress, None if effort is None else effort * 1_000_000),
+    )
+    result = Identification.from_json(report)
+    result.toml, result.picture = scene, picture
+    return result
 
 
 def simulate(

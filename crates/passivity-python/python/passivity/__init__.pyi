@@ -2,13 +2,15 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from os import PathLike
-from typing import Any
+from typing import Any, Literal
 
+from ._passivity import IdentificationError as IdentificationError
 from ._passivity import SceneError as SceneError
 from ._passivity import SimulationError as SimulationError
 from ._passivity import TraceError as TraceError
 from ._passivity import __version__ as __version__
 from .results import AuditReport as AuditReport
+from .results import Identification as Identification
 from .results import Record as Record
 from .results import Simulation as Simulation
 from .results import SweepResult as SweepResult
@@ -16,6 +18,8 @@ from .results import Verdict as Verdict
 
 __all__ = [
     "AuditReport",
+    "Identification",
+    "IdentificationError",
     "Record",
     "SceneError",
     "Simulation",
@@ -26,6 +30,7 @@ __all__ = [
     "__version__",
     "audit",
     "check",
+    "identify",
     "interval",
     "simulate",
     "sweep",
@@ -57,6 +62,22 @@ def audit(
     threads: int = 0,
     progress: _Progress | None = None,
 ) -> AuditReport: ...
+def identify(
+    logs: _Path | Sequence[_Path],
+    sketch: _Scene,
+    *,
+    count_error: float = 1.0,
+    force_error: float = 0.0,
+    inertia: Literal["sketch", "free"] = "sketch",
+    effort: int | None = None,
+    columns: str | Mapping[str, str] | None = None,
+    delimiter: str | None = None,
+    decimal_comma: bool = False,
+    out: _Path | None = None,
+    device: str | None = None,
+    date: str | None = None,
+    progress: _Progress | None = None,
+) -> Identification: ...
 def simulate(
     scene: _Scene,
     *,

@@ -18,6 +18,9 @@ class TraceError(ValueError):
 
 class SimulationError(ValueError): ...
 
+class IdentificationError(ValueError):
+    not_covered: bool
+
 _Scene = tuple[str, str]
 _Progress = Callable[[int], object] | None
 _Report = tuple[str, str | None]
@@ -42,6 +45,13 @@ def audit_piece(
     trace: str, scene: _Scene, reading: dict[str, Any], stretch: str, progress: _Progress = None
 ) -> tuple[str, int, int]: ...
 def audit_merge(parts: Sequence[tuple[str, str]], scene: _Scene) -> _Report: ...
+def identify(
+    logs: Sequence[str],
+    sketch: _Scene,
+    asked: dict[str, Any],
+    out: str | None = None,
+    progress: _Progress = None,
+) -> tuple[str, str | None, str | None]: ...
 def simulate(
     scene: _Scene,
     method: str,

@@ -6,7 +6,7 @@ import html as _html
 import json as _json
 from array import array as _array
 
-__all__ = ["AuditReport", "Record", "Simulation", "SweepResult", "Verdict"]
+__all__ = ["AuditReport", "Identification", "Record", "Simulation", "SweepResult", "Verdict"]
 
 
 class Record(dict):
@@ -110,6 +110,31 @@ class AuditReport(Record):
             for row in rows
         ]
         return _pyarrow().Table.from_pylist(table)
+
+
+class Identification(Record):
+    """What :func:`passivity.identify` says of a device. ``toml`` is the scene that was found, as text, or ``None``
+    where a parameter has no bounds, or such as no scene can have; ``picture`` is the SVG of the fit, or ``None``."""
+
+    toml = None
+    picture = None
+
+    def _shown(self):
+        first = ["parameters", "refuted_by", "informative", "lacks", "samples"]
+        return [key for key in first if key in self] + [key for key in self if key not in first]
+
+    def svg(self):
+        """What was measured beside what is simulated, what is left, and the parameters that fit, as SVG."""
+        return self.picture or ""
+
+    def _picture(self):
+        return self.svg()
+
+    def to_arrow(self):
+        """The parameters as a table (needs pyarrow): a row for each, with ``lo``, ``hi`` and ``best``."""
+        rows = [{"parameter": key, **known} for key, known in self["parameters"].items() if known is not None]
+        names = ("parameter", "lo", "hi", "best")
+        return _pyarrow().table({name: [row[name] for row in rows] for name in names})
 
 
 class Simulation(Record):

@@ -1,7 +1,7 @@
 from collections.abc import Sequence
 from typing import Any, Self
 
-__all__ = ["AuditReport", "Record", "Simulation", "SweepResult", "Verdict"]
+__all__ = ["AuditReport", "Identification", "Record", "Simulation", "SweepResult", "Verdict"]
 
 class Record(dict[str, Any]):
     def __getattr__(self, name: str) -> Any: ...
@@ -27,6 +27,19 @@ class AuditReport(Record):
     intervals: int
     totals: Record
     error: Record | None
+
+class Identification(Record):
+    toml: str | None
+    picture: str | None
+    scene: str
+    logs: list[Record]
+    samples: int
+    parameters: Record
+    refuted_by: Record | None
+    informative: bool
+    lacks: list[str]
+    stopped_early: bool
+    def svg(self) -> str: ...
 
 class Simulation(Record):
     columns: dict[str, Any]

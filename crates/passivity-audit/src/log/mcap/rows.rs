@@ -1,0 +1,286 @@
+//! The messages of an MCAP file as rows of text, such as CSV has them.
+//!
+//! A row is a message that has the position. What other topics say is what their last message before it said,
+//! in the order of the file.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use mcap::records::Record;
+
+use crate::log::error::{TraceError, legible, shown};
+use crate::log::findings::Finding;
+use crate::log::guarded::guarded;
+use crate::log::layout::Layout;
+use crate::log::lines::Block;
+use crate::log::mcap::channels::{Channels, Message};
+use crate::log::mcap::discovery::{Column, Place};
+use crate::log::mcap::records::Records;
+use crate::log::mcap::value::{Scalar, Value};
+
+/// A column that is read.
+#[derive(Clone)]
+struct Wanted {
+    column: Column,
+    /// Which one it is in a row.
+    at: usize,
+    /// Whether it is of the topic that has the position.
+    own: bool,
+    /// What it says now, as text.
+    now: Option<String>,
+}
+
+/// The rows of a file.
+pub(crate) struct Rows {
+    records: Records,
+    channels: Channels,
+    wanted: Vec<Wanted>,
+    /// The column of the position.
+    position: Column,
+    /// How many columns a row has.
+    width: usize,
+    block: usize,
+    /// The rows that were read and not yet given.
+    text: String,
+    rows: u64,
+    /// How many messages with a position came before the first one of another topic.
+    skipped: u64,
+    /// When the last message that was used was recorded.
+    last: u64,
+    ended: bool,
+    /// What is wrong after the rows that were read.
+    error: Option<TraceError>,
+}
+
+impl Rows {
+    /// The rows that a layout asks for.
+    pub(crate) fn open(
+        path: &Path,
+        columns: &[Column],
+        layout: &Layout,
+        block: usize,
+    ) -> Result<Self, TraceError> {
+        let asked = [
+            Some(layout.position),
+            layout.end,
+            layout.dtau,
+            layout.time,
+            layout.force,
+            layout.velocity,
+        ];
+        let missing = || TraceError::new("mcap", "a column is missing");
+        let position = columns.get(layout.position).ok_or_else(missing)?.clone();
+        let mut wanted = Vec::new();
+        for at in asked.into_iter().flatten() {
+            let column = columns.get(at).ok_or_else(missing)?.clone();
+            let own = column.topic == position.topic;
+            wanted.push(Wanted {
+                column,
+                at,
+                own,
+                now: None,
+            });
+        }
+        wanted.sort_by_key(|wanted| wanted.at);
+        wanted.dedup_by_key(|wanted| wanted.at);
+        Ok(Self {
+            records: Records::open(path)?,
+            channels: Channels::default(),
+            wanted,
+            position,
+            width: layout.width(),
+            block,
+            text: String::new(),
+            rows: 0,
+            skipped: 0,
+            last: 0,
+            ended: false,
+            error: None,
+        })
+    }
+
+    /// The rows of the next file of the same log, which goes on with what the topics said last.
+    pub(crate) fn go_on(&self, path: &Path) -> Result<Self, TraceError> {
+        Ok(Self {
+            records: Records::open(path)?,
+            channels: Channels::default(),
+            wanted: self.wanted.clone(),
+            position: self.position.clone(),
+            width: self.width,
+            block: self.block,
+            text: String::new(),
+            rows: 0,
+            skipped: 0,
+            last: self.last,
+            ended: false,
+            error: None,
+        })
+    }
+
+    /// Reads up to the first row, and says how many messages were none.
+    pub(crate) fn start(&mut self) -> Result<Option<Finding>, TraceError> {
+        while self.rows == 0 && !self.ended {
+            self.step();
+        }
+        if let (0, Some(error)) = (self.rows, self.error.take()) {
+            return Err(error);
+        }
+        if self.skipped == 0 || self.rows == 0 {
+            return Ok(None);
+        }
+        let others = self.wanted.iter().filter(|wanted| !wanted.own);
+        let mut others: Vec<String> = others.map(|w| legible(&w.column.topic)).collect();
+        others.dedup();
+        let messages = match self.skipped {
+            1 => "1 message".to_owned(),
+            n => format!("{n} messages"),
+        };
+        Ok(Some(Finding {
+            kind: "not_yet",
+            says: format!(
+                "{messages} on {} came before the first on {} and are no rows",
+                legible(&self.position.topic),
+                others.join(", ")
+            ),
+            fix: "if they matter, record the other topic from an earlier time on".to_owned(),
+        }))
+    }
+
+    /// The next rows; `None` after the last.
+    pub(crate) fn next_block(&mut self) -> Option<Block> {
+        while !self.ended && self.text.len() < self.block {
+            self.step();
+        }
+        let error = self.error.take();
+        if self.text.is_empty() && error.is_none() {
+            return None;
+        }
+        Some(Block {
+            bytes: std::mem::take(&mut self.text).into_bytes(),
+            last: self.ended,
+            error,
+        })
+    }
+
+    /// Reads a record.
+    fn step(&mut self) {
+        match guarded("mcap", || self.record()) {
+            Ok(goes_on) => self.ended = !goes_on,
+            Err(error) => {
+                self.ended = true;
+                self.error = Some(error);
+            }
+        }
+    }
+
+    /// Reads a record; whether there may be more.
+    fn record(&mut self) -> Result<bool, TraceError> {
+        let Self {
+            records,
+            channels,
+            wanted,
+            position,
+            width,
+            text,
+            rows,
+            skipped,
+            last,
+            ..
+        } = self;
+        let took = records.next(|record| {
+            let Some(Record::Message { header, data }) = channels.take(record)? else {
+                return Ok(());
+            };
+            let message = Message {
+                channel: header.channel_id,
+                log_time: header.log_time,
+                publish_time: header.publish_time,
+                bytes: &data,
+            };
+            let channel = channels.of(&message)?;
+            let mut read = wanted.iter_mut().filter(|w| w.column.topic == channel.topic);
+            let Some(first) = read.next() else {
+                return Ok(());
+            };
+            let place = |why: &str| {
+                let topic = shown(channel.topic.as_bytes());
+                TraceError::new("mcap", format!("a message on `{topic}`: {why}"))
+            };
+            let decoder = channel.decoder.as_ref().map_err(|why| place(why))?;
+            let value = decoder.decode(message.bytes).map_err(place)?;
+            let own = first.own;
+            if own && number(position, &value, &message).is_none() {
+                // A message of another joint, from another sender.
+                return Ok(());
+            }
+            for wanted in std::iter::once(first).chain(read) {
+                let found = number(&wanted.column, &value, &message);
+                match (&mut wanted.now, found) {
+                    (Some(now), Some(found)) => {
+                        now.clear();
+                        // Writing to a text cannot fail.
+                        let _ = write!(now, "{found}");
+                    }
+                    (now @ None, Some(found)) => *now = Some(found.to_string()),
+                    (now, None) if own => *now = Some(String::new()),
+                    (_, None) => {}
+                }
+            }
+            if wanted.iter().any(|wanted| !wanted.own) {
+                if message.log_time < *last {
+                    return Err(place(
+                        "it was recorded before the message that stands before it, so that what other topics said at that time is not known: sort the file by time (`mcap sort`)",
+                    ));
+                }
+                *last = message.log_time;
+            }
+            if own {
+                match wanted.iter().all(|wanted| wanted.now.is_some()) {
+                    true => {
+                        row(text, wanted, *width);
+                        *rows += 1;
+                    }
+                    false => *skipped += 1,
+                }
+            }
+            Ok(())
+        })?;
+        match took {
+            Some(()) => Ok(true),
+            None if *rows > 0 => Ok(false),
+            None => {
+                let topic = shown(position.topic.as_bytes());
+                let why = match *skipped {
+                    0 => format!("has no message on `{topic}` with the position"),
+                    _ => format!(
+                        "has no row: all messages on `{topic}` come before those on the other topics"
+                    ),
+                };
+                Err(TraceError::new("mcap", format!("the file {why}")))
+            }
+        }
+    }
+}
+
+/// What a message says in a column.
+fn number(column: &Column, value: &Value<'_>, message: &Message<'_>) -> Option<Scalar> {
+    match &column.place {
+        Place::Within(path) => value.at(path),
+        Place::LogTime => Some(Scalar::Whole(message.log_time.into())),
+        Place::PublishTime => Some(Scalar::Whole(message.publish_time.into())),
+    }
+}
+
+/// Writes a row; the columns that are not read are left empty.
+fn row(text: &mut String, wanted: &[Wanted], width: usize) {
+    let mut wanted = wanted.iter().peekable();
+    for at in 0..width {
+        if at > 0 {
+            text.push(',');
+        }
+        if let Some(found) = wanted.next_if(|wanted| wanted.at == at) {
+            text.push_str(found.now.as_deref().unwrap_or_default());
+        }
+    }
+    text.push('\n');
+}

@@ -1,0 +1,223 @@
+//! Identification: friction and inertia of a device from logs of its motion.
+
+use std::path::{Path, PathBuf};
+
+use passivity_identify::{
+    Identified, IdentifyError, Inertia, LogReport, Options, Provenance, Report, TraceError,
+    identify as search, read, read_sketch, sha256,
+};
+use passivity_scene::Scene;
+use passivity_scene::parse::MAX_BYTES;
+use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::prelude::*;
+use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, Value};
+
+use crate::audit::dialect;
+use crate::output::may_be_written;
+use crate::scene::{Source, of_identification, of_scene, of_trace};
+use crate::watch::follow;
+
+/// What is asked for, as Python gives it.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Asked {
+    columns: Option<String>,
+    delimiter: Option<String>,
+    decimal_comma: bool,
+    count_error: f64,
+    force_error: f64,
+    free_inertia: bool,
+    /// In millions of intervals of motion.
+    effort: Option<u64>,
+    device: Option<String>,
+    date: Option<String>,
+}
+
+/// The report as JSON, the scene that was found, where every parameter has bounds, and the picture, where
+/// there is one.
+type Answer = (String, Option<String>, Option<String>);
+
+/// Why there is no answer.
+enum Failed {
+    Log(TraceError),
+    Search(IdentifyError),
+    File(String),
+}
+
+/// Looks for the friction of a device, and its inertia.
+#[pyfunction]
+#[pyo3(signature = (logs, sketch, asked, out=None, progress=None))]
+pub(crate) fn identify(
+    py: Python<'_>,
+    logs: Vec<PathBuf>,
+    sketch: Source,
+    asked: Asked,
+    out: Option<PathBuf>,
+    progress: Option<Bound<'_, PyAny>>,
+) -> PyResult<Answer> {
+    let inputs: Vec<&Path> = logs
+        .iter()
+        .map(PathBuf::as_path)
+        .chain(sketch.path())
+        .collect();
+    if let Some(out) = &out {
+        may_be_written(out, &inputs)?;
+    }
+    let (columns, delimiter) = (asked.columns.as_deref(), asked.delimiter.as_deref());
+    let dialect = dialect(py, columns, delimiter, asked.decimal_comma)?;
+    let (name, text) = text_of(&sketch)?;
+    let scene = read_sketch(&name, &text).map_err(|error| of_scene(py, &error))?;
+    if asked
+        .effort
+        .is_some_and(|effort| !(1..=100_000).contains(&effort))
+    {
+        return Err(PyValueError::new_err(
+            "effort: expected 1 to 100000 millions of intervals",
+        ));
+    }
+    let answer = follow(py, progress.as_ref(), move |watch| {
+        let (mut sampled, mut files) = (Vec::new(), Vec::new());
+        for path in &logs {
+            let log = read(path, &scene, &dialect).map_err(|error| {
+                let file = Some(path.display().to_string());
+                Failed::Log(TraceError { file, ..error })
+            })?;
+            let hash = sha256(path);
+            files.push(LogReport {
+                file: path.display().to_string(),
+                sha256: hash.map_err(|error| failed(path, &error))?,
+            });
+            sampled.push(log);
+        }
+        let rows: u64 = sampled.iter().map(|log| log.positions.len() as u64).sum();
+        let options = Options {
+            count_error: asked.count_error,
+            force_error: asked.force_error,
+            inertia: match asked.free_inertia {
+                true => Inertia::Free,
+                false => Inertia::Sketch,
+            },
+            effort: match asked.effort {
+                Some(millions) => millions * 1_000_000,
+                None => rows.max(20_000) * 1_000,
+            },
+        };
+        let found = search(&sampled, &scene, &options, |steps| watch.set(steps));
+        let found = found.map_err(Failed::Search)?;
+        let said = Provenance {
+            logs: files,
+            device: asked.device,
+            date: asked.date,
+        };
+        answer(&found, &scene, &text, said, out.as_deref())
+    })?;
+    answer.map_err(|error| match error {
+        Failed::Log(error) => of_trace(py, &error),
+        Failed::Search(error) => of_identification(py, &error),
+        Failed::File(message) => PyOSError::new_err(message),
+    })
+}
+
+fn failed(path: &Path, error: &std::io::Error) -> Failed {
+    Failed::File(format!("{}: {error}", path.display()))
+}
+
+fn answer(
+    found: &Identified,
+    scene: &Scene,
+    sketch: &str,
+    said: Provenance,
+    out: Option<&Path>,
+) -> Result<Answer, Failed> {
+    let report = Report::new(scene, found, said.logs.clone());
+    let report = serde_json::to_string(&report);
+    let report = report.map_err(|error| Failed::File(error.to_string()))?;
+    let files: Vec<&str> = said.logs.iter().map(|log| log.file.as_str()).collect();
+    // Where nothing can be drawn there is no picture.
+    let picture = found
+        .picture(&format!("{}: {}", scene.name, files.join(", ")))
+        .ok();
+    if !found.is_bounded() {
+        return Ok((report, None, picture));
+    }
+    let written = found.scene(sketch, &said);
+    if let Some(out) = out {
+        let written = written
+            .as_ref()
+            .map_err(|error| Failed::Search(error.clone()))?;
+        std::fs::write(out, written).map_err(|error| failed(out, &error))?;
+    }
+    // Bounds such as an inertia down to zero are of no scene.
+    Ok((report, written.ok(), picture))
+}
+
+/// The name and the text of a sketch.
+fn text_of(sketch: &Source) -> PyResult<(String, String)> {
+    let (kind, text) = sketch.parts();
+    match kind {
+        "path" => {
+            let path = Path::new(text);
+            let failed =
+                |error: std::io::Error| PyOSError::new_err(format!("{}: {error}", path.display()));
+            if path.metadata().map_err(failed)?.len() > MAX_BYTES {
+                let message = format!("{}: larger than {MAX_BYTES} bytes", path.display());
+                return Err(PyValueError::new_err(message));
+            }
+            let name = path
+                .file_stem()
+                .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+            Ok((name, std::fs::read_to_string(path).map_err(failed)?))
+        }
+        "text" => Ok(("scene".to_owned(), text.to_owned())),
+        _ => Ok(("scene".to_owned(), toml_of(text)?)),
+    }
+}
+
+/// The text of a sketch that is a mapping: a section for each of its own mappings.
+fn toml_of(json: &str) -> PyResult<String> {
+    let wrong = |message: &str| PyValueError::new_err(message.to_owned());
+    let json: serde_json::Value =
+        serde_json::from_str(json).map_err(|error| wrong(&error.to_string()))?;
+    let serde_json::Value::Object(fields) = json else {
+        return Err(wrong("expected a mapping of sections"));
+    };
+    let mut document = DocumentMut::new();
+    for (key, json) in fields {
+        let item = match json {
+            serde_json::Value::Object(fields) => {
+                let mut table = Table::new();
+                for (key, json) in fields {
+                    table.insert(&key, Item::Value(value(json)?));
+                }
+                Item::Table(table)
+            }
+            other => Item::Value(value(other)?),
+        };
+        document.insert(&key, item);
+    }
+    Ok(document.to_string())
+}
+
+fn value(json: serde_json::Value) -> PyResult<Value> {
+    Ok(match json {
+        serde_json::Value::Null => return Err(PyValueError::new_err("a scene cannot hold None")),
+        serde_json::Value::Bool(yes) => yes.into(),
+        serde_json::Value::String(text) => text.into(),
+        serde_json::Value::Number(number) => {
+            // As it is spelt, which a scene reads exactly.
+            let number = number.to_string();
+            number.parse().unwrap_or_else(|_| Value::from(number))
+        }
+        serde_json::Value::Array(list) => {
+            let list: Vec<Value> = list.into_iter().map(value).collect::<PyResult<_>>()?;
+            list.into_iter().collect::<Array>().into()
+        }
+        serde_json::Value::Object(fields) => {
+            let mut table = InlineTable::new();
+            for (key, json) in fields {
+                table.insert(key, value(json)?);
+            }
+            table.into()
+        }
+    })
+}
