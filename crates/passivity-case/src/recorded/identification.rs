@@ -156,8 +156,11 @@ impl Identification {
         let names: Vec<&str> = sources.iter().map(|source| source.name.as_str()).collect();
         let refuse =
             |error| CaseError::new(format!("--identification {}: {error}", names.join(", ")));
-        let found =
-            identify(&logs, scene, &options, |done| progress(done, effort)).map_err(refuse)?;
+        let found = identify(&logs, scene, &options, |done| {
+            progress(done, effort);
+            true
+        })
+        .map_err(refuse)?;
         let over = match found.is_bounded() {
             false => None,
             true => {
