@@ -1,6 +1,6 @@
 //! Scenes that differ in friction and speed at the start alone: what they share is compiled once.
 
-use passivity_core::{Controller, Effect, Loop};
+use passivity_core::{BigRational, Controller, Effect, Loop};
 use passivity_scene::Point;
 
 use crate::error::SimError;
@@ -8,7 +8,7 @@ use crate::flow::{Fast, Flow};
 use crate::growth::{Growth, System};
 use crate::law::{HeldForce, controller_in_doubles};
 use crate::motion::Constants;
-use crate::number::Double;
+use crate::number::{Double, to_double};
 use crate::plan::{Forces, Plan, in_range};
 
 /// The effects that no inner loop has.
@@ -23,6 +23,8 @@ pub(crate) struct Family {
     controller: Controller<Double>,
     law: HeldForce,
     forces: Option<Forces>,
+    /// How far the position at the start may be from the scene's.
+    start_error: f64,
     intervals: u64,
 }
 
@@ -43,6 +45,9 @@ impl Family {
         }
         let the_loop = in_doubles(point)?;
         let controller = controller_in_doubles(&point.at);
+        let [position, _] = point.start();
+        let near = to_double(&position);
+        let is_exact = BigRational::from_float(near).is_some_and(|near| near == position);
         let effects = Effect::ALL.into_iter();
         Ok(Self {
             mass: the_loop.inertia.ok_or(SimError::NoInertia)?,
@@ -53,6 +58,11 @@ impl Family {
             forces: match &point.forces {
                 Some(samples) => Some(Forces::new(samples)?),
                 None => None,
+            },
+            start_error: if is_exact {
+                0.0
+            } else {
+                f64::EPSILON * near.abs() + f64::MIN_POSITIVE
             },
             intervals: point.intervals,
         })
@@ -102,6 +112,7 @@ impl Family {
             fast: flow.as_ref().map(Fast::new),
             flow,
             start: [the_loop.start_position, the_loop.start_velocity].map(or_zero),
+            start_error: self.start_error,
             intervals: self.intervals,
             growth,
         })

@@ -234,10 +234,62 @@ impl HeldForce {
         self.forgets_after.unwrap_or(u64::MAX)
     }
 
+    /// What the roundings of the held force amount to, over those of a force that is a sample: at most
+    /// 16ε times this, times the greatest |ξ| so far and one more.
+    ///
+    /// A sum of products is rounded as often as it has terms, twice for the rounding of coefficients, and
+    /// what is left in a filter's output is passed on by its poles.
+    pub(crate) fn rounding(&self) -> f64 {
+        let Filter { sum, tails, poles } = &self.filter;
+        let size = |of: &[f64]| of.iter().map(|c| c.abs()).sum::<f64>();
+        if self.has(FILTER) {
+            let passed_on = passed_on(poles);
+            let output = 2.0 * size(tails) * passed_on;
+            let terms = (tails.len() + poles.len() + 2) as f64;
+            sum.abs() + 2.0 * terms * passed_on * (2.0 * size(tails) + size(poles) * output)
+        } else if self.has(DAMPING) {
+            1.0 + 2.0 * self.damping.abs()
+        } else {
+            0.0
+        }
+    }
+
+    /// What virtual damping or a filter may make of |ξ| + 1 beside it.
+    pub(crate) fn gain(&self) -> f64 {
+        if self.has(FILTER) {
+            let size = |of: &[f64]| of.iter().map(|c| c.abs()).sum::<f64>();
+            self.filter.sum.abs() + 2.0 * size(&self.filter.tails) * passed_on(&self.filter.poles)
+        } else {
+            self.damping.abs()
+        }
+    }
+
     /// Whether the force goes on changing at rest, on and on nearer to the settled one.
     pub(crate) fn lingers(&self) -> bool {
         !self.filter.poles.is_empty()
     }
+}
+
+/// Σ|h_j| of the impulse response of the poles, a little more than it: what a filter makes of roundings.
+fn passed_on(poles: &[f64]) -> f64 {
+    // Far longer than any response of a filter with digits left; without an end, nothing is bounded.
+    const LONGEST: u32 = 1 << 20;
+    let mut past = vec![0.0; poles.len()];
+    let (mut next, mut sum, mut quiet) = (1.0_f64, 0.0, 0);
+    for _ in 0..LONGEST {
+        sum += next.abs();
+        if next.abs() > f64::EPSILON * sum {
+            quiet = 0;
+        } else if quiet > poles.len() {
+            return 2.0 * sum;
+        } else {
+            quiet += 1;
+        }
+        past.insert(0, next);
+        past.truncate(poles.len());
+        next = -poles.iter().zip(&past).map(|(r, y)| r * y).sum::<f64>();
+    }
+    f64::INFINITY
 }
 
 /// The filter's output at a sample.

@@ -55,6 +55,7 @@ mod number;
 mod outcome;
 mod phi;
 mod plan;
+mod rounding;
 mod series;
 mod simulated;
 

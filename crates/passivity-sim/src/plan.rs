@@ -68,6 +68,8 @@ pub struct Plan {
     pub(crate) fast: Option<Fast>,
     /// ξ(0) and ξ̇(0).
     pub(crate) start: [f64; 2],
+    /// How far ξ(0) may be from the scene's.
+    pub(crate) start_error: f64,
     /// How many intervals are run.
     pub(crate) intervals: u64,
     /// When divergence is certain.
@@ -114,6 +116,7 @@ impl Plan {
             flow: None,
             fast: None,
             start: [plain.xi, plain.velocity],
+            start_error: 0.0,
             intervals,
             growth: Growth::plain(&constants, 0.5),
         }

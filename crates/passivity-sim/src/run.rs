@@ -7,12 +7,18 @@ use crate::motion::{Constants, Moved};
 use crate::number::floor;
 use crate::outcome::{End, Facts, Stop};
 use crate::plan::Plan;
+use crate::rounding::{Acting, Rounding, STRETCH, Seen, Stretches};
 
 /// What watches a run; a watcher without a ledger costs nothing.
 trait Watch {
     /// Whether energies are wanted.
     const LEDGER: bool;
     fn see(&mut self, entry: &Entry) -> bool;
+
+    /// The errors, where they are wanted of every interval.
+    fn rounding(&mut self) -> Option<&mut Rounding> {
+        None
+    }
 }
 
 struct WithoutLedger;
@@ -24,9 +30,23 @@ impl Watch for WithoutLedger {
     }
 }
 
+/// What looks closely at how near samples are to edges.
+struct Careful(Rounding);
+
+impl Watch for Careful {
+    const LEDGER: bool = false;
+    fn see(&mut self, _: &Entry) -> bool {
+        true
+    }
+    fn rounding(&mut self) -> Option<&mut Rounding> {
+        Some(&mut self.0)
+    }
+}
+
 struct WithLedger<F> {
     totals: Totals,
     each: F,
+    rounding: Option<Rounding>,
 }
 
 impl<F: FnMut(&Entry) -> bool> Watch for WithLedger<F> {
@@ -34,6 +54,9 @@ impl<F: FnMut(&Entry) -> bool> Watch for WithLedger<F> {
     fn see(&mut self, entry: &Entry) -> bool {
         self.totals.add(entry);
         (self.each)(entry)
+    }
+    fn rounding(&mut self) -> Option<&mut Rounding> {
+        self.rounding.as_mut()
     }
 }
 
@@ -114,12 +137,26 @@ pub fn ledger(plan: &Plan, each: impl FnMut(&Entry) -> bool) -> (End, Totals) {
     let mut watch = WithLedger {
         totals: Totals::default(),
         each,
+        rounding: None,
     };
     let end = watched(plan, &mut watch);
     (end, watch.totals.settled())
 }
 
 fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
+    let (mut end, near) = looped(plan, watch);
+    if near {
+        // Once more, with a look at every interval: the bounds of a stretch are the larger ones.
+        let again = plan.with_intervals(plan.intervals.min(end.intervals.saturating_add(1)));
+        let mut careful = Careful(Rounding::new(plan));
+        looped(&again, &mut careful);
+        end.within_rounding_of_edge = careful.0.first();
+    }
+    end
+}
+
+/// Runs a plan in its loop; whether a sample may be within rounding of an edge.
+fn looped<W: Watch>(plan: &Plan, watch: &mut W) -> (End, bool) {
     if plan.is_plain() {
         let [xi, _] = plan.start;
         return by_friction::<false, W, _>(plan, Encoder(plan.law.memory(xi)), watch);
@@ -142,7 +179,11 @@ fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
     }
 }
 
-fn by_friction<const FORCE: bool, W: Watch, L: Control>(plan: &Plan, law: L, watch: &mut W) -> End {
+fn by_friction<const FORCE: bool, W: Watch, L: Control>(
+    plan: &Plan,
+    law: L,
+    watch: &mut W,
+) -> (End, bool) {
     match (plan.viscous, plan.coulomb) {
         (true, true) => rigid::<true, true, FORCE, W, L>(plan, law, watch),
         (true, false) => rigid::<true, false, FORCE, W, L>(plan, law, watch),
@@ -156,7 +197,7 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
     plan: &Plan,
     mut law: L,
     watch: &mut W,
-) -> End {
+) -> (End, bool) {
     let k = plan.constants;
     let growth = plan.growth.clone();
     let needed = plan.law.forgets_after();
@@ -166,12 +207,14 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
     // doubles it underflows. That is no rest: `creep` is its direction, `last` what led to it.
     let mut creep = 0.0;
     let mut last = [0.0; 2];
+    let (mut stretches, mut seen) = (Stretches::new(plan), Seen::NOTHING);
     let mut h = 0;
     let stop = loop {
         if h == plan.intervals {
             break Stop::Ran(h);
         }
-        if growth.exceeds(xi, v) {
+        let size = growth.size(xi, v);
+        if growth.is_past(size) {
             let state = State {
                 xi,
                 velocity: v,
@@ -180,6 +223,9 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
             if growth.certain(&state, law.memory().latest_first()) {
                 break Stop::Growing(h);
             }
+        }
+        if let Some(rounding) = watch.rounding() {
+            rounding.look(h, xi);
         }
         let held = law.held(xi);
         let force = match &plan.forces {
@@ -209,6 +255,16 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
         }
         last = [v, u];
         let moved = advance::<VISCOUS, COULOMB, W>(&k, xi, v, u);
+        seen.see(moved.xi, size);
+        if let Some(rounding) = watch.rounding() {
+            let acting = Acting {
+                velocity: v,
+                held,
+                output: held,
+                force,
+            };
+            rounding.follow(&acting, moved.xi);
+        }
         if W::LEDGER {
             let applied = held * (moved.xi - xi);
             let entry = entry(plan, h, [xi, v], &moved, force, applied);
@@ -219,8 +275,12 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
         }
         (xi, v) = (moved.xi, moved.velocity);
         h += 1;
+        if h.is_multiple_of(STRETCH.into()) {
+            seen = stretches.settle(seen, h);
+        }
     };
-    end(plan, stop, h, xi, v)
+    stretches.settle(seen, h);
+    (end(plan, stop, h, xi, v), stretches.near)
 }
 
 /// The motion, with what the ledger needs only when there is one.
@@ -254,17 +314,21 @@ fn holds<const FORCE: bool>(plan: &Plan, held: f64, h: u64) -> bool {
 /// Runs a plan with another way over an interval: what the methods to compare with are made of.
 ///
 /// `advance` leads over an interval from a state, a held force and the operator's force; `None` says
-/// that it could not, because numbers have overflowed.
+/// that it could not, because numbers have overflowed. With a `tolerance` of an interval, samples are
+/// held against it: a method of fixed steps has none, its errors are of its steps.
 pub(crate) fn stepped(
     plan: &Plan,
+    tolerance: Option<f64>,
     advance: impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
     each: impl FnMut(&Entry) -> bool,
 ) -> (End, Totals) {
     let mut watch = WithLedger {
         totals: Totals::default(),
         each,
+        rounding: tolerance.map(|tolerance| Rounding::new(plan).with_tolerance(tolerance)),
     };
-    let end = stepping(plan, Compiled::new(plan), advance, &mut watch);
+    let (mut end, _) = stepping(plan, Compiled::new(plan), advance, &mut watch);
+    end.within_rounding_of_edge = watch.rounding.as_ref().and_then(Rounding::first);
     (end, watch.totals.settled())
 }
 
@@ -274,7 +338,7 @@ fn stepping<W: Watch>(
     mut law: Compiled<'_>,
     mut advance: impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
     watch: &mut W,
-) -> End {
+) -> (End, bool) {
     let needed = plan.law.forgets_after();
     let [xi, velocity] = plan.start;
     // The amplifier has settled on what the controller commanded before the start.
@@ -284,16 +348,19 @@ fn stepping<W: Watch>(
         velocity,
         output,
     };
+    let (mut stretches, mut seen) = (Stretches::new(plan), Seen::NOTHING);
     let mut resting = 0;
     let mut h = 0;
     let stop = loop {
         if h == plan.intervals {
             break Stop::Ran(h);
         }
-        if plan.growth.exceeds(state.xi, state.velocity)
-            && plan.growth.certain(&state, law.memory().latest_first())
-        {
+        let size = plan.growth.size(state.xi, state.velocity);
+        if plan.growth.is_past(size) && plan.growth.certain(&state, law.memory().latest_first()) {
             break Stop::Growing(h);
+        }
+        if let Some(rounding) = watch.rounding() {
+            rounding.look(h, state.xi);
         }
         let held = law.held(state.xi);
         let force = plan.forces.as_ref().map_or(0.0, |forces| forces.at(h));
@@ -305,6 +372,16 @@ fn stepping<W: Watch>(
         let Some(flowed) = advance(&state, held, force) else {
             break Stop::Growing(h);
         };
+        seen.see(flowed.end.xi, size);
+        if let Some(rounding) = watch.rounding() {
+            let acting = Acting {
+                velocity: state.velocity,
+                held,
+                output: state.output,
+                force,
+            };
+            rounding.follow_flow(&acting, state.xi, flowed.end.xi);
+        }
         let go_on = if W::LEDGER {
             let moved = Moved {
                 xi: flowed.end.xi,
@@ -319,11 +396,16 @@ fn stepping<W: Watch>(
         };
         state = flowed.end;
         h += 1;
+        if h.is_multiple_of(STRETCH.into()) {
+            seen = stretches.settle(seen, h);
+        }
         if !go_on {
             break Stop::Ran(h);
         }
     };
-    end(plan, stop, h, state.xi, state.velocity)
+    stretches.settle(seen, h);
+    let end = end(plan, stop, h, state.xi, state.velocity);
+    (end, stretches.near)
 }
 
 /// Whether friction takes what the amplifier gives now and in the end, and what the controller tends
@@ -400,5 +482,14 @@ fn end(plan: &Plan, stop: Stop, intervals: u64, xi: f64, velocity: f64) -> End {
         xi,
         velocity,
         outcome: facts(plan).judge(stop, xi, velocity, &plan.growth.words()),
+        within_rounding_of_edge: None,
     }
+}
+
+/// A run of a plan, and the bounds of what ξ and ξ̇ at its end are off by.
+#[cfg(test)]
+pub(crate) fn with_errors(plan: &Plan) -> (End, [f64; 2]) {
+    let mut careful = Careful(Rounding::new(plan));
+    let (end, _) = looped(plan, &mut careful);
+    (end, careful.0.errors())
 }

@@ -60,11 +60,14 @@ pub(crate) fn planned(
     }
     let (end, totals) = match *method {
         Method::ClosedForm => run::ledger(plan, see(each)),
-        Method::Euler { substeps } => run::stepped(plan, steps::euler(plan, substeps), see(each)),
-        Method::Rk4 { substeps } => run::stepped(plan, steps::rk4(plan, substeps), see(each)),
+        Method::Euler { substeps } => {
+            run::stepped(plan, None, steps::euler(plan, substeps), see(each))
+        }
+        Method::Rk4 { substeps } => run::stepped(plan, None, steps::rk4(plan, substeps), see(each)),
         #[cfg(feature = "adaptive")]
         Method::Adaptive { tolerance } => {
-            run::stepped(plan, adaptive::steps(plan, tolerance), see(each))
+            let advance = adaptive::steps(plan, tolerance);
+            run::stepped(plan, Some(tolerance), advance, see(each))
         }
         Method::Exact => return general::exact(point, plan, each),
         #[cfg(feature = "multiprecision")]
