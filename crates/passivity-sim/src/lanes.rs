@@ -277,7 +277,8 @@ impl Lanes {
         let near = reach < FAR && radius < FAR && plan.growth.s != 0.0;
         let on_its_side = off_edge(xi) >= plan.start_error;
         let unfiltered = !plan.law.has(FILTER);
-        alike && kind && unfiltered && frictions && plan.forces.is_none() && near && on_its_side
+        let at_once = plan.forces.is_none() && plan.parts.is_empty();
+        alike && kind && unfiltered && frictions && at_once && near && on_its_side
     }
 
     /// Takes a point into a free lane, or gives it back.

@@ -12,37 +12,43 @@ use passivity_core::controller::Filter;
 use passivity_core::{BigRational, Controller, Loop, Ordered};
 
 use crate::error::SimError;
+use crate::latency;
 use crate::number::{Double, floor};
 use crate::plan::LARGEST;
 
-/// The controller of a dimensionless loop in the numbers that `of` makes.
+/// The controller of a dimensionless loop in the numbers that `of` makes, late by the whole periods of
+/// the loop's latency too.
 ///
 /// The step δ of a D/A converter goes in as two whole numbers, its numerator and denominator, so that
 /// a force half-way between two steps is seen as such by every kind of number.
 pub(crate) fn controller<R>(
     dimensionless: &Loop<BigRational>,
     of: impl Fn(&BigRational) -> R,
-) -> Controller<R> {
+) -> Result<Controller<R>, SimError> {
     let whole = |n: &BigInt| BigRational::from_integer(n.clone());
     let step = dimensionless.force_step.as_ref();
+    let own = Controller::of(dimensionless);
     let exact = Controller {
+        delay: own.delay + latency::whole_periods(dimensionless)?,
         force_step: step.map(|delta| [whole(delta.numer()), whole(delta.denom())]),
-        ..Controller::of(dimensionless)
+        ..own
     };
-    exact.map(of)
+    Ok(exact.map(of))
 }
 
 /// The controller of a dimensionless loop in doubles; δ is over 1 where a double has not enough digits
 /// for its numerator or denominator.
-pub(crate) fn controller_in_doubles(dimensionless: &Loop<BigRational>) -> Controller<Double> {
-    let mut controller = controller(dimensionless, |x| Double::from(x));
+pub(crate) fn controller_in_doubles(
+    dimensionless: &Loop<BigRational>,
+) -> Result<Controller<Double>, SimError> {
+    let mut controller = controller(dimensionless, |x| Double::from(x))?;
     const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
     if let (Some(parts), Some(delta)) = (&mut controller.force_step, &dimensionless.force_step)
         && parts.iter().any(|x| x.0 > LARGEST_WHOLE)
     {
         *parts = [Double::from(delta), Double(1.0)];
     }
-    controller
+    Ok(controller)
 }
 
 /// Past how many samples at rest, with friction taking the force of now and the settled one, it takes

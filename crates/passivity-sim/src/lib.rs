@@ -45,6 +45,7 @@ mod error;
 mod family;
 mod flow;
 mod growth;
+mod latency;
 mod law;
 mod ledger;
 mod method;

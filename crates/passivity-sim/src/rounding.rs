@@ -94,7 +94,11 @@ impl Rounding {
             reach: xi.abs(),
             first: None,
             scene: Scene {
-                each: if flow.is_some() { EACH_FLOW } else { EACH },
+                each: if flow.is_some() || !plan.parts.is_empty() {
+                    EACH_FLOW
+                } else {
+                    EACH
+                },
                 inverse_mass: 1.0 / mass,
                 sigma: plan.constants.sigma,
                 decay: (-(plan.constants.beta + damping) / mass).exp(),
@@ -232,11 +236,17 @@ impl Coarse<f64> {
         // What is held is at most so much of |ξ| + 1, beside a step of a D/A converter.
         let held = 1.0 + 2.0 * plan.law.gain() + scene.law;
         let [numerator, denominator] = plan.law.force_step;
-        // An amplifier's output was held before, and what it is off by has not faded.
-        let (output, faded) = if scene.lag > 0.0 {
-            (2.0 * held, 1.0 + 2.0 / (1.0 - scene.lag))
+        // An amplifier's output was held before, and what it is off by has not faded; behind a latency the
+        // force of the sample before acts too.
+        let faded = if scene.lag > 0.0 {
+            1.0 + 2.0 / (1.0 - scene.lag)
         } else {
-            (held, 1.0)
+            1.0
+        };
+        let output = if scene.lag > 0.0 || !plan.parts.is_empty() {
+            2.0 * held
+        } else {
+            held
         };
         let force = plan.forces.as_ref().map_or(0.0, Forces::largest);
         let held_by_spring = stiffness > 0.0;
@@ -418,6 +428,8 @@ mod tests {
                         runs += usize::from(part_of_bound(&point(of, |_| ())).is_some());
                         let damped = point(of, |at| (at.damping, at.delay) = (q("1/9"), 1));
                         runs += usize::from(part_of_bound(&damped).is_some());
+                        let late = point(of, |at| at.latency = q("9/7"));
+                        runs += usize::from(part_of_bound(&late).is_some());
                     }
                 }
             }
@@ -434,7 +446,7 @@ mod tests {
                 for stiffness in ["0", "1/3", "5"] {
                     let of = [mu, beta, "4/5", "7/3"];
                     let mut scene = point(of, |at| {
-                        at.time_constant = q(lag);
+                        (at.time_constant, at.latency) = (q(lag), q("2/7"));
                         (at.arm_mass, at.arm_damping) = (q("1/3"), q("1/9"));
                         at.arm_stiffness = q(stiffness);
                     });

@@ -88,7 +88,7 @@ impl Solout<f64, Vector> for UntilStop<'_> {
 pub(super) fn steps(
     plan: &Plan,
     tolerance: f64,
-) -> impl FnMut(&Motion<f64>, f64, f64) -> Option<Flowed<f64>> {
+) -> impl FnMut(&Motion<f64>, f64, f64) -> Option<Flowed<f64>> + use<> {
     let rates = Rates::new(plan);
     move |start, held, force| {
         let output = if rates.lags { start.output } else { held };

@@ -120,7 +120,7 @@ impl Walk {
 pub(super) fn euler(
     plan: &Plan,
     substeps: u32,
-) -> impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>> {
+) -> impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>> + use<> {
     let rates = Rates::new(plan);
     let dt = 1.0 / f64::from(substeps);
     move |start, held, force| {
@@ -149,7 +149,7 @@ pub(super) fn euler(
 pub(super) fn rk4(
     plan: &Plan,
     substeps: u32,
-) -> impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>> {
+) -> impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>> + use<> {
     let rates = Rates::new(plan);
     let dt = 1.0 / f64::from(substeps);
     move |start, held, force| {
