@@ -1,7 +1,7 @@
 //! Running a plan: the inner loops of the `closed-form` method.
 
 use crate::flow::{Fast, Flowed, State};
-use crate::law::{HeldForce, Law, Memory};
+use crate::law::{ENCODER, HeldForce, Law, Memory};
 use crate::ledger::{Entry, Totals, potential_change};
 use crate::motion::{Constants, Moved};
 use crate::number::floor;
@@ -215,6 +215,7 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
     let mut creep = 0.0;
     let mut last = [0.0; 2];
     let (mut stretches, mut seen) = (Stretches::new(plan), Seen::NOTHING);
+    let watched = plan.law.has(ENCODER);
     let mut h = 0;
     let stop = loop {
         if h == plan.intervals {
@@ -262,7 +263,9 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
         }
         last = [v, u];
         let moved = advance::<VISCOUS, COULOMB, W>(&k, xi, v, u);
-        seen.see(moved.xi, size);
+        if watched {
+            seen.see(moved.xi, size);
+        }
         if let Some(rounding) = watch.rounding() {
             let acting = Acting {
                 velocity: v,
@@ -282,7 +285,7 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
         }
         (xi, v) = (moved.xi, moved.velocity);
         h += 1;
-        if h.is_multiple_of(STRETCH.into()) {
+        if watched && h.is_multiple_of(STRETCH.into()) {
             seen = stretches.settle(seen, h);
         }
     };
@@ -434,6 +437,7 @@ fn stepping<W: Watch>(
         output,
     };
     let (mut stretches, mut seen) = (Stretches::new(plan), Seen::NOTHING);
+    let watched = plan.law.has(ENCODER);
     let mut resting = 0;
     let mut h = 0;
     let stop = loop {
@@ -461,7 +465,9 @@ fn stepping<W: Watch>(
         let Some(flowed) = advance(&state, acting, force) else {
             break Stop::Growing(h);
         };
-        seen.see(flowed.end.xi, size);
+        if watched {
+            seen.see(flowed.end.xi, size);
+        }
         if let Some(rounding) = watch.rounding() {
             let acting = Acting {
                 velocity: state.velocity,
@@ -485,7 +491,7 @@ fn stepping<W: Watch>(
         };
         (state, earlier) = (flowed.end, held);
         h += 1;
-        if h.is_multiple_of(STRETCH.into()) {
+        if watched && h.is_multiple_of(STRETCH.into()) {
             seen = stretches.settle(seen, h);
         }
         if !go_on {
