@@ -117,6 +117,32 @@ fn without_force(value: &Value) -> Value {
     }
 }
 
+/// A column whose digits leave room for any force of the wall says nothing of it.
+#[test]
+fn a_force_with_too_few_digits_does_not_agree_with_the_law() {
+    // 0.02 N m for a turn of 20 mrad, and forces in whole N m.
+    let scene = scene(
+        "[device]\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"2e-3 N m\"\n[sampling]\nperiod = \"1 ms\"\n\
+         [encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"1 N m/rad\"\n",
+    );
+    let csv = |digits: usize| {
+        let mut csv = "count,f [N m]\n".to_owned();
+        for n in PATH {
+            let force = -(n as f64 + 0.5) * std::f64::consts::TAU / 8192.0;
+            writeln!(csv, "{n},{force:.digits$}").unwrap();
+        }
+        csv
+    };
+    let rough = audited(&csv(0), &scene);
+    let force = rough.report().force.clone().unwrap();
+    assert!(force.rough && !force.agrees);
+    assert_eq!(rough.report().judged, Judged::Running);
+    assert_eq!(rough.to_json()["findings"][0]["kind"], "rough_force");
+    assert!(rough.report().to_text().contains("too few digits"));
+    let fine = audited(&csv(9), &scene).report().force.clone().unwrap();
+    assert!(fine.agrees && !fine.rough);
+}
+
 #[test]
 fn the_laws_own_force_is_judged_interval_by_interval() {
     let scene = three_fifths();

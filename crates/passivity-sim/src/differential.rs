@@ -93,12 +93,14 @@ fn walk(encoder: bool) -> Vec<f64> {
 }
 
 fn compiled(dimensionless: &Loop<BigRational>) -> HeldForce {
-    HeldForce::compile(&controller_in_doubles(dimensionless)).expect("a loop of the table")
+    let controller = controller_in_doubles(dimensionless).expect("no latency");
+    HeldForce::compile(&controller).expect("a loop of the table")
 }
 
 /// Walks with both controllers; `compare` sees the two forces at each sample.
 fn walked(dimensionless: &Loop<BigRational>, compare: impl FnMut(f64, f64, BigRational)) {
-    let kernel: Controller<BigRational> = controller(dimensionless, BigRational::clone);
+    let kernel: Controller<BigRational> =
+        controller(dimensionless, BigRational::clone).expect("no latency");
     let remembered = Some(kernel.memory() as u64);
     assert_eq!(law::forgets_after(&kernel), remembered);
     walked_for(usize::MAX, dimensionless, compare);
@@ -111,7 +113,8 @@ fn walked_for(
     mut compare: impl FnMut(f64, f64, BigRational),
 ) {
     let fast = compiled(dimensionless);
-    let kernel: Controller<BigRational> = controller(dimensionless, BigRational::clone);
+    let kernel: Controller<BigRational> =
+        controller(dimensionless, BigRational::clone).expect("no latency");
     let certain = law::forgets_after(&kernel);
     assert_eq!(fast.forgets_after(), certain.unwrap_or(u64::MAX));
     let mut walk = walk(dimensionless.has_encoder());
@@ -264,7 +267,8 @@ fn rest_is_certain_behind_one_pole_that_is_not_negative() {
             controller: Some(Arc::new(law)),
             ..with(law::ENCODER | law::DELAY, 2, &limited(1, 1))
         };
-        let kernel: Controller<BigRational> = controller(&the_loop, BigRational::clone);
+        let kernel: Controller<BigRational> =
+            controller(&the_loop, BigRational::clone).expect("no latency");
         law::forgets_after(&kernel)
     };
     let one = [(1, 1)];
@@ -310,7 +314,8 @@ fn a_force_half_way_between_two_steps_rounds_as_the_kernel_does() {
     };
     let dimensionless = with(law::ENCODER | law::FORCE_STEP, 0, &third);
     let fast = compiled(&dimensionless);
-    let kernel: Controller<BigRational> = controller(&dimensionless, BigRational::clone);
+    let kernel: Controller<BigRational> =
+        controller(&dimensionless, BigRational::clone).expect("no latency");
     for tick in -20..20 {
         let x = f64::from(tick);
         let steps = fast.law()(&fast, &mut fast.memory(0.0), x) * 3.0;

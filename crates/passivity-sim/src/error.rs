@@ -29,11 +29,6 @@ pub enum SimError {
         /// The effects of the scene that it cannot do.
         effects: Vec<Effect>,
     },
-    /// No method simulates some of the scene's effects.
-    NotSimulated {
-        /// The effects.
-        effects: Vec<Effect>,
-    },
     /// A parameter that is no finite double, or rounds to 0 or below where it must not.
     OutOfRange {
         /// The parameter's name.
@@ -94,10 +89,6 @@ impl fmt::Display for SimError {
             ),
             Self::Unsupported { method, effects } => {
                 write!(f, "method `{method}` cannot simulate this scene: it has ")?;
-                list(effects, f)
-            }
-            Self::NotSimulated { effects } => {
-                f.write_str("this scene is checked but not simulated: it has ")?;
                 list(effects, f)
             }
             Self::OutOfRange {

@@ -1,28 +1,29 @@
 //! Scenes that differ in friction and speed at the start alone: what they share is compiled once.
 
-use passivity_core::{Controller, Effect, Loop};
+use passivity_core::{BigRational, Controller, Effect, Loop};
 use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::flow::{Fast, Flow};
 use crate::growth::{Growth, System};
+use crate::latency;
 use crate::law::{HeldForce, controller_in_doubles};
 use crate::motion::Constants;
-use crate::number::Double;
+use crate::number::{Double, to_double};
 use crate::plan::{Forces, Plan, in_range};
-
-/// The effects that no inner loop has.
-const NOT_SIMULATED: [Effect; 1] = [Effect::Latency];
 
 /// A scene in doubles, with its controller and the operator's forces.
 #[derive(Clone, Debug)]
 pub(crate) struct Family {
     the_loop: Loop<Double>,
-    mass: Double,
     effects: Vec<Effect>,
     controller: Controller<Double>,
     law: HeldForce,
     forces: Option<Forces>,
+    /// The parts of an interval, where a latency leaves two.
+    times: Option<[f64; 2]>,
+    /// How far the position at the start may be from the scene's.
+    start_error: f64,
     intervals: u64,
 }
 
@@ -31,21 +32,16 @@ impl Family {
     ///
     /// # Errors
     ///
-    /// A scene without inertia, with an effect that no inner loop has, or with a parameter out of the
-    /// range of doubles.
+    /// A scene without inertia, or with a parameter out of the range of doubles.
     pub(crate) fn of(point: &Point) -> Result<Self, SimError> {
-        let left_out = NOT_SIMULATED
-            .into_iter()
-            .filter(|effect| point.has(*effect));
-        let effects: Vec<Effect> = left_out.collect();
-        if !effects.is_empty() {
-            return Err(SimError::NotSimulated { effects });
-        }
         let the_loop = in_doubles(point)?;
-        let controller = controller_in_doubles(&point.at);
+        the_loop.inertia.ok_or(SimError::NoInertia)?;
+        let controller = controller_in_doubles(&point.at)?;
+        let [position, _] = point.start();
+        let near = to_double(&position);
+        let is_exact = BigRational::from_float(near).is_some_and(|near| near == position);
         let effects = Effect::ALL.into_iter();
         Ok(Self {
-            mass: the_loop.inertia.ok_or(SimError::NoInertia)?,
             the_loop,
             effects: effects.filter(|effect| point.has(*effect)).collect(),
             law: HeldForce::compile(&controller)?,
@@ -53,6 +49,12 @@ impl Family {
             forces: match &point.forces {
                 Some(samples) => Some(Forces::new(samples)?),
                 None => None,
+            },
+            times: latency::times(&point.at).map(|times| times.map(|time| to_double(&time))),
+            start_error: if is_exact {
+                0.0
+            } else {
+                f64::EPSILON * near.abs() + f64::MIN_POSITIVE
             },
             intervals: point.intervals,
         })
@@ -82,17 +84,33 @@ impl Family {
     }
 
     fn plan(&self, the_loop: Loop<Double>) -> Result<Plan, SimError> {
+        let mut parts = Vec::new();
+        for time in self.times.into_iter().flatten() {
+            let of_part = latency::part(&the_loop, &Double(time));
+            parts.push((time, self.in_one(of_part, Vec::new())?));
+        }
+        self.in_one(the_loop, parts)
+    }
+
+    /// The plan whose intervals have these parts, or are led over in one.
+    fn in_one(&self, the_loop: Loop<Double>, parts: Vec<(f64, Plan)>) -> Result<Plan, SimError> {
         let or_zero = |x: Option<Double>| x.map_or(0.0, |x| x.0);
         let [beta, sigma] = [the_loop.viscous, the_loop.coulomb].map(or_zero);
-        let constants = Constants::new(self.mass.0, beta, sigma);
-        let flow = Flow::compile(&the_loop, self.mass)?;
-        let growth = Growth::of(&System {
-            controller: &self.controller,
-            constants: &constants,
-            flow: flow.as_ref(),
-            largest_force: self.forces.as_ref().map(Forces::largest),
-        });
+        let mass = the_loop.inertia.ok_or(SimError::NoInertia)?;
+        let constants = Constants::new(mass.0, beta, sigma);
+        let flow = Flow::compile(&the_loop, mass)?;
+        let growth = if self.times.is_some() {
+            Growth::never() // Its map from sample to sample is another one.
+        } else {
+            Growth::of(&System {
+                controller: &self.controller,
+                constants: &constants,
+                flow: flow.as_ref(),
+                largest_force: self.forces.as_ref().map(Forces::largest),
+            })
+        };
         Ok(Plan {
+            parts,
             effects: self.effects.clone(),
             viscous: the_loop.viscous.is_some(),
             coulomb: the_loop.coulomb.is_some(),
@@ -102,6 +120,7 @@ impl Family {
             fast: flow.as_ref().map(Fast::new),
             flow,
             start: [the_loop.start_position, the_loop.start_velocity].map(or_zero),
+            start_error: self.start_error,
             intervals: self.intervals,
             growth,
         })

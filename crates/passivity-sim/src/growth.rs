@@ -149,12 +149,25 @@ impl Growth {
     #[inline(always)]
     #[must_use]
     pub(crate) fn exceeds(&self, xi: f64, v: f64) -> bool {
+        self.is_past(self.size(xi, v))
+    }
+
+    /// The square of a norm of the state (ξ, ξ̇).
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn size(&self, xi: f64, v: f64) -> f64 {
         let real = xi + self.c * v;
         let imaginary = self.s * v;
-        let square = real * real + imaginary * imaginary;
+        real * real + imaginary * imaginary
+    }
+
+    /// Whether a state with a norm of this square calls for a closer look.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn is_past(&self, size: f64) -> bool {
         // What is no number any more is past every radius too.
         !matches!(
-            square.partial_cmp(&self.square),
+            size.partial_cmp(&self.square),
             Some(Ordering::Less | Ordering::Equal)
         )
     }

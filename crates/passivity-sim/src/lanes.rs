@@ -13,6 +13,7 @@
 )]
 
 mod batch;
+mod edges;
 mod flow;
 mod law;
 
@@ -22,6 +23,7 @@ use crate::law::{FILTER, HeldForce};
 use crate::outcome::{End, ExactOutcome, Stop};
 use crate::phi;
 use crate::plan::{Plain, Plan};
+use crate::rounding::{STRETCH, off_edge};
 use crate::run;
 use batch::Batch;
 use flow::Flows;
@@ -29,9 +31,6 @@ use law::Laws;
 
 /// Lanes in a batch: four AVX-512 vectors, enough to hide the latency of each.
 pub const WIDTH: usize = 32;
-
-/// Intervals between two looks at which lanes are done.
-const STRETCH: u32 = 64;
 
 /// Of a lane that is not busy: the scalar loop must run its point.
 const STRANGE: f64 = -1.0;
@@ -76,6 +75,7 @@ impl Work {
             (Kind::Law(laws), true) => law::stretch::<true>(batch, laws, intervals),
             (Kind::Flow(flows), _) => flow::stretch(batch, flows, points, intervals),
         }
+        batch.edges.settle(&mut batch.busy, intervals);
     }
 }
 
@@ -256,7 +256,7 @@ impl Lanes {
     /// With λ > ½ a reversal needs a logarithm, and positions must stay below 2⁵¹: an unforced stable
     /// motion of the paper's scene does not get past its first energy by more than the ticks that
     /// TH-START leaves it, and a growing one ends at its radius. Other scenes are watched. A digital
-    /// filter has no lanes.
+    /// filter has no lanes, nor has a start that is on an edge by rounding.
     fn fits(&self, plan: &Plan) -> bool {
         const FAR: f64 = 1e12;
         let [xi, v] = plan.start;
@@ -273,9 +273,12 @@ impl Lanes {
             _ => false,
         };
         let frictions = plan.viscous && plan.coulomb;
-        let near = reach < FAR && radius < FAR;
+        // Of a real mode the square of the norm does not bound the speed.
+        let near = reach < FAR && radius < FAR && plan.growth.s != 0.0;
+        let on_its_side = off_edge(xi) >= plan.start_error;
         let unfiltered = !plan.law.has(FILTER);
-        alike && kind && unfiltered && frictions && plan.forces.is_none() && near
+        let at_once = plan.forces.is_none() && plan.parts.is_empty();
+        alike && kind && unfiltered && frictions && at_once && near && on_its_side
     }
 
     /// Takes a point into a free lane, or gives it back.
@@ -346,6 +349,7 @@ fn end_in(batch: &Batch, lane: usize, plan: &Plan) -> End {
         xi,
         velocity,
         outcome: run::facts(plan).judge(stop, xi, velocity, &plan.growth.words()),
+        within_rounding_of_edge: None,
     }
 }
 

@@ -12,37 +12,43 @@ use passivity_core::controller::Filter;
 use passivity_core::{BigRational, Controller, Loop, Ordered};
 
 use crate::error::SimError;
+use crate::latency;
 use crate::number::{Double, floor};
 use crate::plan::LARGEST;
 
-/// The controller of a dimensionless loop in the numbers that `of` makes.
+/// The controller of a dimensionless loop in the numbers that `of` makes, late by the whole periods of
+/// the loop's latency too.
 ///
 /// The step δ of a D/A converter goes in as two whole numbers, its numerator and denominator, so that
 /// a force half-way between two steps is seen as such by every kind of number.
 pub(crate) fn controller<R>(
     dimensionless: &Loop<BigRational>,
     of: impl Fn(&BigRational) -> R,
-) -> Controller<R> {
+) -> Result<Controller<R>, SimError> {
     let whole = |n: &BigInt| BigRational::from_integer(n.clone());
     let step = dimensionless.force_step.as_ref();
+    let own = Controller::of(dimensionless);
     let exact = Controller {
+        delay: own.delay + latency::whole_periods(dimensionless)?,
         force_step: step.map(|delta| [whole(delta.numer()), whole(delta.denom())]),
-        ..Controller::of(dimensionless)
+        ..own
     };
-    exact.map(of)
+    Ok(exact.map(of))
 }
 
 /// The controller of a dimensionless loop in doubles; δ is over 1 where a double has not enough digits
 /// for its numerator or denominator.
-pub(crate) fn controller_in_doubles(dimensionless: &Loop<BigRational>) -> Controller<Double> {
-    let mut controller = controller(dimensionless, |x| Double::from(x));
+pub(crate) fn controller_in_doubles(
+    dimensionless: &Loop<BigRational>,
+) -> Result<Controller<Double>, SimError> {
+    let mut controller = controller(dimensionless, |x| Double::from(x))?;
     const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
     if let (Some(parts), Some(delta)) = (&mut controller.force_step, &dimensionless.force_step)
         && parts.iter().any(|x| x.0 > LARGEST_WHOLE)
     {
         *parts = [Double::from(delta), Double(1.0)];
     }
-    controller
+    Ok(controller)
 }
 
 /// Past how many samples at rest, with friction taking the force of now and the settled one, it takes
@@ -234,10 +240,62 @@ impl HeldForce {
         self.forgets_after.unwrap_or(u64::MAX)
     }
 
+    /// What the roundings of the held force amount to, over those of a force that is a sample: at most
+    /// 16ε times this, times the greatest |ξ| so far and one more.
+    ///
+    /// A sum of products is rounded as often as it has terms, twice for the rounding of coefficients, and
+    /// what is left in a filter's output is passed on by its poles.
+    pub(crate) fn rounding(&self) -> f64 {
+        let Filter { sum, tails, poles } = &self.filter;
+        let size = |of: &[f64]| of.iter().map(|c| c.abs()).sum::<f64>();
+        if self.has(FILTER) {
+            let passed_on = passed_on(poles);
+            let output = 2.0 * size(tails) * passed_on;
+            let terms = (tails.len() + poles.len() + 2) as f64;
+            sum.abs() + 2.0 * terms * passed_on * (2.0 * size(tails) + size(poles) * output)
+        } else if self.has(DAMPING) {
+            1.0 + 2.0 * self.damping.abs()
+        } else {
+            0.0
+        }
+    }
+
+    /// What virtual damping or a filter may make of |ξ| + 1 beside it.
+    pub(crate) fn gain(&self) -> f64 {
+        if self.has(FILTER) {
+            let size = |of: &[f64]| of.iter().map(|c| c.abs()).sum::<f64>();
+            self.filter.sum.abs() + 2.0 * size(&self.filter.tails) * passed_on(&self.filter.poles)
+        } else {
+            self.damping.abs()
+        }
+    }
+
     /// Whether the force goes on changing at rest, on and on nearer to the settled one.
     pub(crate) fn lingers(&self) -> bool {
         !self.filter.poles.is_empty()
     }
+}
+
+/// Σ|h_j| of the impulse response of the poles, a little more than it: what a filter makes of roundings.
+fn passed_on(poles: &[f64]) -> f64 {
+    // Far longer than any response of a filter with digits left; without an end, nothing is bounded.
+    const LONGEST: u32 = 1 << 20;
+    let mut past = vec![0.0; poles.len()];
+    let (mut next, mut sum, mut quiet) = (1.0_f64, 0.0, 0);
+    for _ in 0..LONGEST {
+        sum += next.abs();
+        if next.abs() > f64::EPSILON * sum {
+            quiet = 0;
+        } else if quiet > poles.len() {
+            return 2.0 * sum;
+        } else {
+            quiet += 1;
+        }
+        past.insert(0, next);
+        past.truncate(poles.len());
+        next = -poles.iter().zip(&past).map(|(r, y)| r * y).sum::<f64>();
+    }
+    f64::INFINITY
 }
 
 /// The filter's output at a sample.

@@ -2,8 +2,8 @@
 //!
 //! The force is held over each sampling interval, so the motion within it has a closed form: no
 //! step size, no tolerance, at most one reversal per interval, found in closed form too. A scene
-//! compiles to a [`Plan`] that holds exactly the effects it has; an effect that is not there costs
-//! no instruction in the inner loop.
+//! compiles to a [`Plan`] that holds exactly the effects it has; an effect that is not there is not
+//! in the inner loop.
 //!
 //! Dimensionless throughout: ξ in encoder ticks, τ in sampling periods, force in KΔ, energy in
 //! KΔ², μ = m/(KT²), β = b/(KT), σ = c/(KΔ). The numbers in round brackets are the paper's.
@@ -45,6 +45,7 @@ mod error;
 mod family;
 mod flow;
 mod growth;
+mod latency;
 mod law;
 mod ledger;
 mod method;
@@ -55,6 +56,7 @@ mod number;
 mod outcome;
 mod phi;
 mod plan;
+mod rounding;
 mod series;
 mod simulated;
 

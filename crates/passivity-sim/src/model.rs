@@ -12,6 +12,7 @@ use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::flow::{Flow, State};
+use crate::latency;
 use crate::law;
 use crate::ledger::Entry;
 use crate::number::{Real, Undecided};
@@ -25,8 +26,12 @@ pub(crate) struct Model<R> {
     controller: Controller<R>,
     /// See [`law::forgets_after`].
     forgets_after: Option<u64>,
-    motion: Motion<R>,
+    /// Of the device.
+    mass: R,
+    /// The parts of an interval under different forces: one, but for a latency.
+    parts: Vec<Part<R>>,
     forces: Option<Forces<R>>,
+    /// Of a whole interval, as far as the loop has an amplifier or an arm.
     flow: Option<Flow<R>>,
     start: [R; 2],
 }
@@ -119,8 +124,19 @@ pub(crate) struct Ended<R> {
     pub(crate) velocity: R,
 }
 
+/// A part of an interval, in its own time; see [`crate::latency`].
+#[derive(Clone, Debug)]
+struct Part<R> {
+    /// Its length in periods; `None` for a whole interval.
+    time: Option<R>,
+    motion: Motion<R>,
+    flow: Option<Flow<R>>,
+}
+
 /// What acts on the device over an interval.
 struct Acting<R> {
+    /// The force of the sample before, where it goes on into the interval.
+    earlier: Option<R>,
     held: R,
     /// The operator's.
     force: R,
@@ -149,16 +165,34 @@ impl<R: Real> Model<R> {
         of: impl Fn(&BigRational) -> R,
     ) -> Result<Self, SimError> {
         let dimensionless = point.at.map(|_, x| of(x));
-        let mass = dimensionless.inertia.clone().ok_or(SimError::NoInertia)?;
-        let flow = plan
-            .flow
-            .as_ref()
-            .map(|fast| Flow::of(&dimensionless, mass.clone(), fast.pieces));
-        let controller = law::controller(&point.at, BigRational::clone);
+        let part = |the_loop: Loop<R>, time, plan: &Plan| {
+            let mass = the_loop.inertia.clone().ok_or(SimError::NoInertia)?;
+            let flow = plan.flow.as_ref();
+            Ok(Part {
+                time,
+                flow: flow.map(|fast| Flow::of(&the_loop, mass.clone(), fast.pieces)),
+                motion: Motion::new(mass, &the_loop),
+            })
+        };
+        let whole = part(dimensionless.clone(), None, plan)?;
+        let flow = whole.flow.clone();
+        let mass = whole.motion.mass().clone();
+        let mut parts = vec![whole];
+        if let Some(times) = latency::times(&point.at) {
+            // Each divided exactly, then put into the numbers.
+            let of_time = |(time, (_, plan)): (&BigRational, &(f64, Plan))| {
+                let the_loop = latency::part(&point.at, time);
+                part(the_loop.map(|_, x| of(x)), Some(of(time)), plan)
+            };
+            let of_times = times.iter().zip(&plan.parts).map(of_time);
+            parts = of_times.collect::<Result<_, SimError>>()?;
+        }
+        let controller = law::controller(&point.at, BigRational::clone)?;
         Ok(Self {
             forgets_after: law::forgets_after(&controller),
             controller: controller.map(&of),
-            motion: Motion::new(mass, &dimensionless),
+            mass,
+            parts,
             forces: point.forces.as_ref().map(|forces| Forces::new(forces, &of)),
             flow,
             start: point.start().map(|x| of(&x)),
@@ -169,7 +203,7 @@ impl<R: Real> Model<R> {
     /// How many bits its numbers have.
     #[cfg(feature = "multiprecision")]
     pub(crate) fn bits(&self) -> u32 {
-        self.motion.mass().bits()
+        self.mass.bits()
     }
 
     /// Runs the model for at most `intervals` intervals, numbers no longer than `longest` bits.
@@ -191,6 +225,8 @@ impl<R: Real> Model<R> {
             xi,
             velocity,
         };
+        let late = self.is_late();
+        let mut earlier = late.then(|| state.output.clone());
         let mut resting = 0;
         for h in 0..intervals {
             match growing(&state, &memory) {
@@ -198,9 +234,11 @@ impl<R: Real> Model<R> {
                 Ok(true) => return state.ended(Halt::Growing(h), h),
                 Err(Undecided) => return state.ended(Halt::Undecided(h), h),
             }
-            let Ok((rests, output, row)) = self.interval(h, &state, &mut memory) else {
+            let Ok((rests, acting, output, row)) = self.interval(h, &state, earlier, &mut memory)
+            else {
                 return state.ended(Halt::Undecided(h), h);
             };
+            earlier = late.then_some(acting.held);
             resting = if rests { resting + 1 } else { 0 };
             if let Some(needed) = self.forgets_after.filter(|needed| resting > *needed) {
                 return state.ended(Halt::Rest(h - needed), h);
@@ -223,15 +261,22 @@ impl<R: Real> Model<R> {
         state.ended(Halt::Ran(intervals), intervals)
     }
 
-    /// One interval: whether the device rests in it for good as far as it goes, the amplifier's output
-    /// at its end, and its account.
+    /// Whether the force of a sample goes on into the interval after it.
+    const fn is_late(&self) -> bool {
+        self.parts.len() > 1
+    }
+
+    /// One interval: whether the device rests in it for good as far as it goes, what acted, the
+    /// amplifier's output at its end, and its account.
     fn interval(
         &self,
         h: u64,
         state: &State<R>,
+        earlier: Option<R>,
         memory: &mut Memory<R>,
-    ) -> Result<(bool, R, IntervalRow<R>), Undecided> {
+    ) -> Result<(bool, Acting<R>, R, IntervalRow<R>), Undecided> {
         let acting = Acting {
+            earlier,
             held: self.controller.sample(memory, &state.xi).decided()?,
             force: self.force(h),
         };
@@ -241,48 +286,29 @@ impl<R: Real> Model<R> {
         }
         let rests = match state.velocity.sign() {
             _ if self.forgets_after.is_none() => false, // Never for certain, so nobody asks.
-            Some(sign) => sign == Ordering::Equal && self.rests(h, state, &acting.held)?,
+            Some(sign) => sign == Ordering::Equal && self.rests(h, state, &acting)?,
             // Resting or not quite: what comes is the same, but when it began is not known.
-            None if self.rests(h, state, &acting.held)? => return Err(Undecided),
+            None if self.rests(h, state, &acting)? => return Err(Undecided),
             None => false,
         };
         let way = self.way(state, &acting)?;
         let row = self.account(h, state, &acting, &way)?;
-        Ok((rests, way.end.output, row))
+        Ok((rests, acting, way.end.output, row))
     }
 
     /// The motion over an interval.
     fn way(&self, state: &State<R>, acting: &Acting<R>) -> Result<Way<R>, Undecided> {
-        let Some(flow) = &self.flow else {
-            let u = acting.held.clone() + acting.force.clone();
-            let moved = self.motion.over(&state.xi, &state.velocity, &u)?;
-            return Ok(Way {
-                work: acting.held.clone() * (moved.xi.clone() - state.xi.clone()),
-                end: State {
-                    xi: moved.xi.decided()?,
-                    velocity: moved.velocity.decided()?,
-                    output: acting.held.clone(),
-                },
-                dissipated: moved.dissipated,
-                arm: R::zero(),
+        let mut all: Option<Way<R>> = None;
+        let commands = acting.earlier.iter().chain([&acting.held]);
+        for (part, command) in self.parts.iter().zip(commands) {
+            let from = all.as_ref().map_or(state, |way| &way.end);
+            let way = part.way(from, command, &acting.force)?;
+            all = Some(match all {
+                None => way,
+                Some(before) => before.and(way),
             });
-        };
-        let flowed = flow.advance(state, &acting.held, &acting.force, true)?;
-        let sigma = flow.sigma.clone().unwrap_or_else(R::zero);
-        let arm = match &flow.arm {
-            Some([damping, stiffness]) => {
-                let d = flowed.end.xi.clone() - state.xi.clone();
-                let middle = state.xi.clone() + d.clone().half();
-                damping.clone() * flowed.square.clone() + stiffness.clone() * d * middle
-            }
-            None => R::zero(),
-        };
-        Ok(Way {
-            end: flowed.end,
-            dissipated: flow.beta.clone() * flowed.square + sigma * flowed.path,
-            work: flowed.work,
-            arm,
-        })
+        }
+        all.ok_or(Undecided)
     }
 
     /// The account of an interval: what was generated is the kernel's, by the force that acted.
@@ -302,16 +328,13 @@ impl<R: Real> Model<R> {
             extra_storage: None,
         };
         let mut generated = ledger::generated(&self.dimensionless, &interval);
-        if self.flow.as_ref().is_some_and(|flow| flow.rate.is_some()) {
-            // Behind an amplifier another force acted than the one that was held.
+        if self.is_late() || self.flow.as_ref().is_some_and(|flow| flow.rate.is_some()) {
+            // Behind a latency or an amplifier another force acted than the one that was held.
             let difference = way.work.clone() - acting.held.clone() * d.clone();
             generated = generated.map(|energy| energy + difference.clone());
         }
         let [linear, quantized] = generated;
-        let mass = self
-            .flow
-            .as_ref()
-            .map_or(self.motion.mass(), |flow| &flow.mass);
+        let mass = self.flow.as_ref().map_or(&self.mass, |flow| &flow.mass);
         let squares = way.end.velocity.square() - state.velocity.square();
         let kinetic = (mass.clone() * squares).half();
         let by_operator = acting.force.clone() * d;
@@ -334,9 +357,10 @@ impl<R: Real> Model<R> {
         force.cloned().unwrap_or_else(R::zero)
     }
 
-    /// Whether friction takes the held force now and the one that it tends to, and with every force of
+    /// Whether friction takes the forces that act and the one that it tends to, and with every force of
     /// the operator to come.
-    fn rests(&self, h: u64, state: &State<R>, held: &R) -> Result<bool, Undecided> {
+    fn rests(&self, h: u64, state: &State<R>, acting: &Acting<R>) -> Result<bool, Undecided> {
+        let held = &acting.held;
         let sigma = self.dimensionless.coulomb_friction();
         let now = match &self.flow {
             Some(flow) if flow.rate.is_some() => &state.output,
@@ -350,9 +374,10 @@ impl<R: Real> Model<R> {
             let measured = self.controller.measured(&state.xi);
             self.controller.settled(&measured)
         });
-        for acting in [now, held].into_iter().chain(&settled) {
+        let commands = [now, held].into_iter().chain(&acting.earlier);
+        for output in commands.chain(&settled) {
             for force in &range {
-                let mut net = acting.clone() + force.clone();
+                let mut net = output.clone() + force.clone();
                 if let Some([_, stiffness]) = arm {
                     net = net - stiffness.clone() * state.xi.clone();
                 }
@@ -362,6 +387,73 @@ impl<R: Real> Model<R> {
             }
         }
         Ok(true)
+    }
+}
+
+impl<R: Real> Part<R> {
+    /// The motion over the part under a command and the operator's force.
+    fn way(&self, from: &State<R>, command: &R, force: &R) -> Result<Way<R>, Undecided> {
+        let Some(time) = &self.time else {
+            return self.way_in_its_time(from, command, force);
+        };
+        let from = State {
+            velocity: from.velocity.clone() * time.clone(),
+            ..from.clone()
+        };
+        let mut way = self.way_in_its_time(&from, command, force)?;
+        way.end.velocity = way.end.velocity.over(time.clone());
+        Ok(way)
+    }
+
+    /// The same with the length of the part as the unit of time.
+    fn way_in_its_time(
+        &self,
+        state: &State<R>,
+        command: &R,
+        force: &R,
+    ) -> Result<Way<R>, Undecided> {
+        let Some(flow) = &self.flow else {
+            let u = command.clone() + force.clone();
+            let moved = self.motion.over(&state.xi, &state.velocity, &u)?;
+            return Ok(Way {
+                work: command.clone() * (moved.xi.clone() - state.xi.clone()),
+                end: State {
+                    xi: moved.xi.decided()?,
+                    velocity: moved.velocity.decided()?,
+                    output: command.clone(),
+                },
+                dissipated: moved.dissipated,
+                arm: R::zero(),
+            });
+        };
+        let flowed = flow.advance(state, command, force, true)?;
+        let sigma = flow.sigma.clone().unwrap_or_else(R::zero);
+        let arm = match &flow.arm {
+            Some([damping, stiffness]) => {
+                let d = flowed.end.xi.clone() - state.xi.clone();
+                let middle = state.xi.clone() + d.clone().half();
+                damping.clone() * flowed.square.clone() + stiffness.clone() * d * middle
+            }
+            None => R::zero(),
+        };
+        Ok(Way {
+            end: flowed.end,
+            dissipated: flow.beta.clone() * flowed.square + sigma * flowed.path,
+            work: flowed.work,
+            arm,
+        })
+    }
+}
+
+impl<R: Real> Way<R> {
+    /// This way and the next.
+    fn and(self, next: Self) -> Self {
+        Self {
+            end: next.end,
+            dissipated: self.dissipated + next.dissipated,
+            work: self.work + next.work,
+            arm: self.arm + next.arm,
+        }
     }
 }
 

@@ -66,8 +66,13 @@ pub struct Plan {
     pub(crate) flow: Option<Flow<Double>>,
     /// The same by propagators.
     pub(crate) fast: Option<Fast>,
+    /// The parts of an interval, each with its time in periods and its plan in that time; none where the
+    /// force changes at the sample.
+    pub(crate) parts: Vec<(f64, Plan)>,
     /// ξ(0) and ξ̇(0).
     pub(crate) start: [f64; 2],
+    /// How far ξ(0) may be from the scene's.
+    pub(crate) start_error: f64,
     /// How many intervals are run.
     pub(crate) intervals: u64,
     /// When divergence is certain.
@@ -113,7 +118,9 @@ impl Plan {
             forces: None,
             flow: None,
             fast: None,
+            parts: Vec::new(),
             start: [plain.xi, plain.velocity],
+            start_error: 0.0,
             intervals,
             growth: Growth::plain(&constants, 0.5),
         }
@@ -159,6 +166,14 @@ impl Plan {
         }
     }
 
+    /// How far into an interval the force of the sample before goes on, in periods.
+    pub(crate) fn late(&self) -> f64 {
+        match self.parts.as_slice() {
+            [(time, _), ..] => *time,
+            [] => 0.0,
+        }
+    }
+
     /// The mass that moves: μ, with the arm's.
     pub(crate) fn mass(&self) -> f64 {
         self.flow
@@ -168,7 +183,8 @@ impl Plan {
 
     /// Whether this is the paper's own scene: encoder, hold, frictions, and nothing else.
     pub(crate) fn is_plain(&self) -> bool {
-        self.law.effects == law::ENCODER && self.forces.is_none() && self.flow.is_none()
+        let unforced = self.forces.is_none() && self.flow.is_none();
+        self.law.effects == law::ENCODER && unforced && self.parts.is_empty()
     }
 
     /// Whether nothing but the wall acts on the device.
@@ -177,10 +193,12 @@ impl Plan {
             && !self.flow.as_ref().is_some_and(Flow::has_arm)
     }
 
-    /// The inner loop that runs this plan: `plain`, `law` or `flow`.
+    /// The inner loop that runs this plan: `plain`, `law`, `flow` or `latency`.
     #[must_use]
     pub fn loop_name(&self) -> &'static str {
-        if self.flow.is_some() {
+        if !self.parts.is_empty() {
+            "latency"
+        } else if self.flow.is_some() {
             "flow"
         } else if self.is_plain() {
             "plain"
@@ -224,10 +242,17 @@ impl Plan {
                 self.law.effects & 63,
                 if self.law.has(law::FILTER) { " with a digital filter" } else { "" }
             ),
+            "latency" => "loop `latency`: the motion of an interval in two parts".to_owned(),
             _ => "loop `flow`: propagator of the linear motion over an interval, power series about reversals"
                 .to_owned(),
         }];
         lines.extend(self.describe_law());
+        if !self.parts.is_empty() {
+            lines.push(format!(
+                "latency: u acts from {} periods after its sample on, the one before until then",
+                self.late()
+            ));
+        }
         if self.forces.is_some() {
             lines.push("operator: F ← the force of this interval".to_owned());
         }

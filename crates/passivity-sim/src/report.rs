@@ -34,6 +34,10 @@ pub struct Simulation {
     pub last: State,
     /// What became of it.
     pub outcome: Outcome,
+    /// The first sample that rounding may have put on the wrong side of an encoder edge: the motion
+    /// from there on, and with it the outcome, may be another one. Null where no sample was so near to
+    /// an edge, and for the methods that decide every sample.
+    pub within_rounding_of_edge: Option<u64>,
     /// Sums over the run.
     pub totals: Sums,
     /// How long it took, where that was asked for: without it the same input gives the same bytes.
@@ -134,6 +138,7 @@ impl Simulation {
             intervals: end.intervals,
             last: State::new(run)?,
             outcome: end.outcome.clone(),
+            within_rounding_of_edge: end.within_rounding_of_edge,
             totals: Sums {
                 generated_linear: finite(totals.generated_linear, "totals.generated_linear")?,
                 generated_quantized: finite(
@@ -202,6 +207,9 @@ pub struct Sweep {
     pub exact: ExactCounts,
     /// How many points had each outcome by the paper's detector.
     pub paper: PaperCounts,
+    /// How many of the points that were simulated now have a sample within rounding of an encoder edge,
+    /// from which on their motion may be another one.
+    pub within_rounding_of_edge: usize,
     /// How long it took.
     pub seconds: f64,
 }
@@ -211,6 +219,7 @@ pub struct Sweep {
 pub struct Outcomes {
     exact: ExactCounts,
     paper: PaperCounts,
+    within_rounding_of_edge: usize,
 }
 
 impl Outcomes {
@@ -227,6 +236,7 @@ impl Outcomes {
             PaperOutcome::LimitCycle => &mut self.paper.limit_cycle,
             PaperOutcome::Unstable => &mut self.paper.unstable,
         } += 1;
+        self.within_rounding_of_edge += row.within_rounding_of_edge.is_some() as usize;
     }
 
     /// Those of some points.
@@ -282,6 +292,7 @@ impl Sweep {
             intervals,
             exact: outcomes.exact,
             paper: outcomes.paper,
+            within_rounding_of_edge: outcomes.within_rounding_of_edge,
             seconds,
         }
     }

@@ -1,18 +1,24 @@
 //! Running a plan: the inner loops of the `closed-form` method.
 
-use crate::flow::{Flowed, State};
-use crate::law::{HeldForce, Law, Memory};
+use crate::flow::{Fast, Flowed, State};
+use crate::law::{ENCODER, HeldForce, Law, Memory};
 use crate::ledger::{Entry, Totals, potential_change};
 use crate::motion::{Constants, Moved};
 use crate::number::floor;
 use crate::outcome::{End, Facts, Stop};
 use crate::plan::Plan;
+use crate::rounding::{Acting, Rounding, STRETCH, Seen, Stretches};
 
 /// What watches a run; a watcher without a ledger costs nothing.
 trait Watch {
     /// Whether energies are wanted.
     const LEDGER: bool;
     fn see(&mut self, entry: &Entry) -> bool;
+
+    /// The errors, where they are wanted of every interval.
+    fn rounding(&mut self) -> Option<&mut Rounding> {
+        None
+    }
 }
 
 struct WithoutLedger;
@@ -24,9 +30,23 @@ impl Watch for WithoutLedger {
     }
 }
 
+/// What looks closely at how near samples are to edges.
+struct Careful(Rounding);
+
+impl Watch for Careful {
+    const LEDGER: bool = false;
+    fn see(&mut self, _: &Entry) -> bool {
+        true
+    }
+    fn rounding(&mut self) -> Option<&mut Rounding> {
+        Some(&mut self.0)
+    }
+}
+
 struct WithLedger<F> {
     totals: Totals,
     each: F,
+    rounding: Option<Rounding>,
 }
 
 impl<F: FnMut(&Entry) -> bool> Watch for WithLedger<F> {
@@ -34,6 +54,9 @@ impl<F: FnMut(&Entry) -> bool> Watch for WithLedger<F> {
     fn see(&mut self, entry: &Entry) -> bool {
         self.totals.add(entry);
         (self.each)(entry)
+    }
+    fn rounding(&mut self) -> Option<&mut Rounding> {
+        self.rounding.as_mut()
     }
 }
 
@@ -114,12 +137,30 @@ pub fn ledger(plan: &Plan, each: impl FnMut(&Entry) -> bool) -> (End, Totals) {
     let mut watch = WithLedger {
         totals: Totals::default(),
         each,
+        rounding: None,
     };
     let end = watched(plan, &mut watch);
     (end, watch.totals.settled())
 }
 
 fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
+    let (mut end, near) = looped(plan, watch);
+    if near {
+        // Once more, with a look at every interval: the bounds of a stretch are the larger ones.
+        let again = plan.with_intervals(plan.intervals.min(end.intervals.saturating_add(1)));
+        let mut careful = Careful(Rounding::new(plan));
+        looped(&again, &mut careful);
+        end.within_rounding_of_edge = careful.0.first();
+    }
+    end
+}
+
+/// Runs a plan in its loop; whether a sample may be within rounding of an edge.
+fn looped<W: Watch>(plan: &Plan, watch: &mut W) -> (End, bool) {
+    if !plan.parts.is_empty() {
+        let advance = in_parts(plan, |part| over_part::<W>(part.clone()));
+        return stepping(plan, Compiled::new(plan), advance, watch);
+    }
     if plan.is_plain() {
         let [xi, _] = plan.start;
         return by_friction::<false, W, _>(plan, Encoder(plan.law.memory(xi)), watch);
@@ -128,11 +169,14 @@ fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
     if let Some(fast) = &plan.fast {
         if W::LEDGER {
             let fast = fast.clone().with_ledger();
-            let advance =
-                |state: &State<f64>, held, force| fast.advance::<true>(state, held, force);
+            let advance = |state: &State<f64>, [_, held]: [f64; 2], force| {
+                fast.advance::<true>(state, held, force)
+            };
             return stepping(plan, law, advance, watch);
         }
-        let advance = |state: &State<f64>, held, force| fast.advance::<false>(state, held, force);
+        let advance = |state: &State<f64>, [_, held]: [f64; 2], force| {
+            fast.advance::<false>(state, held, force)
+        };
         return stepping(plan, law, advance, watch);
     }
     if plan.forces.is_some() {
@@ -142,7 +186,11 @@ fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
     }
 }
 
-fn by_friction<const FORCE: bool, W: Watch, L: Control>(plan: &Plan, law: L, watch: &mut W) -> End {
+fn by_friction<const FORCE: bool, W: Watch, L: Control>(
+    plan: &Plan,
+    law: L,
+    watch: &mut W,
+) -> (End, bool) {
     match (plan.viscous, plan.coulomb) {
         (true, true) => rigid::<true, true, FORCE, W, L>(plan, law, watch),
         (true, false) => rigid::<true, false, FORCE, W, L>(plan, law, watch),
@@ -156,7 +204,7 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
     plan: &Plan,
     mut law: L,
     watch: &mut W,
-) -> End {
+) -> (End, bool) {
     let k = plan.constants;
     let growth = plan.growth.clone();
     let needed = plan.law.forgets_after();
@@ -166,12 +214,15 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
     // doubles it underflows. That is no rest: `creep` is its direction, `last` what led to it.
     let mut creep = 0.0;
     let mut last = [0.0; 2];
+    let (mut stretches, mut seen) = (Stretches::new(plan), Seen::NOTHING);
+    let watched = plan.law.has(ENCODER);
     let mut h = 0;
     let stop = loop {
         if h == plan.intervals {
             break Stop::Ran(h);
         }
-        if growth.exceeds(xi, v) {
+        let size = growth.size(xi, v);
+        if growth.is_past(size) {
             let state = State {
                 xi,
                 velocity: v,
@@ -180,6 +231,9 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
             if growth.certain(&state, law.memory().latest_first()) {
                 break Stop::Growing(h);
             }
+        }
+        if let Some(rounding) = watch.rounding() {
+            rounding.look(h, xi);
         }
         let held = law.held(xi);
         let force = match &plan.forces {
@@ -209,6 +263,18 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
         }
         last = [v, u];
         let moved = advance::<VISCOUS, COULOMB, W>(&k, xi, v, u);
+        if watched {
+            seen.see(moved.xi, size);
+        }
+        if let Some(rounding) = watch.rounding() {
+            let acting = Acting {
+                velocity: v,
+                held,
+                output: held,
+                force,
+            };
+            rounding.follow(&acting, moved.xi);
+        }
         if W::LEDGER {
             let applied = held * (moved.xi - xi);
             let entry = entry(plan, h, [xi, v], &moved, force, applied);
@@ -219,8 +285,12 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
         }
         (xi, v) = (moved.xi, moved.velocity);
         h += 1;
+        if watched && h.is_multiple_of(STRETCH.into()) {
+            seen = stretches.settle(seen, h);
+        }
     };
-    end(plan, stop, h, xi, v)
+    stretches.settle(seen, h);
+    (end(plan, stop, h, xi, v), stretches.near)
 }
 
 /// The motion, with what the ledger needs only when there is one.
@@ -251,60 +321,162 @@ fn holds<const FORCE: bool>(plan: &Plan, held: f64, h: u64) -> bool {
     }
 }
 
-/// Runs a plan with another way over an interval: what the methods to compare with are made of.
+/// The way over the part of an interval whose plan this is.
+fn over_part<W: Watch>(mut part: Plan) -> impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>> {
+    if W::LEDGER {
+        part.fast = part.fast.map(Fast::with_ledger);
+    }
+    move |state, held, force| {
+        if let Some(fast) = &part.fast {
+            return if W::LEDGER {
+                fast.advance::<true>(state, held, force)
+            } else {
+                fast.advance::<false>(state, held, force)
+            };
+        }
+        let (k, u) = (&part.constants, held + force);
+        let moved = match (part.viscous, part.coulomb) {
+            (true, true) => advance::<true, true, W>(k, state.xi, state.velocity, u),
+            (true, false) => advance::<true, false, W>(k, state.xi, state.velocity, u),
+            (false, true) => advance::<false, true, W>(k, state.xi, state.velocity, u),
+            (false, false) => advance::<false, false, W>(k, state.xi, state.velocity, u),
+        };
+        Some(Flowed {
+            work: held * (moved.xi - state.xi),
+            end: State {
+                xi: moved.xi,
+                velocity: moved.velocity,
+                output: held,
+            },
+            path: moved.path,
+            square: moved.square,
+        })
+    }
+}
+
+/// The way over an interval, from the way over each of its parts that `make` makes.
 ///
-/// `advance` leads over an interval from a state, a held force and the operator's force; `None` says
-/// that it could not, because numbers have overflowed.
-pub(crate) fn stepped(
+/// Under the force of the sample before in all parts but the last one; see [`crate::latency`].
+fn in_parts<A>(
     plan: &Plan,
-    advance: impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
+    make: impl Fn(&Plan) -> A,
+) -> impl FnMut(&State<f64>, [f64; 2], f64) -> Option<Flowed<f64>>
+where
+    A: FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
+{
+    let mut parts: Vec<(f64, A)> = if plan.parts.is_empty() {
+        vec![(1.0, make(plan))]
+    } else {
+        let parts = plan.parts.iter();
+        parts.map(|(time, part)| (*time, make(part))).collect()
+    };
+    let before = parts.len() - 1;
+    move |start, [earlier, held], force| {
+        let mut all = Flowed {
+            end: start.clone(),
+            path: 0.0,
+            square: 0.0,
+            work: 0.0,
+        };
+        for (i, (time, advance)) in parts.iter_mut().enumerate() {
+            all.end.velocity *= *time;
+            let command = if i < before { earlier } else { held };
+            let flowed = advance(&all.end, command, force)?;
+            all.end = flowed.end;
+            all.end.velocity /= *time;
+            all.path += flowed.path;
+            all.square += flowed.square / *time;
+            all.work += flowed.work;
+        }
+        Some(all)
+    }
+}
+
+/// Runs a plan with another way over an interval, or over each of its parts: what the methods to
+/// compare with are made of.
+///
+/// `make` makes the way of a plan from a state, a held force and the operator's force; `None` says
+/// that it could not, because numbers have overflowed. With a `tolerance` of an interval, samples are
+/// held against it: a method of fixed steps has none, its errors are of its steps.
+pub(crate) fn stepped<A>(
+    plan: &Plan,
+    tolerance: Option<f64>,
+    make: impl Fn(&Plan) -> A,
     each: impl FnMut(&Entry) -> bool,
-) -> (End, Totals) {
+) -> (End, Totals)
+where
+    A: FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
+{
     let mut watch = WithLedger {
         totals: Totals::default(),
         each,
+        rounding: tolerance.map(|tolerance| Rounding::new(plan).with_tolerance(tolerance)),
     };
-    let end = stepping(plan, Compiled::new(plan), advance, &mut watch);
+    let advance = in_parts(plan, make);
+    let (mut end, _) = stepping(plan, Compiled::new(plan), advance, &mut watch);
+    end.within_rounding_of_edge = watch.rounding.as_ref().and_then(Rounding::first);
     (end, watch.totals.settled())
 }
 
-/// The loop of a scene with an amplifier or an arm, and of every method of steps.
+/// The loop of a scene with a latency, an amplifier or an arm, and of every method of steps; `advance`
+/// is given the force of the sample before and this one's.
 fn stepping<W: Watch>(
     plan: &Plan,
     mut law: Compiled<'_>,
-    mut advance: impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
+    mut advance: impl FnMut(&State<f64>, [f64; 2], f64) -> Option<Flowed<f64>>,
     watch: &mut W,
-) -> End {
+) -> (End, bool) {
     let needed = plan.law.forgets_after();
     let [xi, velocity] = plan.start;
     // The amplifier has settled on what the controller commanded before the start.
     let output = plan.law.settled(xi);
+    let mut earlier = output;
     let mut state = State {
         xi,
         velocity,
         output,
     };
+    let (mut stretches, mut seen) = (Stretches::new(plan), Seen::NOTHING);
+    let watched = plan.law.has(ENCODER);
     let mut resting = 0;
     let mut h = 0;
     let stop = loop {
         if h == plan.intervals {
             break Stop::Ran(h);
         }
-        if plan.growth.exceeds(state.xi, state.velocity)
-            && plan.growth.certain(&state, law.memory().latest_first())
-        {
+        let size = plan.growth.size(state.xi, state.velocity);
+        if plan.growth.is_past(size) && plan.growth.certain(&state, law.memory().latest_first()) {
             break Stop::Growing(h);
+        }
+        if let Some(rounding) = watch.rounding() {
+            rounding.look(h, state.xi);
         }
         let held = law.held(state.xi);
         let force = plan.forces.as_ref().map_or(0.0, |forces| forces.at(h));
-        let at_rest = state.velocity == 0.0 && rests(plan, &state, held, h);
+        if plan.parts.is_empty() {
+            earlier = held; // It acts from the sample on.
+        }
+        let acting = [earlier, held];
+        let at_rest = state.velocity == 0.0 && rests(plan, &state, acting, h);
         resting = if at_rest { resting + 1 } else { 0 };
         if resting > needed {
             break Stop::Rest(h - needed);
         }
-        let Some(flowed) = advance(&state, held, force) else {
+        let Some(flowed) = advance(&state, acting, force) else {
             break Stop::Growing(h);
         };
+        if watched {
+            seen.see(flowed.end.xi, size);
+        }
+        if let Some(rounding) = watch.rounding() {
+            let acting = Acting {
+                velocity: state.velocity,
+                held,
+                output: state.output.abs().max(earlier.abs()),
+                force,
+            };
+            rounding.follow_flow(&acting, state.xi, flowed.end.xi);
+        }
         let go_on = if W::LEDGER {
             let moved = Moved {
                 xi: flowed.end.xi,
@@ -317,18 +489,23 @@ fn stepping<W: Watch>(
         } else {
             true
         };
-        state = flowed.end;
+        (state, earlier) = (flowed.end, held);
         h += 1;
+        if watched && h.is_multiple_of(STRETCH.into()) {
+            seen = stretches.settle(seen, h);
+        }
         if !go_on {
             break Stop::Ran(h);
         }
     };
-    end(plan, stop, h, state.xi, state.velocity)
+    stretches.settle(seen, h);
+    let end = end(plan, stop, h, state.xi, state.velocity);
+    (end, stretches.near)
 }
 
-/// Whether friction takes what the amplifier gives now and in the end, and what the controller tends
-/// to, whatever the operator does.
-fn rests(plan: &Plan, state: &State<f64>, held: f64, h: u64) -> bool {
+/// Whether friction takes what the amplifier gives now and in the end, with the force of the sample before
+/// and this one's, and what the controller tends to, whatever the operator does.
+fn rests(plan: &Plan, state: &State<f64>, [earlier, held]: [f64; 2], h: u64) -> bool {
     let [least, most] = plan
         .forces
         .as_ref()
@@ -341,13 +518,13 @@ fn rests(plan: &Plan, state: &State<f64>, held: f64, h: u64) -> bool {
         ),
         None => (false, 0.0),
     };
-    let now = if lags { state.output } else { held };
+    let now = if lags { state.output } else { earlier };
     let settled = if plan.law.lingers() {
         plan.law.settled(state.xi)
     } else {
         held
     };
-    [now, held, settled].into_iter().all(|output| {
+    [now, earlier, held, settled].into_iter().all(|output| {
         let pull = output - stiffness * state.xi;
         pull + most <= sigma && pull + least >= -sigma
     })
@@ -400,5 +577,14 @@ fn end(plan: &Plan, stop: Stop, intervals: u64, xi: f64, velocity: f64) -> End {
         xi,
         velocity,
         outcome: facts(plan).judge(stop, xi, velocity, &plan.growth.words()),
+        within_rounding_of_edge: None,
     }
+}
+
+/// A run of a plan, and the bounds of what ξ and ξ̇ at its end are off by.
+#[cfg(test)]
+pub(crate) fn with_errors(plan: &Plan) -> (End, [f64; 2]) {
+    let mut careful = Careful(Rounding::new(plan));
+    let (end, _) = looped(plan, &mut careful);
+    (end, careful.0.errors())
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use common::{point, q};
 use passivity_core::transfer::TransferFunction;
 use passivity_core::{BigRational, Controller, Scalar as _};
-use passivity_scene::{Effect, Point};
+use passivity_scene::Point;
 use passivity_sim::{Detail, ExactOutcome, Line, Method, SimError, simulate};
 
 fn with(point: Point, numerator: &[&str], denominator: &[&str]) -> Point {
@@ -156,13 +156,4 @@ fn coefficients_beyond_doubles_are_refused() {
     let error = simulate(&with(base, &["1e200"], &["1"]), &Method::ClosedForm, None).unwrap_err();
     assert_eq!(error, SimError::Filter);
     assert!(error.to_string().contains("1e120"), "{error}");
-}
-
-#[test]
-fn latency_is_still_refused() {
-    let mut scene = point("1", "0", "3/5", ["0", "1"], 10);
-    scene.at.latency = Some(q("1/4"));
-    let error = simulate(&scene, &Method::ClosedForm, None).unwrap_err();
-    let effects = vec![Effect::Latency];
-    assert_eq!(error, SimError::NotSimulated { effects });
 }

@@ -24,6 +24,9 @@ const LAGS: usize = 8;
 /// How far off a force may be, of its own size: single precision has 2⁻²⁴, and logs lose more.
 const RELATIVE: f64 = 1e-6;
 
+/// Forces that are this much off as a whole, of their own size, are told from the law's only by many digits.
+const ROUGH: f64 = 0.2;
+
 /// And in KΔ, when it is near zero.
 const ABSOLUTE: f64 = 1e-9;
 
@@ -202,20 +205,33 @@ impl Comparison {
     /// The multiple of the law, at some lag, that the forces come nearest to; `None` when forces or
     /// law are zero throughout.
     pub(crate) fn fit(&self) -> Option<Fit> {
-        let squares = self.squares.value();
-        let fits = self.lags.iter().enumerate().filter_map(|(lag, agreement)| {
-            let [mixed, law] = agreement.products.each_ref().map(ExactSum::value);
-            let scale = mixed / law;
-            // What is left of Σ f²; rounding may leave it a little below zero.
-            let left = (squares - scale * mixed).max(0.0);
-            let residual = (left / squares).sqrt();
-            (scale.is_finite() && residual.is_finite()).then_some(Fit {
-                lag,
-                scale,
-                residual,
-            })
-        });
+        let fits = (0..self.lags.len()).filter_map(|lag| self.fit_at(lag));
         fits.min_by(|a, b| a.residual.total_cmp(&b.residual))
+    }
+
+    /// The multiple of the law at a lag that the forces come nearest to.
+    fn fit_at(&self, lag: usize) -> Option<Fit> {
+        let squares = self.squares.value();
+        let products = self.lags.get(lag)?.products.each_ref();
+        let [mixed, law] = products.map(ExactSum::value);
+        let scale = mixed / law;
+        // What is left of Σ f²; rounding may leave it a little below zero.
+        let left = (squares - scale * mixed).max(0.0);
+        let residual = (left / squares).sqrt();
+        (scale.is_finite() && residual.is_finite()).then_some(Fit {
+            lag,
+            scale,
+            residual,
+        })
+    }
+
+    /// Whether the law has a force that is far from those of the log at the scene's delay: where they agree to
+    /// within their digits all the same, these are too few to tell anything.
+    pub(crate) fn is_far(&self) -> bool {
+        let law = self.lags.get(self.delay).map(|lag| &lag.products[1]);
+        let rests = law.is_none_or(|law| law.value() == 0.0);
+        let near = |fit: Fit| (fit.scale - 1.0).abs() < ROUGH && fit.residual < ROUGH;
+        !rests && !self.fit_at(self.delay).is_some_and(near)
     }
 }
 

@@ -32,6 +32,16 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
     if agreement.agrees {
         return Vec::new();
     }
+    if agreement.rough {
+        return vec![Finding {
+            kind: "rough_force",
+            says:
+                "the force is the wall's law to within its last digit, and so would other forces be"
+                    .to_owned(),
+            fix: "log the force with more digits, as it was commanded; or check its unit"
+                .to_owned(),
+        }];
+    }
     let exact = agreement.found.mismatches == 0;
     let near = agreement.fit.filter(|fit| fit.residual < ROUGH);
     let (delay, scale, left) = match (exact, near) {

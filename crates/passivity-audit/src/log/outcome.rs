@@ -309,7 +309,8 @@ impl Agreement {
         let (own, best) = (comparison.as_scene_says()?, comparison.best()?);
         Some(Self {
             compared: comparison.compared,
-            agrees: own.mismatches == 0,
+            agrees: own.mismatches == 0 && !comparison.is_far(),
+            rough: own.mismatches == 0 && comparison.is_far(),
             mismatches: own.mismatches,
             first_mismatch_row: own.first.map(|row| row + 1),
             delay: comparison.delay,

@@ -221,6 +221,8 @@ pub struct Agreement {
     pub compared: u64,
     /// Whether all of them are the law's.
     pub agrees: bool,
+    /// Whether they are so only because they are written with too few digits to tell them from others.
+    pub rough: bool,
     /// How many are not.
     pub mismatches: u64,
     /// The row of the first that is not, from 1.

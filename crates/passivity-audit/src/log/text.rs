@@ -226,6 +226,10 @@ impl Agreement {
         if self.agrees {
             return format!("agrees with the wall's law in all {} rows", self.compared);
         }
+        if self.rough {
+            return "is written with too few digits to be told from other forces than the wall's law"
+                .to_owned();
+        }
         let mut text = format!(
             "differs from the wall's law in {} of {} rows",
             self.mismatches, self.compared

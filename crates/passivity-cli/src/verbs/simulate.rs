@@ -272,6 +272,14 @@ fn text(report: &Simulation, plan: &Plan, run: &Simulated, units: &Units) -> Str
     let mut lines = vec![
         format!("{}: {}{at}", report.scene, words(end.outcome.exact)),
         format!("  {}", end.outcome.because),
+    ];
+    if let Some(h) = end.within_rounding_of_edge {
+        lines.push(format!(
+            "  sample {h} is within rounding of an encoder edge, and the motion from there on may be another \
+             one: `--method exact` (without viscous friction) or `--method enclosure` decides"
+        ));
+    }
+    lines.extend([
         format!("  start       {}", state(xi, velocity, units)),
         format!(
             "  by the paper's detector (|ξ̇| < 0.01 at the end): {}",
@@ -283,7 +291,7 @@ fn text(report: &Simulation, plan: &Plan, run: &Simulated, units: &Units) -> Str
         ),
         format!("  effects     {}", effects.join(", ")),
         format!("  end         {}", state(end.xi, end.velocity, units)),
-    ];
+    ]);
     lines.extend(detail(&run.detail));
     lines.push(format!(
         "  energy      generated {:.6} (linear spring), {:.6} (quantized spring), dissipated {:.6} KΔ²",

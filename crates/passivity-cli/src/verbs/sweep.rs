@@ -278,10 +278,17 @@ mod picture {
 
 fn text(report: &Sweep) -> String {
     let (exact, paper) = (&report.exact, &report.paper);
+    let near = match report.within_rounding_of_edge {
+        0 => String::new(),
+        n => format!(
+            "\n  of those simulated now, {n} had a sample within rounding of an encoder edge, from which on \
+             the motion may be another one: `simulate --method enclosure` decides"
+        ),
+    };
     format!(
         "{}: {} points, of which {} were simulated now, in {:.3} s\n  \
          exactly       {} at rest, {} never at rest, {} growing, {} undecided\n  \
-         by the paper  {} converged, {} limit cycles, {} unstable",
+         by the paper  {} converged, {} limit cycles, {} unstable{near}",
         report.scene,
         report.points,
         report.simulated,

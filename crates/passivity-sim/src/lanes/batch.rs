@@ -1,6 +1,7 @@
 //! A batch of points as a structure of arrays, and the motion of all its lanes over an interval.
 
 use super::WIDTH;
+use super::edges::Edges;
 use crate::phi;
 use crate::plan::Plan;
 
@@ -24,6 +25,7 @@ pub(super) struct Batch {
     growth_c: Lane,
     growth_s: Lane,
     growth_square: Lane,
+    pub(super) edges: Edges,
 }
 
 impl Batch {
@@ -44,6 +46,7 @@ impl Batch {
             growth_c: zero,
             growth_s: zero,
             growth_square: [f64::MAX; WIDTH],
+            edges: Edges::new(),
         }
     }
 
@@ -61,15 +64,22 @@ impl Batch {
         self.growth_c[lane] = growth.c;
         self.growth_s[lane] = growth.s;
         self.growth_square[lane] = growth.square;
+        self.edges.load(lane, plan);
     }
 
-    /// Whether the state of a lane is past its plan's radius.
+    /// The square of the norm of the state of a lane.
     #[inline(always)]
-    pub(super) fn exceeds(&self, i: usize) -> bool {
+    pub(super) fn size(&self, i: usize) -> f64 {
         let (xi, v) = (self.xi[i], self.v[i]);
         let real = xi + self.growth_c[i] * v;
         let imaginary = self.growth_s[i] * v;
-        real * real + imaginary * imaginary > self.growth_square[i]
+        real * real + imaginary * imaginary
+    }
+
+    /// Whether a state with a norm of this square is past the radius of the lane's plan.
+    #[inline(always)]
+    pub(super) fn exceeds(&self, i: usize, size: f64) -> bool {
+        size > self.growth_square[i]
     }
 
     /// What of a held force friction does not take: 0 if and only if |held| ≤ σ, exactly.
@@ -135,8 +145,10 @@ pub(super) fn stretch<const MEDIUM: bool>(batch: &mut Batch, intervals: u32) {
             let held = -(floor_lane(xi) + 0.5);
             let beyond = batch.beyond(i, held);
             let rests = v == 0.0 && beyond == 0.0;
-            let busy = select(batch.exceeds(i) || rests, 0.0, batch.busy[i]);
+            let size = batch.size(i);
+            let busy = select(batch.exceeds(i, size) || rests, 0.0, batch.busy[i]);
             let [new_xi, new_v] = batch.moved::<MEDIUM>(i, held, beyond);
+            batch.edges.see(i, new_xi, size);
             batch.xi[i] = select(busy > 0.0, new_xi, xi);
             batch.v[i] = select(busy > 0.0, new_v, v);
             batch.busy[i] = busy;

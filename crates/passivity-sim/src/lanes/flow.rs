@@ -96,6 +96,7 @@ pub(super) fn stretch(batch: &mut Batch, flows: &mut Flows, points: &Points, int
         for (event, i) in events.drain(..).zip(lanes) {
             if let Some(flowed) = event.end_or_carefully::<false>() {
                 let end = flowed.end;
+                batch.edges.see(i, end.xi, 0.0);
                 batch.xi[i] = end.xi;
                 batch.v[i] = end.velocity;
                 flows.output[i] = end.output;
@@ -114,6 +115,7 @@ fn straight<const LAGS: bool>(batch: &mut Batch, flows: &mut Flows) {
     // Copies, so that no store is in the way of a load.
     let (mut xis, mut vs, mut outputs) = (batch.xi, batch.v, flows.output);
     let (mut busies, mut restings, mut events) = (batch.busy, flows.laws.resting, [0.0; WIDTH]);
+    let mut sizes = [0.0; WIDTH];
     let needed = flows.laws.needed;
     for i in 0..WIDTH {
         let (xi, v, sigma) = (xis[i], vs[i], batch.sigma[i]);
@@ -141,7 +143,8 @@ fn straight<const LAGS: bool>(batch: &mut Batch, flows: &mut Flows) {
         let taken = |output: f64| (output - stiffness * xi).abs() <= sigma;
         let rests = (v == 0.0) & taken(now) & taken(held);
         let resting = select(rests, restings[i] + 1.0, 0.0);
-        let strange = (xi.abs() >= FAR) | batch.exceeds(i);
+        let size = batch.size(i);
+        let strange = (xi.abs() >= FAR) | batch.exceeds(i, size);
         let busy = busies[i];
         let busy = select(strange & (busy > 0.0), STRANGE, busy);
         let busy = select((resting > needed) & (busy > 0.0), 0.0, busy);
@@ -152,6 +155,13 @@ fn straight<const LAGS: bool>(batch: &mut Batch, flows: &mut Flows) {
         busies[i] = busy;
         restings[i] = resting;
         events[i] = select((busy > 0.0) & !keeps, 1.0, 0.0);
+        sizes[i] = size;
+    }
+    for i in 0..WIDTH {
+        // Where an event leads is seen there.
+        batch
+            .edges
+            .see(i, select(events[i] > 0.0, 0.5, xis[i]), sizes[i]);
     }
     for (count, busy) in batch.count.iter_mut().zip(busies) {
         *count += select(busy > 0.0, 1.0, 0.0);

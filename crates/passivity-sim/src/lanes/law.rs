@@ -112,7 +112,9 @@ pub(super) fn stretch<const MEDIUM: bool>(batch: &mut Batch, laws: &mut Laws, in
             let [new_xi, new_v] = batch.moved::<MEDIUM>(i, held, beyond);
             // A speed that has underflowed under a force that friction just takes: no stop.
             let creeps = new_v == 0.0 && v != 0.0 && held == batch.sigma[i].copysign(v);
-            let strange = creeps || xi.abs() >= FAR || batch.exceeds(i);
+            let size = batch.size(i);
+            batch.edges.see(i, new_xi, size);
+            let strange = creeps || xi.abs() >= FAR || batch.exceeds(i, size);
             let busy = batch.busy[i];
             let busy = select(strange && busy > 0.0, STRANGE, busy);
             let busy = select(resting > laws.needed && busy > 0.0, 0.0, busy);

@@ -88,7 +88,7 @@ impl Solout<f64, Vector> for UntilStop<'_> {
 pub(super) fn steps(
     plan: &Plan,
     tolerance: f64,
-) -> impl FnMut(&Motion<f64>, f64, f64) -> Option<Flowed<f64>> {
+) -> impl FnMut(&Motion<f64>, f64, f64) -> Option<Flowed<f64>> + use<> {
     let rates = Rates::new(plan);
     move |start, held, force| {
         let output = if rates.lags { start.output } else { held };
@@ -100,21 +100,18 @@ pub(super) fn steps(
                 break;
             }
             let pull = rates.pull(s[0], s[1], s[2], force);
-            if s[1] == 0.0 && pull.abs() <= rates.sigma {
-                let step = if rates.lags {
-                    (1.0 - t).min(1.0 / 64.0)
-                } else {
-                    1.0 - t
-                };
+            let mut direction = s[1].signum();
+            if s[1] == 0.0 {
+                let settled = rates.pull(s[0], 0.0, held, force);
+                let wait = rates.wait(pull, settled);
+                let step = wait.min(1.0 - t);
                 s[2] = held + (s[2] - held) * (-rates.rate * step).exp();
                 t += step;
-                continue;
+                if t >= 1.0 {
+                    break;
+                }
+                direction = if wait == 0.0 { pull } else { settled }.signum();
             }
-            let direction = if s[1] == 0.0 {
-                pull.signum()
-            } else {
-                s[1].signum()
-            };
             let segment = Segment {
                 rates,
                 held,

@@ -85,6 +85,7 @@ pub(super) fn simulated<R: Real>(
             xi,
             velocity,
             outcome,
+            within_rounding_of_edge: None,
         },
         totals,
         detail,

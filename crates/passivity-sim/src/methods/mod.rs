@@ -60,11 +60,16 @@ pub(crate) fn planned(
     }
     let (end, totals) = match *method {
         Method::ClosedForm => run::ledger(plan, see(each)),
-        Method::Euler { substeps } => run::stepped(plan, steps::euler(plan, substeps), see(each)),
-        Method::Rk4 { substeps } => run::stepped(plan, steps::rk4(plan, substeps), see(each)),
+        Method::Euler { substeps } => {
+            run::stepped(plan, None, |part| steps::euler(part, substeps), see(each))
+        }
+        Method::Rk4 { substeps } => {
+            run::stepped(plan, None, |part| steps::rk4(part, substeps), see(each))
+        }
         #[cfg(feature = "adaptive")]
         Method::Adaptive { tolerance } => {
-            run::stepped(plan, adaptive::steps(plan, tolerance), see(each))
+            let make = |part: &Plan| adaptive::steps(part, tolerance);
+            run::stepped(plan, Some(tolerance), make, see(each))
         }
         Method::Exact => return general::exact(point, plan, each),
         #[cfg(feature = "multiprecision")]

@@ -1,13 +1,17 @@
 //! The reference and the enclosure method: numbers of any precision.
 
+use std::cmp::Ordering;
+
 use passivity_core::controller::Memory;
+use passivity_core::{BigRational, Ordered as _, Scalar as _};
 use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::flow::State;
+use crate::law::ENCODER;
 use crate::ledger::Totals;
 use crate::methods::general::{grows, simulated};
-use crate::model::{Halt, Model};
+use crate::model::{Halt, IntervalRow, Model};
 use crate::number::big::Big;
 use crate::number::enclosed::{Directed, Enclosed};
 use crate::number::{Double, Real, Undecided};
@@ -32,9 +36,11 @@ pub(super) fn reference(
     let bits = bits.next_multiple_of(64) as usize;
     let model = Model::new(point, plan, |x| Big::new(x, bits))?;
     let mut totals = Totals::default();
+    let mut edges = Edges::new(point, plan, digits, bits);
     let ended = model.run(plan.intervals, u64::MAX, grows(plan), |row| {
         let entry = row.entry();
         totals.add(&entry);
+        edges.see(row);
         each.as_mut().is_none_or(|each| each(&Line::Double(&entry)))
     });
     let shown = |x: &Big, figure| {
@@ -44,7 +50,48 @@ pub(super) fn reference(
         })
     };
     let detail = Detail::Digits([shown(&ended.xi, "xi")?, shown(&ended.velocity, "velocity")?]);
-    Ok(simulated(plan, &ended, totals.settled(), detail))
+    let mut run = simulated(plan, &ended, totals.settled(), detail);
+    run.end.within_rounding_of_edge = edges.first;
+    Ok(run)
+}
+
+/// Which sample of a reference is the first that its digits do not tell from an encoder edge.
+struct Edges {
+    watched: bool,
+    /// The last of the digits, of a tick or of the position.
+    digit: Big,
+    /// Whether the device is still where it started, on an edge exactly.
+    on_edge: bool,
+    first: Option<u64>,
+}
+
+impl Edges {
+    fn new(point: &Point, plan: &Plan, digits: u32, bits: usize) -> Self {
+        let [start, _] = point.start();
+        let ten = BigRational::from_integer(10.into());
+        let power = (0..digits).fold(BigRational::one(), |power, _| power * &ten);
+        Self {
+            watched: plan.law.has(ENCODER),
+            digit: Big::new(&power.recip(), bits),
+            on_edge: start.is_integer(),
+            first: None,
+        }
+    }
+
+    fn see(&mut self, row: &IntervalRow<Big>) {
+        let xi = &row.step.start;
+        let still = self.on_edge;
+        self.on_edge &= row.step.end.compare(xi).is_some_and(Ordering::is_eq);
+        if !self.watched || still || self.first.is_some() {
+            return;
+        }
+        let nearest = (xi.clone() + Big::one().half()).floor();
+        let off = (xi.clone() - nearest).abs();
+        let far = off.compare(&(self.digit.clone() * xi.abs().max(Big::one())));
+        if !far.is_some_and(Ordering::is_ge) {
+            self.first = Some(row.h);
+        }
+    }
 }
 
 /// Rigorous bounds: doubles first, then more and more bits until every edge is decided.

@@ -45,6 +45,23 @@ impl Rates {
         (self.pull(xi, v, output, force) - self.sigma * sign) * self.inverse_mass
     }
 
+    /// How long the device rests under a pull that goes to a settled one, as an amplifier's output does;
+    /// ∞ where friction takes that one too.
+    ///
+    /// The pull at rest is settled + (pull − settled)·e^(−κt): from within ±σ it gets to one of them at
+    /// most once, where e^(κt) = 1 + (±σ − pull)/(settled − ±σ).
+    #[cfg(feature = "adaptive")]
+    pub(super) fn wait(&self, pull: f64, settled: f64) -> f64 {
+        if pull.abs() > self.sigma {
+            return 0.0;
+        }
+        if settled.abs() <= self.sigma {
+            return f64::INFINITY;
+        }
+        let most = self.sigma.copysign(settled);
+        ((most - pull) / (settled - most)).ln_1p() / self.rate
+    }
+
     /// ẏ.
     pub(super) fn output_rate(&self, output: f64, held: f64) -> f64 {
         self.rate * (held - output)
@@ -103,7 +120,7 @@ impl Walk {
 pub(super) fn euler(
     plan: &Plan,
     substeps: u32,
-) -> impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>> {
+) -> impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>> + use<> {
     let rates = Rates::new(plan);
     let dt = 1.0 / f64::from(substeps);
     move |start, held, force| {
@@ -132,7 +149,7 @@ pub(super) fn euler(
 pub(super) fn rk4(
     plan: &Plan,
     substeps: u32,
-) -> impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>> {
+) -> impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>> + use<> {
     let rates = Rates::new(plan);
     let dt = 1.0 / f64::from(substeps);
     move |start, held, force| {

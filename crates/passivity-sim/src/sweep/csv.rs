@@ -70,6 +70,7 @@ fn parse(line: &str, axes: usize) -> Option<Found> {
         },
         xi: number(xi)?,
         velocity: number(velocity)?,
+        within_rounding_of_edge: None,
     };
     let mut values = [0.0; 3];
     for (value, cell) in values.iter_mut().zip(at_axes) {

@@ -221,6 +221,7 @@ fn read_group(
             at_interval,
             xi,
             velocity,
+            within_rounding_of_edge: None,
         };
         let mut point = [0.0; 3];
         for (value, column) in point.iter_mut().zip(&at_axes) {

@@ -15,6 +15,8 @@ pub struct Row {
     pub xi: f64,
     /// ξ̇ at the end.
     pub velocity: f64,
+    /// The first sample within rounding of an encoder edge; files do not keep it.
+    pub within_rounding_of_edge: Option<u64>,
 }
 
 impl Row {
@@ -31,6 +33,7 @@ impl Row {
             at_interval: end.outcome.at_interval,
             xi: end.xi,
             velocity: end.velocity,
+            within_rounding_of_edge: end.within_rounding_of_edge,
         }
     }
 }

@@ -6,6 +6,7 @@ use passivity_plot::frame::Frame;
 use passivity_plot::svg::{Anchor, BLACK, COLOURS, DARK, LIGHT, Pixel, Stroke, Svg, rectangle};
 use passivity_scene::plane::Extent;
 
+use super::within::Acting;
 use super::{Bar, Motion, Sample};
 use crate::plot::padded;
 use crate::plot::scales::{Scale, Scales};
@@ -182,21 +183,34 @@ impl Chart<'_> {
         self.axes(&frame, &values, ["velocity", "ticks/sample"], &scale);
     }
 
-    /// The held force, a step at each sample.
+    /// The held force, a step at each sample or as late as the scene's latency says.
     fn force(&mut self) {
         let scale = self.drawing.scales.force.clone();
         let samples = &self.drawing.motion.samples;
         let values = padded(samples.iter().map(|s| s.acting.held).chain([0.0]));
         let frame = self.frame(&values, &scale);
         self.zero(&frame);
+        let Motion { follower, end, .. } = self.drawing.motion;
+        // Before the first sample's force acts, the one before does.
+        let first = samples.iter().take(1).map(|sample| Sample {
+            acting: Acting {
+                held: sample.acting.earlier,
+                ..sample.acting
+            },
+            ..*sample
+        });
+        let late = samples.iter().map(|sample| Sample {
+            time: (sample.time + follower.late()).min(end.time),
+            ..*sample
+        });
         let mut steps: Vec<Sample> = Vec::new();
-        for sample in samples.iter().chain([&self.drawing.motion.end]) {
+        for sample in first.chain(late).chain([*end]) {
             let before = steps.last().map(|before| Sample {
                 time: sample.time,
                 ..*before
             });
             steps.extend(before);
-            steps.push(*sample);
+            steps.push(sample);
         }
         let line = self.pixels(&frame, &steps, &scale, |s| s.acting.held);
         self.svg.line(&line, Stroke::solid(BLACK, 1.5));

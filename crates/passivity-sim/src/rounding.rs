@@ -1,0 +1,460 @@
+//! How far rounding may have led a motion in doubles astray, and whether that is as far as an edge.
+//!
+//! As long as every sample was seen on its side of every encoder edge, the held forces are those of the
+//! motion itself. Two motions under the same force come nearer to each other in ξ̇, by e^(−λ) in an
+//! interval, because friction grows with the velocity, and in ξ part by φ₁ of what they differ in ξ̇. So
+//! the errors follow from those of single intervals, which are roundings: of ξ̇ a dozen, each by at most
+//! ½ε of a number below |ξ̇| + U/μ, U being the sum of the forces that act, and of the parameters, which
+//! move the acceleration by some εU/μ; [`EACH`] covers them. ξ is off by as much, and by its own
+//! rounding. A sample that is nearer to an edge than this bound may be on its other side: what comes
+//! then may be another motion, and the outcome says so.
+//!
+//! An arm's spring drives positions together: with it the energy ½M·δξ̇² + ½k·δξ² of the difference does
+//! not grow, and takes the place of δξ̇. An amplifier's output is off by its own roundings, which fade
+//! with its lag.
+
+use crate::law;
+use crate::plan::{Forces, Plan};
+
+/// Intervals between two looks at whether a sample was near an edge.
+pub(crate) const STRETCH: u32 = 64;
+
+/// The roundings of an interval, of |ξ̇| + U/μ.
+const EACH: f64 = 16.0 * f64::EPSILON;
+
+/// The same where the interval is led over by propagators and series.
+const EACH_FLOW: f64 = 4.0 * EACH;
+
+/// The rounding of ξ itself; twice what it is, so that it is a tick where doubles have no halves.
+const OF_POSITION: f64 = 2.0 * f64::EPSILON;
+
+/// Bounds of the errors of ξ and ξ̇, carried along with a motion.
+#[derive(Clone, Debug)]
+pub(crate) struct Rounding {
+    /// Of ξ; −∞ where no encoder asks for it.
+    position: f64,
+    /// Of ξ̇.
+    velocity: f64,
+    /// Of the amplifier's output.
+    output: f64,
+    /// The largest |ξ| so far.
+    reach: f64,
+    /// The first sample that an edge is as near to, once there is one.
+    first: Option<u64>,
+    scene: Scene,
+}
+
+/// What of a scene the errors depend on.
+#[derive(Clone, Copy, Debug)]
+struct Scene {
+    each: f64,
+    inverse_mass: f64,
+    sigma: f64,
+    decay: f64,
+    /// An arm's damping and stiffness.
+    arm: [f64; 2],
+    /// e^(−κ), without an amplifier 0.
+    lag: f64,
+    /// What a controller's roundings amount to, of the greatest |ξ| + 1.
+    law: f64,
+}
+
+/// What acts over an interval.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Acting {
+    /// ξ̇ at its start.
+    pub(crate) velocity: f64,
+    /// The held force.
+    pub(crate) held: f64,
+    /// The amplifier's output at the start.
+    pub(crate) output: f64,
+    /// The operator's force.
+    pub(crate) force: f64,
+}
+
+impl Rounding {
+    /// At the start of a plan.
+    pub(crate) fn new(plan: &Plan) -> Self {
+        let [xi, velocity] = plan.start;
+        let flow = plan.flow.as_ref();
+        let rate = flow.and_then(|flow| flow.rate).map(|rate| rate.0);
+        let arm = flow.and_then(|flow| flow.arm).map(|arm| arm.map(|x| x.0));
+        let arm = arm.unwrap_or([0.0; 2]);
+        let [damping, _] = arm;
+        let mass = plan.mass();
+        let watched = plan.law.has(law::ENCODER);
+        Self {
+            position: if watched {
+                plan.start_error
+            } else {
+                f64::NEG_INFINITY
+            },
+            velocity: 0.5 * f64::EPSILON * velocity.abs(),
+            output: 0.0,
+            reach: xi.abs(),
+            first: None,
+            scene: Scene {
+                each: if flow.is_some() || !plan.parts.is_empty() {
+                    EACH_FLOW
+                } else {
+                    EACH
+                },
+                inverse_mass: 1.0 / mass,
+                sigma: plan.constants.sigma,
+                decay: (-(plan.constants.beta + damping) / mass).exp(),
+                arm,
+                lag: rate.map_or(0.0, |rate| (-rate).exp()),
+                law: plan.law.rounding(),
+            },
+        }
+    }
+
+    /// The same of a method that may be off by such a part of the state in an interval, beside rounding.
+    pub(crate) fn with_tolerance(mut self, tolerance: f64) -> Self {
+        self.scene.each = EACH_FLOW + 16.0 * tolerance;
+        self
+    }
+
+    /// Looks at a sample.
+    pub(crate) fn look(&mut self, h: u64, xi: f64) {
+        if off_edge(xi) < self.position {
+            self.found(h);
+        }
+    }
+
+    /// From here on nothing is certain, and no other sample matters.
+    fn found(&mut self, h: u64) {
+        self.first = Some(h);
+        self.position = f64::NEG_INFINITY;
+    }
+
+    /// What ξ and ξ̇ may be off by; ξ by −∞ past the first sample that is near an edge.
+    #[cfg(test)]
+    pub(crate) const fn errors(&self) -> [f64; 2] {
+        [self.position, self.velocity]
+    }
+
+    /// The first sample that an edge was as near to as the error.
+    pub(crate) const fn first(&self) -> Option<u64> {
+        self.first
+    }
+
+    /// Follows a motion without amplifier or arm over an interval that ends at `xi`.
+    pub(crate) fn follow(&mut self, acting: &Acting, xi: f64) {
+        let Scene {
+            sigma,
+            inverse_mass,
+            each,
+            ..
+        } = self.scene;
+        let mut forces = acting.held.abs() + acting.force.abs();
+        if acting.velocity == 0.0 && forces <= sigma {
+            return self.stick(sigma - forces);
+        }
+        if self.scene.law > 0.0 {
+            self.reach = self.reach.max(xi.abs());
+            forces += self.scene.law * (self.reach + 1.0);
+        }
+        let rounded =
+            each * (acting.velocity.abs() + (forces + sigma) * inverse_mass) + f64::MIN_POSITIVE;
+        self.position += self.velocity + rounded + OF_POSITION * xi.abs();
+        self.velocity = self.scene.decay * self.velocity + rounded;
+    }
+
+    /// Friction holds the device: nothing is rounded, and if it moves after all, it is being stopped by
+    /// what friction has to `spare`.
+    fn stick(&mut self, spare: f64) {
+        self.position += self.velocity;
+        // Half of it, for its own roundings.
+        self.velocity = (self.velocity - 0.5 * spare * self.scene.inverse_mass).max(0.0);
+    }
+
+    /// Follows any motion over an interval that ends at `xi`.
+    pub(crate) fn follow_flow(&mut self, acting: &Acting, from: f64, xi: f64) {
+        let Scene {
+            each,
+            inverse_mass,
+            sigma,
+            decay,
+            arm: [damping, stiffness],
+            lag,
+            law,
+        } = self.scene;
+        self.reach = self.reach.max(from.abs()).max(xi.abs());
+        let outputs = acting.held.abs() + acting.output.abs() + law * (self.reach + 1.0);
+        let forces = outputs
+            + acting.force.abs()
+            + sigma
+            + stiffness * self.reach
+            + damping * acting.velocity.abs();
+        let rounded = each * (acting.velocity.abs() + forces * inverse_mass) + f64::MIN_POSITIVE;
+        self.output = lag * self.output + each * outputs;
+        let rounded = rounded + self.output * inverse_mass;
+        let of_position = rounded + OF_POSITION * self.reach;
+        let drift = self.position + self.velocity + of_position;
+        if stiffness > 0.0 {
+            // √(M·δξ̇² + k·δξ²) over √M, and what it says of either.
+            let rate = (stiffness * inverse_mass).sqrt();
+            self.velocity += rounded + rate * of_position;
+            self.position = drift.min(self.velocity / rate + of_position);
+        } else {
+            self.position = drift;
+            self.velocity = decay * self.velocity + rounded;
+        }
+    }
+}
+
+/// The same bounds, carried over a stretch of intervals at once, with the greatest position and speed in
+/// it: never below those, and cheap. In numbers, or in lanes of them.
+#[derive(Clone, Debug)]
+pub(crate) struct Coarse<T> {
+    /// |ξ| and |ξ̇| are at most these parts of the norm that growth is judged by.
+    pub(crate) parts: [T; 2],
+    /// What an interval rounds, of the speed and of the forces.
+    pub(crate) each: [T; 2],
+    /// The forces: a constant part, and parts of |ξ| + 1 and of |ξ̇|.
+    pub(crate) forces: [T; 3],
+    /// What an error of ξ adds to that of ξ̇ through an arm's spring.
+    pub(crate) spring: T,
+    /// e^(−λ) over [`STRETCH`] intervals, and the most that an error of ξ̇ in each adds up to, over one.
+    pub(crate) fades: [T; 2],
+    /// The greatest |ξ| so far, and what ξ and ξ̇ may be off by.
+    pub(crate) errors: [T; 3],
+}
+
+impl Coarse<f64> {
+    /// At the start of a plan.
+    pub(crate) fn new(plan: &Plan) -> Self {
+        let growth = &plan.growth;
+        let Rounding {
+            position,
+            velocity,
+            scene,
+            ..
+        } = Rounding::new(plan);
+        let [damping, stiffness] = scene.arm;
+        // What is held is at most so much of |ξ| + 1, beside a step of a D/A converter.
+        let held = 1.0 + 2.0 * plan.law.gain() + scene.law;
+        let [numerator, denominator] = plan.law.force_step;
+        // An amplifier's output was held before, and what it is off by has not faded; behind a latency the
+        // force of the sample before acts too.
+        let faded = if scene.lag > 0.0 {
+            1.0 + 2.0 / (1.0 - scene.lag)
+        } else {
+            1.0
+        };
+        let output = if scene.lag > 0.0 || !plan.parts.is_empty() {
+            2.0 * held
+        } else {
+            held
+        };
+        let force = plan.forces.as_ref().map_or(0.0, Forces::largest);
+        let held_by_spring = stiffness > 0.0;
+        Self {
+            parts: [1.0 + (growth.c / growth.s).abs(), 1.0 / growth.s.abs()],
+            each: [scene.each, scene.each * scene.inverse_mass * faded],
+            forces: [
+                scene.sigma + force + numerator / denominator,
+                output + stiffness,
+                damping,
+            ],
+            spring: (stiffness * scene.inverse_mass).sqrt(),
+            fades: if held_by_spring {
+                [1.0, f64::INFINITY]
+            } else {
+                let over = scene.decay.powi(STRETCH.cast_signed());
+                [over, 1.0 / (1.0 - scene.decay)]
+            },
+            errors: [0.0, position, velocity],
+        }
+    }
+
+    /// Ends a stretch of so many intervals, in which the square of the norm was at most `size`; whether
+    /// an edge that was `nearest` away was farther off than rounding leads.
+    #[inline(always)]
+    pub(crate) fn settle(&mut self, nearest: f64, size: f64, intervals: f64) -> bool {
+        let norm = size.sqrt();
+        let [reach, position, velocity] = self.errors;
+        let [farthest, speed] = self.parts.map(|part| part * norm);
+        let reach = if farthest > reach { farthest } else { reach };
+        let [constant, of_position, of_speed] = self.forces;
+        let forces = constant + of_position * (reach + 1.0) + of_speed * speed;
+        let rounded = self.each[0] * speed + self.each[1] * forces + f64::MIN_POSITIVE;
+        let shift = rounded + OF_POSITION * reach;
+        let kick = rounded + self.spring * shift;
+        let (once, sum) = (intervals * kick, self.fades[1] * kick);
+        let added = if once < sum { once } else { sum };
+        let whole = intervals == f64::from(STRETCH);
+        let faded = if whole { self.fades[0] } else { 1.0 };
+        let position = position + intervals * (velocity + added + shift);
+        self.errors = [reach, position, faded * velocity + added];
+        // False of what is no number any more.
+        nearest >= position
+    }
+}
+
+/// What a stretch had: how near to an edge a sample was, and the greatest square of the norm.
+///
+/// Apart from [`Stretches`], so that it stays in registers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen {
+    nearest: f64,
+    size: f64,
+}
+
+impl Seen {
+    pub(crate) const NOTHING: Self = Self {
+        nearest: 1.0,
+        size: 0.0,
+    };
+
+    /// Sees where an interval leads, and the square of the norm of the state that it starts from.
+    #[inline(always)]
+    pub(crate) fn see(&mut self, xi: f64, size: f64) {
+        let off = off_edge(xi);
+        self.nearest = if off < self.nearest {
+            off
+        } else {
+            self.nearest
+        };
+        self.size = if size > self.size { size } else { self.size };
+    }
+}
+
+/// How the samples of a run lie to the edges, stretch by stretch.
+#[derive(Clone, Debug)]
+pub(crate) struct Stretches {
+    bounds: Coarse<f64>,
+    /// How many intervals the stretches before had.
+    done: u64,
+    /// Whether a sample may be within rounding of an edge.
+    pub(crate) near: bool,
+}
+
+impl Stretches {
+    /// At the start of a plan.
+    pub(crate) fn new(plan: &Plan) -> Self {
+        let [xi, _] = plan.start;
+        Self {
+            bounds: Coarse::new(plan),
+            done: 0,
+            near: plan.law.has(law::ENCODER) && off_edge(xi) < plan.start_error,
+        }
+    }
+
+    /// Ends a stretch after `h` intervals of the run; the last one when the run ends.
+    #[inline(never)]
+    pub(crate) fn settle(&mut self, seen: Seen, h: u64) -> Seen {
+        // At most a stretch.
+        let intervals = (h - self.done) as f64;
+        self.near |= !self.bounds.settle(seen.nearest, seen.size, intervals);
+        self.done = h;
+        Seen::NOTHING
+    }
+}
+
+/// How far a position is from the nearest encoder edge; for positions beyond 2⁵¹ at most a tick.
+#[inline(always)]
+pub(crate) fn off_edge(xi: f64) -> f64 {
+    // Adding it rounds to whole numbers.
+    const MAGIC: f64 = 6_755_399_441_055_744.0;
+    (xi - ((xi + MAGIC) - MAGIC)).abs()
+}
+
+#[cfg(all(test, feature = "multiprecision"))]
+mod tests {
+    use passivity_core::{BigRational, Friction, Loop, Scalar as _};
+    use passivity_scene::Point;
+    use passivity_scene::number::parse;
+    use passivity_scene::point::Units;
+
+    use crate::{Method, Plan, run, simulate};
+
+    fn point(
+        [mu, beta, sigma, speed]: [&str; 4],
+        change: impl Fn(&mut Loop<BigRational>),
+    ) -> Point {
+        let q = |text: &str| parse(text).unwrap();
+        let one = BigRational::one();
+        let mut at = Loop {
+            inertia: Some(q(mu)),
+            start_position: Some(q("1/3")),
+            start_velocity: Some(q(speed)),
+            ..Loop::plain(Friction::new(q(beta), q(sigma)))
+        };
+        change(&mut at);
+        Point {
+            at,
+            forces: None,
+            intervals: 60,
+            units: Units {
+                period: one.clone(),
+                length: one.clone(),
+                stiffness: one,
+                length_unit: None,
+            },
+        }
+    }
+
+    /// How much of its bound the error of a run is.
+    fn part_of_bound(point: &Point) -> Option<f64> {
+        let (end, [position, velocity]) = run::with_errors(&Plan::compile(point).unwrap());
+        if end.outcome.exact == crate::ExactOutcome::Growing || position < 0.0 {
+            return None;
+        }
+        let truth = simulate(point, &Method::Reference { digits: 60 }, None)
+            .unwrap()
+            .end;
+        assert_eq!(end.intervals, truth.intervals, "{point:?}");
+        let of = |off: f64, bound: f64| off.abs() / bound;
+        let parts = [
+            of(end.xi - truth.xi, position),
+            of(end.velocity - truth.velocity, velocity),
+        ];
+        let worst = parts.into_iter().fold(0.0, f64::max);
+        assert!(worst <= 1.0, "{parts:?} {end:?} {truth:?} {point:?}");
+        Some(worst)
+    }
+
+    #[test]
+    fn the_bounds_hold_the_error_of_every_motion() {
+        let q = |text: &str| parse(text).ok();
+        let mut runs = 0;
+        for mu in ["1e-3", "1/7", "3", "50", "1e6"] {
+            for beta in ["0", "1e-9", "1/7", "3/5", "10", "1000"] {
+                for sigma in ["1/7", "4/5"] {
+                    for speed in ["1/3", "-7/3"] {
+                        let of = [mu, beta, sigma, speed];
+                        runs += usize::from(part_of_bound(&point(of, |_| ())).is_some());
+                        let damped = point(of, |at| (at.damping, at.delay) = (q("1/9"), 1));
+                        runs += usize::from(part_of_bound(&damped).is_some());
+                        let late = point(of, |at| at.latency = q("9/7"));
+                        runs += usize::from(part_of_bound(&late).is_some());
+                    }
+                }
+            }
+        }
+        assert!(runs > 100, "{runs}");
+    }
+
+    #[test]
+    fn the_bounds_hold_the_error_behind_an_amplifier_and_an_arm() {
+        let q = |text: &str| parse(text).ok();
+        let mut runs = 0;
+        for (mu, beta) in [("50", "3"), ("3", "4"), ("1/2", "1")] {
+            for lag in ["1/7", "2"] {
+                for stiffness in ["0", "1/3", "5"] {
+                    let of = [mu, beta, "4/5", "7/3"];
+                    let mut scene = point(of, |at| {
+                        (at.time_constant, at.latency) = (q(lag), q("2/7"));
+                        (at.arm_mass, at.arm_damping) = (q("1/3"), q("1/9"));
+                        at.arm_stiffness = q(stiffness);
+                    });
+                    scene.intervals = 20;
+                    runs += usize::from(part_of_bound(&scene).is_some());
+                }
+            }
+        }
+        assert!(runs > 10, "{runs}");
+    }
+}
