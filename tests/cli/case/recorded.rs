@@ -180,10 +180,8 @@ fn forces_that_tell_nothing_of_the_wall_are_no_support() {
         let log = dir.write("run.csv", text);
         let audit = dir.run(&["audit", &log, "--scene", &path, "--format", "json"]);
         let audit = audit.json();
-        assert_eq!(
-            (audit["verdict"].as_str(), &audit["force"]["agrees"]),
-            (Some("holds"), &true.into())
-        );
+        assert_eq!(audit["verdict"], "holds");
+        assert_eq!(audit["force"]["rough"], true);
         let run = case(&dir, &path, &["--log", &log]);
         let answer = scene(&run);
         let evidence = answer["recorded"]["logs"][0]["evidence"].clone();

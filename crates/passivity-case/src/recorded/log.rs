@@ -155,19 +155,18 @@ impl Log {
 
     /// Why forces that agree with the wall's law to within their digits say nothing about the wall.
     fn untold_force(&self) -> Option<String> {
-        /// Digits this rough tell a force from none, from one of the other sign and from half of it.
-        const ROUGH: f64 = 0.2;
-        let force = self.report.force.as_ref().filter(|force| force.agrees)?;
-        match force.fit {
-            None => Some(
+        let force = self.report.force.as_ref();
+        let force = force.filter(|force| force.agrees || force.rough)?;
+        match (force.fit, force.rough) {
+            (None, _) => Some(
                 "the force, or that of the wall's law, is zero in every row: the log says nothing about \
                  the wall"
                     .to_owned(),
             ),
-            Some(fit) if (fit.scale - 1.0).abs() < ROUGH && fit.residual < ROUGH => None,
-            Some(_) => Some(
+            (Some(_), true) => Some(
                 "the force is written with too few digits to tell it from that of another wall".to_owned(),
             ),
+            (Some(_), false) => None,
         }
     }
 
