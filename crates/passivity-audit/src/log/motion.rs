@@ -63,8 +63,8 @@ pub(crate) struct Motions {
 const MOST: usize = 1 << 14;
 
 impl Motions {
-    /// The motions of all intervals of a chunk for which `is_asked`, where spans leave nothing open; none of a
-    /// loop whose force remembers earlier samples.
+    /// The motions of all intervals of a chunk for which `is_asked`, where spans leave nothing open; empty where
+    /// there is none of them, and of a loop whose force remembers earlier samples.
     pub(crate) fn all(
         &mut self,
         ledger: &Ledger,
@@ -72,14 +72,16 @@ impl Motions {
         chunk: &Chunk,
         is_asked: impl Fn(usize, &Number) -> bool,
     ) -> Vec<Option<Motion>> {
-        if ledger.has_memory() {
+        let intervals = chunk.samples.len().saturating_sub(1);
+        let lasts = |i: usize| {
+            let dtau = duration(layout, chunk, i).ok()?.unwrap_or(UNIT);
+            is_asked(i, &dtau).then_some(dtau)
+        };
+        if ledger.has_memory() || !(0..intervals).any(|i| lasts(i).is_some()) {
             return Vec::new();
         }
         let motion = |i: usize| {
-            let dtau = duration(layout, chunk, i).ok()?.unwrap_or(UNIT);
-            if !is_asked(i, &dtau) {
-                return None;
-            }
+            let dtau = lasts(i)?;
             match &chunk.samples {
                 Samples::Any(samples) => {
                     let (from, to) = (samples.get(i)?, samples.get(i + 1)?);
@@ -94,9 +96,7 @@ impl Motions {
                 }
             }
         };
-        (0..chunk.samples.len().saturating_sub(1))
-            .map(motion)
-            .collect()
+        (0..intervals).map(motion).collect()
     }
 
     /// What an interval between counts adds under the force of the wall alone, which depends on where it
