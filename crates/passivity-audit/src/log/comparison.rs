@@ -8,10 +8,12 @@ use std::collections::VecDeque;
 
 use passivity_core::{Controller, Wide};
 
+use crate::figure::Figure;
 use crate::ledger::Ledger;
 use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
 use crate::log::exact::ExactSum;
+use crate::log::findings::ROUGH;
 use crate::log::running::near_reading;
 use crate::log::step::undefined;
 use crate::number::Written;
@@ -24,9 +26,6 @@ const LAGS: usize = 8;
 /// How far off a force may be, of its own size: single precision has 2⁻²⁴, and logs lose more.
 const RELATIVE: f64 = 1e-6;
 
-/// Forces that are this much off as a whole, of their own size, are told from the law's only by many digits.
-const ROUGH: f64 = 0.2;
-
 /// And in KΔ, when it is near zero.
 const ABSOLUTE: f64 = 1e-9;
 
@@ -38,7 +37,7 @@ pub(crate) struct Comparison {
     wide: Controller<Wide>,
     /// The delay of the scene.
     pub(crate) delay: usize,
-    /// As many samples as the force depends on beside its delay, the latest first, if it is more than one.
+    /// As many samples as the force depends on beside its delay, the latest first.
     samples: VecDeque<Reading>,
     /// What the law gives without delay, the latest first.
     law: Vec<f64>,
@@ -102,22 +101,34 @@ impl Comparison {
     /// The force that the law commands from this sample, the latest one, without delay; `None` when it is
     /// undefined.
     fn commanded(&mut self, sample: Reading) -> Option<f64> {
-        let order = self.wide.filter.order();
-        if order == 0 {
-            let span = |sample: &Reading| {
-                let measured = self.near.measured(sample.to_near().lo());
-                let force = self.near.held_force(&[measured]);
-                force.defined().map(|_| force.near())
-            };
-            return span(&sample).or_else(|| {
-                let measured = self.wide.measured(sample.to_wide().lo());
-                Some(self.wide.held_force(&[measured]).below()?.near())
-            });
+        fn measured<'r, S: Written>(
+            prompt: &Controller<S>,
+            samples: impl Iterator<Item = &'r Reading>,
+            known: impl Fn(&Reading) -> Figure<S>,
+        ) -> Vec<S> {
+            samples
+                .map(|sample| prompt.measured(known(sample).lo()))
+                .collect()
         }
+        let order = self.wide.filter.order();
+        self.samples.truncate(order);
+        // Most loops have no memory.
+        let near = match order {
+            0 => {
+                let measured = self.near.measured(sample.to_near().lo());
+                self.near.held_force(&[measured])
+            }
+            _ => {
+                let samples = std::iter::once(&sample).chain(&self.samples);
+                let measured = measured(&self.near, samples, Reading::to_near);
+                self.near.held_force(&measured)
+            }
+        };
         self.samples.push_front(sample);
-        self.samples.truncate(order + 1);
-        let known = self.samples.iter().map(Reading::to_wide);
-        let measured: Vec<Wide> = known.map(|known| self.wide.measured(known.lo())).collect();
+        if near.is_number() {
+            return Some(near.near());
+        }
+        let measured = measured(&self.wide, self.samples.iter(), Reading::to_wide);
         Some(self.wide.held_force(&measured).below()?.near())
     }
 

@@ -13,8 +13,9 @@ use crate::log::report::{Agreement, Fitted, Moved};
 /// noise.
 pub(crate) const NOISE: f64 = 0.01;
 
-/// Below this share it may be noise: of a position of a few ticks, its rounding is as much.
-const ROUGH: f64 = 0.2;
+/// Below this share it may be noise: of a position of a few ticks, its rounding is as much. Forces that are
+/// further from the law's as a whole agree with it only for want of digits.
+pub(crate) const ROUGH: f64 = 0.2;
 
 /// Something that stands out in a log.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

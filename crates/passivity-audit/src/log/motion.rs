@@ -151,18 +151,17 @@ impl Known {
         };
         let holds = |criterion: &Criterion<Span>| criterion.margin(&speed).is_nonnegative();
         let [least, most] = &ends.criteria;
-        let criterion_holds = match (speed.is_positive()?, ends.friction_is_exact()) {
-            (false, _) => Truth::Holds,
-            (true, true) => truth(holds(least)?),
-            (true, false) => Truth::over(holds(least)?, holds(most)?),
-        };
         let taken = dissipated(&ends.least);
+        let moves = speed.is_positive()?;
+        let at_least = !moves || holds(least)?;
+        // Friction that is known has one end.
+        let (most_taken, at_most) = match ends.friction_is_exact() {
+            true => (taken, at_least),
+            false => (dissipated(&ends.most), !moves || holds(most)?),
+        };
         Some(Self {
-            dissipated: match ends.friction_is_exact() {
-                true => [taken, taken],
-                false => [taken, dissipated(&ends.most)],
-            },
-            criterion_holds,
+            dissipated: [taken, most_taken],
+            criterion_holds: Truth::over(at_least, at_most),
             potential: ends.least.law().potential(&known(to)?),
         })
     }
@@ -238,10 +237,6 @@ fn between(least: Span, most: Span) -> Option<[i128; 2]> {
 fn violates([least, most]: &[Span; 2]) -> Option<Truth> {
     let kept = Truth::over(least.is_nonnegative()?, most.is_nonnegative()?);
     Some(not(kept))
-}
-
-const fn truth(holds: bool) -> Truth {
-    Truth::over(holds, holds)
 }
 
 /// What is known of a number, where it is one span.
