@@ -4,6 +4,7 @@ use passivity_core::verdict::End;
 use passivity_core::{BigRational, Exact, Fixed, Interval, Loop, Scalar as _, Truth, Wide};
 use passivity_scene::Scene;
 
+use crate::ball::Ball;
 use crate::ends::{Ends, NotExact};
 use crate::entry::{Entry, Recorded, entry};
 use crate::figure::Figure;
@@ -33,6 +34,7 @@ pub struct Ledger {
     fixed: Option<Ends<Fixed>>,
     wide: Ends<Wide>,
     near: Ends<Span>,
+    quick: Option<Ends<Ball>>,
 }
 
 /// A sampling interval of a trace, with all that its row is made of.
@@ -76,9 +78,11 @@ impl Ledger {
     /// [`NotExact`] when something else than friction is an interval.
     pub fn new(dimensionless: &Loop<Interval<BigRational>>) -> Result<Self, NotExact> {
         let ends = Ends::of(dimensionless)?;
+        let near = ends.to_near();
         Ok(Self {
             fixed: ends.to_fixed(),
-            near: ends.to_near(),
+            quick: near.try_map(|x| Some(Ball::of_span(*x))),
+            near,
             wide: ends.to_wide(),
         })
     }
@@ -168,6 +172,11 @@ impl Ledger {
     {
         let near = |reading: &Reading| Some(reading.to_near());
         read.row(&self.near, self.window(), &Span::of(dtau), near)
+    }
+
+    /// The loop in doubles with a bound of their error.
+    pub(crate) const fn quick(&self) -> Option<&Ends<Ball>> {
+        self.quick.as_ref()
     }
 
     /// The loop in spans.

@@ -13,6 +13,7 @@
     )
 )]
 
+mod ball;
 mod enclosure;
 pub mod ends;
 pub mod entry;

@@ -168,8 +168,65 @@ pub(crate) fn decimal(text: &[u8]) -> Option<(i64, i64)> {
         return None;
     }
     let value = i64::try_from(value).ok()?;
-    let power = 10_i64.checked_pow(u32::try_from(decimals).ok()?)?;
+    let power = power_of_ten(u32::try_from(decimals).ok()?)?;
     Some((if negative { -value } else { value }, power))
+}
+
+/// 10^k, where 64 bits hold it.
+#[inline]
+pub(crate) fn power_of_ten(k: u32) -> Option<i64> {
+    const POWERS: [i64; 19] = [
+        1,
+        10,
+        100,
+        1_000,
+        10_000,
+        100_000,
+        1_000_000,
+        10_000_000,
+        100_000_000,
+        1_000_000_000,
+        10_000_000_000,
+        100_000_000_000,
+        1_000_000_000_000,
+        10_000_000_000_000,
+        100_000_000_000_000,
+        1_000_000_000_000_000,
+        10_000_000_000_000_000,
+        100_000_000_000_000_000,
+        1_000_000_000_000_000_000,
+    ];
+    POWERS.get(usize::try_from(k).ok()?).copied()
+}
+
+/// A short decimal up to `end` or a line break at the start of a text, as [`decimal`] reads it, and where it
+/// ends.
+#[inline]
+pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, i64), usize)> {
+    /// 64 bits hold any number of as many digits.
+    const MOST: usize = 18;
+    let mut rest = text.iter();
+    let (mut value, mut digits, mut decimals, mut negative) = (0_i64, 0_usize, None, false);
+    loop {
+        match rest.next() {
+            Some(byte @ b'0'..=b'9') => {
+                value = value.wrapping_mul(10).wrapping_add(i64::from(byte - b'0'));
+                digits += 1;
+            }
+            Some(b'.') if decimals.is_none() => decimals = Some(digits),
+            Some(b'-') if digits == 0 && decimals.is_none() && !negative => negative = true,
+            Some(byte) if *byte == end || *byte == b'\n' => break,
+            Some(b'\r') if rest.as_slice().first() == Some(&b'\n') => break,
+            _ => return None,
+        }
+    }
+    if digits == 0 || digits > MOST {
+        return None;
+    }
+    let decimals = decimals.map_or(0, |before| digits - before);
+    let power = power_of_ten(u32::try_from(decimals).ok()?)?;
+    let length = text.len() - rest.as_slice().len() - 1;
+    Some(((if negative { -value } else { value }, power), length))
 }
 
 /// A short literal without an exponent: `-12`, `0.375`, `3/8`. `None` for all else, which is then for the

@@ -2,6 +2,7 @@
 
 use passivity_core::{BigRational, Fixed, Interval, Ordered, Scalar, Wide, rational};
 
+use crate::ball::Ball;
 use crate::figure::Figure;
 use crate::number::Number;
 use crate::span::{self, Span};
@@ -94,6 +95,16 @@ impl Reading {
                 Figure::Enclosed(Interval::new_unchecked(tick, tick + Span::one()))
             }
             Self::Within(x) => Figure::Exact(x.span),
+        }
+    }
+
+    /// What is known of the number, in doubles: of a count too little to be of use.
+    #[inline]
+    pub(crate) fn to_ball(&self) -> Option<Ball> {
+        match self {
+            Self::Exact(x) => Some(Ball::of(x)),
+            Self::Count(_) => None,
+            Self::Within(x) => Some(Ball::of_span(x.span)),
         }
     }
 

@@ -132,6 +132,12 @@ impl Span {
         self.is_defined().then(|| 2 * i128::from(self.radius))
     }
 
+    /// The middle and the radius, in units of 2⁻⁶⁴, where the number is defined.
+    #[inline]
+    pub(crate) fn parts(self) -> Option<(i128, u64)> {
+        self.is_defined().then_some((self.middle, self.radius))
+    }
+
     /// A double near the number, where it is defined.
     #[allow(clippy::cast_precision_loss)] // that is what near means
     pub(crate) fn near(self) -> f64 {

@@ -9,11 +9,9 @@ use crate::run::Tallies;
 use crate::span::on_grid;
 use crate::sum::FigureSum;
 
-/// The most intervals of a batch: together with [`WIDEST`] they leave sums room in 128 bits.
+/// The most intervals of a batch: of addends that are as wide as [`fits`](Addend::fits) allows, sums have room in
+/// 128 bits.
 const MOST: u64 = 1 << 20;
-
-/// Energies past it, 2³⁶ KΔ², are for exact numbers.
-const WIDEST: u128 = 1 << 100;
 
 /// The least of some energies in units of the grid, and after how many intervals it was.
 #[derive(Clone, Copy, Debug, Default)]
@@ -90,23 +88,15 @@ impl Batch {
         self.excess.as_ref()
     }
 
-    /// Adds an interval; `None`, and nothing added, where something does not fit.
-    pub(crate) fn add(&mut self, addend: Addend) -> Option<()> {
+    /// Adds an interval, with what it adds to T where the verdict is about that; `None`, and nothing added,
+    /// where the batch is full.
+    #[inline]
+    pub(crate) fn add(&mut self, addend: &Addend, supply: Option<Supplied>) -> Option<()> {
         let h = self.intervals + 1;
-        // The bits of all of them: together they are as wide as the widest.
-        let mut bits = addend.observed.unsigned_abs() | addend.potential.unsigned_abs();
-        for [lo, hi] in addend.sums {
-            bits |= lo.unsigned_abs() | hi.unsigned_abs();
-        }
-        if let Some(Supplied { step, end, .. }) = &addend.supply {
-            for n in step.iter().chain(end) {
-                bits |= n.unsigned_abs();
-            }
-        }
-        if h > MOST || bits >= WIDEST {
+        if h > MOST {
             return None;
         }
-        if let Some(supply) = addend.supply {
+        if let Some(supply) = supply {
             let sums = self.supply.iter_mut().zip(&mut self.lowest);
             for ((sum, lowest), (step, end)) in sums.zip(supply.step.into_iter().zip(supply.end)) {
                 sum.add(step, h);
@@ -122,7 +112,8 @@ impl Batch {
         let [_, _, _, [least_net, _], _] = addend.sums;
         self.net.add(least_net, h);
         self.observer.add(addend.observed, h);
-        self.stored.keep(self.net.now + addend.potential, h);
+        let [least_potential, _] = addend.potential;
+        self.stored.keep(self.net.now + least_potential, h);
         self.worst.keep(least_net, h - 1);
         self.tallies.add_times(addend.truths, h - 1, 1);
         for (first, is) in self.firsts.iter_mut().zip(kinds(addend.truths)) {

@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 
 use passivity_core::{Controller, Wide};
 
-use crate::figure::Figure;
+use crate::ball::Ball;
 use crate::ledger::Ledger;
 use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
@@ -18,7 +18,6 @@ use crate::log::running::near_reading;
 use crate::log::step::undefined;
 use crate::number::Written;
 use crate::reading::Reading;
-use crate::span::Span;
 
 /// The longest lag that is tried beyond the scene's, in samples.
 const LAGS: usize = 8;
@@ -33,7 +32,7 @@ const ABSOLUTE: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(crate) struct Comparison {
     /// The controller without delay.
-    near: Controller<Span>,
+    quick: Option<Controller<Ball>>,
     wide: Controller<Wide>,
     /// The delay of the scene.
     pub(crate) delay: usize,
@@ -41,6 +40,10 @@ pub(crate) struct Comparison {
     samples: VecDeque<Reading>,
     /// What the law gives without delay, the latest first.
     law: Vec<f64>,
+    /// What it was before the first force that is compared.
+    before: Vec<f64>,
+    /// Σ p² without lag.
+    law_squares: ExactSum,
     pub(crate) compared: u64,
     /// How the forces agree, by lag.
     pub(crate) lags: Vec<Agreement>,
@@ -53,7 +56,7 @@ pub(crate) struct Comparison {
 pub(crate) struct Agreement {
     /// As −f(q) and as +f(q): how often they do not, and where first.
     pub(crate) mismatches: [(u64, Option<u64>); 2],
-    /// Σ f·p and Σ p², with p the force of the law.
+    /// Σ f·p and Σ p², with p the force of the law; the latter once the comparison is [settled](Comparison::settle).
     pub(crate) products: [ExactSum; 2],
 }
 
@@ -88,10 +91,12 @@ impl Comparison {
         let delay = ledger.wide().controller.delay;
         Self {
             delay,
-            near: prompt(&ledger.near().controller),
+            quick: ledger.quick().map(|ends| prompt(&ends.controller)),
             wide: prompt(&ledger.wide().controller),
             samples: VecDeque::new(),
             law: Vec::new(),
+            before: Vec::new(),
+            law_squares: ExactSum::default(),
             compared: 0,
             lags: vec![Agreement::default(); delay + LAGS + 1],
             squares: ExactSum::default(),
@@ -101,34 +106,34 @@ impl Comparison {
     /// The force that the law commands from this sample, the latest one, without delay; `None` when it is
     /// undefined.
     fn commanded(&mut self, sample: Reading) -> Option<f64> {
-        fn measured<'r, S: Written>(
-            prompt: &Controller<S>,
-            samples: impl Iterator<Item = &'r Reading>,
-            known: impl Fn(&Reading) -> Figure<S>,
-        ) -> Vec<S> {
-            samples
-                .map(|sample| prompt.measured(known(sample).lo()))
-                .collect()
-        }
         let order = self.wide.filter.order();
         self.samples.truncate(order);
         // Most loops have no memory.
-        let near = match order {
-            0 => {
-                let measured = self.near.measured(sample.to_near().lo());
-                self.near.held_force(&[measured])
+        let near = match (&self.quick, order) {
+            (Some(quick), 0) => {
+                let found = sample
+                    .to_ball()
+                    .or_else(|| Some(Ball::of_span(*sample.to_near().lo())));
+                found.map(|xi| quick.held_force(&[quick.measured(&xi)]))
             }
-            _ => {
+            (Some(quick), _) => {
                 let samples = std::iter::once(&sample).chain(&self.samples);
-                let measured = measured(&self.near, samples, Reading::to_near);
-                self.near.held_force(&measured)
+                let measured: Vec<Ball> = samples
+                    .map(|sample| quick.measured(&Ball::of_span(*sample.to_near().lo())))
+                    .collect();
+                Some(quick.held_force(&measured))
             }
+            (None, _) => None,
         };
         self.samples.push_front(sample);
-        if near.is_number() {
-            return Some(near.near());
+        if let Some(near) = near.and_then(Ball::near) {
+            return Some(near);
         }
-        let measured = measured(&self.wide, self.samples.iter(), Reading::to_wide);
+        let measured: Vec<Wide> = self
+            .samples
+            .iter()
+            .map(|sample| self.wide.measured(sample.to_wide().lo()))
+            .collect();
         Some(self.wide.held_force(&measured).below()?.near())
     }
 
@@ -139,6 +144,9 @@ impl Comparison {
             let law = self.commanded(sample).ok_or_else(undefined)?;
             // Before the first sample the device stood where it finds it.
             self.law.resize(self.delay + LAGS + 1, law);
+            if self.before.is_empty() {
+                self.before.clone_from(&self.law);
+            }
             self.law.rotate_right(1);
             if let Some(latest) = self.law.first_mut() {
                 *latest = law;
@@ -148,6 +156,7 @@ impl Comparison {
                 agreement.compare(middle, *expected, force.rounding, self.compared);
             }
             self.squares.add(middle * middle);
+            self.law_squares.add(law * law);
             self.compared += 1;
         }
         Ok(())
@@ -163,7 +172,23 @@ impl Comparison {
     pub(crate) fn forget(&mut self) {
         self.compared = 0;
         self.squares = ExactSum::default();
+        self.law_squares = ExactSum::default();
+        self.before.clone_from(&self.law);
         self.lags.fill(Agreement::default());
+    }
+
+    /// Sums up the squares of the law at every lag: those without it, and what came before them instead of as
+    /// many at the end.
+    pub(crate) fn settle(&mut self) {
+        let mut sum = std::mem::take(&mut self.law_squares);
+        let shifts = self.before.iter().zip(&self.law);
+        for (lag, (before, last)) in self.lags.iter_mut().zip(shifts) {
+            let [_, squares] = &mut lag.products;
+            squares.add_sum(&sum);
+            sum.add(before * before);
+            sum.add(-(last * last));
+        }
+        self.before.clone_from(&self.law);
     }
 
     /// Goes on with what was found of the forces that follow.
@@ -258,8 +283,7 @@ impl Agreement {
                 first.get_or_insert(row);
             }
         }
-        let [mixed, own] = &mut self.products;
+        let [mixed, _] = &mut self.products;
         mixed.add(force * law);
-        own.add(law * law);
     }
 }

@@ -1,17 +1,21 @@
 //! The row of an interval, and what an account keeps of it.
 
+use passivity_core::Interval;
+
 use crate::entry::Entry;
+use crate::figure::Figure;
 use crate::ledger::{Logged, Row, Truths, on_entry};
 use crate::log::account::{Account, Place};
 use crate::log::error::TraceError;
 use crate::log::merge::ROWS_IN_REPORT;
+use crate::log::motion::{Addend, Known};
 use crate::log::running::Lowest;
 use crate::log::step::undefined;
 use crate::log::supply::{Contribution, observed, potential, potential_on};
 use crate::log::task::Task;
 use crate::number::{Number, Reduced, Written as _};
 use crate::reading::Reading;
-use crate::span::{Span, below_on_grid, figure_around, outward};
+use crate::span::{ONE, Span, below_on_grid, figure_around, outward};
 use crate::sum::FigureSum;
 
 /// How many rows at the start of a trace are of exact numbers.
@@ -21,6 +25,8 @@ pub(crate) const EXACT_ROWS: usize = ROWS_IN_REPORT;
 pub(crate) enum Accounted {
     Exact(Row),
     Near(Box<Entry<Span>>),
+    /// Between known positions, of doubles.
+    Quick(Box<Addend>),
     /// Decided by exact numbers, and summed up on the grid of spans: so that the denominators of sums stay
     /// short.
     Decided(Row),
@@ -31,6 +37,7 @@ impl Accounted {
         match self {
             Self::Exact(row) | Self::Decided(row) => row.truths(),
             Self::Near(entry) => entry.truths(),
+            Self::Quick(addend) => addend.truths,
         }
     }
 
@@ -39,6 +46,13 @@ impl Accounted {
         match self {
             Self::Exact(row) => row.add_to(sums, times),
             Self::Near(entry) => entry.add_to(sums, times),
+            Self::Quick(addend) => {
+                for (sum, ends) in sums.iter_mut().zip(addend.sums) {
+                    let [lo, hi] = ends.map(|end| Span::between(end, end));
+                    sum.add_times(&Figure::Enclosed(Interval::new_unchecked(lo, hi)), times)?;
+                }
+                Some(())
+            }
             Self::Decided(row) => {
                 for (sum, figure) in sums.iter_mut().zip(row.figures()?) {
                     match figure_around(figure.lo(), figure.hi()) {
@@ -56,6 +70,10 @@ impl Accounted {
         match self {
             Self::Exact(row) => on_entry!(row, entry => entry.account.net_linear.lo().below()),
             Self::Near(entry) => entry.account.net_linear.lo().below(),
+            Self::Quick(addend) => {
+                let [_, _, _, [least, _], _] = addend.sums;
+                Some(Reduced::Small(least, ONE))
+            }
             Self::Decided(row) => {
                 let net = row.net_linear()?.lo().clone();
                 Some(below_on_grid(net.into()))
@@ -100,12 +118,17 @@ impl Computed {
     }
 
     fn defined(task: &Task<'_>, interval: &Logged, h: usize) -> Option<Self> {
+        let quick = || {
+            let addend =
+                Known::of_interval(task.ledger, interval)?.addend(interval.force.as_ref())?;
+            Self::of_row(task, interval, Accounted::Quick(Box::new(addend)))
+        };
         let near = || {
             let entry = task.ledger.near_entry(interval.read(), &interval.dtau)?;
             Self::of_row(task, interval, Accounted::Near(Box::new(entry)))
         };
         let exact = is_exact(task, &interval.end, &interval.dtau, h);
-        let near = if exact { None } else { near() };
+        let near = if exact { None } else { quick().or_else(near) };
         let row = match (&near, task.rows) {
             (Some(_), None) => return near,
             _ => task.ledger.row(interval)?,
@@ -194,6 +217,7 @@ pub(crate) fn note_stored(
     let ledger = task.ledger;
     let potential = match row {
         Accounted::Near(_) => potential_on(ledger.near(), &sample.to_near()),
+        Accounted::Quick(addend) => Some(addend.potential.map(|end| Reduced::Small(end, ONE))),
         Accounted::Exact(_) => potential(ledger, sample),
         Accounted::Decided(_) => potential(ledger, sample).map(outward),
     };

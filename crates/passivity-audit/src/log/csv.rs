@@ -5,12 +5,13 @@
 //! quotes; no field can hold the character between fields or a line break.
 
 use crate::log::chunk::{Chunk, Samples};
+use crate::log::columns::Role;
 use crate::log::error::{self, TraceError, shown};
 use crate::log::layout::{Form, Layout};
 use crate::log::lines::Block;
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
-use crate::number::{Number, decimal, short};
+use crate::number::{Number, decimal, leading_decimal, short};
 use crate::reading::Reading;
 
 /// What stands between fields, and before the decimals of a number.
@@ -103,7 +104,14 @@ pub(crate) fn parse(block: &Block, layout: &Layout, notation: Notation) -> Chunk
     // The rest, if anything: other columns, and lines that are not plain counts.
     let mut rest = bytes.get(read..).unwrap_or_default();
     let mut blank: Option<u64> = None;
+    let slots = Slots::of(layout, notation);
     while !rest.is_empty() {
+        if let (None, Some(slots)) = (blank, &slots)
+            && let Some(length) = slots.push(rest, layout, &mut chunk)
+        {
+            rest = rest.get(length..).unwrap_or_default();
+            continue;
+        }
         let (line, after) = match memchr::memchr(b'\n', rest) {
             Some(end) => (rest.get(..end), rest.get(end + 1..)),
             None => (Some(rest), None),
@@ -144,6 +152,94 @@ pub(crate) fn parse(block: &Block, layout: &Layout, notation: Notation) -> Chunk
         chunk.error = Some(error.clone().row(end));
     }
     chunk
+}
+
+/// What the columns of a log of positions hold, for rows of nothing but short decimals.
+struct Slots {
+    /// By column.
+    roles: Vec<Option<Role>>,
+    delimiter: u8,
+}
+
+impl Slots {
+    /// `None` for other logs.
+    fn of(layout: &Layout, notation: Notation) -> Option<Self> {
+        let is_plain = matches!(layout.form, Form::X | Form::Xi) && !notation.decimal_comma;
+        if !is_plain || notation.delimiter == b'.' || notation.delimiter == b'-' {
+            return None;
+        }
+        let mut roles = vec![None; layout.width()];
+        let columns = [
+            (Some(layout.position), Role::X),
+            (layout.time, Role::T),
+            (layout.force, Role::F),
+            (layout.velocity, Role::V),
+        ];
+        for (column, role) in columns {
+            if let Some(column) = column {
+                *roles.get_mut(column)? = Some(role);
+            }
+        }
+        Some(Self {
+            roles,
+            delimiter: notation.delimiter,
+        })
+    }
+
+    /// Appends the row at the start of a text, and gives its length with its line break; `None`, and nothing
+    /// appended, for a row that is for the careful parser.
+    fn push(&self, text: &[u8], layout: &Layout, chunk: &mut Chunk) -> Option<usize> {
+        let mut at = 0;
+        let [mut position, mut time, mut force, mut velocity] = [None; 4];
+        let mut ended = false;
+        for role in &self.roles {
+            if ended {
+                return None;
+            }
+            let rest = text.get(at..)?;
+            let length = match role {
+                None => memchr::memchr2(self.delimiter, b'\n', rest)?,
+                Some(role) => {
+                    let (number, length) = leading_decimal(rest, self.delimiter)?;
+                    let slot = match role {
+                        Role::T => &mut time,
+                        Role::F => &mut force,
+                        Role::V => &mut velocity,
+                        _ => &mut position,
+                    };
+                    *slot = Some(number);
+                    length
+                }
+            };
+            let end = rest.get(length)?;
+            ended = *end != self.delimiter;
+            at += length + if *end == b'\r' { 2 } else { 1 };
+        }
+        let Samples::Any(samples) = &mut chunk.samples else {
+            return None;
+        };
+        if !ended {
+            return None;
+        }
+        let small = |(n, power)| Number::Small(n, power);
+        let position = layout.sample(small(position?)).ok()?;
+        if let Some((n, power)) = force {
+            let force = layout.force(Number::Small(n, power), half_a_unit(power));
+            chunk.forces.push(force.ok()?);
+        }
+        samples.push(position);
+        chunk.times.extend(time.map(small));
+        chunk
+            .velocities
+            .extend(velocity.map(|v| near_number(&small(v)) * layout.per_velocity));
+        Some(at)
+    }
+}
+
+/// Half a unit of the last digit of a decimal over this power of ten.
+#[allow(clippy::cast_precision_loss)] // a power of ten that is a double
+fn half_a_unit(power: i64) -> f64 {
+    0.5 / power as f64
 }
 
 fn count(chunk: &Chunk) -> u64 {
@@ -315,9 +411,7 @@ fn whole(field: &[u8], notation: Notation) -> Result<i64, TraceError> {
 /// A number, and half a unit of its last digit.
 fn rounded(text: &[u8], notation: Notation) -> Result<(Number, f64), TraceError> {
     if let Some((n, power)) = decimal(text) {
-        #[allow(clippy::cast_precision_loss)] // a power of ten that is a double
-        let unit = power as f64;
-        return Ok((Number::Small(n, power), 0.5 / unit));
+        return Ok((Number::Small(n, power), half_a_unit(power)));
     }
     Ok((number(text, notation)?, half_last_digit(text)))
 }

@@ -5,7 +5,7 @@ use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
 use passivity_core::{BigRational, Exact, Interval, Scalar};
 
 use crate::log::error::TraceError;
-use crate::number::Number;
+use crate::number::{Number, power_of_ten};
 use crate::reading::{Reading, Scaled};
 use crate::span::{self, Span};
 
@@ -88,7 +88,7 @@ impl Irrational {
         let Number::Small(n, d) = x else { return None };
         let by = |decimals: u32| *self.by_decimals.get(usize::try_from(decimals).ok()?)?;
         let decimals = d.ilog10();
-        let by = if 10_i64.checked_pow(decimals) == Some(*d) {
+        let by = if power_of_ten(decimals) == Some(*d) {
             by(decimals)?
         } else if d.is_positive() && d.count_ones() == 1 {
             let whole = by(0)?;
@@ -110,7 +110,7 @@ impl Irrational {
     pub(crate) fn position(&self, x: Number) -> Result<Reading, TraceError> {
         if let Some(span) = self.short(&x)
             && span.floor().defined().is_some()
-            && x != Number::whole(0)
+            && !matches!(x, Number::Small(0, _))
         {
             return Ok(Reading::Within(Scaled::new(x, span)));
         }
@@ -119,7 +119,7 @@ impl Irrational {
 
     /// A force in KΔ.
     pub(crate) fn force(&self, x: Number) -> Result<Reading, TraceError> {
-        if x == Number::whole(0) {
+        if matches!(x, Number::Small(0, _)) {
             return Ok(Reading::Exact(x));
         }
         if let Some(span) = self.short(&x) {

@@ -231,7 +231,9 @@ impl<'a, 'w> Merge<'a, 'w> {
                     let message = "expected a duration above zero";
                     return Err(TraceError::new("time", message).column("dtau"));
                 }
-                self.account.timing.add(dtau, self.account.intervals);
+                if self.task.compares {
+                    self.account.timing.add(dtau, self.account.intervals);
+                }
             }
             let force = self.onward.force.take().filter(|_| self.task.applied);
             let interval = Logged {
@@ -323,7 +325,10 @@ impl<'a, 'w> Merge<'a, 'w> {
         Ok(self.findings())
     }
 
-    fn findings(self) -> Findings {
+    fn findings(mut self) -> Findings {
+        if let Some(comparison) = &mut self.comparison {
+            comparison.settle();
+        }
         let times = self.began.as_ref().zip(self.onward.time.as_ref());
         let duration = times.and_then(|(from, to)| self.task.layout.duration(from, to));
         Findings {

@@ -49,6 +49,8 @@ mod typed;
 mod velocity;
 mod worker;
 
+pub(crate) use running::near as near_rational;
+
 pub use account::Point;
 pub use arrays::{Positions, Values, audit_arrays, audit_columns};
 pub use certificate::Certificate;

@@ -3,20 +3,23 @@
 use std::collections::HashMap;
 
 use passivity_core::ledger::{self, HeldInterval};
-use passivity_core::{Criterion, Friction, Loop, Ordered as _, Step, Truth, dissipation};
+use passivity_core::{
+    Criterion, Friction, Loop, Ordered as _, Scalar as _, Step, Truth, dissipation,
+};
 
+use crate::ball::Ball;
 use crate::ends::Ends;
 use crate::entry::Entry;
 use crate::figure::{Figure, not};
-use crate::ledger::{Ledger, Read, Truths};
+use crate::ledger::{Ledger, Logged, Read, Truths};
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::UNIT;
 use crate::log::layout::Layout;
 use crate::log::step::{check_jump, duration};
-use crate::log::supply::{self, Bounds, Supplied};
-use crate::number::{Number, Written as _};
+use crate::log::supply;
+use crate::number::Number;
 use crate::reading::Reading;
-use crate::span::Span;
+use crate::span::{Span, units};
 
 /// What is computed of an interval once, for all accounts that are kept of it.
 #[derive(Clone, Debug)]
@@ -27,15 +30,22 @@ pub(crate) enum Motion {
     Counted(Box<Addend>),
 }
 
-/// What an interval between two known positions comes to under any force.
-#[derive(Clone, Copy, Debug)]
+/// What an interval between two known positions comes to under any force, in doubles.
+#[derive(Clone, Debug)]
 pub(crate) struct Known {
+    /// Δτ.
+    pub(crate) lasts: Number,
+    displacement: Ball,
+    /// The force of the loop's controller, and what it generates against the wall's law and against its
+    /// quantized form.
+    commanded: Ball,
+    generated: [Ball; 2],
     /// The least that friction takes (26), of the loop with the least and with the most friction.
-    dissipated: [Span; 2],
+    dissipated: [Ball; 2],
     /// Whether the criterion holds at the mean speed.
     criterion_holds: Truth,
     /// The wall's potential where it ends.
-    potential: Span,
+    potential: Ball,
 }
 
 /// What an interval adds to the sums of an account, in units of the grid.
@@ -45,11 +55,9 @@ pub(crate) struct Addend {
     pub(crate) sums: [[i128; 2]; 5],
     /// What the observer adds.
     pub(crate) observed: i128,
-    /// The least potential where the interval ends.
-    pub(crate) potential: i128,
+    /// The potential where the interval ends, at the least and at the most.
+    pub(crate) potential: [i128; 2],
     pub(crate) truths: Truths,
-    /// What it adds to T, where the verdict is about that.
-    pub(crate) supply: Option<Supplied>,
 }
 
 /// What of motions is kept from chunk to chunk.
@@ -85,7 +93,7 @@ impl Motions {
             match &chunk.samples {
                 Samples::Any(samples) => {
                     let (from, to) = (samples.get(i)?, samples.get(i + 1)?);
-                    let known = Known::of(ledger.near(), from, to, &Span::of(&dtau))?;
+                    let known = Known::of(ledger.quick()?, [from, to], dtau)?;
                     Some(Motion::Known(known))
                 }
                 Samples::Counts(counts) => {
@@ -121,7 +129,7 @@ impl Motions {
                     force: None,
                 };
                 let entry = ledger.near_entry(read, dtau)?;
-                let addend = Addend::of_entry(ledger.near(), &entry, None, None)?;
+                let addend = Addend::of_entry(ledger.near(), &entry)?;
                 if self.counted.len() < MOST {
                     self.counted.insert(key, addend.clone());
                 }
@@ -131,25 +139,42 @@ impl Motions {
         let (start, end) = (Span::whole(from), Reading::Count(to).to_near());
         let force = ledger.near().least.law().held_force(&start);
         let observed = -(force * (*end.lo() - start));
-        let [potential, _] = supply::potential_on(ledger.near(), &end)?;
-        Some(Addend {
+        let addend = Addend {
             observed: observed.defined()?[0],
-            potential: crate::span::units(&potential)?,
+            potential: potential(ledger.near(), &end)?,
             ..addend
-        })
+        };
+        addend.fits().then_some(addend)
     }
 }
 
 impl Known {
-    fn of(ends: &Ends<Span>, from: &Reading, to: &Reading, dtau: &Span) -> Option<Self> {
-        let step = step(from, to)?;
+    /// Of an interval of its own; `None` between counts, and of a loop whose force remembers earlier samples.
+    pub(crate) fn of_interval(ledger: &Ledger, interval: &Logged) -> Option<Self> {
+        match interval.samples.as_slice() {
+            [start] if !ledger.has_memory() => Self::of(
+                ledger.quick()?,
+                [start, &interval.end],
+                interval.dtau.clone(),
+            ),
+            _ => None,
+        }
+    }
+
+    fn of(ends: &Ends<Ball>, [from, to]: [&Reading; 2], lasts: Number) -> Option<Self> {
+        let (start, end) = (from.to_ball()?, to.to_ball()?);
+        // Of what stands still, any position that it may have stands for all.
+        let step = match from.is_same(to) {
+            true => Step::new(start.one_of(), start.one_of()),
+            false => Step::new(start, end),
+        };
         let d = step.displacement();
-        let speed = dissipation::mean_speed(&d, dtau);
-        let dissipated = |of: &Loop<Span>| {
+        let speed = dissipation::mean_speed(&d, &Ball::of(&lasts));
+        let dissipated = |of: &Loop<Ball>| {
             let friction = Friction::new(of.viscous_friction(), of.coulomb_friction());
             friction.dissipated_lower(&d, &speed)
         };
-        let holds = |criterion: &Criterion<Span>| criterion.margin(&speed).is_nonnegative();
+        let holds = |criterion: &Criterion<Ball>| criterion.margin(&speed).is_nonnegative();
         let [least, most] = &ends.criteria;
         let taken = dissipated(&ends.least);
         let moves = speed.is_positive()?;
@@ -159,66 +184,67 @@ impl Known {
             true => (taken, at_least),
             false => (dissipated(&ends.most), !moves || holds(most)?),
         };
+        let controller = &ends.controller;
+        let commanded = controller.held_force(&[controller.measured(&start)]);
+        let held = HeldInterval {
+            step,
+            force: commanded,
+            // What is generated does not depend on it.
+            dtau: Ball::one(),
+            extra_storage: None,
+        };
         Some(Self {
+            lasts,
+            displacement: d,
+            commanded,
+            generated: ledger::generated(&ends.least, &held),
             dissipated: [taken, most_taken],
             criterion_holds: Truth::over(at_least, at_most),
-            potential: ends.least.law().potential(&known(to)?),
+            potential: ends.least.law().potential(&end),
         })
     }
 
     /// What the interval adds to an account, under the force that the log has or, without one, under that of
-    /// the loop's controller; `None` where spans leave something open. After an interval with the excess
-    /// force `before`, where the account is of T.
-    pub(crate) fn addend(
-        &self,
-        ends: &Ends<Span>,
-        [from, to]: [&Reading; 2],
-        force: Option<&Reading>,
-        before: Option<Option<&Bounds>>,
-    ) -> Option<Addend> {
-        let step = step(from, to)?;
-        let force = match force {
-            Some(force) => known(force)?,
-            None => ends
-                .controller
-                .held_force(&[ends.controller.measured(&step.start)]),
+    /// the loop's controller; `None` where doubles leave something open.
+    #[inline]
+    pub(crate) fn addend(&self, force: Option<&Reading>) -> Option<Addend> {
+        let d = self.displacement;
+        let (force, generated) = match force {
+            None => (self.commanded, self.generated),
+            Some(force) => {
+                let force = force.to_ball()?;
+                // What a force generates is its work and what no force changes.
+                let more = (force - self.commanded) * d;
+                (force, self.generated.map(|own| own + more))
+            }
         };
-        let observed = -(force * step.displacement());
-        let held = HeldInterval {
-            step,
-            force,
-            // What is generated does not depend on it.
-            dtau: Span::whole(1),
-            extra_storage: None,
-        };
-        let [linear, quantized] = ledger::generated(&ends.least, &held);
         let [least, most] = self.dissipated;
-        let (net_linear, net_quantized) = (
-            [least - linear, most - linear],
-            [least - quantized, most - quantized],
-        );
-        let sums = [
-            between(linear, linear)?,
-            between(quantized, quantized)?,
-            between(least, most)?,
-            between(net_linear[0], net_linear[1])?,
-            between(net_quantized[0], net_quantized[1])?,
-        ];
-        let potential = self.potential.defined()?;
-        let [observed, _] = observed.defined()?;
+        let is_one = least == most;
+        let violates = |generated: Ball| {
+            let at_least = (least - generated).is_nonnegative()?;
+            let at_most = match is_one {
+                true => at_least,
+                false => (most - generated).is_nonnegative()?,
+            };
+            Some(not(Truth::over(at_least, at_most)))
+        };
+        let [linear, quantized] = generated;
+        let truths = Truths {
+            criterion_holds: self.criterion_holds,
+            violates_linear: violates(linear)?,
+            violates_quantized: violates(quantized)?,
+        };
+        let (linear, quantized) = (linear.on_grid()?, quantized.on_grid()?);
+        let mut taken = least.on_grid()?;
+        if !is_one {
+            taken[1] = most.on_grid()?[1];
+        }
+        let net = |generated: [i128; 2]| [taken[0] - generated[1], taken[1] - generated[0]];
         Some(Addend {
-            observed,
-            potential: potential[0],
-            truths: Truths {
-                criterion_holds: self.criterion_holds,
-                violates_linear: violates(&net_linear)?,
-                violates_quantized: violates(&net_quantized)?,
-            },
-            supply: match before {
-                Some(before) => Some(Supplied::known(sums[3], potential, before)?),
-                None => None,
-            },
-            sums,
+            sums: [linear, quantized, taken, net(linear), net(quantized)],
+            observed: (-(force * d)).on_grid()?[0],
+            potential: self.potential.on_grid()?,
+            truths,
         })
     }
 }
@@ -232,54 +258,37 @@ fn between(least: Span, most: Span) -> Option<[i128; 2]> {
     }
 }
 
-/// Whether an account is short with this net energy, at the least and at the most friction.
-#[inline]
-fn violates([least, most]: &[Span; 2]) -> Option<Truth> {
-    let kept = Truth::over(least.is_nonnegative()?, most.is_nonnegative()?);
-    Some(not(kept))
-}
-
-/// What is known of a number, where it is one span.
-#[inline]
-fn known(reading: &Reading) -> Option<Span> {
-    match reading.to_near() {
-        Figure::Exact(x) => Some(x),
-        Figure::Enclosed(_) => None,
-    }
-}
-
-/// The step between two samples. Of what stands still, any position that it may have stands for all.
-#[inline]
-fn step(from: &Reading, to: &Reading) -> Option<Step<Span>> {
-    let (start, end) = (known(from)?, known(to)?);
-    Some(match from.is_same(to) {
-        true => Step::new(start.one_of(), start.one_of()),
-        false => Step::new(start, end),
-    })
-}
-
 impl Addend {
-    /// What a row adds; after an interval with the excess force `before`, where the account is of T, and with
-    /// this net energy under the wall's own force, where that is known.
-    pub(crate) fn of_entry(
-        ends: &Ends<Span>,
-        entry: &Entry<Span>,
-        before: Option<Option<&Bounds>>,
-        own: Option<[i128; 2]>,
-    ) -> Option<Self> {
+    /// What a row adds; `None` where something does not fit.
+    pub(crate) fn of_entry(ends: &Ends<Span>, entry: &Entry<Span>) -> Option<Self> {
         let [a, b, c, d, e] = entry
             .summed()
             .map(|figure| between(*figure.lo(), *figure.hi()));
-        let [potential, _] = supply::potential_on(ends, &entry.xi1)?;
-        Some(Self {
+        let addend = Self {
             sums: [a?, b?, c?, d?, e?],
             observed: entry.observed().defined()?[0],
-            potential: crate::span::units(&potential)?,
+            potential: potential(ends, &entry.xi1)?,
             truths: entry.truths(),
-            supply: match before {
-                Some(before) => Some(supply::contribution(ends, entry, own)?.supplied(before)?),
-                None => None,
-            },
-        })
+        };
+        addend.fits().then_some(addend)
     }
+
+    /// Whether all of it is below 2³⁷ KΔ²: past that it is for exact numbers.
+    fn fits(&self) -> bool {
+        // The bits of all of them: together they are as wide as the widest.
+        let ends = self.sums.iter().flatten().chain(&self.potential);
+        let bits = ends.fold(self.observed.unsigned_abs(), |bits, n| {
+            bits | n.unsigned_abs()
+        });
+        bits < WIDEST
+    }
+}
+
+/// Past what any sum has room for as many of as a batch may have.
+pub(crate) const WIDEST: u128 = 1 << 101;
+
+/// The wall's potential at a sample, in units of the grid.
+fn potential(ends: &Ends<Span>, sample: &Figure<Span>) -> Option<[i128; 2]> {
+    let [least, most] = supply::potential_on(ends, sample)?;
+    Some([units(&least)?, units(&most)?])
 }

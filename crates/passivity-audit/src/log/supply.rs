@@ -20,6 +20,7 @@ use crate::entry::Entry;
 use crate::figure::Figure;
 use crate::ledger::{Ledger, Logged, Row, on_entry};
 use crate::log::computed::Accounted;
+use crate::log::motion::WIDEST;
 use crate::number::{Reduced, Written};
 use crate::reading::Reading;
 use crate::span::{ONE, Span, below_on_grid, outward, units};
@@ -59,25 +60,22 @@ pub(crate) struct Supplied {
 
 impl Supplied {
     /// Of an interval between known positions, with this net energy and this potential where it ends.
+    #[inline]
     pub(crate) fn known(net: [i128; 2], end: [i128; 2], before: Option<&Bounds>) -> Option<Self> {
-        match before {
-            None => Some(Self {
+        if before.is_none() {
+            return Some(Self {
                 step: net,
                 end,
                 excess: None,
-            }),
-            before => {
-                let known = Contribution {
-                    net: net.map(|n| Reduced::Small(n, ONE)),
-                    excess: NO_FORCE,
-                    advance: Reduced::ZERO,
-                    room: ROOM,
-                    end: end.map(|n| Reduced::Small(n, ONE)),
-                    near: true,
-                };
-                known.supplied(before)
-            }
+            });
         }
+        Contribution::known(net, end).supplied(before)
+    }
+
+    /// Whether all of it has room in sums.
+    pub(crate) fn fits(&self) -> bool {
+        let ends = self.step.iter().chain(&self.end);
+        ends.fold(0, |bits, n| bits | n.unsigned_abs()) < WIDEST
     }
 }
 
@@ -89,6 +87,10 @@ impl Contribution {
     pub(crate) fn of(ledger: &Ledger, interval: &Logged, row: &Accounted) -> Option<Self> {
         let row = match row {
             Accounted::Near(entry) => return contribution(ledger.near(), entry, None),
+            Accounted::Quick(addend) => {
+                let [_, _, _, net, _] = addend.sums;
+                return Some(Self::known(net, addend.potential));
+            }
             Accounted::Exact(row) => return Self::of_exact(ledger, interval, row),
             Accounted::Decided(row) => Self::of_exact(ledger, interval, row)?,
         };
@@ -98,6 +100,18 @@ impl Contribution {
             end: outward(row.end),
             ..row
         })
+    }
+
+    /// Of an interval between known positions, with this net energy and this potential where it ends.
+    fn known(net: [i128; 2], end: [i128; 2]) -> Self {
+        Self {
+            net: net.map(|n| Reduced::Small(n, ONE)),
+            excess: NO_FORCE,
+            advance: Reduced::ZERO,
+            room: ROOM,
+            end: end.map(|n| Reduced::Small(n, ONE)),
+            near: true,
+        }
     }
 
     fn of_exact(ledger: &Ledger, interval: &Logged, row: &Row) -> Option<Self> {
@@ -319,6 +333,7 @@ pub(crate) fn observed(row: &Accounted) -> Option<Reduced> {
     }
     match row {
         Accounted::Near(entry) => of(entry),
+        Accounted::Quick(addend) => Some(Reduced::Small(addend.observed, ONE)),
         Accounted::Exact(row) => on_entry!(row, entry => of(entry)),
         Accounted::Decided(row) => on_entry!(row, entry => of(entry)).map(below_on_grid),
     }

@@ -22,7 +22,7 @@ pub(crate) struct Task<'a> {
     pub(crate) applied: bool,
     /// Whether the verdict is about what the operator has drawn so far.
     pub(crate) running: bool,
-    /// Whether the forces and velocities of the trace are compared with what they should be.
+    /// Whether the forces, velocities and times of the trace are compared with what they should be.
     pub(crate) compares: bool,
     /// The names of the files, where there are several.
     pub(crate) files: &'a [String],

@@ -24,7 +24,9 @@ impl Timing {
         const ONE: Number = Number::whole(1);
         /// From here on, a sample is missing.
         const MISSING: Number = Number::Small(3, 2);
-        if *dtau != ONE {
+        // The denominator is above zero.
+        let is_one = matches!(dtau, Number::Small(n, d) if n == d);
+        if !is_one {
             self.uneven += 1;
             if is_less(&ONE, dtau) {
                 self.late += 1;

@@ -10,9 +10,9 @@ use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::{Computed, EXACT_ROWS, UNIT, is_exact, note_stored};
 use crate::log::error::TraceError;
-use crate::log::motion::{Addend, Motion, Motions};
+use crate::log::motion::{Addend, Known, Motion, Motions};
 use crate::log::step::{check_jump, duration, interval, jump, undefined};
-use crate::log::supply::Supply;
+use crate::log::supply::{self, Supplied, Supply};
 use crate::log::table::Table;
 use crate::log::task::Task;
 use crate::number::{Number, Reduced};
@@ -86,6 +86,7 @@ impl Worker {
             // course always fits in an empty one.
             let _ = account.net.scaled(0, denominator);
         }
+        let timed = !chunk.times.is_empty() || !chunk.dtaus.is_empty();
         let mut walk = Walk {
             task,
             motions,
@@ -93,7 +94,8 @@ impl Worker {
             until,
             before: chunk.place.before,
             stride: (chunk.samples.len() / POINTS).max(1),
-            timed: !chunk.times.is_empty() || !chunk.dtaus.is_empty(),
+            timed,
+            noted: timed && task.compares,
             even: from,
             at: from,
             key: Vec::new(),
@@ -125,6 +127,8 @@ struct Walk<'a> {
     /// How many intervals there are from one point of the plot to the next.
     stride: usize,
     timed: bool,
+    /// Whether the account says how long intervals were.
+    noted: bool,
     /// Up to which sample they are known to come one period apart.
     even: usize,
     /// The sample at the start of the next interval.
@@ -148,7 +152,7 @@ impl Walk<'_> {
         }
         while self.at < self.until {
             if self.quick(table, chunk, account) {
-                if self.timed {
+                if self.noted {
                     account.timing.add(&UNIT, account.intervals);
                 }
                 continue;
@@ -159,7 +163,7 @@ impl Walk<'_> {
                 continue;
             }
             jump(&chunk.samples, self.at)?;
-            if let (true, Some(dtau)) = (self.timed, &dtau) {
+            if let (true, Some(dtau)) = (self.noted, &dtau) {
                 account.timing.add(dtau, account.intervals);
             }
             self.one(table, chunk, lasts.reduced(), account)?;
@@ -220,6 +224,12 @@ impl Walk<'_> {
         let mut batch = Batch::after(account.supply.excess.clone());
         let mut came = Ok(());
         while self.at < self.until {
+            if self.known(chunk, &mut batch, account) {
+                continue;
+            }
+            if self.is_point() {
+                break;
+            }
             let dtau = match duration(task.layout, chunk, self.at) {
                 Ok(dtau) => dtau,
                 Err(error) => {
@@ -232,13 +242,13 @@ impl Walk<'_> {
             if self.looks_up(chunk, lasts) || self.add_to(&mut batch, chunk, lasts).is_none() {
                 break;
             }
-            if let (true, Some(dtau)) = (self.timed, &dtau) {
+            if let (true, Some(dtau)) = (self.noted, &dtau) {
                 account
                     .timing
                     .add(dtau, account.intervals + batch.intervals - 1);
             }
             self.at += 1;
-            if task.points && (self.at - self.from).is_multiple_of(self.stride) {
+            if self.is_point() {
                 break;
             }
         }
@@ -249,11 +259,54 @@ impl Walk<'_> {
                 Ok(Place { h, interval })
             };
             account.append(batch.account(task.running, place)?);
-            if task.points && (self.at - self.from).is_multiple_of(self.stride) {
+            if self.is_point() {
                 account.plot();
             }
         }
         came.map(|()| self.at > start)
+    }
+
+    /// Whether the sample that has been come to is one at which a point is plotted.
+    const fn is_point(&self) -> bool {
+        let came = self.at - self.from;
+        self.task.points && came > 0 && came.is_multiple_of(self.stride)
+    }
+
+    /// Most other traces: positions. Goes as far as doubles decide and no point is plotted; whether that is
+    /// any further.
+    fn known(&mut self, chunk: &Chunk, batch: &mut Batch, account: &mut Account) -> bool {
+        let Samples::Any(samples) = &chunk.samples else {
+            return false;
+        };
+        let start = self.at;
+        while self.at < self.until {
+            let Some(Some(Motion::Known(known))) = self.motions.get(self.at) else {
+                break;
+            };
+            let early = self.h(self.at) < EXACT_ROWS;
+            if early && !matches!(samples.get(self.at + 1), Some(Reading::Within(_))) {
+                break;
+            }
+            let force = match self.task.applied {
+                true => match chunk.forces.get(self.at) {
+                    Some(force) => Some(&force.value),
+                    None => break,
+                },
+                false => None,
+            };
+            if add_known(known, force, self.task.running, batch).is_none() {
+                break;
+            }
+            if self.noted {
+                let h = account.intervals + batch.intervals - 1;
+                account.timing.add(&known.lasts, h);
+            }
+            self.at += 1;
+            if self.is_point() {
+                break;
+            }
+        }
+        self.at > start
     }
 
     /// Whether the next row is one to be looked up.
@@ -281,11 +334,10 @@ impl Walk<'_> {
         }
         let own = match self.motions.get(i) {
             Some(Some(Motion::Known(known))) => {
-                let addend = known.addend(ledger.near(), [&start, &end], force, before)?;
-                return batch.add(addend);
+                return add_known(known, force, task.running, batch);
             }
             Some(Some(Motion::Counted(counted))) => match force {
-                None => return batch.add((**counted).clone()),
+                None => return batch.add(counted, None),
                 Some(_) => Some(counted.sums[3]),
             },
             Some(None) | None => None,
@@ -303,7 +355,16 @@ impl Walk<'_> {
             force,
         };
         let row = ledger.near_entry(read, dtau)?;
-        batch.add(Addend::of_entry(ledger.near(), &row, before, own)?)
+        let addend = Addend::of_entry(ledger.near(), &row)?;
+        let supply = match before {
+            Some(before) => {
+                let contribution = supply::contribution(ledger.near(), &row, own)?;
+                let supply = contribution.supplied(before)?;
+                supply.fits().then_some(Some(supply))?
+            }
+            None => None,
+        };
+        batch.add(&addend, supply)
     }
 
     /// One interval, by looking its row up or computing it.
@@ -391,6 +452,23 @@ impl Walk<'_> {
         }
         Ok(())
     }
+}
+
+/// Adds an interval between known positions; `None` where doubles leave something open.
+#[inline]
+fn add_known(
+    known: &Known,
+    force: Option<&Reading>,
+    running: bool,
+    batch: &mut Batch,
+) -> Option<()> {
+    let addend = known.addend(force)?;
+    let [_, _, _, net, _] = addend.sums;
+    let supply = match running {
+        true => Some(Supplied::known(net, addend.potential, batch.excess())?),
+        false => None,
+    };
+    batch.add(&addend, supply)
 }
 
 /// Adds an interval of counts whose row is known to the account, all but its sums and tallies.

@@ -1,0 +1,369 @@
+//! Doubles with a bound of how far off they may be: the fastest enclosures that the kernel's formulas
+//! compute with.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Mul, Neg, Sub};
+
+use passivity_core::{BigRational, Ordered, Scalar};
+
+use crate::log::near_rational;
+use crate::number::Number;
+use crate::span::{BITS, Span};
+
+/// A number that is no further than `radius` from `middle`.
+///
+/// Every operation takes the rounding of doubles into the radius, so that whatever the numbers are that
+/// the operands stand for, the result of the exact operation is in the result. Comparisons are answered
+/// only where they come out the same for all of them. What cannot be told has a radius that is infinite or
+/// no number, and stays so: the caller then computes with numbers that are known more closely.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ball {
+    middle: f64,
+    radius: f64,
+}
+
+/// Twice the most that rounding to the nearest double is off by, of the double: 2⁻⁵³.
+const ROUNDING: f64 = f64::EPSILON;
+
+/// What a radius is multiplied by after at most six roundings of its own: (1 − 2⁻⁵³)⁶·(1 + 2⁻⁵⁰) > 1.
+const OUTWARD: f64 = 1.0 + 4.0 * f64::EPSILON;
+
+/// More than what all the roundings of an operation can be off by near zero, where doubles are 2⁻¹⁰⁷⁴ apart.
+const TINY: f64 = f64::MIN_POSITIVE;
+
+/// Up to here whole numbers are doubles.
+const WHOLE: f64 = 9_007_199_254_740_992.0;
+
+/// [`WHOLE`], as a whole number.
+const EXACT: u64 = 1 << f64::MANTISSA_DIGITS;
+
+/// One, in units of the grid of spans.
+const UNITS: f64 = 18_446_744_073_709_551_616.0;
+
+impl Ball {
+    const UNDEFINED: Self = Self {
+        middle: 0.0,
+        radius: f64::INFINITY,
+    };
+
+    const ZERO: Self = Self::exactly(0.0);
+
+    const fn exactly(middle: f64) -> Self {
+        Self {
+            middle,
+            radius: 0.0,
+        }
+    }
+
+    /// Around a double that is the nearest but for `roundings` roundings.
+    #[inline]
+    fn rounded(middle: f64, roundings: f64) -> Self {
+        Self {
+            middle,
+            radius: roundings * ROUNDING * middle.abs(),
+        }
+    }
+
+    /// A whole number.
+    #[inline]
+    #[allow(clippy::cast_precision_loss)] // that is in the radius
+    fn whole(n: i64) -> Self {
+        let middle = n as f64;
+        match middle.abs() < WHOLE {
+            true => Self::exactly(middle),
+            false => Self::rounded(middle, 1.0),
+        }
+    }
+
+    /// Around n/d.
+    #[inline]
+    pub(crate) fn of(x: &Number) -> Self {
+        match x {
+            Number::Small(n, d) => Self::ratio(*n, *d),
+            Number::Big(x) => Self::of_rational(x),
+        }
+    }
+
+    /// Around n/d, d > 0.
+    #[inline]
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // both are in the radius
+    fn ratio(n: i64, d: i64) -> Self {
+        if d == 1 {
+            return Self::whole(n);
+        }
+        if n.unsigned_abs() >= EXACT || d.unsigned_abs() >= EXACT {
+            // So that equal fractions are one ball.
+            let divisor = num_integer::gcd(n, d);
+            if divisor > 1 {
+                return Self::ratio(n / divisor, d / divisor);
+            }
+        }
+        let middle = n as f64 / d as f64;
+        // A whole number is told apart, for positions may be on the border between two ticks.
+        let whole = middle as i64;
+        if whole as f64 == middle && whole.wrapping_mul(d) == n && middle.abs() < WHOLE {
+            return Self::exactly(middle);
+        }
+        // Of n, of d and of the quotient.
+        Self::rounded(middle, 2.0)
+    }
+
+    /// Around a big number.
+    pub(crate) fn of_rational(x: &BigRational) -> Self {
+        let middle = near_rational(x);
+        if num_rational::BigRational::from_float(middle).as_ref() == Some(x) {
+            return Self::exactly(middle);
+        }
+        // Below the normal doubles the nearest is not within a rounding of it.
+        match middle.is_finite() && middle.abs() > TINY {
+            true => Self::rounded(middle, 1.0),
+            false => Self::UNDEFINED,
+        }
+    }
+
+    /// Around what a span is around.
+    #[inline]
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // both are in the radius
+    pub(crate) fn of_span(span: Span) -> Self {
+        let Some((middle, radius)) = span.parts() else {
+            return Self::UNDEFINED;
+        };
+        let size = middle.unsigned_abs();
+        // Below 2⁶² and below 2⁶⁴.
+        let (whole, rest) = ((size >> BITS) as i64, size as u64);
+        let is_whole = radius == 0 && rest == 0 && size < u128::from(EXACT) << BITS;
+        let size = whole as f64 + rest as f64 / UNITS;
+        let sign = if middle < 0 { -1.0 } else { 1.0 };
+        if is_whole {
+            return Self::exactly(sign * size);
+        }
+        // Of each half and of their sum; and of the radius.
+        let radius = (radius as f64 / UNITS + 2.0 * ROUNDING * size) * OUTWARD;
+        Self {
+            middle: sign * size,
+            radius,
+        }
+    }
+
+    /// The numbers on the grid of spans that it is between, in units of 2⁻⁶⁴; `None` where that is wide,
+    /// past 2³⁵ or undefined.
+    #[inline]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // checked, or in the radius
+    pub(crate) fn on_grid(self) -> Option<[i128; 2]> {
+        /// Room for sums.
+        const LARGEST: f64 = (1_u64 << 35) as f64;
+        const WIDEST: f64 = (1_u64 << 62) as f64;
+        const HALF: f64 = UNITS / 2.0;
+        let radius = self.radius * UNITS;
+        let fits = self.middle.abs() < LARGEST && radius < WIDEST;
+        if !fits {
+            return None;
+        }
+        let whole = self.middle as i64;
+        // Exact: both have the same sign, and the larger one is below 2³⁵.
+        let scaled = (self.middle - whole as f64) * HALF;
+        let rest = scaled as i64;
+        let is_cut = rest as f64 != scaled;
+        let middle = (i128::from(whole) << BITS) + 2 * i128::from(rest);
+        let radius = radius as i64 + i64::from(radius > 0.0) + 2 * i64::from(is_cut);
+        let radius = i128::from(radius);
+        Some([middle - radius, middle + radius])
+    }
+
+    /// One of the numbers that it is around.
+    #[inline]
+    pub(crate) fn one_of(self) -> Self {
+        match self.is_defined() {
+            true => Self::exactly(self.middle),
+            false => self,
+        }
+    }
+
+    /// The double in the middle, where the number is defined.
+    #[inline]
+    pub(crate) fn near(self) -> Option<f64> {
+        self.is_defined().then_some(self.middle)
+    }
+
+    #[inline]
+    fn is_defined(self) -> bool {
+        self.radius < f64::INFINITY
+    }
+
+    #[inline]
+    fn is_zero(self) -> bool {
+        self.middle == 0.0 && self.radius == 0.0
+    }
+}
+
+impl Add for Ball {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let middle = self.middle + other.middle;
+        Self {
+            middle,
+            radius: (self.radius + other.radius + ROUNDING * middle.abs()) * OUTWARD,
+        }
+    }
+}
+
+impl Neg for Ball {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self {
+            middle: -self.middle,
+            ..self
+        }
+    }
+}
+
+impl Sub for Ball {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Ball {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        // What stands still generates nothing: not even a rounding.
+        if self.is_zero() && other.is_defined() || other.is_zero() && self.is_defined() {
+            return Self::ZERO;
+        }
+        let middle = self.middle * other.middle;
+        let radius = self.middle.abs() * other.radius
+            + self.radius * (other.middle.abs() + other.radius)
+            + (ROUNDING * middle.abs() + TINY);
+        Self {
+            middle,
+            radius: radius * OUTWARD,
+        }
+    }
+}
+
+impl Scalar for Ball {
+    #[inline(always)]
+    fn integer(n: i32) -> Self {
+        Self::exactly(n.into())
+    }
+
+    #[inline(always)]
+    fn half(self) -> Self {
+        // Half of the smallest double is none.
+        let is_exact = self.radius == 0.0 && self.middle.abs() > 2.0 * TINY || self.is_zero();
+        Self {
+            middle: 0.5 * self.middle,
+            radius: 0.5 * self.radius + if is_exact { 0.0 } else { TINY },
+        }
+    }
+
+    #[inline]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // below 2⁵³
+    fn floor(&self) -> Self {
+        let fits = self.middle.abs() < WHOLE;
+        if !fits {
+            return Self::UNDEFINED;
+        }
+        let towards_zero = self.middle as i64 as f64;
+        let below = match towards_zero > self.middle {
+            true => towards_zero - 1.0,
+            false => towards_zero,
+        };
+        // Exact: a double has no digits behind those of a larger one.
+        let rest = self.middle - below;
+        match rest >= self.radius && (1.0 - rest) > self.radius * OUTWARD {
+            true => Self::exactly(below),
+            false => Self::UNDEFINED,
+        }
+    }
+
+    #[inline(always)]
+    fn abs(&self) -> Self {
+        Self {
+            middle: self.middle.abs(),
+            ..*self
+        }
+    }
+
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        let apart = self.middle - other.middle;
+        let reach = (self.radius + other.radius) * OUTWARD;
+        if apart >= reach {
+            self
+        } else if -apart >= reach {
+            other
+        } else {
+            Self {
+                middle: f64::max(self.middle, other.middle),
+                radius: reach,
+            }
+        }
+    }
+
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        -Scalar::max(-self, -other)
+    }
+
+    #[inline]
+    fn over(self, divisor: Self) -> Self {
+        if divisor == Self::exactly(1.0) {
+            return self;
+        }
+        let away = divisor.middle.abs() - divisor.radius * OUTWARD;
+        if !(away > 0.0 && self.is_defined()) {
+            return Self::UNDEFINED;
+        }
+        if self.is_zero() {
+            return Self::ZERO;
+        }
+        let middle = self.middle / divisor.middle;
+        // |A/B − a/b| ≤ (|A − a| + |a/b|·|B − b|)/|B|.
+        let spread = (self.radius + (middle.abs() + TINY) * divisor.radius * OUTWARD) / away;
+        Self {
+            middle,
+            radius: (spread + (ROUNDING * middle.abs() + TINY)) * OUTWARD,
+        }
+    }
+}
+
+impl Ordered for Ball {
+    #[inline]
+    fn sign(&self) -> Option<Ordering> {
+        let Self { middle, radius } = *self;
+        if middle > radius {
+            Some(Ordering::Greater)
+        } else if -middle > radius {
+            Some(Ordering::Less)
+        } else {
+            self.is_zero().then_some(Ordering::Equal)
+        }
+    }
+
+    #[inline]
+    fn is_nonnegative(&self) -> Option<bool> {
+        if self.middle >= self.radius {
+            Some(true)
+        } else {
+            (-self.middle > self.radius).then_some(false)
+        }
+    }
+
+    #[inline]
+    fn is_positive(&self) -> Option<bool> {
+        (-*self).is_nonnegative().map(|is| !is)
+    }
+}
+
+#[cfg(test)]
+mod tests;

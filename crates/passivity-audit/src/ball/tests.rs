@@ -1,0 +1,127 @@
+//! Balls against exact fractions.
+
+use super::*;
+use proptest::prelude::*;
+
+fn ratio(n: i64, d: i64) -> BigRational {
+    BigRational::new(n.into(), d.into())
+}
+
+fn exact(x: f64) -> BigRational {
+    num_rational::BigRational::from_float(x).unwrap()
+}
+
+/// Whether a number is in a ball, where that is defined.
+fn holds(ball: Ball, x: &BigRational) -> bool {
+    if !ball.is_defined() {
+        return true;
+    }
+    let off = x - exact(ball.middle);
+    Scalar::abs(&off) <= exact(ball.radius)
+}
+
+/// A number, and a ball around it, perhaps a wide one.
+fn around() -> impl Strategy<Value = (BigRational, Ball)> {
+    let n = prop_oneof![-40..40_i64, any::<i32>().prop_map(i64::from), any::<i64>()];
+    let wide = prop_oneof![
+        Just(0.0),
+        (0..60_i32, 0..3_u8).prop_map(|(bits, n)| f64::from(n) * 2_f64.powi(-bits))
+    ];
+    let off = -1.0..1.0_f64;
+    (n, prop_oneof![1..40_i64, 1..1_000_000_000_i64], wide, off).prop_map(|(n, d, radius, off)| {
+        let ball = Ball::ratio(n, d);
+        // A middle that is off by at most the radius which is added, and what their sum rounds.
+        let moved = Ball::exactly(off * radius) + ball;
+        let radius = if radius > 0.0 {
+            (moved.radius + radius) * OUTWARD
+        } else {
+            moved.radius
+        };
+        (ratio(n, d), Ball { radius, ..moved })
+    })
+}
+
+proptest! {
+    #[test]
+    fn every_operation_holds_the_exact_result((x, a) in around(), (y, b) in around()) {
+        prop_assert!(holds(a, &x) && holds(b, &y));
+        let zero = ratio(0, 1);
+        let mut operations = vec![
+            (a + b, &x + &y),
+            (a - b, &x - &y),
+            (a * b, &x * &y),
+            (-a, -&x),
+            (a.half(), x.clone().half()),
+            (a.floor(), x.floor()),
+            (Scalar::abs(&a), Scalar::abs(&x)),
+            (Scalar::max(a, b), Scalar::max(x.clone(), y.clone())),
+            (Scalar::min(a, b), Scalar::min(x.clone(), y.clone())),
+            (a.square(), x.square()),
+        ];
+        if y != zero {
+            operations.push((a.over(b), &x / &y));
+        }
+        for (i, (found, exact)) in operations.into_iter().enumerate() {
+            prop_assert!(holds(found, &exact), "operation {}: {:?} for {}", i, found, exact);
+        }
+        if let Some(found) = a.compare(&b) {
+            prop_assert_eq!(found, x.cmp(&y));
+        }
+        if let Some(found) = a.is_nonnegative() {
+            prop_assert_eq!(found, x >= zero);
+        }
+        if let Some(found) = a.is_positive() {
+            prop_assert_eq!(found, x > zero);
+        }
+        if let Some(found) = a.on_grid() {
+            let [lo, hi] = found.map(crate::span::on_grid);
+            prop_assert!(lo <= x && x <= hi);
+        }
+    }
+
+    #[test]
+    fn numbers_of_a_log_are_known_to_a_few_roundings(n: i64, d in 1..i64::MAX, middle: i64) {
+        let narrow = |ball: Ball, x: &BigRational, roundings: f64| {
+            holds(ball, x) && ball.radius <= roundings * ROUNDING * ball.middle.abs()
+        };
+        prop_assert!(narrow(Ball::ratio(n, d), &ratio(n, d), 2.0));
+        prop_assert!(narrow(Ball::of_rational(&ratio(n, d)), &ratio(n, d), 1.0));
+        let middle = i128::from(middle) << 40;
+        let span = Span::centred(middle, 0);
+        prop_assert!(narrow(Ball::of_span(span), &crate::span::on_grid(middle), 3.0));
+    }
+}
+
+#[test]
+fn whole_numbers_and_rest_are_exact() {
+    for ball in [Ball::ratio(12, 4), Ball::of_span(Span::whole(3))] {
+        assert_eq!(ball.floor().middle, 3.0);
+    }
+    assert_eq!(Ball::ratio(12, 4), Ball::exactly(3.0));
+    let moved = Ball::ratio(1, 3);
+    let rest = moved.one_of() - moved.one_of();
+    assert_eq!((rest * moved).is_nonnegative(), Some(true));
+    assert_eq!((-(rest * moved)).is_nonnegative(), Some(true));
+    assert_eq!(rest.on_grid(), Some([0, 0]));
+}
+
+#[test]
+fn what_cannot_be_told_stays_so() {
+    let third = Ball::ratio(1, 3);
+    let open = third - third;
+    for undefined in [
+        third.over(open),
+        third.over(Ball::ZERO),
+        Ball::exactly(f64::MAX) * Ball::exactly(f64::MAX),
+        (third + third + third).floor(),
+        Ball::ZERO * third.over(open),
+    ] {
+        assert_eq!(undefined.sign(), None, "{undefined:?}");
+        assert_eq!((undefined + third).sign(), None);
+        assert_eq!(Scalar::max(undefined, third).sign(), None);
+        assert_eq!((-undefined).on_grid(), None);
+        assert_eq!(undefined.near(), None);
+    }
+    assert_eq!(open.sign(), None);
+    assert_eq!(Ball::exactly(1e12).on_grid(), None);
+}
