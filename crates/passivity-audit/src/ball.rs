@@ -145,27 +145,35 @@ impl Ball {
         }
     }
 
-    /// The numbers on the grid of spans that it is between, in units of 2⁻⁶⁴; `None` where that is wide,
+    /// The number in units of the grid of spans, 2⁻⁶⁴, and how far off that may be; `None` where that is wide,
     /// past 2³⁵ or undefined.
-    #[inline]
-    #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // checked, or in the radius
-    pub(crate) fn on_grid(self) -> Option<[i128; 2]> {
+    #[inline(always)]
+    pub(crate) fn units(self) -> Option<(i128, i64)> {
         /// Room for sums.
         const LARGEST: f64 = (1_u64 << 35) as f64;
-        const WIDEST: f64 = (1_u64 << 62) as f64;
-        const HALF: f64 = UNITS / 2.0;
+        const WIDEST: f64 = (1_u64 << 50) as f64;
+        const HALF: f64 = (1_u64 << (BITS / 2)) as f64;
         let radius = self.radius * UNITS;
         let fits = self.middle.abs() < LARGEST && radius < WIDEST;
         if !fits {
             return None;
         }
-        let whole = self.middle as i64;
-        // Exact: both have the same sign, and the larger one is below 2³⁵.
-        let scaled = (self.middle - whole as f64) * HALF;
-        let rest = scaled as i64;
-        let is_cut = rest as f64 != scaled;
-        let middle = (i128::from(whole) << BITS) + 2 * i128::from(rest);
-        let radius = radius as i64 + i64::from(radius > 0.0) + 2 * i64::from(is_cut);
+        // Exact: each rest has no digits that the number before it has not.
+        let (whole, rest) = split(self.middle);
+        let (upper, rest) = split(rest * HALF);
+        let (lower, rest) = split(rest * HALF);
+        let middle =
+            (i128::from(whole) << BITS) + (i128::from(upper) << (BITS / 2)) + i128::from(lower);
+        // What is left is half a unit at most, as is what a radius loses to the nearest whole number.
+        let (nearest, _) = split(radius);
+        let is_exact = rest == 0.0 && radius == 0.0;
+        Some((middle, nearest + if is_exact { 0 } else { 1 }))
+    }
+
+    /// The ends in units of the grid of spans, rounded outward; `None` as for [`units`](Self::units).
+    #[inline(always)]
+    pub(crate) fn on_grid(self) -> Option<[i128; 2]> {
+        let (middle, radius) = self.units()?;
         let radius = i128::from(radius);
         Some([middle - radius, middle + radius])
     }
@@ -194,6 +202,17 @@ impl Ball {
     fn is_zero(self) -> bool {
         self.middle == 0.0 && self.radius == 0.0
     }
+}
+
+/// The nearest whole number, and what is left: for numbers below 2⁵⁰ in magnitude.
+#[inline(always)]
+#[allow(clippy::cast_possible_wrap)] // both are below 2⁶³
+fn split(x: f64) -> (i64, f64) {
+    /// Doubles from here to the next power of two are whole numbers, and in order as their bits are.
+    const MIDDLE: f64 = 1.5 * WHOLE / 2.0;
+    let shifted = x + MIDDLE;
+    let whole = shifted.to_bits() as i64 - MIDDLE.to_bits() as i64;
+    (whole, x - (shifted - MIDDLE))
 }
 
 impl Add for Ball {

@@ -90,7 +90,7 @@ impl Batch {
 
     /// Adds an interval, with what it adds to T where the verdict is about that; `None`, and nothing added,
     /// where the batch is full.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn add(&mut self, addend: &Addend, supply: Option<Supplied>) -> Option<()> {
         let h = self.intervals + 1;
         if h > MOST {

@@ -17,6 +17,8 @@ pub(crate) struct Chunk {
     pub(crate) forces: Vec<Force>,
     /// In ticks per sampling period; one per sample, or none at all.
     pub(crate) velocities: Vec<f64>,
+    /// The force of the law from each sample, near by, where that is known.
+    pub(crate) commanded: Vec<Option<f64>>,
     /// Where in the log it is.
     pub(crate) place: Place,
     /// Where the last row of a ledger ends.
@@ -82,6 +84,7 @@ impl Chunk {
         self.dtaus.truncate(len);
         self.forces.truncate(len);
         self.velocities.truncate(len);
+        self.commanded.truncate(len);
     }
 
     /// Goes on with the rows that follow.
@@ -99,6 +102,7 @@ impl Chunk {
         self.dtaus.append(&mut next.dtaus);
         self.forces.append(&mut next.forces);
         self.velocities.append(&mut next.velocities);
+        self.commanded.clear();
         self.closing = next.closing;
         self.unended = next.unended;
         self.error = next.error;
@@ -126,6 +130,7 @@ impl Chunk {
             dtaus: split(&mut self.dtaus, len),
             forces: split(&mut self.forces, len),
             velocities: split(&mut self.velocities, len),
+            commanded: split(&mut self.commanded, len),
             place: Place {
                 before: self.place.before + len,
                 ..self.place

@@ -140,8 +140,11 @@ impl Comparison {
     /// Compares the forces of the first `rows` samples of a chunk.
     pub(crate) fn feed(&mut self, chunk: &Chunk, rows: usize) -> Result<(), TraceError> {
         for (i, force) in chunk.forces.iter().enumerate().take(rows) {
-            let sample = chunk.samples.get(i).ok_or_else(undefined)?;
-            let law = self.commanded(sample).ok_or_else(undefined)?;
+            let law = match (chunk.commanded.get(i), chunk.samples.get(i)) {
+                (Some(Some(law)), _) => *law,
+                (_, Some(sample)) => self.commanded(sample).ok_or_else(undefined)?,
+                (_, None) => return Err(undefined()),
+            };
             // Before the first sample the device stood where it finds it.
             self.law.resize(self.delay + LAGS + 1, law);
             if self.before.is_empty() {

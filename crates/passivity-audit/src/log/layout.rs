@@ -272,8 +272,31 @@ impl Layout {
 
     /// Δτ between two times; `None` unless the second is later.
     pub(crate) fn duration(&self, from: &Number, to: &Number) -> Option<Number> {
+        if let Some(found) = self.short_duration(from, to) {
+            return found;
+        }
         let dt = difference(to, from);
         is_positive(&dt).then(|| quotient(&dt, &self.per_period))
+    }
+
+    /// As [`duration`](Self::duration), for times with as many digits that small integers are enough for;
+    /// `None` where they are not.
+    #[inline]
+    fn short_duration(&self, from: &Number, to: &Number) -> Option<Option<Number>> {
+        let (Number::Small(a, d), Number::Small(b, e), Number::Small(n, m)) =
+            (from, to, &self.per_period)
+        else {
+            return None;
+        };
+        if d != e || *n <= 0 {
+            return None;
+        }
+        let dt = b.checked_sub(*a)?;
+        if dt <= 0 {
+            return Some(None);
+        }
+        let periods = Number::Small(dt.checked_mul(*m)?, d.checked_mul(*n)?);
+        Some(Some(periods))
     }
 
     /// How many of the intervals between these times, from the first on, last exactly one period.

@@ -335,6 +335,7 @@ fn at_once(
             running.push(scope.spawn(move || {
                 let mut chunk = parsed(work, task.layout);
                 let motions = worker.motions(task, &chunk);
+                chunk.commanded = motion::commanded(&motions);
                 let account = worker.account(task, (&mut chunk, &motions), task.lead());
                 let beside = match law {
                     Some(law) => other.account(law, (&mut chunk, &motions), law.lead()),

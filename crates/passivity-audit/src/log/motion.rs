@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::{
-    Criterion, Friction, Loop, Ordered as _, Scalar as _, Step, Truth, dissipation,
+    Controller, Criterion, Friction, Loop, Ordered as _, Scalar as _, Step, Truth, dissipation,
 };
 
 use crate::ball::Ball;
@@ -88,23 +88,33 @@ impl Motions {
         if ledger.has_memory() || !(0..intervals).any(|i| lasts(i).is_some()) {
             return Vec::new();
         }
-        let motion = |i: usize| {
-            let dtau = lasts(i)?;
-            match &chunk.samples {
-                Samples::Any(samples) => {
-                    let (from, to) = (samples.get(i)?, samples.get(i + 1)?);
-                    let known = Known::of(ledger.quick()?, [from, to], dtau)?;
-                    Some(Motion::Known(known))
-                }
-                Samples::Counts(counts) => {
-                    let counts = [*counts.get(i)?, *counts.get(i + 1)?];
-                    Some(Motion::Counted(Box::new(
-                        self.counted(ledger, counts, &dtau)?,
-                    )))
+        let mut motions = Vec::with_capacity(intervals);
+        match (&chunk.samples, ledger.quick()) {
+            (Samples::Any(samples), Some(ends)) => {
+                let mut starts = Starts::default();
+                for (i, pair) in samples.windows(2).enumerate() {
+                    let [from, to] = pair else { continue };
+                    let known = match lasts(i) {
+                        Some(dtau) => Known::of(ends, &mut starts, [from, to], dtau),
+                        None => {
+                            starts.start = None;
+                            None
+                        }
+                    };
+                    motions.push(known.map(Motion::Known));
                 }
             }
-        };
-        (0..intervals).map(motion).collect()
+            (Samples::Counts(counts), _) => {
+                for (i, pair) in counts.windows(2).enumerate() {
+                    let [from, to] = pair else { continue };
+                    let counted =
+                        lasts(i).and_then(|dtau| self.counted(ledger, [*from, *to], &dtau));
+                    motions.push(counted.map(|addend| Motion::Counted(Box::new(addend))));
+                }
+            }
+            (Samples::Any(_), None) => {}
+        }
+        motions
     }
 
     /// What an interval between counts adds under the force of the wall alone, which depends on where it
@@ -148,12 +158,46 @@ impl Motions {
     }
 }
 
+/// The forces of the loop's controller that some motions start with, near by, where they are known.
+pub(crate) fn commanded(motions: &[Option<Motion>]) -> Vec<Option<f64>> {
+    let force = |motion: &Option<Motion>| match motion {
+        Some(Motion::Known(known)) => known.commanded.near(),
+        _ => None,
+    };
+    motions.iter().map(force).collect()
+}
+
+/// What an interval starts with, kept from the one before it.
+#[derive(Debug, Default)]
+struct Starts {
+    /// Where it starts, if that is where the last one ended.
+    start: Option<Ball>,
+    /// What was measured last, and the force for that: most steps are short.
+    measured: Option<(Ball, Ball)>,
+}
+
+impl Starts {
+    /// The force of a controller without memory.
+    fn commanded(&mut self, controller: &Controller<Ball>, start: &Ball) -> Ball {
+        let measured = controller.measured(start);
+        match self.measured {
+            Some((before, force)) if before == measured => force,
+            _ => {
+                let force = controller.held_force(&[measured]);
+                self.measured = Some((measured, force));
+                force
+            }
+        }
+    }
+}
+
 impl Known {
     /// Of an interval of its own; `None` between counts, and of a loop whose force remembers earlier samples.
     pub(crate) fn of_interval(ledger: &Ledger, interval: &Logged) -> Option<Self> {
         match interval.samples.as_slice() {
             [start] if !ledger.has_memory() => Self::of(
                 ledger.quick()?,
+                &mut Starts::default(),
                 [start, &interval.end],
                 interval.dtau.clone(),
             ),
@@ -161,8 +205,18 @@ impl Known {
         }
     }
 
-    fn of(ends: &Ends<Ball>, [from, to]: [&Reading; 2], lasts: Number) -> Option<Self> {
-        let (start, end) = (from.to_ball()?, to.to_ball()?);
+    fn of(
+        ends: &Ends<Ball>,
+        starts: &mut Starts,
+        [from, to]: [&Reading; 2],
+        lasts: Number,
+    ) -> Option<Self> {
+        let start = match starts.start.take() {
+            Some(start) => start,
+            None => from.to_ball()?,
+        };
+        let end = to.to_ball()?;
+        starts.start = Some(end);
         // Of what stands still, any position that it may have stands for all.
         let step = match from.is_same(to) {
             true => Step::new(start.one_of(), start.one_of()),
@@ -184,8 +238,7 @@ impl Known {
             true => (taken, at_least),
             false => (dissipated(&ends.most), !moves || holds(most)?),
         };
-        let controller = &ends.controller;
-        let commanded = controller.held_force(&[controller.measured(&start)]);
+        let commanded = starts.commanded(&ends.controller, &start);
         let held = HeldInterval {
             step,
             force: commanded,
@@ -206,7 +259,7 @@ impl Known {
 
     /// What the interval adds to an account, under the force that the log has or, without one, under that of
     /// the loop's controller; `None` where doubles leave something open.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn addend(&self, force: Option<&Reading>) -> Option<Addend> {
         let d = self.displacement;
         let (force, generated) = match force {

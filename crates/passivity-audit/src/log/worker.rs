@@ -455,7 +455,7 @@ impl Walk<'_> {
 }
 
 /// Adds an interval between known positions; `None` where doubles leave something open.
-#[inline]
+#[inline(always)]
 fn add_known(
     known: &Known,
     force: Option<&Reading>,
