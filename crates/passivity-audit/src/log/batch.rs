@@ -1,5 +1,6 @@
 //! The account of consecutive intervals whose rows spans decide: sums of integers of fixed width.
 
+use crate::ledger::Truths;
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
 use crate::log::motion::Addend;
@@ -68,7 +69,9 @@ pub(crate) struct Batch {
     lowest: [Least; 2],
     /// The excess force of the last interval, where it had any.
     excess: Option<Bounds>,
+    /// All but the latest intervals that are alike: how, from which one on, and how many.
     tallies: Tallies,
+    alike: (Option<Truths>, u64, u64),
     /// The first interval of each kind, and the one with the least net energy.
     firsts: [Option<u64>; 5],
     worst: Least,
@@ -115,22 +118,35 @@ impl Batch {
         let [least_potential, _] = addend.potential;
         self.stored.keep(self.net.now + least_potential, h);
         self.worst.keep(least_net, h - 1);
-        self.tallies.add_times(addend.truths, h - 1, 1);
-        for (first, is) in self.firsts.iter_mut().zip(kinds(addend.truths)) {
-            if is {
-                first.get_or_insert(h - 1);
+        // Most intervals come after one like them.
+        if self.alike.0 != Some(addend.truths) {
+            self.settle();
+            self.alike = (Some(addend.truths), h - 1, 0);
+            for (first, is) in self.firsts.iter_mut().zip(kinds(addend.truths)) {
+                if is {
+                    first.get_or_insert(h - 1);
+                }
             }
         }
+        self.alike.2 += 1;
         Some(())
+    }
+
+    /// Counts the intervals that are alike.
+    fn settle(&mut self) {
+        if let (Some(truths), first, times) = self.alike {
+            self.tallies.add_times(truths, first, times);
+        }
     }
 
     /// The account of the intervals; `running` where the verdict is about what the operator has drawn.
     /// `place` gives an interval worth showing, by how many came before it.
     pub(crate) fn account(
-        self,
+        mut self,
         running: bool,
         place: impl Fn(u64) -> Result<Place, TraceError>,
     ) -> Result<Account, TraceError> {
+        self.settle();
         let mut account = Account {
             intervals: self.intervals,
             sums: self.sums.map(FigureSum::of_grid),

@@ -17,6 +17,7 @@ mod guarded;
 mod guess;
 mod header;
 mod irrational;
+mod known;
 mod layout;
 mod lines;
 #[cfg(feature = "mcap")]

@@ -1,0 +1,184 @@
+//! What an interval between two known positions comes to, in doubles: most rows of most logs.
+
+use passivity_core::ledger::{self, HeldInterval};
+use passivity_core::{
+    Controller, Criterion, Friction, Loop, Ordered as _, Scalar as _, Step, Truth, dissipation,
+};
+
+use crate::ball::Ball;
+use crate::ends::Ends;
+use crate::figure::not;
+use crate::ledger::{Ledger, Logged, Truths};
+use crate::log::motion::Addend;
+use crate::number::Number;
+use crate::reading::Reading;
+
+/// What an interval between two known positions comes to. Energies are in units of the grid of spans, at the
+/// least and at the most.
+#[derive(Clone, Debug)]
+pub(crate) struct Known {
+    /// Δτ.
+    pub(crate) lasts: Number,
+    displacement: Ball,
+    /// The force of the loop's controller,
+    commanded: Ball,
+    /// what it generates against the wall's law and against its quantized form,
+    generated: [[i128; 2]; 2],
+    /// and what the observer adds for it.
+    observed: [i128; 2],
+    /// The least that friction takes (26), of the loop with the least and with the most friction.
+    dissipated: [[i128; 2]; 2],
+    /// Whether the criterion holds at the mean speed.
+    criterion_holds: Truth,
+    /// The wall's potential where it ends.
+    potential: [i128; 2],
+}
+
+/// What an interval starts with, kept from the one before it.
+#[derive(Debug, Default)]
+pub(crate) struct Starts {
+    /// Where it starts, if that is where the last one ended.
+    start: Option<Ball>,
+    /// What was measured last, and the force for that: most steps are short.
+    measured: Option<(Ball, Ball)>,
+}
+
+impl Starts {
+    /// Before an interval that does not start where the last one ended.
+    pub(crate) fn forget(&mut self) {
+        self.start = None;
+    }
+
+    /// The force of a controller without memory.
+    fn commanded(&mut self, controller: &Controller<Ball>, start: &Ball) -> Ball {
+        let measured = controller.measured(start);
+        match self.measured {
+            Some((before, force)) if before == measured => force,
+            _ => {
+                let force = controller.held_force(&[measured]);
+                self.measured = Some((measured, force));
+                force
+            }
+        }
+    }
+}
+
+impl Known {
+    /// Of an interval of its own; `None` between counts, and of a loop whose force remembers earlier samples.
+    pub(crate) fn of_interval(ledger: &Ledger, interval: &Logged) -> Option<Self> {
+        match interval.samples.as_slice() {
+            [start] if !ledger.has_memory() => Self::of(
+                ledger.quick()?,
+                &mut Starts::default(),
+                [start, &interval.end],
+                interval.dtau.clone(),
+            ),
+            _ => None,
+        }
+    }
+
+    /// Of an interval that lasts so many periods; `None` where doubles leave something open.
+    pub(crate) fn of(
+        ends: &Ends<Ball>,
+        starts: &mut Starts,
+        [from, to]: [&Reading; 2],
+        lasts: Number,
+    ) -> Option<Self> {
+        let start = match starts.start.take() {
+            Some(start) => start,
+            None => from.to_ball()?,
+        };
+        let end = to.to_ball()?;
+        starts.start = Some(end);
+        // Of what stands still, any position that it may have stands for all.
+        let step = match from.is_same(to) {
+            true => Step::new(start.one_of(), start.one_of()),
+            false => Step::new(start, end),
+        };
+        let d = step.displacement();
+        let speed = dissipation::mean_speed(&d, &Ball::of(&lasts));
+        let dissipated = |of: &Loop<Ball>| {
+            let friction = Friction::new(of.viscous_friction(), of.coulomb_friction());
+            friction.dissipated_lower(&d, &speed).on_grid()
+        };
+        let holds = |criterion: &Criterion<Ball>| criterion.margin(&speed).is_nonnegative();
+        let [least, most] = &ends.criteria;
+        let taken = dissipated(&ends.least)?;
+        let moves = speed.is_positive()?;
+        let at_least = !moves || holds(least)?;
+        // Friction that is known has one end.
+        let (most_taken, at_most) = match ends.friction_is_exact() {
+            true => (taken, at_least),
+            false => (dissipated(&ends.most)?, !moves || holds(most)?),
+        };
+        let commanded = starts.commanded(&ends.controller, &start);
+        let held = HeldInterval {
+            step,
+            force: commanded,
+            // What is generated does not depend on it.
+            dtau: Ball::one(),
+            extra_storage: None,
+        };
+        let [linear, quantized] = ledger::generated(&ends.least, &held);
+        Some(Self {
+            lasts,
+            displacement: d,
+            commanded,
+            generated: [linear.on_grid()?, quantized.on_grid()?],
+            observed: (-(commanded * d)).on_grid()?,
+            dissipated: [taken, most_taken],
+            criterion_holds: Truth::over(at_least, at_most),
+            potential: ends.least.law().potential(&end).on_grid()?,
+        })
+    }
+
+    /// The force of the loop's controller, near by, where it is known.
+    pub(crate) fn commanded(&self) -> Option<f64> {
+        self.commanded.near()
+    }
+
+    /// What the interval adds to an account, under the force that the log has or, without one, under that of
+    /// the loop's controller; `None` where doubles leave something open.
+    #[inline(always)]
+    pub(crate) fn addend(&self, force: Option<&Reading>) -> Option<Addend> {
+        // What another force generates is the work of the difference, and what no force changes.
+        let more = match force {
+            None => [0, 0],
+            Some(force) => ((force.to_ball()? - self.commanded) * self.displacement).on_grid()?,
+        };
+        let [least, most] = self.dissipated;
+        let taken = [least[0], most[1]];
+        let [linear, quantized] = self
+            .generated
+            .map(|own| [own[0] + more[0], own[1] + more[1]]);
+        let net = |generated: [i128; 2]| [taken[0] - generated[1], taken[1] - generated[0]];
+        let violates = |generated: [i128; 2]| {
+            let at_least = covers(least, generated)?;
+            let at_most = match least == most {
+                true => at_least,
+                false => covers(most, generated)?,
+            };
+            Some(not(Truth::over(at_least, at_most)))
+        };
+        Some(Addend {
+            sums: [linear, quantized, taken, net(linear), net(quantized)],
+            observed: self.observed[0] - more[1],
+            potential: self.potential,
+            truths: Truths {
+                criterion_holds: self.criterion_holds,
+                violates_linear: violates(linear)?,
+                violates_quantized: violates(quantized)?,
+            },
+        })
+    }
+}
+
+/// Whether what is taken is at least as much as what is generated; `None` where that is open.
+#[inline(always)]
+fn covers(taken: [i128; 2], generated: [i128; 2]) -> Option<bool> {
+    if taken[0] >= generated[1] {
+        Some(true)
+    } else {
+        (taken[1] < generated[0]).then_some(false)
+    }
+}
