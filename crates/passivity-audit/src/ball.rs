@@ -7,8 +7,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 use passivity_core::{BigRational, Ordered, Scalar};
 
 use crate::log::near_rational;
-use crate::number::Number;
-use crate::span::{BITS, Span};
+use crate::number::{Number, Reduced, Written};
+use crate::span::{BITS, ONE, Span};
 
 /// A number that is no further than `radius` from `middle`.
 ///
@@ -41,7 +41,7 @@ const EXACT: u64 = 1 << f64::MANTISSA_DIGITS;
 const UNITS: f64 = 18_446_744_073_709_551_616.0;
 
 impl Ball {
-    const UNDEFINED: Self = Self {
+    pub(crate) const UNDEFINED: Self = Self {
         middle: 0.0,
         radius: f64::INFINITY,
     };
@@ -67,7 +67,7 @@ impl Ball {
     /// A whole number.
     #[inline]
     #[allow(clippy::cast_precision_loss)] // that is in the radius
-    fn whole(n: i64) -> Self {
+    pub(crate) fn whole(n: i64) -> Self {
         let middle = n as f64;
         match middle.abs() < WHOLE {
             true => Self::exactly(middle),
@@ -101,7 +101,10 @@ impl Ball {
         let middle = n as f64 / d as f64;
         // A whole number is told apart, for positions may be on the border between two ticks.
         let whole = middle as i64;
-        if whole as f64 == middle && whole.wrapping_mul(d) == n && middle.abs() < WHOLE {
+        let is_whole = whole as f64 == middle && whole.wrapping_mul(d) == n;
+        // What is divided by a power of two keeps its digits.
+        let is_short = d & (d - 1) == 0 && n.unsigned_abs() < EXACT;
+        if is_whole && middle.abs() < WHOLE || is_short {
             return Self::exactly(middle);
         }
         // Of n, of d and of the quotient.
@@ -119,6 +122,23 @@ impl Ball {
             true => Self::rounded(middle, 1.0),
             false => Self::UNDEFINED,
         }
+    }
+
+    /// Around all numbers from one to another.
+    pub(crate) fn around(lo: &BigRational, hi: &BigRational) -> Self {
+        let middle = Self::of_rational(&(lo + hi).half());
+        // Half of the distance and, twice over, what the middle is off by.
+        let reach = Self::of_rational(&(hi - lo).half());
+        Self {
+            middle: middle.middle,
+            radius: (middle.radius + reach.middle + reach.radius) * OUTWARD,
+        }
+    }
+
+    /// A number on the grid of spans, in units of 2⁻⁶⁴.
+    #[inline]
+    fn of_units(n: i128) -> Self {
+        Self::of_span(Span::centred(n, 0))
     }
 
     /// Around what a span is around.
@@ -178,15 +198,6 @@ impl Ball {
         Some([middle - radius, middle + radius])
     }
 
-    /// One of the numbers that it is around.
-    #[inline]
-    pub(crate) fn one_of(self) -> Self {
-        match self.is_defined() {
-            true => Self::exactly(self.middle),
-            false => self,
-        }
-    }
-
     /// The double in the middle, where the number is defined.
     #[inline]
     pub(crate) fn near(self) -> Option<f64> {
@@ -215,12 +226,30 @@ fn split(x: f64) -> (i64, f64) {
     (whole, x - (shifted - MIDDLE))
 }
 
+/// Whether a product has no more digits than a double: never so where it is not, and always of short numbers.
+#[inline]
+fn is_exact_product(a: f64, b: f64) -> bool {
+    // The bits of a number without the zeros at their end, and the leading one that is not written.
+    let digits =
+        |x: f64| f64::MANTISSA_DIGITS - x.to_bits().trailing_zeros().min(f64::MANTISSA_DIGITS - 1);
+    let is_far_from_zero = |x: f64| x.abs() > 1e-100 && x.abs() < 1e100;
+    is_far_from_zero(a) && is_far_from_zero(b) && digits(a) + digits(b) <= f64::MANTISSA_DIGITS
+}
+
 impl Add for Ball {
     type Output = Self;
 
     #[inline(always)]
     fn add(self, other: Self) -> Self {
         let middle = self.middle + other.middle;
+        if self.radius == 0.0 && other.radius == 0.0 {
+            // What rounding takes off, exactly.
+            let part = middle - self.middle;
+            let lost = (self.middle - (middle - part)) + (other.middle - part);
+            if lost == 0.0 {
+                return Self::exactly(middle);
+            }
+        }
         Self {
             middle,
             radius: (self.radius + other.radius + ROUNDING * middle.abs()) * OUTWARD,
@@ -259,6 +288,10 @@ impl Mul for Ball {
             return Self::ZERO;
         }
         let middle = self.middle * other.middle;
+        if self.radius == 0.0 && other.radius == 0.0 && is_exact_product(self.middle, other.middle)
+        {
+            return Self::exactly(middle);
+        }
         let radius = self.middle.abs() * other.radius
             + self.radius * (other.middle.abs() + other.radius)
             + (ROUNDING * middle.abs() + TINY);
@@ -381,6 +414,51 @@ impl Ordered for Ball {
     #[inline]
     fn is_positive(&self) -> Option<bool> {
         (-*self).is_nonnegative().map(|is| !is)
+    }
+}
+
+impl Written for Ball {
+    const EXACT: bool = false;
+
+    fn to_reduced(&self) -> Option<Reduced> {
+        match self.units()? {
+            (n, 0) => Some(Reduced::Small(n, ONE)),
+            _ => None,
+        }
+    }
+
+    fn from_reduced(x: &Reduced) -> Option<Self> {
+        let ball = match x {
+            Reduced::Small(n, ONE) => Self::of_units(*n),
+            x => Self::of_rational(&x.to_rational()),
+        };
+        ball.is_defined().then_some(ball)
+    }
+
+    #[inline]
+    fn below(&self) -> Option<Reduced> {
+        self.on_grid().map(|[lo, _]| Reduced::Small(lo, ONE))
+    }
+
+    #[inline]
+    fn above(&self) -> Option<Reduced> {
+        self.on_grid().map(|[_, hi]| Reduced::Small(hi, ONE))
+    }
+
+    fn is_number(&self) -> bool {
+        self.is_defined()
+    }
+
+    #[inline]
+    fn one_of(&self) -> Self {
+        match self.is_defined() {
+            true => Self::exactly(self.middle),
+            false => *self,
+        }
+    }
+
+    fn in_lowest_terms(&self) -> Option<Self> {
+        self.is_defined().then_some(*self)
     }
 }
 

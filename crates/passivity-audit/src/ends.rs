@@ -5,7 +5,7 @@ use passivity_core::{
     rational,
 };
 
-use crate::span::{self, Span};
+use crate::ball::Ball;
 
 /// A dimensionless loop at the least and at the most that its friction may be.
 ///
@@ -128,29 +128,32 @@ impl Ends<BigRational> {
         self.try_map(rational::to_fixed)
     }
 
-    /// The loop over numbers known to within 2⁻⁶⁴. One that does not fit is undefined there.
+    /// The loop in doubles. One that does not fit is undefined there.
     #[must_use]
-    pub(crate) fn to_near(&self) -> Ends<Span> {
-        /// Friction that is known as closely as this is one span, which saves half of the work.
-        const NARROW: i128 = 1 << (span::BITS - 40);
-        let [least, most] =
-            [&self.least, &self.most].map(|ends| ends.map(|_, x| Span::of_rational(x)));
-        let mut one = least.clone();
-        let all = [
-            (&mut one.viscous, &most.viscous),
-            (&mut one.coulomb, &most.coulomb),
-        ];
-        let narrow = all.into_iter().all(|(one, most)| match (one, most) {
-            (Some(one), Some(most)) => {
-                *one = one.joined(*most);
-                one.width().is_some_and(|width| width < NARROW)
-            }
-            (one, most) => one.is_none() && most.is_none(),
+    pub(crate) fn to_near(&self) -> Ends<Ball> {
+        /// Friction that is known as closely as this is one ball, which saves half of the work.
+        const NARROW: i64 = 1 << 40;
+        let narrow = |least: &BigRational, most: &BigRational| {
+            (most - least) * BigRational::from_integer(NARROW.into()) < BigRational::one()
+        };
+        let friction = |of: &Loop<BigRational>| [of.viscous.clone(), of.coulomb.clone()];
+        let mut both = friction(&self.least).into_iter().zip(friction(&self.most));
+        let is_narrow = both.all(|ends| match ends {
+            (Some(least), Some(most)) => narrow(&least, &most),
+            (least, most) => least.is_none() && most.is_none(),
         });
-        match narrow {
-            true => Ends::exact(one),
-            false => Ends::between(least, most, self.friction_is_exact),
+        if !is_narrow {
+            let [least, most] =
+                [&self.least, &self.most].map(|ends| ends.map(|_, x| Ball::of_rational(x)));
+            return Ends::between(least, most, self.friction_is_exact);
         }
+        let mut one = self.least.map(|_, x| Ball::of_rational(x));
+        let around = |least: &Option<BigRational>, most: &Option<BigRational>| {
+            Some(Ball::around(least.as_ref()?, most.as_ref()?))
+        };
+        one.viscous = around(&self.least.viscous, &self.most.viscous);
+        one.coulomb = around(&self.least.coulomb, &self.most.coulomb);
+        Ends::exact(one)
     }
 
     /// The loop over big integers.

@@ -10,7 +10,6 @@ use crate::entry::{Entry, Recorded, entry};
 use crate::figure::Figure;
 use crate::number::{Number, Written};
 use crate::reading::Reading;
-use crate::span::Span;
 use crate::sum::FigureSum;
 
 /// A loop ready to account for intervals.
@@ -33,8 +32,7 @@ use crate::sum::FigureSum;
 pub struct Ledger {
     fixed: Option<Ends<Fixed>>,
     wide: Ends<Wide>,
-    near: Ends<Span>,
-    quick: Option<Ends<Ball>>,
+    near: Ends<Ball>,
 }
 
 /// A sampling interval of a trace, with all that its row is made of.
@@ -78,11 +76,9 @@ impl Ledger {
     /// [`NotExact`] when something else than friction is an interval.
     pub fn new(dimensionless: &Loop<Interval<BigRational>>) -> Result<Self, NotExact> {
         let ends = Ends::of(dimensionless)?;
-        let near = ends.to_near();
         Ok(Self {
             fixed: ends.to_fixed(),
-            quick: near.try_map(|x| Some(Ball::of_span(*x))),
-            near,
+            near: ends.to_near(),
             wide: ends.to_wide(),
         })
     }
@@ -164,23 +160,18 @@ impl Ledger {
             .row(&self.wide, self.window(), &interval.dtau.to_wide(), wide)
     }
 
-    /// The row of an interval, enclosed to within 2⁻⁶⁴ an operation; `None` where that leaves something
-    /// open that exact numbers decide.
-    pub(crate) fn near_entry<'r, R>(&self, read: Read<'r, R>, dtau: &Number) -> Option<Entry<Span>>
+    /// The row of an interval, enclosed by doubles; `None` where these leave something open that exact numbers
+    /// decide.
+    pub(crate) fn near_entry<'r, R>(&self, read: Read<'r, R>, dtau: &Number) -> Option<Entry<Ball>>
     where
         R: Iterator<Item = &'r Reading>,
     {
         let near = |reading: &Reading| Some(reading.to_near());
-        read.row(&self.near, self.window(), &Span::of(dtau), near)
+        read.row(&self.near, self.window(), &Ball::of(dtau), near)
     }
 
-    /// The loop in doubles with a bound of their error.
-    pub(crate) const fn quick(&self) -> Option<&Ends<Ball>> {
-        self.quick.as_ref()
-    }
-
-    /// The loop in spans.
-    pub(crate) const fn near(&self) -> &Ends<Span> {
+    /// The loop in doubles.
+    pub(crate) const fn near(&self) -> &Ends<Ball> {
         &self.near
     }
 }

@@ -86,25 +86,18 @@ impl Reading {
         !matches!(self, Self::Count(_)) && self == other
     }
 
-    /// What is known of the number, to within 2⁻⁶⁴.
-    pub(crate) fn to_near(&self) -> Figure<Span> {
-        match self {
-            Self::Exact(x) => Figure::Exact(Span::of(x)),
-            Self::Count(n) => {
-                let tick = Span::whole(*n);
-                Figure::Enclosed(Interval::new_unchecked(tick, tick + Span::one()))
-            }
-            Self::Within(x) => Figure::Exact(x.span),
-        }
-    }
-
-    /// What is known of the number, in doubles: of a count too little to be of use.
+    /// What is known of the number, in doubles.
     #[inline]
-    pub(crate) fn to_ball(&self) -> Option<Ball> {
+    pub(crate) fn to_near(&self) -> Figure<Ball> {
         match self {
-            Self::Exact(x) => Some(Ball::of(x)),
-            Self::Count(_) => None,
-            Self::Within(x) => Some(Ball::of_span(x.span)),
+            Self::Exact(x) => Figure::Exact(Ball::of(x)),
+            Self::Count(n) => {
+                // The end of the last tick of all is no whole number of 64 bits.
+                let [tick, next] =
+                    [Some(*n), n.checked_add(1)].map(|n| n.map_or(Ball::UNDEFINED, Ball::whole));
+                Figure::Enclosed(Interval::new_unchecked(tick, next))
+            }
+            Self::Within(x) => Figure::Exact(Ball::of_span(x.span)),
         }
     }
 

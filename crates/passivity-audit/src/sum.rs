@@ -232,6 +232,13 @@ impl FigureSum {
         Some(())
     }
 
+    /// Adds what is between two numbers in units of the grid, `times` over.
+    pub(crate) fn add_on_grid(&mut self, [lo, hi]: [i128; 2], times: u64) {
+        let highest = self.hi.get_or_insert_with(|| self.lo.clone());
+        highest.add_reduced_times(&Reduced::Small(hi, ONE), times);
+        self.lo.add_reduced_times(&Reduced::Small(lo, ONE), times);
+    }
+
     /// Adds another sum.
     pub fn add_sum(&mut self, other: &Self) {
         if other.hi.is_some() {

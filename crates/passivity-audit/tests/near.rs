@@ -1,9 +1,9 @@
-//! Long logs are accounted for in spans: the answers are those of exact numbers, and the sums enclose
+//! Long logs are accounted for in doubles: the answers are those of exact numbers, and the sums enclose
 //! theirs.
 
 use std::fmt::Write as _;
 
-use num_traits::Zero as _;
+use num_traits::{Signed as _, Zero as _};
 use passivity_audit::{Ledger, Logged, Number, Options, Reading, Verdict, audit_csv};
 use passivity_core::{BigRational, Truth};
 use passivity_scene::Scene;
@@ -52,8 +52,8 @@ fn audited(text: &str, scene: &Scene, block: usize) -> passivity_audit::Audit {
     audit_csv(input, scene, options).unwrap()
 }
 
-/// The sums, and how often each account was short, of exact rows alone.
-fn exactly(text: &str, scene: &Scene) -> ([BigRational; 2], [u64; 2]) {
+/// The sums, how often each account was short, and the largest position or force and a tick, of exact rows alone.
+fn exactly(text: &str, scene: &Scene) -> ([BigRational; 2], [u64; 2], BigRational) {
     let ledger = Ledger::of_scene(scene);
     let number = |text: &str| Number::parse(text).unwrap();
     let (per_tick, per_force) = (
@@ -73,6 +73,7 @@ fn exactly(text: &str, scene: &Scene) -> ([BigRational; 2], [u64; 2]) {
         .map(|l| l.split(',').collect())
         .collect();
     let (mut sums, mut short) = ([BigRational::zero(), BigRational::zero()], [0, 0]);
+    let mut largest = BigRational::zero();
     for pair in rows.windows(2) {
         let [from, to] = pair else { unreachable!() };
         let dt = number(to[0]).to_rational() - number(from[0]).to_rational();
@@ -84,13 +85,20 @@ fn exactly(text: &str, scene: &Scene) -> ([BigRational; 2], [u64; 2]) {
                 force: Some(scaled(from[2], &per_force)),
             })
             .unwrap();
+        for read in [sample(to[1]), scaled(from[2], &per_force)] {
+            let range = read.to_rational();
+            let tick = BigRational::from_integer(1.into());
+            largest = largest
+                .max(range.hi().abs() + tick.clone())
+                .max(range.lo().abs() + tick);
+        }
         let net = row.net_linear().unwrap();
         sums[0] += net.lo();
         sums[1] += net.hi();
         short[0] += u64::from(row.truths().violates_linear == Truth::Holds);
         short[1] += u64::from(row.truths().violates_linear == Truth::Depends);
     }
-    (sums, short)
+    (sums, short, largest)
 }
 
 #[test]
@@ -104,14 +112,16 @@ fn a_long_log_has_the_answers_of_exact_rows_and_sums_around_theirs() {
     ] {
         let text = log(seed, 2500, header, 2e-4, 1000.0);
         let audit = audited(&text, &scene, 0);
-        let ([least, most], [short, open]) = exactly(&text, &scene);
+        let ([least, most], [short, open], largest) = exactly(&text, &scene);
         let totals = audit.totals();
         assert_eq!(totals.violates_linear, short);
         assert_eq!(totals.depends_linear, open);
         let (lo, hi) = (totals.net_linear.lo(), totals.net_linear.hi());
         assert!(*lo <= least && most <= *hi);
-        // A row has some thirty operations on numbers below 2²⁰, each off by 2⁻⁶⁴ times as much.
-        let off = BigRational::new((2500_i64 * 32).into(), (1_i64 << 44).into());
+        // A row has some thirty operations on energies, each off by 2⁻⁵² of its result: of two factors that are
+        // twice the largest position or force, a tick included, at the most.
+        let energy = &largest * &largest * BigRational::from_integer(4.into());
+        let off = energy * BigRational::new((2500_i64 * 32).into(), (1_i64 << 52).into());
         assert!(&least - lo <= off && hi - &most <= off);
         assert!(!totals.generated_linear.is_exact());
     }
@@ -174,7 +184,7 @@ proptest! {
             writeln!(text, "{t},{sign}3e{},{sign}7e{}", exponent - 20, 20 - exponent).unwrap();
         }
         let audit = audited(&text, &scene, 0);
-        let ([least, most], [short, open]) = exactly(&text, &scene);
+        let ([least, most], [short, open], largest) = exactly(&text, &scene);
         let totals = audit.totals();
         prop_assert_eq!(totals.violates_linear, short);
         prop_assert_eq!(totals.depends_linear, open);

@@ -92,9 +92,30 @@ proptest! {
     }
 }
 
+proptest! {
+    #[test]
+    fn short_numbers_stay_exact(a in -1_000_000..1_000_000_i64, b in -1_000_000..1_000_000_i64, bits in 0..30_u32) {
+        // A number with so many bits behind the point, as that of a tick or its half.
+        let [a, b] = [a, b].map(|n| (ratio(n, 1 << bits), Ball::ratio(n, 1 << bits)));
+        for (found, exact) in [
+            (a.1 + b.1, &a.0 + &b.0),
+            (a.1 - b.1, &a.0 - &b.0),
+            (a.1 * b.1, &a.0 * &b.0),
+            (a.1.half(), a.0.clone().half()),
+        ] {
+            prop_assert!(found.radius == 0.0 && holds(found, &exact));
+        }
+        // And is on the grid.
+        prop_assert_eq!(a.1.to_reduced().map(|x| x.to_rational()), Some(a.0));
+    }
+}
+
 #[test]
 fn whole_numbers_and_rest_are_exact() {
-    for ball in [Ball::ratio(12, 4), Ball::of_span(Span::whole(3))] {
+    for ball in [
+        Ball::ratio(12, 4),
+        Ball::of_span(Span::centred(3 << BITS, 0)),
+    ] {
         assert_eq!(ball.floor().middle, 3.0);
     }
     assert_eq!(Ball::ratio(12, 4), Ball::exactly(3.0));

@@ -32,7 +32,7 @@ const ABSOLUTE: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(crate) struct Comparison {
     /// The controller without delay.
-    quick: Option<Controller<Ball>>,
+    near: Controller<Ball>,
     wide: Controller<Wide>,
     /// The delay of the scene.
     pub(crate) delay: usize,
@@ -91,7 +91,7 @@ impl Comparison {
         let delay = ledger.wide().controller.delay;
         Self {
             delay,
-            quick: ledger.quick().map(|ends| prompt(&ends.controller)),
+            near: prompt(&ledger.near().controller),
             wide: prompt(&ledger.wide().controller),
             samples: VecDeque::new(),
             law: Vec::new(),
@@ -109,24 +109,17 @@ impl Comparison {
         let order = self.wide.filter.order();
         self.samples.truncate(order);
         // Most loops have no memory.
-        let near = match (&self.quick, order) {
-            (Some(quick), 0) => {
-                let found = sample
-                    .to_ball()
-                    .or_else(|| Some(Ball::of_span(*sample.to_near().lo())));
-                found.map(|xi| quick.held_force(&[quick.measured(&xi)]))
-            }
-            (Some(quick), _) => {
+        let measured = |sample: &Reading| self.near.measured(sample.to_near().lo());
+        let near = match order {
+            0 => self.near.held_force(&[measured(&sample)]),
+            _ => {
                 let samples = std::iter::once(&sample).chain(&self.samples);
-                let measured: Vec<Ball> = samples
-                    .map(|sample| quick.measured(&Ball::of_span(*sample.to_near().lo())))
-                    .collect();
-                Some(quick.held_force(&measured))
+                self.near
+                    .held_force(&samples.map(measured).collect::<Vec<_>>())
             }
-            (None, _) => None,
         };
         self.samples.push_front(sample);
-        if let Some(near) = near.and_then(Ball::near) {
+        if let Some(near) = near.near() {
             return Some(near);
         }
         let measured: Vec<Wide> = self

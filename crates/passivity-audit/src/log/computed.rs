@@ -1,9 +1,7 @@
 //! The row of an interval, and what an account keeps of it.
 
-use passivity_core::Interval;
-
+use crate::ball::Ball;
 use crate::entry::Entry;
-use crate::figure::Figure;
 use crate::ledger::{Logged, Row, Truths, on_entry};
 use crate::log::account::{Account, Place};
 use crate::log::error::TraceError;
@@ -16,16 +14,16 @@ use crate::log::supply::{Contribution, observed, potential, potential_on};
 use crate::log::task::Task;
 use crate::number::{Number, Reduced, Written as _};
 use crate::reading::Reading;
-use crate::span::{ONE, Span, below_on_grid, figure_around, outward};
+use crate::span::{ONE, below_on_grid, on_both_sides, outward};
 use crate::sum::FigureSum;
 
 /// How many rows at the start of a trace are of exact numbers.
 pub(crate) const EXACT_ROWS: usize = ROWS_IN_REPORT;
 
-/// The row of an interval: of exact numbers, or of spans where nothing is left open by them.
+/// The row of an interval: of exact numbers, or of doubles where nothing is left open by them.
 pub(crate) enum Accounted {
     Exact(Row),
-    Near(Box<Entry<Span>>),
+    Near(Box<Entry<Ball>>),
     /// Between known positions, of doubles.
     Quick(Box<Addend>),
     /// Decided by exact numbers, and summed up on the grid of spans: so that the denominators of sums stay
@@ -49,15 +47,14 @@ impl Accounted {
             Self::Near(entry) => entry.add_to(sums, times),
             Self::Quick(addend) => {
                 for (sum, ends) in sums.iter_mut().zip(addend.sums) {
-                    let [lo, hi] = ends.map(|end| Span::between(end, end));
-                    sum.add_times(&Figure::Enclosed(Interval::new_unchecked(lo, hi)), times)?;
+                    sum.add_on_grid(ends, times);
                 }
                 Some(())
             }
             Self::Decided(row) => {
                 for (sum, figure) in sums.iter_mut().zip(row.figures()?) {
-                    match figure_around(figure.lo(), figure.hi()) {
-                        Some(figure) => sum.add_times(&figure, times)?,
+                    match on_both_sides(figure.lo(), figure.hi()) {
+                        Some(ends) => sum.add_on_grid(ends, times),
                         None => sum.add_times(&figure, times)?,
                     }
                 }

@@ -109,7 +109,7 @@ impl Irrational {
     /// A position in ticks, enclosed within one of them.
     pub(crate) fn position(&self, x: Number) -> Result<Reading, TraceError> {
         if let Some(span) = self.short(&x)
-            && span.floor().defined().is_some()
+            && span.is_within_a_tick()
             && !matches!(x, Number::Small(0, _))
         {
             return Ok(Reading::Within(Scaled::new(x, span)));

@@ -10,7 +10,7 @@ use crate::ends::Ends;
 use crate::figure::not;
 use crate::ledger::{Ledger, Logged, Truths};
 use crate::log::motion::Addend;
-use crate::number::Number;
+use crate::number::{Number, Written as _};
 use crate::reading::Reading;
 
 /// What an interval between two known positions comes to. Energies are in units of the grid of spans, at the
@@ -68,7 +68,7 @@ impl Known {
     pub(crate) fn of_interval(ledger: &Ledger, interval: &Logged) -> Option<Self> {
         match interval.samples.as_slice() {
             [start] if !ledger.has_memory() => Self::of(
-                ledger.quick()?,
+                ledger.near(),
                 &mut Starts::default(),
                 [start, &interval.end],
                 interval.dtau.clone(),
@@ -86,9 +86,9 @@ impl Known {
     ) -> Option<Self> {
         let start = match starts.start.take() {
             Some(start) => start,
-            None => from.to_ball()?,
+            None => known(from)?,
         };
-        let end = to.to_ball()?;
+        let end = known(to)?;
         starts.start = Some(end);
         // Of what stands still, any position that it may have stands for all.
         let step = match from.is_same(to) {
@@ -144,7 +144,7 @@ impl Known {
         // What another force generates is the work of the difference, and what no force changes.
         let more = match force {
             None => [0, 0],
-            Some(force) => ((force.to_ball()? - self.commanded) * self.displacement).on_grid()?,
+            Some(force) => ((known(force)? - self.commanded) * self.displacement).on_grid()?,
         };
         let [least, most] = self.dissipated;
         let taken = [least[0], most[1]];
@@ -171,6 +171,12 @@ impl Known {
             },
         })
     }
+}
+
+/// What is known of a number that is no count.
+#[inline(always)]
+fn known(reading: &Reading) -> Option<Ball> {
+    reading.to_near().exact().copied()
 }
 
 /// Whether what is taken is at least as much as what is generated; `None` where that is open.

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use crate::ball::Ball;
 use crate::ends::Ends;
 use crate::entry::Entry;
 use crate::figure::Figure;
@@ -14,7 +15,7 @@ use crate::log::step::{check_jump, duration};
 use crate::log::supply;
 use crate::number::Number;
 use crate::reading::Reading;
-use crate::span::{Span, units};
+use crate::span::units;
 
 /// What is computed of an interval once, for all accounts that are kept of it.
 #[derive(Clone, Debug)]
@@ -22,7 +23,7 @@ pub(crate) enum Motion {
     /// Between two known positions: what it comes to under any force.
     Known(Known),
     /// Between two counts, whose account under the wall's own law is part of that under another force.
-    Counted(Box<Addend>),
+    Counted(Addend),
 }
 
 /// What an interval adds to the sums of an account, in units of the grid.
@@ -66,13 +67,13 @@ impl Motions {
             return Vec::new();
         }
         let mut motions = Vec::with_capacity(intervals);
-        match (&chunk.samples, ledger.quick()) {
-            (Samples::Any(samples), Some(ends)) => {
+        match &chunk.samples {
+            Samples::Any(samples) => {
                 let mut starts = Starts::default();
                 for (i, pair) in samples.windows(2).enumerate() {
                     let [from, to] = pair else { continue };
                     let known = match lasts(i) {
-                        Some(dtau) => Known::of(ends, &mut starts, [from, to], dtau),
+                        Some(dtau) => Known::of(ledger.near(), &mut starts, [from, to], dtau),
                         None => {
                             starts.forget();
                             None
@@ -81,15 +82,14 @@ impl Motions {
                     motions.push(known.map(Motion::Known));
                 }
             }
-            (Samples::Counts(counts), _) => {
+            Samples::Counts(counts) => {
                 for (i, pair) in counts.windows(2).enumerate() {
                     let [from, to] = pair else { continue };
                     let counted =
                         lasts(i).and_then(|dtau| self.counted(ledger, [*from, *to], &dtau));
-                    motions.push(counted.map(|addend| Motion::Counted(Box::new(addend))));
+                    motions.push(counted.map(Motion::Counted));
                 }
             }
-            (Samples::Any(_), None) => {}
         }
         motions
     }
@@ -123,11 +123,11 @@ impl Motions {
                 addend
             }
         };
-        let (start, end) = (Span::whole(from), Reading::Count(to).to_near());
+        let (start, end) = (Ball::whole(from), Reading::Count(to).to_near());
         let force = ledger.near().least.law().held_force(&start);
         let observed = -(force * (*end.lo() - start));
         let addend = Addend {
-            observed: observed.defined()?[0],
+            observed: observed.on_grid()?[0],
             potential: potential(ledger.near(), &end)?,
             ..addend
         };
@@ -146,8 +146,8 @@ pub(crate) fn commanded(motions: &[Option<Motion>]) -> Vec<Option<f64>> {
 
 /// The lower end of one number and the upper end of another, in units of the grid.
 #[inline]
-fn between(least: Span, most: Span) -> Option<[i128; 2]> {
-    match (least.defined(), most.defined()) {
+fn between(least: Ball, most: Ball) -> Option<[i128; 2]> {
+    match (least.on_grid(), most.on_grid()) {
         (Some([lo, _]), Some([_, hi])) => Some([lo, hi]),
         _ => None,
     }
@@ -155,13 +155,13 @@ fn between(least: Span, most: Span) -> Option<[i128; 2]> {
 
 impl Addend {
     /// What a row adds; `None` where something does not fit.
-    pub(crate) fn of_entry(ends: &Ends<Span>, entry: &Entry<Span>) -> Option<Self> {
+    pub(crate) fn of_entry(ends: &Ends<Ball>, entry: &Entry<Ball>) -> Option<Self> {
         let [a, b, c, d, e] = entry
             .summed()
             .map(|figure| between(*figure.lo(), *figure.hi()));
         let addend = Self {
             sums: [a?, b?, c?, d?, e?],
-            observed: entry.observed().defined()?[0],
+            observed: entry.observed().on_grid()?[0],
             potential: potential(ends, &entry.xi1)?,
             truths: entry.truths(),
         };
@@ -183,7 +183,7 @@ impl Addend {
 pub(crate) const WIDEST: u128 = 1 << 101;
 
 /// The wall's potential at a sample, in units of the grid.
-fn potential(ends: &Ends<Span>, sample: &Figure<Span>) -> Option<[i128; 2]> {
+fn potential(ends: &Ends<Ball>, sample: &Figure<Ball>) -> Option<[i128; 2]> {
     let [least, most] = supply::potential_on(ends, sample)?;
     Some([units(&least)?, units(&most)?])
 }

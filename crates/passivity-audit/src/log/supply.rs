@@ -14,6 +14,7 @@
 use passivity_core::{BigRational, Ordered};
 
 use super::running::{Lowest, RunningSum};
+use crate::ball::Ball;
 use crate::enclosure::Rectangle;
 use crate::ends::Ends;
 use crate::entry::Entry;
@@ -23,7 +24,7 @@ use crate::log::computed::Accounted;
 use crate::log::motion::WIDEST;
 use crate::number::{Reduced, Written};
 use crate::reading::Reading;
-use crate::span::{ONE, Span, below_on_grid, outward, units};
+use crate::span::{ONE, below_on_grid, outward, units};
 
 /// The two ends of what is known of a number.
 pub(crate) type Bounds = [Reduced; 2];
@@ -41,7 +42,7 @@ pub(crate) struct Contribution {
     room: Reduced,
     /// V(ξ₁) − G·ρ₁: what counts only as long as the trace ends here.
     end: Bounds,
-    /// Whether the numbers are those of spans.
+    /// Whether the numbers are those of doubles.
     near: bool,
 }
 
@@ -148,7 +149,7 @@ impl Contribution {
         if self.excess == NO_FORCE && *before == NO_FORCE {
             return Some(self.net.clone());
         }
-        let near = self.near.then(|| self.step_in::<Span>(before)).flatten();
+        let near = self.near.then(|| self.step_in::<Ball>(before)).flatten();
         near.or_else(|| self.step_in::<passivity_core::Fixed>(before))
             .or_else(|| self.step_in::<passivity_core::Wide>(before))
     }

@@ -1,24 +1,16 @@
 //! Exact numbers on the grid of spans: rounded down, up, or outward.
 
 use num_traits::ToPrimitive as _;
-use passivity_core::{BigRational, Interval};
+use passivity_core::BigRational;
 
-use super::{ONE, Span};
-use crate::figure::Figure;
+use super::ONE;
 use crate::number::Reduced;
 
 /// The first number rounded down to the grid and the second one rounded up, where that fits.
-pub(super) fn on_both_sides(lo: &BigRational, hi: &BigRational) -> Option<[i128; 2]> {
+pub(crate) fn on_both_sides(lo: &BigRational, hi: &BigRational) -> Option<[i128; 2]> {
     let scaled = |x: &BigRational| x * BigRational::from_integer(ONE.into());
     let lo = scaled(lo).floor().to_integer().to_i128()?;
     Some([lo, scaled(hi).ceil().to_integer().to_i128()?])
-}
-
-/// What is known of a number between these two, on the grid; `None` where that does not fit.
-pub(crate) fn figure_around(lo: &BigRational, hi: &BigRational) -> Option<Figure<Span>> {
-    let ends = on_both_sides(lo, hi)?;
-    let [lo, hi] = ends.map(|end| Span::between(end, end));
-    (lo.is_defined() && hi.is_defined()).then(|| Figure::Enclosed(Interval::new_unchecked(lo, hi)))
 }
 
 /// The numbers rounded outward to the grid, where that fits.
