@@ -226,6 +226,21 @@ fn split(x: f64) -> (i64, f64) {
     (whole, x - (shifted - MIDDLE))
 }
 
+/// Whether a size is above zero: with one comparison, which most sizes pass.
+#[inline(always)]
+fn is_more(size: f64) -> bool {
+    size > 0.0
+}
+
+/// Whether a sum is a double.
+#[inline]
+fn is_exact_sum(a: f64, b: f64) -> bool {
+    // What rounding takes off, exactly.
+    let sum = a + b;
+    let part = sum - a;
+    (a - (sum - part)) + (b - part) == 0.0
+}
+
 /// Whether a product has no more digits than a double: never so where it is not, and always of short numbers.
 #[inline]
 fn is_exact_product(a: f64, b: f64) -> bool {
@@ -242,17 +257,13 @@ impl Add for Ball {
     #[inline(always)]
     fn add(self, other: Self) -> Self {
         let middle = self.middle + other.middle;
-        if self.radius == 0.0 && other.radius == 0.0 {
-            // What rounding takes off, exactly.
-            let part = middle - self.middle;
-            let lost = (self.middle - (middle - part)) + (other.middle - part);
-            if lost == 0.0 {
-                return Self::exactly(middle);
-            }
+        let radius = self.radius + other.radius;
+        if !is_more(radius) && radius == 0.0 && is_exact_sum(self.middle, other.middle) {
+            return Self::exactly(middle);
         }
         Self {
             middle,
-            radius: (self.radius + other.radius + ROUNDING * middle.abs()) * OUTWARD,
+            radius: (radius + ROUNDING * middle.abs()) * OUTWARD,
         }
     }
 }
@@ -283,14 +294,16 @@ impl Mul for Ball {
 
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        // What stands still generates nothing: not even a rounding.
-        if self.is_zero() && other.is_defined() || other.is_zero() && self.is_defined() {
-            return Self::ZERO;
-        }
         let middle = self.middle * other.middle;
-        if self.radius == 0.0 && other.radius == 0.0 && is_exact_product(self.middle, other.middle)
-        {
+        let radius = self.radius + other.radius;
+        if !is_more(radius) && radius == 0.0 && is_exact_product(self.middle, other.middle) {
             return Self::exactly(middle);
+        }
+        // What stands still generates nothing: not even a rounding.
+        if !is_more(middle.abs())
+            && (self.is_zero() && other.is_defined() || other.is_zero() && self.is_defined())
+        {
+            return Self::ZERO;
         }
         let radius = self.middle.abs() * other.radius
             + self.radius * (other.middle.abs() + other.radius)
@@ -319,16 +332,15 @@ impl Scalar for Ball {
     }
 
     #[inline]
-    #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss)] // below 2⁵³
     fn floor(&self) -> Self {
-        let fits = self.middle.abs() < WHOLE;
+        let fits = self.middle.abs() < WHOLE / 4.0;
         if !fits {
             return Self::UNDEFINED;
         }
-        let towards_zero = self.middle as i64 as f64;
-        let below = match towards_zero > self.middle {
-            true => towards_zero - 1.0,
-            false => towards_zero,
+        let nearest = self.middle - split(self.middle).1;
+        let below = match nearest > self.middle {
+            true => nearest - 1.0,
+            false => nearest,
         };
         // Exact: a double has no digits behind those of a larger one.
         let rest = self.middle - below;

@@ -49,9 +49,10 @@ impl Scaled {
         self.span.ends()
     }
 
-    /// A double near the number.
-    pub(crate) fn near(&self) -> f64 {
-        self.span.near()
+    /// A double near the number, where it is defined.
+    #[inline]
+    pub(crate) fn near(&self) -> Option<f64> {
+        Ball::of_span(self.span).near()
     }
 
     /// An interval that holds the number.

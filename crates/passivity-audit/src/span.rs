@@ -83,12 +83,6 @@ impl Span {
         self.is_defined().then_some((self.middle, self.radius))
     }
 
-    /// A double near the number, where it is defined.
-    #[allow(clippy::cast_precision_loss)] // that is what near means
-    pub(crate) fn near(self) -> f64 {
-        self.middle as f64 / ONE as f64
-    }
-
     /// The ends, in units of 2⁻⁶⁴, of a number that is defined.
     #[inline]
     pub(crate) const fn ends(self) -> [i128; 2] {

@@ -184,7 +184,7 @@ proptest! {
             writeln!(text, "{t},{sign}3e{},{sign}7e{}", exponent - 20, 20 - exponent).unwrap();
         }
         let audit = audited(&text, &scene, 0);
-        let ([least, most], [short, open], largest) = exactly(&text, &scene);
+        let ([least, most], [short, open], _) = exactly(&text, &scene);
         let totals = audit.totals();
         prop_assert_eq!(totals.violates_linear, short);
         prop_assert_eq!(totals.depends_linear, open);

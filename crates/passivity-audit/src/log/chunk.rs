@@ -1,6 +1,7 @@
 //! A part of a trace, as it was read.
 
 use crate::log::error::TraceError;
+use crate::log::layout::Layout;
 use crate::log::source::Place;
 use crate::number::Number;
 use crate::reading::Reading;
@@ -85,6 +86,21 @@ impl Chunk {
         self.forces.truncate(len);
         self.velocities.truncate(len);
         self.commanded.truncate(len);
+    }
+
+    /// Makes room for about as many positions, times and forces as there are lines in a text.
+    pub(crate) fn reserve(&mut self, text: &[u8], layout: &Layout) {
+        let line = memchr::memchr(b'\n', text).map_or(text.len(), |end| end + 1);
+        let rows = text.len() / line.max(1);
+        if let Samples::Any(samples) = &mut self.samples {
+            samples.reserve(rows);
+        }
+        if layout.time.is_some() {
+            self.times.reserve(rows);
+        }
+        if layout.force.is_some() {
+            self.forces.reserve(rows);
+        }
     }
 
     /// Goes on with the rows that follow.

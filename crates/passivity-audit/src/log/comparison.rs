@@ -132,29 +132,41 @@ impl Comparison {
 
     /// Compares the forces of the first `rows` samples of a chunk.
     pub(crate) fn feed(&mut self, chunk: &Chunk, rows: usize) -> Result<(), TraceError> {
-        for (i, force) in chunk.forces.iter().enumerate().take(rows) {
-            let law = match (chunk.commanded.get(i), chunk.samples.get(i)) {
-                (Some(Some(law)), _) => *law,
+        let compared = chunk.forces.get(..rows).unwrap_or(&chunk.forces);
+        let mut law = Vec::with_capacity(compared.len());
+        for i in 0..compared.len() {
+            law.push(match (chunk.commanded.get(i), chunk.samples.get(i)) {
+                (Some(Some(force)), _) => *force,
                 (_, Some(sample)) => self.commanded(sample).ok_or_else(undefined)?,
                 (_, None) => return Err(undefined()),
-            };
-            // Before the first sample the device stood where it finds it.
-            self.law.resize(self.delay + LAGS + 1, law);
-            if self.before.is_empty() {
-                self.before.clone_from(&self.law);
-            }
-            self.law.rotate_right(1);
-            if let Some(latest) = self.law.first_mut() {
-                *latest = law;
-            }
-            let middle = near_reading(&force.value);
-            for (expected, agreement) in self.law.iter().zip(&mut self.lags) {
-                agreement.compare(middle, *expected, force.rounding, self.compared);
-            }
-            self.squares.add(middle * middle);
-            self.law_squares.add(law * law);
-            self.compared += 1;
+            });
         }
+        let Some(first) = law.first() else {
+            return Ok(());
+        };
+        // Before the first sample the device stood where it finds it.
+        self.law.resize(self.lags.len(), *first);
+        if self.before.is_empty() {
+            self.before.clone_from(&self.law);
+        }
+        let forces: Vec<f64> = compared.iter().map(|f| near_reading(&f.value)).collect();
+        let rounding: Vec<f64> = compared.iter().map(|force| force.rounding).collect();
+        for force in &forces {
+            self.squares.add(force * force);
+        }
+        for force in &law {
+            self.law_squares.add(force * force);
+        }
+        // The latest last, and as many before the first as the longest lag looks back.
+        let mut all: Vec<f64> = self.law.iter().rev().copied().collect();
+        all.append(&mut law);
+        for (lag, agreement) in self.lags.iter_mut().enumerate() {
+            let late = all.get(self.law.len() - lag..).unwrap_or_default();
+            agreement.compare(&forces, late, &rounding, self.compared);
+        }
+        self.law.clear();
+        self.law.extend(all.iter().rev().take(self.lags.len()));
+        self.compared += forces.len() as u64;
         Ok(())
     }
 
@@ -268,18 +280,26 @@ impl Comparison {
 }
 
 impl Agreement {
-    fn compare(&mut self, force: f64, law: f64, rounding: f64, row: u64) {
-        let most = rounding + RELATIVE * law.abs() + ABSOLUTE;
-        for (off, (mismatches, first)) in [force - law, force + law]
-            .into_iter()
-            .zip(&mut self.mismatches)
-        {
-            if off.abs() > most {
-                *mismatches += 1;
-                first.get_or_insert(row);
+    /// Compares forces with those of the law, after so many that were compared before.
+    fn compare(&mut self, forces: &[f64], law: &[f64], rounding: &[f64], before: u64) {
+        let signs = [1.0, -1.0].into_iter().zip(&mut self.mismatches);
+        for (sign, (mismatches, first)) in signs {
+            let differs = |((force, law), rounding): ((&f64, &f64), &f64)| {
+                (force - sign * law).abs() > rounding + RELATIVE * law.abs() + ABSOLUTE
+            };
+            let rows = || forces.iter().zip(law).zip(rounding);
+            let found: u64 = rows().map(|row| u64::from(differs(row))).sum();
+            if found > 0 && first.is_none() {
+                *first = (before..)
+                    .zip(rows())
+                    .find(|(_, row)| differs(*row))
+                    .map(|(row, _)| row);
             }
+            *mismatches += found;
         }
         let [mixed, _] = &mut self.products;
-        mixed.add(force * law);
+        for (force, law) in forces.iter().zip(law) {
+            mixed.add(force * law);
+        }
     }
 }

@@ -105,6 +105,9 @@ pub(crate) fn parse(block: &Block, layout: &Layout, notation: Notation) -> Chunk
     let mut rest = bytes.get(read..).unwrap_or_default();
     let mut blank: Option<u64> = None;
     let slots = Slots::of(layout, notation);
+    if slots.is_some() {
+        chunk.reserve(rest, layout);
+    }
     while !rest.is_empty() {
         if let (None, Some(slots)) = (blank, &slots)
             && let Some(length) = slots.push(rest, layout, &mut chunk)

@@ -255,10 +255,15 @@ pub(crate) fn near_number(x: &Number) -> f64 {
 
 /// The double nearest to the middle of what is known of a number.
 pub(crate) fn near_reading(x: &Reading) -> f64 {
+    let near_middle = || near(&x.to_rational().middle());
     match x {
         Reading::Exact(x) => near_number(x),
-        Reading::Within(x) => x.near(),
-        x => near(&x.to_rational().middle()),
+        Reading::Within(x) => x.near().unwrap_or_else(near_middle),
+        // Of few bits, a tick has a middle that is a double.
+        Reading::Count(n) => match i32::try_from(*n) {
+            Ok(n) => f64::from(n) + 0.5,
+            Err(_) => near_middle(),
+        },
     }
 }
 
