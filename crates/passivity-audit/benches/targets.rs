@@ -217,13 +217,13 @@ fn main() {
     reached &= report(
         "radians, uneven clock and forces, one core",
         timed(&|| uneven(false, 1_000_000)),
-        4e5,
+        8e5,
         "intervals/s",
     );
     reached &= report(
         "counts, uneven clock and forces, one core",
         timed(&|| uneven(true, 200_000)),
-        4e4,
+        1e5,
         "intervals/s",
     );
     // 24 hours at 1 kHz: 86.4 million samples.

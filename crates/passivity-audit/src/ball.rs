@@ -37,7 +37,7 @@ const WHOLE: f64 = 9_007_199_254_740_992.0;
 /// [`WHOLE`], as a whole number.
 const EXACT: u64 = 1 << f64::MANTISSA_DIGITS;
 
-/// One, in units of the grid of spans.
+/// One, in units of the grid.
 const UNITS: f64 = 18_446_744_073_709_551_616.0;
 
 impl Ball {
@@ -135,7 +135,7 @@ impl Ball {
         }
     }
 
-    /// A number on the grid of spans, in units of 2⁻⁶⁴.
+    /// A number on the grid, in units of 2⁻⁶⁴.
     #[inline]
     fn of_units(n: i128) -> Self {
         Self::of_span(Span::centred(n, 0))
@@ -165,7 +165,7 @@ impl Ball {
         }
     }
 
-    /// The number in units of the grid of spans, 2⁻⁶⁴, and how far off that may be; `None` where that is wide,
+    /// The number in units of the grid, 2⁻⁶⁴, and how far off that may be; `None` where that is wide,
     /// past 2³⁵ or undefined.
     #[inline(always)]
     pub(crate) fn units(self) -> Option<(i128, i64)> {
@@ -190,7 +190,7 @@ impl Ball {
         Some((middle, nearest + if is_exact { 0 } else { 1 }))
     }
 
-    /// The ends in units of the grid of spans, rounded outward; `None` as for [`units`](Self::units).
+    /// The ends in units of the grid, rounded outward; `None` as for [`units`](Self::units).
     #[inline(always)]
     pub(crate) fn on_grid(self) -> Option<[i128; 2]> {
         let (middle, radius) = self.units()?;

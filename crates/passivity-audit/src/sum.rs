@@ -206,7 +206,7 @@ impl FigureSum {
         }
     }
 
-    /// A sum between two numbers in units of the grid of spans.
+    /// A sum between two numbers in units of the grid.
     pub(crate) fn of_grid(ends: [i128; 2]) -> Self {
         let [lo, hi] = ends.map(|n| Sum {
             small: (n, ONE),

@@ -1,4 +1,4 @@
-//! The account of consecutive intervals whose rows spans decide: sums of integers of fixed width.
+//! The account of consecutive intervals whose rows doubles decide: sums of integers of fixed width.
 
 use crate::ledger::Truths;
 use crate::log::account::{Account, Place, kinds};

@@ -26,7 +26,7 @@ pub(crate) enum Accounted {
     Near(Box<Entry<Ball>>),
     /// Between known positions, of doubles.
     Quick(Box<Addend>),
-    /// Decided by exact numbers, and summed up on the grid of spans: so that the denominators of sums stay
+    /// Decided by exact numbers, and summed up on the grid: so that the denominators of sums stay
     /// short.
     Decided(Row),
 }

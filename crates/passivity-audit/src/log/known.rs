@@ -13,7 +13,7 @@ use crate::log::motion::Addend;
 use crate::number::{Number, Written as _};
 use crate::reading::Reading;
 
-/// What an interval between two known positions comes to. Energies are in units of the grid of spans, at the
+/// What an interval between two known positions comes to. Energies are in units of the grid, at the
 /// least and at the most.
 #[derive(Clone, Debug)]
 pub(crate) struct Known {

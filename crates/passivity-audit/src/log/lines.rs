@@ -8,7 +8,7 @@ use crate::log::error::TraceError;
 pub(crate) const MAX_LINE: usize = 1 << 20;
 
 /// How much is parsed at once by one core, in bytes, unless asked otherwise.
-pub(crate) const BLOCK: usize = 256 << 10;
+pub(crate) const BLOCK: usize = 1 << 20;
 
 /// How many rows are looked at before a header is judged.
 const PREVIEWED: usize = 20;

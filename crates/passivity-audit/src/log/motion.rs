@@ -1,4 +1,4 @@
-//! What a motion between two samples comes to in spans, and what a force makes of it.
+//! What a motion between two samples comes to in doubles, and what a force makes of it.
 
 use std::collections::HashMap;
 
@@ -49,7 +49,7 @@ pub(crate) struct Motions {
 const MOST: usize = 1 << 14;
 
 impl Motions {
-    /// The motions of all intervals of a chunk for which `is_asked`, where spans leave nothing open; empty where
+    /// The motions of all intervals of a chunk for which `is_asked`, where doubles leave nothing open; empty where
     /// there is none of them, and of a loop whose force remembers earlier samples.
     pub(crate) fn all(
         &mut self,

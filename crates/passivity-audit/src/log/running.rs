@@ -45,7 +45,7 @@ impl Default for RunningSum {
 }
 
 impl RunningSum {
-    /// A sum in units of the grid of spans, and the least value it had after how many of its steps.
+    /// A sum in units of the grid, and the least value it had after how many of its steps.
     pub(crate) fn of_grid(now: i128, (least, at): (i128, u64), steps: u64) -> Self {
         Self {
             now,

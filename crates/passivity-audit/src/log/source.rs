@@ -92,7 +92,7 @@ pub(crate) struct Place {
     /// In which of its files.
     pub(crate) file: usize,
     /// How many samples came before it; counted no further than up to the first that are accounted for
-    /// in spans.
+    /// in doubles.
     pub(crate) before: usize,
 }
 

@@ -49,7 +49,7 @@ pub(crate) struct Contribution {
 /// No excess force.
 pub(crate) const NO_FORCE: Bounds = [Reduced::ZERO, Reduced::ZERO];
 
-/// What an interval adds to T, in units of the grid of spans: at the least and at the most.
+/// What an interval adds to T, in units of the grid: at the least and at the most.
 #[derive(Clone, Debug)]
 pub(crate) struct Supplied {
     pub(crate) step: [i128; 2],
@@ -132,7 +132,7 @@ impl Contribution {
         &self.excess
     }
 
-    /// What the interval adds to T, after one with this excess force, in units of the grid of spans; `None`
+    /// What the interval adds to T, after one with this excess force, in units of the grid; `None`
     /// where it is not on it.
     pub(crate) fn supplied(self, before: Option<&Bounds>) -> Option<Supplied> {
         let [least, most] = self.step(before.unwrap_or(&NO_FORCE))?;

@@ -2,7 +2,7 @@
 //!
 //! A row of counts depends on nothing but a few small integers, and a trace has few different
 //! rows: each is computed once and looked up from then on. Everything else is computed row by row, in
-//! spans and in batches as far as these decide.
+//! doubles and in batches as far as these decide.
 
 use crate::ledger::Read;
 use crate::log::account::{Account, Place};
@@ -215,7 +215,7 @@ impl Walk<'_> {
         any
     }
 
-    /// Intervals whose rows spans decide, as far as they do; whether there is any.
+    /// Intervals whose rows doubles decide, as far as they do; whether there is any.
     fn batch(&mut self, chunk: &Chunk, account: &mut Account) -> Result<bool, TraceError> {
         let task = self.task;
         if task.rows.is_some() {
@@ -317,7 +317,7 @@ impl Walk<'_> {
         !known && self.task.looks_up(chunk, self.at, dtau)
     }
 
-    /// Adds the next interval; `None` where spans leave something open, or its row is an exact one.
+    /// Adds the next interval; `None` where doubles leave something open, or its row is an exact one.
     fn add_to(&self, batch: &mut Batch, chunk: &Chunk, dtau: &Number) -> Option<()> {
         let (task, i) = (self.task, self.at);
         let ledger = task.ledger;

@@ -1,4 +1,4 @@
-//! Exact numbers on the grid of spans: rounded down, up, or outward.
+//! Exact numbers on the grid: rounded down, up, or outward.
 
 use num_traits::ToPrimitive as _;
 use passivity_core::BigRational;
