@@ -77,6 +77,9 @@ fn a_doubled_reversed_or_late_force_does_not_hold_by_the_law() {
         let (by_law, _) = audited_as(&csv("count"), &scene, true, 0);
         assert_eq!(by_law.verdict(), Verdict::Holds);
         assert_eq!(by_law.report().judged, Judged::Interval);
+        let headline = by_law.report().headline();
+        let says = "HOLDS for the wall's own law, which the forces in the trace are not: ";
+        assert!(headline.starts_with(says), "{headline}");
         assert_eq!(by_law.report().force, counted.report().force);
         let found = counted.report().force.as_ref().unwrap();
         assert!(!found.agrees);

@@ -64,6 +64,27 @@ impl Report {
     /// What the audit says, in a line.
     #[must_use]
     pub fn headline(&self) -> String {
+        let own = self.answer();
+        let judges = matches!(
+            self.verdict,
+            Verdict::Holds | Verdict::Fails | Verdict::Depends
+        );
+        let differs = self
+            .force
+            .as_ref()
+            .is_some_and(|force| !force.agrees && !force.rough);
+        match own.split_once(':') {
+            Some((verdict, says)) if self.account == Force::Law && judges && differs => {
+                format!(
+                    "{verdict} for the wall's own law, which the forces in the trace are not:{says}"
+                )
+            }
+            _ => own,
+        }
+    }
+
+    /// What the account says, in a line.
+    fn answer(&self) -> String {
         let drawn = || {
             let supply = self.running.supply.as_ref();
             let lowest = supply.and_then(|s| s.surely_drawn.as_ref().zip(s.surely_drawn_after));
