@@ -69,7 +69,7 @@ impl Ball {
     #[allow(clippy::cast_precision_loss)] // that is in the radius
     pub(crate) fn whole(n: i64) -> Self {
         let middle = n as f64;
-        match middle.abs() < WHOLE {
+        match is_double(n) {
             true => Self::exactly(middle),
             false => Self::rounded(middle, 1.0),
         }
@@ -80,18 +80,34 @@ impl Ball {
     pub(crate) fn of(x: &Number) -> Self {
         match x {
             Number::Small(n, d) => Self::ratio(*n, *d),
+            Number::Tiny(n, k) => Self::tiny(*n, *k),
             Number::Big(x) => Self::of_rational(x),
+        }
+    }
+
+    /// n/2^k, where that is far from the least of the normal doubles.
+    #[allow(clippy::cast_precision_loss)] // a double has no more digits
+    fn tiny(n: i64, k: u32) -> Self {
+        /// The exponent of one.
+        const ONE: u32 = 1023;
+        match k {
+            0..=900 if n.unsigned_abs() < EXACT => {
+                let unit = f64::from_bits(u64::from(ONE - k) << (f64::MANTISSA_DIGITS - 1));
+                Self::exactly(n as f64 * unit)
+            }
+            _ => Self::of_rational(&Number::Tiny(n, k).to_rational()),
         }
     }
 
     /// Around n/d, d > 0.
     #[inline]
-    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // both are in the radius
+    #[allow(clippy::cast_precision_loss)] // that is in the radius
     fn ratio(n: i64, d: i64) -> Self {
         if d == 1 {
             return Self::whole(n);
         }
-        if n.unsigned_abs() >= EXACT || d.unsigned_abs() >= EXACT {
+        let odd = d >> d.trailing_zeros();
+        if odd != 1 && (n.unsigned_abs() >= EXACT || d.unsigned_abs() >= EXACT) {
             // So that equal fractions are one ball.
             let divisor = num_integer::gcd(n, d);
             if divisor > 1 {
@@ -99,12 +115,14 @@ impl Ball {
             }
         }
         let middle = n as f64 / d as f64;
-        // A whole number is told apart, for positions may be on the border between two ticks.
-        let whole = middle as i64;
-        let is_whole = whole as f64 == middle && whole.wrapping_mul(d) == n;
-        // What is divided by a power of two keeps its digits.
-        let is_short = d & (d - 1) == 0 && n.unsigned_abs() < EXACT;
-        if is_whole && middle.abs() < WHOLE || is_short {
+        // It is a double where what is odd of d divides n and n has no more digits: then the quotient has as
+        // many fewer. Positions may be on the border between two ticks, and forces may be zero on balance.
+        let bits = i64::BITS - odd.leading_zeros();
+        let is_exact = match odd {
+            1 => is_double(n),
+            _ => digits(middle) + bits <= f64::MANTISSA_DIGITS + 1 && n % odd == 0,
+        };
+        if is_exact {
             return Self::exactly(middle);
         }
         // Of n, of d and of the quotient.
@@ -232,6 +250,13 @@ fn is_more(size: f64) -> bool {
     size > 0.0
 }
 
+/// Whether a whole number is a double.
+#[inline(always)]
+fn is_double(n: i64) -> bool {
+    let size = n.unsigned_abs();
+    size < EXACT || size >> size.trailing_zeros() < EXACT
+}
+
 /// Whether a sum is a double.
 #[inline]
 fn is_exact_sum(a: f64, b: f64) -> bool {
@@ -239,6 +264,12 @@ fn is_exact_sum(a: f64, b: f64) -> bool {
     let sum = a + b;
     let part = sum - a;
     (a - (sum - part)) + (b - part) == 0.0
+}
+
+/// The bits of a number without the zeros at their end, with the leading one that is not written.
+#[inline]
+fn digits(x: f64) -> u32 {
+    f64::MANTISSA_DIGITS - x.to_bits().trailing_zeros().min(f64::MANTISSA_DIGITS - 1)
 }
 
 /// Whether a product has no more digits than a double: never so where it is not, and always of short numbers.

@@ -1,5 +1,6 @@
 //! Exact numbers in and out, fast where they are small.
 
+use num_bigint::BigInt;
 use num_integer::Integer as _;
 use passivity_core::{BigRational, Fixed, Ordered, Scalar, Wide, rational};
 use passivity_scene::number::{NumberError, nearest_f64, parse};
@@ -23,8 +24,15 @@ pub const MAX_BITS: u64 = 4096;
 pub enum Number {
     /// A numerator over a denominator above zero, not reduced.
     Small(i64, i64),
+    /// A double with more bits behind the point than that: n/2^k in lowest terms, k > 62.
+    Tiny(i64, u32),
     /// Anything else.
     Big(Box<BigRational>),
+}
+
+/// 2^k.
+fn power_of_two(k: u32) -> BigInt {
+    BigInt::from(1) << k
 }
 
 impl Number {
@@ -44,7 +52,8 @@ impl Number {
     #[must_use]
     pub fn is_bounded(&self) -> bool {
         match self {
-            Self::Small(..) => true,
+            // No double has more than 1074.
+            Self::Small(..) | Self::Tiny(..) => true,
             Self::Big(x) => is_bounded(x),
         }
     }
@@ -61,7 +70,36 @@ impl Number {
     /// ```
     #[must_use]
     pub fn from_f64(x: f64) -> Option<Self> {
-        num_rational::BigRational::from_float(x).map(Self::from)
+        const FRACTION: u32 = f64::MANTISSA_DIGITS - 1;
+        if !x.is_finite() {
+            return None;
+        }
+        let bits = x.to_bits();
+        let fraction = (bits & ((1 << FRACTION) - 1)).cast_signed();
+        // Below the normal numbers the exponent is that of the least of them, without the leading one.
+        let (mantissa, exponent) = match (bits >> FRACTION) & 0x7ff {
+            0 => (fraction, 1),
+            exponent => (fraction | 1 << FRACTION, exponent),
+        };
+        if mantissa == 0 {
+            return Some(Self::whole(0));
+        }
+        let zeros = mantissa.trailing_zeros();
+        let n = if x < 0.0 {
+            -(mantissa >> zeros)
+        } else {
+            mantissa >> zeros
+        };
+        // x = n·2^(zeros + exponent − 1075), and the exponent is 2046 at most.
+        let behind = 1075 - i32::try_from(exponent).ok()? - i32::try_from(zeros).ok()?;
+        Some(match u32::try_from(behind) {
+            Ok(k @ 0..=62) => Self::Small(n, 1 << k),
+            Ok(k) => Self::Tiny(n, k),
+            Err(_) => {
+                let size = power_of_two(behind.unsigned_abs());
+                BigRational::from_integer(size * n).into()
+            }
+        })
     }
 
     /// The whole number `n`.
@@ -75,6 +113,8 @@ impl Number {
     pub fn to_fixed(&self) -> Option<Fixed> {
         match self {
             Self::Small(n, d) => Some(Fixed::new((*n).into(), (*d).into())),
+            Self::Tiny(n, k @ 0..=126) => Some(Fixed::new((*n).into(), 1 << *k)),
+            Self::Tiny(..) => None,
             Self::Big(x) => rational::to_fixed(x),
         }
     }
@@ -84,6 +124,7 @@ impl Number {
     pub fn to_wide(&self) -> Wide {
         match self {
             Self::Small(n, d) => Wide::new((*n).into(), (*d).into()),
+            Self::Tiny(n, k) => Wide::new((*n).into(), power_of_two(*k)),
             Self::Big(x) => rational::to_wide(x),
         }
     }
@@ -93,7 +134,7 @@ impl Number {
     pub(crate) fn reduced(self) -> Self {
         match self {
             Self::Small(n, d) => small(n.into(), d.into()).unwrap_or(self),
-            Self::Big(_) => self,
+            Self::Tiny(..) | Self::Big(_) => self,
         }
     }
 
@@ -102,6 +143,7 @@ impl Number {
     pub fn to_rational(&self) -> BigRational {
         match self {
             Self::Small(n, d) => BigRational::new((*n).into(), (*d).into()),
+            Self::Tiny(n, k) => BigRational::new_raw((*n).into(), power_of_two(*k)),
             Self::Big(x) => (**x).clone(),
         }
     }
@@ -130,6 +172,8 @@ impl PartialEq for Number {
             (Self::Small(n, d), Self::Small(m, e)) => {
                 i128::from(*n) * i128::from(*e) == i128::from(*m) * i128::from(*d)
             }
+            // Both in lowest terms.
+            (Self::Tiny(n, k), Self::Tiny(m, l)) => (n, k) == (m, l),
             _ => self.to_rational() == other.to_rational(),
         }
     }
@@ -438,8 +482,13 @@ pub(crate) fn difference(a: &Number, b: &Number) -> Number {
             i128::from(*m),
             i128::from(*e),
         );
+        // Decimals and doubles have denominators of which one divides the other.
         let (numerator, denominator) = if d == e {
             (n - m, d)
+        } else if e % d == 0 {
+            (n * (e / d) - m, e)
+        } else if d % e == 0 {
+            (n - m * (d / e), d)
         } else {
             (n * e - m * d, d * e)
         };
@@ -498,7 +547,7 @@ pub(crate) fn is_less(a: &Number, b: &Number) -> bool {
 #[must_use]
 pub fn is_positive(x: &Number) -> bool {
     match x {
-        Number::Small(n, _) => *n > 0,
+        Number::Small(n, _) | Number::Tiny(n, _) => *n > 0,
         Number::Big(x) => num_traits::Signed::is_positive(&**x),
     }
 }

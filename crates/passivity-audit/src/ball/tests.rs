@@ -146,3 +146,30 @@ fn what_cannot_be_told_stays_so() {
     assert_eq!(open.sign(), None);
     assert_eq!(Ball::exactly(1e12).on_grid(), None);
 }
+
+proptest! {
+    #[test]
+    fn equal_fractions_are_one_ball(n: i64, d in 1..i64::MAX, times in 1..1_000_000_i64, bits in 0..62_u32) {
+        for (n, d) in [(n, d), (n >> 20, d >> 20), (n >> 24, 1 << bits)] {
+            let d = d.max(1);
+            let (Some(m), Some(e)) = (n.checked_mul(times), d.checked_mul(times)) else { continue };
+            prop_assert_eq!(Ball::ratio(n, d), Ball::ratio(m, e));
+        }
+    }
+
+    #[test]
+    fn a_double_is_itself(x: f64, y in prop::num::f64::NORMAL) {
+        for x in [x, y] {
+            let Some(number) = Number::from_f64(x) else {
+                prop_assert!(!x.is_finite());
+                continue;
+            };
+            prop_assert_eq!(number.to_rational(), exact(x));
+            prop_assert_eq!(number == Number::from(exact(x)), true);
+            let ball = Ball::of(&number);
+            prop_assert!(holds(ball, &exact(x)));
+            // But for the least of them.
+            prop_assert!(ball == Ball::exactly(x) || x.abs() < 1e-250);
+        }
+    }
+}

@@ -85,7 +85,11 @@ impl Irrational {
 
     /// A short decimal, scaled and enclosed; `None` for other numbers.
     fn short(&self, x: &Number) -> Option<Span> {
-        let Number::Small(n, d) = x else { return None };
+        let (n, d) = match x {
+            Number::Small(n, d) => (n, d),
+            Number::Tiny(n, k) => return self.tiny(*n, *k),
+            Number::Big(_) => return None,
+        };
         let by = |decimals: u32| *self.by_decimals.get(usize::try_from(decimals).ok()?)?;
         let decimals = d.ilog10();
         let by = if power_of_ten(decimals) == Some(*d) {
@@ -99,8 +103,22 @@ impl Irrational {
         } else {
             return None;
         };
+        self.signed(*n, by)
+    }
+
+    /// n/2^k, scaled and enclosed.
+    fn tiny(&self, n: i64, k: u32) -> Option<Span> {
+        let whole = (*self.by_decimals.first()?)?;
+        let by = Mantissa {
+            shift: whole.shift.checked_add(k)?,
+            ..whole
+        };
+        self.signed(n, by)
+    }
+
+    fn signed(&self, n: i64, by: Mantissa) -> Option<Span> {
         let size = by.times(n.unsigned_abs())?;
-        Some(match (*n < 0) == self.range.lo().is_negative() {
+        Some(match (n < 0) == self.range.lo().is_negative() {
             true => size,
             false => -size,
         })

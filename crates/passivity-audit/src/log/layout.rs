@@ -288,10 +288,17 @@ impl Layout {
         else {
             return None;
         };
-        if d != e || *n <= 0 {
+        if *n <= 0 {
             return None;
         }
-        let dt = b.checked_sub(*a)?;
+        // Decimals and doubles have denominators of which one divides the other.
+        let (a, b, d) = match (d, e) {
+            _ if d == e => (*a, *b, d),
+            _ if e % d == 0 => (a.checked_mul(e / d)?, *b, e),
+            _ if d % e == 0 => (*a, b.checked_mul(d / e)?, d),
+            _ => return None,
+        };
+        let dt = b.checked_sub(a)?;
         if dt <= 0 {
             return Some(None);
         }

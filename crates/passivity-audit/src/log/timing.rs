@@ -75,7 +75,7 @@ fn nearest(x: &Number) -> u64 {
             let (n, d) = (i128::from(*n), i128::from(*d));
             num_integer::Integer::div_floor(&(2 * n + d), &(2 * d)).into()
         }
-        Number::Big(x) => x.round().to_integer(),
+        x => x.to_rational().round().to_integer(),
     };
     match rounded.to_u64() {
         Some(n) => n,
