@@ -75,11 +75,14 @@ struct Mode {
 
 impl Growth {
     /// No mode grows, or none is known to: only numbers near overflow count.
+    ///
+    /// The norm is the root of twice the energy, ξ² + Mξ̇²: what bounds the speed of a heavy device by it
+    /// ([`Coarse`](crate::rounding::Coarse)) is as small as that.
     #[must_use]
-    pub(crate) const fn never() -> Self {
+    pub(crate) fn never(mass: f64) -> Self {
         Self {
             c: 0.0,
-            s: 1.0,
+            s: mass.sqrt().max(1.0),
             square: OVERFLOW * OVERFLOW,
             factor: None,
             mode: None,
@@ -105,14 +108,14 @@ impl Growth {
             (largest, 0.0, largest.abs() - 1.0)
         };
         if over.is_nan() || over < LEAST_EXCESS {
-            return Self::never();
+            return Self::never(k.mu);
         }
         let c = (real - a11) / -phi1;
         let s = imaginary / -phi1;
         let disturbance = (error + k.sigma) * (phi2 + c.hypot(s) * phi1);
         let radius = disturbance / over * WIDENED;
         if !(c.is_finite() && s.is_finite()) {
-            return Self::never();
+            return Self::never(k.mu);
         }
         Self {
             c,
@@ -128,7 +131,7 @@ impl Growth {
         let controller = system.controller;
         let clamped = controller.unilateral || controller.max_force.is_some();
         if clamped || !controller.filter.ends() || controller.memory() > MOST_HISTORY {
-            return Self::never();
+            return Self::never(system.mass());
         }
         let plain = controller.memory() == 0
             && controller.filter == Filter::wall()
@@ -136,7 +139,7 @@ impl Growth {
         if plain && system.largest_force.is_none() && system.flow.is_none() {
             return Self::plain(system.constants, system.error());
         }
-        Self::general(system).unwrap_or_else(Self::never)
+        Self::general(system).unwrap_or_else(|| Self::never(system.mass()))
     }
 
     /// Whether a mode is known to grow.
@@ -179,11 +182,12 @@ impl Growth {
         if !self.exceeds(state.xi, state.velocity) {
             return false;
         }
-        if state.xi.abs().max(state.velocity.abs()) >= OVERFLOW {
+        // What is no number any more is past all numbers too.
+        if !(state.xi.abs() < OVERFLOW && state.velocity.abs() < OVERFLOW) {
             return true;
         }
         let Some(mode) = &self.mode else {
-            return true;
+            return self.is_possible();
         };
         let output = mode.lagging.then_some(state.output);
         let all = [state.xi, state.velocity]

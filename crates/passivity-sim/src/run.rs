@@ -19,6 +19,11 @@ trait Watch {
     fn rounding(&mut self) -> Option<&mut Rounding> {
         None
     }
+
+    /// Whether everything has been seen that is looked for.
+    fn is_done(&self) -> bool {
+        false
+    }
 }
 
 struct WithoutLedger;
@@ -40,6 +45,9 @@ impl Watch for Careful {
     }
     fn rounding(&mut self) -> Option<&mut Rounding> {
         Some(&mut self.0)
+    }
+    fn is_done(&self) -> bool {
+        self.0.first().is_some()
     }
 }
 
@@ -218,7 +226,7 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
     let watched = plan.law.has(ENCODER);
     let mut h = 0;
     let stop = loop {
-        if h == plan.intervals {
+        if h == plan.intervals || watch.is_done() {
             break Stop::Ran(h);
         }
         let size = growth.size(xi, v);
@@ -441,7 +449,7 @@ fn stepping<W: Watch>(
     let mut resting = 0;
     let mut h = 0;
     let stop = loop {
-        if h == plan.intervals {
+        if h == plan.intervals || watch.is_done() {
             break Stop::Ran(h);
         }
         let size = plan.growth.size(state.xi, state.velocity);

@@ -117,6 +117,7 @@ fn straight<const LAGS: bool>(batch: &mut Batch, flows: &mut Flows) {
     let (mut busies, mut restings, mut events) = (batch.busy, flows.laws.resting, [0.0; WIDTH]);
     let mut sizes = [0.0; WIDTH];
     let needed = flows.laws.needed;
+    let in_the_end = *flows.laws.in_the_end();
     for i in 0..WIDTH {
         let (xi, v, sigma) = (xis[i], vs[i], batch.sigma[i]);
         let (held, stiffness) = (flows.laws.held[i], flows.stiffness[i]);
@@ -141,7 +142,7 @@ fn straight<const LAGS: bool>(batch: &mut Batch, flows: &mut Flows) {
         let keeps = !sticks & (velocity * sign >= 0.0) & ((first >= 0.0) | (last <= 0.0));
 
         let taken = |output: f64| (output - stiffness * xi).abs() <= sigma;
-        let rests = (v == 0.0) & taken(now) & taken(held);
+        let rests = (v == 0.0) & taken(now) & taken(held) & taken(in_the_end[i]);
         let resting = select(rests, restings[i] + 1.0, 0.0);
         let size = batch.size(i);
         let strange = (xi.abs() >= FAR) | batch.exceeds(i, size);

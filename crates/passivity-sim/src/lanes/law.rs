@@ -21,8 +21,13 @@ pub(super) struct Laws {
     next: usize,
     /// The sample before, for virtual damping.
     previous: Lane,
+    /// What a filter remembers: samples and its own output, the latest first.
+    samples: Vec<Lane>,
+    past: Vec<Lane>,
     /// The held force.
     pub(super) held: Lane,
+    /// The force that is held in the end if the device stays where it is, where that is another one.
+    settled: Option<Lane>,
     /// For how many intervals the device has been at rest.
     pub(super) resting: Lane,
     /// Past how many of them the controller has forgotten every other sample.
@@ -37,7 +42,10 @@ impl Laws {
             line: vec![zero; delay],
             next: 0,
             previous: zero,
+            samples: vec![zero; law.filter.tails.len()],
+            past: vec![zero; law.filter.poles.len()],
             held: zero,
+            settled: law.lingers().then_some(zero),
             resting: zero,
             needed: law.forgets_after() as f64,
             law: law.clone(),
@@ -47,9 +55,13 @@ impl Laws {
     pub(super) fn load(&mut self, lane: usize, plan: &Plan) {
         let [xi, _] = plan.start;
         let sample = self.law.sample(xi);
-        for samples in &mut self.line {
+        for samples in self.line.iter_mut().chain(&mut self.samples) {
             samples[lane] = sample;
         }
+        for past in &mut self.past {
+            past[lane] = 0.0;
+        }
+        self.held[lane] = self.law.settled(xi);
         self.previous[lane] = sample;
         self.resting[lane] = 0.0;
     }
@@ -64,39 +76,86 @@ impl Laws {
                 *q = floor_lane(*q) + 0.5;
             }
         }
+        if self.settled.is_some() {
+            let force = q.map(|q| law.filter.sum * q);
+            self.settled = Some(limited(law, &q, force, &mut batch.busy));
+        }
         if let Some(samples) = self.line.get_mut(self.next) {
             std::mem::swap(samples, &mut q);
             self.next = (self.next + 1) % self.line.len();
         }
         let mut force = q;
-        if law.has(law::DAMPING) {
+        if law.has(law::FILTER) {
+            filter(law, &mut self.samples, &mut self.past, &mut force);
+        } else if law.has(law::DAMPING) {
             for i in 0..WIDTH {
                 force[i] += law.damping * (q[i] - self.previous[i]);
             }
             self.previous = q;
         }
-        if law.has(law::UNILATERAL) {
-            for i in 0..WIDTH {
-                force[i] = select(q[i] < 0.0, 0.0, force[i]);
-            }
-        }
-        let mut held = force.map(|force| -force);
-        if law.has(law::FORCE_STEP) {
-            let [numerator, denominator] = law.force_step;
-            for (held, busy) in held.iter_mut().zip(&mut batch.busy) {
-                let steps = *held * denominator / numerator + 0.5;
-                *held = floor_lane(steps) * numerator / denominator;
-                *busy = select(steps.abs() >= FAR && *busy > 0.0, STRANGE, *busy);
-            }
-        }
-        if law.has(law::SATURATION) {
-            let most = law.max_force;
-            for held in &mut held {
-                *held = select(*held < -most, -most, select(*held > most, most, *held));
-            }
-        }
-        self.held = held;
+        self.held = limited(law, &q, force, &mut batch.busy);
     }
+
+    /// The forces that are held in the end, where the device stays.
+    #[inline(always)]
+    pub(super) fn in_the_end(&self) -> &Lane {
+        self.settled.as_ref().unwrap_or(&self.held)
+    }
+}
+
+/// What a filter makes of samples, in their place.
+#[inline(always)]
+fn filter(law: &HeldForce, samples: &mut [Lane], past: &mut [Lane], q: &mut Lane) {
+    let mut y = [0.0; WIDTH];
+    for (r, before) in law.filter.poles.iter().zip(&*past) {
+        for i in 0..WIDTH {
+            y[i] -= r * before[i];
+        }
+    }
+    let mut later = *q;
+    for (tail, samples) in law.filter.tails.iter().zip(&mut *samples) {
+        for i in 0..WIDTH {
+            y[i] += tail * (samples[i] - later[i]);
+        }
+        std::mem::swap(samples, &mut later);
+    }
+    for y in &mut y {
+        *y = (*y + law::VANISHING) - law::VANISHING;
+    }
+    let mut newest = y;
+    for past in past {
+        std::mem::swap(past, &mut newest);
+    }
+    for i in 0..WIDTH {
+        q[i] = law.filter.sum * q[i] + y[i];
+    }
+}
+
+/// The held forces of the wall's: what sides, steps and limits make of them. A force of too many steps
+/// makes its lane strange.
+#[inline(always)]
+fn limited(law: &HeldForce, q: &Lane, mut force: Lane, busy: &mut Lane) -> Lane {
+    if law.has(law::UNILATERAL) {
+        for i in 0..WIDTH {
+            force[i] = select(q[i] < 0.0, 0.0, force[i]);
+        }
+    }
+    let mut held = force.map(|force| -force);
+    if law.has(law::FORCE_STEP) {
+        let [numerator, denominator] = law.force_step;
+        for (held, busy) in held.iter_mut().zip(busy) {
+            let steps = *held * denominator / numerator + 0.5;
+            *held = floor_lane(steps) * numerator / denominator;
+            *busy = select(steps.abs() >= FAR && *busy > 0.0, STRANGE, *busy);
+        }
+    }
+    if law.has(law::SATURATION) {
+        let most = law.max_force;
+        for held in &mut held {
+            *held = select(*held < -most, -most, select(*held > most, most, *held));
+        }
+    }
+    held
 }
 
 /// Runs every busy lane for `intervals` intervals.
@@ -107,7 +166,7 @@ pub(super) fn stretch<const MEDIUM: bool>(batch: &mut Batch, laws: &mut Laws, in
         for i in 0..WIDTH {
             let (xi, v, held) = (batch.xi[i], batch.v[i], laws.held[i]);
             let beyond = batch.beyond(i, held);
-            let rests = v == 0.0 && beyond == 0.0;
+            let rests = v == 0.0 && beyond == 0.0 && laws.in_the_end()[i].abs() <= batch.sigma[i];
             let resting = select(rests, laws.resting[i] + 1.0, 0.0);
             let [new_xi, new_v] = batch.moved::<MEDIUM>(i, held, beyond);
             // A speed that has underflowed under a force that friction just takes: no stop.
