@@ -20,7 +20,8 @@ mod law;
 
 use multiversion::multiversion;
 
-use crate::law::HeldForce;
+use crate::flow::State;
+use crate::law::{ENCODER, HeldForce};
 use crate::outcome::{End, ExactOutcome, Stop};
 use crate::phi;
 use crate::plan::{Plain, Plan};
@@ -81,7 +82,7 @@ impl Work {
             (Kind::Late(late), _) => late::stretch(batch, late, intervals),
             (Kind::Flow(flows), _) => flow::stretch(batch, flows, points, intervals),
         }
-        batch.edges.settle(&mut batch.busy, intervals);
+        batch.edges.settle(intervals);
     }
 }
 
@@ -272,21 +273,10 @@ impl Lanes {
 
     /// Whether the lanes can do a point; the scalar loop does the others.
     ///
-    /// With λ > ½ a reversal needs a logarithm, and positions must stay below 2⁵¹: an unforced stable
-    /// motion of the paper's scene does not get past its first energy by more than the ticks that
-    /// TH-START leaves it, and a growing one ends at its radius. Other scenes are watched. A start that is
-    /// on an edge by rounding has no lane, nor has an amplifier or an arm behind a latency that leaves a
-    /// part of a period.
+    /// With λ > ½ a reversal needs a logarithm. A start that is on an edge by rounding has no lane, nor has
+    /// an amplifier or an arm behind a latency that leaves a part of a period.
     fn fits(&self, plan: &Plan) -> bool {
-        const FAR: f64 = 1e12;
         let has_series = |plan: &Plan| plan.constants.lambda <= phi::MEDIUM_LAMBDA;
-        let [xi, v] = plan.start;
-        let reach = xi.abs() + v.abs() * plan.constants.mu.sqrt();
-        let radius = if plan.growth.is_possible() && plan.is_plain() {
-            plan.growth.square.sqrt()
-        } else {
-            0.0
-        };
         let alike = plan.law == self.law && plan.intervals == self.intervals;
         let kind = match (&self.work.kind, &plan.fast) {
             (Kind::Flow(flows), Some(fast)) => {
@@ -298,9 +288,10 @@ impl Lanes {
         };
         let frictions = plan.viscous && plan.coulomb;
         // Of a real mode the square of the norm does not bound the speed.
-        let near = reach < FAR && radius < FAR && plan.growth.s != 0.0;
+        let is_bounded = plan.growth.s != 0.0;
+        let [xi, _] = plan.start;
         let on_its_side = off_edge(xi) >= plan.start_error;
-        alike && kind && frictions && plan.forces.is_none() && near && on_its_side
+        alike && kind && frictions && plan.forces.is_none() && is_bounded && on_its_side
     }
 
     /// Takes a point into a free lane, or gives it back.
@@ -360,19 +351,25 @@ impl Lanes {
 fn end_in(batch: &Batch, lane: usize, plan: &Plan) -> End {
     let (xi, velocity) = (batch.xi[lane], batch.v[lane]);
     let count = batch.count[lane] as u64;
+    // A growing mode with more state than this was left to the scalar loop.
+    let state = State {
+        xi,
+        velocity,
+        output: 0.0,
+    };
     let stop = if batch.busy[lane] > 0.0 {
         Stop::Ran(count)
-    } else if plan.growth.exceeds(xi, velocity) {
+    } else if plan.growth.certain(&state, std::iter::empty()) {
         Stop::Growing(count)
     } else {
         Stop::Rest(count - plan.law.forgets_after())
     };
-    End {
-        intervals: count,
-        xi,
-        velocity,
-        outcome: run::facts(plan).judge(stop, xi, velocity, &plan.growth.words()),
-        within_rounding_of_edge: None,
+    let end = run::end(plan, stop, count, xi, velocity);
+    // Without an encoder there are no edges.
+    if batch.edges.near[lane] > 0.0 && plan.law.has(ENCODER) {
+        run::look_closely(plan, end)
+    } else {
+        end
     }
 }
 

@@ -152,15 +152,20 @@ pub fn ledger(plan: &Plan, each: impl FnMut(&Entry) -> bool) -> (End, Totals) {
 }
 
 fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
-    let (mut end, near) = looped(plan, watch);
-    if near {
-        // Once more, with a look at every interval: the bounds of a stretch are the larger ones.
-        let again = plan.with_intervals(plan.intervals.min(end.intervals.saturating_add(1)));
-        let mut careful = Careful(Rounding::new(plan));
-        looped(&again, &mut careful);
-        end.within_rounding_of_edge = careful.0.first();
+    let (end, near) = looped(plan, watch);
+    if near { look_closely(plan, end) } else { end }
+}
+
+/// Looks for the first sample within rounding of an edge in a run that ended so: once more, with the bounds of
+/// every interval, which are less than those of a stretch.
+pub(crate) fn look_closely(plan: &Plan, end: End) -> End {
+    let again = plan.with_intervals(plan.intervals.min(end.intervals.saturating_add(1)));
+    let mut careful = Careful(Rounding::new(plan));
+    looped(&again, &mut careful);
+    End {
+        within_rounding_of_edge: careful.0.first(),
+        ..end
     }
-    end
 }
 
 /// Runs a plan in its loop; whether a sample may be within rounding of an edge.
@@ -579,7 +584,7 @@ pub(crate) fn facts(plan: &Plan) -> Facts {
     }
 }
 
-fn end(plan: &Plan, stop: Stop, intervals: u64, xi: f64, velocity: f64) -> End {
+pub(crate) fn end(plan: &Plan, stop: Stop, intervals: u64, xi: f64, velocity: f64) -> End {
     End {
         intervals,
         xi,

@@ -1,13 +1,21 @@
 //! A batch of points as a structure of arrays, and the motion of all its lanes over an interval.
 
-use super::WIDTH;
 use super::edges::Edges;
+use super::{STRANGE, WIDTH};
+use crate::growth::OVERFLOW;
 use crate::motion::Constants;
 use crate::phi;
 use crate::plan::Plan;
 
 /// A number of every lane.
 pub(super) type Lane = [f64; WIDTH];
+
+/// Of the growth of a lane: past the radius it is certain.
+const CERTAIN: f64 = 1.0;
+/// No radius is known.
+const UNKNOWN: f64 = 0.0;
+/// What the controller remembers has a part in it.
+const NEEDS_MEMORY: f64 = -1.0;
 
 /// The state and the constants of a batch.
 pub(super) struct Batch {
@@ -22,6 +30,7 @@ pub(super) struct Batch {
     growth_c: Lane,
     growth_s: Lane,
     growth_square: Lane,
+    growth_kind: Lane,
     pub(super) edges: Edges,
 }
 
@@ -95,6 +104,7 @@ impl Batch {
             growth_c: zero,
             growth_s: zero,
             growth_square: [f64::MAX; WIDTH],
+            growth_kind: zero,
             edges: Edges::new(),
         }
     }
@@ -109,6 +119,11 @@ impl Batch {
         self.growth_c[lane] = growth.c;
         self.growth_s[lane] = growth.s;
         self.growth_square[lane] = growth.square;
+        self.growth_kind[lane] = match (growth.needs_memory(), growth.is_possible()) {
+            (true, _) => NEEDS_MEMORY,
+            (false, true) => CERTAIN,
+            (false, false) => UNKNOWN,
+        };
         self.edges.load(lane, plan);
     }
 
@@ -125,6 +140,19 @@ impl Batch {
     #[inline(always)]
     pub(super) fn exceeds(&self, i: usize, size: f64) -> bool {
         size > self.growth_square[i]
+    }
+
+    /// What becomes of a busy lane whose state has a norm of this square: the very words of
+    /// [`Growth::certain`](crate::growth::Growth::certain), but for a mode that the memory of the controller
+    /// has a part in, which only the scalar loop looks at.
+    #[inline(always)]
+    pub(super) fn grown(&self, i: usize, size: f64) -> f64 {
+        let in_range = (self.xi[i].abs() < OVERFLOW) & (self.v[i].abs() < OVERFLOW);
+        let (past, kind) = (self.exceeds(i, size), self.growth_kind[i]);
+        let busy = self.busy[i];
+        let strange = past & in_range & (kind == NEEDS_MEMORY) & (busy > 0.0);
+        let grows = past & (!in_range | (kind == CERTAIN)) & (busy > 0.0);
+        select(grows, 0.0, select(strange, STRANGE, busy))
     }
 
     /// What of a held force friction does not take: 0 if and only if |held| ≤ σ, exactly.
@@ -148,12 +176,10 @@ pub(super) fn select(which: bool, a: f64, b: f64) -> f64 {
     if which { a } else { b }
 }
 
-/// [`crate::number::floor`] for |x| < 2⁵¹, without its branch.
+/// [`crate::number::floor`] as an instruction, where there is one for vectors.
 #[inline(always)]
 pub(super) fn floor_lane(x: f64) -> f64 {
-    const MAGIC: f64 = 6_755_399_441_055_744.0;
-    let nearest = (x + MAGIC) - MAGIC;
-    nearest - select(nearest > x, 1.0, 0.0)
+    x.floor()
 }
 
 /// H for the points of a batch: [`phi::h_medium`] or [`phi::h_series`].

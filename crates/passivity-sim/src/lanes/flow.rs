@@ -5,7 +5,7 @@
 //! lanes that need it, some at a time.
 
 use super::batch::{Batch, Lane, select};
-use super::law::{FAR, Laws};
+use super::law::Laws;
 use super::{Points, STRANGE, WIDTH};
 use crate::flow::{Event, Fast, Propagator, State, decide};
 use crate::plan::Plan;
@@ -64,7 +64,7 @@ impl Flows {
 pub(super) fn stretch(batch: &mut Batch, flows: &mut Flows, points: &Points, intervals: u32) {
     let mut events = Vec::with_capacity(WIDTH);
     for _ in 0..intervals {
-        flows.laws.sample(batch);
+        flows.laws.sample(&batch.xi);
         if flows.lags {
             straight::<true>(batch, flows);
         } else {
@@ -145,9 +145,7 @@ fn straight<const LAGS: bool>(batch: &mut Batch, flows: &mut Flows) {
         let rests = (v == 0.0) & taken(now) & taken(held) & taken(in_the_end[i]);
         let resting = select(rests, restings[i] + 1.0, 0.0);
         let size = batch.size(i);
-        let strange = (xi.abs() >= FAR) | batch.exceeds(i, size);
-        let busy = busies[i];
-        let busy = select(strange & (busy > 0.0), STRANGE, busy);
+        let busy = batch.grown(i, size);
         let busy = select((resting > needed) & (busy > 0.0), 0.0, busy);
         let goes = keeps & (busy > 0.0);
         xis[i] = select(goes, end_xi, xi);

@@ -3,9 +3,9 @@
 //! See [`crate::latency`]: in the first part the force of the sample before acts, in the second this one's,
 //! each part with its length as the unit of time.
 
+use super::WIDTH;
 use super::batch::{Batch, Lane, Motion, select};
-use super::law::{FAR, Laws};
-use super::{STRANGE, WIDTH};
+use super::law::Laws;
 use crate::plan::Plan;
 
 /// The controllers of a batch, and the motions in the parts of an interval.
@@ -55,7 +55,7 @@ impl Late {
 pub(super) fn stretch(batch: &mut Batch, late: &mut Late, intervals: u32) {
     for _ in 0..intervals {
         let mut force = late.laws.held;
-        late.laws.sample(batch);
+        late.laws.sample(&batch.xi);
         judge(batch, &mut late.laws, &force);
         let (mut xi, mut v) = (batch.xi, batch.v);
         for part in &late.parts {
@@ -80,16 +80,16 @@ pub(super) fn stretch(batch: &mut Batch, late: &mut Late, intervals: u32) {
 /// before.
 #[inline(always)]
 fn judge(batch: &mut Batch, laws: &mut Laws, earlier: &Lane) {
+    // A copy, so that no store is in the way of a load.
+    let in_the_end = *laws.in_the_end();
     for i in 0..WIDTH {
-        let (xi, v, sigma) = (batch.xi[i], batch.v[i], batch.sigma[i]);
+        let sigma = batch.sigma[i];
         let taken = |force: f64| force.abs() <= sigma;
-        let rests =
-            v == 0.0 && taken(earlier[i]) && taken(laws.held[i]) && taken(laws.in_the_end()[i]);
+        let forces = taken(earlier[i]) & taken(laws.held[i]) & taken(in_the_end[i]);
+        let rests = (batch.v[i] == 0.0) & forces;
         let resting = select(rests, laws.resting[i] + 1.0, 0.0);
-        let strange = xi.abs() >= FAR || batch.exceeds(i, batch.size(i));
-        let busy = batch.busy[i];
-        let busy = select(strange && busy > 0.0, STRANGE, busy);
-        batch.busy[i] = select(resting > laws.needed && busy > 0.0, 0.0, busy);
+        let busy = batch.grown(i, batch.size(i));
+        batch.busy[i] = select((resting > laws.needed) & (busy > 0.0), 0.0, busy);
         laws.resting[i] = resting;
     }
 }

@@ -10,9 +10,6 @@ use super::{STRANGE, WIDTH};
 use crate::law::{self, HeldForce};
 use crate::plan::Plan;
 
-/// The magnitude from which on [`floor_lane`] is not used.
-pub(super) const FAR: f64 = 1e15;
-
 /// The controllers of a batch.
 pub(super) struct Laws {
     pub(super) law: HeldForce,
@@ -68,9 +65,9 @@ impl Laws {
 
     /// The held forces of the samples at the positions of all lanes.
     #[inline(always)]
-    pub(super) fn sample(&mut self, batch: &mut Batch) {
+    pub(super) fn sample(&mut self, xi: &Lane) {
         let law = &self.law;
-        let mut q = batch.xi;
+        let mut q = *xi;
         if law.has(law::ENCODER) {
             for q in &mut q {
                 *q = floor_lane(*q) + 0.5;
@@ -78,7 +75,7 @@ impl Laws {
         }
         if self.settled.is_some() {
             let force = q.map(|q| law.filter.sum * q);
-            self.settled = Some(limited(law, &q, force, &mut batch.busy));
+            self.settled = Some(limited(law, &q, force));
         }
         if let Some(samples) = self.line.get_mut(self.next) {
             std::mem::swap(samples, &mut q);
@@ -93,7 +90,7 @@ impl Laws {
             }
             self.previous = q;
         }
-        self.held = limited(law, &q, force, &mut batch.busy);
+        self.held = limited(law, &q, force);
     }
 
     /// The forces that are held in the end, where the device stays.
@@ -131,10 +128,9 @@ fn filter(law: &HeldForce, samples: &mut [Lane], past: &mut [Lane], q: &mut Lane
     }
 }
 
-/// The held forces of the wall's: what sides, steps and limits make of them. A force of too many steps
-/// makes its lane strange.
+/// The held forces of the wall's: what sides, steps and limits make of them.
 #[inline(always)]
-fn limited(law: &HeldForce, q: &Lane, mut force: Lane, busy: &mut Lane) -> Lane {
+fn limited(law: &HeldForce, q: &Lane, mut force: Lane) -> Lane {
     if law.has(law::UNILATERAL) {
         for i in 0..WIDTH {
             force[i] = select(q[i] < 0.0, 0.0, force[i]);
@@ -143,10 +139,9 @@ fn limited(law: &HeldForce, q: &Lane, mut force: Lane, busy: &mut Lane) -> Lane 
     let mut held = force.map(|force| -force);
     if law.has(law::FORCE_STEP) {
         let [numerator, denominator] = law.force_step;
-        for (held, busy) in held.iter_mut().zip(busy) {
+        for held in &mut held {
             let steps = *held * denominator / numerator + 0.5;
             *held = floor_lane(steps) * numerator / denominator;
-            *busy = select(steps.abs() >= FAR && *busy > 0.0, STRANGE, *busy);
         }
     }
     if law.has(law::SATURATION) {
@@ -162,20 +157,21 @@ fn limited(law: &HeldForce, q: &Lane, mut force: Lane, busy: &mut Lane) -> Lane 
 #[inline(always)]
 pub(super) fn stretch<const MEDIUM: bool>(batch: &mut Batch, laws: &mut Laws, intervals: u32) {
     for _ in 0..intervals {
-        laws.sample(batch);
+        laws.sample(&batch.xi);
+        // A copy, so that no store is in the way of a load.
+        let in_the_end = *laws.in_the_end();
         for i in 0..WIDTH {
             let (xi, v, held) = (batch.xi[i], batch.v[i], laws.held[i]);
             let beyond = batch.beyond(i, held);
-            let rests = v == 0.0 && beyond == 0.0 && laws.in_the_end()[i].abs() <= batch.sigma[i];
+            let rests = v == 0.0 && beyond == 0.0 && in_the_end[i].abs() <= batch.sigma[i];
             let resting = select(rests, laws.resting[i] + 1.0, 0.0);
             let [new_xi, new_v] = batch.moved::<MEDIUM>(i, held, beyond);
             // A speed that has underflowed under a force that friction just takes: no stop.
             let creeps = new_v == 0.0 && v != 0.0 && held == batch.sigma[i].copysign(v);
             let size = batch.size(i);
             batch.edges.see(i, new_xi, size);
-            let strange = creeps || xi.abs() >= FAR || batch.exceeds(i, size);
-            let busy = batch.busy[i];
-            let busy = select(strange && busy > 0.0, STRANGE, busy);
+            let busy = batch.grown(i, size);
+            let busy = select(creeps && busy > 0.0, STRANGE, busy);
             let busy = select(resting > laws.needed && busy > 0.0, 0.0, busy);
             batch.xi[i] = select(busy > 0.0, new_xi, xi);
             batch.v[i] = select(busy > 0.0, new_v, v);
