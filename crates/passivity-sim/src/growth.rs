@@ -148,12 +148,6 @@ impl Growth {
         self.factor.is_some()
     }
 
-    /// Whether what the controller remembers has a part in the mode that grows.
-    #[must_use]
-    pub(crate) const fn needs_memory(&self) -> bool {
-        self.mode.is_some()
-    }
-
     /// Whether the state (ξ, ξ̇) calls for a closer look; for the paper's own scene, whether it grows.
     #[inline(always)]
     #[must_use]

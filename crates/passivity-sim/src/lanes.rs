@@ -20,7 +20,6 @@ mod law;
 
 use multiversion::multiversion;
 
-use crate::flow::State;
 use crate::law::{ENCODER, HeldForce};
 use crate::outcome::{End, ExactOutcome, Stop};
 use crate::phi;
@@ -37,6 +36,9 @@ pub const WIDTH: usize = 32;
 
 /// Of a lane that is not busy: the scalar loop must run its point.
 const STRANGE: f64 = -1.0;
+
+/// Of a lane that is not busy: its divergence is certain.
+const GREW: f64 = -2.0;
 
 /// Which vector instructions the lanes use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,9 +79,9 @@ impl Work {
         match (&mut self.kind, long) {
             (Kind::Plain, false) => batch::stretch::<false>(batch, intervals),
             (Kind::Plain, true) => batch::stretch::<true>(batch, intervals),
-            (Kind::Law(laws), false) => law::stretch::<false>(batch, laws, intervals),
-            (Kind::Law(laws), true) => law::stretch::<true>(batch, laws, intervals),
-            (Kind::Late(late), _) => late::stretch(batch, late, intervals),
+            (Kind::Law(laws), false) => law::stretch::<false>(batch, laws, points, intervals),
+            (Kind::Law(laws), true) => law::stretch::<true>(batch, laws, points, intervals),
+            (Kind::Late(late), _) => late::stretch(batch, late, points, intervals),
             (Kind::Flow(flows), _) => flow::stretch(batch, flows, points, intervals),
         }
         batch.edges.settle(intervals);
@@ -304,7 +306,7 @@ impl Lanes {
             (Kind::Law(laws), _) => laws.load(lane, &point.plan),
             (Kind::Late(late), _) => late.load(lane, &point.plan),
             (Kind::Flow(flows), Some(fast)) => {
-                flows.load(lane, &point.plan, &fast.propagator());
+                flows.load(lane, &point.plan, fast);
             }
             _ => {}
         }
@@ -351,15 +353,9 @@ impl Lanes {
 fn end_in(batch: &Batch, lane: usize, plan: &Plan) -> End {
     let (xi, velocity) = (batch.xi[lane], batch.v[lane]);
     let count = batch.count[lane] as u64;
-    // A growing mode with more state than this was left to the scalar loop.
-    let state = State {
-        xi,
-        velocity,
-        output: 0.0,
-    };
     let stop = if batch.busy[lane] > 0.0 {
         Stop::Ran(count)
-    } else if plan.growth.certain(&state, std::iter::empty()) {
+    } else if batch.busy[lane] == GREW {
         Stop::Growing(count)
     } else {
         Stop::Rest(count - plan.law.forgets_after())

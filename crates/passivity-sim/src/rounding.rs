@@ -14,6 +14,7 @@
 //! with its lag.
 
 use crate::law;
+use crate::number::MAGIC;
 use crate::plan::{Forces, Plan};
 
 /// Intervals between two looks at whether a sample was near an edge.
@@ -356,8 +357,6 @@ impl Stretches {
 /// How far a position is from the nearest encoder edge; for positions beyond 2⁵¹ at most a tick.
 #[inline(always)]
 pub(crate) fn off_edge(xi: f64) -> f64 {
-    // Adding it rounds to whole numbers.
-    const MAGIC: f64 = 6_755_399_441_055_744.0;
     (xi - ((xi + MAGIC) - MAGIC)).abs()
 }
 

@@ -1,8 +1,7 @@
 //! A batch of points as a structure of arrays, and the motion of all its lanes over an interval.
 
 use super::edges::Edges;
-use super::{STRANGE, WIDTH};
-use crate::growth::OVERFLOW;
+use super::{GREW, WIDTH};
 use crate::motion::Constants;
 use crate::phi;
 use crate::plan::Plan;
@@ -10,18 +9,11 @@ use crate::plan::Plan;
 /// A number of every lane.
 pub(super) type Lane = [f64; WIDTH];
 
-/// Of the growth of a lane: past the radius it is certain.
-const CERTAIN: f64 = 1.0;
-/// No radius is known.
-const UNKNOWN: f64 = 0.0;
-/// What the controller remembers has a part in it.
-const NEEDS_MEMORY: f64 = -1.0;
-
 /// The state and the constants of a batch.
 pub(super) struct Batch {
     pub(super) xi: Lane,
     pub(super) v: Lane,
-    /// 1 while the lane is at work, 0 once it is at rest or growing.
+    /// 1 while the lane is at work, 0 once it is at rest; or [`GREW`], or [`STRANGE`](super::STRANGE).
     pub(super) busy: Lane,
     /// How many intervals it has been at work.
     pub(super) count: Lane,
@@ -30,7 +22,6 @@ pub(super) struct Batch {
     growth_c: Lane,
     growth_s: Lane,
     growth_square: Lane,
-    growth_kind: Lane,
     pub(super) edges: Edges,
 }
 
@@ -104,7 +95,6 @@ impl Batch {
             growth_c: zero,
             growth_s: zero,
             growth_square: [f64::MAX; WIDTH],
-            growth_kind: zero,
             edges: Edges::new(),
         }
     }
@@ -119,11 +109,6 @@ impl Batch {
         self.growth_c[lane] = growth.c;
         self.growth_s[lane] = growth.s;
         self.growth_square[lane] = growth.square;
-        self.growth_kind[lane] = match (growth.needs_memory(), growth.is_possible()) {
-            (true, _) => NEEDS_MEMORY,
-            (false, true) => CERTAIN,
-            (false, false) => UNKNOWN,
-        };
         self.edges.load(lane, plan);
     }
 
@@ -140,19 +125,6 @@ impl Batch {
     #[inline(always)]
     pub(super) fn exceeds(&self, i: usize, size: f64) -> bool {
         size > self.growth_square[i]
-    }
-
-    /// What becomes of a busy lane whose state has a norm of this square: the very words of
-    /// [`Growth::certain`](crate::growth::Growth::certain), but for a mode that the memory of the controller
-    /// has a part in, which only the scalar loop looks at.
-    #[inline(always)]
-    pub(super) fn grown(&self, i: usize, size: f64) -> f64 {
-        let in_range = (self.xi[i].abs() < OVERFLOW) & (self.v[i].abs() < OVERFLOW);
-        let (past, kind) = (self.exceeds(i, size), self.growth_kind[i]);
-        let busy = self.busy[i];
-        let strange = past & in_range & (kind == NEEDS_MEMORY) & (busy > 0.0);
-        let grows = past & (!in_range | (kind == CERTAIN)) & (busy > 0.0);
-        select(grows, 0.0, select(strange, STRANGE, busy))
     }
 
     /// What of a held force friction does not take: 0 if and only if |held| ≤ σ, exactly.
@@ -202,13 +174,14 @@ pub(super) fn stretch<const MEDIUM: bool>(batch: &mut Batch, intervals: u32) {
             let beyond = batch.beyond(i, held);
             let rests = v == 0.0 && beyond == 0.0;
             let size = batch.size(i);
-            let busy = select(batch.exceeds(i, size) || rests, 0.0, batch.busy[i]);
+            let busy = select(rests, 0.0, batch.busy[i]);
+            let busy = select(batch.exceeds(i, size) && batch.busy[i] > 0.0, GREW, busy);
             let [new_xi, new_v] = batch.moved::<MEDIUM>(i, held, beyond);
             batch.edges.see(i, new_xi, size);
             batch.xi[i] = select(busy > 0.0, new_xi, xi);
             batch.v[i] = select(busy > 0.0, new_v, v);
             batch.busy[i] = busy;
-            batch.count[i] += busy;
+            batch.count[i] += select(busy > 0.0, 1.0, 0.0);
         }
     }
 }

@@ -5,9 +5,9 @@
 //! lanes that need it, some at a time.
 
 use super::batch::{Batch, Lane, select};
-use super::law::Laws;
+use super::law::{Laws, grow};
 use super::{Points, STRANGE, WIDTH};
-use crate::flow::{Event, Fast, Propagator, State, decide};
+use crate::flow::{Event, Exponentials, Fast, State, Turning, Wide, decide};
 use crate::plan::Plan;
 
 /// How many events go side by side: a vector of AVX-512.
@@ -25,8 +25,13 @@ pub(super) struct Flows {
     excess: Lane,
     damping: Lane,
     stiffness: Lane,
+    /// The velocity at the end if it kept its sign.
+    last: Lane,
     /// 1 where the interval of a lane has an event.
     event: Lane,
+    /// For stops and starts in closed form, and 1 where that is known.
+    exponentials: Exponentials<Lane>,
+    closed: Lane,
 }
 
 impl Flows {
@@ -41,11 +46,22 @@ impl Flows {
             excess: zero,
             damping: zero,
             stiffness: zero,
+            last: zero,
             event: zero,
+            exponentials: Exponentials {
+                inverse_mass: zero,
+                sigma: zero,
+                lambda: zero,
+                rate: zero,
+                over: [zero; 2],
+                excess: zero,
+            },
+            closed: zero,
         }
     }
 
-    pub(super) fn load(&mut self, lane: usize, plan: &Plan, propagator: &Propagator) {
+    pub(super) fn load(&mut self, lane: usize, plan: &Plan, fast: &Fast) {
+        let propagator = fast.propagator();
         self.laws.load(lane, plan);
         let [xi, _] = plan.start;
         self.output[lane] = plan.law.settled(xi);
@@ -56,6 +72,19 @@ impl Flows {
         self.excess[lane] = propagator.excess;
         self.damping[lane] = propagator.damping;
         self.stiffness[lane] = propagator.stiffness;
+        self.closed[lane] = 0.0;
+        if let Some(of) = &fast.exponentials {
+            let all = &mut self.exponentials;
+            self.closed[lane] = 1.0;
+            all.inverse_mass[lane] = of.inverse_mass;
+            all.sigma[lane] = of.sigma;
+            all.lambda[lane] = of.lambda;
+            all.rate[lane] = of.rate;
+            for part in 0..2 {
+                all.over[part][lane] = of.over[part];
+            }
+            all.excess[lane] = of.excess;
+        }
     }
 }
 
@@ -64,17 +93,17 @@ impl Flows {
 pub(super) fn stretch(batch: &mut Batch, flows: &mut Flows, points: &Points, intervals: u32) {
     let mut events = Vec::with_capacity(WIDTH);
     for _ in 0..intervals {
+        grow(batch, &flows.laws, &flows.output, points);
         flows.laws.sample(&batch.xi);
         if flows.lags {
             straight::<true>(batch, flows);
         } else {
             straight::<false>(batch, flows);
         }
-        let mut any = false;
-        for event in flows.event {
-            any |= event > 0.0;
+        for from in (0..WIDTH).step_by(SIDE_BY_SIDE) {
+            turn(batch, flows, from);
         }
-        if !any {
+        if !any(&flows.event) {
             continue;
         }
         let mut lanes = [0; WIDTH];
@@ -107,6 +136,75 @@ pub(super) fn stretch(batch: &mut Batch, flows: &mut Flows, points: &Points, int
     }
 }
 
+/// Whether a lane is marked.
+#[inline(always)]
+fn any(marks: &[f64]) -> bool {
+    let mut any = false;
+    for mark in marks {
+        any |= *mark > 0.0;
+    }
+    any
+}
+
+/// Decides events of some lanes in closed form; those that it decides are no longer marked.
+#[inline(always)]
+fn turn(batch: &mut Batch, flows: &mut Flows, from: usize) {
+    let to = from + SIDE_BY_SIDE;
+    let wanted: [f64; SIDE_BY_SIDE] = wide(&flows.event, from).0;
+    if !any(&wanted) {
+        return;
+    }
+    let mut net = wide(&flows.laws.held, from);
+    let mut excess = Wide::splat(0.0);
+    if flows.lags {
+        let output = wide(&flows.output, from);
+        excess = net - output;
+        net = output;
+    }
+    let of = &flows.exponentials;
+    let constants = Exponentials {
+        inverse_mass: wide(&of.inverse_mass, from),
+        sigma: wide(&of.sigma, from),
+        lambda: wide(&of.lambda, from),
+        rate: wide(&of.rate, from),
+        over: [wide(&of.over[0], from), wide(&of.over[1], from)],
+        excess: wide(&of.excess, from),
+    };
+    let mut turning = Turning {
+        velocity: wide(&batch.v, from),
+        net,
+        excess,
+        last: wide(&flows.last, from),
+        wanted,
+    };
+    for i in 0..SIDE_BY_SIDE {
+        turning.wanted[i] *= flows.closed[from + i];
+    }
+    let ([way, velocity], decided) = turning.end(&constants);
+    for i in from..to {
+        let at = i - from;
+        let decided = decided[at] > 0.0;
+        let xi = batch.xi[i] + way.0[at];
+        // Where it is not decided, somewhere else sees where it leads.
+        batch.edges.see(i, select(decided, xi, 0.5), 0.0);
+        batch.xi[i] = select(decided, xi, batch.xi[i]);
+        batch.v[i] = select(decided, velocity.0[at], batch.v[i]);
+        let output = flows.laws.held[i] - of.excess[i] * excess.0[at];
+        flows.output[i] = select(decided, output, flows.output[i]);
+        flows.event[i] = select(decided, 0.0, flows.event[i]);
+    }
+}
+
+/// The numbers of some lanes.
+#[inline(always)]
+fn wide<const W: usize>(lane: &Lane, from: usize) -> Wide<W> {
+    let mut numbers = [0.0; W];
+    for i in 0..W {
+        numbers[i] = lane[from + i];
+    }
+    Wide(numbers)
+}
+
 /// The interval of every lane whose velocity surely keeps its sign; the others are marked.
 ///
 /// Signs are joined without short cuts, so that there is no branch.
@@ -115,7 +213,7 @@ fn straight<const LAGS: bool>(batch: &mut Batch, flows: &mut Flows) {
     // Copies, so that no store is in the way of a load.
     let (mut xis, mut vs, mut outputs) = (batch.xi, batch.v, flows.output);
     let (mut busies, mut restings, mut events) = (batch.busy, flows.laws.resting, [0.0; WIDTH]);
-    let mut sizes = [0.0; WIDTH];
+    let (mut sizes, mut lasts) = ([0.0; WIDTH], [0.0; WIDTH]);
     let needed = flows.laws.needed;
     let in_the_end = *flows.laws.in_the_end();
     for i in 0..WIDTH {
@@ -145,7 +243,7 @@ fn straight<const LAGS: bool>(batch: &mut Batch, flows: &mut Flows) {
         let rests = (v == 0.0) & taken(now) & taken(held) & taken(in_the_end[i]);
         let resting = select(rests, restings[i] + 1.0, 0.0);
         let size = batch.size(i);
-        let busy = batch.grown(i, size);
+        let busy = busies[i];
         let busy = select((resting > needed) & (busy > 0.0), 0.0, busy);
         let goes = keeps & (busy > 0.0);
         xis[i] = select(goes, end_xi, xi);
@@ -154,7 +252,7 @@ fn straight<const LAGS: bool>(batch: &mut Batch, flows: &mut Flows) {
         busies[i] = busy;
         restings[i] = resting;
         events[i] = select((busy > 0.0) & !keeps, 1.0, 0.0);
-        sizes[i] = size;
+        (sizes[i], lasts[i]) = (size, velocity);
     }
     for i in 0..WIDTH {
         // Where an event leads is seen there.
@@ -167,4 +265,5 @@ fn straight<const LAGS: bool>(batch: &mut Batch, flows: &mut Flows) {
     }
     (batch.xi, batch.v, batch.busy) = (xis, vs, busies);
     (flows.output, flows.laws.resting, flows.event) = (outputs, restings, events);
+    flows.last = lasts;
 }

@@ -3,9 +3,9 @@
 //! See [`crate::latency`]: in the first part the force of the sample before acts, in the second this one's,
 //! each part with its length as the unit of time.
 
-use super::WIDTH;
 use super::batch::{Batch, Lane, Motion, select};
-use super::law::Laws;
+use super::law::{Laws, grow};
+use super::{Points, WIDTH};
 use crate::plan::Plan;
 
 /// The controllers of a batch, and the motions in the parts of an interval.
@@ -52,8 +52,9 @@ impl Late {
 
 /// Runs every busy lane for `intervals` intervals.
 #[inline(always)]
-pub(super) fn stretch(batch: &mut Batch, late: &mut Late, intervals: u32) {
+pub(super) fn stretch(batch: &mut Batch, late: &mut Late, points: &Points, intervals: u32) {
     for _ in 0..intervals {
+        grow(batch, &late.laws, &late.laws.held, points);
         let mut force = late.laws.held;
         late.laws.sample(&batch.xi);
         judge(batch, &mut late.laws, &force);
@@ -76,7 +77,7 @@ pub(super) fn stretch(batch: &mut Batch, late: &mut Late, intervals: u32) {
     }
 }
 
-/// Finds out which lanes rest, and which the scalar loop has to run; `earlier` are the forces of the sample
+/// Finds out which lanes rest; `earlier` are the forces of the sample
 /// before.
 #[inline(always)]
 fn judge(batch: &mut Batch, laws: &mut Laws, earlier: &Lane) {
@@ -88,7 +89,7 @@ fn judge(batch: &mut Batch, laws: &mut Laws, earlier: &Lane) {
         let forces = taken(earlier[i]) & taken(laws.held[i]) & taken(in_the_end[i]);
         let rests = (batch.v[i] == 0.0) & forces;
         let resting = select(rests, laws.resting[i] + 1.0, 0.0);
-        let busy = batch.grown(i, batch.size(i));
+        let busy = batch.busy[i];
         batch.busy[i] = select((resting > laws.needed) & (busy > 0.0), 0.0, busy);
         laws.resting[i] = resting;
     }

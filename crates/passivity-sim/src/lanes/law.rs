@@ -6,7 +6,8 @@
 //! is run again there from its start.
 
 use super::batch::{Batch, Lane, floor_lane, select};
-use super::{STRANGE, WIDTH};
+use super::{GREW, Points, STRANGE, WIDTH};
+use crate::flow::State;
 use crate::law::{self, HeldForce};
 use crate::plan::Plan;
 
@@ -93,10 +94,48 @@ impl Laws {
         self.held = limited(law, &q, force);
     }
 
+    /// The samples that the controller of a lane remembers, the latest first.
+    fn latest_first(&self, lane: usize) -> impl Iterator<Item = f64> + '_ {
+        let older = self.line.iter().skip(self.next);
+        let newer = self.line.iter().take(self.next);
+        let late = newer.rev().chain(older.rev());
+        let all = late.chain(&self.samples).chain([&self.previous]);
+        all.map(move |samples| samples[lane])
+    }
+
     /// The forces that are held in the end, where the device stays.
     #[inline(always)]
     pub(super) fn in_the_end(&self) -> &Lane {
         self.settled.as_ref().unwrap_or(&self.held)
+    }
+}
+
+/// Ends the lanes in which divergence is certain; `outputs` are those of amplifiers.
+#[inline(always)]
+pub(super) fn grow(batch: &mut Batch, laws: &Laws, outputs: &Lane, points: &Points) {
+    let mut any = false;
+    for i in 0..WIDTH {
+        any |= batch.exceeds(i, batch.size(i)) & (batch.busy[i] > 0.0);
+    }
+    if any {
+        look(batch, laws, outputs, points);
+    }
+}
+
+/// Looks closely at the lanes that call for it.
+#[cold]
+#[inline(never)]
+fn look(batch: &mut Batch, laws: &Laws, outputs: &Lane, points: &Points) {
+    for (i, point) in points.iter().enumerate() {
+        let Some(point) = point else { continue };
+        let state = State {
+            xi: batch.xi[i],
+            velocity: batch.v[i],
+            output: outputs[i],
+        };
+        if batch.busy[i] > 0.0 && point.plan.growth.certain(&state, laws.latest_first(i)) {
+            batch.busy[i] = GREW;
+        }
     }
 }
 
@@ -155,8 +194,14 @@ fn limited(law: &HeldForce, q: &Lane, mut force: Lane) -> Lane {
 
 /// Runs every busy lane for `intervals` intervals.
 #[inline(always)]
-pub(super) fn stretch<const MEDIUM: bool>(batch: &mut Batch, laws: &mut Laws, intervals: u32) {
+pub(super) fn stretch<const MEDIUM: bool>(
+    batch: &mut Batch,
+    laws: &mut Laws,
+    points: &Points,
+    intervals: u32,
+) {
     for _ in 0..intervals {
+        grow(batch, laws, &laws.held, points);
         laws.sample(&batch.xi);
         // A copy, so that no store is in the way of a load.
         let in_the_end = *laws.in_the_end();
@@ -170,7 +215,7 @@ pub(super) fn stretch<const MEDIUM: bool>(batch: &mut Batch, laws: &mut Laws, in
             let creeps = new_v == 0.0 && v != 0.0 && held == batch.sigma[i].copysign(v);
             let size = batch.size(i);
             batch.edges.see(i, new_xi, size);
-            let busy = batch.grown(i, size);
+            let busy = batch.busy[i];
             let busy = select(creeps && busy > 0.0, STRANGE, busy);
             let busy = select(resting > laws.needed && busy > 0.0, 0.0, busy);
             batch.xi[i] = select(busy > 0.0, new_xi, xi);
