@@ -88,10 +88,9 @@ impl Exponentials {
             net: Wide([net]),
             excess: Wide([excess]),
             last: Wide([last]),
-            wanted: [1.0],
         };
         let ([Wide([way]), Wide([velocity])], [decided]) = turning.end(&self.single());
-        (decided > 0.0).then(|| Flowed {
+        (decided > 0.0).then_some(Flowed {
             end: State {
                 xi: start.xi + way,
                 velocity,
@@ -114,8 +113,6 @@ pub(crate) struct Turning<const W: usize> {
     pub(crate) excess: Wide<W>,
     /// ξ̇ at the end if friction kept its direction.
     pub(crate) last: Wide<W>,
-    /// 1 where it matters, else 0.
-    pub(crate) wanted: [f64; W],
 }
 
 /// What the closed form is made of at a time.
@@ -217,7 +214,7 @@ impl<const W: usize> Turning<W> {
         [net, left, lag]: [&mut Wide<W>; 3],
         decided: &mut [f64; W],
     ) {
-        for i in 0..W {
+        for (i, decided) in decided.iter_mut().enumerate() {
             let (sigma, e) = (k.sigma.0[i], self.excess.0[i]);
             let at_end = self.net.0[i] + e * (1.0 - k.excess.0[i]);
             if net.0[i].abs() > sigma || at_end.abs() <= sigma {
@@ -230,7 +227,7 @@ impl<const W: usize> Turning<W> {
             lag.0[i] *= part;
             net.0[i] = lets_go;
             if !(wait >= 0.0 && left.0[i] >= 0.0) {
-                decided[i] = 0.0;
+                *decided = 0.0;
             }
         }
     }
@@ -256,7 +253,7 @@ impl<const W: usize> Turning<W> {
             let sign = 1.0_f64.copysign(v);
             let guess = 2.0 * v * sign / (root.0[i] - slope.0[i] * sign);
             let inside = (guess > 0.0) & (guess < 1.0);
-            let turns = (self.wanted[i] > 0.0) & (self.last.0[i] * sign < 0.0) & (v != 0.0);
+            let turns = (self.last.0[i] * sign < 0.0) & (v != 0.0);
             time.0[i] = if !turns {
                 0.0
             } else if inside {
@@ -271,10 +268,6 @@ impl<const W: usize> Turning<W> {
         let mut at = k.at(time, decayed(k.rate * time));
         for _ in 0..MOST_STEPS {
             let speed = at.velocity(k, inner);
-            let slope = (p + e * (one - at.lag)) * k.inverse_mass - k.lambda * speed;
-            let bend = k.rate * e * at.lag * k.inverse_mass - k.lambda * slope;
-            let step = speed * slope * 2.0 / (slope * slope * 2.0 - speed * bend);
-            let next = time - step;
             let mut pending = false;
             for i in 0..W {
                 let before = speed.0[i] * v.0[i] > 0.0;
@@ -282,14 +275,20 @@ impl<const W: usize> Turning<W> {
                 high[i] = if before { high[i] } else { time.0[i] };
                 let ends = speed.0[i].abs() <= least[i];
                 found[i] = if ends { 1.0 } else { found[i] };
-                let inside = (next.0[i] > low[i]) & (next.0[i] < high[i]);
-                let middle = 0.5 * (low[i] + high[i]);
-                let next = if inside { next.0[i] } else { middle };
-                time.0[i] = if found[i] > 0.0 { time.0[i] } else { next };
                 pending |= found[i] == 0.0;
             }
             if !pending {
                 break;
+            }
+            let slope = (p + e * (one - at.lag)) * k.inverse_mass - k.lambda * speed;
+            let bend = k.rate * e * at.lag * k.inverse_mass - k.lambda * slope;
+            let step = speed * slope * 2.0 / (slope * slope * 2.0 - speed * bend);
+            let next = time - step;
+            for i in 0..W {
+                let inside = (next.0[i] > low[i]) & (next.0[i] < high[i]);
+                let middle = 0.5 * (low[i] + high[i]);
+                let next = if inside { next.0[i] } else { middle };
+                time.0[i] = if found[i] > 0.0 { time.0[i] } else { next };
             }
             at = k.at(time, decayed(k.rate * time));
         }
@@ -297,11 +296,7 @@ impl<const W: usize> Turning<W> {
         for i in 0..W {
             let turns = self.last.0[i] * v.0[i] < 0.0;
             let stands = v.0[i] == 0.0;
-            decided[i] = if turns || stands {
-                found[i] * self.wanted[i]
-            } else {
-                0.0
-            };
+            decided[i] = if turns || stands { found[i] } else { 0.0 };
         }
         (time, at, decided)
     }

@@ -100,10 +100,18 @@ pub(super) fn stretch(batch: &mut Batch, flows: &mut Flows, points: &Points, int
         } else {
             straight::<false>(batch, flows);
         }
-        for from in (0..WIDTH).step_by(SIDE_BY_SIDE) {
-            turn(batch, flows, from);
+        let (mut turns, mut count, mut others) = ([0; WIDTH], 0, false);
+        for i in 0..WIDTH {
+            let event = flows.event[i] > 0.0;
+            let closed = flows.closed[i] > 0.0;
+            turns[count] = i;
+            count += usize::from(event & closed);
+            others |= event & !closed;
         }
-        if !any(&flows.event) {
+        for group in turns[..count].chunks(SIDE_BY_SIDE) {
+            others |= !turn(batch, flows, group);
+        }
+        if !others {
             continue;
         }
         let mut lanes = [0; WIDTH];
@@ -136,71 +144,58 @@ pub(super) fn stretch(batch: &mut Batch, flows: &mut Flows, points: &Points, int
     }
 }
 
-/// Whether a lane is marked.
+/// Decides events of some lanes in closed form, at most so many as go side by side; those that it decides are
+/// no longer marked. Whether it has decided all.
 #[inline(always)]
-fn any(marks: &[f64]) -> bool {
-    let mut any = false;
-    for mark in marks {
-        any |= *mark > 0.0;
-    }
-    any
-}
-
-/// Decides events of some lanes in closed form; those that it decides are no longer marked.
-#[inline(always)]
-fn turn(batch: &mut Batch, flows: &mut Flows, from: usize) {
-    let to = from + SIDE_BY_SIDE;
-    let wanted: [f64; SIDE_BY_SIDE] = wide(&flows.event, from).0;
-    if !any(&wanted) {
-        return;
-    }
-    let mut net = wide(&flows.laws.held, from);
+fn turn(batch: &mut Batch, flows: &mut Flows, group: &[usize]) -> bool {
+    // The first one fills the places of those that are not there.
+    let mut lanes = [group[0]; SIDE_BY_SIDE];
+    lanes[..group.len()].copy_from_slice(group);
+    let mut net = wide(&flows.laws.held, &lanes);
     let mut excess = Wide::splat(0.0);
     if flows.lags {
-        let output = wide(&flows.output, from);
+        let output = wide(&flows.output, &lanes);
         excess = net - output;
         net = output;
     }
     let of = &flows.exponentials;
     let constants = Exponentials {
-        inverse_mass: wide(&of.inverse_mass, from),
-        sigma: wide(&of.sigma, from),
-        lambda: wide(&of.lambda, from),
-        rate: wide(&of.rate, from),
-        over: [wide(&of.over[0], from), wide(&of.over[1], from)],
-        excess: wide(&of.excess, from),
+        inverse_mass: wide(&of.inverse_mass, &lanes),
+        sigma: wide(&of.sigma, &lanes),
+        lambda: wide(&of.lambda, &lanes),
+        rate: wide(&of.rate, &lanes),
+        over: [wide(&of.over[0], &lanes), wide(&of.over[1], &lanes)],
+        excess: wide(&of.excess, &lanes),
     };
-    let mut turning = Turning {
-        velocity: wide(&batch.v, from),
+    let turning = Turning {
+        velocity: wide(&batch.v, &lanes),
         net,
         excess,
-        last: wide(&flows.last, from),
-        wanted,
+        last: wide(&flows.last, &lanes),
     };
-    for i in 0..SIDE_BY_SIDE {
-        turning.wanted[i] *= flows.closed[from + i];
-    }
     let ([way, velocity], decided) = turning.end(&constants);
-    for i in from..to {
-        let at = i - from;
-        let decided = decided[at] > 0.0;
-        let xi = batch.xi[i] + way.0[at];
-        // Where it is not decided, somewhere else sees where it leads.
-        batch.edges.see(i, select(decided, xi, 0.5), 0.0);
-        batch.xi[i] = select(decided, xi, batch.xi[i]);
-        batch.v[i] = select(decided, velocity.0[at], batch.v[i]);
-        let output = flows.laws.held[i] - of.excess[i] * excess.0[at];
-        flows.output[i] = select(decided, output, flows.output[i]);
-        flows.event[i] = select(decided, 0.0, flows.event[i]);
+    let output = wide(&flows.laws.held, &lanes) - constants.excess * excess;
+    let mut all = true;
+    for (at, &i) in group.iter().enumerate() {
+        if decided[at] > 0.0 {
+            batch.xi[i] += way.0[at];
+            batch.v[i] = velocity.0[at];
+            batch.edges.see(i, batch.xi[i], 0.0);
+            flows.output[i] = output.0[at];
+            flows.event[i] = 0.0;
+        } else {
+            all = false;
+        }
     }
+    all
 }
 
 /// The numbers of some lanes.
 #[inline(always)]
-fn wide<const W: usize>(lane: &Lane, from: usize) -> Wide<W> {
+fn wide<const W: usize>(all: &Lane, lanes: &[usize; W]) -> Wide<W> {
     let mut numbers = [0.0; W];
     for i in 0..W {
-        numbers[i] = lane[from + i];
+        numbers[i] = all[lanes[i] % WIDTH]; // Lanes are below it: no test of that.
     }
     Wide(numbers)
 }

@@ -205,10 +205,10 @@ pub(super) fn stretch<const MEDIUM: bool>(
         laws.sample(&batch.xi);
         // A copy, so that no store is in the way of a load.
         let in_the_end = *laws.in_the_end();
-        for i in 0..WIDTH {
+        for (i, in_the_end) in in_the_end.iter().enumerate() {
             let (xi, v, held) = (batch.xi[i], batch.v[i], laws.held[i]);
             let beyond = batch.beyond(i, held);
-            let rests = v == 0.0 && beyond == 0.0 && in_the_end[i].abs() <= batch.sigma[i];
+            let rests = v == 0.0 && beyond == 0.0 && in_the_end.abs() <= batch.sigma[i];
             let resting = select(rests, laws.resting[i] + 1.0, 0.0);
             let [new_xi, new_v] = batch.moved::<MEDIUM>(i, held, beyond);
             // A speed that has underflowed under a force that friction just takes: no stop.
