@@ -304,7 +304,7 @@ fn passed_on(poles: &[f64]) -> f64 {
 }
 
 /// What a filter remembers vanishes below it: a response that dies away would end in numbers below the least
-/// normal one, with which processors are slow.
+/// normal one, with which processors are slow. It is far below what rounding leaves of a force.
 pub(crate) const VANISHING: f64 = 1e-250;
 
 /// The filter's output at a sample.
