@@ -245,13 +245,7 @@ impl Fast {
         command: f64,
         force: f64,
     ) -> Option<Flowed<f64>> {
-        let turned = self.exponentials.as_ref().and_then(|exponentials| {
-            let (net, excess) = self.driven(start, command, force);
-            let v = start.velocity;
-            let inner = [v, net - self.sigma.copysign(v), excess];
-            let last = dot(&self.whole.velocity, &inner);
-            exponentials.turn(start, command, [net, excess, last])
-        });
+        let turned = self.turned(start, command, force);
         if !LEDGER && turned.is_some() {
             return turned;
         }
@@ -262,6 +256,22 @@ impl Fast {
         // The energies do not care for a rounding of the end.
         let end = turned.map_or(flowed.end, |turned| turned.end);
         Some(Flowed { end, ..flowed })
+    }
+
+    /// The same in closed form, where there is one and it decides; without energies.
+    #[inline(always)]
+    pub(super) fn turned(
+        &self,
+        start: &State<f64>,
+        command: f64,
+        force: f64,
+    ) -> Option<Flowed<f64>> {
+        let exponentials = self.exponentials.as_ref()?;
+        let (net, excess) = self.driven(start, command, force);
+        let v = start.velocity;
+        let inner = [v, net - self.sigma.copysign(v), excess];
+        let last = dot(&self.whole.velocity, &inner);
+        exponentials.turn(start, command, [net, excess, last])
     }
 
     /// The interval by the power series of the whole of it.
