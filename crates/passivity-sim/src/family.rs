@@ -100,7 +100,7 @@ impl Family {
         let constants = Constants::new(mass.0, beta, sigma);
         let flow = Flow::compile(&the_loop, mass)?;
         let growth = if self.times.is_some() {
-            Growth::never() // Its map from sample to sample is another one.
+            Growth::never(flow.as_ref().map_or(mass.0, |flow| flow.mass.0)) // Its map from sample to sample is another one.
         } else {
             Growth::of(&System {
                 controller: &self.controller,

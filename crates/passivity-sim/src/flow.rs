@@ -13,6 +13,7 @@ mod fast;
 mod power;
 mod propagator;
 mod short;
+mod turn;
 mod wide;
 
 use std::cmp::Ordering;
@@ -22,8 +23,10 @@ use passivity_core::{Effect, Loop};
 use crate::error::SimError;
 use crate::number::{Double, Real, Undecided};
 pub(crate) use events::{Event, decide};
-pub(crate) use fast::{Fast, Propagator};
+pub(crate) use fast::Fast;
 use power::{Series, horner, terms};
+pub(crate) use turn::{Exponentials, Turning};
+pub(crate) use wide::Wide;
 
 /// The largest rate, per sampling period, that is simulated.
 pub(crate) const FASTEST: f64 = 4096.0;

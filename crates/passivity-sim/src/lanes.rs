@@ -15,11 +15,12 @@
 mod batch;
 mod edges;
 mod flow;
+mod late;
 mod law;
 
 use multiversion::multiversion;
 
-use crate::law::{FILTER, HeldForce};
+use crate::law::{ENCODER, HeldForce};
 use crate::outcome::{End, ExactOutcome, Stop};
 use crate::phi;
 use crate::plan::{Plain, Plan};
@@ -27,6 +28,7 @@ use crate::rounding::{STRETCH, off_edge};
 use crate::run;
 use batch::Batch;
 use flow::Flows;
+use late::Late;
 use law::Laws;
 
 /// Lanes in a batch: four AVX-512 vectors, enough to hide the latency of each.
@@ -34,6 +36,9 @@ pub const WIDTH: usize = 32;
 
 /// Of a lane that is not busy: the scalar loop must run its point.
 const STRANGE: f64 = -1.0;
+
+/// Of a lane that is not busy: its divergence is certain.
+const GREW: f64 = -2.0;
 
 /// Which vector instructions the lanes use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,8 +55,8 @@ pub enum Instructions {
 struct Work {
     batch: Batch,
     kind: Kind,
-    /// Whether its points take the longer series.
-    medium: bool,
+    /// See [`long_series`].
+    series: Vec<bool>,
 }
 
 /// What the points of a batch are.
@@ -60,6 +65,8 @@ enum Kind {
     Plain,
     /// Any controller.
     Law(Box<Laws>),
+    /// Any controller, with a force that changes within the interval.
+    Late(Box<Late>),
     /// Any controller, with an amplifier or an arm.
     Flow(Box<Flows>),
 }
@@ -68,14 +75,16 @@ impl Work {
     #[inline(always)]
     fn stretch(&mut self, points: &Points, intervals: u32) {
         let batch = &mut self.batch;
-        match (&mut self.kind, self.medium) {
+        let long = self.series.contains(&true);
+        match (&mut self.kind, long) {
             (Kind::Plain, false) => batch::stretch::<false>(batch, intervals),
             (Kind::Plain, true) => batch::stretch::<true>(batch, intervals),
-            (Kind::Law(laws), false) => law::stretch::<false>(batch, laws, intervals),
-            (Kind::Law(laws), true) => law::stretch::<true>(batch, laws, intervals),
+            (Kind::Law(laws), false) => law::stretch::<false>(batch, laws, points, intervals),
+            (Kind::Law(laws), true) => law::stretch::<true>(batch, laws, points, intervals),
+            (Kind::Late(late), _) => late::stretch(batch, late, points, intervals),
             (Kind::Flow(flows), _) => flow::stretch(batch, flows, points, intervals),
         }
-        batch.edges.settle(&mut batch.busy, intervals);
+        batch.edges.settle(intervals);
     }
 }
 
@@ -153,26 +162,25 @@ pub fn run_on(
 /// Runs plans that differ in friction and start alone; `next` gives the next one with its index, `done`
 /// takes the end of each, in the order in which they end.
 ///
-/// Plans that the lanes cannot do, those of another controller than the first one's among them, go
-/// through the scalar loop: the results are the same to the last bit.
+/// Plans that the lanes cannot do, those of another controller than the first of their kind among them,
+/// go through the scalar loop: the results are the same to the last bit.
 pub fn run_plans(
     instructions: Instructions,
     mut next: impl FnMut() -> Option<(usize, Plan)>,
     mut done: impl FnMut(usize, End),
 ) {
-    let mut lanes: Option<[Lanes; 2]> = None;
+    let mut lanes: Vec<Lanes> = Vec::new();
     let mut waiting = None;
     loop {
         // Fill until a point finds no free lane: it waits for one.
         while let Some(point) = waiting.take().or_else(|| next().map(Point::from)) {
-            let lanes = lanes
-                .get_or_insert_with(|| [false, true].map(|medium| Lanes::new(&point.plan, medium)));
-            let [small, medium] = lanes;
-            let lanes = if point.plan.constants.lambda > phi::SMALL_LAMBDA {
-                medium
-            } else {
-                small
-            };
+            let series = long_series(&point.plan);
+            let place = lanes.iter().position(|lanes| lanes.work.series == series);
+            let place = place.unwrap_or_else(|| {
+                lanes.push(Lanes::new(&point.plan, series));
+                lanes.len() - 1
+            });
+            let lanes = &mut lanes[place];
             if !lanes.fits(&point.plan) {
                 done(point.index, run::outcome(&point.plan));
                 continue;
@@ -183,7 +191,7 @@ pub fn run_plans(
             }
         }
         let mut at_work = false;
-        for lanes in lanes.iter_mut().flatten() {
+        for lanes in &mut lanes {
             at_work |= lanes.is_at_work();
             lanes.stretch(instructions);
             lanes.retire(&mut done);
@@ -191,6 +199,17 @@ pub fn run_plans(
         if !at_work {
             return;
         }
+    }
+}
+
+/// Whether the motion over an interval takes the longer series, or over each part of it: points for which it
+/// does have lanes of their own.
+fn long_series(plan: &Plan) -> Vec<bool> {
+    let long = |plan: &Plan| plan.constants.lambda > phi::SMALL_LAMBDA;
+    if plan.parts.is_empty() {
+        vec![long(plan)]
+    } else {
+        plan.parts.iter().map(|(_, part)| long(part)).collect()
     }
 }
 
@@ -230,16 +249,19 @@ struct Lanes {
 
 impl Lanes {
     /// Lanes for plans like this one.
-    fn new(plan: &Plan, medium: bool) -> Self {
+    fn new(plan: &Plan, series: Vec<bool>) -> Self {
         Self {
             work: Work {
                 batch: Batch::new(),
                 kind: match &plan.fast {
                     Some(fast) => Kind::Flow(Box::new(Flows::new(plan, fast))),
                     None if plan.is_plain() => Kind::Plain,
+                    None if !plan.parts.is_empty() => {
+                        Kind::Late(Box::new(Late::new(plan, &series)))
+                    }
                     None => Kind::Law(Box::new(Laws::new(&plan.law))),
                 },
-                medium,
+                series,
             },
             points: [const { None }; WIDTH],
             law: plan.law.clone(),
@@ -253,32 +275,25 @@ impl Lanes {
 
     /// Whether the lanes can do a point; the scalar loop does the others.
     ///
-    /// With λ > ½ a reversal needs a logarithm, and positions must stay below 2⁵¹: an unforced stable
-    /// motion of the paper's scene does not get past its first energy by more than the ticks that
-    /// TH-START leaves it, and a growing one ends at its radius. Other scenes are watched. A digital
-    /// filter has no lanes, nor has a start that is on an edge by rounding.
+    /// With λ > ½ a reversal needs a logarithm. A start that is on an edge by rounding has no lane, nor has
+    /// an amplifier or an arm behind a latency that leaves a part of a period.
     fn fits(&self, plan: &Plan) -> bool {
-        const FAR: f64 = 1e12;
-        let [xi, v] = plan.start;
-        let reach = xi.abs() + v.abs() * plan.constants.mu.sqrt();
-        let radius = if plan.growth.is_possible() && plan.is_plain() {
-            plan.growth.square.sqrt()
-        } else {
-            0.0
-        };
+        let has_series = |plan: &Plan| plan.constants.lambda <= phi::MEDIUM_LAMBDA;
         let alike = plan.law == self.law && plan.intervals == self.intervals;
         let kind = match (&self.work.kind, &plan.fast) {
-            (Kind::Flow(flows), Some(fast)) => fast.in_lanes() && flows.lags == fast.lags(),
-            (Kind::Plain | Kind::Law(_), None) => plan.constants.lambda <= phi::MEDIUM_LAMBDA,
+            (Kind::Flow(flows), Some(fast)) => {
+                fast.in_lanes() && flows.lags == fast.lags() && plan.parts.is_empty()
+            }
+            (Kind::Late(late), None) => late.is_like(plan) && has_series(plan),
+            (Kind::Plain | Kind::Law(_), None) => plan.parts.is_empty() && has_series(plan),
             _ => false,
         };
         let frictions = plan.viscous && plan.coulomb;
         // Of a real mode the square of the norm does not bound the speed.
-        let near = reach < FAR && radius < FAR && plan.growth.s != 0.0;
+        let is_bounded = plan.growth.s != 0.0;
+        let [xi, _] = plan.start;
         let on_its_side = off_edge(xi) >= plan.start_error;
-        let unfiltered = !plan.law.has(FILTER);
-        let at_once = plan.forces.is_none() && plan.parts.is_empty();
-        alike && kind && unfiltered && frictions && at_once && near && on_its_side
+        alike && kind && frictions && plan.forces.is_none() && is_bounded && on_its_side
     }
 
     /// Takes a point into a free lane, or gives it back.
@@ -289,8 +304,9 @@ impl Lanes {
         self.work.batch.load(lane, &point.plan);
         match (&mut self.work.kind, &point.plan.fast) {
             (Kind::Law(laws), _) => laws.load(lane, &point.plan),
+            (Kind::Late(late), _) => late.load(lane, &point.plan),
             (Kind::Flow(flows), Some(fast)) => {
-                flows.load(lane, &point.plan, &fast.propagator());
+                flows.load(lane, &point.plan, fast);
             }
             _ => {}
         }
@@ -339,17 +355,17 @@ fn end_in(batch: &Batch, lane: usize, plan: &Plan) -> End {
     let count = batch.count[lane] as u64;
     let stop = if batch.busy[lane] > 0.0 {
         Stop::Ran(count)
-    } else if plan.growth.exceeds(xi, velocity) {
+    } else if batch.busy[lane] == GREW {
         Stop::Growing(count)
     } else {
         Stop::Rest(count - plan.law.forgets_after())
     };
-    End {
-        intervals: count,
-        xi,
-        velocity,
-        outcome: run::facts(plan).judge(stop, xi, velocity, &plan.growth.words()),
-        within_rounding_of_edge: None,
+    let end = run::end(plan, stop, count, xi, velocity);
+    // Without an encoder there are no edges.
+    if batch.edges.near[lane] > 0.0 && plan.law.has(ENCODER) {
+        run::look_closely(plan, end)
+    } else {
+        end
     }
 }
 

@@ -96,6 +96,8 @@ pub(crate) struct HeldForce {
     pub(crate) damping: f64,
     /// The digital filter, where it is neither a wall nor virtual damping.
     pub(crate) filter: Filter<f64>,
+    /// See [`passed_on`].
+    passed_on: f64,
     /// See [`forgets_after`].
     forgets_after: Option<u64>,
     /// δ as numerator and denominator, so that a force half-way between two steps is seen as such.
@@ -147,6 +149,7 @@ impl HeldForce {
                 tails: Vec::new(),
                 poles: Vec::new(),
             },
+            passed_on: 1.0,
             forgets_after: Some(0),
             force_step: [0.0, 1.0],
             max_force: 0.0,
@@ -186,6 +189,9 @@ impl HeldForce {
             effects: present.fold(0, |set, (_, bit)| set | bit),
             delay: controller.delay,
             damping: damping.unwrap_or(without.damping),
+            passed_on: other
+                .as_ref()
+                .map_or(without.passed_on, |filter| passed_on(&filter.poles)),
             filter: other.unwrap_or(without.filter),
             forgets_after: forgets_after(controller),
             force_step: controller
@@ -249,10 +255,9 @@ impl HeldForce {
         let Filter { sum, tails, poles } = &self.filter;
         let size = |of: &[f64]| of.iter().map(|c| c.abs()).sum::<f64>();
         if self.has(FILTER) {
-            let passed_on = passed_on(poles);
-            let output = 2.0 * size(tails) * passed_on;
+            let output = 2.0 * size(tails) * self.passed_on;
             let terms = (tails.len() + poles.len() + 2) as f64;
-            sum.abs() + 2.0 * terms * passed_on * (2.0 * size(tails) + size(poles) * output)
+            sum.abs() + 2.0 * terms * self.passed_on * (2.0 * size(tails) + size(poles) * output)
         } else if self.has(DAMPING) {
             1.0 + 2.0 * self.damping.abs()
         } else {
@@ -264,7 +269,7 @@ impl HeldForce {
     pub(crate) fn gain(&self) -> f64 {
         if self.has(FILTER) {
             let size = |of: &[f64]| of.iter().map(|c| c.abs()).sum::<f64>();
-            self.filter.sum.abs() + 2.0 * size(&self.filter.tails) * passed_on(&self.filter.poles)
+            self.filter.sum.abs() + 2.0 * size(&self.filter.tails) * self.passed_on
         } else {
             self.damping.abs()
         }
@@ -298,6 +303,10 @@ fn passed_on(poles: &[f64]) -> f64 {
     f64::INFINITY
 }
 
+/// What a filter remembers vanishes below it: a response that dies away would end in numbers below the least
+/// normal one, with which processors are slow. It is far below what rounding leaves of a force.
+pub(crate) const VANISHING: f64 = 1e-250;
+
 /// The filter's output at a sample.
 fn filtered(filter: &Filter<f64>, memory: &mut Memory, q: f64) -> f64 {
     let mut y = 0.0;
@@ -309,6 +318,7 @@ fn filtered(filter: &Filter<f64>, memory: &mut Memory, q: f64) -> f64 {
         y += tail * (earlier - later);
         later = *earlier;
     }
+    let y = (y + VANISHING) - VANISHING;
     for (line, newest) in [(&mut memory.samples, q), (&mut memory.past, y)] {
         if let [_, .., _] = line.as_slice() {
             line.rotate_right(1);

@@ -152,7 +152,7 @@ impl Plan {
     #[must_use]
     pub fn past_growth(self) -> Self {
         Self {
-            growth: Growth::never(),
+            growth: Growth::never(self.mass()),
             ..self
         }
     }

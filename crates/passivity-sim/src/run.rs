@@ -1,13 +1,19 @@
 //! Running a plan: the inner loops of the `closed-form` method.
 
-use crate::flow::{Fast, Flowed, State};
-use crate::law::{ENCODER, HeldForce, Law, Memory};
+mod rigid;
+mod steps;
+
+use crate::flow::State;
+use crate::law::{HeldForce, Law, Memory};
 use crate::ledger::{Entry, Totals, potential_change};
-use crate::motion::{Constants, Moved};
+use crate::motion::Moved;
 use crate::number::floor;
 use crate::outcome::{End, Facts, Stop};
 use crate::plan::Plan;
-use crate::rounding::{Acting, Rounding, STRETCH, Seen, Stretches};
+use crate::rounding::Rounding;
+use rigid::by_friction;
+pub(crate) use steps::stepped;
+use steps::{in_parts, over_part, stepping};
 
 /// What watches a run; a watcher without a ledger costs nothing.
 trait Watch {
@@ -18,6 +24,11 @@ trait Watch {
     /// The errors, where they are wanted of every interval.
     fn rounding(&mut self) -> Option<&mut Rounding> {
         None
+    }
+
+    /// Whether everything has been seen that is looked for.
+    fn is_done(&self) -> bool {
+        false
     }
 }
 
@@ -40,6 +51,9 @@ impl Watch for Careful {
     }
     fn rounding(&mut self) -> Option<&mut Rounding> {
         Some(&mut self.0)
+    }
+    fn is_done(&self) -> bool {
+        self.0.first().is_some()
     }
 }
 
@@ -144,15 +158,20 @@ pub fn ledger(plan: &Plan, each: impl FnMut(&Entry) -> bool) -> (End, Totals) {
 }
 
 fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
-    let (mut end, near) = looped(plan, watch);
-    if near {
-        // Once more, with a look at every interval: the bounds of a stretch are the larger ones.
-        let again = plan.with_intervals(plan.intervals.min(end.intervals.saturating_add(1)));
-        let mut careful = Careful(Rounding::new(plan));
-        looped(&again, &mut careful);
-        end.within_rounding_of_edge = careful.0.first();
+    let (end, near) = looped(plan, watch);
+    if near { look_closely(plan, end) } else { end }
+}
+
+/// Looks for the first sample within rounding of an edge in a run that ended so: once more, with the bounds of
+/// every interval, which are less than those of a stretch.
+pub(crate) fn look_closely(plan: &Plan, end: End) -> End {
+    let again = plan.with_intervals(plan.intervals.min(end.intervals.saturating_add(1)));
+    let mut careful = Careful(Rounding::new(plan));
+    looped(&again, &mut careful);
+    End {
+        within_rounding_of_edge: careful.0.first(),
+        ..end
     }
-    end
 }
 
 /// Runs a plan in its loop; whether a sample may be within rounding of an edge.
@@ -184,350 +203,6 @@ fn looped<W: Watch>(plan: &Plan, watch: &mut W) -> (End, bool) {
     } else {
         by_friction::<false, W, _>(plan, law, watch)
     }
-}
-
-fn by_friction<const FORCE: bool, W: Watch, L: Control>(
-    plan: &Plan,
-    law: L,
-    watch: &mut W,
-) -> (End, bool) {
-    match (plan.viscous, plan.coulomb) {
-        (true, true) => rigid::<true, true, FORCE, W, L>(plan, law, watch),
-        (true, false) => rigid::<true, false, FORCE, W, L>(plan, law, watch),
-        (false, true) => rigid::<false, true, FORCE, W, L>(plan, law, watch),
-        (false, false) => rigid::<false, false, FORCE, W, L>(plan, law, watch),
-    }
-}
-
-/// The loop of a force that is constant over the interval.
-fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, L: Control>(
-    plan: &Plan,
-    mut law: L,
-    watch: &mut W,
-) -> (End, bool) {
-    let k = plan.constants;
-    let growth = plan.growth.clone();
-    let needed = plan.law.forgets_after();
-    let [mut xi, mut v] = plan.start;
-    let mut resting = 0;
-    // Driven by a force that friction just takes, the speed dwindles for ever and never is 0, but in
-    // doubles it underflows. That is no rest: `creep` is its direction, `last` what led to it.
-    let mut creep = 0.0;
-    let mut last = [0.0; 2];
-    let (mut stretches, mut seen) = (Stretches::new(plan), Seen::NOTHING);
-    let watched = plan.law.has(ENCODER);
-    let mut h = 0;
-    let stop = loop {
-        if h == plan.intervals {
-            break Stop::Ran(h);
-        }
-        let size = growth.size(xi, v);
-        if growth.is_past(size) {
-            let state = State {
-                xi,
-                velocity: v,
-                output: 0.0,
-            };
-            if growth.certain(&state, law.memory().latest_first()) {
-                break Stop::Growing(h);
-            }
-        }
-        if let Some(rounding) = watch.rounding() {
-            rounding.look(h, xi);
-        }
-        let held = law.held(xi);
-        let force = match &plan.forces {
-            Some(forces) if FORCE => forces.at(h),
-            _ => 0.0,
-        };
-        let u = if FORCE { held + force } else { held };
-        if v == 0.0 {
-            let [before, pull] = last;
-            let vanished = before != 0.0 && pull == k.sigma.copysign(before);
-            if vanished {
-                creep = before;
-            }
-            let creeps = creep != 0.0 && u == k.sigma.copysign(creep);
-            let holds = holds::<FORCE>(plan, held, h)
-                && (!plan.law.lingers() || holds::<FORCE>(plan, plan.law.settled(xi), h));
-            resting = if !vanished && !creeps && holds {
-                resting + 1
-            } else {
-                0
-            };
-            if resting > needed {
-                break Stop::Rest(h - needed);
-            }
-        } else {
-            (resting, creep) = (0, 0.0);
-        }
-        last = [v, u];
-        let moved = advance::<VISCOUS, COULOMB, W>(&k, xi, v, u);
-        if watched {
-            seen.see(moved.xi, size);
-        }
-        if let Some(rounding) = watch.rounding() {
-            let acting = Acting {
-                velocity: v,
-                held,
-                output: held,
-                force,
-            };
-            rounding.follow(&acting, moved.xi);
-        }
-        if W::LEDGER {
-            let applied = held * (moved.xi - xi);
-            let entry = entry(plan, h, [xi, v], &moved, force, applied);
-            if !watch.see(&entry) {
-                (xi, v) = (moved.xi, moved.velocity);
-                break Stop::Ran(h + 1);
-            }
-        }
-        (xi, v) = (moved.xi, moved.velocity);
-        h += 1;
-        if watched && h.is_multiple_of(STRETCH.into()) {
-            seen = stretches.settle(seen, h);
-        }
-    };
-    stretches.settle(seen, h);
-    (end(plan, stop, h, xi, v), stretches.near)
-}
-
-/// The motion, with what the ledger needs only when there is one.
-#[inline(always)]
-fn advance<const VISCOUS: bool, const COULOMB: bool, W: Watch>(
-    k: &Constants,
-    xi: f64,
-    v: f64,
-    u: f64,
-) -> Moved {
-    if W::LEDGER {
-        k.advance::<VISCOUS, COULOMB, true>(xi, v, u)
-    } else {
-        k.advance::<VISCOUS, COULOMB, false>(xi, v, u)
-    }
-}
-
-/// Whether the held force, with every force of the operator from now on, is one that friction takes.
-#[inline(always)]
-fn holds<const FORCE: bool>(plan: &Plan, held: f64, h: u64) -> bool {
-    let sigma = plan.constants.sigma;
-    match &plan.forces {
-        Some(forces) if FORCE => {
-            let [least, most] = forces.range_from(h);
-            held + most <= sigma && held + least >= -sigma
-        }
-        _ => held.abs() <= sigma,
-    }
-}
-
-/// The way over the part of an interval whose plan this is.
-fn over_part<W: Watch>(mut part: Plan) -> impl FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>> {
-    if W::LEDGER {
-        part.fast = part.fast.map(Fast::with_ledger);
-    }
-    move |state, held, force| {
-        if let Some(fast) = &part.fast {
-            return if W::LEDGER {
-                fast.advance::<true>(state, held, force)
-            } else {
-                fast.advance::<false>(state, held, force)
-            };
-        }
-        let (k, u) = (&part.constants, held + force);
-        let moved = match (part.viscous, part.coulomb) {
-            (true, true) => advance::<true, true, W>(k, state.xi, state.velocity, u),
-            (true, false) => advance::<true, false, W>(k, state.xi, state.velocity, u),
-            (false, true) => advance::<false, true, W>(k, state.xi, state.velocity, u),
-            (false, false) => advance::<false, false, W>(k, state.xi, state.velocity, u),
-        };
-        Some(Flowed {
-            work: held * (moved.xi - state.xi),
-            end: State {
-                xi: moved.xi,
-                velocity: moved.velocity,
-                output: held,
-            },
-            path: moved.path,
-            square: moved.square,
-        })
-    }
-}
-
-/// The way over an interval, from the way over each of its parts that `make` makes.
-///
-/// Under the force of the sample before in all parts but the last one; see [`crate::latency`].
-fn in_parts<A>(
-    plan: &Plan,
-    make: impl Fn(&Plan) -> A,
-) -> impl FnMut(&State<f64>, [f64; 2], f64) -> Option<Flowed<f64>>
-where
-    A: FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
-{
-    let mut parts: Vec<(f64, A)> = if plan.parts.is_empty() {
-        vec![(1.0, make(plan))]
-    } else {
-        let parts = plan.parts.iter();
-        parts.map(|(time, part)| (*time, make(part))).collect()
-    };
-    let before = parts.len() - 1;
-    move |start, [earlier, held], force| {
-        let mut all = Flowed {
-            end: start.clone(),
-            path: 0.0,
-            square: 0.0,
-            work: 0.0,
-        };
-        for (i, (time, advance)) in parts.iter_mut().enumerate() {
-            all.end.velocity *= *time;
-            let command = if i < before { earlier } else { held };
-            let flowed = advance(&all.end, command, force)?;
-            all.end = flowed.end;
-            all.end.velocity /= *time;
-            all.path += flowed.path;
-            all.square += flowed.square / *time;
-            all.work += flowed.work;
-        }
-        Some(all)
-    }
-}
-
-/// Runs a plan with another way over an interval, or over each of its parts: what the methods to
-/// compare with are made of.
-///
-/// `make` makes the way of a plan from a state, a held force and the operator's force; `None` says
-/// that it could not, because numbers have overflowed. With a `tolerance` of an interval, samples are
-/// held against it: a method of fixed steps has none, its errors are of its steps.
-pub(crate) fn stepped<A>(
-    plan: &Plan,
-    tolerance: Option<f64>,
-    make: impl Fn(&Plan) -> A,
-    each: impl FnMut(&Entry) -> bool,
-) -> (End, Totals)
-where
-    A: FnMut(&State<f64>, f64, f64) -> Option<Flowed<f64>>,
-{
-    let mut watch = WithLedger {
-        totals: Totals::default(),
-        each,
-        rounding: tolerance.map(|tolerance| Rounding::new(plan).with_tolerance(tolerance)),
-    };
-    let advance = in_parts(plan, make);
-    let (mut end, _) = stepping(plan, Compiled::new(plan), advance, &mut watch);
-    end.within_rounding_of_edge = watch.rounding.as_ref().and_then(Rounding::first);
-    (end, watch.totals.settled())
-}
-
-/// The loop of a scene with a latency, an amplifier or an arm, and of every method of steps; `advance`
-/// is given the force of the sample before and this one's.
-fn stepping<W: Watch>(
-    plan: &Plan,
-    mut law: Compiled<'_>,
-    mut advance: impl FnMut(&State<f64>, [f64; 2], f64) -> Option<Flowed<f64>>,
-    watch: &mut W,
-) -> (End, bool) {
-    let needed = plan.law.forgets_after();
-    let [xi, velocity] = plan.start;
-    // The amplifier has settled on what the controller commanded before the start.
-    let output = plan.law.settled(xi);
-    let mut earlier = output;
-    let mut state = State {
-        xi,
-        velocity,
-        output,
-    };
-    let (mut stretches, mut seen) = (Stretches::new(plan), Seen::NOTHING);
-    let watched = plan.law.has(ENCODER);
-    let mut resting = 0;
-    let mut h = 0;
-    let stop = loop {
-        if h == plan.intervals {
-            break Stop::Ran(h);
-        }
-        let size = plan.growth.size(state.xi, state.velocity);
-        if plan.growth.is_past(size) && plan.growth.certain(&state, law.memory().latest_first()) {
-            break Stop::Growing(h);
-        }
-        if let Some(rounding) = watch.rounding() {
-            rounding.look(h, state.xi);
-        }
-        let held = law.held(state.xi);
-        let force = plan.forces.as_ref().map_or(0.0, |forces| forces.at(h));
-        if plan.parts.is_empty() {
-            earlier = held; // It acts from the sample on.
-        }
-        let acting = [earlier, held];
-        let at_rest = state.velocity == 0.0 && rests(plan, &state, acting, h);
-        resting = if at_rest { resting + 1 } else { 0 };
-        if resting > needed {
-            break Stop::Rest(h - needed);
-        }
-        let Some(flowed) = advance(&state, acting, force) else {
-            break Stop::Growing(h);
-        };
-        if watched {
-            seen.see(flowed.end.xi, size);
-        }
-        if let Some(rounding) = watch.rounding() {
-            let acting = Acting {
-                velocity: state.velocity,
-                held,
-                output: state.output.abs().max(earlier.abs()),
-                force,
-            };
-            rounding.follow_flow(&acting, state.xi, flowed.end.xi);
-        }
-        let go_on = if W::LEDGER {
-            let moved = Moved {
-                xi: flowed.end.xi,
-                velocity: flowed.end.velocity,
-                path: flowed.path,
-                square: flowed.square,
-            };
-            let start = [state.xi, state.velocity];
-            watch.see(&entry(plan, h, start, &moved, force, flowed.work))
-        } else {
-            true
-        };
-        (state, earlier) = (flowed.end, held);
-        h += 1;
-        if watched && h.is_multiple_of(STRETCH.into()) {
-            seen = stretches.settle(seen, h);
-        }
-        if !go_on {
-            break Stop::Ran(h);
-        }
-    };
-    stretches.settle(seen, h);
-    let end = end(plan, stop, h, state.xi, state.velocity);
-    (end, stretches.near)
-}
-
-/// Whether friction takes what the amplifier gives now and in the end, with the force of the sample before
-/// and this one's, and what the controller tends to, whatever the operator does.
-fn rests(plan: &Plan, state: &State<f64>, [earlier, held]: [f64; 2], h: u64) -> bool {
-    let [least, most] = plan
-        .forces
-        .as_ref()
-        .map_or([0.0; 2], |forces| forces.range_from(h));
-    let sigma = plan.constants.sigma;
-    let (lags, stiffness) = match &plan.flow {
-        Some(flow) => (
-            flow.rate.is_some(),
-            flow.arm.map_or(0.0, |[_, stiffness]| stiffness.0),
-        ),
-        None => (false, 0.0),
-    };
-    let now = if lags { state.output } else { earlier };
-    let settled = if plan.law.lingers() {
-        plan.law.settled(state.xi)
-    } else {
-        held
-    };
-    [now, earlier, held, settled].into_iter().all(|output| {
-        let pull = output - stiffness * state.xi;
-        pull + most <= sigma && pull + least >= -sigma
-    })
 }
 
 /// The account of an interval; `applied` is the work of the force that acted.
@@ -571,7 +246,7 @@ pub(crate) fn facts(plan: &Plan) -> Facts {
     }
 }
 
-fn end(plan: &Plan, stop: Stop, intervals: u64, xi: f64, velocity: f64) -> End {
+pub(crate) fn end(plan: &Plan, stop: Stop, intervals: u64, xi: f64, velocity: f64) -> End {
     End {
         intervals,
         xi,

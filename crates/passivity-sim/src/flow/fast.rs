@@ -10,6 +10,7 @@
 use super::events::{Event, decide};
 use super::propagator::{Map, Table};
 use super::short::{Inner, Rates, dot};
+use super::turn::Exponentials;
 use super::{Flow, Flowed, State};
 use crate::number::Double;
 
@@ -28,6 +29,8 @@ pub(crate) struct Fast {
     /// ⅛ of the most that |v̈| can be within an interval, for each unit of |v|, |p| and |e| at its
     /// start; infinite when that is not known. See [`Table::sag`].
     sag: Inner,
+    /// What is quicker about stops and starts, where the motion is a sum of exponentials.
+    pub(crate) exponentials: Option<Exponentials>,
     /// What decides the rest.
     careful: Flow<Double>,
 }
@@ -71,7 +74,7 @@ impl Fast {
         let half_damping = 0.5 * rates.damping * rates.inverse_mass;
         let frequency = rates.stiffness * rates.inverse_mass - half_damping * half_damping;
         let lags = flow.rate.is_some();
-        Self {
+        let mut fast = Self {
             sigma: flow.sigma.map_or(0.0, |sigma| sigma.0),
             coulomb: flow.sigma.is_some(),
             lags,
@@ -80,8 +83,11 @@ impl Fast {
             sag: table.sag(&rates),
             table,
             rates,
+            exponentials: None,
             careful: flow.clone(),
-        }
+        };
+        fast.exponentials = Exponentials::of(&fast);
+        fast
     }
 
     /// Whether there is an amplifier.
@@ -239,10 +245,33 @@ impl Fast {
         command: f64,
         force: f64,
     ) -> Option<Flowed<f64>> {
+        let turned = self.turned(start, command, force);
+        if !LEDGER && turned.is_some() {
+            return turned;
+        }
         let mut events = [Event::new(self, start.clone(), command, force)];
         decide::<1, LEDGER>(&mut events);
         let [event] = events;
-        event.end_or_carefully::<LEDGER>()
+        let flowed = event.end_or_carefully::<LEDGER>()?;
+        // The energies do not care for a rounding of the end.
+        let end = turned.map_or(flowed.end, |turned| turned.end);
+        Some(Flowed { end, ..flowed })
+    }
+
+    /// The same in closed form, where there is one and it decides; without energies.
+    #[inline(always)]
+    pub(super) fn turned(
+        &self,
+        start: &State<f64>,
+        command: f64,
+        force: f64,
+    ) -> Option<Flowed<f64>> {
+        let exponentials = self.exponentials.as_ref()?;
+        let (net, excess) = self.driven(start, command, force);
+        let v = start.velocity;
+        let inner = [v, net - self.sigma.copysign(v), excess];
+        let last = dot(&self.whole.velocity, &inner);
+        exponentials.turn(start, command, [net, excess, last])
     }
 
     /// The interval by the power series of the whole of it.

@@ -141,6 +141,7 @@ fn flows() -> Vec<Flow<Double>> {
 #[test]
 fn propagators_lead_where_the_series_of_the_interval_leads() {
     let (mut straight, mut events, mut careful) = (0_u32, 0_u32, 0_u32);
+    let (mut turned, mut left) = (0_u32, 0_u32);
     for flow in flows() {
         let fast = Fast::new(&flow).with_ledger();
         for velocity in [-1.2, -0.05, -0.01, -1e-3, 0.0, 0.004, 0.02, 0.3] {
@@ -161,6 +162,12 @@ fn propagators_lead_where_the_series_of_the_interval_leads() {
                         straight += 1;
                     } else if event[0].end::<false>().is_some() {
                         events += 1;
+                        let closed = fast.exponentials.is_some();
+                        let turns = fast.turned(&start, command, 0.0).is_some();
+                        turned += u32::from(turns);
+                        // Where the velocity keeps its sign after all, nothing turns.
+                        let keeps = velocity * event[0].end::<false>().unwrap().end.velocity > 0.0;
+                        left += u32::from(closed && !turns && !keeps);
                     } else {
                         careful += 1;
                     }
@@ -182,4 +189,6 @@ fn propagators_lead_where_the_series_of_the_interval_leads() {
     }
     // Each way over an interval is gone, and the careful one is the rarest.
     assert!(straight > events && events > careful && careful > 0);
+    // The closed form decides every turn that events decide.
+    assert!(turned > 700 && left == 0, "{turned} {left}");
 }

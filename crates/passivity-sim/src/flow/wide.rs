@@ -11,12 +11,12 @@ use crate::number::floor;
 
 /// W doubles.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Wide<const W: usize>(pub(super) [f64; W]);
+pub(crate) struct Wide<const W: usize>(pub(crate) [f64; W]);
 
 impl<const W: usize> Wide<W> {
     /// The same number in every lane.
     #[inline(always)]
-    pub(super) const fn splat(x: f64) -> Self {
+    pub(crate) const fn splat(x: f64) -> Self {
         Self([x; W])
     }
 
@@ -25,6 +25,25 @@ impl<const W: usize> Wide<W> {
     pub(super) fn sqrt(mut self) -> Self {
         for x in &mut self.0 {
             *x = x.sqrt();
+        }
+        self
+    }
+
+    /// The magnitudes, with the signs of other numbers.
+    #[inline(always)]
+    pub(super) fn with_sign_of(mut self, other: Self) -> Self {
+        for i in 0..W {
+            self.0[i] = self.0[i].copysign(other.0[i]);
+        }
+        self
+    }
+
+    /// 2⁻ⁿ of whole numbers n from 0 to 1022, each with [`MAGIC`](crate::number::MAGIC) added to it.
+    #[inline(always)]
+    pub(super) fn two_to_minus(mut self) -> Self {
+        for x in &mut self.0 {
+            // The last bits of the sum are those of n.
+            *x = f64::from_bits(1023_u64.wrapping_sub(x.to_bits()) << 52);
         }
         self
     }

@@ -1,7 +1,8 @@
 //! A batch of points as a structure of arrays, and the motion of all its lanes over an interval.
 
-use super::WIDTH;
 use super::edges::Edges;
+use super::{GREW, WIDTH};
+use crate::motion::Constants;
 use crate::phi;
 use crate::plan::Plan;
 
@@ -12,20 +13,73 @@ pub(super) type Lane = [f64; WIDTH];
 pub(super) struct Batch {
     pub(super) xi: Lane,
     pub(super) v: Lane,
-    /// 1 while the lane is at work, 0 once it is at rest or growing.
+    /// 1 while the lane is at work, 0 once it is at rest; or [`GREW`], or [`STRANGE`](super::STRANGE).
     pub(super) busy: Lane,
     /// How many intervals it has been at work.
     pub(super) count: Lane,
-    pub(super) inverse_mu: Lane,
     pub(super) sigma: Lane,
-    lambda: Lane,
-    decay: Lane,
-    phi1: Lane,
-    phi2: Lane,
+    pub(super) motion: Motion,
     growth_c: Lane,
     growth_s: Lane,
     growth_square: Lane,
     pub(super) edges: Edges,
+}
+
+/// The constants of the motion over an interval, or over a part of it.
+pub(super) struct Motion {
+    inverse_mu: Lane,
+    lambda: Lane,
+    decay: Lane,
+    phi1: Lane,
+    phi2: Lane,
+}
+
+impl Motion {
+    pub(super) const fn new() -> Self {
+        // An idle lane computes with harmless numbers.
+        Self {
+            inverse_mu: [1.0; WIDTH],
+            lambda: [0.0; WIDTH],
+            decay: [1.0; WIDTH],
+            phi1: [1.0; WIDTH],
+            phi2: [0.5; WIDTH],
+        }
+    }
+
+    pub(super) fn load(&mut self, lane: usize, k: &Constants) {
+        self.inverse_mu[lane] = k.inverse_mu;
+        self.lambda[lane] = k.lambda;
+        self.decay[lane] = k.decay;
+        self.phi1[lane] = k.phi1;
+        self.phi2[lane] = k.phi2;
+    }
+
+    /// ξ and ξ̇ after the motion from a state under a held force, of which friction does not take `beyond`.
+    #[inline(always)]
+    pub(super) fn moved<const MEDIUM: bool>(
+        &self,
+        i: usize,
+        [xi, v]: [f64; 2],
+        sigma: f64,
+        [held, beyond]: [f64; 2],
+    ) -> [f64; 2] {
+        let a = (held - sigma.copysign(v)) * self.inverse_mu[i];
+        let velocity = self.decay[i] * v + self.phi1[i] * a;
+        let d = self.phi1[i] * v + self.phi2[i] * a;
+        let keeps = (v > 0.0 && velocity >= 0.0) || (v < 0.0 && velocity <= 0.0);
+
+        let lambda = self.lambda[i];
+        let r = select(v == 0.0, 0.0, -v / a);
+        let f = self.phi1[i] - self.decay[i] * r;
+        let f = select(f > 0.0, f, 0.0);
+        let onward = beyond * self.inverse_mu[i];
+        let stopping = v * r * h::<MEDIUM>(-(lambda * r));
+        let then = onward * f * f * h::<MEDIUM>(lambda * f);
+        [
+            xi + select(keeps, d, stopping + then),
+            select(keeps, velocity, onward * f),
+        ]
+    }
 }
 
 impl Batch {
@@ -36,13 +90,8 @@ impl Batch {
             v: zero,
             busy: zero,
             count: zero,
-            // An idle lane computes with harmless numbers.
-            inverse_mu: [1.0; WIDTH],
             sigma: [1.0; WIDTH],
-            lambda: zero,
-            decay: [1.0; WIDTH],
-            phi1: [1.0; WIDTH],
-            phi2: [0.5; WIDTH],
+            motion: Motion::new(),
             growth_c: zero,
             growth_s: zero,
             growth_square: [f64::MAX; WIDTH],
@@ -55,12 +104,8 @@ impl Batch {
         [self.xi[lane], self.v[lane]] = plan.start;
         self.busy[lane] = 1.0;
         self.count[lane] = 0.0;
-        self.inverse_mu[lane] = k.inverse_mu;
         self.sigma[lane] = k.sigma;
-        self.lambda[lane] = k.lambda;
-        self.decay[lane] = k.decay;
-        self.phi1[lane] = k.phi1;
-        self.phi2[lane] = k.phi2;
+        self.motion.load(lane, k);
         self.growth_c[lane] = growth.c;
         self.growth_s[lane] = growth.s;
         self.growth_square[lane] = growth.square;
@@ -92,23 +137,8 @@ impl Batch {
     /// ξ and ξ̇ after an interval under a held force.
     #[inline(always)]
     pub(super) fn moved<const MEDIUM: bool>(&self, i: usize, held: f64, beyond: f64) -> [f64; 2] {
-        let (xi, v, sigma) = (self.xi[i], self.v[i], self.sigma[i]);
-        let a = (held - sigma.copysign(v)) * self.inverse_mu[i];
-        let velocity = self.decay[i] * v + self.phi1[i] * a;
-        let d = self.phi1[i] * v + self.phi2[i] * a;
-        let keeps = (v > 0.0 && velocity >= 0.0) || (v < 0.0 && velocity <= 0.0);
-
-        let lambda = self.lambda[i];
-        let r = select(v == 0.0, 0.0, -v / a);
-        let f = self.phi1[i] - self.decay[i] * r;
-        let f = select(f > 0.0, f, 0.0);
-        let onward = beyond * self.inverse_mu[i];
-        let stopping = v * r * h::<MEDIUM>(-(lambda * r));
-        let then = onward * f * f * h::<MEDIUM>(lambda * f);
-        [
-            xi + select(keeps, d, stopping + then),
-            select(keeps, velocity, onward * f),
-        ]
+        let (state, sigma) = ([self.xi[i], self.v[i]], self.sigma[i]);
+        self.motion.moved::<MEDIUM>(i, state, sigma, [held, beyond])
     }
 }
 
@@ -118,12 +148,10 @@ pub(super) fn select(which: bool, a: f64, b: f64) -> f64 {
     if which { a } else { b }
 }
 
-/// [`crate::number::floor`] for |x| < 2⁵¹, without its branch.
+/// [`crate::number::floor`] as an instruction, where there is one for vectors.
 #[inline(always)]
 pub(super) fn floor_lane(x: f64) -> f64 {
-    const MAGIC: f64 = 6_755_399_441_055_744.0;
-    let nearest = (x + MAGIC) - MAGIC;
-    nearest - select(nearest > x, 1.0, 0.0)
+    x.floor()
 }
 
 /// H for the points of a batch: [`phi::h_medium`] or [`phi::h_series`].
@@ -146,13 +174,14 @@ pub(super) fn stretch<const MEDIUM: bool>(batch: &mut Batch, intervals: u32) {
             let beyond = batch.beyond(i, held);
             let rests = v == 0.0 && beyond == 0.0;
             let size = batch.size(i);
-            let busy = select(batch.exceeds(i, size) || rests, 0.0, batch.busy[i]);
+            let busy = select(rests, 0.0, batch.busy[i]);
+            let busy = select(batch.exceeds(i, size) && batch.busy[i] > 0.0, GREW, busy);
             let [new_xi, new_v] = batch.moved::<MEDIUM>(i, held, beyond);
             batch.edges.see(i, new_xi, size);
             batch.xi[i] = select(busy > 0.0, new_xi, xi);
             batch.v[i] = select(busy > 0.0, new_v, v);
             batch.busy[i] = busy;
-            batch.count[i] += busy;
+            batch.count[i] += select(busy > 0.0, 1.0, 0.0);
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Which lanes may have a sample within rounding of an encoder edge.
 //!
 //! The bounds are those of [`Coarse`], in lanes. A lane whose samples stay farther off every edge has none
-//! that the scalar loop would report; any other is strange, and its point is run again there.
+//! to report; of any other the scalar loop looks for it.
 
+use super::WIDTH;
 use super::batch::{Lane, select};
-use super::{STRANGE, WIDTH};
 use crate::plan::Plan;
 use crate::rounding::{Coarse, off_edge};
 
@@ -15,6 +15,8 @@ pub(super) struct Edges {
     nearest: Lane,
     /// The greatest square of the norm of the state in the stretch.
     size: Lane,
+    /// 1 where a sample may have been within rounding of an edge.
+    pub(super) near: Lane,
 }
 
 impl Edges {
@@ -31,6 +33,7 @@ impl Edges {
             },
             nearest: [1.0; WIDTH],
             size: zero,
+            near: zero,
         }
     }
 
@@ -48,6 +51,7 @@ impl Edges {
         }
         all.spring[lane] = bounds.spring;
         (self.nearest[lane], self.size[lane]) = (1.0, 0.0);
+        self.near[lane] = 0.0;
     }
 
     /// Sees where an interval leads, and the square of the norm of the state that it starts from.
@@ -62,10 +66,10 @@ impl Edges {
 
     /// Ends a stretch of so many intervals.
     #[inline(always)]
-    pub(super) fn settle(&mut self, busy: &mut Lane, intervals: u32) {
+    pub(super) fn settle(&mut self, intervals: u32) {
         let n = f64::from(intervals);
         let all = &mut self.bounds;
-        for (i, busy) in busy.iter_mut().enumerate() {
+        for i in 0..WIDTH {
             let mut bounds = Coarse {
                 parts: [all.parts[0][i], all.parts[1][i]],
                 each: [all.each[0][i], all.each[1][i]],
@@ -75,7 +79,7 @@ impl Edges {
                 errors: [all.errors[0][i], all.errors[1][i], all.errors[2][i]],
             };
             let far = bounds.settle(self.nearest[i], self.size[i], n);
-            *busy = select(far, *busy, STRANGE);
+            self.near[i] = select(far, self.near[i], 1.0);
             let [reach, position, velocity] = bounds.errors;
             all.errors[0][i] = reach;
             all.errors[1][i] = position;

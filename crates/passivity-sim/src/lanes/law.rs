@@ -6,12 +6,10 @@
 //! is run again there from its start.
 
 use super::batch::{Batch, Lane, floor_lane, select};
-use super::{STRANGE, WIDTH};
+use super::{GREW, Points, STRANGE, WIDTH};
+use crate::flow::State;
 use crate::law::{self, HeldForce};
 use crate::plan::Plan;
-
-/// The magnitude from which on [`floor_lane`] is not used.
-pub(super) const FAR: f64 = 1e15;
 
 /// The controllers of a batch.
 pub(super) struct Laws {
@@ -21,8 +19,13 @@ pub(super) struct Laws {
     next: usize,
     /// The sample before, for virtual damping.
     previous: Lane,
+    /// What a filter remembers: samples and its own output, the latest first.
+    samples: Vec<Lane>,
+    past: Vec<Lane>,
     /// The held force.
     pub(super) held: Lane,
+    /// The force that is held in the end if the device stays where it is, where that is another one.
+    settled: Option<Lane>,
     /// For how many intervals the device has been at rest.
     pub(super) resting: Lane,
     /// Past how many of them the controller has forgotten every other sample.
@@ -37,7 +40,10 @@ impl Laws {
             line: vec![zero; delay],
             next: 0,
             previous: zero,
+            samples: vec![zero; law.filter.tails.len()],
+            past: vec![zero; law.filter.poles.len()],
             held: zero,
+            settled: law.lingers().then_some(zero),
             resting: zero,
             needed: law.forgets_after() as f64,
             law: law.clone(),
@@ -47,76 +53,170 @@ impl Laws {
     pub(super) fn load(&mut self, lane: usize, plan: &Plan) {
         let [xi, _] = plan.start;
         let sample = self.law.sample(xi);
-        for samples in &mut self.line {
+        for samples in self.line.iter_mut().chain(&mut self.samples) {
             samples[lane] = sample;
         }
+        for past in &mut self.past {
+            past[lane] = 0.0;
+        }
+        self.held[lane] = self.law.settled(xi);
         self.previous[lane] = sample;
         self.resting[lane] = 0.0;
     }
 
     /// The held forces of the samples at the positions of all lanes.
     #[inline(always)]
-    pub(super) fn sample(&mut self, batch: &mut Batch) {
+    pub(super) fn sample(&mut self, xi: &Lane) {
         let law = &self.law;
-        let mut q = batch.xi;
+        let mut q = *xi;
         if law.has(law::ENCODER) {
             for q in &mut q {
                 *q = floor_lane(*q) + 0.5;
             }
+        }
+        if self.settled.is_some() {
+            let force = q.map(|q| law.filter.sum * q);
+            self.settled = Some(limited(law, &q, force));
         }
         if let Some(samples) = self.line.get_mut(self.next) {
             std::mem::swap(samples, &mut q);
             self.next = (self.next + 1) % self.line.len();
         }
         let mut force = q;
-        if law.has(law::DAMPING) {
+        if law.has(law::FILTER) {
+            filter(law, &mut self.samples, &mut self.past, &mut force);
+        } else if law.has(law::DAMPING) {
             for i in 0..WIDTH {
                 force[i] += law.damping * (q[i] - self.previous[i]);
             }
             self.previous = q;
         }
-        if law.has(law::UNILATERAL) {
-            for i in 0..WIDTH {
-                force[i] = select(q[i] < 0.0, 0.0, force[i]);
-            }
-        }
-        let mut held = force.map(|force| -force);
-        if law.has(law::FORCE_STEP) {
-            let [numerator, denominator] = law.force_step;
-            for (held, busy) in held.iter_mut().zip(&mut batch.busy) {
-                let steps = *held * denominator / numerator + 0.5;
-                *held = floor_lane(steps) * numerator / denominator;
-                *busy = select(steps.abs() >= FAR && *busy > 0.0, STRANGE, *busy);
-            }
-        }
-        if law.has(law::SATURATION) {
-            let most = law.max_force;
-            for held in &mut held {
-                *held = select(*held < -most, -most, select(*held > most, most, *held));
-            }
-        }
-        self.held = held;
+        self.held = limited(law, &q, force);
     }
+
+    /// The samples that the controller of a lane remembers, the latest first.
+    fn latest_first(&self, lane: usize) -> impl Iterator<Item = f64> + '_ {
+        let older = self.line.iter().skip(self.next);
+        let newer = self.line.iter().take(self.next);
+        let late = newer.rev().chain(older.rev());
+        let all = late.chain(&self.samples).chain([&self.previous]);
+        all.map(move |samples| samples[lane])
+    }
+
+    /// The forces that are held in the end, where the device stays.
+    #[inline(always)]
+    pub(super) fn in_the_end(&self) -> &Lane {
+        self.settled.as_ref().unwrap_or(&self.held)
+    }
+}
+
+/// Ends the lanes in which divergence is certain; `outputs` are those of amplifiers.
+#[inline(always)]
+pub(super) fn grow(batch: &mut Batch, laws: &Laws, outputs: &Lane, points: &Points) {
+    let mut any = false;
+    for i in 0..WIDTH {
+        any |= batch.exceeds(i, batch.size(i)) & (batch.busy[i] > 0.0);
+    }
+    if any {
+        look(batch, laws, outputs, points);
+    }
+}
+
+/// Looks closely at the lanes that call for it.
+#[cold]
+#[inline(never)]
+fn look(batch: &mut Batch, laws: &Laws, outputs: &Lane, points: &Points) {
+    for (i, point) in points.iter().enumerate() {
+        let Some(point) = point else { continue };
+        let state = State {
+            xi: batch.xi[i],
+            velocity: batch.v[i],
+            output: outputs[i],
+        };
+        if batch.busy[i] > 0.0 && point.plan.growth.certain(&state, laws.latest_first(i)) {
+            batch.busy[i] = GREW;
+        }
+    }
+}
+
+/// What a filter makes of samples, in their place.
+#[inline(always)]
+fn filter(law: &HeldForce, samples: &mut [Lane], past: &mut [Lane], q: &mut Lane) {
+    let mut y = [0.0; WIDTH];
+    for (r, before) in law.filter.poles.iter().zip(&*past) {
+        for i in 0..WIDTH {
+            y[i] -= r * before[i];
+        }
+    }
+    let mut later = *q;
+    for (tail, samples) in law.filter.tails.iter().zip(&mut *samples) {
+        for i in 0..WIDTH {
+            y[i] += tail * (samples[i] - later[i]);
+        }
+        std::mem::swap(samples, &mut later);
+    }
+    for y in &mut y {
+        *y = (*y + law::VANISHING) - law::VANISHING;
+    }
+    let mut newest = y;
+    for past in past {
+        std::mem::swap(past, &mut newest);
+    }
+    for i in 0..WIDTH {
+        q[i] = law.filter.sum * q[i] + y[i];
+    }
+}
+
+/// The held forces of the wall's: what sides, steps and limits make of them.
+#[inline(always)]
+fn limited(law: &HeldForce, q: &Lane, mut force: Lane) -> Lane {
+    if law.has(law::UNILATERAL) {
+        for i in 0..WIDTH {
+            force[i] = select(q[i] < 0.0, 0.0, force[i]);
+        }
+    }
+    let mut held = force.map(|force| -force);
+    if law.has(law::FORCE_STEP) {
+        let [numerator, denominator] = law.force_step;
+        for held in &mut held {
+            let steps = *held * denominator / numerator + 0.5;
+            *held = floor_lane(steps) * numerator / denominator;
+        }
+    }
+    if law.has(law::SATURATION) {
+        let most = law.max_force;
+        for held in &mut held {
+            *held = select(*held < -most, -most, select(*held > most, most, *held));
+        }
+    }
+    held
 }
 
 /// Runs every busy lane for `intervals` intervals.
 #[inline(always)]
-pub(super) fn stretch<const MEDIUM: bool>(batch: &mut Batch, laws: &mut Laws, intervals: u32) {
+pub(super) fn stretch<const MEDIUM: bool>(
+    batch: &mut Batch,
+    laws: &mut Laws,
+    points: &Points,
+    intervals: u32,
+) {
     for _ in 0..intervals {
-        laws.sample(batch);
-        for i in 0..WIDTH {
+        grow(batch, laws, &laws.held, points);
+        laws.sample(&batch.xi);
+        // A copy, so that no store is in the way of a load.
+        let in_the_end = *laws.in_the_end();
+        for (i, in_the_end) in in_the_end.iter().enumerate() {
             let (xi, v, held) = (batch.xi[i], batch.v[i], laws.held[i]);
             let beyond = batch.beyond(i, held);
-            let rests = v == 0.0 && beyond == 0.0;
+            let rests = v == 0.0 && beyond == 0.0 && in_the_end.abs() <= batch.sigma[i];
             let resting = select(rests, laws.resting[i] + 1.0, 0.0);
             let [new_xi, new_v] = batch.moved::<MEDIUM>(i, held, beyond);
             // A speed that has underflowed under a force that friction just takes: no stop.
             let creeps = new_v == 0.0 && v != 0.0 && held == batch.sigma[i].copysign(v);
             let size = batch.size(i);
             batch.edges.see(i, new_xi, size);
-            let strange = creeps || xi.abs() >= FAR || batch.exceeds(i, size);
             let busy = batch.busy[i];
-            let busy = select(strange && busy > 0.0, STRANGE, busy);
+            let busy = select(creeps && busy > 0.0, STRANGE, busy);
             let busy = select(resting > laws.needed && busy > 0.0, 0.0, busy);
             batch.xi[i] = select(busy > 0.0, new_xi, xi);
             batch.v[i] = select(busy > 0.0, new_v, v);

@@ -1,5 +1,8 @@
 //! Lanes against the scalar loops, bit by bit.
 
+use std::sync::Arc;
+
+use passivity_core::transfer::TransferFunction;
 use passivity_core::{BigRational, Friction, Loop, Scalar};
 use passivity_scene::point::{Point as Scene, Units};
 
@@ -237,18 +240,96 @@ fn strange_lanes_and_other_controllers_go_through_the_scalar_loop() {
     end_alike(Instructions::Best, &mixed, "mixed");
 }
 
+/// Whether the lanes do every plan, each in lanes of its kind.
+fn all_fit(plans: &[Plan]) -> bool {
+    let fits = |plan: &Plan| Lanes::new(plan, long_series(plan)).fits(plan);
+    plans.iter().all(fits)
+}
+
 #[test]
-fn plans_with_a_filter_go_through_the_scalar_loop() {
+fn lanes_and_scalar_loop_agree_with_a_filter() {
     for effects in [law::DAMPING, 63] {
         for time_constant in [None, Some(ratio(1, 5))] {
-            let mut filtered = scene(law::ENCODER | effects, 1, 50, 200);
-            filtered.at.damping_time_constant = Some(ratio(3, 2));
-            filtered.at.time_constant = time_constant;
-            let plans = plans(&filtered, &[0.2, 1.5], &[0.4, 0.75], &[0.5, 4.0]);
-            assert!(plans.iter().all(|plan| plan.law.has(law::FILTER)));
-            end_alike(Instructions::Best, &plans, "a filter");
+            for mu in [50, 6] {
+                let mut filtered = scene(law::ENCODER | effects, 1, mu, 200);
+                filtered.at.damping_time_constant = Some(ratio(3, 2));
+                filtered.at.time_constant = time_constant.clone();
+                let plans = plans(&filtered, &[0.2, 1.5], &[0.4, 0.75], &[0.0, 0.5, 4.0]);
+                assert!(plans.iter().all(|plan| plan.law.has(law::FILTER)) && all_fit(&plans));
+                end_alike(Instructions::Best, &plans, "a filter");
+                end_alike(Instructions::Baseline, &plans, "a filter");
+            }
         }
     }
+}
+
+#[test]
+fn lanes_and_scalar_loop_agree_with_every_controller() {
+    let of = |numbers: &[i32]| numbers.iter().map(|n| ratio(*n, 1)).collect::<Vec<_>>();
+    // Poles at ½, none, of a swing that dies away, and one alone under which rest is certain.
+    for (numerator, denominator) in [
+        (of(&[5, -5, 1]), of(&[4, -4, 1])),
+        (of(&[4, -2, -1]), of(&[1])),
+        (of(&[2, -3, 3]), of(&[2, -2, 1])),
+        (of(&[3, -2]), of(&[2, -1])),
+    ] {
+        for effects in [0, law::DELAY, law::UNILATERAL, 63 & !law::DAMPING] {
+            for (mu, intervals) in [(50, 900), (6, 131)] {
+                let mut scene = scene(law::ENCODER | effects, 2, mu, intervals);
+                let law = TransferFunction::new(numerator.clone(), denominator.clone());
+                scene.at.controller = Some(Arc::new(law.unwrap()));
+                let plans = plans(
+                    &scene,
+                    &[0.0, 0.7, 1.4, 2.3],
+                    &[0.0, 0.5, 0.75, 1.5],
+                    &[-1.0, 0.0, 0.5, 4.0],
+                );
+                let what = format!("effects {effects:b}, {numerator:?} over {denominator:?}");
+                assert!(all_fit(&plans), "{what}");
+                end_alike(Instructions::Best, &plans, &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn lanes_and_scalar_loop_agree_with_a_latency() {
+    for (latency, mu, intervals) in [(ratio(3, 10), 50, 900), (ratio(17, 9), 6, 300)] {
+        for effects in [0, law::ENCODER, law::ENCODER | law::DAMPING, 63] {
+            for filtered in [false, true] {
+                let mut scene = scene(effects, 1, mu, intervals);
+                scene.at.latency = Some(latency.clone());
+                let damped = effects & law::DAMPING != 0;
+                scene.at.damping_time_constant = (filtered && damped).then(|| ratio(1, 2));
+                // λ of a part, or of both, below 1/16 and above it.
+                let plans = plans(
+                    &scene,
+                    &[0.0, 0.2, 0.7, 1.4, 2.3],
+                    &[0.0, 0.2, 0.5, 0.75, 1.5],
+                    &[-1.0, 0.0, 0.5, 4.0],
+                );
+                let what = format!("effects {effects:b}, latency {latency}, μ = {mu}");
+                assert!(all_fit(&plans), "{what}");
+                for instructions in [Instructions::Best, Instructions::Baseline] {
+                    end_alike(instructions, &plans, &what);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn an_amplifier_behind_a_latency_goes_through_the_scalar_loop() {
+    let mut scene = scene(law::ENCODER, 0, 50, 200);
+    scene.at.latency = Some(ratio(1, 3));
+    scene.at.time_constant = Some(ratio(1, 5));
+    let plans = plans(&scene, &[0.2, 1.5], &[0.4, 0.75], &[0.5, 4.0]);
+    assert!(
+        plans
+            .iter()
+            .all(|plan| !Lanes::new(plan, long_series(plan)).fits(plan))
+    );
+    end_alike(Instructions::Best, &plans, "late and lagging");
 }
 
 #[test]

@@ -14,12 +14,14 @@ use super::real::Real;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Double(pub f64);
 
+/// 1.5·2⁵²: what is added to it is rounded to a whole number.
+pub(crate) const MAGIC: f64 = 6_755_399_441_055_744.0;
+
 /// ⌊x⌋ without a library call and without the instruction that a plain x86-64 lacks.
 ///
 /// Adding 1.5·2⁵² rounds to the nearest integer; beyond 2⁵¹ the library takes over.
 #[inline(always)]
 pub(crate) fn floor(x: f64) -> f64 {
-    const MAGIC: f64 = 6_755_399_441_055_744.0;
     const LIMIT: f64 = 2_251_799_813_685_248.0;
     if x.abs() >= LIMIT {
         return x.floor();

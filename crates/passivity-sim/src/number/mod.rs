@@ -9,7 +9,7 @@ pub(crate) mod rational;
 pub(crate) mod real;
 
 pub use double::Double;
-pub(crate) use double::floor;
+pub(crate) use double::{MAGIC, floor};
 pub use enclosed::Enclosed;
 pub(crate) use rational::to_double;
 pub(crate) use real::{Real, Undecided};
