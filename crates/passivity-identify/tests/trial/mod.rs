@@ -101,7 +101,7 @@ pub(crate) fn recorded(
 fn near(x: &Number) -> f64 {
     match x {
         Number::Small(n, d) => *n as f64 / *d as f64,
-        Number::Big(_) => unreachable!("short numbers only"),
+        Number::Tiny(..) | Number::Big(_) => unreachable!("short numbers only"),
     }
 }
 
