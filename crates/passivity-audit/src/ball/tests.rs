@@ -1,6 +1,8 @@
 //! Balls against exact fractions.
 
 use super::*;
+use crate::number::Written as _;
+use passivity_core::{Ordered as _, Scalar};
 use proptest::prelude::*;
 
 fn ratio(n: i64, d: i64) -> BigRational {

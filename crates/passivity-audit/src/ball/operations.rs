@@ -1,0 +1,234 @@
+//! What the kernel's formulas do with balls.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Mul, Neg, Sub};
+
+use passivity_core::{Ordered, Scalar};
+
+use super::bits::{is_exact_product, is_exact_sum, is_more, split};
+use super::{Ball, OUTWARD, ROUNDING, TINY, WHOLE};
+use crate::number::{Reduced, Written};
+use crate::span::ONE;
+
+impl Add for Ball {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        let middle = self.middle + other.middle;
+        let radius = self.radius + other.radius;
+        if !is_more(radius) && radius == 0.0 && is_exact_sum(self.middle, other.middle) {
+            return Self::exactly(middle);
+        }
+        Self {
+            middle,
+            radius: (radius + ROUNDING * middle.abs()) * OUTWARD,
+        }
+    }
+}
+
+impl Neg for Ball {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self {
+            middle: -self.middle,
+            ..self
+        }
+    }
+}
+
+impl Sub for Ball {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Ball {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let middle = self.middle * other.middle;
+        let radius = self.radius + other.radius;
+        if !is_more(radius) && radius == 0.0 && is_exact_product(self.middle, other.middle) {
+            return Self::exactly(middle);
+        }
+        // What stands still generates nothing: not even a rounding.
+        if !is_more(middle.abs())
+            && (self.is_zero() && other.is_defined() || other.is_zero() && self.is_defined())
+        {
+            return Self::ZERO;
+        }
+        let radius = self.middle.abs() * other.radius
+            + self.radius * (other.middle.abs() + other.radius)
+            + (ROUNDING * middle.abs() + TINY);
+        Self {
+            middle,
+            radius: radius * OUTWARD,
+        }
+    }
+}
+
+impl Scalar for Ball {
+    #[inline(always)]
+    fn integer(n: i32) -> Self {
+        Self::exactly(n.into())
+    }
+
+    #[inline(always)]
+    fn half(self) -> Self {
+        // Half of the smallest double is none.
+        let is_exact = self.radius == 0.0 && self.middle.abs() > 2.0 * TINY || self.is_zero();
+        Self {
+            middle: 0.5 * self.middle,
+            radius: 0.5 * self.radius + if is_exact { 0.0 } else { TINY },
+        }
+    }
+
+    #[inline]
+    fn floor(&self) -> Self {
+        let fits = self.middle.abs() < WHOLE / 4.0;
+        if !fits {
+            return Self::UNDEFINED;
+        }
+        let nearest = self.middle - split(self.middle).1;
+        let below = match nearest > self.middle {
+            true => nearest - 1.0,
+            false => nearest,
+        };
+        // Exact: a double has no digits behind those of a larger one.
+        let rest = self.middle - below;
+        match rest >= self.radius && (1.0 - rest) > self.radius * OUTWARD {
+            true => Self::exactly(below),
+            false => Self::UNDEFINED,
+        }
+    }
+
+    #[inline(always)]
+    fn abs(&self) -> Self {
+        Self {
+            middle: self.middle.abs(),
+            ..*self
+        }
+    }
+
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        let apart = self.middle - other.middle;
+        let reach = (self.radius + other.radius) * OUTWARD;
+        if apart >= reach {
+            self
+        } else if -apart >= reach {
+            other
+        } else {
+            Self {
+                middle: f64::max(self.middle, other.middle),
+                radius: reach,
+            }
+        }
+    }
+
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        -Scalar::max(-self, -other)
+    }
+
+    #[inline]
+    fn over(self, divisor: Self) -> Self {
+        if divisor == Self::exactly(1.0) {
+            return self;
+        }
+        let away = divisor.middle.abs() - divisor.radius * OUTWARD;
+        if !(away > 0.0 && self.is_defined()) {
+            return Self::UNDEFINED;
+        }
+        if self.is_zero() {
+            return Self::ZERO;
+        }
+        let middle = self.middle / divisor.middle;
+        // |A/B − a/b| ≤ (|A − a| + |a/b|·|B − b|)/|B|.
+        let spread = (self.radius + (middle.abs() + TINY) * divisor.radius * OUTWARD) / away;
+        Self {
+            middle,
+            radius: (spread + (ROUNDING * middle.abs() + TINY)) * OUTWARD,
+        }
+    }
+}
+
+impl Ordered for Ball {
+    #[inline]
+    fn sign(&self) -> Option<Ordering> {
+        let Self { middle, radius } = *self;
+        if middle > radius {
+            Some(Ordering::Greater)
+        } else if -middle > radius {
+            Some(Ordering::Less)
+        } else {
+            self.is_zero().then_some(Ordering::Equal)
+        }
+    }
+
+    #[inline]
+    fn is_nonnegative(&self) -> Option<bool> {
+        if self.middle >= self.radius {
+            Some(true)
+        } else {
+            (-self.middle > self.radius).then_some(false)
+        }
+    }
+
+    #[inline]
+    fn is_positive(&self) -> Option<bool> {
+        (-*self).is_nonnegative().map(|is| !is)
+    }
+}
+
+impl Written for Ball {
+    const EXACT: bool = false;
+
+    fn to_reduced(&self) -> Option<Reduced> {
+        match self.units()? {
+            (n, 0) => Some(Reduced::Small(n, ONE)),
+            _ => None,
+        }
+    }
+
+    fn from_reduced(x: &Reduced) -> Option<Self> {
+        let ball = match x {
+            Reduced::Small(n, ONE) => Self::of_units(*n),
+            x => Self::of_rational(&x.to_rational()),
+        };
+        ball.is_defined().then_some(ball)
+    }
+
+    #[inline]
+    fn below(&self) -> Option<Reduced> {
+        self.on_grid().map(|[lo, _]| Reduced::Small(lo, ONE))
+    }
+
+    #[inline]
+    fn above(&self) -> Option<Reduced> {
+        self.on_grid().map(|[_, hi]| Reduced::Small(hi, ONE))
+    }
+
+    fn is_number(&self) -> bool {
+        self.is_defined()
+    }
+
+    #[inline]
+    fn one_of(&self) -> Self {
+        match self.is_defined() {
+            true => Self::exactly(self.middle),
+            false => *self,
+        }
+    }
+
+    fn in_lowest_terms(&self) -> Option<Self> {
+        self.is_defined().then_some(*self)
+    }
+}
