@@ -1,5 +1,7 @@
 //! The account of consecutive intervals whose rows spans decide: sums of integers of fixed width.
 
+use passivity_core::course::{Course, Least};
+
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
 use crate::log::motion::Addend;
@@ -15,43 +17,10 @@ const MOST: u64 = 1 << 20;
 /// Energies past it, 2³⁶ KΔ², are for exact numbers.
 const WIDEST: u128 = 1 << 100;
 
-/// The least of some energies in units of the grid, and after how many intervals it was.
-#[derive(Clone, Copy, Debug, Default)]
-struct Least(Option<(i128, u64)>);
-
-impl Least {
-    #[inline]
-    fn keep(&mut self, value: i128, h: u64) {
-        if self.0.is_none_or(|(least, _)| value < least) {
-            self.0 = Some((value, h));
-        }
-    }
-
-    fn lowest(self) -> Option<Lowest> {
-        let (value, h) = self.0?;
-        Some(Lowest::new(on_grid(value), h))
-    }
-}
-
-/// A sum in units of the grid, and its least value so far.
-#[derive(Clone, Copy, Debug, Default)]
-struct Course {
-    now: i128,
-    least: (i128, u64),
-}
-
-impl Course {
-    #[inline]
-    fn add(&mut self, step: i128, h: u64) {
-        self.now += step;
-        if self.now < self.least.0 {
-            self.least = (self.now, h);
-        }
-    }
-
-    fn running(self, steps: u64) -> RunningSum {
-        RunningSum::of_grid(self.now, self.least, steps)
-    }
+/// The least energy, in units of the grid.
+fn lowest(least: Least<i128>) -> Option<Lowest> {
+    let (value, h) = least.0?;
+    Some(Lowest::new(on_grid(value), h))
 }
 
 /// Sums over consecutive intervals.
@@ -60,20 +29,20 @@ pub(crate) struct Batch {
     pub(crate) intervals: u64,
     /// The five figures that totals are kept of, at the least and at the most.
     sums: [[i128; 2]; 5],
-    net: Course,
-    observer: Course,
+    net: Course<i128>,
+    observer: Course<i128>,
     /// Where net energy plus potential was least.
-    stored: Least,
+    stored: Least<i128>,
     /// What is left of what was stored at the start, where the verdict is about it, at the least and at the
     /// most; and where it was least with the potential.
-    supply: [Course; 2],
-    lowest: [Least; 2],
+    supply: [Course<i128>; 2],
+    lowest: [Least<i128>; 2],
     /// The excess force of the last interval, where it had any.
     excess: Option<Bounds>,
     tallies: Tallies,
     /// The first interval of each kind, and the one with the least net energy.
     firsts: [Option<u64>; 5],
-    worst: Least,
+    worst: Least<i128>,
 }
 
 impl Batch {
@@ -109,8 +78,8 @@ impl Batch {
         if let Some(supply) = addend.supply {
             let sums = self.supply.iter_mut().zip(&mut self.lowest);
             for ((sum, lowest), (step, end)) in sums.zip(supply.step.into_iter().zip(supply.end)) {
-                sum.add(step, h);
-                lowest.keep(sum.now + end, h);
+                sum.step(step, h);
+                lowest.keep(sum.sum + end, h);
             }
             self.excess = supply.excess;
         }
@@ -120,9 +89,9 @@ impl Batch {
             *hi += most;
         }
         let [_, _, _, [least_net, _], _] = addend.sums;
-        self.net.add(least_net, h);
-        self.observer.add(addend.observed, h);
-        self.stored.keep(self.net.now + addend.potential, h);
+        self.net.step(least_net, h);
+        self.observer.step(addend.observed, h);
+        self.stored.keep(self.net.sum + addend.potential, h);
         self.worst.keep(least_net, h - 1);
         self.tallies.add_times(addend.truths, h - 1, 1);
         for (first, is) in self.firsts.iter_mut().zip(kinds(addend.truths)) {
@@ -143,18 +112,20 @@ impl Batch {
         let mut account = Account {
             intervals: self.intervals,
             sums: self.sums.map(FigureSum::of_grid),
-            net: self.net.running(self.intervals),
-            observer: self.observer.running(self.intervals),
+            net: RunningSum::of_grid(self.net, self.intervals),
+            observer: RunningSum::of_grid(self.observer, self.intervals),
             tallies: self.tallies,
             ..Account::default()
         };
         if running {
-            let sums = self.supply.map(|sum| sum.running(self.intervals));
-            let lowest = self.lowest.map(Least::lowest);
+            let sums = self
+                .supply
+                .map(|sum| RunningSum::of_grid(sum, self.intervals));
+            let lowest = self.lowest.map(lowest);
             account.supply =
                 Supply::from_parts(sums, lowest, Some(self.excess.unwrap_or(NO_FORCE)));
         } else {
-            account.stored = self.stored.lowest();
+            account.stored = lowest(self.stored);
         }
         for (slot, first) in account.firsts.iter_mut().zip(self.firsts) {
             *slot = first.map(&place).transpose()?;
