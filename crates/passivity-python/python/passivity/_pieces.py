@@ -70,7 +70,7 @@ def rest(gaps, threads, cost, seconds, overhead):
     for part, start, to in gaps:
         while start < to:
             size = min(to - start, max(least, min(most, left // (2 * threads))))
-            if to - start - size < least // 2:
+            if to - start - size < least:
                 size = to - start
             cuts.append((part, start, start + size))
             start += size

@@ -27,7 +27,7 @@ from .adaptive import refine as _refine
 __all__ = ["audit", "border", "sweep"]
 
 # How many bytes of a log and how many points of a grid the first pieces have.
-_BYTES, _POINTS = 1 << 20, 512
+_BYTES, _POINTS = 1 << 20, 1024
 
 # What a task costs beside its work, in seconds, where no two of one worker were measured.
 _OVERHEAD = 0.005
@@ -77,15 +77,15 @@ class _Costs:
     """What the units of finished pieces cost, and a task beside its work."""
 
     def __init__(self):
-        self.spans, self.units, self.seconds = {}, 0, 0.0
+        self.spans, self.rates = {}, []
 
     def add(self, units, thread, begin, end):
         self.spans.setdefault(thread, []).append((begin, end))
-        self.units += units
-        self.seconds += end - begin
+        self.rates.append(max(end - begin, 1e-9) / units)
 
     def a_unit(self):
-        return max(self.seconds, 1e-9) / self.units
+        """Seconds, of a piece in the middle of all."""
+        return _statistics.median(self.rates)
 
     def a_task(self):
         """Seconds between two tasks of a thread, the second of which was there already."""
