@@ -29,6 +29,11 @@ environment numpy numpy
 environment all numpy pandas polars pyarrow matplotlib 'dask[distributed]' fsspec mypy pyright nbclient nbformat ipykernel
 "$bin/python" -m unittest -q test_passivity test_native test_plot test_distributed
 "$bin/python" test_docs.py
+bin_of_all=$bin
+echo "== parts and sweeps in a store: an S3 server on this machine"
+environment store numpy pyarrow 'dask[distributed]' s3fs 'moto[server]'
+"$bin/python" -m unittest -q test_store
+bin=$bin_of_all
 echo "== mypy --strict, stubtest and pyright"
 "$bin/mypy" --strict typed.py
 "$bin/python" -m mypy.stubtest passivity --ignore-missing-stub

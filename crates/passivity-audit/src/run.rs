@@ -1,5 +1,6 @@
 //! The ledger over a sequence of samples: rows, and exact totals.
 
+use passivity_core::course::First;
 use passivity_core::{BigRational, Interval, Truth};
 use serde::Serialize;
 
@@ -87,7 +88,9 @@ impl Tally {
             Truth::Depends => (&mut self.depends, &mut self.first_depends),
         };
         *count += times;
-        *first = Some(first.map_or(h, |first| first.min(h)));
+        let mut earliest = First(*first);
+        earliest.keep(h);
+        *first = earliest.0;
     }
 }
 

@@ -1,5 +1,5 @@
 """Measures sweeps and audits on local clusters: what a point and a row cost, what a task costs, how well two
-workers do beside two threads; and that a large sweep and a large audit whose workers are killed are, to the
+workers do beside two threads, in runs by turns; and that a large sweep and a large audit whose workers are killed are, to the
 last byte, those of one run. Prints one JSON object a line.
 
     python bench/scale.py --points 10000000 --rows 100000000 --folder /tmp/scale
@@ -13,6 +13,7 @@ import json
 import os
 import shutil
 import signal
+import statistics
 import time
 
 import numpy
@@ -46,13 +47,18 @@ class Killer:
     """Kills a worker with −9 so many times on the way."""
 
     def __init__(self, client, times):
-        self.client, self.left, self.killed = client, times, 0
+        self.client, self.left, self.killed = client, times, []
 
     def __call__(self, done, total):
         if self.left and done * (self.left + 1) >= total:
             self.left -= 1
-            self.killed += 1
-            os.kill(next(iter(self.client.run(os.getpid).values())), signal.SIGKILL)
+            pids = []
+            while not pids:
+                # One that was killed may still be asked.
+                found = self.client.run(os.getpid, on_error="ignore").values()
+                pids = [pid for pid in found if pid not in self.killed]
+            os.kill(pids[0], signal.SIGKILL)
+            self.killed.append(pids[0])
 
 
 class Enough(Exception):
@@ -62,6 +68,35 @@ class Enough(Exception):
 def stop(done, total):
     if done * 2 > total:
         raise Enough
+
+
+def nothing(_):
+    return None
+
+
+def overhead(client):
+    """Seconds that a task costs which does nothing, when many are sent at once."""
+    client.gather(client.map(nothing, range(8), pure=False))
+    took, _ = clock(lambda: client.gather(client.map(nothing, range(64), pure=False)))
+    return took / 64
+
+
+def by_turns(pairs, plain, spread):
+    """Both by turns, as others use the machine: how long each took in the middle, and how many times faster the
+    second is than the first. The first run of the second, whose workers load the package, is told apart."""
+    cold, result = clock(spread)
+    times = []
+    for _ in range(pairs):
+        first, _ = clock(plain)
+        second, result = clock(spread)
+        times.append((first, second))
+    plain, spread = zip(*times)
+    return {
+        "two_threads": statistics.median(plain),
+        "cold": cold,
+        "seconds": statistics.median(spread),
+        "of_two_threads": statistics.median(a / b for a, b in times),
+    }, result
 
 
 def cluster(workers):
@@ -83,28 +118,31 @@ def log(path, rows):
             writer.write(pyarrow.table([pyarrow.array(counts)], schema))
 
 
-def sweeps(folder, points, workers_tried):
+def sweeps(folder, points, workers_tried, pairs):
     ranges, points = grid(points)
     whole, out = os.path.join(folder, "whole.parquet"), os.path.join(folder, "grid.parquet")
     seconds, _ = clock(lambda: passivity.sweep(SCENE, out=whole, threads=2, **ranges))
     say("sweep, two threads", points=points, seconds=seconds, us_per_point=1e6 * seconds * 2 / points)
     for workers in workers_tried:
         with cluster(workers) as local, Client(local) as client:
-            overhead = distributed._overhead(client)
-            took, result = clock(lambda: distributed.sweep(client, SCENE, ranges, out=out))
+            each = overhead(client)
+            figures, result = by_turns(
+                pairs,
+                lambda: passivity.sweep(SCENE, out=whole, threads=2, **ranges),
+                lambda: distributed.sweep(client, SCENE, ranges, out=out),
+            )
         say(
             "sweep, workers",
             workers=workers,
-            seconds=took,
             shards=result.shards,
-            ms_per_task=1e3 * overhead,
-            of_two_threads=seconds / took,
+            ms_per_task=1e3 * each,
+            **figures,
             same=filecmp.cmp(whole, out, shallow=False),
         )
     with cluster(2) as local, Client(local) as client:
         killer = Killer(client, 2)
         took, _ = clock(lambda: distributed.sweep(client, SCENE, ranges, out=out, progress=killer))
-    say("sweep, killed", killed=killer.killed, seconds=took, same=filecmp.cmp(whole, out, shallow=False))
+    say("sweep, killed", killed=len(killer.killed), seconds=took, same=filecmp.cmp(whole, out, shallow=False))
     with cluster(2) as local, Client(local) as client:
         try:
             distributed.sweep(client, SCENE, ranges, out=out, progress=stop)
@@ -121,7 +159,7 @@ def sweeps(folder, points, workers_tried):
     )
 
 
-def audits(folder, rows, workers_tried):
+def audits(folder, rows, workers_tried, pairs):
     path = os.path.join(folder, "log.csv")
     log(path, rows)
     size = os.path.getsize(path)
@@ -129,18 +167,21 @@ def audits(folder, rows, workers_tried):
     say("audit, two threads", rows=rows, bytes=size, seconds=seconds, ns_per_row=1e9 * seconds * 2 / rows)
     for workers in workers_tried:
         with cluster(workers) as local, Client(local) as client:
-            took, report = clock(lambda: distributed.audit(client, path, LAW, seconds=0.5))
+            figures, report = by_turns(
+                pairs,
+                lambda: passivity.audit(path, LAW, threads=2),
+                lambda: distributed.audit(client, path, LAW),
+            )
         say(
             "audit, workers",
             workers=workers,
-            seconds=took,
-            of_two_threads=seconds / took,
+            **figures,
             same=json.dumps(report) == json.dumps(whole),
         )
     with cluster(2) as local, Client(local) as client:
         killer = Killer(client, 2)
         took, report = clock(lambda: distributed.audit(client, path, LAW, shards=64, progress=killer))
-    say("audit, killed", killed=killer.killed, seconds=took, same=json.dumps(report) == json.dumps(whole))
+    say("audit, killed", killed=len(killer.killed), seconds=took, same=json.dumps(report) == json.dumps(whole))
     logs = [f"{path}.{i}.csv" for i in range(8)]
     for name in logs:
         os.link(path, name)
@@ -163,14 +204,15 @@ def main():
     parser.add_argument("--points", type=int, default=200_000)
     parser.add_argument("--rows", type=int, default=5_000_000)
     parser.add_argument("--workers", type=int, nargs="*", default=[1, 2, 4])
+    parser.add_argument("--pairs", type=int, default=5, help="runs of each kind, by turns")
     parser.add_argument("--folder", default="scale")
     asked = parser.parse_args()
     os.makedirs(asked.folder)
     try:
         if asked.points:
-            sweeps(asked.folder, asked.points, asked.workers)
+            sweeps(asked.folder, asked.points, asked.workers, asked.pairs)
         if asked.rows:
-            audits(asked.folder, asked.rows, asked.workers)
+            audits(asked.folder, asked.rows, asked.workers, asked.pairs)
     finally:
         shutil.rmtree(asked.folder)
 

@@ -151,7 +151,7 @@ pub(crate) fn audit_arrays(
 }
 
 /// The exact account of a piece of a trace, as JSON for `audit_merge`, with its numbers of samples and
-/// intervals; `stretch` is `a:b` in samples, or `i/n` for one of n pieces.
+/// intervals; `stretch` is `a:b` in samples, `i/n` for one of n pieces, or `i-j/n` for several.
 #[pyfunction]
 #[pyo3(signature = (trace, scene, reading, stretch, progress=None))]
 pub(crate) fn audit_piece(

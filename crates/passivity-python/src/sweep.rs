@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use passivity_scene::Point;
 use passivity_sim::SimError;
 use passivity_sim::report::{Outcomes, Sweep};
-use passivity_sim::sweep::{Asked, Grid, Row, Shard, merge, open, open_shard, run_range};
+use passivity_sim::sweep::{Asked, Grid, Row, Shard, merge, open, run_range, write_shard};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -75,7 +75,8 @@ pub(crate) fn grid(
     Ok((task.grid.len(), task.grid.columns(), values.collect()))
 }
 
-/// Simulates a shard of a grid into a file; gives the report as JSON.
+/// Simulates a shard of a grid into a file: the pieces from one to another of so many. Gives the report as
+/// JSON.
 #[pyfunction]
 #[pyo3(signature = (scene, ranges, out, shard=None, resume=false, threads=0, progress=None))]
 #[expect(clippy::too_many_arguments, reason = "named where they are given")]
@@ -84,7 +85,7 @@ pub(crate) fn sweep(
     scene: Source,
     ranges: Ranges,
     out: PathBuf,
-    shard: Option<(usize, usize)>,
+    shard: Option<(usize, usize, usize)>,
     resume: bool,
     threads: usize,
     progress: Option<Bound<'_, PyAny>>,
@@ -92,7 +93,7 @@ pub(crate) fn sweep(
     let inputs: Vec<&Path> = scene.path().into_iter().collect();
     may_be_written(&out, &inputs)?;
     let task = Task::new(py, &scene, &ranges)?;
-    let shard = shard.map(|(index, count)| Shard::new(index, count));
+    let shard = shard.map(|(first, last, count)| Shard::run(first, last, count));
     let shard = shard.transpose().map_err(|error| of_simulation(&error))?;
     let report = follow(py, progress.as_ref(), move |watch| {
         swept(&task, &out, shard, resume, threads, watch)
@@ -112,27 +113,35 @@ fn swept(
     let range = grid.points(shard.unwrap_or(Shard::WHOLE))?;
     let begin = std::time::Instant::now();
     let mut rows: Vec<Option<Row>> = vec![None; range.len()];
-    let opened = match shard {
-        Some(shard) => open_shard(out, point, grid, shard, resume)?,
-        None => open(out, point, grid, resume)?,
+    // A shard is done anew where it was interrupted: only a whole grid has a file of the rows on the way.
+    let (mut file, found) = match shard {
+        Some(_) => (None, Vec::new()),
+        None => {
+            let opened = open(out, point, grid, resume)?;
+            (Some(opened.rows), opened.found)
+        }
     };
-    let before = opened.found.len();
-    for (index, row) in opened.found {
+    let before = found.len();
+    for (index, row) in found {
         if let Some(slot) = rows.get_mut(index - range.start) {
             *slot = Some(row);
         }
     }
-    let mut file = opened.rows;
     let done: Vec<bool> = rows.iter().map(Option::is_some).collect();
     watch.set(before as u64);
     run_range(point, grid, range.clone(), &done, threads, |index, row| {
         if let Some(slot) = rows.get_mut(index - range.start) {
             *slot = Some(row);
         }
-        file.add(grid, index, &row)?;
+        if let Some(file) = &mut file {
+            file.add(grid, index, &row)?;
+        }
         watch.add(1).then_some(()).ok_or_else(stopped)
     })?;
-    file.finish(grid, &rows)?;
+    match (file, shard) {
+        (Some(file), _) => file.finish(grid, &rows)?,
+        (None, shard) => write_shard(out, point, grid, shard.unwrap_or(Shard::WHOLE), &rows)?,
+    }
     let outcomes = Outcomes::of(rows.iter().flatten());
     let seconds = begin.elapsed().as_secs_f64();
     let simulated = range.len() - before;

@@ -41,9 +41,13 @@ class Killer:
     def __call__(self, done, total):
         if self.left and done * (self.left + 1) >= total:
             self.left -= 1
-            pid = next(iter(self.client.run(os.getpid).values()))
-            os.kill(pid, signal.SIGKILL)
-            self.killed.append(pid)
+            pids = []
+            while not pids:
+                # One that was killed may still be asked.
+                found = self.client.run(os.getpid, on_error="ignore").values()
+                pids = [pid for pid in found if pid not in self.killed]
+            os.kill(pids[0], signal.SIGKILL)
+            self.killed.append(pids[0])
 
 
 class OnACluster(unittest.TestCase):

@@ -190,6 +190,21 @@ class Files(InFolder):
             table = passivity.sweep(SCENE, out=self.path("grid.parquet"), **grid).to_arrow()
             self.assertEqual(table.to_pydict(), report.columns)
 
+    @unittest.skipUnless(polars and pyarrow and numpy, "needs polars, pyarrow and numpy")
+    def test_polars_in_and_out_without_copies(self):
+        frame = polars.DataFrame({"time": [0.0, 1.0, 2.5, 3.0], "count": [0, 1, 3, 2]})
+        given = passivity.audit(frame["count"], SCENE, t=frame["time"], t_unit=None)
+        self.assertEqual(given, passivity.audit([0, 1, 3, 2], SCENE, t=[0, 1, 2.5, 3], t_unit=None))
+        for name in frame.columns:
+            read, _ = passivity._arrays.numbers(frame[name], name)
+            there = frame[name].to_numpy(allow_copy=False)
+            self.assertEqual(numpy.asarray(read).ctypes.data, there.ctypes.data)
+        table = passivity.sweep(SCENE, beta="0:1:5", sigma="0:1:5", speed=2, intervals=50).to_arrow()
+        points = polars.from_arrow(table)
+        self.assertEqual(points.shape, (25, 8))
+        address = points["beta"].to_numpy(allow_copy=False).ctypes.data
+        self.assertEqual(address, table["beta"].chunk(0).buffers()[1].address)
+
 
 class Identify(InFolder):
     def test_bounds_hold_what_is_true(self):

@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 
 use common::paper;
 use passivity_scene::Point;
-use passivity_sim::sweep::{Grid, Range, Row, Shard, merge, open, open_shard, run, run_range};
+use passivity_sim::sweep::{
+    Grid, Range, Row, Shard, merge, open, open_shard, run, run_range, write_shard,
+};
 use passivity_sim::{Method, SimError, simulate};
 
 fn grid(beta: &str, sigma: &str, speed: &str) -> Grid {
@@ -362,6 +364,14 @@ fn sweep_shard(path: &Path, scene: &Point, grid: &Grid, shard: Shard) {
     });
     ran.unwrap();
     file.finish(grid, &rows).unwrap();
+    // In one go, without a file of the rows on the way, it is the same.
+    let [ours, at_once] = ["", "once."].map(|before| {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        path.with_file_name(format!("{before}{name}"))
+    });
+    write_shard(&at_once, scene, grid, shard, &rows).unwrap();
+    assert!(fs::read(ours).unwrap() == fs::read(&at_once).unwrap());
+    fs::remove_file(at_once).unwrap();
 }
 
 #[test]

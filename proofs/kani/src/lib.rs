@@ -30,6 +30,7 @@ mod generation;
 mod identities;
 mod interval;
 mod law;
+mod merge;
 mod monitor;
 mod region;
 mod start;

@@ -1,5 +1,6 @@
 //! The account of a part of a trace: sums, counts, and the intervals that are reported.
 
+use passivity_core::course::{First, Least};
 use passivity_core::{BigRational, Truth};
 
 use crate::ledger::{Logged, Truths};
@@ -102,7 +103,7 @@ impl Account {
         row.add_to(&mut self.sums, times)?;
         self.tallies.add_times(truths, h, times);
         for (first, is) in self.firsts.iter_mut().zip(kinds(truths)) {
-            if is && first.as_ref().is_none_or(|first| h < first.h) {
+            if is && First(first.as_ref().map(|first| first.h)).keep(h) {
                 *first = Some(place()?);
             }
         }
@@ -123,11 +124,8 @@ impl Account {
             sum.add_sum(other);
         }
         self.tallies.append(&other.tallies, before);
-        if let Some(lowest) = other.stored {
-            let value = self.net.total() + lowest.value;
-            Lowest::keep(&mut self.stored, Lowest::new(value, before + lowest.h));
-        }
-        self.supply.append(other.supply, before);
+        Lowest::append(&mut self.stored, other.stored, &self.net);
+        self.supply.append(other.supply);
         if !other.points.is_empty() {
             let (net, observer) = (self.net.near(), self.observer.near());
             self.points.extend(other.points.iter().map(|point| Point {
@@ -140,13 +138,19 @@ impl Account {
         self.observer.append(&other.observer);
         if let Some((value, mut place)) = other.worst {
             place.h += before;
-            if self.worst.as_ref().is_none_or(|(worst, _)| value < *worst) {
+            let mut worst = Least(self.worst.as_ref().map(|(worst, at)| (worst, at.h)));
+            if worst.keep(&value, place.h) {
                 self.worst = Some((value, place));
             }
         }
         for (first, other) in self.firsts.iter_mut().zip(other.firsts) {
-            if let (None, Some(mut place)) = (&first, other) {
-                place.h += before;
+            let [ours, theirs] =
+                [&*first, &other].map(|first| First(first.as_ref().map(|at| at.h)));
+            let mut both = ours;
+            if both.append(theirs, before)
+                && let (Some(mut place), Some(h)) = (other, both.0)
+            {
+                place.h = h;
                 *first = Some(place);
             }
         }
@@ -165,3 +169,6 @@ impl Account {
         });
     }
 }
+
+#[cfg(test)]
+mod tests;

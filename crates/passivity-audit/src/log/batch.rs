@@ -1,5 +1,7 @@
 //! The account of consecutive intervals whose rows doubles decide: sums of integers of fixed width.
 
+use passivity_core::course::{Course, Least};
+
 use crate::ledger::Truths;
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
@@ -14,43 +16,10 @@ use crate::sum::FigureSum;
 /// 128 bits.
 const MOST: u64 = 1 << 20;
 
-/// The least of some energies in units of the grid, and after how many intervals it was.
-#[derive(Clone, Copy, Debug, Default)]
-struct Least(Option<(i128, u64)>);
-
-impl Least {
-    #[inline]
-    fn keep(&mut self, value: i128, h: u64) {
-        if self.0.is_none_or(|(least, _)| value < least) {
-            self.0 = Some((value, h));
-        }
-    }
-
-    fn lowest(self) -> Option<Lowest> {
-        let (value, h) = self.0?;
-        Some(Lowest::new(on_grid(value), h))
-    }
-}
-
-/// A sum in units of the grid, and its least value so far.
-#[derive(Clone, Copy, Debug, Default)]
-struct Course {
-    now: i128,
-    least: (i128, u64),
-}
-
-impl Course {
-    #[inline]
-    fn add(&mut self, step: i128, h: u64) {
-        self.now += step;
-        if self.now < self.least.0 {
-            self.least = (self.now, h);
-        }
-    }
-
-    fn running(self, steps: u64) -> RunningSum {
-        RunningSum::of_grid(self.now, self.least, steps)
-    }
+/// The least energy, in units of the grid.
+fn lowest(least: Least<i128>) -> Option<Lowest> {
+    let (value, h) = least.0?;
+    Some(Lowest::new(on_grid(value), h))
 }
 
 /// Sums over consecutive intervals.
@@ -59,14 +28,14 @@ pub(crate) struct Batch {
     pub(crate) intervals: u64,
     /// The five figures that totals are kept of, at the least and at the most.
     sums: [[i128; 2]; 5],
-    net: Course,
-    observer: Course,
+    net: Course<i128>,
+    observer: Course<i128>,
     /// Where net energy plus potential was least.
-    stored: Least,
+    stored: Least<i128>,
     /// What is left of what was stored at the start, where the verdict is about it, at the least and at the
     /// most; and where it was least with the potential.
-    supply: [Course; 2],
-    lowest: [Least; 2],
+    supply: [Course<i128>; 2],
+    lowest: [Least<i128>; 2],
     /// The excess force of the last interval, where it had any.
     excess: Option<Bounds>,
     /// All but the latest intervals that are alike: how, from which one on, and how many.
@@ -74,7 +43,7 @@ pub(crate) struct Batch {
     alike: (Option<Truths>, u64, u64),
     /// The first interval of each kind, and the one with the least net energy.
     firsts: [Option<u64>; 5],
-    worst: Least,
+    worst: Least<i128>,
 }
 
 impl Batch {
@@ -102,8 +71,8 @@ impl Batch {
         if let Some(supply) = supply {
             let sums = self.supply.iter_mut().zip(&mut self.lowest);
             for ((sum, lowest), (step, end)) in sums.zip(supply.step.into_iter().zip(supply.end)) {
-                sum.add(step, h);
-                lowest.keep(sum.now + end, h);
+                sum.step(step, h);
+                lowest.keep(sum.sum + end, h);
             }
             self.excess = supply.excess;
         }
@@ -113,10 +82,10 @@ impl Batch {
             *hi += most;
         }
         let [_, _, _, [least_net, _], _] = addend.sums;
-        self.net.add(least_net, h);
-        self.observer.add(addend.observed, h);
+        self.net.step(least_net, h);
+        self.observer.step(addend.observed, h);
         let [least_potential, _] = addend.potential;
-        self.stored.keep(self.net.now + least_potential, h);
+        self.stored.keep(self.net.sum + least_potential, h);
         self.worst.keep(least_net, h - 1);
         // Most intervals come after one like them.
         if self.alike.0 != Some(addend.truths) {
@@ -150,18 +119,20 @@ impl Batch {
         let mut account = Account {
             intervals: self.intervals,
             sums: self.sums.map(FigureSum::of_grid),
-            net: self.net.running(self.intervals),
-            observer: self.observer.running(self.intervals),
+            net: RunningSum::of_grid(self.net, self.intervals),
+            observer: RunningSum::of_grid(self.observer, self.intervals),
             tallies: self.tallies,
             ..Account::default()
         };
         if running {
-            let sums = self.supply.map(|sum| sum.running(self.intervals));
-            let lowest = self.lowest.map(Least::lowest);
+            let sums = self
+                .supply
+                .map(|sum| RunningSum::of_grid(sum, self.intervals));
+            let lowest = self.lowest.map(lowest);
             account.supply =
                 Supply::from_parts(sums, lowest, Some(self.excess.unwrap_or(NO_FORCE)));
         } else {
-            account.stored = self.stored.lowest();
+            account.stored = lowest(self.stored);
         }
         for (slot, first) in account.firsts.iter_mut().zip(self.firsts) {
             *slot = first.map(&place).transpose()?;

@@ -33,23 +33,29 @@ pub enum Stretch {
     Samples(u64, Option<u64>),
     /// One of a number of pieces, counted from 1: of about as many bytes of CSV, or rows of Parquet.
     Shard(u64, u64),
+    /// Several of them: from one, to another, of how many.
+    Shards(u64, u64, u64),
 }
 
 impl Stretch {
-    /// Reads `3/8`, the third of eight pieces.
+    /// Reads `3/8`, the third of eight pieces, or `3-5/8`, the third to the fifth.
     ///
     /// # Errors
     ///
     /// Text that is something else.
     pub fn parse_shard(text: &str) -> Result<Self, TraceError> {
-        let parts = text.split_once('/');
-        let numbers = parts.and_then(|(i, n)| i.trim().parse().ok().zip(n.trim().parse().ok()));
+        let number = |text: &str| text.trim().parse::<u64>().ok();
+        let numbers = text.split_once('/').and_then(|(pieces, n)| {
+            let (i, j) = pieces.split_once('-').unwrap_or((pieces, pieces));
+            Some((number(i)?, number(j)?, number(n)?))
+        });
         match numbers {
-            Some((i, n)) if i > 0 && i <= n => Ok(Self::Shard(i, n)),
+            Some((i, j, n)) if 0 < i && i == j && j <= n => Ok(Self::Shard(i, n)),
+            Some((i, j, n)) if 0 < i && i < j && j <= n => Ok(Self::Shards(i, j, n)),
             _ => Err(TraceError::new(
                 "shard",
                 format!(
-                    "expected which piece of how many, as in 3/8, found `{}`",
+                    "expected which piece of how many, as in 3/8 or 3-5/8, found `{}`",
                     shown(text.as_bytes())
                 ),
             )),
@@ -200,7 +206,8 @@ fn csv(
     let start = text.after_line(0).map_err(io)?.unwrap_or(len);
     let (from, to) = match stretch {
         Stretch::Samples(from, to) => text.lines(start, from, to),
-        Stretch::Shard(i, n) => text.shard(start, i, n),
+        Stretch::Shard(i, n) => text.shards(start, (i, i), n),
+        Stretch::Shards(i, j, n) => text.shards(start, (i, j), n),
     }
     .map_err(io)?;
     let history = history(scene);
@@ -259,6 +266,7 @@ fn parquet(
     let (from, to) = match stretch {
         Stretch::Samples(from, to) => (from.min(rows), to.unwrap_or(rows).min(rows)),
         Stretch::Shard(i, n) => (table.cut(rows, i - 1, n), table.cut(rows, i, n)),
+        Stretch::Shards(i, j, n) => (table.cut(rows, i - 1, n), table.cut(rows, j, n)),
     };
     let ends = to >= rows;
     let (before, lead) = match from {

@@ -2,6 +2,7 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer as _;
+use passivity_core::course::{Course, Least};
 use passivity_core::{BigRational, Scalar};
 
 use crate::number::{Number, Reduced};
@@ -12,11 +13,9 @@ use crate::sum::Sum;
 /// A running sum that starts at zero, and the least value it had, the start included.
 #[derive(Clone, Debug)]
 pub(crate) struct RunningSum {
-    /// Sum and least value over the common denominator.
-    now: i128,
-    least: i128,
+    /// Over the common denominator; where that is given up, `at` goes on here, and the rest in `big`.
+    course: Course<i128>,
     denominator: i128,
-    at: u64,
     steps: u64,
     /// Takes over, from what it holds, when machine integers no longer do.
     big: Option<Box<Big>>,
@@ -34,10 +33,8 @@ struct Big {
 impl Default for RunningSum {
     fn default() -> Self {
         Self {
-            now: 0,
-            least: 0,
+            course: Course::default(),
             denominator: 1,
-            at: 0,
             steps: 0,
             big: None,
         }
@@ -45,12 +42,10 @@ impl Default for RunningSum {
 }
 
 impl RunningSum {
-    /// A sum in units of the grid, and the least value it had after how many of its steps.
-    pub(crate) fn of_grid(now: i128, (least, at): (i128, u64), steps: u64) -> Self {
+    /// A sum of so many steps in units of the grid.
+    pub(crate) fn of_grid(course: Course<i128>, steps: u64) -> Self {
         Self {
-            now,
-            least,
-            at,
+            course,
             steps,
             denominator: ONE,
             ..Self::default()
@@ -67,7 +62,7 @@ impl RunningSum {
 
     /// The sum over [`denominator`](Self::denominator).
     pub(crate) const fn now(&self) -> i128 {
-        self.now
+        self.course.sum
     }
 
     /// n/d over the common denominator, which grows to hold it; `None` when it cannot.
@@ -86,9 +81,9 @@ impl RunningSum {
             if larger > 1 << 84 {
                 return None;
             }
-            let now = self.now.checked_mul(factor)?;
-            let least = self.least.checked_mul(factor)?;
-            (self.now, self.least, self.denominator) = (now, least, larger);
+            let sum = self.course.sum.checked_mul(factor)?;
+            let least = self.course.least.checked_mul(factor)?;
+            (self.course.sum, self.course.least, self.denominator) = (sum, least, larger);
         }
         n.checked_mul(self.denominator / d)
     }
@@ -96,15 +91,11 @@ impl RunningSum {
     /// Adds a step that [`scaled`](Self::scaled) gave. False, and nothing added, on overflow.
     #[inline]
     pub(crate) fn add_scaled(&mut self, step: i128) -> bool {
-        let Some(now) = self.now.checked_add(step) else {
+        let Some(sum) = self.course.sum.checked_add(step) else {
             return false;
         };
-        self.now = now;
         self.steps += 1;
-        if now < self.least {
-            self.least = now;
-            self.at = self.steps;
-        }
+        self.course.reach(sum, self.steps);
         true
     }
 
@@ -120,7 +111,12 @@ impl RunningSum {
     }
 
     fn add_big(&mut self, step: &BigRational) {
-        let (now, least, denominator) = (self.now, self.least, self.denominator);
+        let (
+            Course {
+                sum: now, least, ..
+            },
+            denominator,
+        ) = (self.course, self.denominator);
         let big = self.big.get_or_insert_with(|| {
             let ratio = |n: i128| BigRational::new(n.into(), denominator.into());
             let mut sum = Sum::of_log();
@@ -143,7 +139,7 @@ impl RunningSum {
             if now < big.least {
                 big.least_near = big.near;
                 big.least = now;
-                self.at = self.steps;
+                self.course.at = self.steps;
             }
         }
     }
@@ -151,7 +147,7 @@ impl RunningSum {
     /// The sum.
     pub(crate) fn total(&self) -> BigRational {
         match &self.big {
-            None => BigRational::new(self.now.into(), self.denominator.into()),
+            None => BigRational::new(self.course.sum.into(), self.denominator.into()),
             Some(big) => big.now.value().lo().clone(),
         }
     }
@@ -165,9 +161,9 @@ impl RunningSum {
     pub(crate) fn from_parts(total: &BigRational, least: (BigRational, u64), steps: u64) -> Self {
         let mut sum = Self::default();
         sum.add(&Reduced::from(total.clone()));
-        sum.least = 0;
+        sum.course.least = 0;
         sum.set_least(least.0);
-        (sum.at, sum.steps) = (least.1, steps);
+        (sum.course.at, sum.steps) = (least.1, steps);
         sum
     }
 
@@ -183,7 +179,7 @@ impl RunningSum {
     pub(crate) fn near(&self) -> f64 {
         match &self.big {
             #[allow(clippy::cast_precision_loss)]
-            None => self.now as f64 / self.denominator as f64,
+            None => self.course.sum as f64 / self.denominator as f64,
             Some(big) => big.near,
         }
     }
@@ -191,27 +187,32 @@ impl RunningSum {
     /// The least value, and after how many steps it was there.
     pub(crate) fn least(&self) -> (BigRational, u64) {
         let least = match &self.big {
-            None => BigRational::new(self.least.into(), self.denominator.into()),
+            None => BigRational::new(self.course.least.into(), self.denominator.into()),
             Some(big) => big.least.clone(),
         };
-        (least, self.at)
+        (least, self.course.at)
+    }
+
+    /// The course in exact fractions.
+    fn exact(&self) -> Course<BigRational> {
+        let ((least, at), sum) = (self.least(), self.total());
+        Course { sum, least, at }
     }
 
     /// Goes on with another sum, which started at zero where this one ends.
     pub(crate) fn append(&mut self, other: &Self) {
-        let (least, at) = other.least();
-        let lowest = self.total() + least;
-        let lower = lowest < self.least().0;
-        let (before, steps) = (self.steps, other.steps);
-        self.add(&other.total().into());
-        if lower {
-            self.at = before + at;
+        let (mut both, before) = (self.exact(), self.steps);
+        let (other, steps) = (other.exact(), other.steps);
+        let is_lower = both.append(&other, before);
+        self.add(&other.sum.into());
+        if is_lower {
+            self.course.at = both.at;
             match &mut self.big {
                 Some(big) => {
-                    big.least_near = near(&lowest);
-                    big.least = lowest;
+                    big.least_near = near(&both.least);
+                    big.least = both.least;
                 }
-                None => self.set_least(lowest),
+                None => self.set_least(both.least),
             }
         }
         self.steps = before + steps;
@@ -223,7 +224,7 @@ impl RunningSum {
             Reduced::Big(_) => None,
         };
         match scaled {
-            Some(least) => self.least = least,
+            Some(least) => self.course.least = least,
             None => {
                 self.add_big(&BigRational::integer(0));
                 if let Some(big) = &mut self.big {
@@ -284,11 +285,18 @@ impl Lowest {
 
     /// Keeps the lower one of two, the earlier where they agree.
     pub(crate) fn keep(slot: &mut Option<Self>, found: Self) {
-        if slot
-            .as_ref()
-            .is_none_or(|lowest| found.value < lowest.value)
-        {
+        let mut least = Least(slot.as_ref().map(|lowest| (&lowest.value, lowest.h)));
+        if least.keep(&found.value, found.h) {
             *slot = Some(found);
+        }
+    }
+
+    /// Goes on with what follows so many steps and counts from their sum.
+    pub(crate) fn append(slot: &mut Option<Self>, found: Option<Self>, sum: &RunningSum) {
+        let of = |lowest: Self| (lowest.value, lowest.h);
+        let mut least = Least(slot.clone().map(of));
+        if found.is_some() && least.append(&Least(found.map(of)), &sum.total(), sum.steps()) {
+            *slot = least.0.map(|(value, h)| Self::new(value, h));
         }
     }
 

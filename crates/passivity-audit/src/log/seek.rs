@@ -63,11 +63,12 @@ impl Text {
         }
     }
 
-    /// Where a piece of the bytes from `start` on starts and ends, at starts of lines.
-    pub(crate) fn shard(
+    /// Where the pieces `first` to `last`, of `n` of the bytes from `start` on, start and end, at starts of
+    /// lines.
+    pub(crate) fn shards(
         &mut self,
         start: u64,
-        i: u64,
+        (first, last): (u64, u64),
         n: u64,
     ) -> std::io::Result<(u64, Option<u64>)> {
         let bytes = u128::from(self.len - start);
@@ -86,11 +87,11 @@ impl Text {
                 None => Ok(None),
             }
         };
-        let from = match i {
+        let from = match first {
             1 => Some(start),
-            i => cut(i - 1)?,
+            first => cut(first - 1)?,
         };
-        let to = cut(i)?;
+        let to = cut(last)?;
         Ok((from.unwrap_or(self.len), to))
     }
 

@@ -11,6 +11,7 @@
 //! and an excess G, whose work is summed by parts: with n the lower end of what is known of ξ and
 //! ρ = ξ − n, Σ G_i(ξ_{i+1} − ξ_i) = Σ G_i(n_{i+1} − n_i) − Σ (G_i − G_{i−1})ρ_i + G_last·ρ_h.
 
+use passivity_core::course::Last;
 use passivity_core::{BigRational, Ordered};
 
 use super::running::{Lowest, RunningSum};
@@ -263,20 +264,17 @@ impl Supply {
         Some(())
     }
 
-    /// Goes on with what came after the first `before` intervals.
-    pub(crate) fn append(&mut self, other: Self, before: u64) {
+    /// Goes on with what came after.
+    pub(crate) fn append(&mut self, other: Self) {
         let others = other.sums.iter().zip(other.lowest);
         let ours = self.sums.iter_mut().zip(&mut self.lowest);
         for ((sum, lowest), (added, found)) in ours.zip(others) {
-            if let Some(found) = found {
-                Lowest::keep(
-                    lowest,
-                    Lowest::new(sum.total() + found.value, before + found.h),
-                );
-            }
+            Lowest::append(lowest, found, sum);
             sum.append(added);
         }
-        self.excess = other.excess.or(self.excess.take());
+        let mut excess = Last(self.excess.take());
+        excess.append(Last(other.excess));
+        self.excess = excess.0;
     }
 
     /// Σ at the least and at the most.

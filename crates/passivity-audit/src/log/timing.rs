@@ -1,6 +1,7 @@
 //! The durations of the intervals of a trace: uneven, late and missed samples.
 
 use num_traits::ToPrimitive as _;
+use passivity_core::course::First;
 
 use crate::number::{Number, difference, is_less, is_positive};
 
@@ -59,9 +60,9 @@ impl Timing {
         self.uneven += other.uneven;
         self.late += other.late;
         self.missed = self.missed.saturating_add(other.missed);
-        if let (None, Some(first)) = (self.first_missed, other.first_missed) {
-            self.first_missed = Some(before + first);
-        }
+        let mut first = First(self.first_missed);
+        first.append(First(other.first_missed), before);
+        self.first_missed = first.0;
         if let Some([shortest, longest]) = &other.range {
             self.widen([shortest, longest]);
         }

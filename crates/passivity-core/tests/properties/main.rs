@@ -11,6 +11,7 @@ mod boxes;
 mod common;
 mod control_loop;
 mod controller;
+mod course;
 mod criterion;
 mod dissipation;
 mod edge_cycle;

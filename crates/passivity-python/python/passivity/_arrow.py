@@ -83,25 +83,30 @@ def numbers(values, name):
         return _whole([part], kind, (schema, column))
     capsule = values.__arrow_c_stream__()
     stream = _at(capsule, b"arrow_array_stream", _Stream)
-    schema = _Schema()
+    schema, kept = _Schema(), _Kept()
     _checked(stream, stream.get_schema(_c.byref(stream), _c.byref(schema)), name)
-    kept = []
-    try:
-        kind = _kind(schema, name)
-        parts = []
-        while True:
-            column = _Array()
-            _checked(stream, stream.get_next(_c.byref(stream), _c.byref(column)), name)
-            if not column.release:
-                break
-            kept.append(column)
-            parts.append(_part(column, kind[0], name))
-        # A copy, for the stream's arrays are given back here.
-        return _whole([*parts, b""], kind, None)
-    finally:
-        for column in kept:
-            _release(column)
-        _release(schema)
+    kept.structures.append(schema)
+    kind = _kind(schema, name)
+    parts = []
+    while True:
+        column = _Array()
+        _checked(stream, stream.get_next(_c.byref(stream), _c.byref(column)), name)
+        if not column.release:
+            break
+        kept.structures.append(column)
+        parts.append(_part(column, kind[0], name))
+    return _whole(parts, kind, kept)
+
+
+class _Kept:
+    """What a stream gave, given back when nobody reads it any more."""
+
+    def __init__(self):
+        self.structures = []
+
+    def __del__(self):
+        for structure in self.structures:
+            _release(structure)
 
 
 def _release(structure):

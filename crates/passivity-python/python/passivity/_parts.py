@@ -1,11 +1,29 @@
-"""Where shards are kept."""
+"""Where shards are kept, and what is made of them."""
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import tempfile
 import uuid
+
+
+def is_local(place):
+    """Whether a place is a path, and no address of fsspec."""
+    return "://" not in os.fspath(place)
+
+
+@contextlib.contextmanager
+def written(place, options=None):
+    """A local path for a file that then is where it belongs: at a path, or an address of fsspec."""
+    place = os.fspath(place)
+    if is_local(place):
+        yield place
+        return
+    above, name = place.rsplit("/", 1)
+    with Parts(above, options).writing(name) as path:
+        yield path
 
 
 class Parts:
@@ -14,7 +32,7 @@ class Parts:
     def __init__(self, place, options=None):
         self.place = os.fspath(place)
         self.options = options or {}
-        self.is_local = "://" not in self.place
+        self.is_local = is_local(self.place)
 
     def _store(self):
         import fsspec  # type: ignore
@@ -38,28 +56,33 @@ class Parts:
         store, root = self._store()
         return store.cat_file(f"{root}/{name}")
 
-    def put(self, local, name):
-        """Gives a local file its place in the folder: there is all of it or nothing."""
-        own = f".{name}.{uuid.uuid4().hex}"
+    @contextlib.contextmanager
+    def writing(self, name):
+        """A local path for a file that then gets its place in the folder: there is all of it or nothing."""
+        own = f".{uuid.uuid4().hex}.{name}"
         if self.is_local:
             os.makedirs(self.place, exist_ok=True)
             beside = os.path.join(self.place, own)
-            shutil.copyfile(local, beside)
-            with open(beside, "rb") as file:
-                os.fsync(file.fileno())
-            os.replace(beside, os.path.join(self.place, name))
+            try:
+                yield beside
+                with open(beside, "rb") as file:
+                    os.fsync(file.fileno())
+                os.replace(beside, os.path.join(self.place, name))
+            finally:
+                with contextlib.suppress(FileNotFoundError):
+                    os.remove(beside)
             return
-        store, root = self._store()
-        store.makedirs(root, exist_ok=True)
-        store.put_file(local, f"{root}/{own}")
-        store.mv(f"{root}/{own}", f"{root}/{name}")
-
-    def write(self, name, data):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, name)
-            with open(path, "wb") as file:
-                file.write(data)
-            self.put(path, name)
+            yield path
+            store, root = self._store()
+            store.makedirs(root, exist_ok=True)
+            store.put_file(path, f"{root}/{own}")
+            store.mv(f"{root}/{own}", f"{root}/{name}")
+
+    def write(self, name, data):
+        with self.writing(name) as path, open(path, "wb") as file:
+            file.write(data)
 
     def fetch(self, names, folder):
         """Local paths of files in the folder."""
@@ -67,8 +90,7 @@ class Parts:
             return [os.path.join(self.place, name) for name in names]
         store, root = self._store()
         paths = [os.path.join(folder, name) for name in names]
-        for name, path in zip(names, paths, strict=True):
-            store.get_file(f"{root}/{name}", path)
+        store.get([f"{root}/{name}" for name in names], paths)
         return paths
 
     def remove(self):

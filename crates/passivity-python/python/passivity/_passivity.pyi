@@ -65,7 +65,7 @@ def sweep(
     scene: _Scene,
     ranges: dict[str, Any],
     out: str,
-    shard: tuple[int, int] | None = None,
+    shard: tuple[int, int, int] | None = None,
     resume: bool = False,
     threads: int = 0,
     progress: _Progress = None,

@@ -15,65 +15,38 @@ import json as _json
 import os as _os
 import statistics as _statistics
 import tempfile as _tempfile
+import threading as _threading
 import time as _time
 
-from . import _passivity, _ranges, _report, _scene, _swept, _reading, __version__
+from . import _passivity, _pieces, _ranges, _report, _scene, _swept, _reading, __version__
 from ._parts import Parts as _Parts
+from ._parts import written as _written
 from .adaptive import Border as _Border
 from .adaptive import refine as _refine
 
 __all__ = ["audit", "border", "sweep"]
 
-# How long a task should take at the least, by how long a task takes that does nothing.
-_OVERHEADS = 25
+# How many bytes of a log and how many points of a grid the first pieces have.
+_BYTES, _POINTS = 1 << 20, 1024
 
-# How many seconds a measurement takes at the least.
-_PROBE = 0.1
-
-
-def _nothing(_):
-    return None
+# What a task costs beside its work, in seconds, where no two of one worker were measured.
+_OVERHEAD = 0.005
 
 
-def _overhead(client):
-    """Seconds that a task costs which does nothing, when many are sent at once."""
-    client.gather(client.map(_nothing, range(8), pure=False))
-    count = 64
-    begin = _time.perf_counter()
-    client.gather(client.map(_nothing, range(count), pure=False))
-    return (_time.perf_counter() - begin) / count
+def _threads(client, each):
+    """How many tasks of so many threads the workers do at once."""
+    return max(1, sum(client.nthreads().values()) // each)
 
 
-def _workers(client):
-    """How many threads the workers have."""
-    return max(1, sum(client.nthreads().values()))
-
-
-def _cut(total_seconds, seconds, overhead, threads, most):
-    """Into how many shards work of so many seconds is cut."""
-    each = max(seconds, _OVERHEADS * overhead)
-    even = max(1, round(total_seconds / each))
-    if even > threads:
-        # Every thread has as many to do.
-        even = -(-even // threads) * threads
-    elif total_seconds > 2 * _OVERHEADS * overhead * threads:
-        even = threads
-    return max(1, min(even, most))
-
-
-def _plan(parts, wanted, count):
-    """How many shards there are: as was decided when the work began, if it did."""
-    if "plan.json" in parts.names():
-        found = _json.loads(parts.read("plan.json"))
-        shards = found.pop("shards")
-        if found != wanted:
-            raise ValueError(
-                f"{parts.place} has shards of other work: give another folder, or remove it"
-            )
-        return shards
-    shards = count()
-    parts.write("plan.json", _json.dumps({**wanted, "shards": shards}).encode())
-    return shards
+def _plan(parts, wanted):
+    """The pieces that were decided on when the work began, if it did."""
+    if parts is None or "plan.json" not in parts.names():
+        return []
+    found = _json.loads(parts.read("plan.json"))
+    pieces = [tuple(piece) for piece in found.pop("pieces")]
+    if found != wanted:
+        raise ValueError(f"{parts.place} has shards of other work: give another folder, or remove it")
+    return pieces
 
 
 def _identity(source):
@@ -91,70 +64,139 @@ def _absolute(source):
     return (kind, _os.path.abspath(text) if kind == "path" else text)
 
 
-def _run(client, jobs, call, done, retries, sizes, progress):
-    """Runs ``call`` on each job, again where a worker was lost, and gives ``done`` the results as they come."""
-    from distributed import as_completed
-    from distributed.scheduler import KilledWorker
+def _timed(call, job):
+    """The result of ``call``, which worker thread it had, and from when to when."""
+    from distributed import get_worker
 
-    left = {}
-    finished, total = sum(sizes.values()) - sum(sizes[job] for job in jobs), sum(sizes.values())
-    if progress is not None:
-        progress(finished, total)
-    futures = {client.submit(call, job, pure=False, retries=retries): job for job in jobs}
-    coming = as_completed(futures)
-    try:
-        for future in coming:
-            job = futures.pop(future)
-            if future.status == "error" and isinstance(future.exception(), KilledWorker):
-                left[job] = left.get(job, 0) + 1
-                if left[job] <= retries:
-                    again = client.submit(call, job, pure=False, retries=retries)
-                    futures[again] = job
-                    coming.add(again)
+    begin = _time.perf_counter()
+    result = call(job)
+    return result, (get_worker().address, _threading.get_ident()), begin, _time.perf_counter()
+
+
+class _Costs:
+    """What the units of finished pieces cost, and a task beside its work."""
+
+    def __init__(self):
+        self.spans, self.rates = {}, []
+
+    def add(self, units, thread, begin, end):
+        self.spans.setdefault(thread, []).append((begin, end))
+        self.rates.append(max(end - begin, 1e-9) / units)
+
+    def a_unit(self):
+        """Seconds, of a piece in the middle of all."""
+        return _statistics.median(self.rates)
+
+    def a_task(self):
+        """Seconds between two tasks of a thread, the second of which was there already."""
+        between = [
+            max(0.0, later[0] - earlier[1])
+            for spans in self.spans.values()
+            for earlier, later in zip(sorted(spans), sorted(spans)[1:])
+        ]
+        return _statistics.median(between) if between else _OVERHEAD
+
+
+class _Work:
+    """Work on the workers of a client, in pieces of measured size."""
+
+    def __init__(self, client, call, sizes, *, first, seconds, shards, threads, retries, progress):
+        self.client, self.call, self.sizes, self.first = client, call, sizes, first
+        self.seconds, self.shards, self.threads = seconds, shards, threads
+        self.retries, self.progress = retries, progress
+        self.pieces, self.costs, self.lost = [], _Costs(), {}
+        self.futures, self.coming = {}, None
+
+    def submit(self, jobs):
+        for job in jobs:
+            future = self.client.submit(_timed, self.call, job, pure=False, retries=self.retries)
+            self.futures[future] = job
+            self.coming.add(future)
+
+    def run(self, pieces, is_there, record, done):
+        """Goes on with pieces that were decided on. ``record`` is given all of them before a new one is begun,
+        ``done`` each piece with its result."""
+        from distributed import as_completed
+
+        self.pieces = list(pieces)
+        finished = [piece for piece in pieces if is_there(piece)]
+        amount, total = _pieces.units(finished), sum(self.sizes)
+        self.coming = as_completed([], with_results=True, raise_errors=False)
+        try:
+            self.submit([piece for piece in pieces if piece not in set(finished)])
+            left = _pieces.gaps(self.sizes, self.pieces)
+            if left:
+                left = self.begin(left, record)
+            if self.progress is not None:
+                self.progress(amount, total)
+            enough = len(self.futures) * 2 // 3
+            for future, result in self.coming:
+                job = self.futures.pop(future)
+                if self.is_again(future, job):
                     continue
-            done(job, future.result())
-            finished += sizes[job]
-            if progress is not None:
-                progress(finished, total)
-    except BaseException:
-        client.cancel(list(futures))
-        raise
+                value, thread, begin, end = result if future.status == "finished" else future.result()
+                self.costs.add(_pieces.units([job]), thread, begin, end)
+                done(job, value)
+                amount += _pieces.units([job])
+                enough -= 1
+                if left and (enough <= 0 or not self.futures):
+                    left = self.finish(left, record)
+                if self.progress is not None:
+                    self.progress(amount, total)
+        except BaseException:
+            self.client.cancel(list(self.futures))
+            raise
+
+    def begin(self, left, record):
+        """Submits the first pieces; what is left after them."""
+        if self.shards is not None:
+            new = _pieces.even(left, self.shards)
+        else:
+            new = _pieces.first(left, _threads(self.client, self.threads), self.first)
+        self.pieces += new
+        record(self.pieces)
+        self.submit(new)
+        return _pieces.gaps(self.sizes, self.pieces)
+
+    def finish(self, left, record):
+        """Submits all the others."""
+        threads = _threads(self.client, self.threads)
+        cost = self.costs.a_unit()
+        new = _pieces.rest(left, threads, cost, self.seconds, self.costs.a_task())
+        self.pieces += new
+        record(self.pieces)
+        self.submit(new)
+        return []
+
+    def is_again(self, future, job):
+        """Whether a piece is done again: its worker was lost."""
+        from distributed.scheduler import KilledWorker
+
+        if future.status != "error" or not isinstance(future.exception(), KilledWorker):
+            return False
+        self.lost[job] = self.lost.get(job, 0) + 1
+        if self.lost[job] > self.retries:
+            return False
+        self.submit([job])
+        return True
 
 
 class _SweepShard:
     """One shard of a sweep, simulated where it is called."""
 
-    def __init__(self, scene, ranges, count, parts, threads):
-        self.scene, self.ranges, self.count = scene, ranges, count
+    def __init__(self, scene, ranges, points, parts, threads):
+        self.scene, self.ranges, self.points = scene, ranges, points
         self.parts, self.threads = parts, threads
 
-    def name(self, shard):
-        return f"part-{shard:06}-of-{self.count:06}.parquet"
+    def name(self, piece):
+        _, start, to = piece
+        return f"part-{start:012}-{to:012}.parquet"
 
-    def __call__(self, shard):
-        begin = _time.perf_counter()
-        with _tempfile.TemporaryDirectory() as folder:
-            path = _os.path.join(folder, "part.parquet")
-            _passivity.sweep(self.scene, self.ranges, path, (shard, self.count), False, self.threads)
-            self.parts.put(path, self.name(shard))
-        return _time.perf_counter() - begin
-
-
-def _probe_points(scene, ranges, indices, threads):
-    begin = _time.perf_counter()
-    _passivity.sweep_points(scene, ranges, indices, threads)
-    return _time.perf_counter() - begin
-
-
-def _cost_of_points(client, scene, ranges, points, threads):
-    """Seconds that a point takes, from points spread over the grid."""
-    for most in (64, 512, 4096, 32768):
-        count = min(points, most)
-        indices = [points * i // count for i in range(count)]
-        seconds = client.submit(_probe_points, scene, ranges, indices, threads, pure=False).result()
-        if seconds > _PROBE or count == points:
-            break
-    return seconds / count
+    def __call__(self, piece):
+        _, start, to = piece
+        shard = (start + 1, to, self.points)
+        with self.parts.writing(self.name(piece)) as path:
+            _passivity.sweep(self.scene, self.ranges, path, shard, False, self.threads)
 
 
 def sweep(
@@ -190,79 +232,66 @@ def sweep(
     path = _os.fspath(out)
     folder = _Parts(parts if parts is not None else path + ".parts", storage_options)
     wanted = {
-        "format": "passivity-sweep-plan-1",
+        "format": "passivity-sweep-plan-2",
         "version": __version__,
         "scene": _identity(source),
         "ranges": ranges,
     }
 
-    def count():
-        if shards is not None:
-            return min(shards, points)
-        cost = _cost_of_points(client, source, ranges, points, threads)
-        workers = max(1, _workers(client) // threads)
-        return _cut(cost * points, seconds, _overhead(client), workers, points)
-
-    task = _SweepShard(source, ranges, _plan(folder, wanted, count), folder, threads)
-    there = folder.names()
-    jobs = [shard for shard in range(1, task.count + 1) if task.name(shard) not in there]
-    even, more = divmod(points, task.count)
-    sizes = {shard: even + (shard <= more) for shard in range(1, task.count + 1)}
-    _run(client, jobs, task, lambda job, took: None, retries, sizes, progress)
-    names = [task.name(shard) for shard in range(1, task.count + 1)]
+    task = _SweepShard(source, ranges, points, folder, threads)
+    there, pieces = folder.names(), _plan(folder, wanted)
+    work = _Work(
+        client,
+        task,
+        [points],
+        first=_POINTS,
+        seconds=seconds,
+        shards=shards,
+        threads=threads,
+        retries=retries,
+        progress=progress,
+    )
+    simulated = []
+    work.run(
+        pieces,
+        lambda piece: task.name(piece) in there,
+        lambda pieces: folder.write("plan.json", _json.dumps({**wanted, "pieces": pieces}).encode()),
+        lambda piece, _: simulated.append(piece),
+    )
+    counts = {"shards": len(work.pieces), "simulated_shards": len(simulated)}
+    names = [task.name(piece) for piece in sorted(work.pieces)]
     if not merge:
         result = _swept("{}", axes, folder.place)
-        result.update(points=points, shards=task.count, simulated_shards=len(jobs))
+        result.update(points=points, **counts)
         return result
-    with _tempfile.TemporaryDirectory() as local:
-        report = _passivity.sweep_merge(source, ranges, folder.fetch(names, local), path)
+    with _tempfile.TemporaryDirectory() as local, _written(path, storage_options) as merged:
+        report = _passivity.sweep_merge(source, ranges, folder.fetch(names, local), merged)
     if not keep:
         folder.remove()
     result = _swept(report, axes, path)
-    result.update(shards=task.count, simulated_shards=len(jobs))
+    result.update(counts)
     return result
 
 
 class _AuditPiece:
     """The account of one piece of a log, made where it is called."""
 
-    def __init__(self, scene, reading, parts):
-        self.scene, self.reading, self.parts = scene, reading, parts
+    def __init__(self, scene, reading, logs, parts):
+        self.scene, self.reading, self.logs, self.parts = scene, reading, logs, parts
 
-    def __call__(self, job):
-        log, piece, count = job
-        part, _, _ = _passivity.audit_piece(log, self.scene, self.reading, f"{piece}/{count}")
+    def name(self, piece):
+        part, start, to = piece
+        log, _ = self.logs[part]
+        of = _hashlib.sha256(log.encode()).hexdigest()[:16]
+        return f"{of}-{start:015}-{to:015}.json"
+
+    def __call__(self, piece):
+        part, start, to = piece
+        log, size = self.logs[part]
+        account, _, _ = _passivity.audit_piece(log, self.scene, self.reading, f"{start + 1}-{to}/{size}")
         if self.parts is not None:
-            self.parts.write(_piece_name(job), part.encode())
-        return part
-
-
-def _piece_name(job):
-    log, piece, count = job
-    of = _hashlib.sha256(log.encode()).hexdigest()[:16]
-    return f"{of}-{piece:06}-of-{count:06}.json"
-
-
-def _probe_log(scene, reading, log, pieces):
-    """Seconds that the pieces of a log take, and a piece that has nothing in it."""
-    times = []
-    for piece in pieces:
-        begin = _time.perf_counter()
-        _passivity.audit_piece(log, scene, reading, piece)
-        times.append(_time.perf_counter() - begin)
-    return times
-
-
-def _cost_of_bytes(client, scene, reading, log):
-    """Seconds that a byte of a log takes, from pieces in three places of it."""
-    size = max(1, _os.path.getsize(log))
-    for bytes_ in (1 << 18, 1 << 21, 1 << 24):
-        count = max(1, size // bytes_)
-        pieces = [f"{max(1, count * i // 4)}/{count}" for i in (1, 2, 3)]
-        times = client.submit(_probe_log, scene, reading, log, pieces, pure=False).result()
-        if _statistics.median(times) > _PROBE or count == 1:
-            break
-    return _statistics.median(times) * count / size
+            self.parts.write(self.name(piece), account.encode())
+        return account
 
 
 def audit(
@@ -298,38 +327,41 @@ def audit(
     reading = _reading(columns, delimiter, decimal_comma, law, threads)
     folder = None if parts is None else _Parts(parts, storage_options)
 
-    def count():
-        if shards is not None:
-            return [shards] * len(logs)
-        overhead, workers = _overhead(client), max(1, _workers(client) // threads)
-        sizes = [_os.path.getsize(log) for log in logs]
-        # The logs of one call are of one kind.
-        largest = max(zip(sizes, logs, strict=True), default=(0, None))[1]
-        cost = largest and _cost_of_bytes(client, source, reading, largest)
-        # Many logs are enough to do for all workers as they are.
-        workers = max(1, workers // max(1, len(logs)))
-        return [_cut(cost * size, seconds, overhead, workers, 1_000_000) for size in sizes]
+    # A log without a byte is one piece: its account says what is wrong with it.
+    sizes = [max(1, _os.path.getsize(log)) for log in logs]
+    wanted = {
+        "format": "passivity-audit-plan-2",
+        "version": __version__,
+        "scene": _identity(source),
+        "reading": {**reading, "threads": 0},
+        "logs": [[log, size, _os.stat(log).st_mtime_ns] for log, size in zip(logs, sizes, strict=True)],
+    }
+    task = _AuditPiece(source, reading, list(zip(logs, sizes, strict=True)), folder)
+    there, pieces = set() if folder is None else folder.names(), _plan(folder, wanted)
+    work = _Work(
+        client,
+        task,
+        sizes,
+        first=_BYTES,
+        seconds=seconds,
+        shards=shards,
+        threads=threads,
+        retries=retries,
+        progress=progress,
+    )
 
-    if folder is None:
-        counts, there = count(), set()
-    else:
-        wanted = {
-            "format": "passivity-audit-plan-1",
-            "version": __version__,
-            "scene": _identity(source),
-            "reading": {**reading, "threads": 0},
-            "logs": [[log, _os.path.getsize(log), _os.stat(log).st_mtime_ns] for log in logs],
-        }
-        counts, there = _plan(folder, wanted, count), folder.names()
-    jobs = [(log, piece, n) for log, n in zip(logs, counts, strict=True) for piece in range(1, n + 1)]
-    found = {job: folder.read(_piece_name(job)).decode() for job in jobs if _piece_name(job) in there}
-    sizes = {job: _os.path.getsize(job[0]) // job[2] for job in jobs}
-    missing = [job for job in jobs if job not in found]
-    _run(client, missing, _AuditPiece(source, reading, folder), found.__setitem__, retries, sizes, progress)
-    reports = []
-    for log, n in zip(logs, counts, strict=True):
-        pieces = [(f"piece {piece} of {log}", found[log, piece, n]) for piece in range(1, n + 1)]
-        reports.append(_report(_passivity.audit_merge(pieces, source)))
+    def record(pieces):
+        if folder is not None:
+            folder.write("plan.json", _json.dumps({**wanted, "pieces": pieces}).encode())
+
+    found = {}
+    work.run(pieces, lambda piece: task.name(piece) in there, record, found.__setitem__)
+    accounts = [[] for _ in logs]
+    for piece in sorted(work.pieces):
+        part, start, to = piece
+        account = found[piece] if piece in found else folder.read(task.name(piece)).decode()
+        accounts[part].append((f"bytes {start} to {to} of {logs[part]}", account))
+    reports = [_report(_passivity.audit_merge(pieces, source)) for pieces in accounts]
     return reports[0] if one else reports
 
 

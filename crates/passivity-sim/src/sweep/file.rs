@@ -383,6 +383,26 @@ impl Rows {
     }
 }
 
+/// Writes a finished shard that was simulated in one go, without a file of the rows on the way: `rows` are
+/// those of the points that are its own.
+///
+/// # Errors
+///
+/// A file that cannot be written: nothing is in its place then.
+pub fn write_shard(
+    path: &Path,
+    scene: &Point,
+    grid: &Grid,
+    shard: Shard,
+    rows: &[Option<Row>],
+) -> Result<(), SimError> {
+    plain(path)?;
+    let manifest = Manifest::new(scene, grid, shard);
+    let named = shard.range(grid.len()).zip(rows);
+    let rows = named.filter_map(|(index, row)| row.map(|row| Ok((index, row))));
+    write_ordered(path, Form::of(path)?, grid, Some(&manifest), rows)
+}
+
 /// Writes rows that come in the order of the grid, and puts the file in its place when all of them are
 /// on the disk.
 pub(super) fn write_ordered(

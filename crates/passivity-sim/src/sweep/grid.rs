@@ -80,7 +80,17 @@ impl Range {
 pub struct Grid {
     /// The values of up to three axes; one that is not asked for has the one value 0.
     pub values: [Vec<BigRational>; 3],
+    /// The same as doubles, rounded once and not for every point.
+    doubles: [Vec<f64>; 3],
     axes: Axes,
+}
+
+/// What the axes have at a point.
+#[expect(clippy::indexing_slicing, reason = "a panic that is announced")]
+fn at<T>([a, b, c]: &[Vec<T>; 3], index: usize) -> [&T; 3] {
+    let (rest, third) = (index / c.len(), index % c.len());
+    let (first, second) = (rest / b.len(), rest % b.len());
+    [&a[first], &b[second], &c[third]]
 }
 
 /// What the values are of.
@@ -159,7 +169,14 @@ impl Grid {
                 "a grid of {a} × {b} × {c} points: expected at most {MOST_OF_GRID}"
             )));
         }
-        Ok(Self { values, axes })
+        let doubles = values
+            .each_ref()
+            .map(|axis| axis.iter().map(to_double).collect());
+        Ok(Self {
+            values,
+            doubles,
+            axes,
+        })
     }
 
     /// The parameters that are varied; none where β, σ and the speed are.
@@ -239,18 +256,18 @@ impl Grid {
     ///
     /// When `index` is not below [`Self::len`].
     #[must_use]
-    #[expect(clippy::indexing_slicing, reason = "a panic that is announced")]
     pub fn values(&self, index: usize) -> [&BigRational; 3] {
-        let [a, b, c] = &self.values;
-        let (rest, third) = (index / c.len(), index % c.len());
-        let (first, second) = (rest / b.len(), rest % b.len());
-        [&a[first], &b[second], &c[third]]
+        at(&self.values, index)
     }
 
     /// The values of a point as doubles.
+    ///
+    /// # Panics
+    ///
+    /// When `index` is not below [`Self::len`].
     #[must_use]
     pub fn doubles(&self, index: usize) -> [f64; 3] {
-        self.values(index).map(to_double)
+        at(&self.doubles, index).map(|x| *x)
     }
 
     /// A scene's point with the values of a point of the grid.

@@ -26,7 +26,9 @@ pub(super) struct Manifest {
     scene: String,
     /// A hash of the axes and their values.
     grid: String,
+    /// The first of the pieces that it is, from 1, the last, and of how many.
     pub(super) shard: usize,
+    pub(super) last: usize,
     pub(super) of: usize,
     pub(super) points: usize,
 }
@@ -38,7 +40,8 @@ impl Manifest {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             scene: hash(&format!("{:?}", grid.without(scene))),
             grid: hash(&format!("{grid:?}")),
-            shard: shard.index(),
+            shard: shard.first(),
+            last: shard.last(),
             of: shard.count(),
             points: shard.range(grid.len()).len(),
         }
@@ -47,8 +50,15 @@ impl Manifest {
     pub(super) fn to_json(&self) -> String {
         format!(
             "{{\"format\": \"{}\", \"version\": \"{}\", \"scene\": \"{}\", \"grid\": \"{}\", \
-             \"shard\": {}, \"of\": {}, \"points\": {}}}\n",
-            self.format, self.version, self.scene, self.grid, self.shard, self.of, self.points
+             \"shard\": {}, \"last\": {}, \"of\": {}, \"points\": {}}}\n",
+            self.format,
+            self.version,
+            self.scene,
+            self.grid,
+            self.shard,
+            self.last,
+            self.of,
+            self.points
         )
     }
 
@@ -75,6 +85,11 @@ impl Manifest {
             }
         };
         serde_json::from_str(&text).map_err(|error| failed(&at, &format!("manifest: {error}")))
+    }
+
+    /// Its place in the grid.
+    pub(super) fn place(&self) -> Result<Shard, SimError> {
+        Shard::run(self.shard, self.last, self.of)
     }
 
     /// Whether another is of the same sweep in as many shards; in words why not.

@@ -1,6 +1,8 @@
 //! The shards of a sweep as one file: the same bytes as those of the whole in one run.
 
+use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
+use std::sync::mpsc;
 
 use passivity_scene::Point;
 
@@ -13,7 +15,7 @@ use crate::sweep::row::Row;
 use crate::sweep::shard::Shard;
 
 /// Writes all shards of a sweep, in whatever order they are given, as one file; `see` is given each row
-/// in the order of the grid. One shard is in memory at a time.
+/// in the order of the grid. Three shards are in memory at the most.
 ///
 /// # Errors
 ///
@@ -28,20 +30,29 @@ pub fn merge(
     plain(path)?;
     let form = Form::of(path)?;
     let parts = in_order(parts, path, scene, grid)?;
-    let shards = parts.iter().map(|(part, form, manifest)| {
-        let shard = Shard::new(manifest.shard, manifest.of)?;
-        shard_rows(part, *form, shard, grid)
-    });
-    let rows = shards.flat_map(|shard| match shard {
-        Ok(rows) => rows.into_iter().map(Ok).collect(),
-        Err(error) => vec![Err(error)],
-    });
-    let rows = rows.inspect(|row| {
-        if let Ok((index, row)) = row {
-            see(*index, row);
-        }
-    });
-    write_ordered(path, form, grid, None, rows)
+    std::thread::scope(|scope| {
+        // One shard is read while the one before it is written.
+        let (send, receive) = mpsc::sync_channel(0);
+        scope.spawn(move || {
+            for (part, form, manifest) in &parts {
+                let place = manifest.place();
+                let rows = place.and_then(|shard| shard_rows(part, *form, shard, grid));
+                if send.send(rows).is_err() {
+                    return; // What was read could not be written.
+                }
+            }
+        });
+        let rows = receive.into_iter().flat_map(|shard| match shard {
+            Ok(rows) => rows.into_iter().map(Ok).collect(),
+            Err(error) => vec![Err(error)],
+        });
+        let rows = rows.inspect(|row| {
+            if let Ok((index, row)) = row {
+                see(*index, row);
+            }
+        });
+        write_ordered(path, form, grid, None, rows)
+    })
 }
 
 /// The files in the order of their shards, once they are all there.
@@ -60,32 +71,41 @@ fn in_order<'p>(
         }
         let form = Form::of(part)?;
         let manifest = Manifest::read(part, form)?;
-        let own = Manifest::new(scene, grid, Shard::new(manifest.shard, manifest.of)?);
+        let own = Manifest::new(scene, grid, manifest.place()?);
         let mut same = manifest.is_with(&own);
         if let (Ok(()), Some((_, _, first))) = (&same, found.first()) {
             same = manifest.is_with(first);
         }
         same.map_err(|why| failed(part, &why))?;
-        if let Some((twin, ..)) = found.iter().find(|(.., m)| m.shard == manifest.shard) {
-            return Err(failed(
-                part,
-                &format!(
-                    "is shard {} of {}, and so is `{}`",
-                    manifest.shard,
-                    manifest.of,
-                    twin.display()
-                ),
-            ));
-        }
         found.push((part, form, manifest));
     }
     found.sort_by_key(|(.., manifest)| manifest.shard);
     let of = found.first().map_or(0, |(.., manifest)| manifest.of);
-    let is_there = |index: &usize| found.iter().any(|(.., manifest)| manifest.shard == *index);
-    let missing: Vec<String> = (1..=of)
-        .filter(|index| !is_there(index))
-        .map(|index| index.to_string())
-        .collect();
+    let mut missing: Vec<String> = Vec::new();
+    let mut miss = |from: usize, to: usize| match to.cmp(&from) {
+        Ordering::Less => {}
+        Ordering::Equal => missing.push(from.to_string()),
+        Ordering::Greater => missing.push(format!("{from}-{to}")),
+    };
+    let mut before: Option<&(&Path, Form, Manifest)> = None;
+    for at in &found {
+        let (part, _, manifest) = at;
+        let last = before.map_or(0, |(.., before)| before.last);
+        if let Some((twin, ..)) = before
+            && manifest.shard <= last
+        {
+            let message = format!(
+                "is shard {} of {}, and so is `{}`",
+                manifest.shard,
+                manifest.of,
+                twin.display()
+            );
+            return Err(failed(part, &message));
+        }
+        miss(last + 1, manifest.shard - 1);
+        before = Some(at);
+    }
+    miss(before.map_or(0, |(.., before)| before.last) + 1, of);
     if missing.is_empty() && of > 0 {
         return Ok(found);
     }

@@ -12,6 +12,7 @@ mod parquet;
 mod row;
 mod shard;
 
+use std::cell::RefCell;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
 
@@ -24,7 +25,7 @@ use crate::plan::Plan;
 use crate::run;
 
 pub use asked::Asked;
-pub use file::{Opened, Rows, open, open_shard};
+pub use file::{Opened, Rows, open, open_shard, write_shard};
 pub use grid::{Grid, MOST_POINTS, Range};
 pub use merge::merge;
 pub use row::Row;
@@ -111,13 +112,7 @@ pub fn run_range(
             }
         }
     };
-    let (send, receive) = mpsc::sync_channel(1024);
-    let worker = |send: mpsc::SyncSender<Result<(usize, Row), SimError>>| {
-        let deliver = |message| {
-            if send.send(message).is_err() {
-                cancelled.store(true, Ordering::Relaxed);
-            }
-        };
+    let worker = |deliver: &dyn Fn(Result<(usize, Row), SimError>)| {
         let Some(family) = &family else {
             while let Some(index) = take() {
                 let plan = Plan::compile(&grid.point(scene, index));
@@ -141,10 +136,30 @@ pub fn run_range(
         0 => std::thread::available_parallelism().map_or(1, usize::from),
         threads => threads,
     };
+    if workers == 1 {
+        // On this thread, which has nothing else to do.
+        let ran = RefCell::new((sink, Ok(())));
+        worker(&|message| {
+            let (sink, result) = &mut *ran.borrow_mut();
+            if result.is_ok() {
+                *result = message.and_then(|(index, row)| sink(index, row));
+                cancelled.store(result.is_err(), Ordering::Relaxed);
+            }
+        });
+        return ran.into_inner().1;
+    }
+    let (send, receive) = mpsc::sync_channel(1024);
     std::thread::scope(|scope| {
         for _ in 0..workers.min(range.len()) {
             let send = send.clone();
-            scope.spawn(|| worker(send));
+            scope.spawn(|| {
+                let send = send;
+                worker(&|message| {
+                    if send.send(message).is_err() {
+                        cancelled.store(true, Ordering::Relaxed);
+                    }
+                });
+            });
         }
         drop(send);
         let mut result = Ok(());

@@ -4,18 +4,25 @@ use std::ops::Range;
 
 use crate::error::SimError;
 
-/// One of a number of pieces, as even as they can be, into which the points of a grid are cut in order.
+/// One or several of a number of pieces, as even as they can be, into which the points of a grid are cut in
+/// order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Which one, from 1.
-    index: usize,
+    /// The first of them, from 1.
+    first: usize,
+    /// The last of them.
+    last: usize,
     /// Of how many.
     count: usize,
 }
 
 impl Shard {
     /// The whole grid.
-    pub const WHOLE: Self = Self { index: 1, count: 1 };
+    pub const WHOLE: Self = Self {
+        first: 1,
+        last: 1,
+        count: 1,
+    };
 
     /// The piece `index`, from 1, of `count`.
     ///
@@ -23,15 +30,25 @@ impl Shard {
     ///
     /// An index that is not one of 1 to `count`.
     pub fn new(index: usize, count: usize) -> Result<Self, SimError> {
-        if index == 0 || index > count {
-            return Err(SimError::Method(format!(
-                "shard `{index}/{count}`: expected a number from 1 to {count} before the stroke"
-            )));
-        }
-        Ok(Self { index, count })
+        Self::run(index, index, count)
     }
 
-    /// Reads `3/8`, the third of eight.
+    /// The pieces `first` to `last`, from 1, of `count`.
+    ///
+    /// # Errors
+    ///
+    /// Numbers that are not some of 1 to `count`, in order.
+    pub fn run(first: usize, last: usize, count: usize) -> Result<Self, SimError> {
+        let shard = Self { first, last, count };
+        if first == 0 || first > last || last > count {
+            return Err(SimError::Method(format!(
+                "shard `{shard}`: expected a number from 1 to {count} before the stroke, or two in order"
+            )));
+        }
+        Ok(shard)
+    }
+
+    /// Reads `3/8`, the third of eight, or `3-5/8`, the third to the fifth.
     ///
     /// # Errors
     ///
@@ -43,29 +60,37 @@ impl Shard {
     /// use passivity_sim::sweep::Shard;
     ///
     /// assert_eq!(Shard::parse("2/3").unwrap().range(10), 4..7);
+    /// assert_eq!(Shard::parse("2-3/3").unwrap().range(10), 4..10);
     /// assert!(Shard::parse("4/3").is_err());
     /// ```
     pub fn parse(text: &str) -> Result<Self, SimError> {
         let number = |part: &str| part.trim().parse::<usize>().ok();
-        let parts = text.split_once('/').and_then(|(index, count)| {
-            let both = number(index).zip(number(count));
-            both.filter(|(_, count)| *count > 0)
+        let parts = text.split_once('/').and_then(|(pieces, count)| {
+            let (first, last) = pieces.split_once('-').unwrap_or((pieces, pieces));
+            let count = number(count).filter(|count| *count > 0)?;
+            Some((number(first)?, number(last)?, count))
         });
         match parts {
-            Some((index, count)) => Self::new(index, count),
+            Some((first, last, count)) => Self::run(first, last, count),
             None => Err(SimError::Method(format!(
-                "shard `{text}`: expected two whole numbers, as in 3/8 for the third of eight pieces"
+                "shard `{text}`: expected whole numbers, as in 3/8 for the third of eight pieces, or 3-5/8"
             ))),
         }
     }
 
-    /// Which piece it is, from 1.
+    /// The first piece, from 1.
     #[must_use]
-    pub const fn index(self) -> usize {
-        self.index
+    pub const fn first(self) -> usize {
+        self.first
     }
 
-    /// How many pieces there are.
+    /// The last piece: the first one where it is but one.
+    #[must_use]
+    pub const fn last(self) -> usize {
+        self.last
+    }
+
+    /// How many pieces the grid has.
     #[must_use]
     pub const fn count(self) -> usize {
         self.count
@@ -76,17 +101,19 @@ impl Shard {
     pub const fn range(self, len: usize) -> Range<usize> {
         // `count` pieces of `even`, and one more in each of the first `rest`.
         let (even, rest) = (len / self.count, len % self.count);
-        let before = self.index - 1;
-        let extra = if before < rest { before } else { rest };
-        let start = before * even + extra;
-        let own = even + if before < rest { 1 } else { 0 };
-        start..start + own
+        let before = self.first - 1;
+        let start = before * even + if before < rest { before } else { rest };
+        let end = self.last * even + if self.last < rest { self.last } else { rest };
+        start..end
     }
 }
 
 impl std::fmt::Display for Shard {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}/{}", self.index, self.count)
+        match self.first == self.last {
+            true => write!(f, "{}/{}", self.first, self.count),
+            false => write!(f, "{}-{}/{}", self.first, self.last, self.count),
+        }
     }
 }
 
@@ -106,13 +133,23 @@ mod tests {
                     at = range.end;
                 }
                 assert_eq!(at, len);
+                for first in 1..=count {
+                    for last in first..=count {
+                        let run = Shard::run(first, last, count).unwrap();
+                        let ends = [first, last].map(|i| Shard::new(i, count).unwrap().range(len));
+                        assert_eq!(run.range(len), ends[0].start..ends[1].end);
+                        assert_eq!(Shard::parse(&run.to_string()).unwrap(), run);
+                    }
+                }
             }
         }
     }
 
     #[test]
     fn what_is_no_piece_is_refused() {
-        for text in ["", "3", "0/3", "4/3", "1/0", "a/b", "-1/2"] {
+        for text in [
+            "", "3", "0/3", "4/3", "1/0", "a/b", "-1/2", "2-1/3", "2-4/3", "1-2-3/3",
+        ] {
             assert!(Shard::parse(text).is_err(), "{text}");
         }
     }
