@@ -48,6 +48,7 @@ mod timing;
 #[cfg(feature = "parquet")]
 mod typed;
 mod velocity;
+mod walk;
 mod worker;
 
 pub(crate) use running::near as near_rational;

@@ -1,0 +1,408 @@
+//! The way through a chunk.
+//!
+//! A row of counts depends on nothing but a few small integers, and a trace has few different
+//! rows: each is computed once and looked up from then on. Everything else is computed row by row, in
+//! doubles and in batches as far as these decide.
+
+use crate::ledger::Read;
+use crate::log::account::{Account, Place};
+use crate::log::batch::Batch;
+use crate::log::chunk::{Chunk, Samples};
+use crate::log::computed::{Computed, EXACT_ROWS, UNIT, is_exact, note_stored};
+use crate::log::error::TraceError;
+use crate::log::known::Known;
+use crate::log::motion::{Addend, Motion};
+use crate::log::step::{check_jump, duration, interval, jump, undefined};
+use crate::log::supply::{self, Supplied};
+use crate::log::table::Table;
+use crate::log::task::Task;
+use crate::number::{Number, Reduced};
+use crate::reading::Reading;
+
+/// The way through a chunk.
+pub(super) struct Walk<'a> {
+    pub(super) task: &'a Task<'a>,
+    /// Those of the chunk, where they are known.
+    pub(super) motions: &'a [Option<Motion>],
+    pub(super) from: usize,
+    /// The sample at which it ends.
+    pub(super) until: usize,
+    /// How many samples came before the chunk, at least.
+    pub(super) before: usize,
+    /// How many intervals there are from one point of the plot to the next.
+    pub(super) stride: usize,
+    pub(super) timed: bool,
+    /// Whether the account says how long intervals were.
+    pub(super) noted: bool,
+    /// Up to which sample they are known to come one period apart.
+    pub(super) even: usize,
+    /// The sample at the start of the next interval.
+    pub(super) at: usize,
+    pub(super) key: Vec<i64>,
+}
+
+impl Walk<'_> {
+    pub(super) fn run(
+        &mut self,
+        table: &mut Table,
+        chunk: &Chunk,
+        account: &mut Account,
+    ) -> Result<(), TraceError> {
+        if account.supply.excess.is_none()
+            && self.task.running
+            && self.from > 0
+            && self.from < self.until
+        {
+            account.supply.excess = Some(self.excess_before(chunk)?);
+        }
+        while self.at < self.until {
+            if self.quick(table, chunk, account) {
+                if self.noted {
+                    account.timing.add(&UNIT, account.intervals);
+                }
+                continue;
+            }
+            let dtau = duration(self.task.layout, chunk, self.at)?;
+            let lasts = dtau.clone().unwrap_or(UNIT);
+            if !self.looks_up(chunk, &lasts) && self.batch(chunk, account)? {
+                continue;
+            }
+            jump(&chunk.samples, self.at)?;
+            if let (true, Some(dtau)) = (self.noted, &dtau) {
+                account.timing.add(dtau, account.intervals);
+            }
+            self.one(table, chunk, lasts.reduced(), account)?;
+            self.at += 1;
+            if self.task.points && (self.at - self.from).is_multiple_of(self.stride) {
+                account.plot();
+            }
+        }
+        Ok(())
+    }
+
+    /// The number of the interval that starts at sample `i`; of a late one, that of some interval before it.
+    const fn h(&self, i: usize) -> usize {
+        self.before + i
+    }
+
+    /// The excess force of the interval before the first one.
+    fn excess_before(&self, chunk: &Chunk) -> Result<crate::log::supply::Bounds, TraceError> {
+        let before = self.task.logged(chunk, self.from - 1)?;
+        let computed = Computed::of(self.task, &before, self.h(self.from - 1))?;
+        match computed.contribution {
+            Some(contribution) => Ok(contribution.excess().clone()),
+            None => Err(undefined()),
+        }
+    }
+
+    /// Most traces: counts, one period apart, and nothing but the encoder. Goes as far as it can;
+    /// whether that is any further.
+    fn quick(&mut self, table: &mut Table, chunk: &Chunk, account: &mut Account) -> bool {
+        let task = self.task;
+        let Samples::Counts(counts) = &chunk.samples else {
+            return false;
+        };
+        if !task.ledger.is_plain() || task.rows.is_some() || task.running {
+            return false;
+        }
+        if !self.timed {
+            self.even = counts.len();
+        } else if self.even <= self.at {
+            let times = chunk.times.get(self.at..).unwrap_or_default();
+            self.even = self.at + task.layout.even(times);
+        }
+        let counts = counts.get(..=self.even.min(self.until)).unwrap_or(counts);
+        let stride = task.points.then_some((self.stride, self.from));
+        let came = table.quick(counts, self.at, stride, account);
+        let any = came > self.at;
+        self.at = came;
+        any
+    }
+
+    /// Intervals whose rows doubles decide, as far as they do; whether there is any.
+    fn batch(&mut self, chunk: &Chunk, account: &mut Account) -> Result<bool, TraceError> {
+        let task = self.task;
+        if task.rows.is_some() {
+            return Ok(false);
+        }
+        let start = self.at;
+        let mut batch = Batch::after(account.supply.excess.clone());
+        let mut came = Ok(());
+        while self.at < self.until {
+            if self.known(chunk, &mut batch, account) {
+                continue;
+            }
+            if self.is_point() {
+                break;
+            }
+            let dtau = match duration(task.layout, chunk, self.at) {
+                Ok(dtau) => dtau,
+                Err(error) => {
+                    came = Err(error);
+                    break;
+                }
+            };
+            let unit = UNIT;
+            let lasts = dtau.as_ref().unwrap_or(&unit);
+            if self.looks_up(chunk, lasts) || self.add_to(&mut batch, chunk, lasts).is_none() {
+                break;
+            }
+            if let (true, Some(dtau)) = (self.noted, &dtau) {
+                account
+                    .timing
+                    .add(dtau, account.intervals + batch.intervals - 1);
+            }
+            self.at += 1;
+            if self.is_point() {
+                break;
+            }
+        }
+        if batch.intervals > 0 {
+            let place = |h: u64| {
+                let i = start + usize::try_from(h).map_err(|_| undefined())?;
+                let interval = task.logged(chunk, i)?;
+                Ok(Place { h, interval })
+            };
+            account.append(batch.account(task.running, place)?);
+            if self.is_point() {
+                account.plot();
+            }
+        }
+        came.map(|()| self.at > start)
+    }
+
+    /// Whether the sample that has been come to is one at which a point is plotted.
+    const fn is_point(&self) -> bool {
+        let came = self.at - self.from;
+        self.task.points && came > 0 && came.is_multiple_of(self.stride)
+    }
+
+    /// Most other traces: positions. Goes as far as doubles decide and no point is plotted; whether that is
+    /// any further.
+    fn known(&mut self, chunk: &Chunk, batch: &mut Batch, account: &mut Account) -> bool {
+        let Samples::Any(samples) = &chunk.samples else {
+            return false;
+        };
+        let start = self.at;
+        while self.at < self.until {
+            let Some(Some(Motion::Known(known))) = self.motions.get(self.at) else {
+                break;
+            };
+            let early = self.h(self.at) < EXACT_ROWS;
+            if early && !matches!(samples.get(self.at + 1), Some(Reading::Within(_))) {
+                break;
+            }
+            let force = match self.task.applied {
+                true => match chunk.forces.get(self.at) {
+                    Some(force) => Some(&force.value),
+                    None => break,
+                },
+                false => None,
+            };
+            if add_known(known, force, self.task.running, batch).is_none() {
+                break;
+            }
+            if self.noted {
+                let h = account.intervals + batch.intervals - 1;
+                account.timing.add(&known.lasts, h);
+            }
+            self.at += 1;
+            if self.is_point() {
+                break;
+            }
+        }
+        self.at > start
+    }
+
+    /// Whether the next row is one to be looked up.
+    fn looks_up(&self, chunk: &Chunk, dtau: &Number) -> bool {
+        // What is known already need not be.
+        let known = matches!(self.motions.get(self.at), Some(Some(_)));
+        !known && self.task.looks_up(chunk, self.at, dtau)
+    }
+
+    /// Adds the next interval; `None` where doubles leave something open, or its row is an exact one.
+    fn add_to(&self, batch: &mut Batch, chunk: &Chunk, dtau: &Number) -> Option<()> {
+        let (task, i) = (self.task, self.at);
+        let ledger = task.ledger;
+        let before = task.running.then(|| batch.excess());
+        let force = match task.applied {
+            true => Some(&chunk.forces.get(i)?.value),
+            false => None,
+        };
+        let (start, end) = (chunk.samples.get(i)?, chunk.samples.get(i + 1)?);
+        if is_exact(task, &end, dtau, self.h(i)) {
+            return None;
+        }
+        if let (Reading::Count(from), Reading::Count(to)) = (&start, &end) {
+            check_jump(*from, *to).ok()?;
+        }
+        let own = match self.motions.get(i) {
+            Some(Some(Motion::Known(known))) => {
+                return add_known(known, force, task.running, batch);
+            }
+            Some(Some(Motion::Counted(counted))) => match force {
+                None => return batch.add(counted, None),
+                Some(_) => Some(counted.sums[3]),
+            },
+            Some(None) | None => None,
+        };
+        let earlier;
+        let read = Read {
+            samples: match ledger.window() {
+                1 => std::slice::from_ref(&start).iter(),
+                window => {
+                    earlier = chunk.samples.back_from(i, window);
+                    earlier.iter()
+                }
+            },
+            end: &end,
+            force,
+        };
+        let row = ledger.near_entry(read, dtau)?;
+        let addend = Addend::of_entry(ledger.near(), &row)?;
+        let supply = match before {
+            Some(before) => {
+                let contribution = supply::contribution(ledger.near(), &row, own)?;
+                let supply = contribution.supplied(before)?;
+                supply.fits().then_some(Some(supply))?
+            }
+            None => None,
+        };
+        batch.add(&addend, supply)
+    }
+
+    /// One interval, by looking its row up or computing it.
+    fn one(
+        &mut self,
+        table: &mut Table,
+        chunk: &Chunk,
+        dtau: Number,
+        account: &mut Account,
+    ) -> Result<(), TraceError> {
+        let task = self.task;
+        let keyed = self.make_key(chunk, &dtau);
+        if let (true, Samples::Counts(counts)) = (keyed, &chunk.samples)
+            && let Some(known) = table.find(&self.key, self.at, account)
+        {
+            return known_row(task, known, counts, self.at, account);
+        }
+        let window = task.ledger.window();
+        let interval = interval(chunk, self.at, window, task.applied, dtau);
+        let interval = interval.ok_or_else(undefined)?;
+        let computed = Computed::of(task, &interval, self.h(self.at))?;
+        if !keyed || table.is_full() {
+            return computed.account(task, &interval, account);
+        }
+        let plain = task.ledger.is_plain() && !task.applied;
+        let known = table.insert(&self.key, plain, self.at, computed, account);
+        match (known, &chunk.samples) {
+            (Some(known), Samples::Counts(counts)) => {
+                known_row(task, known, counts, self.at, account)
+            }
+            _ => Err(undefined()),
+        }
+    }
+
+    /// The key of an interval of counts: Δτ and what its row depends on. False when it has none.
+    fn make_key(&mut self, chunk: &Chunk, dtau: &Number) -> bool {
+        self.key.clear();
+        let (Samples::Counts(counts), Number::Small(n, d)) = (&chunk.samples, dtau) else {
+            return false;
+        };
+        // Some rows are exact in any case.
+        let is_early = (n != d || self.task.applied) && self.h(self.at) < EXACT_ROWS;
+        self.key.extend([*n, *d, i64::from(is_early)]);
+        let task = self.task;
+        if task.ledger.is_plain() && !task.applied {
+            let ends = counts.get(self.at).zip(counts.get(self.at + 1));
+            self.key
+                .extend(ends.map(|(now, next)| next.wrapping_sub(*now)));
+            return true;
+        }
+        if task.applied {
+            let force = chunk.forces.get(self.at).map(|force| &force.value);
+            let Some(crate::Reading::Exact(Number::Small(n, d))) = force else {
+                return false;
+            };
+            self.key.extend([*n, *d]);
+        }
+        let from = (self.at + 1).saturating_sub(task.ledger.window());
+        let Some(window) = counts.get(from..self.at + 2) else {
+            return false;
+        };
+        self.key.extend(window);
+        true
+    }
+
+    /// Adds what was looked up to the sums.
+    pub(super) fn settle(
+        &self,
+        table: &mut Table,
+        chunk: &Chunk,
+        account: &mut Account,
+    ) -> Result<(), TraceError> {
+        let task = self.task;
+        table.take_hits(|row, net, first, times| {
+            let h = (first - self.from) as u64;
+            let place = || {
+                let interval = task.logged(chunk, first).ok()?;
+                Some(Place { h, interval })
+            };
+            let noted = account.note(row, net, h, times, place);
+            noted.ok_or_else(undefined)
+        })?;
+        if account.intervals > 0 {
+            account.last = Some(task.logged(chunk, self.at - 1)?);
+        }
+        Ok(())
+    }
+}
+
+/// Adds an interval between known positions; `None` where doubles leave something open.
+#[inline(always)]
+fn add_known(
+    known: &Known,
+    force: Option<&Reading>,
+    running: bool,
+    batch: &mut Batch,
+) -> Option<()> {
+    let addend = known.addend(force)?;
+    let [_, _, _, net, _] = addend.sums;
+    let supply = match running {
+        true => Some(Supplied::known(net, addend.potential, batch.excess())?),
+        false => None,
+    };
+    batch.add(&addend, supply)
+}
+
+/// Adds an interval of counts whose row is known to the account, all but its sums and tallies.
+fn known_row(
+    task: &Task<'_>,
+    known: &Computed,
+    counts: &[i64],
+    i: usize,
+    account: &mut Account,
+) -> Result<(), TraceError> {
+    let ends = counts.get(i).zip(counts.get(i + 1));
+    let (now, next) = ends.ok_or_else(undefined)?;
+    if task.rows.is_some() {
+        let (now, next) = (i128::from(*now), i128::from(*next));
+        let ends = format!(",{now},{},{next},{}", now + 1, next + 1);
+        account.rows.extend_from_slice(ends.as_bytes());
+        account.rows.extend_from_slice(&known.text);
+    }
+    if task.ledger.is_plain() && !task.applied {
+        // The row is that of every interval as long; what the observer adds is not.
+        let (now, next) = (i128::from(*now), i128::from(*next));
+        let twice = (2 * now + 1) * (next - now);
+        let half = match twice % 2 {
+            0 => Reduced::Small(twice / 2, 1),
+            _ => Reduced::Small(twice, 2),
+        };
+        known.enter(&half, account)?;
+    } else {
+        known.enter(&known.observed, account)?;
+    }
+    note_stored(task, &known.row, &Reading::Count(*next), account)
+}
