@@ -191,3 +191,21 @@ proptest! {
         prop_assert!(*totals.net_linear.lo() <= least && most <= *totals.net_linear.hi());
     }
 }
+
+#[test]
+fn a_long_log_of_positions_is_plotted_as_closely_as_one_of_counts() {
+    let scene = Scene::from_toml("rotary", ROTARY).unwrap();
+    for header in ["t [us],x [rad],f [N m]", "t [us],count,f [N m]"] {
+        let text = log(5, 6000, header, 2e-3, 1.0);
+        let options = Options {
+            points: true,
+            ..Options::default()
+        };
+        let input = Box::new(std::io::Cursor::new(text.into_bytes()));
+        let audit = audit_csv(input, &scene, options).unwrap();
+        // At least every 512th part of it; where the exact rows end it is counted anew, so that two are one.
+        let steps = audit.points().windows(2).map(|pair| pair[1].h - pair[0].h);
+        let longest = steps.max().unwrap();
+        assert!(longest <= 2 * (6000 / 512), "{header}: {longest}");
+    }
+}

@@ -129,30 +129,26 @@ impl Walk<'_> {
         let mut batch = Batch::after(account.supply.excess.clone());
         let mut came = Ok(());
         while self.at < self.until {
-            if self.known(chunk, &mut batch, account) {
-                continue;
-            }
-            if self.is_point() {
-                break;
-            }
-            let dtau = match duration(task.layout, chunk, self.at) {
-                Ok(dtau) => dtau,
-                Err(error) => {
-                    came = Err(error);
+            if !self.known(chunk, &mut batch, account) {
+                let dtau = match duration(task.layout, chunk, self.at) {
+                    Ok(dtau) => dtau,
+                    Err(error) => {
+                        came = Err(error);
+                        break;
+                    }
+                };
+                let unit = UNIT;
+                let lasts = dtau.as_ref().unwrap_or(&unit);
+                if self.looks_up(chunk, lasts) || self.add_to(&mut batch, chunk, lasts).is_none() {
                     break;
                 }
-            };
-            let unit = UNIT;
-            let lasts = dtau.as_ref().unwrap_or(&unit);
-            if self.looks_up(chunk, lasts) || self.add_to(&mut batch, chunk, lasts).is_none() {
-                break;
+                if let (true, Some(dtau)) = (self.noted, &dtau) {
+                    account
+                        .timing
+                        .add(dtau, account.intervals + batch.intervals - 1);
+                }
+                self.at += 1;
             }
-            if let (true, Some(dtau)) = (self.noted, &dtau) {
-                account
-                    .timing
-                    .add(dtau, account.intervals + batch.intervals - 1);
-            }
-            self.at += 1;
             if self.is_point() {
                 break;
             }
@@ -188,8 +184,10 @@ impl Walk<'_> {
             let Some(Some(Motion::Known(known))) = self.motions.get(self.at) else {
                 break;
             };
-            let early = self.h(self.at) < EXACT_ROWS;
-            if early && !matches!(samples.get(self.at + 1), Some(Reading::Within(_))) {
+            let Some(end) = samples.get(self.at + 1) else {
+                break;
+            };
+            if is_exact(self.task, end, &known.lasts, self.h(self.at)) {
                 break;
             }
             let force = match self.task.applied {
@@ -238,9 +236,8 @@ impl Walk<'_> {
             check_jump(*from, *to).ok()?;
         }
         let own = match self.motions.get(i) {
-            Some(Some(Motion::Known(known))) => {
-                return add_known(known, force, task.running, batch);
-            }
+            // Those that doubles decide have been added.
+            Some(Some(Motion::Known(_))) => return None,
             Some(Some(Motion::Counted(counted))) => match force {
                 None => return batch.add(counted, None),
                 Some(_) => Some(counted.sums[3]),
