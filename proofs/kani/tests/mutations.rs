@@ -7,6 +7,8 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::Mutex;
+use std::thread::available_parallelism;
 
 use passivity_standin::copy::{copy, workspace, write};
 use passivity_standin::list::{self, List};
@@ -142,14 +144,27 @@ fn each_harness_notices_its_mutation_and_passes_without() {
         .iter()
         .map(|entry| entry.name.as_str())
         .collect();
+    // Each change is a run of one or two harnesses, on a core: as many at a time as there are cores.
+    let mutations = mutations(&list);
+    let queue = Mutex::new(mutations.iter());
+    let silent = Mutex::new(Vec::new());
+    let next = || queue.lock().expect("no run panics while it takes").next();
+    let run = || {
+        while let Some(([file, old, new], (number, harnesses))) = next() {
+            let noticed = failed(&binary, *number, harnesses);
+            for name in harnesses.iter().filter(|name| !noticed.contains(name)) {
+                let text = format!("{name}: {file}: `{old}` → `{new}`");
+                silent.lock().expect("no run panics here").push(text);
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..available_parallelism().map_or(1, usize::from) {
+            scope.spawn(run);
+        }
+    });
     let none = failed(&binary, 0, &all);
     assert!(none.is_empty(), "without a change these fail: {none:?}");
-    let mut silent = Vec::new();
-    for ([file, old, new], (number, harnesses)) in mutations(&list) {
-        let noticed = failed(&binary, number, &harnesses);
-        for name in harnesses.iter().filter(|name| !noticed.contains(name)) {
-            silent.push(format!("{name}: {file}: `{old}` → `{new}`"));
-        }
-    }
+    let silent = silent.into_inner().expect("every run ended");
     assert!(silent.is_empty(), "not noticed:\n{}", silent.join("\n"));
 }
