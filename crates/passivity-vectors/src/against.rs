@@ -115,9 +115,9 @@ fn read_line(input: &mut impl BufRead) -> std::io::Result<Option<Vec<u8>>> {
 /// # Example
 ///
 /// ```
-/// use passivity_vectors::{Judge, all};
+/// use passivity_vectors::{Judge, named};
 ///
-/// let groups = all();
+/// let groups = named(&["errata"]).unwrap();
 /// let mut judge = Judge::new(&groups);
 /// judge.hear(br#"{"id": 1, "result": {}}"#);
 /// judge.hear(b"Segmentation fault");

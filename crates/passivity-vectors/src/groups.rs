@@ -6,23 +6,25 @@ use crate::build::{Dice, counts, interval, ratio, test};
 use crate::{Group, Test, cover, linear, wrong};
 
 /// Every group, in the order of their numbers.
-pub(super) fn all() -> Vec<Group> {
-    vec![
-        errata(),
-        intervals(),
-        edges(),
-        big(),
-        counted(),
-        jitter(),
-        runs(),
-        effects(),
-        cover::regions(),
-        linear::group(),
-        cover::motion(),
-        cover::refusals(),
-        wrong::group(),
-    ]
-}
+/// Makes a group.
+type Make = fn() -> Group;
+
+/// The groups in their order: the name of each and how it is made.
+pub(super) const ALL: [(&str, Make); 13] = [
+    ("errata", errata),
+    ("intervals", intervals),
+    ("edges", edges),
+    ("big", big),
+    ("counts", counted),
+    ("jitter", jitter),
+    ("runs", runs),
+    ("effects", effects),
+    ("regions", cover::regions),
+    ("linear", linear::group),
+    ("motion", cover::motion),
+    ("refusals", cover::refusals),
+    ("wrong_formulas", wrong::group),
+];
 
 /// Every pair on a grid of 1/16 tick over [−3, 3]² that violates (22): 425 of 9409.
 fn errata() -> Group {

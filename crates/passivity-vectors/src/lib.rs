@@ -83,16 +83,51 @@ pub struct Group {
 #[must_use]
 pub fn all() -> Vec<Group> {
     static GROUPS: OnceLock<Vec<Group>> = OnceLock::new();
-    let numbered = || {
-        let mut id = 0;
-        let mut groups = groups::all();
-        for test in groups.iter_mut().flat_map(|group| &mut group.tests) {
-            id += 1;
-            test.id = id;
-        }
-        groups
-    };
-    GROUPS.get_or_init(numbered).clone()
+    GROUPS.get_or_init(|| up_to(groups::ALL.len())).clone()
+}
+
+/// The names of the groups, in their order.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    groups::ALL.iter().map(|(name, _)| *name)
+}
+
+/// The groups that are named, in the order of [`names`], with the numbers that their tests have among
+/// all. Groups behind the last one that is named are not made.
+///
+/// # Errors
+///
+/// The first name that no group has.
+///
+/// # Example
+///
+/// ```
+/// let errata = passivity_vectors::named(&["errata"]).unwrap();
+/// assert_eq!(errata[0].name, "errata");
+/// assert_eq!(passivity_vectors::named(&["erata"]), Err("erata"));
+/// ```
+pub fn named<N: AsRef<str>>(chosen: &[N]) -> Result<Vec<Group>, &str> {
+    let mut end = 0;
+    for name in chosen.iter().map(AsRef::as_ref) {
+        let place = names().position(|known| known == name).ok_or(name)?;
+        end = end.max(place + 1);
+    }
+    let mut groups = up_to(end);
+    groups.retain(|group| chosen.iter().any(|name| name.as_ref() == group.name));
+    Ok(groups)
+}
+
+/// The first groups, with their tests numbered.
+fn up_to(end: usize) -> Vec<Group> {
+    let mut groups: Vec<Group> = groups::ALL
+        .iter()
+        .take(end)
+        .map(|(_, make)| make())
+        .collect();
+    let tests = groups.iter_mut().flat_map(|group| &mut group.tests);
+    for (test, id) in tests.zip(1..) {
+        test.id = id;
+    }
+    groups
 }
 
 impl Group {

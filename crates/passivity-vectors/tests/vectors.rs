@@ -4,7 +4,6 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::OnceLock;
 
 use passivity_vectors::{Group, Outcome, PATIENCE, SCHEMA, Test, against, all};
 use serde_json::Value;
@@ -16,7 +15,7 @@ fn root() -> PathBuf {
 #[test]
 fn committed_vectors_are_the_generated_ones() {
     let folder = root().join("tests/vectors");
-    let groups = generated();
+    let groups = all();
     let mut files = vec!["schema.json".to_owned()];
     let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
     assert_eq!(read("schema.json"), SCHEMA);
@@ -43,7 +42,7 @@ fn committed_vectors_are_the_generated_ones() {
 fn vectors_have_the_form_of_their_schema_and_flags_have_notes() {
     let schema: Value = serde_json::from_str(SCHEMA).unwrap();
     let mut id = 0;
-    for group in generated() {
+    for group in all() {
         let file: Value = serde_json::from_str(&group.to_json()).unwrap();
         check(&file, &schema, &schema).unwrap_or_else(|error| panic!("{}: {error}", group.name));
         for test in file["tests"].as_array().unwrap() {
@@ -58,7 +57,7 @@ fn vectors_have_the_form_of_their_schema_and_flags_have_notes() {
         }
     }
     // The check can fail: a field too many, one too few, one of the wrong form.
-    let file: Value = serde_json::from_str(&generated()[0].to_json()).unwrap();
+    let file: Value = serde_json::from_str(&all()[0].to_json()).unwrap();
     for change in [
         |file: &mut Value| file["more"] = Value::Null,
         |file: &mut Value| drop(file.as_object_mut().unwrap().remove("claims")),
@@ -166,12 +165,6 @@ fn check(value: &Value, schema: &Value, root: &Value) -> Result<(), String> {
     Ok(())
 }
 
-/// All groups, which are generated once.
-fn generated() -> Vec<Group> {
-    static GROUPS: OnceLock<Vec<Group>> = OnceLock::new();
-    GROUPS.get_or_init(all).clone()
-}
-
 fn python(program: &str, groups: &[Group]) -> Outcome {
     against(&format!("python3 '{program}'"), groups, PATIENCE).unwrap()
 }
@@ -218,7 +211,7 @@ fn notices(folder: &Path, file: &str, [sound, mistake]: [&str; 2], groups: &[Gro
 #[test]
 fn second_implementation_passes_and_broken_copies_do_not() {
     let path = root().join("tests/conformance/passivity_ref.py");
-    let mut groups = generated();
+    let mut groups = all();
     let outcome = python(path.to_str().unwrap(), &groups);
     let first = &outcome.differences[..outcome.differences.len().min(5)];
     assert!(outcome.differences.is_empty(), "{first:#?}");
@@ -255,7 +248,7 @@ fn second_implementation_passes_and_broken_copies_do_not() {
 
 #[test]
 fn broken_rules_for_loops_with_memory_are_noticed() {
-    let groups = generated();
+    let groups = all();
     let linear = groups.iter().find(|group| group.name == "linear").unwrap();
     let folder = copied("broken-rules");
     for (flag, file, sound, mistake) in [
@@ -327,7 +320,7 @@ fn broken_rules_for_loops_with_memory_are_noticed() {
 /// The second implementation, made to answer by each formula that circulates.
 #[test]
 fn an_implementation_that_answers_by_a_wrong_formula_fails_every_test_of_it() {
-    let groups = generated();
+    let groups = all();
     let wrong = groups.iter().find(|group| group.name == "wrong_formulas");
     let folder = copied("formulas");
     let path = folder.join("passivity_ref.py");
@@ -425,6 +418,6 @@ fn second_implementation_computes_every_witness_again() {
 
 #[test]
 fn an_implementation_that_says_nothing_fails_every_test() {
-    let outcome = against("true", &generated(), PATIENCE).unwrap();
+    let outcome = against("true", &all(), PATIENCE).unwrap();
     assert_eq!(outcome.differences.len(), outcome.tests);
 }

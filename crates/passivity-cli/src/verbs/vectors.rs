@@ -4,7 +4,9 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use passivity_vectors::{Difference, Group, PATIENCE, SCHEMA, against, all, end_children};
+use passivity_vectors::{
+    Difference, Group, PATIENCE, SCHEMA, against, all, end_children, named, names,
+};
 use serde_json::{Value, json};
 
 use crate::exit::{Exit, Failure};
@@ -17,7 +19,7 @@ use crate::output::{Format, emit, emit_json};
 #[command(after_help = "Examples:
   passivity vectors --out vectors
   passivity vectors --against 'python3 my_implementation.py'
-  passivity vectors --against './mine' --group errata --group verdicts --timeout 5
+  passivity vectors --against './mine' --group errata --group regions --timeout 5
 
 Exit codes: 0 written, or no difference; 1 the other implementation differs; 2 bad usage.")]
 pub(crate) struct Args {
@@ -80,18 +82,17 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
 }
 
 /// The groups that are named; all where none is.
-fn chosen(names: &[String]) -> Result<Vec<Group>, Failure> {
-    let groups = all();
-    let has = |name: &String| groups.iter().any(|group| group.name == name);
-    if let Some(unknown) = names.iter().find(|name| !has(name)) {
-        let known: Vec<&str> = groups.iter().map(|group| group.name).collect();
-        return Err(Failure::input(format!(
+fn chosen(chosen: &[String]) -> Result<Vec<Group>, Failure> {
+    if chosen.is_empty() {
+        return Ok(all());
+    }
+    named(chosen).map_err(|unknown| {
+        let known: Vec<&str> = names().collect();
+        Failure::input(format!(
             "there is no group `{unknown}`: the groups are {}",
             known.join(", ")
-        )));
-    }
-    let is_chosen = |group: &Group| names.is_empty() || names.iter().any(|name| name == group.name);
-    Ok(groups.into_iter().filter(is_chosen).collect())
+        ))
+    })
 }
 
 /// Drives another implementation through the tests and says where it differs.
