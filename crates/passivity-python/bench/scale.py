@@ -12,8 +12,8 @@ import filecmp
 import json
 import os
 import shutil
-import signal
 import statistics
+import sys
 import time
 
 import numpy
@@ -22,6 +22,9 @@ import pyarrow
 import pyarrow.csv
 from distributed import Client, LocalCluster
 from passivity import distributed
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../tests"))
+from cluster import Killer  # noqa: E402
 
 SCENE = {"dimensionless": {"mu": "50", "beta": "1", "sigma": "1"}, "run": {"intervals": 3000}}
 LAW = {"dimensionless": {"beta": "3/5", "sigma": "1/5"}}
@@ -41,24 +44,6 @@ def clock(work):
     begin = time.perf_counter()
     result = work()
     return time.perf_counter() - begin, result
-
-
-class Killer:
-    """Kills a worker with −9 so many times on the way."""
-
-    def __init__(self, client, times):
-        self.client, self.left, self.killed = client, times, []
-
-    def __call__(self, done, total):
-        if self.left and done * (self.left + 1) >= total:
-            self.left -= 1
-            pids = []
-            while not pids:
-                # One that was killed may still be asked.
-                found = self.client.run(os.getpid, on_error="ignore").values()
-                pids = [pid for pid in found if pid not in self.killed]
-            os.kill(pids[0], signal.SIGKILL)
-            self.killed.append(pids[0])
 
 
 class Enough(Exception):

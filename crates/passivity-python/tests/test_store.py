@@ -3,16 +3,14 @@ by workers that are processes of their own."""
 
 import json
 import os
-import tempfile
 import unittest
 
 import fsspec
 import passivity
 import pyarrow.dataset
-from distributed import Client, LocalCluster
+from cluster import GRID, LAW, SCENE, Killer, OnTwoWorkers, read, write_log
 from moto.server import ThreadedMotoServer
 from passivity import distributed
-from test_distributed import GRID, LAW, SCENE, Killer, read, write_log
 
 
 class Stop(Exception):
@@ -24,7 +22,7 @@ def stop(done, total):
         raise Stop
 
 
-class OnS3(unittest.TestCase):
+class OnS3(OnTwoWorkers):
     @classmethod
     def setUpClass(cls):
         cls.server = ThreadedMotoServer(ip_address="127.0.0.1", port=0)
@@ -37,21 +35,12 @@ class OnS3(unittest.TestCase):
         }
         cls.store = fsspec.filesystem("s3", **cls.options)
         cls.store.mkdir("lab")
-        cls.cluster = LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
-        )
-        cls.client = Client(cls.cluster)
+        super().setUpClass()
 
     @classmethod
     def tearDownClass(cls):
-        cls.client.close()
-        cls.cluster.close()
+        super().tearDownClass()
         cls.server.stop()
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
 
     def names(self, place):
         self.store.invalidate_cache()
