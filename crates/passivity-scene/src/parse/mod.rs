@@ -8,6 +8,7 @@ mod costs;
 mod encoder;
 mod file;
 mod given;
+mod joint_wall;
 mod joints;
 mod keys;
 mod measure;
