@@ -4,6 +4,7 @@ use crate::Query;
 
 mod boxes;
 mod controller;
+mod counts;
 mod criterion;
 mod effects;
 mod errata;
@@ -23,6 +24,7 @@ pub fn all() -> Vec<Query> {
         witness::queries(),
         effects::queries(),
         controller::queries(),
+        counts::queries(),
         boxes::queries(),
         joints::queries(),
         errata::queries(),
