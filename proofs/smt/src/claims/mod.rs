@@ -11,6 +11,7 @@ mod errata;
 mod generation;
 mod joints;
 mod limits;
+mod lti;
 mod witness;
 mod words;
 
@@ -25,6 +26,7 @@ pub fn all() -> Vec<Query> {
         effects::queries(),
         controller::queries(),
         counts::queries(),
+        lti::queries(),
         boxes::queries(),
         joints::queries(),
         errata::queries(),
