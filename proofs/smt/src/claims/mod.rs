@@ -8,6 +8,7 @@ mod counts;
 mod criterion;
 mod effects;
 mod errata;
+mod extremes;
 mod generation;
 mod joints;
 mod limits;
@@ -25,6 +26,7 @@ pub fn all() -> Vec<Query> {
         witness::queries(),
         effects::queries(),
         controller::queries(),
+        extremes::queries(),
         counts::queries(),
         lti::queries(),
         boxes::queries(),
