@@ -1,4 +1,4 @@
-(** * Cycle: the smooth witness cycle as a motion of the paper's device.
+(** * Cycle: the smooth witness cycle as a motion of a device whose force is held from sample to sample.
 
     Up on even intervals, down on odd ones, between [low] and [low + d]. *)
 
@@ -10,7 +10,10 @@ Open Scope R_scope.
 
 Section Cycle.
 
-Variables mu beta sigma low d : R.
+Variables mu beta sigma : R.
+(** The force that is held from a position at a sample. *)
+Variable force : R -> R.
+Variables low d : R.
 Variable k : nat.
 Hypothesis P : physical mu beta sigma.
 Hypothesis d_pos : 0 < d.
@@ -22,7 +25,7 @@ Definition pos_piece (z : Z) (t : R) : R := base z + way z * d * leg k (t - IZR 
 Definition vel_piece (z : Z) (t : R) : R := way z * d * dleg k (t - IZR z).
 Definition acc_piece (z : Z) (t : R) : R := way z * d * ddleg k (t - IZR z).
 Definition hand_piece (z : Z) (t : R) : R :=
-  mu * acc_piece z t + beta * vel_piece z t + sigma * way z - held_force (base z).
+  mu * acc_piece z t + beta * vel_piece z t + sigma * way z - force (base z).
 
 Definition cpos : R -> R := glued pos_piece.
 Definition cvel : R -> R := glued vel_piece.
@@ -118,8 +121,9 @@ Proof.
   - rewrite Rabs_left1; [ring | lra].
 Qed.
 
-(** The cycle is a motion of the paper's device, driven by the operator's force [chand]. *)
-Lemma cycle_obeys : paper_motion mu beta sigma cpos cvel cfriction chand.
+(** The cycle is a motion of the device, driven by the operator's force [chand]. *)
+Lemma cycle_obeys :
+  obeys mu beta sigma INR (fun h => force (cpos (INR h))) cpos cvel cfriction chand.
 Proof.
   pose proof (mu_positive _ _ _ P). pose proof (sigma_nonneg _ _ _ P).
   assert (IS : forall h, INR (S h) = IZR (Z.of_nat h) + 1).
@@ -194,7 +198,7 @@ Qed.
 
 Lemma leg_operator : forall h,
   is_RInt (fun u => chand u * cvel u) (INR h) (INR (S h))
-    (- held_force (base (Z.of_nat h)) * (way (Z.of_nat h) * d)
+    (- force (base (Z.of_nat h)) * (way (Z.of_nat h) * d)
      + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d)).
 Proof.
   intro h.
@@ -204,16 +208,16 @@ Proof.
   replace (IZR (Z.of_nat h) + 1) with (IZR (Z.of_nat h + 1)) in * by (rewrite plus_IZR; reflexivity).
   rewrite cpos_at, cvel_at in E.
   rewrite S_INR, INR_IZR_INZ. rewrite <- (plus_IZR _ 1).
-  replace (- held_force (base (Z.of_nat h)) * (way (Z.of_nat h) * d)
+  replace (- force (base (Z.of_nat h)) * (way (Z.of_nat h) * d)
      + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d)) with
-   (kinetic mu 0 - kinetic mu 0 - held_force (base (Z.of_nat h)) * (base (Z.of_nat h + 1) - base (Z.of_nat h))
+   (kinetic mu 0 - kinetic mu 0 - force (base (Z.of_nat h)) * (base (Z.of_nat h + 1) - base (Z.of_nat h))
      + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d)); [exact E |].
   destruct (way_cases (Z.of_nat h)) as [(-> & _ & -> & ->) | (-> & _ & -> & ->)]; ring.
 Qed.
 
 (** What the operator draws in n cycles. *)
 Definition drawn_per_cycle : R :=
-  held_force low * d - held_force (low + d) * d
+  force low * d - force (low + d) * d
   - 2 * (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d).
 
 Lemma cycles_operator : forall n,
@@ -231,8 +235,8 @@ Proof.
     unfold way, base in U, D. rewrite Ev in U. rewrite Od in D.
     replace (- (INR (S n) * drawn_per_cycle))
       with (- (INR n * drawn_per_cycle)
-            + (- held_force low * (1 * d) + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d))
-            + (- held_force (low + d) * (-1 * d) + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d))).
+            + (- force low * (1 * d) + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d))
+            + (- force (low + d) * (-1 * d) + (beta * d ^ 2 * (1 + / (4 * INR (S k) + 1)) + sigma * d))).
     + apply is_RInt_join with (INR (S (2 * n))); [apply is_RInt_join with (INR (2 * n)) |]; assumption.
     + rewrite (S_INR n). unfold drawn_per_cycle. ring.
 Qed.

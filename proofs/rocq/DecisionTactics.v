@@ -1,7 +1,7 @@
 (** * Decision tactics: what signs of coefficients say of the criterion. *)
 
 From Coq Require Import Reals Lra.
-From Passivity Require Import Definitions Region.
+From Passivity Require Import Definitions Region Stability.
 Open Scope R_scope.
 
 (** The margin at V from its sign, or from the sign of the difference of squares. *)
@@ -70,4 +70,19 @@ Ltac decide_bound :=
       intro H; assert (~ holds_up_to v c lo) by decide_signs;
       apply (holds_up_to_less v c V lo) in H; [contradiction | lra]
   | |- _ /\ _ => split; decide_signs
+  end.
+
+(** ** Stability *)
+
+(** The rows of the recursion are those of the theorems. *)
+Ltac decide_stability :=
+  intros;
+  match goal with
+  | |- pole_inside _ _ => apply TH_LTI_stable_one; assumption
+  | |- poles_inside _ _ _ => apply TH_LTI_stable_two; [assumption | split; assumption]
+  | |- ~ pole_inside _ _ =>
+      let H := fresh in intro H; apply TH_LTI_stable_one in H; [lra | assumption]
+  | |- ~ poles_inside _ _ _ =>
+      let H := fresh in let G := fresh in
+      intro H; apply TH_LTI_stable_two in H; [destruct H as [H G]; lra | assumption]
   end.

@@ -3,7 +3,7 @@
     Generated from the kernel's code by `passivity-rocq-bridge`; do not edit. *)
 
 From Coq Require Import Reals.
-From Passivity Require Import Definitions DecisionTactics.
+From Passivity Require Import Definitions Stability DecisionTactics.
 Open Scope R_scope.
 
 (** ** [Region::of] (TH-REGION) *)
@@ -842,3 +842,45 @@ Lemma box_up_to_17 : forall beta sigma V0 V1 : R,
   0 < V0 -> V0 <= V1 -> forall V, V0 <= V <= V1 ->
   (holds_up_to (beta - ((1 * 1) * ((1 / 2) + 0))) (sigma - ((1 * 1) / 2)) V).
 Proof. decide_bound. Qed.
+
+(** ** [transfer::is_stable] of one pole and of two (TH-LTI) *)
+
+Lemma stable_one_1 : forall d0 d1 : R,
+  ((Rabs d0) - (Rabs d1)) < 0 ->
+  d0 <> 0 -> ~ (pole_inside d0 d1).
+Proof. decide_stability. Qed.
+
+Lemma stable_one_2 : forall d0 d1 : R,
+  ((Rabs d0) - (Rabs d1)) = 0 ->
+  d0 <> 0 -> ~ (pole_inside d0 d1).
+Proof. decide_stability. Qed.
+
+Lemma stable_one_3 : forall d0 d1 : R,
+  0 < ((Rabs d0) - (Rabs d1)) ->
+  d0 <> 0 -> (pole_inside d0 d1).
+Proof. decide_stability. Qed.
+
+Lemma stable_two_1 : forall d0 d1 d2 : R,
+  ((Rabs d0) - (Rabs d2)) < 0 ->
+  d0 <> 0 -> ~ (poles_inside d0 d1 d2).
+Proof. decide_stability. Qed.
+
+Lemma stable_two_2 : forall d0 d1 d2 : R,
+  ((Rabs d0) - (Rabs d2)) = 0 ->
+  d0 <> 0 -> ~ (poles_inside d0 d1 d2).
+Proof. decide_stability. Qed.
+
+Lemma stable_two_3 : forall d0 d1 d2 : R,
+  0 < ((Rabs d0) - (Rabs d2)) -> ((Rabs (d0 - ((d2 / d0) * d2))) - (Rabs (d1 - ((d2 / d0) * d1)))) < 0 ->
+  d0 <> 0 -> ~ (poles_inside d0 d1 d2).
+Proof. decide_stability. Qed.
+
+Lemma stable_two_4 : forall d0 d1 d2 : R,
+  0 < ((Rabs d0) - (Rabs d2)) -> ((Rabs (d0 - ((d2 / d0) * d2))) - (Rabs (d1 - ((d2 / d0) * d1)))) = 0 ->
+  d0 <> 0 -> ~ (poles_inside d0 d1 d2).
+Proof. decide_stability. Qed.
+
+Lemma stable_two_5 : forall d0 d1 d2 : R,
+  0 < ((Rabs d0) - (Rabs d2)) -> 0 < ((Rabs (d0 - ((d2 / d0) * d2))) - (Rabs (d1 - ((d2 / d0) * d1)))) ->
+  d0 <> 0 -> (poles_inside d0 d1 d2).
+Proof. decide_stability. Qed.

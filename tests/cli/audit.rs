@@ -363,19 +363,6 @@ fn certified(dir: &Dir, scene: &str, trace: &str, format: &str) -> Run {
     dir.run(&[audit, how].concat())
 }
 
-/// Lets the second implementation check a certificate: its exit code, and what it says.
-fn checked(dir: &Dir, file: &str) -> Run {
-    let reference =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/conformance/passivity_ref.py");
-    let output = std::process::Command::new("python3")
-        .arg(reference)
-        .args(["check-certificate", file])
-        .current_dir(dir.path("."))
-        .output()
-        .expect("Python");
-    Run::from(output)
-}
-
 #[test]
 fn the_second_implementation_confirms_violations_and_refuses_changed_figures() {
     let weak = "[dimensionless]\nbeta = \"1/10\"\nsigma = \"1/10\"\n";
@@ -403,7 +390,7 @@ fn the_second_implementation_confirms_violations_and_refuses_changed_figures() {
         let run = certified(&dir, scene, trace, "json");
         let row = &run.json()["first_violation"]["row"];
         assert!(row.is_u64(), "{scene}{trace}: no row is violated");
-        let found = checked(&dir, "certificate.json");
+        let found = dir.check_certificate("certificate.json");
         assert_eq!(found.code, 0, "{scene}{trace}{}", found.stderr);
         let says = format!("The violation is real: the net energy of row {row} is ");
         assert!(found.stdout.starts_with(&says), "{}", found.stdout);
@@ -432,7 +419,7 @@ fn refuses_changes(dir: &Dir) {
         let sign = if place.ends_with("/lo") { -one } else { one };
         *number = Value::from((rational(number) + sign * thousandth).to_string());
         dir.write("changed.json", changed.to_string());
-        let found = checked(dir, "changed.json");
+        let found = dir.check_certificate("changed.json");
         assert_eq!((found.code, found.stdout.as_str()), (1, ""), "{place}");
         let figure = match place.strip_prefix("/figures/") {
             Some(figure) => figure.split('/').next().unwrap(),

@@ -58,6 +58,19 @@ impl Dir {
             code: run.code,
         }
     }
+
+    /// Lets the second implementation check a certificate: its exit code, and what it says.
+    pub(crate) fn check_certificate(&self, file: &str) -> Run {
+        let reference =
+            Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/conformance/passivity_ref.py");
+        let output = Command::new("python3")
+            .arg(reference)
+            .args(["check-certificate", file])
+            .current_dir(&self.path)
+            .output()
+            .expect("Python");
+        Run::from(output)
+    }
 }
 
 impl Drop for Dir {

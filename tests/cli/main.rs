@@ -9,6 +9,7 @@ mod case;
 mod check;
 mod design;
 mod explain;
+mod frequencies;
 mod guides;
 mod harness;
 mod identify;

@@ -2,13 +2,14 @@
 
     python3 tests/conformance/passivity_ref.py check-certificate FILE
 
-What a trace leaves open is a box: xi0, xi1 and the force each between two ends, and friction too.
+One of `passivity check --certificate` is handed on to `frequencies`. What a trace leaves open is a box: xi0, xi1 and the force each between two ends, and friction too.
 """
 
 import json
 from fractions import Fraction as F
 from math import floor
 
+import frequencies
 from passivity_ref import Literal, Loop, Refused, above_zero, dissipated, number, whole
 
 FORMAT = "passivity-audit-certificate-1"
@@ -160,8 +161,10 @@ def check_certificate(text):
     def constant(name):
         raise Refused(f"{name} is not a number")
     certificate = json.loads(text, parse_int=Literal, parse_float=Literal, parse_constant=constant)
+    if isinstance(certificate, dict) and certificate.get("format") == frequencies.FORMAT:
+        return frequencies.check(certificate, number, whole)
     if not isinstance(certificate, dict) or certificate.get("format") != FORMAT:
-        raise Refused(f"not a certificate of the format {FORMAT}")
+        raise Refused(f"not a certificate of the format {FORMAT} or {frequencies.FORMAT}")
     stated, own = part(part(certificate, ""), "figures"), recomputed(certificate)
     if set(stated) != set(own):
         raise Refused(f"the figures of this row are {', '.join(own)}")

@@ -6,8 +6,8 @@ fractions from the standard library, and shares no code with the Rust one. Run a
 
     passivity vectors --against 'python3 tests/conformance/passivity_ref.py'
 
-With `check-certificate FILE` it checks what `passivity audit --certificate FILE` wrote: exit code 0
-when the violation is real, 1 when it is not or a figure differs. With `check-witnesses FILE` it
+With `check-certificate FILE` it checks what `passivity audit --certificate FILE` or `passivity check
+--certificate FILE` wrote: exit code 0 when all of it is right, 1 when it is not. With `check-witnesses FILE` it
 computes again what every motion gains that a file of vectors calls a witness.
 
 Numbers in round brackets are equations of the paper (Diolaiti, Niemeyer, Barbagli, Salisbury, "A
@@ -593,10 +593,10 @@ def main():
     sys.set_int_max_str_digits(0)
     if len(sys.argv) == 3 and sys.argv[1] == "check-witnesses":
         sys.exit(checked_witnesses(sys.argv[2]))
-    if len(sys.argv) == 3 and sys.argv[1] == "check-certificate":
-        sys.exit(checked(sys.argv[2]))
+    if len(sys.argv) > 2 and sys.argv[1] == "check-certificate":
+        sys.exit(max([checked(path) for path in sys.argv[2:]]))
     if len(sys.argv) > 1:
-        sys.exit("expected no arguments, or `check-certificate FILE`, or `check-witnesses FILE`")
+        sys.exit("expected no arguments, or `check-certificate FILE...`, or `check-witnesses FILE`")
     for line in sys.stdin:
         sys.stdout.write(json.dumps(answer(line)) + "\n")
         sys.stdout.flush()

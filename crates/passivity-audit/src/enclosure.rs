@@ -1,7 +1,8 @@
-//! The row of an interval whose positions, or whose force, are known only between two ends.
+//! The row of an interval whose positions, or whose force, are known only between two ends (TH-COUNTS).
 //!
 //! Every value here is one of the kernel's row, [`ledger::generated`] and [`ledger::row`], at some
-//! pair of positions (ξ₀, ξ₁) in the rectangle that the trace leaves; what is ours is where to look.
+//! pair of positions (ξ₀, ξ₁) in the rectangle that the trace leaves; what is ours is where to look, and
+//! where that is, the kernel says ([`extremes`]).
 //! Each position is within a tick, whose upper end belongs to it: with the force given, the row is
 //! continuous there. So the extremes are exact:
 //!
@@ -17,13 +18,13 @@
 
 use std::cmp::Ordering;
 
+use passivity_core::extremes::{self, Parabola};
 use passivity_core::ledger::{self, HeldInterval, Row};
 use passivity_core::{Criterion, Friction, Interval, Loop, Ordered, Step, dissipation};
 
 use crate::ends::Ends;
 use crate::figure::Figure;
 use crate::number::Written;
-use crate::parabola::Parabola;
 
 /// A sampling interval as far as it is known.
 pub(crate) struct Rectangle<'a, S> {
@@ -40,7 +41,12 @@ type Accounts<S> = [S; 2];
 impl<S: Written> Rectangle<'_, S> {
     /// The row without extra storage; `None` when a number is undefined.
     pub(crate) fn row(&self) -> Option<Row<Figure<S>>> {
-        let (near, far) = (self.nearest()?, self.farthest()?);
+        let ends = [self.start, self.end].map(|of| [of.lo(), of.hi()]);
+        let [start, end] = ends;
+        let (near, far) = (
+            extremes::nearest(start, end)?,
+            extremes::farthest(start, end)?,
+        );
         let least = self.row_at(&self.ends.least, near);
         let most = self.row_at(&self.ends.most, far);
         let still = self.start.is_exact() && self.end.is_exact();
@@ -91,29 +97,6 @@ impl<S: Written> Rectangle<'_, S> {
 
     fn row_at(&self, of: &Loop<S>, positions: [&S; 2]) -> Row<S> {
         ledger::row(of, &self.held(positions, self.force.lo()))
-    }
-
-    /// A pair of positions as near to each other as can be.
-    fn nearest(&self) -> Option<[&S; 2]> {
-        let (start, end) = (self.start, self.end);
-        Some(if start.hi().compare(end.lo())? == Ordering::Less {
-            [start.hi(), end.lo()]
-        } else if end.hi().compare(start.lo())? == Ordering::Less {
-            [start.lo(), end.hi()]
-        } else if start.lo().compare(end.lo())? == Ordering::Less {
-            [end.lo(), end.lo()]
-        } else {
-            [start.lo(), start.lo()]
-        })
-    }
-
-    /// A pair of positions as far from each other as can be.
-    fn farthest(&self) -> Option<[&S; 2]> {
-        let outward = [self.start.lo(), self.end.hi()];
-        let inward = [self.start.hi(), self.end.lo()];
-        let length = |[from, to]: [&S; 2]| (to.clone() - from.clone()).abs();
-        let longer = length(outward).compare(&length(inward))? != Ordering::Less;
-        Some(if longer { outward } else { inward })
     }
 
     /// Margin of the criterion times the mean speed: linear in it, so extreme at an end.
@@ -275,23 +258,10 @@ fn widen<S: Ordered>(ranges: &mut [Interval<S>; 2], values: Accounts<S>) {
     }
 }
 
-/// α, γ and κ of the parabola αd² + γd + κ with these values at one end, in the middle and at the
-/// other end, where it is generated energy; `None` when one is undefined.
-fn through<S: Written>([a, b, c]: [S; 3], [from, to]: [S; 2]) -> Option<[S; 3]> {
+/// The parabola through three values on an edge, in short numbers: see [`extremes::through`].
+fn through<S: Written>(values: [S; 3], [from, to]: [S; 2]) -> Option<[S; 3]> {
     let width = to.clone() - from.clone();
-    let slope = (c.clone() - a.clone()).over(width.clone());
-    // The second difference a − 2b + c is 2α(width/2)².
-    let alpha = (a.clone() - b.double() + c).double().over(width.square());
-    let gamma = slope - alpha.clone() * (from.double() + width.clone());
-    let one_way = from.is_positive()? == to.is_positive()?
-        && from.is_nonnegative()? == to.is_nonnegative()?
-        && from.sign()? != Ordering::Equal;
-    let kappa = match one_way {
-        true => a - from.clone() * (alpha.clone() * from + gamma.clone()),
-        // Without a displacement nothing is generated.
-        false => S::zero(),
-    };
-    let found = [alpha, gamma, kappa];
+    let found = extremes::through(values, [from, to])?;
     if width.square().compare(&S::one())? == Ordering::Equal {
         return Some(found);
     }

@@ -22,7 +22,6 @@ pub mod json;
 pub mod ledger;
 mod log;
 pub mod number;
-mod parabola;
 pub mod reading;
 pub mod rows;
 pub mod run;

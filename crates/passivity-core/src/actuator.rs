@@ -73,6 +73,7 @@ impl<S: Scalar> Actuator<S> {
         self.variance_of_latency() + self.time_constant.clone().half().min(twelfth)
     }
 
+    /// f, the fractional part of the latency.
     fn fraction(&self) -> S {
         self.latency.clone() - self.latency.floor()
     }
@@ -100,6 +101,30 @@ pub fn spare<S: Scalar>(beta: &S, mean_delay: &S, variance: &S) -> [S; 2] {
     [over, square]
 }
 
+/// (θ/2)·coth(1/(2θ)) − θ², the variance of a lag of θ > 0, from e = e^(−1/θ) (TH-LAG).
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{Fixed, Scalar, actuator::lag_variance};
+///
+/// // Were e a third, coth(1/(2θ)) = (1 + e)/(1 − e) would be 2.
+/// assert_eq!(lag_variance(&Fixed::new(1, 2), &Fixed::new(1, 3)), Fixed::new(1, 4));
+/// ```
+#[must_use]
+pub fn lag_variance<S: Scalar>(theta: &S, e: &S) -> S {
+    let coth = (S::one() + e.clone()).over(S::one() - e.clone());
+    theta.clone().half() * coth - theta.square()
+}
+
+/// What a latency with the fractional part f adds to the variances of its own and of the lag behind it, from
+/// e = e^(−1/θ) and the power e^(−(1 − f)/θ); not above zero (TH-LAG).
+#[must_use]
+pub fn shared_variance<S: Scalar>(theta: &S, fraction: &S, power: &S, e: &S) -> S {
+    let left = (power.clone() - e.clone()).over(S::one() - e.clone());
+    (theta.clone() * (left - fraction.clone())).double()
+}
+
 impl Actuator<BigRational> {
     /// The variance, enclosed the tighter the more bits (TH-LAG); a point without a lag.
     ///
@@ -118,17 +143,16 @@ impl Actuator<BigRational> {
             // So slow a lag that more bits are needed.
             return Interval::hull(BigRational::zero(), most);
         }
-        // (θ/2)·coth(1/(2θ)) − θ², which grows with e.
-        let of_lag =
-            |e: &BigRational| theta.clone().half() * (&one + e) / (&one - e) - theta.square();
-        // What the two have in common, for f > 0; it grows with the power and falls with e.
+        // The variance of the lag grows with e; what the two have in common, for f > 0, grows with the
+        // power and falls with e.
+        let of_lag = |e: &BigRational| lag_variance(theta, e);
         let fraction = self.fraction();
         let power = decay(&((&one - &fraction) / theta), bits);
         let common = |power: &BigRational, e: &BigRational| {
             if fraction == BigRational::zero() {
                 return BigRational::zero();
             }
-            (theta * ((power - e) / (&one - e) - &fraction)).double()
+            shared_variance(theta, &fraction, power, e)
         };
         let lo = &of_latency + of_lag(e.lo()) + common(power.lo(), e.hi());
         let hi = of_latency + of_lag(e.hi()) + common(power.hi(), e.lo());

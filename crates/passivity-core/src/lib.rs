@@ -65,6 +65,7 @@ pub mod edge_cycle;
 pub mod effect;
 pub mod exponential;
 pub mod extra_storage;
+pub mod extremes;
 pub mod fraction;
 pub mod frequency;
 pub mod generation;

@@ -133,11 +133,10 @@ impl LinearPart {
     pub(crate) fn coulomb_cost(&self, width: &BigRational) -> Option<Interval<BigRational>> {
         match &self.command {
             Command::Spring { damping, pole } => {
-                let half = BigRational::one().half();
-                let kept = |b: &BigRational, a: &BigRational| &half + b * (BigRational::one() - a);
+                let of = |b: &BigRational, a: &BigRational| filtered_cost(b, a).coulomb;
                 Some(Interval::hull(
-                    kept(damping.lo(), pole.hi()),
-                    kept(damping.hi(), pole.lo()),
+                    of(damping.lo(), pole.hi()),
+                    of(damping.hi(), pole.lo()),
                 ))
             }
             Command::Controller(controller) => {
@@ -177,9 +176,7 @@ impl LinearPart {
         let Command::Spring { damping, pole } = &self.command else {
             return self.crude(width);
         };
-        let one = BigRational::one();
-        let of =
-            |b: &BigRational, a: &BigRational| one.clone().half() + b * ((&one - a) / (&one + a));
+        let of = |b: &BigRational, a: &BigRational| filtered_cost(b, a).viscous;
         Some(Interval::hull(
             of(damping.lo(), pole.hi()),
             of(damping.hi(), pole.lo()),
@@ -260,6 +257,28 @@ impl LinearPart {
         ];
         let [lo, hi] = ends.map(|(mean, error)| at_middle.cost_with(&mean, &error, width));
         Some(lo?.joined(&hi?))
+    }
+}
+
+/// What the wall with virtual damping behind a one-pole filter costs, 1 + B(1 − z⁻¹)(1 − a)/(1 − az⁻¹),
+/// without a delay: ½ + B(1 − a)/(1 + a) of viscous friction and, of an encoder, ½ + B(1 − a) of Coulomb
+/// friction (TH-LTI).
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{Fixed, Scalar, linear_part::filtered_cost};
+///
+/// let cost = filtered_cost(&Fixed::integer(1), &Fixed::new(1, 2));
+/// assert_eq!((cost.viscous, cost.coulomb), (Fixed::new(5, 6), Fixed::integer(1)));
+/// ```
+#[must_use]
+pub fn filtered_cost<S: Scalar>(damping: &S, pole: &S) -> Cost<S> {
+    let passed = S::one() - pole.clone();
+    let share = passed.clone().over(S::one() + pole.clone());
+    Cost {
+        viscous: S::one().half() + damping.clone() * share,
+        coulomb: S::one().half() + damping.clone() * passed,
     }
 }
 

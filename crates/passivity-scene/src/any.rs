@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::check::{Report, Verdict};
+use crate::check::{Certificate, NotCertified, Report, Verdict};
 use crate::joints::{JointReport, JointScene};
 use crate::scene::Scene;
 
@@ -33,6 +33,18 @@ impl AnyScene {
         match self {
             Self::One(scene) => AnyReport::One(Box::new(crate::check::check(scene))),
             Self::Joints(scene) => AnyReport::Joints(Box::new(crate::joints::check(scene))),
+        }
+    }
+
+    /// What shows the decision about viscous friction in the report of the scene.
+    ///
+    /// # Errors
+    ///
+    /// [`NotCertified`] where no polynomial in cos θ decides it.
+    pub fn certificate(&self, report: &AnyReport) -> Result<Certificate, NotCertified> {
+        match (self, report) {
+            (Self::One(scene), AnyReport::One(report)) => Certificate::new(scene, report),
+            _ => Err(NotCertified::Joints),
         }
     }
 }

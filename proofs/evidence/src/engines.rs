@@ -1,8 +1,8 @@
 //! What each engine left behind, read into parts: harnesses, queries, tests, theorems.
 //!
-//! `proofs/prove` runs the engines with `PASSIVITY_EVIDENCE_DIR` set. They leave `properties.txt`
-//! and `verdicts.txt` (the reports of the tests of the kernel and of verdicts over scenes) and
-//! `properties.jsonl` (their cases), `kani-standin.jsonl`, `kani.jsonl`, `smt.jsonl`, `rocq.json` and
+//! `proofs/prove` runs the engines with `PASSIVITY_EVIDENCE_DIR` set. They leave `properties.txt`,
+//! `verdicts.txt` and `certificates.txt` (the reports of the tests of the kernel, of verdicts over scenes
+//! and of their certificates), `identify.txt` and `properties.jsonl` (their cases), `kani-standin.jsonl`, `kani.jsonl`, `smt.jsonl`, `rocq.json` and
 //! `prusti.json`, and the version of the compiler in `rustc.txt`. What is not there did not run.
 
 mod harnesses;

@@ -21,6 +21,7 @@ mod ratio;
 pub use dyadic::Dyadic;
 pub use ratio::Ratio;
 
+mod actuator;
 mod criterion;
 mod dissipation;
 mod effects;

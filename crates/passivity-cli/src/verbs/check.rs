@@ -1,15 +1,16 @@
 //! `passivity check`: the verdict.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
+use passivity_scene::AnyScene;
 use passivity_scene::any::AnyReport;
 use passivity_scene::check::Verdict;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, look, scene_at};
+use crate::output::{Format, emit, emit_json, look, may_be_written, scene_at, tell};
 
 /// Say whether the wall of each scene is passive, exactly.
 ///
@@ -22,6 +23,7 @@ use crate::output::{Format, emit, emit_json, look, scene_at};
   passivity check --format json scenes/re35.toml | jq '.scenes[0].verdict'
   passivity init rotary | passivity check -
   passivity check --watch knob.toml
+  passivity check --certificate frequencies.json scenes/digital-controller.toml
 
 Exit codes: 0 every scene is passive; 1 one is not, or it depends; 2 bad input; 3 one has an
 effect that no theorem covers.")]
@@ -35,6 +37,10 @@ pub(crate) struct Args {
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+    /// Write the decision whether viscous friction is enough at every frequency to a JSON file, with what
+    /// shows it; of one scene.
+    #[arg(long, value_name = "FILE", conflicts_with = "watch")]
+    certificate: Option<PathBuf>,
 }
 
 /// What `check --format json` prints.
@@ -55,6 +61,13 @@ const GLANCE: Duration = Duration::from_millis(200);
 
 /// Checks each scene; with `--watch` again whenever one of the files was saved.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    if let Some(path) = &args.certificate {
+        if args.scenes.len() > 1 {
+            return Err(Failure::input("a certificate is of one scene"));
+        }
+        let inputs: Vec<&Path> = args.scenes.iter().map(PathBuf::as_path).collect();
+        may_be_written(path, &inputs, "check")?;
+    }
     if !args.watch {
         return check_all(args);
     }
@@ -94,6 +107,9 @@ fn check_all(args: &Args) -> Result<Exit, Failure> {
         match scene_at(path) {
             Ok(scene) => {
                 let report = scene.check();
+                if let Some(path) = &args.certificate {
+                    certify(&scene, &report, path)?;
+                }
                 exit = exit.and(exit_of(&report));
                 if args.format == Format::Text {
                     emit(&report.to_text())?;
@@ -111,6 +127,21 @@ fn check_all(args: &Args) -> Result<Exit, Failure> {
         emit_json(&document)?;
     }
     Ok(exit)
+}
+
+/// Writes what shows the decision about viscous friction, or says why nothing does.
+fn certify(scene: &AnyScene, report: &AnyReport, path: &Path) -> Result<(), Failure> {
+    match scene.certificate(report) {
+        Ok(certificate) => {
+            let text = serde_json::to_string_pretty(&certificate);
+            let text = text.map_err(|error| Failure::input(format!("no certificate: {error}")))?;
+            std::fs::write(path, text + "\n").map_err(|error| Failure::io(path.display(), &error))
+        }
+        Err(because) => {
+            tell(&format!("no certificate is written: {because}"));
+            Ok(())
+        }
+    }
 }
 
 fn exit_of(report: &AnyReport) -> Exit {

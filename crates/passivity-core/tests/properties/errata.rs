@@ -114,6 +114,27 @@ fn err_iv_c_counterexample() {
     }
 }
 
+/// The same with any friction: ½n² + n(1 − β − σ), above zero from some depth on.
+#[test]
+fn err_iv_c_whatever_friction() {
+    for (beta, sigma) in [(0, 0), (1, 7), (8, 3), (9, 16)].map(|(b, s)| (q(b, 4), q(s, 4))) {
+        let friction = Friction::new(beta.clone(), sigma.clone());
+        let spare = q(1, 1) - beta - sigma;
+        let drawn = (1..=20).map(|n| {
+            let step = Step::new(q(n, 1), q(n - 1, 1));
+            let given = held_force(&step.start) * step.displacement();
+            given - friction.dissipated_at_constant_velocity(&q(-1, 1), &q(1, 1))
+        });
+        let mut sum = zero();
+        for (depth, drawn) in (1..).zip(drawn) {
+            sum += drawn;
+            let depth = q(depth, 1);
+            assert_eq!(sum, half() * squared(&depth) + &depth * &spare);
+        }
+        assert!(sum > zero());
+    }
+}
+
 sampled! {
     fn err_iv_c_switching_energy(xi in position()) {
         let wall: Law<BigRational> = Law::bilateral();

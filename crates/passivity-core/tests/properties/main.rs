@@ -18,6 +18,7 @@ mod edge_cycle;
 mod errata;
 mod exact;
 mod extra_storage;
+mod extremes;
 mod fraction;
 mod frequency;
 mod generation;

@@ -135,3 +135,67 @@ fn th_lti_sturm_borders() {
     assert!(!decide(&[-1, -1, 1, 1])); // (x − 1)(1 + x)²
     assert!(decide(&[4, -4, 1])); // (2 − x)²
 }
+
+/// Whether a cubic c₀ + c₁x + c₂x² + c₃x³ of whole coefficients is negative somewhere on [−1, 1]: at an
+/// end, or where its slope is zero, by squares of whole numbers.
+fn is_negative_by_hand([c0, c1, c2, c3]: [i64; 4]) -> bool {
+    if c0 + c2 < (c1 + c3).abs() {
+        return true; // at an end
+    }
+    // The slope is c₁ + 2c₂x + 3c₃x².
+    let (a, b) = (3 * c3, 2 * c2);
+    if a == 0 {
+        // A parabola is least at −c₁/(2c₂) if it opens upwards: c₀ − c₁²/(4c₂).
+        return c2 > 0 && c1.abs() < 2 * c2 && 4 * c2 * c0 < c1 * c1;
+    }
+    let discriminant = b * b - 4 * a * c1;
+    if discriminant <= 0 {
+        return false; // It only rises, or only falls.
+    }
+    // The sign of u + v√Δ.
+    let sign = |u: i64, v: i64| {
+        let squares = (u * u).cmp(&(v * v * discriminant));
+        match (u.signum(), v.signum()) {
+            (p, q) if p >= 0 && q >= 0 => p.max(q),
+            (p, q) if p <= 0 && q <= 0 => p.min(q),
+            (p, _) => match squares {
+                std::cmp::Ordering::Greater => p,
+                std::cmp::Ordering::Less => -p,
+                std::cmp::Ordering::Equal => 0,
+            },
+        }
+    };
+    // x = (−b ± √Δ)/(2a), and there 9c₃·P = (9c₃c₀ − c₁c₂) + (6c₃c₁ − 2c₂²)x, by division by the slope.
+    let side = a.signum();
+    [1, -1].into_iter().any(|root| {
+        let inside = sign(2 * a.abs() + side * b, -side * root) > 0
+            && sign(2 * a.abs() - side * b, side * root) > 0;
+        let (constant, linear) = (9 * c3 * c0 - c1 * c2, 6 * c3 * c1 - 2 * c2 * c2);
+        // Times 2a: 18ac₃·P, and ac₃ is above zero.
+        inside && sign(2 * a * constant - linear * b, linear * root) < 0
+    })
+}
+
+/// All cubics with whole coefficients from −4 to 4, against their least value by hand.
+#[test]
+fn th_lti_sturm_exhausts_small_cubics() {
+    let all = -4..=4_i64;
+    let (mut negative, mut touching) = (0, 0);
+    for c0 in all.clone() {
+        for c1 in all.clone() {
+            for c2 in all.clone() {
+                for c3 in all.clone() {
+                    let whole = [c0, c1, c2, c3];
+                    let polynomial = Polynomial::new(whole.map(|c| q(c, 1)));
+                    let by_hand = is_negative_by_hand(whole);
+                    let decided = sturm::sign_over(&polynomial, &everywhere());
+                    assert_eq!(decided.is_nonnegative(), !by_hand, "{whole:?}");
+                    negative += usize::from(by_hand);
+                    touching +=
+                        usize::from(!by_hand && sturm::has_root(&polynomial, &everywhere()));
+                }
+            }
+        }
+    }
+    assert!(negative > 1000 && touching > 100, "{negative} {touching}");
+}

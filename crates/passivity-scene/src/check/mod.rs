@@ -4,6 +4,7 @@
 //! (CHECK-VERDICT) and collects every figure of the [`Report`], which is what programs get as JSON and people as text.
 
 mod advice;
+mod certificate;
 mod constants;
 mod decide;
 mod design;
@@ -15,6 +16,7 @@ mod unforced;
 mod witness;
 
 pub use advice::{Advice, Binds, Change, Share, SpeedToSet};
+pub use certificate::{Certificate, NotCertified};
 pub use constants::{Constants, Target, constants};
 pub use decide::Verdict;
 pub use design::{Design, Setting, Stiffest, design};

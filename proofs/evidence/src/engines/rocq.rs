@@ -149,6 +149,7 @@ impl Development {
             "BridgeEffects",
             "BridgeUnits",
             "BridgeController",
+            "BridgeActuator",
             "Decisions",
         ];
         let mut files = self.under(printed);

@@ -20,8 +20,9 @@ struct Program {
     shared: &'static [&'static str],
 }
 
-/// The tests of the kernel, of what `check` says of scenes, and of the identification.
-const PROGRAMS: [Program; 3] = [
+/// The tests of the kernel, of what `check` says of scenes, of the certificates that the second
+/// implementation checks, and of the identification.
+const PROGRAMS: [Program; 4] = [
     Program {
         said: "properties.txt",
         tests: "crates/passivity-core/tests/properties",
@@ -31,6 +32,18 @@ const PROGRAMS: [Program; 3] = [
         said: "verdicts.txt",
         tests: "crates/passivity-scene/tests/verdicts.rs",
         shared: &["crates/passivity-scene/Cargo.toml"],
+    },
+    Program {
+        said: "certificates.txt",
+        tests: "crates/passivity-scene/tests/certificates.rs",
+        shared: &[
+            "crates/passivity-scene/Cargo.toml",
+            "tests/conformance/certificate.py",
+            "tests/conformance/costs.py",
+            "tests/conformance/drawn.py",
+            "tests/conformance/frequencies.py",
+            "tests/conformance/passivity_ref.py",
+        ],
     },
     Program {
         said: "identify.txt",

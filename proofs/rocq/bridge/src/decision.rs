@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt::Write;
 
+use passivity_core::transfer::is_stable;
 use passivity_core::verdict::{Speeds, decide};
 use passivity_core::{Criterion, Interval, Loop, Region, Truth, start};
 use passivity_terms::paths::{self, Path, Sign};
@@ -71,7 +72,7 @@ pub(crate) fn decisions() -> String {
         "(** * Decisions: each way through the kernel's branches says what the criterion says.\n\n    \
          Generated from the kernel's code by `passivity-rocq-bridge`; do not edit. *)\n\n\
          From Coq Require Import Reals.\n\
-         From Passivity Require Import Definitions DecisionTactics.\n\
+         From Passivity Require Import Definitions Stability DecisionTactics.\n\
          Open Scope R_scope.\n",
     );
     text.push_str("\n(** ** [Region::of] (TH-REGION) *)\n");
@@ -126,7 +127,24 @@ pub(crate) fn decisions() -> String {
         },
     );
     boxes(&mut text);
+    stability(&mut text);
     text
+}
+
+/// Which denominators of one and of two poles are stable.
+fn stability(text: &mut String) {
+    text.push_str("\n(** ** [transfer::is_stable] of one pole and of two (TH-LTI) *)\n");
+    for (name, inside, letters) in [
+        ("stable_one", "pole_inside", &["d0", "d1"][..]),
+        ("stable_two", "poles_inside", &["d0", "d1", "d2"][..]),
+    ] {
+        let denominator: Vec<Term> = letters.iter().map(|letter| var(letter)).collect();
+        let all = paths::of(|| is_stable(&denominator));
+        let variables = letters.join(" ");
+        lemmas_by("decide_stability", text, name, &variables, &all, |stable| {
+            format!("d0 <> 0 -> {}({inside} {variables})", truth(*stable))
+        });
+    }
 }
 
 /// The boxes of which one end of each tolerance is decided: friction, and the bound on the speed.

@@ -11,6 +11,7 @@
 //! It is **not** a translation of Rust: what is compared is the formula that the code computed
 //! when it ran on variables. Loops over a list are run for the lengths that are listed.
 
+mod actuator;
 mod controller;
 mod decision;
 mod effects;
@@ -31,6 +32,7 @@ pub fn formulas() -> Vec<(&'static str, Vec<Formula>)> {
         ("BridgeEffects.v", effects::formulas()),
         ("BridgeUnits.v", units::formulas()),
         ("BridgeController.v", controller::formulas()),
+        ("BridgeActuator.v", actuator::formulas()),
     ]
 }
 
@@ -39,18 +41,24 @@ pub fn formulas() -> Vec<(&'static str, Vec<Formula>)> {
 pub fn files() -> Vec<File> {
     let mut files: Vec<File> = formulas()
         .into_iter()
-        .map(|(name, formulas)| (name, bridge(&formulas)))
+        .map(|(name, formulas)| {
+            let required = match name {
+                "BridgeActuator.v" => actuator::REQUIRED,
+                _ => "ControllerTactics",
+            };
+            (name, bridge(required, &formulas))
+        })
         .collect();
     files.push(("Decisions.v", decision::decisions()));
     files
 }
 
-fn bridge(formulas: &[Formula]) -> String {
-    let mut text = String::from(
+fn bridge(required: &str, formulas: &[Formula]) -> String {
+    let mut text = format!(
         "(** * Bridge: each formula of the kernel is the definition that the theorems use.\n\n    \
          Generated from the kernel's code by `passivity-rocq-bridge`; do not edit. *)\n\n\
          From Coq Require Import Reals Lra.\n\
-         From Passivity Require Import Definitions BridgeTactics ControllerTactics.\n\
+         From Passivity Require Import Definitions BridgeTactics {required}.\n\
          Open Scope R_scope.\n",
     );
     for formula in formulas {

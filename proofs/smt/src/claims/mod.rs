@@ -4,12 +4,15 @@ use crate::Query;
 
 mod boxes;
 mod controller;
+mod counts;
 mod criterion;
 mod effects;
 mod errata;
+mod extremes;
 mod generation;
 mod joints;
 mod limits;
+mod lti;
 mod witness;
 mod words;
 
@@ -23,6 +26,9 @@ pub fn all() -> Vec<Query> {
         witness::queries(),
         effects::queries(),
         controller::queries(),
+        extremes::queries(),
+        counts::queries(),
+        lti::queries(),
         boxes::queries(),
         joints::queries(),
         errata::queries(),

@@ -1,0 +1,7 @@
+; TH-COUNTS, edge of the end: while the end moves generated energy is ½d² + (F + ξ₀)d
+; the premises can be met
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(check-sat)

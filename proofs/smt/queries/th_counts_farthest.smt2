@@ -1,0 +1,27 @@
+; TH-COUNTS, farthest: of two positions between their ends none are farther than the pair that the code takes
+; of two positions between their ends none are farther than the pair that the code takes
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const a Real)
+(declare-const b Real)
+(declare-const c Real)
+(declare-const d Real)
+(declare-const x Real)
+(declare-const y Real)
+(define-fun def1 () Real (- d a))
+(define-fun def2 () Real (ite (>= def1 0) def1 (- def1)))
+(define-fun def3 () Real (- c b))
+(define-fun def4 () Real (ite (>= def3 0) def3 (- def3)))
+(define-fun def5 () Real (- y x))
+(define-fun def6 () Real (ite (>= def5 0) def5 (- def5)))
+(assert (<= a b))
+(assert (<= c d))
+(assert (<= a x))
+(assert (<= x b))
+(assert (<= c y))
+(assert (<= y d))
+; what would contradict the goal
+(assert (not (and (or (not (> 0 (- def2 def4))) (and (and (and (<= a b) (<= b b)) (and (<= c c) (<= c d))) (<= def6 def4))) (or (not (= (- def2 def4) 0)) (and (and (and (<= a a) (<= a b)) (and (<= c d) (<= d d))) (<= def6 def2))) (or (not (> (- def2 def4) 0)) (and (and (and (<= a a) (<= a b)) (and (<= c d) (<= d d))) (<= def6 def2))))))
+(check-sat)

@@ -1,0 +1,25 @@
+; TH-COUNTS, reached back: both extremes are values at an end, or κ − (γ ± σ)²/4α where the slope changes its sign
+; the least is not always that at the start
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const from Real)
+(declare-const to Real)
+(declare-const alpha Real)
+(declare-const gamma Real)
+(declare-const sigma Real)
+(declare-const kappa Real)
+(define-fun def1 () Real (ite (>= from 0) from (- from)))
+(define-fun def2 () Real (+ (+ (* from (+ (* alpha from) gamma)) (* sigma def1)) kappa))
+(define-fun def3 () Real (ite (>= to 0) to (- to)))
+(define-fun def4 () Real (+ (+ (* to (+ (* alpha to) gamma)) (* sigma def3)) kappa))
+(define-fun def5 () Real (ite (<= def2 def4) def2 def4))
+(define-fun def6 () Real (- kappa (/ (* (- gamma sigma) (- gamma sigma)) (+ (+ alpha alpha) (+ alpha alpha)))))
+(define-fun def7 () Real (ite (<= def5 def6) def5 def6))
+(assert (> 0 from))
+(assert (<= to 0))
+(assert (<= from to))
+; what would contradict the goal
+(assert (not (and (or (not (and (> 0 alpha) (> 0 from) (> 0 (+ (* (+ alpha alpha) from) (- gamma sigma))) (> 0 (+ (* (+ alpha alpha) to) (- gamma sigma))))) (= def5 def2)) (or (not (and (> 0 alpha) (> 0 from) (> 0 (+ (* (+ alpha alpha) from) (- gamma sigma))) (= (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def5 def2)) (or (not (and (> 0 alpha) (> 0 from) (> 0 (+ (* (+ alpha alpha) from) (- gamma sigma))) (> (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def7 def2)) (or (not (and (> 0 alpha) (> 0 from) (= (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (> 0 (+ (* (+ alpha alpha) to) (- gamma sigma))))) (= def5 def2)) (or (not (and (> 0 alpha) (> 0 from) (= (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (= (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def5 def2)) (or (not (and (> 0 alpha) (> 0 from) (= (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (> (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def5 def2)) (or (not (and (> 0 alpha) (> 0 from) (> (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (> 0 (+ (* (+ alpha alpha) to) (- gamma sigma))))) (= def7 def2)) (or (not (and (> 0 alpha) (> 0 from) (> (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (= (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def5 def2)) (or (not (and (> 0 alpha) (> 0 from) (> (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (> (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def5 def2)) (or (not (= alpha 0)) (= def5 def2)) (or (not (and (> alpha 0) (> 0 from) (> 0 (+ (* (+ alpha alpha) from) (- gamma sigma))) (> 0 (+ (* (+ alpha alpha) to) (- gamma sigma))))) (= def5 def2)) (or (not (and (> alpha 0) (> 0 from) (> 0 (+ (* (+ alpha alpha) from) (- gamma sigma))) (= (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def5 def2)) (or (not (and (> alpha 0) (> 0 from) (> 0 (+ (* (+ alpha alpha) from) (- gamma sigma))) (> (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def7 def2)) (or (not (and (> alpha 0) (> 0 from) (= (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (> 0 (+ (* (+ alpha alpha) to) (- gamma sigma))))) (= def5 def2)) (or (not (and (> alpha 0) (> 0 from) (= (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (= (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def5 def2)) (or (not (and (> alpha 0) (> 0 from) (= (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (> (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def5 def2)) (or (not (and (> alpha 0) (> 0 from) (> (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (> 0 (+ (* (+ alpha alpha) to) (- gamma sigma))))) (= def7 def2)) (or (not (and (> alpha 0) (> 0 from) (> (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (= (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def5 def2)) (or (not (and (> alpha 0) (> 0 from) (> (+ (* (+ alpha alpha) from) (- gamma sigma)) 0) (> (+ (* (+ alpha alpha) to) (- gamma sigma)) 0))) (= def5 def2)))))
+(check-sat)

@@ -1,0 +1,16 @@
+; TH-LAG, decision: more variance is never decided for less friction: an enclosure's upper end is safe
+; more variance is never decided for less friction: an enclosure's upper end is safe
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const m Real)
+(declare-const Var Real)
+(declare-const more Real)
+(declare-const beta Real)
+(assert (<= 0 m))
+(assert (<= 0 Var))
+(assert (<= Var more))
+; what would contradict the goal
+(assert (not (or (not (and (<= 0 (- (- beta (/ 1 2)) m)) (<= 0 (- (+ (+ (* beta (- (- beta (/ 1 2)) m)) (* beta (- (- beta (/ 1 2)) m))) (+ (* beta (- (- beta (/ 1 2)) m)) (* beta (- (- beta (/ 1 2)) m)))) more)))) (and (<= 0 (- (- beta (/ 1 2)) m)) (<= 0 (- (+ (+ (* beta (- (- beta (/ 1 2)) m)) (* beta (- (- beta (/ 1 2)) m))) (+ (* beta (- (- beta (/ 1 2)) m)) (* beta (- (- beta (/ 1 2)) m)))) Var))))))
+(check-sat)

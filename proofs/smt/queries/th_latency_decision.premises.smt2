@@ -1,0 +1,14 @@
+; TH-LATENCY, decision: the two numbers of the code are not negative exactly where β ≥ κ
+; the premises can be met
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const m Real)
+(declare-const Var Real)
+(declare-const root Real)
+(assert (<= 0 m))
+(assert (<= 0 Var))
+(assert (<= 0 root))
+(assert (= (* root root) (+ (* (+ (/ 1 2) m) (+ (/ 1 2) m)) Var)))
+(check-sat)

@@ -1,0 +1,20 @@
+; TH-LTI, one pole step: so Dw + D²(1 − a)/(1 + a) covers what the filter's storage gains over a sample
+; so Dw + D²(1 − a)/(1 + a) covers what the filter's storage gains over a sample
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const B Real)
+(declare-const a Real)
+(declare-const w Real)
+(declare-const x1 Real)
+(declare-const x0 Real)
+(declare-const share Real)
+(declare-const stored Real)
+(assert (<= 0 B))
+(assert (<= 0 a))
+(assert (> 1 a))
+(assert (= (+ (- (+ (* w (- x1 x0)) (* share (* (- x1 x0) (- x1 x0)))) stored) (- (+ (* w (- x1 x0)) (* share (* (- x1 x0) (- x1 x0)))) stored)) (* (+ 1 a) (* (+ w (* share (- x1 x0))) (+ w (* share (- x1 x0)))))))
+; what would contradict the goal
+(assert (not (<= 0 (- (+ (* w (- x1 x0)) (* share (* (- x1 x0) (- x1 x0)))) stored))))
+(check-sat)
