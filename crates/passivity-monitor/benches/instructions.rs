@@ -4,8 +4,10 @@
 //! way; the difference over 2000 is what a sample costs, the call included. Ends with an error where
 //! one of the 64-bit width costs more than [`LIMIT`].
 
+#[path = "../../passivity-sim/benches/callgrind/mod.rs"]
+mod callgrind;
+
 use std::hint::black_box;
-use std::process::Command;
 
 use passivity_monitor::{Answer, Config, Monitor};
 
@@ -83,28 +85,14 @@ fn run(way: &Way, wide: bool, samples: u32) {
     }
 }
 
-/// Instructions of the whole program for so many samples of a way.
+/// Instructions of so many samples of a way.
 fn counted(way: usize, wide: bool, samples: u32) -> f64 {
-    let program = std::env::current_exe().expect("this program has a path");
-    let output = Command::new("valgrind")
-        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-        .args(["--toggle-collect=*instructions*sample*"])
-        .arg(program)
-        .args([
-            "--run",
-            &way.to_string(),
-            &wide.to_string(),
-            &samples.to_string(),
-        ])
-        .output()
-        .expect("valgrind is installed");
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{said}");
-    let collected = said
-        .lines()
-        .find_map(|line| line.split_once("Collected : "));
-    let (_, count) = collected.expect("callgrind says what it collected");
-    count.trim().parse().expect("a number")
+    let arguments = [way.to_string(), wide.to_string(), samples.to_string()];
+    let [way, wide, samples] = arguments.each_ref().map(String::as_str);
+    let flags = ["--toggle-collect=*instructions*sample*"];
+    let run = callgrind::counted(&flags, &["--run", way, wide, samples]);
+    let (instructions, _) = run.expect("valgrind is installed");
+    instructions
 }
 
 #[expect(clippy::print_stdout, reason = "a bench prints its table")]

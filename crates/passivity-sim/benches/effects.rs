@@ -9,7 +9,8 @@
 //! and for 600 intervals, with AVX2, the widest that it knows. The last column says whether the time of the
 //! whole grid is within so many times that of the plain one.
 
-use std::process::Command;
+mod callgrind;
+
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -198,22 +199,11 @@ fn each(plans: &[Plan]) -> [f64; 2] {
 
 /// Instructions for a point and interval of the whole grid; `None` where valgrind is not installed.
 fn counted(index: usize) -> Option<f64> {
-    let program = std::env::current_exe().ok()?;
-    let count = |intervals: u64| -> Option<[f64; 2]> {
-        let output = Command::new("valgrind")
-            .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-            .arg(&program)
-            .args(["run", &index.to_string(), &intervals.to_string()])
-            .output()
-            .ok()?;
-        let text = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.success(), "{text}");
-        let line = text.lines().find(|line| line.contains("Collected"))?;
-        let intervals = String::from_utf8_lossy(&output.stdout)
-            .trim()
-            .parse()
-            .ok()?;
-        Some([line.rsplit(' ').next()?.parse().ok()?, intervals])
+    let count = |intervals: u64| {
+        let arguments = ["run", &index.to_string(), &intervals.to_string()];
+        let (instructions, printed) = callgrind::counted(&[], &arguments)?;
+        let intervals: f64 = printed.parse().expect("a number of intervals");
+        Some([instructions, intervals])
     };
     let ([few, before], [many, after]) = count(200).zip(count(600))?;
     Some((many - few) / (after - before))

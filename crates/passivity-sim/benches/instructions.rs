@@ -3,9 +3,10 @@
 //!
 //! `cargo bench -p passivity-sim --bench instructions` runs itself under valgrind, for 1000 and for
 //! 3000 intervals of each scene; the difference over 2000 is what an interval costs. `-- WORDS` counts
-//! the scenes whose name has these words.
+//! the scenes whose name has these words. Of the scenes on a cycle a second table says how many intervals have a
+//! stop, and what one with and one without it costs. Ends with an error where a scene costs more than its limit.
 
-use std::process::Command;
+mod callgrind;
 
 use passivity_core::{BigRational, Friction, Loop, Scalar};
 use passivity_scene::Point;
@@ -68,6 +69,8 @@ struct Task {
     point: Point,
     /// The closed form without a ledger, or a method with one.
     method: Option<Method>,
+    /// The most that an interval may cost, where that is promised.
+    limit: Option<f64>,
 }
 
 impl Task {
@@ -91,6 +94,10 @@ impl Task {
     }
 }
 
+/// The most that an interval on a cycle may cost with an amplifier, with an arm, and with both, on a processor with
+/// AVX2.
+const LIMITS: [f64; 3] = [400.0, 370.0, 950.0];
+
 /// The paper's device on a cycle, where an interval in a few has a reversal.
 fn cycles() -> Vec<Task> {
     let tenths = |n| BigRational::integer(n).over(BigRational::integer(10));
@@ -109,18 +116,44 @@ fn cycles() -> Vec<Task> {
     let mut both = held.clone();
     both.at.time_constant = lagging.at.time_constant.clone();
     let scenes = [
-        ("plain", cycle),
-        ("amplifier", lagging),
-        ("arm", held),
-        ("amplifier and arm", both),
+        ("plain", cycle, 135.0),
+        ("amplifier", lagging, LIMITS[0]),
+        ("arm", held, LIMITS[1]),
+        ("amplifier and arm", both, LIMITS[2]),
     ];
     scenes
-        .map(|(name, point)| Task {
+        .map(|(name, point, limit)| Task {
             name: format!("on a cycle: {name}"),
             point,
             method: None,
+            limit: Some(limit),
         })
         .into()
+}
+
+/// A scene on a cycle with a device so heavy that it does not turn, but for once in 1500 intervals.
+fn heavy(task: &Task) -> Task {
+    let mut point = task.point.clone();
+    point.at.inertia = Some(BigRational::integer(1_000_000));
+    Task {
+        name: format!("{}, heavy", task.name),
+        point,
+        method: None,
+        limit: None,
+    }
+}
+
+/// The part of the intervals from 1000 to 3000 in which the device stops.
+fn share_of_stops(task: &Task) -> f64 {
+    let mut point = task.point.clone();
+    point.intervals = 3000;
+    let plan = Plan::compile(&point).unwrap_or_else(|error| panic!("{error}"));
+    let mut stops = 0_u32;
+    run::ledger(&plan.past_growth(), |entry| {
+        stops += u32::from(entry.h >= 1000 && entry.v0 * entry.v1 <= 0.0);
+        true
+    });
+    f64::from(stops) / 2000.0
 }
 
 /// The scenes: each effect by itself, then one more at a time, then other methods.
@@ -129,6 +162,7 @@ fn tasks() -> Vec<Task> {
         name,
         point: point.clone(),
         method,
+        limit: None,
     };
     let mut tasks = vec![task("hold only".to_owned(), &base(1), None)];
     for (name, change) in effects() {
@@ -142,7 +176,9 @@ fn tasks() -> Vec<Task> {
         let name = format!("{} effects: … + {name}", count + 1);
         tasks.push(task(name, &point, None));
     }
-    tasks.extend(cycles());
+    let cycles = cycles();
+    tasks.extend(cycles.iter().map(heavy));
+    tasks.extend(cycles);
     for (encoder_only, method) in [
         (false, Method::ClosedForm),
         (true, Method::Exact),
@@ -172,6 +208,36 @@ fn tasks() -> Vec<Task> {
     tasks
 }
 
+/// Instructions for an interval of a task; `None` where valgrind is not installed.
+fn each(index: usize) -> Option<f64> {
+    let count = |intervals: u64| {
+        let arguments = ["run", &index.to_string(), &intervals.to_string()];
+        callgrind::counted(&[], &arguments).map(|(instructions, _)| instructions)
+    };
+    let (few, many) = count(1000).zip(count(3000))?;
+    Some((many - few) / 2000.0)
+}
+
+/// Says of the scenes on a cycle what an interval with a stop costs.
+#[expect(clippy::print_stdout, reason = "a bench prints its table")]
+fn print_stops(tasks: &[Task], counts: &[Option<f64>]) {
+    println!("\n| scene | an interval without a stop | intervals with one | such an interval |");
+    println!("| --- | --- | --- | --- |");
+    for (task, count) in tasks.iter().zip(counts) {
+        let heavy = format!("{}, heavy", task.name);
+        let at = tasks.iter().position(|other| other.name == heavy);
+        if let Some((all, without)) = at.and_then(|at| (*count).zip(counts[at])) {
+            let share = share_of_stops(task);
+            let with = (all - (1.0 - share) * without) / share;
+            println!(
+                "| {} | {without:.0} | {:.0} % | {with:.0} |",
+                task.name,
+                100.0 * share
+            );
+        }
+    }
+}
+
 #[expect(clippy::print_stdout, reason = "a bench prints its table")]
 fn main() {
     let tasks = tasks();
@@ -188,29 +254,31 @@ fn main() {
     }
     // Cargo adds a flag of its own.
     let words = args.iter().skip(1).find(|word| !word.starts_with("--"));
-    let program = std::env::current_exe().unwrap_or_else(|error| panic!("{error}"));
-    println!("| scene | what | instructions an interval |\n| --- | --- | --- |");
+    println!("| scene | what | instructions an interval | at most |\n| --- | --- | --- | --- |");
+    let mut counts = vec![None; tasks.len()];
+    let mut missed = Vec::new();
     for (index, task) in tasks.iter().enumerate() {
         if words.is_some_and(|words| !task.name.contains(words)) {
             continue;
         }
-        let count = |intervals: u64| -> Option<u64> {
-            let output = Command::new("valgrind")
-                .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-                .arg(&program)
-                .args(["run", &index.to_string(), &intervals.to_string()])
-                .output()
-                .ok()?;
-            let text = String::from_utf8_lossy(&output.stderr).into_owned();
-            assert!(output.status.success(), "{}: {text}", task.name);
-            let line = text.lines().find(|line| line.contains("Collected"))?;
-            line.rsplit(' ').next()?.parse().ok()
-        };
-        let Some((few, many)) = count(1000).zip(count(3000)) else {
+        let Some(each) = each(index) else {
             println!("not run here: valgrind is not installed");
             return;
         };
-        let each = (many - few) as f64 / 2000.0;
-        println!("| {} | {} | {each:.0} |", task.name, task.what());
+        counts[index] = Some(each);
+        let limit = task.limit.map(|limit| format!("{limit:.0}"));
+        let limit = limit.as_deref().unwrap_or_default();
+        println!("| {} | {} | {each:.0} | {limit} |", task.name, task.what());
+        if task.limit.is_some_and(|limit| each > limit) {
+            missed.push(&task.name);
+        }
     }
+    if tasks
+        .iter()
+        .zip(&counts)
+        .any(|(task, count)| task.limit.and(*count).is_some())
+    {
+        print_stops(&tasks, &counts);
+    }
+    assert!(missed.is_empty(), "past their limits: {missed:?}");
 }

@@ -8,11 +8,14 @@
 //! at the ends of a piece and found by safeguarded Newton iteration on the series. That serves every
 //! kind of number; in doubles [`Fast`] does the same by propagators, and comes here for what they leave.
 
+mod after;
 mod events;
 mod fast;
+mod nearest;
 mod power;
 mod propagator;
 mod short;
+mod signs;
 mod turn;
 mod wide;
 
@@ -22,10 +25,9 @@ use passivity_core::{Effect, Loop};
 
 use crate::error::SimError;
 use crate::number::{Double, Real, Undecided};
-pub(crate) use events::{Event, decide};
-pub(crate) use fast::Fast;
+pub(crate) use fast::{Attempt, Fast, Kind};
 use power::{Series, horner, terms};
-pub(crate) use turn::{Exponentials, Turning};
+pub(crate) use turn::{LONG, Near, Onward, SHORT, Turns};
 pub(crate) use wide::Wide;
 
 /// The largest rate, per sampling period, that is simulated.

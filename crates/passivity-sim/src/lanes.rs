@@ -20,6 +20,7 @@ mod law;
 
 use multiversion::multiversion;
 
+use crate::flow::Kind as Motion;
 use crate::law::{ENCODER, HeldForce};
 use crate::outcome::{End, ExactOutcome, Stop};
 use crate::phi;
@@ -206,7 +207,9 @@ pub fn run_plans(
 /// does have lanes of their own.
 fn long_series(plan: &Plan) -> Vec<bool> {
     let long = |plan: &Plan| plan.constants.lambda > phi::SMALL_LAMBDA;
-    if plan.parts.is_empty() {
+    if let Some(fast) = &plan.fast {
+        vec![fast.kind() == Motion::SlowArm]
+    } else if plan.parts.is_empty() {
         vec![long(plan)]
     } else {
         plan.parts.iter().map(|(_, part)| long(part)).collect()
@@ -282,7 +285,7 @@ impl Lanes {
         let alike = plan.law == self.law && plan.intervals == self.intervals;
         let kind = match (&self.work.kind, &plan.fast) {
             (Kind::Flow(flows), Some(fast)) => {
-                fast.in_lanes() && flows.lags == fast.lags() && plan.parts.is_empty()
+                fast.in_lanes() && flows.kind == fast.kind() && plan.parts.is_empty()
             }
             (Kind::Late(late), None) => late.is_like(plan) && has_series(plan),
             (Kind::Plain | Kind::Law(_), None) => plan.parts.is_empty() && has_series(plan),

@@ -3,8 +3,10 @@
 mod rigid;
 mod steps;
 
+use multiversion::multiversion;
+
 use crate::flow::State;
-use crate::law::{HeldForce, Law, Memory};
+use crate::law::{ENCODER, HeldForce, Law, Memory};
 use crate::ledger::{Entry, Totals, potential_change};
 use crate::motion::Moved;
 use crate::number::floor;
@@ -13,12 +15,14 @@ use crate::plan::Plan;
 use crate::rounding::Rounding;
 use rigid::by_friction;
 pub(crate) use steps::stepped;
-use steps::{in_parts, over_part, stepping};
+use steps::{flowing, in_parts, over_part, stepping};
 
 /// What watches a run; a watcher without a ledger costs nothing.
 trait Watch {
     /// Whether energies are wanted.
     const LEDGER: bool;
+    /// Whether nothing but the end is asked for: such runs have loops made for what is in their scene.
+    const BARE: bool = false;
     fn see(&mut self, entry: &Entry) -> bool;
 
     /// The errors, where they are wanted of every interval.
@@ -36,6 +40,7 @@ struct WithoutLedger;
 
 impl Watch for WithoutLedger {
     const LEDGER: bool = false;
+    const BARE: bool = true;
     fn see(&mut self, _: &Entry) -> bool {
         true
     }
@@ -131,6 +136,12 @@ impl Control for Encoder {
 /// ```
 #[must_use]
 pub fn outcome(plan: &Plan) -> End {
+    bare(plan)
+}
+
+/// The bits are the same on every processor: what the wider ones have is instructions that leave their inputs.
+#[multiversion(targets("x86_64+avx2"))]
+fn bare(plan: &Plan) -> End {
     watched(plan, &mut WithoutLedger)
 }
 
@@ -157,6 +168,7 @@ pub fn ledger(plan: &Plan, each: impl FnMut(&Entry) -> bool) -> (End, Totals) {
     (end, watch.totals.settled())
 }
 
+#[inline(always)]
 fn watched<W: Watch>(plan: &Plan, watch: &mut W) -> End {
     let (end, near) = looped(plan, watch);
     if near { look_closely(plan, end) } else { end }
@@ -175,17 +187,25 @@ pub(crate) fn look_closely(plan: &Plan, end: End) -> End {
 }
 
 /// Runs a plan in its loop; whether a sample may be within rounding of an edge.
+#[inline(always)]
 fn looped<W: Watch>(plan: &Plan, watch: &mut W) -> (End, bool) {
     if !plan.parts.is_empty() {
         let advance = in_parts(plan, |part| over_part::<W>(part.clone()));
         return stepping(plan, Compiled::new(plan), advance, watch);
     }
+    let [xi, _] = plan.start;
+    let encoder = Encoder(plan.law.memory(xi));
     if plan.is_plain() {
-        let [xi, _] = plan.start;
-        return by_friction::<false, W, _>(plan, Encoder(plan.law.memory(xi)), watch);
+        return by_friction::<false, W, _>(plan, encoder, watch);
     }
     let law = Compiled::new(plan);
     if let Some(fast) = &plan.fast {
+        if W::BARE && plan.law.effects == ENCODER {
+            return flowing(plan, fast, encoder, watch);
+        }
+        if W::BARE {
+            return flowing(plan, fast, law, watch);
+        }
         if W::LEDGER {
             let fast = fast.clone().with_ledger();
             let advance = |state: &State<f64>, [_, held]: [f64; 2], force| {

@@ -1,362 +1,232 @@
-//! Intervals in which the device stops, starts, or may do so: one of them, or several side by side.
-#![expect(
-    clippy::indexing_slicing,
-    reason = "indices are those of events and lanes, from lists of them"
-)]
+//! Intervals in which the device stops, starts, or may do so.
 
-use super::fast::{Fast, Gone};
-use super::short::{Inner, Rates, Short, dot};
+use super::after::{After, Friction};
+use super::fast::{Attempt, Fast, Gone};
+use super::short::Inner;
+use super::turn::{Near, SHORT};
 use super::wide::Wide;
 use super::{Flowed, State};
 
-/// What is next in an interval.
-#[derive(Clone, Copy, PartialEq)]
-enum Stage {
-    /// A stop in this cell.
-    Stop(usize),
-    /// A motion to the end of the interval.
-    Move,
-    /// Nothing: the velocity at the end, and the excess.
-    Done([f64; 2]),
-    /// The velocity keeps its sign after all.
-    Whole,
-    /// What is left to the careful way.
-    Undecided,
+/// A stop: so long after a node, near which the motion is this.
+struct Stopped {
+    node: usize,
+    time: f64,
+    near: Near,
 }
 
-/// An interval with at most one stop, and one start after it.
-pub(crate) struct Event<'a> {
-    fast: &'a Fast,
-    start: State<f64>,
-    command: f64,
-    force: f64,
-    stage: Stage,
-    /// v, p and e at the beginning of the stage.
-    inner: Inner,
-    /// The direction that the device starts in.
-    direction: f64,
-    /// y + F − kξ.
-    net: f64,
-    /// What is left of the interval.
-    left: f64,
-    gone: Gone,
-}
-
-impl<'a> Event<'a> {
-    /// An interval under a command and the operator's force.
+impl Fast {
+    /// An interval in which the device stops, starts, or may do so, at most once each; `None` when that is not
+    /// decided.
     #[inline(always)]
-    pub(crate) fn new(fast: &'a Fast, start: State<f64>, command: f64, force: f64) -> Self {
-        let (net, excess) = fast.driven(&start, command, force);
-        let v = start.velocity;
-        Self {
-            fast,
-            command,
-            force,
-            stage: Stage::Undecided,
-            inner: [v, net - fast.sigma.copysign(v), excess],
-            direction: v,
-            net,
-            left: 1.0,
-            gone: Gone::default(),
-            start,
+    pub(super) fn decide<const T: usize, const LAG: bool, const ARM: bool, const LEDGER: bool>(
+        &self,
+        start: &State<f64>,
+        command: f64,
+        attempt: &Attempt,
+    ) -> Option<Flowed<f64>> {
+        let cells = self.table.cells();
+        if cells == 0 {
+            return None;
         }
-    }
-
-    /// Finds out what is first.
-    #[inline(always)]
-    fn begin(&mut self) {
-        let Some(cells) = self.fast.table.cells() else {
-            return;
-        };
-        if self.start.velocity == 0.0 {
-            self.rest();
-            return;
+        let inner = &attempt.inner;
+        let [v, ..] = *inner;
+        if v == 0.0 {
+            if attempt.net.abs() > self.sigma {
+                // It starts at once.
+                let turns = self.stops_again(inner, inner, attempt.net, cells, attempt.velocity);
+                return (!turns).then(|| self.whole::<LAG, LEDGER>(start, command, inner));
+            }
+            let after = self.held::<LAG>(attempt, 0.0)?;
+            return self.led::<T, LAG, ARM, LEDGER>(start, command, attempt, None, &after);
         }
-        self.stage = match self.fast.crossed(&self.inner, cells) {
-            None => Stage::Undecided,
-            Some(None) => Stage::Whole,
-            Some(Some(cell)) => Stage::Stop(cell),
-        };
-    }
-
-    /// The excess at the end of the interval.
-    #[inline(always)]
-    fn excess_at_end(&self) -> f64 {
-        let (_, excess) = self.fast.driven(&self.start, self.command, 0.0);
-        self.fast.whole.excess * excess
-    }
-
-    /// At rest: whether the device stays, and until when.
-    #[inline(always)]
-    fn rest(&mut self) {
-        let [.., excess] = self.inner;
-        let (net, sigma) = (self.net, self.fast.sigma);
-        self.stage = Stage::Move;
-        if net.abs() > sigma {
-            self.inner = [0.0, net - sigma.copysign(net), excess];
-            self.direction = net;
-            return;
-        }
-        let at_end = self.excess_at_end();
-        let net_at_end = net + (excess - at_end);
-        if net_at_end.abs() <= sigma {
-            self.stage = Stage::Done([0.0, at_end]);
-            return;
-        }
-        // The excess falls as e^(−κt); friction lets go when the net force is ±σ.
-        let then = excess + net - sigma.copysign(net_at_end);
-        let wait = -(then / excess).ln() / self.fast.rates.rate;
-        let left = self.left - wait;
-        self.inner = [0.0, 0.0, then];
-        self.direction = net_at_end;
-        if wait >= 0.0 && left >= 0.0 {
-            self.left = left;
+        let stop = if self.is_single::<T, LAG, ARM>() && v * attempt.velocity < 0.0 {
+            self.stop::<T, LAG, ARM>(inner, self.guess(attempt))?
+        } else if let Some(cell) = self.crossed(*inner, cells)? {
+            let middle = (cell as f64 + 0.5) * self.turns.cell;
+            let stop = self.stop::<T, LAG, ARM>(inner, middle)?;
+            // The first stop is in this cell; there may be others later.
+            let at = stop.node as f64 * self.turns.cell + stop.time;
+            if (at - middle).abs() > 0.51 * self.turns.cell {
+                return None;
+            }
+            stop
         } else {
-            self.stage = Stage::Undecided;
-        }
-    }
-
-    /// The motion over the interval; `None` when numbers have overflowed.
-    #[inline(always)]
-    pub(crate) fn end_or_carefully<const LEDGER: bool>(&self) -> Option<Flowed<f64>> {
-        let carefully = || {
-            let Self {
-                start,
-                command,
-                force,
-                ..
-            } = self;
-            self.fast.carefully::<LEDGER>(start, *command, *force)
+            return Some(self.whole::<LAG, LEDGER>(start, command, inner));
         };
-        self.end::<LEDGER>().or_else(carefully)
-    }
-
-    /// The motion over the interval, if it has been decided.
-    #[inline(always)]
-    pub(super) fn end<const LEDGER: bool>(&self) -> Option<Flowed<f64>> {
-        match self.stage {
-            Stage::Done([velocity, excess]) => {
-                Some(self.gone.ended(&self.start, self.command, velocity, excess))
+        // What comes then is the same text three times, so that each has its own constants.
+        let Stopped { node, time, near } = &stop;
+        let after = match self.friction::<LAG, ARM>(attempt, near) {
+            Friction::LetsGo => {
+                let after = self.turned(attempt, *node, *time);
+                return self.led::<T, LAG, ARM, LEDGER>(
+                    start,
+                    command,
+                    attempt,
+                    Some(&stop),
+                    &after,
+                );
             }
-            Stage::Whole => Some(
-                self.fast
-                    .whole::<LEDGER>(&self.start, self.command, &self.inner),
-            ),
-            _ => None,
-        }
-    }
-}
-
-/// Leads all events to their ends, W at a time; `LEDGER` says whether energies are wanted.
-///
-/// No function is handed on to another in what follows, and no array mapped: only loops and direct calls
-/// are compiled for the vector instructions of the caller.
-#[inline(always)]
-pub(crate) fn decide<const W: usize, const LEDGER: bool>(events: &mut [Event<'_>]) {
-    for event in &mut *events {
-        event.begin();
-    }
-    let mut from = 0;
-    while let Some((group, count)) = next_group(events, &mut from, true) {
-        stop::<W, LEDGER>(events, &group, count);
-    }
-    from = 0;
-    while let Some((group, count)) = next_group(events, &mut from, false) {
-        move_on::<W, LEDGER>(events, &group, count);
-    }
-}
-
-/// The next W events that are to stop, or to move: the last ones are fewer, and the last of them fills
-/// their places.
-#[inline(always)]
-fn next_group<const W: usize>(
-    events: &[Event<'_>],
-    from: &mut usize,
-    stops: bool,
-) -> Option<([usize; W], usize)> {
-    let (mut group, mut count, mut last) = ([0; W], 0, 0);
-    while *from < events.len() && count < W {
-        let wanted = match events[*from].stage {
-            Stage::Stop(_) => stops,
-            Stage::Move => !stops,
-            _ => false,
+            Friction::Holds => {
+                let [way, _] = self.reached::<T, LAG, ARM>(&stop);
+                let after = self.held_after::<LAG>(attempt, *node, *time, way)?;
+                return self.led::<T, LAG, ARM, LEDGER>(
+                    start,
+                    command,
+                    attempt,
+                    Some(&stop),
+                    &after,
+                );
+            }
+            Friction::Undecided => {
+                let reached = self.reached::<T, LAG, ARM>(&stop);
+                self.after_stop::<LAG, ARM>(attempt, *node, *time, near, reached)?
+            }
         };
-        if wanted {
-            last = *from;
-            group[count] = last;
-            count += 1;
-        }
-        *from += 1;
+        self.led::<T, LAG, ARM, LEDGER>(start, command, attempt, Some(&stop), &after)
     }
-    for place in group.iter_mut().skip(count) {
-        *place = last;
-    }
-    (count > 0).then_some((group, count))
-}
 
-/// The inputs of a group of motions, side by side.
-struct Group<const W: usize> {
-    rates: Rates<Wide<W>>,
-    /// The width of a cell.
-    width: Wide<W>,
-    inner: Inner<Wide<W>>,
-    left: Wide<W>,
-}
-
-impl<const W: usize> Group<W> {
+    /// Whether v̇ is 0 at most once within an interval: known of an amplifier alone, and of slow arms.
     #[inline(always)]
-    fn of(events: &[Event<'_>], group: &[usize; W]) -> Self {
-        let zero = Wide::splat(0.0);
-        let mut all = Self {
-            rates: Rates {
-                inverse_mass: zero,
-                damping: zero,
-                stiffness: zero,
-                rate: zero,
-            },
-            width: zero,
-            inner: [zero; 3],
-            left: zero,
-        };
-        for lane in 0..W {
-            let event = &events[group[lane]];
-            let rates = &event.fast.rates;
-            all.rates.inverse_mass.0[lane] = rates.inverse_mass;
-            all.rates.damping.0[lane] = rates.damping;
-            all.rates.stiffness.0[lane] = rates.stiffness;
-            all.rates.rate.0[lane] = rates.rate;
-            all.width.0[lane] = event.fast.table.cell;
-            all.left.0[lane] = event.left;
-            for part in 0..3 {
-                all.inner[part].0[lane] = event.inner[part];
+    const fn is_single<const T: usize, const LAG: bool, const ARM: bool>(&self) -> bool {
+        T == SHORT || (LAG && !ARM) || self.single
+    }
+
+    /// The interval with what comes after a stop, or after a start at rest.
+    #[inline(always)]
+    fn led<const T: usize, const LAG: bool, const ARM: bool, const LEDGER: bool>(
+        &self,
+        start: &State<f64>,
+        command: f64,
+        attempt: &Attempt,
+        stopped: Option<&Stopped>,
+        after: &After,
+    ) -> Option<Flowed<f64>> {
+        let (mut way, mut velocity) = (after.way, after.velocity);
+        if after.direction != 0.0 {
+            let onward = self.onward(after).wide();
+            let [Wide([further]), Wide([faster])] =
+                self.turns.single().onward::<T, LAG, ARM>(&onward);
+            (way, velocity) = (way + further, velocity + faster);
+            let goes = velocity * after.direction >= 0.0; // Not of what is no number.
+            if !goes {
+                return None;
             }
         }
-        all
+        let single = self.is_single::<T, LAG, ARM>();
+        let mut gone = Gone::over(way);
+        if LEDGER || !single {
+            let reached = match stopped {
+                Some(stop) => self.reached::<T, LAG, ARM>(stop),
+                None => [0.0; 2],
+            };
+            if !single && self.may_stop_again(attempt, after, reached, velocity) {
+                return None;
+            }
+            if LEDGER {
+                self.account(&mut gone, attempt, stopped, after, reached);
+            }
+        }
+        let [.., excess] = attempt.inner;
+        let excess = if LAG { self.whole.excess * excess } else { 0.0 };
+        Some(gone.ended(start, command, velocity, excess))
     }
-}
 
-/// The maps of a group, side by side: way, velocity and excess.
-#[inline(always)]
-fn maps<const W: usize>(
-    events: &[Event<'_>],
-    group: &[usize; W],
-    cells: &[usize; W],
-) -> (Inner<Wide<W>>, Inner<Wide<W>>, Wide<W>) {
-    let zero = Wide::splat(0.0);
-    let (mut way, mut velocity, mut excess) = ([zero; 3], [zero; 3], zero);
-    for lane in 0..W {
-        let map = events[group[lane]].fast.table.map(cells[lane]);
-        for part in 0..3 {
-            way[part].0[lane] = map.way[part];
-            velocity[part].0[lane] = map.velocity[part];
-        }
-        excess.0[lane] = map.excess;
+    /// A stop about which a first guess is known.
+    #[inline(always)]
+    fn stop<const T: usize, const LAG: bool, const ARM: bool>(
+        &self,
+        inner: &Inner,
+        guess: f64,
+    ) -> Option<Stopped> {
+        let (node, near) = self.near::<LAG, ARM>(inner, guess)?;
+        let (Wide([time]), [found]) = self.turns.single().stop::<T, LAG, ARM>(&near.wide());
+        (found > 0.0).then_some(Stopped { node, time, near })
     }
-    (way, velocity, excess)
-}
 
-/// Leads the events of a group to their stops, and to what comes then.
-#[inline(always)]
-fn stop<const W: usize, const LEDGER: bool>(
-    events: &mut [Event<'_>],
-    group: &[usize; W],
-    count: usize,
-) {
-    let mut cells = [0; W];
-    for lane in 0..W {
-        if let Stage::Stop(cell) = events[group[lane]].stage {
-            cells[lane] = cell;
-        }
+    /// The way to a stop, and the excess there.
+    #[inline(always)]
+    fn reached<const T: usize, const LAG: bool, const ARM: bool>(
+        &self,
+        stop: &Stopped,
+    ) -> [f64; 2] {
+        let near = stop.near.wide();
+        let [Wide([way]), Wide([excess])] = self
+            .turns
+            .single()
+            .reached::<T, LAG, ARM>(&near, Wide([stop.time]));
+        [way, excess]
     }
-    let all = Group::of(events, group);
-    let (way, velocity, excess) = maps(events, group, &cells);
-    let (rates, width) = (all.rates, all.width);
-    let [_, p, e] = all.inner;
-    let way_there = dot(&way, &all.inner);
-    let excess = excess * e;
-    let state = [
-        dot(&velocity, &all.inner),
-        p + (e - excess) - rates.stiffness * way_there,
-        excess,
-    ];
-    let series = Short::new(&rates, state);
-    let time = series.stop(width);
-    let [way, _, added] = series.added(time);
-    let (way, excess) = (way_there + way, excess + added);
-    let pulled = (e - excess) - rates.stiffness * way;
-    for lane in 0..count {
-        let event = &mut events[group[lane]];
-        let time = time.0[lane];
-        if time.is_nan() {
-            event.stage = Stage::Undecided;
-            continue;
-        }
-        event.gone.way = way.0[lane];
-        if LEDGER {
-            let table = &event.fast.table;
-            event.gone.path = way.0[lane].abs();
-            event.gone.add(table.energies(cells[lane]).of(&event.inner));
-            let series = event.fast.rates.series(&lane_of(&state, lane));
-            event.gone.add(series.energies(time));
-        }
-        let there = cells[lane] as f64 * width.0[lane];
-        event.left = (1.0 - there) - time;
-        event.net += pulled.0[lane];
-        event.inner = [0.0, 0.0, excess.0[lane]];
-        event.rest();
-    }
-}
 
-/// Leads the events of a group to the ends of their intervals.
-#[inline(always)]
-fn move_on<const W: usize, const LEDGER: bool>(
-    events: &mut [Event<'_>],
-    group: &[usize; W],
-    count: usize,
-) {
-    let all = Group::of(events, group);
-    let (rates, left, width) = (all.rates, all.left, all.width);
-    let whole = (left / width).floor();
-    let mut cells = [0; W];
-    for (cells, whole) in cells.iter_mut().zip(whole.0) {
-        // At most N: a whole number that fits.
-        *cells = whole as usize;
-    }
-    let (way, velocity, _) = maps(events, group, &cells);
-    let [v, p, e] = all.inner;
-    let rest = left - whole * width;
-    let [way_first, faster, added] = Short::new(&rates, all.inner).added(rest);
-    let then = [
-        v + faster,
-        p - added - rates.stiffness * way_first,
-        e + added,
-    ];
-    let (way, velocity) = (way_first + dot(&way, &then), dot(&velocity, &then));
-    for lane in 0..count {
-        let event = &mut events[group[lane]];
-        let (cells, velocity) = (cells[lane], velocity.0[lane]);
-        let then = lane_of(&then, lane);
-        if event
-            .fast
-            .stops_again(&event.inner, &then, event.direction, cells, velocity)
-        {
-            event.stage = Stage::Undecided;
-            continue;
+    /// v, p and e where the motion on begins.
+    fn begins(&self, attempt: &Attempt, after: &After, reached: [f64; 2]) -> Inner {
+        if after.push == 0.0 {
+            return [0.0, 0.0, after.excess];
         }
-        event.gone.way += way.0[lane];
-        if LEDGER {
-            let series = event.fast.rates.series(&event.inner);
-            event.gone.path += way.0[lane].abs();
-            event.gone.add(series.energies(rest.0[lane]));
-            event.gone.add(event.fast.table.energies(cells).of(&then));
-        }
-        event.stage = Stage::Done([velocity, event.excess_at_end()]);
+        let [.., excess] = reached;
+        let net = self.net_after::<true, true>(attempt, reached);
+        [0.0, net - self.sigma.copysign(after.direction), excess]
     }
-}
 
-/// The numbers of one lane.
-#[inline(always)]
-fn lane_of<const W: usize>(all: &Inner<Wide<W>>, lane: usize) -> Inner {
-    let [v, p, e] = all;
-    [v.0[lane], p.0[lane], e.0[lane]]
+    /// Whether the motion on may come to 0 again, where signs at the end do not tell.
+    #[inline(never)]
+    fn may_stop_again(
+        &self,
+        attempt: &Attempt,
+        after: &After,
+        reached: [f64; 2],
+        velocity: f64,
+    ) -> bool {
+        if after.direction == 0.0 {
+            return false;
+        }
+        // From the node that is next.
+        let cells = self.table.cells();
+        let (node, first) = if after.time > 0.0 {
+            ((after.node + 1).min(cells), self.turns.cell - after.time)
+        } else {
+            (after.node, -after.time)
+        };
+        let begins = self.begins(attempt, after, reached);
+        let then = self.later(&begins, first);
+        self.stops_again(&begins, &then, after.direction, cells - node, velocity)
+    }
+
+    /// v, p and e a time after others that is short against all rates.
+    fn later(&self, inner: &Inner, time: f64) -> Inner {
+        let [v, p, e] = *inner;
+        let [way, faster, added] = self.rates.series(inner).added_alone(time);
+        [
+            v + faster,
+            p - added - self.rates.stiffness * way,
+            e + added,
+        ]
+    }
+
+    /// What a ledger needs of such an interval.
+    #[inline(never)]
+    fn account(
+        &self,
+        gone: &mut Gone,
+        attempt: &Attempt,
+        stopped: Option<&Stopped>,
+        after: &After,
+        reached: [f64; 2],
+    ) {
+        let [way, _] = reached;
+        gone.path = way.abs() + (gone.way - way).abs();
+        if let Some(Stopped { node, time, near }) = stopped {
+            gone.add(self.table.energies(*node).of(&attempt.inner));
+            // p from the slope.
+            let force = (near.slope + self.turns.lambda * near.velocity) / self.rates.inverse_mass;
+            let series = self.rates.series(&[near.velocity, force, near.excess]);
+            gone.add(series.energies(*time));
+        }
+        if after.direction != 0.0 {
+            let begins = self.begins(attempt, after, reached);
+            gone.add(self.rates.series(&begins).energies(-after.time));
+            let then = self.later(&begins, -after.time);
+            let left = self.table.cells() - after.node;
+            gone.add(self.table.energies(left).of(&then));
+        }
+    }
 }

@@ -9,16 +9,24 @@
 //! short time is summed from the power series, those of longer ones are products of it. Each is kept
 //! as what it *adds* to the state, so that a hundred products leave it good to a few ulp of that.
 //! [`Table`] has them for every 1/N of an interval: a motion over any time is one of them and a power
-//! series over less than 1/N, [`Short`](super::short::Short).
+//! series over at most half of that, to or fro: [`turn`](super::turn).
 #![expect(
     clippy::indexing_slicing,
     reason = "every index is a constant below the length of a fixed array"
 )]
 
 use super::short::{INVERSE, Inner, Rates, dot};
+use crate::number::MAGIC;
 
 /// The most cells of an interval; faster motions than that have no table.
-const MOST_CELLS: u32 = 4096;
+const MOST_CELLS: u32 = 8192;
+
+/// The fewest: so that the series about a node are short ones where all is slow.
+const LEAST_CELLS: u32 = 256;
+
+/// Cells within the time in which the fastest part of the motion changes by a factor e: see
+/// [`turn`](super::turn).
+const CELLS_A_RATE: f64 = 64.0;
 
 /// What a time of motion makes of v, p and e.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,6 +169,8 @@ pub(super) struct Table {
     maps: Vec<Map>,
     /// 1/N.
     pub(super) cell: f64,
+    /// N.
+    scale: f64,
     /// The energies over the same times, when they are wanted.
     energies: Vec<Energies>,
 }
@@ -168,8 +178,10 @@ pub(super) struct Table {
 impl Table {
     /// The table of a motion whose largest rate is `fastest`.
     pub(super) fn new(rates: &Rates, fastest: f64) -> Self {
-        // At most 32·FASTEST: far within 32 bits.
-        let cells = ((32.0 * fastest).ceil().max(1.0) as u32).next_power_of_two();
+        // At most 64·FASTEST: far within 32 bits.
+        let cells = ((CELLS_A_RATE * fastest).ceil() as u32)
+            .max(LEAST_CELLS)
+            .next_power_of_two();
         let cell = 1.0 / f64::from(cells);
         let mut doubled = Added::over(rates, cell);
         let mut added = vec![Added::NOTHING, doubled];
@@ -196,6 +208,7 @@ impl Table {
         Self {
             maps,
             cell,
+            scale: f64::from(cells),
             energies: Vec::new(),
         }
     }
@@ -205,7 +218,7 @@ impl Table {
     /// Within a cell v̈ is a row r times e^(At) times the state at the cell's start, A being the matrix
     /// of the motion, and no entry of e^(At) is above that of the exponential of A's magnitudes.
     pub(super) fn sag(&self, rates: &Rates) -> Inner {
-        if self.cells().is_none() {
+        if self.cells() == 0 {
             return [f64::INFINITY; 3];
         }
         let damped = rates.damping * rates.inverse_mass;
@@ -239,7 +252,8 @@ impl Table {
     /// Computes the energies over every time of the table.
     pub(super) fn add_energies(&mut self, rates: &Rates) {
         let mut energies = vec![Energies::NOTHING];
-        let Some(cells) = self.cells() else {
+        let cells = self.cells();
+        if cells == 0 {
             // Over 1 alone, from its cell by doubling.
             let (mut map, mut energy) = (
                 Added::over(rates, self.cell),
@@ -253,7 +267,7 @@ impl Table {
             }
             self.energies = vec![energy];
             return;
-        };
+        }
         energies.push(Energies::over(rates, self.cell));
         while energies.len() <= cells {
             let count = energies.len() - 1;
@@ -278,9 +292,16 @@ impl Table {
         &self.energies[self.energies.len() - 1]
     }
 
-    /// N, when there are maps of parts of an interval.
-    pub(super) fn cells(&self) -> Option<usize> {
-        (self.maps.len() > 1).then(|| self.maps.len() - 1)
+    /// N where there are maps of parts of an interval, else 0.
+    #[inline(always)]
+    pub(super) fn cells(&self) -> usize {
+        self.maps.len() - 1
+    }
+
+    /// The map over what is left of an interval after so many cells.
+    #[inline(always)]
+    pub(super) fn map_before_end(&self, cells: usize) -> &Map {
+        &self.maps[self.maps.len() - 1 - cells]
     }
 
     /// The map over so many cells; there is one for each up to N.
@@ -289,34 +310,12 @@ impl Table {
         &self.maps[cells]
     }
 
-    /// The cell in which the velocity changes its sign, which it does once.
+    /// The node that a time is nearest to; any number where it is none of an interval.
     #[inline(always)]
-    pub(super) fn change(&self, inner: &Inner, sign: f64) -> usize {
-        // Where a straight line through the ends would be 0 is nearly where the velocity is; if four of
-        // them did not find the cell, halves do.
-        const LINES: u32 = 4;
-        let velocity = |cell: usize| dot(&self.maps[cell].velocity, inner) * sign;
-        let (mut low, mut high) = (0, self.maps.len() - 1);
-        let (mut first, mut last) = (velocity(low), velocity(high));
-        let mut tried = 0;
-        while high - low > 1 {
-            let part = if tried < LINES {
-                first / (first - last)
-            } else {
-                0.5
-            };
-            let at = (low + (part * (high - low) as f64) as usize).min(high - 1);
-            let (before, after) = (velocity(at), velocity(at + 1));
-            if before > 0.0 && after > 0.0 {
-                (low, first) = (at + 1, after);
-            } else if before > 0.0 {
-                return at;
-            } else {
-                (high, last) = (at, before);
-            }
-            tried += 1;
-        }
-        low
+    pub(super) fn node(&self, time: f64) -> usize {
+        // The last bits of the sum are those of the whole number.
+        let rounded = time * self.scale + MAGIC;
+        (rounded.to_bits() & 0xffff_ffff) as usize
     }
 
     /// The map over the whole interval.

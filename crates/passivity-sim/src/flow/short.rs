@@ -6,8 +6,8 @@
 
 use super::wide::Wide;
 
-/// Terms of the series. Over 1/N of an interval, with 2·rate/N ≤ 1/16, the first one left out is
-/// (1/16)⁹/9! < 2⁻⁵⁴ of the first one.
+/// Terms of the series. Over 1/N of an interval, with 2·rate/N ≤ 1/32, the first one left out is
+/// (1/32)⁹/9! < 2⁻⁶³ of the first one.
 pub(super) const TERMS: usize = 9;
 
 /// 1/n.
@@ -97,55 +97,6 @@ impl<const W: usize> Short<W> {
             value(&later(&self.velocity), t) * t,
             value(&later(&self.excess), t) * t,
         ]
-    }
-
-    /// When the velocity, which is not 0 at first and changes its sign within a cell, is 0; NaN when
-    /// Newton's iteration does not say so, because the velocity just touches 0.
-    #[inline(always)]
-    pub(super) fn stop(&self, cell: Wide<W>) -> Wide<W> {
-        // After a step s of Newton's the error is at most about |v̈/2v̇|·s²: below 2⁻⁵⁰ of a cell where
-        // v̇ changes by less than itself within the cell, and where it changes more, after another step.
-        const CLOSE: [f64; 2] = [1.0 / (1_u64 << 25) as f64, 1.0 / (1_u64 << 40) as f64];
-        const MOST_STEPS: u32 = 10;
-        // The terms up to the square come first.
-        let [c, b, a, ..] = self.velocity;
-        let mut slope = [Wide::splat(0.0); TERMS];
-        for n in 1..TERMS {
-            slope[n - 1] = self.velocity[n] * n as f64;
-        }
-        let root = (b * b - a * c * 4.0).sqrt();
-        let (mut time, mut found) = (Wide::splat(0.0), Wide::splat(f64::NAN));
-        for i in 0..W {
-            let sign = 1.0_f64.copysign(c.0[i]);
-            let guess = 2.0 * c.0[i] * sign / (root.0[i] - b.0[i] * sign);
-            time.0[i] = if guess < cell.0[i] {
-                guess
-            } else {
-                0.5 * cell.0[i]
-            };
-        }
-        for _ in 0..MOST_STEPS {
-            let (v, slope) = (value(&self.velocity, time), value(&slope, time));
-            let step = v / slope;
-            let next = time - step;
-            let mut pending = 0.0;
-            for i in 0..W {
-                let (cell, size) = (cell.0[i], step.0[i].abs());
-                let next = if next.0[i] > 0.0 { next.0[i] } else { 0.0 };
-                time.0[i] = if next < cell { next } else { cell };
-                let [close, closer] = CLOSE;
-                let (near, nearer) = (size <= close * cell, size <= closer * cell);
-                let straight = 2.0 * a.0[i].abs() * cell < slope.0[i].abs();
-                let ends = nearer | (near & straight);
-                let first = found.0[i].is_nan();
-                found.0[i] = if ends & first { time.0[i] } else { found.0[i] };
-                pending += if found.0[i].is_nan() { 1.0 } else { 0.0 };
-            }
-            if pending == 0.0 {
-                break;
-            }
-        }
-        found
     }
 }
 

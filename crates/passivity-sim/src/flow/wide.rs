@@ -7,8 +7,6 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::number::floor;
-
 /// W doubles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Wide<const W: usize>(pub(crate) [f64; W]);
@@ -18,43 +16,6 @@ impl<const W: usize> Wide<W> {
     #[inline(always)]
     pub(crate) const fn splat(x: f64) -> Self {
         Self([x; W])
-    }
-
-    /// The square roots.
-    #[inline(always)]
-    pub(super) fn sqrt(mut self) -> Self {
-        for x in &mut self.0 {
-            *x = x.sqrt();
-        }
-        self
-    }
-
-    /// The magnitudes, with the signs of other numbers.
-    #[inline(always)]
-    pub(super) fn with_sign_of(mut self, other: Self) -> Self {
-        for i in 0..W {
-            self.0[i] = self.0[i].copysign(other.0[i]);
-        }
-        self
-    }
-
-    /// 2⁻ⁿ of whole numbers n from 0 to 1022, each with [`MAGIC`](crate::number::MAGIC) added to it.
-    #[inline(always)]
-    pub(super) fn two_to_minus(mut self) -> Self {
-        for x in &mut self.0 {
-            // The last bits of the sum are those of n.
-            *x = f64::from_bits(1023_u64.wrapping_sub(x.to_bits()) << 52);
-        }
-        self
-    }
-
-    /// The largest whole numbers not above.
-    #[inline(always)]
-    pub(super) fn floor(mut self) -> Self {
-        for x in &mut self.0 {
-            *x = floor(*x);
-        }
-        self
     }
 }
 

@@ -8,6 +8,7 @@ use crate::outcome::{End, Stop};
 use crate::plan::Plan;
 use crate::rounding::{Acting, STRETCH, Seen, Stretches};
 
+#[inline(always)]
 pub(super) fn by_friction<const FORCE: bool, W: Watch, L: Control>(
     plan: &Plan,
     law: L,
@@ -22,6 +23,7 @@ pub(super) fn by_friction<const FORCE: bool, W: Watch, L: Control>(
 }
 
 /// The loop of a force that is constant over the interval.
+#[inline(always)]
 fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, L: Control>(
     plan: &Plan,
     mut law: L,

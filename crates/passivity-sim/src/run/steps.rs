@@ -2,13 +2,57 @@
 
 use super::rigid::advance;
 use super::{Compiled, Control, Watch, WithLedger, end, entry};
-use crate::flow::{Fast, Flowed, State};
+use crate::flow::{Fast, Flowed, Kind, LONG, SHORT, State};
 use crate::law::ENCODER;
 use crate::ledger::{Entry, Totals};
 use crate::motion::Moved;
 use crate::outcome::{End, Stop};
 use crate::plan::Plan;
 use crate::rounding::{Acting, Rounding, STRETCH, Seen, Stretches};
+
+/// A way over an interval, from a state, the forces of the sample before and of this one, and the operator's;
+/// `None` where numbers have overflowed.
+pub(super) trait Advance {
+    fn advance(&mut self, state: &State<f64>, acting: [f64; 2], force: f64) -> Option<Flowed<f64>>;
+}
+
+impl<F: FnMut(&State<f64>, [f64; 2], f64) -> Option<Flowed<f64>>> Advance for F {
+    #[inline(always)]
+    fn advance(&mut self, state: &State<f64>, acting: [f64; 2], force: f64) -> Option<Flowed<f64>> {
+        self(state, acting, force)
+    }
+}
+
+/// The way of an amplifier or an arm, see [`Fast::advance_in`].
+struct Along<'a, const T: usize, const LAG: bool, const ARM: bool>(&'a Fast);
+
+impl<const T: usize, const LAG: bool, const ARM: bool> Advance for Along<'_, T, LAG, ARM> {
+    #[inline(always)]
+    fn advance(
+        &mut self,
+        state: &State<f64>,
+        [_, held]: [f64; 2],
+        force: f64,
+    ) -> Option<Flowed<f64>> {
+        self.0.advance_in::<T, LAG, ARM, false>(state, held, force)
+    }
+}
+
+/// The loop of a scene with an amplifier or an arm, for what is in its motion; without a ledger.
+#[inline(always)]
+pub(super) fn flowing<W: Watch>(
+    plan: &Plan,
+    fast: &Fast,
+    law: impl Control,
+    watch: &mut W,
+) -> (End, bool) {
+    match fast.kind() {
+        Kind::SlowArm => stepping(plan, law, Along::<SHORT, false, true>(fast), watch),
+        Kind::Arm => stepping(plan, law, Along::<LONG, false, true>(fast), watch),
+        Kind::Amplifier => stepping(plan, law, Along::<LONG, true, false>(fast), watch),
+        Kind::Both => stepping(plan, law, Along::<LONG, true, true>(fast), watch),
+    }
+}
 
 /// The way over the part of an interval whose plan this is.
 pub(super) fn over_part<W: Watch>(
@@ -111,10 +155,11 @@ where
 
 /// The loop of a scene with a latency, an amplifier or an arm, and of every method of steps; `advance`
 /// is given the force of the sample before and this one's.
+#[inline(always)]
 pub(super) fn stepping<W: Watch>(
     plan: &Plan,
-    mut law: Compiled<'_>,
-    mut advance: impl FnMut(&State<f64>, [f64; 2], f64) -> Option<Flowed<f64>>,
+    mut law: impl Control,
+    mut advance: impl Advance,
     watch: &mut W,
 ) -> (End, bool) {
     let needed = plan.law.forgets_after();
@@ -153,7 +198,7 @@ pub(super) fn stepping<W: Watch>(
         if resting > needed {
             break Stop::Rest(h - needed);
         }
-        let Some(flowed) = advance(&state, acting, force) else {
+        let Some(flowed) = advance.advance(&state, acting, force) else {
             break Stop::Growing(h);
         };
         if watched {
