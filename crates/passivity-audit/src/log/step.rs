@@ -1,10 +1,12 @@
 //! The intervals of a trace: their durations, and displacements that are too large to be a motion.
 
 use super::chunk::{Chunk, Samples};
+use super::computed::UNIT;
 use super::error::TraceError;
 use super::layout::Layout;
+use super::numbers::Numbers;
 use crate::ledger::Logged;
-use crate::number::Number;
+use crate::number::{Number, power_of_ten};
 
 /// A count that jumps by this much in one interval is no motion.
 pub(crate) const MAX_JUMP: i64 = 1 << 31;
@@ -16,7 +18,7 @@ pub(crate) fn duration(
     i: usize,
 ) -> Result<Option<Number>, TraceError> {
     if let Some((from, to)) = chunk.times.get(i).zip(chunk.times.get(i + 1)) {
-        return between(layout, from, to).map(Some);
+        return between(layout, &from, &to).map(Some);
     }
     match chunk.dtaus.get(i) {
         Some(dtau) if !crate::number::is_positive(dtau) => {
@@ -24,6 +26,21 @@ pub(crate) fn duration(
             Err(TraceError::new("time", message).column("dtau"))
         }
         dtau => Ok(dtau.cloned()),
+    }
+}
+
+/// As [`duration`], as a fraction; `None` where that is too long, or for [`duration`] to refuse.
+#[inline]
+pub(crate) fn periods(layout: &Layout, chunk: &Chunk, i: usize) -> Option<(i64, i64)> {
+    if let Numbers::Decimals(numerators, powers) = &chunk.times
+        && let (Some([from, to]), Some([k, l])) = (numerators.get(i..i + 2), powers.get(i..i + 2))
+        && k == l
+    {
+        return layout.periods(*from, *to, power_of_ten((*k).into())?);
+    }
+    match duration(layout, chunk, i).ok()?.unwrap_or(UNIT) {
+        Number::Small(n, d) => Some((n, d)),
+        Number::Tiny(..) | Number::Big(_) => None,
     }
 }
 
@@ -70,7 +87,7 @@ pub(crate) fn interval(
     dtau: Number,
 ) -> Option<Logged> {
     let force = match applied {
-        true => Some(chunk.forces.get(i)?.value.clone()),
+        true => Some(chunk.forces.get(i)?),
         false => None,
     };
     Some(Logged {

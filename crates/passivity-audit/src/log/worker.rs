@@ -3,7 +3,9 @@
 use crate::log::account::Account;
 use crate::log::chunk::Chunk;
 use crate::log::computed::EXACT_ROWS;
-use crate::log::motion::{Motion, Motions};
+use crate::log::known::Starts;
+use crate::log::lanes::Tiles;
+use crate::log::motion::{Addend, Motions};
 use crate::log::supply::Supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
@@ -21,27 +23,39 @@ pub(crate) struct Worker {
     denominator: Option<i128>,
 }
 
+/// What is computed of a chunk once, for an account and another one beside it.
+#[derive(Default)]
+pub(crate) struct Shared {
+    /// Of counts: what intervals add under the force of the wall.
+    counted: Vec<Option<Addend>>,
+    /// Of positions.
+    tiles: Tiles,
+}
+
 impl Worker {
     /// What is computed of a chunk once, for this account and another one beside it.
-    pub(crate) fn motions(&mut self, task: &Task<'_>, chunk: &Chunk) -> Vec<Option<Motion>> {
-        match task.rows {
-            None => self
+    pub(crate) fn shared(&mut self, task: &Task<'_>, chunk: &Chunk) -> Shared {
+        if task.rows.is_some() {
+            return Shared::default();
+        }
+        Shared {
+            counted: self
                 .motions
                 .all(task.ledger, task.layout, chunk, |i, dtau| {
                     !task.looks_up(chunk, i, dtau)
                 }),
-            Some(_) => Vec::new(),
+            tiles: Tiles::of(task, chunk),
         }
     }
 
-    /// The account of the intervals that start at sample `from` or later and end in the chunk, whose motions
-    /// are known as far as [`motions`](Self::motions) gives them.
+    /// The account of the intervals that start at sample `from` or later and end in the chunk, given
+    /// what was computed of them.
     ///
     /// On a mistake the chunk is cut before it.
     pub(crate) fn account(
         &mut self,
         task: &Task<'_>,
-        (chunk, motions): (&mut Chunk, &[Option<Motion>]),
+        (chunk, shared): (&mut Chunk, &Shared),
         from: usize,
     ) -> Account {
         let last = chunk.samples.len().saturating_sub(1).max(from);
@@ -50,7 +64,7 @@ impl Worker {
         let exact = exact.clamp(from, last);
         let (mut account, goes_on) = self.between(
             task,
-            (&mut *chunk, motions),
+            (&mut *chunk, shared),
             [from, exact],
             Account::default(),
         );
@@ -59,7 +73,7 @@ impl Worker {
                 supply: Supply::after(account.supply.excess.clone()),
                 ..Account::default()
             };
-            account.append(self.between(task, (chunk, motions), [exact, last], rest).0);
+            account.append(self.between(task, (chunk, shared), [exact, last], rest).0);
         }
         account
     }
@@ -68,7 +82,7 @@ impl Worker {
     fn between(
         &mut self,
         task: &Task<'_>,
-        (chunk, motions): (&mut Chunk, &[Option<Motion>]),
+        (chunk, shared): (&mut Chunk, &Shared),
         [from, until]: [usize; 2],
         mut account: Account,
     ) -> (Account, bool) {
@@ -80,7 +94,7 @@ impl Worker {
         let timed = !chunk.times.is_empty() || !chunk.dtaus.is_empty();
         let mut walk = Walk {
             task,
-            motions,
+            motions: &shared.counted,
             from,
             until,
             before: chunk.place.before,
@@ -90,6 +104,8 @@ impl Worker {
             even: from,
             at: from,
             key: Vec::new(),
+            starts: Starts::default(),
+            tiles: &shared.tiles,
         };
         let mut goes_on = true;
         if let Err(error) = walk.run(&mut self.table, chunk, &mut account) {
