@@ -40,6 +40,7 @@ mod saved;
 mod saved_findings;
 mod scale;
 mod seek;
+mod slots;
 mod source;
 mod step;
 mod supply;
@@ -345,6 +346,7 @@ fn at_once(
                     Some(law) => other.account(law, (&mut chunk, &shared), law.lead()),
                     None => account::Account::default(),
                 };
+                worker.reuse(shared);
                 (chunk, [account, beside])
             }));
         }

@@ -38,10 +38,28 @@ pub(crate) fn periods(layout: &Layout, chunk: &Chunk, i: usize) -> Option<(i64, 
     {
         return layout.periods(*from, *to, power_of_ten((*k).into())?);
     }
+    if let Numbers::Doubles(times) = &chunk.times
+        && let Some([from, to]) = times.get(i..i + 2)
+        && let Some(Number::Small(n, d)) = difference_of_doubles(*from, *to)
+    {
+        return layout.periods(0, n, d);
+    }
     match duration(layout, chunk, i).ok()?.unwrap_or(UNIT) {
         Number::Small(n, d) => Some((n, d)),
         Number::Tiny(..) | Number::Big(_) => None,
     }
+}
+
+/// The second double less the first one, where that is a double.
+#[inline]
+fn difference_of_doubles(from: f64, to: f64) -> Option<Number> {
+    let difference = to - from;
+    // What rounding takes off, exactly.
+    let part = difference - to;
+    let rest = (to - (difference - part)) - (from + part);
+    (rest == 0.0)
+        .then(|| Number::from_f64(difference))
+        .flatten()
 }
 
 /// Δτ between two times.

@@ -19,6 +19,8 @@ const POINTS: usize = 512;
 pub(crate) struct Worker {
     table: Table,
     motions: Motions,
+    /// The room of what was computed of the last chunk.
+    room: Shared,
     /// That of net energy, to which the rows of the last chunk led.
     denominator: Option<i128>,
 }
@@ -38,14 +40,19 @@ impl Worker {
         if task.rows.is_some() {
             return Shared::default();
         }
-        Shared {
-            counted: self
-                .motions
-                .all(task.ledger, task.layout, chunk, |i, dtau| {
-                    !task.looks_up(chunk, i, dtau)
-                }),
-            tiles: Tiles::of(task, chunk),
-        }
+        let mut shared = std::mem::take(&mut self.room);
+        shared.tiles.fill(task, chunk);
+        shared.counted = self
+            .motions
+            .all(task.ledger, task.layout, chunk, |i, dtau| {
+                !task.looks_up(chunk, i, dtau)
+            });
+        shared
+    }
+
+    /// Takes back the room of what is not needed any more.
+    pub(crate) fn reuse(&mut self, shared: Shared) {
+        self.room = shared;
     }
 
     /// The account of the intervals that start at sample `from` or later and end in the chunk, given

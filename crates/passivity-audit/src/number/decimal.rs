@@ -72,7 +72,11 @@ pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)
     const MOST: usize = 18;
     let negative = text.first() == Some(&b'-');
     let start = usize::from(negative);
-    let (whole, before) = digits(text.get(start..)?, 0)?;
+    let (whole, before) = match text.get(start..)? {
+        // Most numbers have one digit before the point.
+        [digit @ b'0'..=b'9', b'.', ..] => (u64::from(digit - b'0'), 1),
+        text => digits(text, 0)?,
+    };
     let mut at = start + before;
     let (mut value, mut decimals) = (whole, 0);
     if text.get(at) == Some(&b'.') {

@@ -1,7 +1,9 @@
+use passivity_core::quantizer;
 use passivity_scene::Scene;
 use proptest::prelude::*;
 
 use super::*;
+use crate::ledger::Ledger;
 use crate::log::known::Starts;
 
 const EXACT: &str = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"7/10\"";
