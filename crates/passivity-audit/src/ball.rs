@@ -74,6 +74,26 @@ impl Ball {
         }
     }
 
+    /// A double that is far from the least and from the largest ones.
+    #[inline]
+    pub(crate) fn of_double(x: f64) -> Option<Self> {
+        let size = x.abs();
+        // Zero has one form.
+        (size == 0.0 || size > 1e-100 && size < WHOLE).then(|| Self::exactly(x + 0.0))
+    }
+
+    /// The middle and the radius.
+    #[inline(always)]
+    pub(crate) const fn parts(self) -> (f64, f64) {
+        (self.middle, self.radius)
+    }
+
+    /// The ball with these [`parts`](Self::parts).
+    #[inline(always)]
+    pub(crate) const fn from_parts(middle: f64, radius: f64) -> Self {
+        Self { middle, radius }
+    }
+
     /// Around n/d.
     #[inline]
     pub(crate) fn of(x: &Number) -> Self {
@@ -186,25 +206,35 @@ impl Ball {
     /// past 2³⁵ or undefined.
     #[inline(always)]
     pub(crate) fn units(self) -> Option<(i128, i64)> {
+        let [whole, upper, lower, radius] = self.layers();
+        self.fits()
+            .then(|| (on_grid([whole, upper, lower]), radius))
+    }
+
+    /// Whether there are [`units`](Self::units) of it.
+    #[inline(always)]
+    pub(crate) fn fits(self) -> bool {
         /// Room for sums.
         const LARGEST: f64 = (1_u64 << 35) as f64;
         const WIDEST: f64 = (1_u64 << 50) as f64;
+        self.middle.abs() < LARGEST && self.radius * UNITS < WIDEST
+    }
+
+    /// The [`units`](Self::units) as whole numbers of 1, 2⁻³² and 2⁻⁶⁴ and how many of the last they may be off,
+    /// where they [fit](Self::fits): without a branch.
+    #[inline(always)]
+    pub(crate) fn layers(self) -> [i64; 4] {
         const HALF: f64 = (1_u64 << (BITS / 2)) as f64;
-        let radius = self.radius * UNITS;
-        let fits = self.middle.abs() < LARGEST && radius < WIDEST;
-        if !fits {
-            return None;
-        }
         // Exact: each rest has no digits that the number before it has not.
         let (whole, rest) = split(self.middle);
         let (upper, rest) = split(rest * HALF);
         let (lower, rest) = split(rest * HALF);
-        let middle =
-            (i128::from(whole) << BITS) + (i128::from(upper) << (BITS / 2)) + i128::from(lower);
         // What is left is half a unit at most, as is what a radius loses to the nearest whole number.
+        let radius = self.radius * UNITS;
         let (nearest, _) = split(radius);
         let is_exact = rest == 0.0 && radius == 0.0;
-        Some((middle, nearest + if is_exact { 0 } else { 1 }))
+        let off = nearest.wrapping_add(i64::from(!is_exact));
+        [whole, upper, lower, off]
     }
 
     /// The ends in units of the grid, rounded outward; `None` as for [`units`](Self::units).
@@ -221,15 +251,21 @@ impl Ball {
         self.is_defined().then_some(self.middle)
     }
 
-    #[inline]
+    #[inline(always)]
     fn is_defined(self) -> bool {
         self.radius < f64::INFINITY
     }
 
-    #[inline]
-    fn is_zero(self) -> bool {
+    #[inline(always)]
+    pub(crate) fn is_zero(self) -> bool {
         self.middle == 0.0 && self.radius == 0.0
     }
+}
+
+/// The units of the grid that as many of 1, 2⁻³² and 2⁻⁶⁴ are.
+#[inline(always)]
+pub(crate) fn on_grid([whole, upper, lower]: [i64; 3]) -> i128 {
+    (i128::from(whole) << BITS) + (i128::from(upper) << (BITS / 2)) + i128::from(lower)
 }
 
 mod bits;

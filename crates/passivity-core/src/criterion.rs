@@ -37,6 +37,7 @@ impl<S: Scalar> Criterion<S> {
     /// Margin at a speed v ≥ 0: `viscous·v + coulomb`. The criterion holds when it is not negative.
     ///
     /// This is (8) multiplied by the speed, so that it also has a meaning at rest.
+    #[inline(always)]
     #[must_use]
     pub fn margin(&self, speed: &S) -> S {
         self.viscous.clone() * speed.clone() + self.coulomb.clone()

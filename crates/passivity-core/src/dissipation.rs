@@ -48,6 +48,7 @@ impl<S: Scalar> Friction<S> {
     /// let least = friction.dissipated_lower(&d, &mean_speed(&d, &Fixed::integer(1)));
     /// assert_eq!(least, Fixed::new(9, 20));
     /// ```
+    #[inline(always)]
     #[must_use]
     pub fn dissipated_lower(&self, displacement: &S, mean_speed: &S) -> S {
         displacement.abs() * (self.beta.clone() * mean_speed.clone() + self.sigma.clone())
@@ -66,6 +67,7 @@ impl<S: Scalar> Friction<S> {
 /// v̄ = |d|/Δτ, mean speed in ticks per sampling period; `dtau` > 0 in sampling periods.
 ///
 /// It is the speed of the device at some instant of the step (28) (EQ-28).
+#[inline(always)]
 #[must_use]
 pub fn mean_speed<S: Scalar>(displacement: &S, dtau: &S) -> S {
     displacement.abs().over(dtau.clone())

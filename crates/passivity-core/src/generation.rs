@@ -30,18 +30,21 @@ pub struct Step<S> {
 
 impl<S: Scalar> Step<S> {
     /// The step from ξ₀ to ξ₁, both in ticks.
+    #[inline(always)]
     #[must_use]
     pub const fn new(start: S, end: S) -> Self {
         Self { start, end }
     }
 
     /// d = ξ₁ − ξ₀, in ticks.
+    #[inline(always)]
     #[must_use]
     pub fn displacement(&self) -> S {
         self.end.clone() - self.start.clone()
     }
 
     /// D = ⌊ξ₁⌋ − ⌊ξ₀⌋, the encoder ticks crossed.
+    #[inline(always)]
     #[must_use]
     pub fn ticks(&self) -> S {
         self.end.floor() - self.start.floor()
@@ -84,6 +87,7 @@ pub fn generated<S: Scalar>(held: &S, step: &Step<S>, potential_start: &S, poten
 /// let step = Step::new(Fixed::integer(1), Fixed::new(1, 2));
 /// assert_eq!(generated_linear(&step), Fixed::new(3, 8));
 /// ```
+#[inline(always)]
 #[must_use]
 pub fn generated_linear<S: Scalar>(step: &Step<S>) -> S {
     let d = step.displacement();
@@ -119,6 +123,7 @@ pub fn generated_as_in_19<S: Scalar>(step: &Step<S>) -> S {
 /// assert_eq!(generated, Fixed::new(1, 2));
 /// assert!(generated > generation::bound_22(&step.displacement())); // ERR-21/22
 /// ```
+#[inline(always)]
 #[must_use]
 pub fn generated_quantized<S: Scalar>(step: &Step<S>) -> S {
     let ticks = step.ticks();

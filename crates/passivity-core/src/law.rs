@@ -28,6 +28,7 @@ pub struct Law<S> {
 
 impl<S: Scalar> Law<S> {
     /// The wall on both sides, f(ξ) = ξ, as in (2).
+    #[inline(always)]
     #[must_use]
     pub const fn bilateral() -> Self {
         Self {
@@ -63,6 +64,7 @@ impl<S: Scalar> Law<S> {
     }
 
     /// The magnitude f(ξ) of the restoring force at ξ ticks, in KΔ; the wall pushes with −f.
+    #[inline(always)]
     #[must_use]
     pub fn force(&self, xi: &S) -> S {
         let mut force = xi.clone();
@@ -78,6 +80,7 @@ impl<S: Scalar> Law<S> {
     /// The potential V(ξ) = ∫f from 0, in KΔ², for a law with `lower` ≤ 0 ≤ `upper`.
     ///
     /// With y = f(ξ) it is ξy − ½y²: on the linear part ½ξ², beyond it the tangent.
+    #[inline(always)]
     #[must_use]
     pub fn potential(&self, xi: &S) -> S {
         let force = self.force(xi);

@@ -141,27 +141,12 @@ pub fn row_of<S: Scalar>(
 #[must_use]
 pub fn generated<S: Scalar>(dimensionless: &Loop<S>, interval: &HeldInterval<S>) -> [S; 2] {
     let HeldInterval { step, force, .. } = interval;
-    let d = step.displacement();
     let law = dimensionless.law();
     let encoder = dimensionless.has_encoder();
     if law.is_linear() {
-        let own = if encoder {
-            quantizer::held_force(&step.start)
-        } else {
-            -step.start.clone()
-        };
-        let difference = (force.clone() - own) * d.clone();
-        let [linear, quantized] = if encoder {
-            [
-                generation::generated_linear(step),
-                generation::generated_quantized(step),
-            ]
-        } else {
-            [d.square().half(), d.square().half()]
-        };
-        return [difference.clone() + linear, difference + quantized];
+        return generated_by_spring(step, force, encoder);
     }
-    let work = force.clone() * d;
+    let work = force.clone() * step.displacement();
     let change =
         |potential: &dyn Fn(&S) -> S| work.clone() + potential(&step.end) - potential(&step.start);
     let linear = change(&|xi| law.potential(xi));
@@ -170,6 +155,29 @@ pub fn generated<S: Scalar>(dimensionless: &Loop<S>, interval: &HeldInterval<S>)
     } else {
         [linear.clone(), linear]
     }
+}
+
+/// What a held force generates against a linear wall, and against its quantized form where there is an
+/// `encoder`: see [`generated`].
+#[inline(always)]
+#[must_use]
+pub fn generated_by_spring<S: Scalar>(step: &Step<S>, force: &S, encoder: bool) -> [S; 2] {
+    let d = step.displacement();
+    let own = if encoder {
+        quantizer::held_force(&step.start)
+    } else {
+        -step.start.clone()
+    };
+    let difference = (force.clone() - own) * d.clone();
+    let [linear, quantized] = if encoder {
+        [
+            generation::generated_linear(step),
+            generation::generated_quantized(step),
+        ]
+    } else {
+        [d.square().half(), d.square().half()]
+    };
+    [difference.clone() + linear, difference + quantized]
 }
 
 impl<S: Ordered> Row<S> {

@@ -23,6 +23,7 @@ pub struct Quantized<S> {
 
 impl<S: Scalar> Quantized<S> {
     /// Splits the position ξ (ticks) into ⌊ξ⌋ and ρ (15).
+    #[inline(always)]
     #[must_use]
     pub fn of(xi: &S) -> Self {
         let tick = xi.floor();
@@ -33,6 +34,7 @@ impl<S: Scalar> Quantized<S> {
     /// The position the force law is given: the middle of the tick, ⌊ξ⌋ + ½.
     ///
     /// The ½ centres the quantization error, |⌊ξ⌋ + ½ − ξ| ≤ ½, and makes the force symmetric.
+    #[inline(always)]
     #[must_use]
     pub fn measured(&self) -> S {
         self.tick.clone() + S::one().half()
@@ -48,6 +50,7 @@ impl<S: Scalar> Quantized<S> {
 ///
 /// assert_eq!(held_force(&Fixed::new(5, 4)), Fixed::new(-3, 2));
 /// ```
+#[inline(always)]
 #[must_use]
 pub fn held_force<S: Scalar>(xi: &S) -> S {
     -Quantized::of(xi).measured()

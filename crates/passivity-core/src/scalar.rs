@@ -62,24 +62,28 @@ pub trait Scalar:
     }
 
     /// Zero.
+    #[inline(always)]
     #[must_use]
     fn zero() -> Self {
         Self::integer(0)
     }
 
     /// One.
+    #[inline(always)]
     #[must_use]
     fn one() -> Self {
         Self::integer(1)
     }
 
     /// The square x².
+    #[inline(always)]
     #[must_use]
     fn square(&self) -> Self {
         self.clone() * self.clone()
     }
 
     /// Twice the value.
+    #[inline(always)]
     #[must_use]
     fn double(&self) -> Self {
         self.clone() + self.clone()

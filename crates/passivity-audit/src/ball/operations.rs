@@ -90,7 +90,7 @@ impl Scalar for Ball {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn floor(&self) -> Self {
         let fits = self.middle.abs() < WHOLE / 4.0;
         if !fits {
@@ -117,7 +117,7 @@ impl Scalar for Ball {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn max(self, other: Self) -> Self {
         let apart = self.middle - other.middle;
         let reach = (self.radius + other.radius) * OUTWARD;
@@ -133,12 +133,12 @@ impl Scalar for Ball {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
         -Scalar::max(-self, -other)
     }
 
-    #[inline]
+    #[inline(always)]
     fn over(self, divisor: Self) -> Self {
         if divisor == Self::exactly(1.0) {
             return self;
@@ -161,7 +161,7 @@ impl Scalar for Ball {
 }
 
 impl Ordered for Ball {
-    #[inline]
+    #[inline(always)]
     fn sign(&self) -> Option<Ordering> {
         let Self { middle, radius } = *self;
         if middle > radius {
@@ -173,7 +173,7 @@ impl Ordered for Ball {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn is_nonnegative(&self) -> Option<bool> {
         if self.middle >= self.radius {
             Some(true)
@@ -182,7 +182,7 @@ impl Ordered for Ball {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn is_positive(&self) -> Option<bool> {
         (-*self).is_nonnegative().map(|is| !is)
     }
@@ -206,12 +206,12 @@ impl Written for Ball {
         ball.is_defined().then_some(ball)
     }
 
-    #[inline]
+    #[inline(always)]
     fn below(&self) -> Option<Reduced> {
         self.on_grid().map(|[lo, _]| Reduced::Small(lo, ONE))
     }
 
-    #[inline]
+    #[inline(always)]
     fn above(&self) -> Option<Reduced> {
         self.on_grid().map(|[_, hi]| Reduced::Small(hi, ONE))
     }
@@ -220,7 +220,7 @@ impl Written for Ball {
         self.is_defined()
     }
 
-    #[inline]
+    #[inline(always)]
     fn one_of(&self) -> Self {
         match self.is_defined() {
             true => Self::exactly(self.middle),

@@ -6,6 +6,7 @@ use super::{Audit, Options, TraceError, run};
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout};
+use crate::log::numbers::{Numbers, double};
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
 use crate::log::source::{Reader, Source};
@@ -132,7 +133,7 @@ fn preview(columns: &[(String, Values)], len: usize) -> Preview {
 
 /// Some rows of the columns, up to the first mistake.
 fn chunk(columns: &[(String, Values)], layout: &Layout, range: std::ops::Range<usize>) -> Chunk {
-    let mut chunk = Chunk::default();
+    let mut chunk = Chunk::new(layout);
     // How many rows are whole, and what is wrong with the next.
     let (mut whole, mut error) = (range.len(), None);
     let mut keep = |len: usize, found: Option<TraceError>, column: usize| {
@@ -143,9 +144,8 @@ fn chunk(columns: &[(String, Values)], layout: &Layout, range: std::ops::Range<u
     };
     for (column, (_, values)) in columns.iter().enumerate() {
         if column == layout.position {
-            let (samples, found) = values.samples(range.clone(), layout);
-            keep(samples.len(), found, column);
-            chunk.samples = samples;
+            let found = values.samples(range.clone(), &mut chunk.samples);
+            keep(chunk.samples.len(), found, column);
             continue;
         }
         let [time, force, velocity] =
@@ -158,18 +158,15 @@ fn chunk(columns: &[(String, Values)], layout: &Layout, range: std::ops::Range<u
         if time {
             chunk.times = numbers;
         } else if force {
-            for x in numbers {
-                match layout.force(x, 0.0) {
-                    Ok(force) => chunk.forces.push(force),
-                    Err(found) => {
-                        keep(chunk.forces.len(), Some(found), column);
-                        break;
-                    }
-                }
-            }
+            let found = chunk.forces.values.push_all(numbers);
+            let len = chunk.forces.values.len();
+            chunk.forces.roundings.resize(len, 0.0);
+            keep(len, found.err(), column);
         } else {
-            let near = numbers.iter().map(near_number);
-            chunk.velocities = near.map(|v| v * layout.per_velocity).collect();
+            let near = (0..numbers.len()).filter_map(|i| numbers.get(i));
+            chunk.velocities = near
+                .map(|v| near_number(&v) * layout.per_velocity)
+                .collect();
         }
     }
     chunk.truncate(whole);
@@ -193,49 +190,35 @@ impl Values {
         self.len() == 0
     }
 
-    /// Positions up to the first that is none.
-    fn samples(
-        &self,
-        range: std::ops::Range<usize>,
-        layout: &Layout,
-    ) -> (Samples, Option<TraceError>) {
-        let is_count = layout.form == Form::Count;
-        match self {
-            Self::Whole(values) if is_count => {
-                let values = values.get(range).unwrap_or_default();
-                (Samples::Counts(values.to_vec()), None)
+    /// Appends positions up to the first that is none, and says what is wrong with that.
+    fn samples(&self, range: std::ops::Range<usize>, samples: &mut Samples) -> Option<TraceError> {
+        match (self, samples) {
+            (Self::Whole(values), Samples::Counts(counts)) => {
+                counts.extend_from_slice(values.get(range).unwrap_or_default());
+                None
             }
-            Self::Doubles(values) if is_count => {
+            (Self::Doubles(values), Samples::Counts(counts)) => {
                 let values = values.get(range).unwrap_or_default();
-                let (counts, error) = until_error(values, |x| whole(*x));
-                (Samples::Counts(counts), error)
+                let (found, error) = until_error(values, |x| whole(*x));
+                *counts = found;
+                error
             }
-            values => {
-                let (numbers, mut error) = values.numbers(range);
-                let mut samples = Vec::with_capacity(numbers.len());
-                for x in numbers {
-                    match layout.sample(x) {
-                        Ok(sample) => samples.push(sample),
-                        Err(found) => {
-                            error = Some(found);
-                            break;
-                        }
-                    }
-                }
-                (Samples::Any(samples), error)
+            (values, Samples::Any(samples)) => {
+                let (numbers, error) = values.numbers(range);
+                samples.push_all(numbers).err().or(error)
             }
         }
     }
 
     /// Numbers up to the first that is none.
-    fn numbers(&self, range: std::ops::Range<usize>) -> (Vec<Number>, Option<TraceError>) {
+    fn numbers(&self, range: std::ops::Range<usize>) -> (Numbers, Option<TraceError>) {
         match self {
             Self::Whole(values) => {
                 let values = values.get(range).unwrap_or_default();
-                (values.iter().map(|n| Number::whole(*n)).collect(), None)
+                (Numbers::whole(values.to_vec()), None)
             }
             Self::Doubles(values) => {
-                until_error(values.get(range).unwrap_or_default(), |x| finite(*x))
+                Numbers::doubles(values.get(range).unwrap_or_default().to_vec())
             }
         }
     }
@@ -243,7 +226,7 @@ impl Values {
 
 /// The count that a double is.
 fn whole(x: f64) -> Result<i64, TraceError> {
-    match finite(x)? {
+    match double(x)? {
         Number::Small(n, d) if n % d == 0 => Ok(n / d),
         _ => {
             let message =
@@ -251,11 +234,6 @@ fn whole(x: f64) -> Result<i64, TraceError> {
             Err(TraceError::new("count", message))
         }
     }
-}
-
-fn finite(x: f64) -> Result<Number, TraceError> {
-    Number::from_f64(x)
-        .ok_or_else(|| TraceError::new("not_finite", format!("expected a number, found {x}")))
 }
 
 /// What `f` makes of the values, up to the first that it refuses.

@@ -1,10 +1,13 @@
 //! The account of consecutive intervals whose rows doubles decide: sums of integers of fixed width.
 
+use std::ops::Range;
+
 use passivity_core::course::{Course, Least};
 
 use crate::ledger::Truths;
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
+use crate::log::lanes::{Sums, Tile};
 use crate::log::motion::Addend;
 use crate::log::running::{Lowest, RunningSum};
 use crate::log::supply::{Bounds, NO_FORCE, Supplied, Supply};
@@ -87,18 +90,104 @@ impl Batch {
         let [least_potential, _] = addend.potential;
         self.stored.keep(self.net.sum + least_potential, h);
         self.worst.keep(least_net, h - 1);
-        // Most intervals come after one like them.
-        if self.alike.0 != Some(addend.truths) {
-            self.settle();
-            self.alike = (Some(addend.truths), h - 1, 0);
-            for (first, is) in self.firsts.iter_mut().zip(kinds(addend.truths)) {
-                if is {
-                    first.get_or_insert(h - 1);
+        self.alike(addend.truths, h - 1, 1);
+        Some(())
+    }
+
+    /// Adds decided rows of a tile, as [`add`](Self::add) does one after the other, for intervals without excess
+    /// force: under the force in the log where that is `applied`. `None`, and nothing added, where the batch has no
+    /// room for them.
+    pub(crate) fn add_tile(
+        &mut self,
+        (tile, rows): (&Tile, Range<usize>),
+        applied: bool,
+        running: bool,
+    ) -> Option<()> {
+        let before = self.intervals;
+        let len = rows.len() as u64;
+        if before + len > MOST || self.excess.is_some() {
+            return None;
+        }
+        let sums = tile.sums(&rows, applied);
+        if !self.is_quiet(&sums, running) {
+            return self.add_rows((tile, rows), applied, running);
+        }
+        let [_, _, _, net, _] = sums.sums;
+        for ([lo, hi], [least, most]) in self.sums.iter_mut().zip(sums.sums) {
+            *lo += least;
+            *hi += most;
+        }
+        self.net.sum += net[0];
+        match self.observer.sum + sums.least_observed >= self.observer.least {
+            true => self.observer.sum += sums.observed,
+            false => {
+                for (i, h) in rows.clone().zip(before + 1..) {
+                    self.observer.step(tile.observed(i, applied)?, h);
                 }
             }
         }
-        self.alike.2 += 1;
+        if running {
+            for (sum, step) in self.supply.iter_mut().zip(net) {
+                sum.sum += step;
+            }
+        }
+        self.intervals += len;
+        let mut at = rows.start;
+        while at < rows.end {
+            let times = tile.alike(at..rows.end, applied);
+            let h = before + (at - rows.start) as u64;
+            self.alike(tile.truths(at, applied), h, times as u64);
+            at += times;
+        }
         Some(())
+    }
+
+    /// Whether no energy gets below the least that it was so far with the rows of these sums.
+    fn is_quiet(&self, sums: &Sums, running: bool) -> bool {
+        let stays =
+            |least: &Least<i128>, found: i128| least.0.is_some_and(|(least, _)| found >= least);
+        let supplied = |(sum, lowest): (&Course<i128>, &Least<i128>)| {
+            sum.sum + sums.least_net >= sum.least && stays(lowest, sum.sum + sums.least_stored)
+        };
+        self.net.sum + sums.least_net >= self.net.least
+            && stays(&self.stored, self.net.sum + sums.least_stored)
+            && stays(&self.worst, sums.least_row)
+            && (!running || self.supply.iter().zip(&self.lowest).all(supplied))
+    }
+
+    /// Adds decided rows of a tile one by one.
+    fn add_rows(
+        &mut self,
+        (tile, rows): (&Tile, Range<usize>),
+        applied: bool,
+        running: bool,
+    ) -> Option<()> {
+        for i in rows {
+            let addend = tile.addend(i, applied)?;
+            let [_, _, _, net, _] = addend.sums;
+            let supply = match running {
+                true => Some(Supplied::known(net, addend.potential, None)?),
+                false => None,
+            };
+            self.add(&addend, supply)?;
+        }
+        Some(())
+    }
+
+    /// Takes note of so many intervals with the same answers, the first of them `h`.
+    #[inline(always)]
+    fn alike(&mut self, truths: Truths, h: u64, times: u64) {
+        // Most intervals come after one like them.
+        if self.alike.0 != Some(truths) {
+            self.settle();
+            self.alike = (Some(truths), h, 0);
+            for (first, is) in self.firsts.iter_mut().zip(kinds(truths)) {
+                if is {
+                    first.get_or_insert(h);
+                }
+            }
+        }
+        self.alike.2 += times;
     }
 
     /// Counts the intervals that are alike.

@@ -1,7 +1,9 @@
 //! A part of a trace, as it was read.
 
 use crate::log::error::TraceError;
-use crate::log::layout::Layout;
+use crate::log::layout::{Form, Layout};
+use crate::log::numbers::{Kind, Numbers, Readings};
+use crate::log::scale::Scale;
 use crate::log::source::Place;
 use crate::number::Number;
 use crate::reading::Reading;
@@ -11,15 +13,15 @@ use crate::reading::Reading;
 pub(crate) struct Chunk {
     pub(crate) samples: Samples,
     /// One per sample, or none at all.
-    pub(crate) times: Vec<Number>,
+    pub(crate) times: Numbers,
     /// Δτ of the interval that each row is, in a ledger.
     pub(crate) dtaus: Vec<Number>,
     /// One per sample, or none at all.
-    pub(crate) forces: Vec<Force>,
+    pub(crate) forces: Forces,
     /// In ticks per sampling period; one per sample, or none at all.
     pub(crate) velocities: Vec<f64>,
-    /// The force of the law from each sample, near by, where that is known.
-    pub(crate) commanded: Vec<Option<f64>>,
+    /// The force of the law from each sample, near by; no number where that is not known.
+    pub(crate) commanded: Vec<f64>,
     /// Where in the log it is.
     pub(crate) place: Place,
     /// Where the last row of a ledger ends.
@@ -30,25 +32,65 @@ pub(crate) struct Chunk {
     pub(crate) error: Option<TraceError>,
 }
 
-/// A commanded force.
+/// Commanded forces.
 #[derive(Clone, Debug)]
-pub(crate) struct Force {
-    /// In KΔ, as it is written.
-    pub(crate) value: Reading,
-    /// Half a unit of its last digit, in KΔ: how far off what was commanded may have been rounded.
-    pub(crate) rounding: f64,
+pub(crate) struct Forces {
+    /// In KΔ, as they are written.
+    pub(crate) values: Readings,
+    /// Half a unit of the last digit of each, in KΔ: how far off what was commanded may have been rounded.
+    pub(crate) roundings: Vec<f64>,
+}
+
+impl Default for Forces {
+    fn default() -> Self {
+        Self::new(&Scale::One)
+    }
+}
+
+impl Forces {
+    fn new(scale: &Scale) -> Self {
+        Self {
+            values: Readings::new(Kind::Force, scale),
+            roundings: Vec::new(),
+        }
+    }
+
+    pub(crate) fn get(&self, i: usize) -> Option<Reading> {
+        self.values.get(i)
+    }
+
+    fn truncate(&mut self, len: usize) {
+        self.values.truncate(len);
+        self.roundings.truncate(len);
+    }
+
+    fn append(&mut self, next: &mut Self) {
+        self.values.append(&mut next.values);
+        self.roundings.append(&mut next.roundings);
+    }
+
+    fn split_off(&mut self, len: usize) -> Self {
+        Self {
+            values: self.values.split_off(len),
+            roundings: split(&mut self.roundings, len),
+        }
+    }
+}
+
+fn split<T>(values: &mut Vec<T>, len: usize) -> Vec<T> {
+    values.split_off(len.min(values.len()))
 }
 
 /// Positions, kept plain when they are counts.
 #[derive(Debug)]
 pub(crate) enum Samples {
     Counts(Vec<i64>),
-    Any(Vec<Reading>),
+    Any(Readings),
 }
 
 impl Default for Samples {
     fn default() -> Self {
-        Self::Any(Vec::new())
+        Self::Any(Readings::new(Kind::Position, &Scale::One))
     }
 }
 
@@ -63,7 +105,7 @@ impl Samples {
     pub(crate) fn get(&self, i: usize) -> Option<Reading> {
         match self {
             Self::Counts(counts) => counts.get(i).map(|n| Reading::Count(*n)),
-            Self::Any(samples) => samples.get(i).cloned(),
+            Self::Any(samples) => samples.get(i),
         }
     }
 
@@ -75,6 +117,18 @@ impl Samples {
 }
 
 impl Chunk {
+    /// An empty one.
+    pub(crate) fn new(layout: &Layout) -> Self {
+        Self {
+            samples: match layout.form {
+                Form::Count => Samples::Counts(Vec::new()),
+                _ => Samples::Any(Readings::new(Kind::Position, layout.scale())),
+            },
+            forces: Forces::new(layout.per_force()),
+            ..Self::default()
+        }
+    }
+
     /// Keeps the first `len` rows.
     pub(crate) fn truncate(&mut self, len: usize) {
         match &mut self.samples {
@@ -99,7 +153,8 @@ impl Chunk {
             self.times.reserve(rows);
         }
         if layout.force.is_some() {
-            self.forces.reserve(rows);
+            self.forces.values.reserve(rows);
+            self.forces.roundings.reserve(rows);
         }
     }
 
@@ -126,12 +181,9 @@ impl Chunk {
 
     /// Keeps the first `len` rows and gives the others.
     pub(crate) fn split_off(&mut self, len: usize) -> Self {
-        fn split<T>(values: &mut Vec<T>, len: usize) -> Vec<T> {
-            values.split_off(len.min(values.len()))
-        }
         let samples = match &mut self.samples {
             Samples::Counts(counts) => Samples::Counts(split(counts, len)),
-            Samples::Any(samples) => Samples::Any(split(samples, len)),
+            Samples::Any(samples) => Samples::Any(samples.split_off(len)),
         };
         let closing = self.closing.take();
         // In a ledger a row ends where the next starts, as was found when they were read.
@@ -142,9 +194,9 @@ impl Chunk {
         let error = self.error.take();
         Self {
             samples,
-            times: split(&mut self.times, len),
+            times: self.times.split_off(len),
             dtaus: split(&mut self.dtaus, len),
-            forces: split(&mut self.forces, len),
+            forces: self.forces.split_off(len),
             velocities: split(&mut self.velocities, len),
             commanded: split(&mut self.commanded, len),
             place: Place {

@@ -6,6 +6,7 @@
 
 use std::collections::VecDeque;
 
+use multiversion::multiversion;
 use passivity_core::{Controller, Wide};
 
 use crate::ball::Ball;
@@ -132,13 +133,15 @@ impl Comparison {
 
     /// Compares the forces of the first `rows` samples of a chunk.
     pub(crate) fn feed(&mut self, chunk: &Chunk, rows: usize) -> Result<(), TraceError> {
-        let compared = chunk.forces.get(..rows).unwrap_or(&chunk.forces);
-        let mut law = Vec::with_capacity(compared.len());
-        for i in 0..compared.len() {
-            law.push(match (chunk.commanded.get(i), chunk.samples.get(i)) {
-                (Some(Some(force)), _) => *force,
-                (_, Some(sample)) => self.commanded(sample).ok_or_else(undefined)?,
-                (_, None) => return Err(undefined()),
+        let compared = rows.min(chunk.forces.values.len());
+        let mut law = Vec::with_capacity(compared);
+        for i in 0..compared {
+            law.push(match chunk.commanded.get(i) {
+                Some(force) if !force.is_nan() => *force,
+                _ => {
+                    let sample = chunk.samples.get(i).ok_or_else(undefined)?;
+                    self.commanded(sample).ok_or_else(undefined)?
+                }
             });
         }
         let Some(first) = law.first() else {
@@ -149,20 +152,29 @@ impl Comparison {
         if self.before.is_empty() {
             self.before.clone_from(&self.law);
         }
-        let forces: Vec<f64> = compared.iter().map(|f| near_reading(&f.value)).collect();
-        let rounding: Vec<f64> = compared.iter().map(|force| force.rounding).collect();
-        for force in &forces {
-            self.squares.add(force * force);
+        let near = chunk
+            .forces
+            .values
+            .near
+            .middles
+            .iter()
+            .zip(&chunk.forces.values.near.radii);
+        let mut forces = Vec::with_capacity(compared);
+        for (i, (near, radius)) in near.enumerate().take(compared) {
+            forces.push(match radius.is_finite() {
+                true => *near,
+                false => near_reading(&chunk.forces.get(i).ok_or_else(undefined)?),
+            });
         }
-        for force in &law {
-            self.law_squares.add(force * force);
-        }
+        let rounding = chunk.forces.roundings.get(..compared).unwrap_or_default();
+        self.squares.add_products(&forces, &forces);
+        self.law_squares.add_products(&law, &law);
         // The latest last, and as many before the first as the longest lag looks back.
         let mut all: Vec<f64> = self.law.iter().rev().copied().collect();
         all.append(&mut law);
         for (lag, agreement) in self.lags.iter_mut().enumerate() {
             let late = all.get(self.law.len() - lag..).unwrap_or_default();
-            agreement.compare(&forces, late, &rounding, self.compared);
+            agreement.compare(&forces, late, rounding, self.compared);
         }
         self.law.clear();
         self.law.extend(all.iter().rev().take(self.lags.len()));
@@ -282,24 +294,39 @@ impl Comparison {
 impl Agreement {
     /// Compares forces with those of the law, after so many that were compared before.
     fn compare(&mut self, forces: &[f64], law: &[f64], rounding: &[f64], before: u64) {
+        let rows = || forces.iter().zip(law).zip(rounding);
+        let found = differing(forces, law, rounding);
         let signs = [1.0, -1.0].into_iter().zip(&mut self.mismatches);
-        for (sign, (mismatches, first)) in signs {
-            let differs = |((force, law), rounding): ((&f64, &f64), &f64)| {
-                (force - sign * law).abs() > rounding + RELATIVE * law.abs() + ABSOLUTE
-            };
-            let rows = || forces.iter().zip(law).zip(rounding);
-            let found: u64 = rows().map(|row| u64::from(differs(row))).sum();
+        for ((sign, (mismatches, first)), found) in signs.zip(found) {
             if found > 0 && first.is_none() {
                 *first = (before..)
                     .zip(rows())
-                    .find(|(_, row)| differs(*row))
+                    .find(|(_, ((force, law), rounding))| {
+                        differs(**force, sign * **law, **rounding)
+                    })
                     .map(|(row, _)| row);
             }
             *mismatches += found;
         }
         let [mixed, _] = &mut self.products;
-        for (force, law) in forces.iter().zip(law) {
-            mixed.add(force * law);
-        }
+        mixed.add_products(forces, law);
     }
+}
+
+/// Whether a force that was rounded by so much is another than that of the law.
+#[inline(always)]
+fn differs(force: f64, law: f64, rounding: f64) -> bool {
+    (force - law).abs() > rounding + RELATIVE * law.abs() + ABSOLUTE
+}
+
+/// How many forces differ from those of the law, and from these with the other sign.
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
+fn differing(forces: &[f64], law: &[f64], rounding: &[f64]) -> [u64; 2] {
+    let mut found = [0_u64; 2];
+    for ((force, law), rounding) in forces.iter().zip(law).zip(rounding) {
+        // There are not as many rows as to overflow.
+        found[0] = found[0].wrapping_add(u64::from(differs(*force, *law, *rounding)));
+        found[1] = found[1].wrapping_add(u64::from(differs(*force, -*law, *rounding)));
+    }
+    found
 }

@@ -5,7 +5,7 @@ use crate::entry::Entry;
 use crate::ledger::{Logged, Row, Truths, on_entry};
 use crate::log::account::{Account, Place};
 use crate::log::error::TraceError;
-use crate::log::known::Known;
+use crate::log::known::{Known, known};
 use crate::log::merge::ROWS_IN_REPORT;
 use crate::log::motion::Addend;
 use crate::log::running::Lowest;
@@ -117,8 +117,11 @@ impl Computed {
 
     fn defined(task: &Task<'_>, interval: &Logged, h: usize) -> Option<Self> {
         let quick = || {
-            let addend =
-                Known::of_interval(task.ledger, interval)?.addend(interval.force.as_ref())?;
+            let force = match &interval.force {
+                Some(force) => Some(known(force)?),
+                None => None,
+            };
+            let addend = Known::of_interval(task.ledger, interval)?.addend(force)?;
             Self::of_row(task, interval, Accounted::Quick(Box::new(addend)))
         };
         let near = || {

@@ -4,14 +4,15 @@
 //! in place, a single column of counts without looking for fields at all. A field may stand in double
 //! quotes; no field can hold the character between fields or a line break.
 
+use crate::ball::Ball;
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::columns::Role;
 use crate::log::error::{self, TraceError, shown};
 use crate::log::layout::{Form, Layout};
 use crate::log::lines::Block;
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
-use crate::number::{Number, decimal, leading_decimal, short};
+use crate::log::slots::{Slots, half_a_unit};
+use crate::number::{Number, decimal, short};
 use crate::reading::Reading;
 
 /// What stands between fields, and before the decimals of a number.
@@ -90,7 +91,7 @@ pub(crate) fn has_decimal_commas(lines: &[&[u8]], delimiter: u8) -> bool {
 
 /// Parses a block. Rows in errors are counted from 0 at the start of the block.
 pub(crate) fn parse(block: &Block, layout: &Layout, notation: Notation) -> Chunk {
-    let mut chunk = Chunk::default();
+    let mut chunk = Chunk::new(layout);
     let bytes = &block.bytes[..];
     let plain = layout.form == Form::Count && layout.width() == 1;
     let mut counts = Vec::new();
@@ -157,94 +158,6 @@ pub(crate) fn parse(block: &Block, layout: &Layout, notation: Notation) -> Chunk
     chunk
 }
 
-/// What the columns of a log of positions hold, for rows of nothing but short decimals.
-struct Slots {
-    /// By column.
-    roles: Vec<Option<Role>>,
-    delimiter: u8,
-}
-
-impl Slots {
-    /// `None` for other logs.
-    fn of(layout: &Layout, notation: Notation) -> Option<Self> {
-        let is_plain = matches!(layout.form, Form::X | Form::Xi) && !notation.decimal_comma;
-        if !is_plain || notation.delimiter == b'.' || notation.delimiter == b'-' {
-            return None;
-        }
-        let mut roles = vec![None; layout.width()];
-        let columns = [
-            (Some(layout.position), Role::X),
-            (layout.time, Role::T),
-            (layout.force, Role::F),
-            (layout.velocity, Role::V),
-        ];
-        for (column, role) in columns {
-            if let Some(column) = column {
-                *roles.get_mut(column)? = Some(role);
-            }
-        }
-        Some(Self {
-            roles,
-            delimiter: notation.delimiter,
-        })
-    }
-
-    /// Appends the row at the start of a text, and gives its length with its line break; `None`, and nothing
-    /// appended, for a row that is for the careful parser.
-    fn push(&self, text: &[u8], layout: &Layout, chunk: &mut Chunk) -> Option<usize> {
-        let mut at = 0;
-        let [mut position, mut time, mut force, mut velocity] = [None; 4];
-        let mut ended = false;
-        for role in &self.roles {
-            if ended {
-                return None;
-            }
-            let rest = text.get(at..)?;
-            let length = match role {
-                None => memchr::memchr2(self.delimiter, b'\n', rest)?,
-                Some(role) => {
-                    let (number, length) = leading_decimal(rest, self.delimiter)?;
-                    let slot = match role {
-                        Role::T => &mut time,
-                        Role::F => &mut force,
-                        Role::V => &mut velocity,
-                        _ => &mut position,
-                    };
-                    *slot = Some(number);
-                    length
-                }
-            };
-            let end = rest.get(length)?;
-            ended = *end != self.delimiter;
-            at += length + if *end == b'\r' { 2 } else { 1 };
-        }
-        let Samples::Any(samples) = &mut chunk.samples else {
-            return None;
-        };
-        if !ended {
-            return None;
-        }
-        let small = |(n, power)| Number::Small(n, power);
-        let position = layout.sample(small(position?)).ok()?;
-        if let Some((n, power)) = force {
-            let force = layout.force(Number::Small(n, power), half_a_unit(power));
-            chunk.forces.push(force.ok()?);
-        }
-        samples.push(position);
-        chunk.times.extend(time.map(small));
-        chunk
-            .velocities
-            .extend(velocity.map(|v| near_number(&small(v)) * layout.per_velocity));
-        Some(at)
-    }
-}
-
-/// Half a unit of the last digit of a decimal over this power of ten.
-#[allow(clippy::cast_precision_loss)] // a power of ten that is a double
-fn half_a_unit(power: i64) -> f64 {
-    0.5 / power as f64
-}
-
 fn count(chunk: &Chunk) -> u64 {
     u64::try_from(chunk.samples.len()).unwrap_or(u64::MAX)
 }
@@ -308,11 +221,17 @@ fn push(
     let named = |error: TraceError| error.column(layout.name(layout.position));
     let position = position.unwrap_or_default();
     // Nothing is appended before the whole row is read.
-    let sample = match layout.form {
-        Form::Count => Reading::Count(whole(position, notation).map_err(named)?),
-        _ => layout
-            .sample(number(position, notation).map_err(named)?)
-            .map_err(named)?,
+    enum Sample {
+        Count(i64),
+        Any(Number, Ball),
+    }
+    let sample = match &chunk.samples {
+        Samples::Counts(_) => Sample::Count(whole(position, notation).map_err(named)?),
+        Samples::Any(samples) => {
+            let x = number(position, notation).map_err(named)?;
+            let (x, near) = samples.known(x).map_err(named)?;
+            Sample::Any(x, near)
+        }
     };
     let closing = match layout.end {
         Some(column) => Some(Reading::Exact(number_in(end, column)?)),
@@ -330,8 +249,9 @@ fn push(
         Some(column) => {
             let (number, rounding) = rounded(force.unwrap_or_default(), notation)
                 .map_err(|error| error.column(layout.name(column)))?;
-            let force = layout.force(number, rounding);
-            Some(force.map_err(|error| error.column(layout.name(column)))?)
+            let known = chunk.forces.values.known(number);
+            let known = known.map_err(|error| error.column(layout.name(column)))?;
+            Some((known, rounding * layout.size_of_force))
         }
         None => None,
     };
@@ -339,27 +259,30 @@ fn push(
         Some(column) => Some(near_number(&number_in(velocity, column)?)),
         None => None,
     };
-    if let (Some(before), true) = (&chunk.closing, closing.is_some())
-        && *before != sample
+    if let (Some(Reading::Exact(before)), true, Sample::Any(x, _)) =
+        (&chunk.closing, closing.is_some(), &sample)
+        && before != x
     {
         let message = "a row of a ledger starts where the row before it ends";
         return Err(named(TraceError::new("gap", message)));
     }
-    match &mut chunk.samples {
-        Samples::Counts(counts) => {
-            if let Reading::Count(n) = sample {
-                counts.push(n);
-            }
-        }
-        Samples::Any(samples) => samples.push(sample),
+    match (&mut chunk.samples, sample) {
+        (Samples::Counts(counts), Sample::Count(n)) => counts.push(n),
+        (Samples::Any(samples), Sample::Any(x, near)) => samples.push((x, near)),
+        (Samples::Counts(_), Sample::Any(..)) | (Samples::Any(_), Sample::Count(_)) => {}
     }
     chunk.closing = closing;
     chunk.dtaus.extend(dtau);
-    chunk.times.extend(time);
+    if let Some(time) = time {
+        chunk.times.push(time);
+    }
     chunk
         .velocities
         .extend(velocity.map(|v| v * layout.per_velocity));
-    chunk.forces.extend(force);
+    if let Some((known, rounding)) = force {
+        chunk.forces.values.push(known);
+        chunk.forces.roundings.push(rounding);
+    }
     Ok(())
 }
 
@@ -414,7 +337,8 @@ fn whole(field: &[u8], notation: Notation) -> Result<i64, TraceError> {
 /// A number, and half a unit of its last digit.
 fn rounded(text: &[u8], notation: Notation) -> Result<(Number, f64), TraceError> {
     if let Some((n, power)) = decimal(text) {
-        return Ok((Number::Small(n, power), half_a_unit(power)));
+        let decimals = u8::try_from(power.ilog10()).unwrap_or(u8::MAX);
+        return Ok((Number::Small(n, power), half_a_unit(decimals)));
     }
     Ok((number(text, notation)?, half_last_digit(text)))
 }

@@ -1,5 +1,6 @@
 //! Sums of doubles without rounding: the same however the terms are grouped.
 
+use multiversion::multiversion;
 use num_bigint::BigInt;
 use passivity_core::BigRational;
 
@@ -61,6 +62,18 @@ impl ExactSum {
         }
     }
 
+    /// Adds the products of two columns as far as both go, each rounded to the nearest double.
+    pub(crate) fn add_products(&mut self, a: &[f64], b: &[f64]) {
+        let len = a.len().min(b.len());
+        let [a, b] = [a, b].map(|column| column.get(..len).unwrap_or_default());
+        for (a, b) in a.chunks(SHORT).zip(b.chunks(SHORT)) {
+            match layers(a, b) {
+                Some(sums) => sums.iter().flatten().for_each(|sum| self.add(*sum)),
+                None => a.iter().zip(b).for_each(|(a, b)| self.add(a * b)),
+            }
+        }
+    }
+
     /// Adds another sum.
     pub(crate) fn add_sum(&mut self, other: &Self) {
         self.other += other.whole();
@@ -101,6 +114,62 @@ impl ExactSum {
     }
 }
 
+/// As many terms as layers have room for.
+const SHORT: usize = 4096;
+
+/// Sums that are kept apart, so that processors add several numbers at once.
+const LANES: usize = 8;
+
+/// What the digits of each layer are multiples of, as powers of two: each has [`ROOM`] bits more than the next.
+const GRIDS: [i32; 4] = [-12, -50, -88, -126];
+
+/// Below this, terms have room in the layers: 2^28.
+const LARGEST: f64 = (1 << 28) as f64;
+
+/// 2^k.
+const fn power(k: i32) -> f64 {
+    f64::from_bits(((1023 + k) as u64) << 52)
+}
+
+/// The sums of the digits of some products, by layer: exact, as a layer has at most 2^12 numbers below 2^40 of
+/// its own grid, which makes 52 bits. `None` where a product is too large, or has digits behind the last layer.
+#[expect(clippy::indexing_slicing, reason = "every index is that of a lane")]
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
+fn layers(a: &[f64], b: &[f64]) -> Option<[[f64; LANES]; GRIDS.len()]> {
+    let mut sums = [[0.0; LANES]; GRIDS.len()];
+    let mut open = [0_u64; LANES];
+    let (first, rest) = a.as_chunks::<LANES>();
+    let (second, other) = b.as_chunks::<LANES>();
+    let last = [rest, other].map(|rest| {
+        let mut padded = [0.0; LANES];
+        padded.iter_mut().zip(rest).for_each(|(slot, x)| *slot = *x);
+        padded
+    });
+    let [first_of_last, second_of_last] = &last;
+    let last = std::iter::once((first_of_last, second_of_last));
+    for (a, b) in first.iter().zip(second).chain(last) {
+        let mut rest = [0.0; LANES];
+        for lane in 0..LANES {
+            rest[lane] = a[lane] * b[lane];
+            let fits = rest[lane].abs() < LARGEST;
+            open[lane] |= u64::from(!fits);
+        }
+        for (sums, grid) in sums.iter_mut().zip(GRIDS) {
+            // Adding it leaves no room for digits below the grid.
+            let shift = 1.5 * power(52 + grid);
+            for lane in 0..LANES {
+                let digits = (rest[lane] + shift) - shift;
+                rest[lane] -= digits;
+                sums[lane] += digits;
+            }
+        }
+        for lane in 0..LANES {
+            open[lane] |= u64::from(rest[lane] != 0.0);
+        }
+    }
+    (open == [0; LANES]).then_some(sums)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -126,6 +195,40 @@ mod tests {
             prop_assert_eq!(whole.value().to_bits(), near(&expected).to_bits());
             prop_assert_eq!(first.to_text(), whole.to_text());
         }
+    }
+
+    proptest! {
+        #[test]
+        fn products_are_summed_up_as_their_terms_are(
+            terms in prop::collection::vec((any::<i32>(), any::<i32>()), 0..40),
+            scale in -60..20_i32,
+            odd in prop::option::of((0..40_usize, prop::num::f64::ANY)),
+        ) {
+            let mut a: Vec<f64> = terms.iter().map(|(a, _)| f64::from(*a) / 3.0 * 2_f64.powi(scale)).collect();
+            let b: Vec<f64> = terms.iter().map(|(_, b)| f64::from(*b) / 7e9).collect();
+            if let Some((i, x)) = odd
+                && let Some(slot) = a.get_mut(i)
+            {
+                *slot = x;
+            }
+            let (mut one, mut all) = (ExactSum::default(), ExactSum::default());
+            a.iter().zip(&b).for_each(|(a, b)| one.add(a * b));
+            all.add_products(&a, &b);
+            prop_assert_eq!(one.to_text(), all.to_text());
+        }
+    }
+
+    #[test]
+    fn layers_have_room_for_the_largest_terms() {
+        let largest = vec![LARGEST.next_down(); SHORT];
+        let one = vec![1.0; SHORT];
+        assert!(layers(&largest, &one).is_some());
+        let (mut single, mut all) = (ExactSum::default(), ExactSum::default());
+        largest.iter().for_each(|x| single.add(*x));
+        all.add_products(&largest, &one);
+        assert_eq!(single.to_text(), all.to_text());
+        assert!(layers(&[LARGEST], &[1.0]).is_none());
+        assert!(layers(&[1e-30], &[1e-30]).is_none());
     }
 
     #[test]

@@ -4,7 +4,9 @@ use num_bigint::BigInt;
 use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
 use passivity_core::{BigRational, Exact, Interval, Scalar};
 
+use crate::ball::Ball;
 use crate::log::error::TraceError;
+use crate::log::numbers::Kind;
 use crate::number::{Number, power_of_ten};
 use crate::reading::{Reading, Scaled};
 use crate::span::{self, Span};
@@ -15,6 +17,7 @@ pub(crate) struct Irrational {
     pub(crate) factor: Exact,
     /// Where it is.
     pub(crate) range: Interval<BigRational>,
+    negative: bool,
     /// |factor|/10^k for short decimals, by k.
     by_decimals: Vec<Option<Mantissa>>,
 }
@@ -78,6 +81,7 @@ impl Irrational {
         });
         Self {
             by_decimals: by_decimals.collect(),
+            negative: range.lo().is_negative(),
             factor,
             range,
         }
@@ -118,10 +122,31 @@ impl Irrational {
 
     fn signed(&self, n: i64, by: Mantissa) -> Option<Span> {
         let size = by.times(n.unsigned_abs())?;
-        Some(match (n < 0) == self.range.lo().is_negative() {
+        Some(match (n < 0) == self.negative {
             true => size,
             false => -size,
         })
+    }
+
+    /// What is known of n over 10^k as a position or a force; `None` where that takes longer to find out.
+    #[inline]
+    pub(crate) fn near(&self, kind: Kind, n: i64, k: u8) -> Option<Ball> {
+        if n == 0 {
+            return Some(Ball::whole(0));
+        }
+        let by = (*self.by_decimals.get(usize::from(k))?)?;
+        let span = self.signed(n, by)?;
+        (kind == Kind::Force || span.is_within_a_tick()).then(|| Ball::of_span(span))
+    }
+
+    /// The same of a double.
+    #[inline]
+    pub(crate) fn near_double(&self, kind: Kind, x: f64) -> Option<Ball> {
+        if x == 0.0 {
+            return Some(Ball::whole(0));
+        }
+        let span = self.short(&Number::from_f64(x)?)?;
+        (kind == Kind::Force || span.is_within_a_tick()).then(|| Ball::of_span(span))
     }
 
     /// A position in ticks, enclosed within one of them.

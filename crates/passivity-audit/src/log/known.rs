@@ -10,45 +10,36 @@ use crate::ends::Ends;
 use crate::figure::not;
 use crate::ledger::{Ledger, Logged, Truths};
 use crate::log::motion::Addend;
-use crate::number::{Number, Written as _};
+use crate::number::Written as _;
 use crate::reading::Reading;
 
 /// What an interval between two known positions comes to. Energies are in units of the grid, at the
 /// least and at the most.
 #[derive(Clone, Debug)]
 pub(crate) struct Known {
-    /// Δτ.
-    pub(crate) lasts: Number,
-    displacement: Ball,
+    pub(super) displacement: Ball,
     /// The force of the loop's controller,
-    commanded: Ball,
+    pub(super) commanded: Ball,
     /// what it generates against the wall's law and against its quantized form,
-    generated: [[i128; 2]; 2],
+    pub(super) generated: [[i128; 2]; 2],
     /// and what the observer adds for it.
-    observed: [i128; 2],
+    pub(super) observed: [i128; 2],
     /// The least that friction takes (26), of the loop with the least and with the most friction.
-    dissipated: [[i128; 2]; 2],
+    pub(super) dissipated: [[i128; 2]; 2],
     /// Whether the criterion holds at the mean speed.
-    criterion_holds: Truth,
+    pub(super) criterion_holds: Truth,
     /// The wall's potential where it ends.
-    potential: [i128; 2],
+    pub(super) potential: [i128; 2],
 }
 
 /// What an interval starts with, kept from the one before it.
 #[derive(Debug, Default)]
 pub(crate) struct Starts {
-    /// Where it starts, if that is where the last one ended.
-    start: Option<Ball>,
     /// What was measured last, and the force for that: most steps are short.
     measured: Option<(Ball, Ball)>,
 }
 
 impl Starts {
-    /// Before an interval that does not start where the last one ended.
-    pub(crate) fn forget(&mut self) {
-        self.start = None;
-    }
-
     /// The force of a controller without memory.
     fn commanded(&mut self, controller: &Controller<Ball>, start: &Ball) -> Ball {
         let measured = controller.measured(start);
@@ -70,33 +61,30 @@ impl Known {
             [start] if !ledger.has_memory() => Self::of(
                 ledger.near(),
                 &mut Starts::default(),
-                [start, &interval.end],
-                interval.dtau.clone(),
+                [known(start)?, known(&interval.end)?],
+                start.is_same(&interval.end),
+                &Ball::of(&interval.dtau),
             ),
             _ => None,
         }
     }
 
-    /// Of an interval that lasts so many periods; `None` where doubles leave something open.
+    /// Of an interval between two positions, the same ones where the device stood still, that lasts so many
+    /// periods; `None` where doubles leave something open.
     pub(crate) fn of(
         ends: &Ends<Ball>,
         starts: &mut Starts,
-        [from, to]: [&Reading; 2],
-        lasts: Number,
+        [start, end]: [Ball; 2],
+        is_still: bool,
+        lasts: &Ball,
     ) -> Option<Self> {
-        let start = match starts.start.take() {
-            Some(start) => start,
-            None => known(from)?,
-        };
-        let end = known(to)?;
-        starts.start = Some(end);
         // Of what stands still, any position that it may have stands for all.
-        let step = match from.is_same(to) {
+        let step = match is_still {
             true => Step::new(start.one_of(), start.one_of()),
             false => Step::new(start, end),
         };
         let d = step.displacement();
-        let speed = dissipation::mean_speed(&d, &Ball::of(&lasts));
+        let speed = dissipation::mean_speed(&d, lasts);
         let dissipated = |of: &Loop<Ball>| {
             let friction = Friction::new(of.viscous_friction(), of.coulomb_friction());
             friction.dissipated_lower(&d, &speed).on_grid()
@@ -121,7 +109,6 @@ impl Known {
         };
         let [linear, quantized] = ledger::generated(&ends.least, &held);
         Some(Self {
-            lasts,
             displacement: d,
             commanded,
             generated: [linear.on_grid()?, quantized.on_grid()?],
@@ -132,20 +119,21 @@ impl Known {
         })
     }
 
-    /// The force of the loop's controller, near by, where it is known.
-    pub(crate) fn commanded(&self) -> Option<f64> {
-        self.commanded.near()
-    }
-
     /// What the interval adds to an account, under the force that the log has or, without one, under that of
     /// the loop's controller; `None` where doubles leave something open.
     #[inline(always)]
-    pub(crate) fn addend(&self, force: Option<&Reading>) -> Option<Addend> {
+    pub(crate) fn addend(&self, force: Option<Ball>) -> Option<Addend> {
         // What another force generates is the work of the difference, and what no force changes.
         let more = match force {
             None => [0, 0],
-            Some(force) => ((known(force)? - self.commanded) * self.displacement).on_grid()?,
+            Some(force) => ((force - self.commanded) * self.displacement).on_grid()?,
         };
+        self.with_work(more)
+    }
+
+    /// What the interval adds under a force that does so much more work than that of the loop's controller.
+    #[inline(always)]
+    pub(crate) fn with_work(&self, more: [i128; 2]) -> Option<Addend> {
         let [least, most] = self.dissipated;
         let taken = [least[0], most[1]];
         let [linear, quantized] = self
@@ -175,7 +163,7 @@ impl Known {
 
 /// What is known of a number that is no count.
 #[inline(always)]
-fn known(reading: &Reading) -> Option<Ball> {
+pub(crate) fn known(reading: &Reading) -> Option<Ball> {
     reading.to_near().exact().copied()
 }
 

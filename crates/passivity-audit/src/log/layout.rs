@@ -3,17 +3,16 @@
 
 use passivity_scene::Scene;
 
-use crate::log::chunk::Force;
 use crate::log::columns::{Columns, Found, Role};
 use crate::log::error::{TraceError, shown};
 use crate::log::findings::Finding;
 use crate::log::guess;
 use crate::log::header::Heading;
 use crate::log::names::{by_name, is_no_clock};
+use crate::log::numbers::Numbers;
 use crate::log::preview::Preview;
 use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
 use crate::number::{Number, difference, is_positive, quotient};
-use crate::reading::Reading;
 
 /// The most columns of a trace.
 pub(crate) const MAX_COLUMNS: usize = 4096;
@@ -66,7 +65,7 @@ pub(crate) struct Layout {
     per_period: Number,
     per_force: Scale,
     /// KΔ in a unit of force.
-    size_of_force: f64,
+    pub(crate) size_of_force: f64,
     /// Ticks per sampling period in a unit of velocity.
     pub(crate) per_velocity: f64,
 }
@@ -279,6 +278,17 @@ impl Layout {
         is_positive(&dt).then(|| quotient(&dt, &self.per_period))
     }
 
+    /// As [`duration`](Self::duration), as a fraction, between two times over the same power of ten; `None` where
+    /// that does not fit, or is not above zero.
+    #[inline]
+    pub(crate) fn periods(&self, from: i64, to: i64, power: i64) -> Option<(i64, i64)> {
+        let Number::Small(n @ 1.., m) = &self.per_period else {
+            return None;
+        };
+        let dt = to.checked_sub(from).filter(|dt| *dt > 0)?;
+        Some((dt.checked_mul(*m)?, power.checked_mul(*n)?))
+    }
+
     /// As [`duration`](Self::duration), for times with as many digits that small integers are enough for;
     /// `None` where they are not.
     #[inline]
@@ -306,8 +316,8 @@ impl Layout {
         Some(Some(periods))
     }
 
-    /// How many of the intervals between these times, from the first on, last exactly one period.
-    pub(crate) fn even(&self, times: &[Number]) -> usize {
+    /// How many of the intervals between these times, from one on, last exactly one period.
+    pub(crate) fn even(&self, times: &Numbers, from: usize) -> usize {
         let Number::Small(n, d) = &self.per_period else {
             return 0;
         };
@@ -324,23 +334,27 @@ impl Layout {
             };
             Some(numerator.checked_mul(d)? == n.checked_mul(denominator)?)
         };
-        let pairs = times.iter().zip(times.iter().skip(1));
-        pairs
-            .take_while(|(from, to)| is_period(from, to) == Some(true))
-            .count()
+        let mut even = 0;
+        let mut before = times.get(from);
+        for i in from + 1..times.len() {
+            let next = times.get(i);
+            let pair = before.as_ref().zip(next.as_ref());
+            if pair.and_then(|(from, to)| is_period(from, to)) != Some(true) {
+                break;
+            }
+            (before, even) = (next, even + 1);
+        }
+        even
     }
 
-    /// A position as it is known.
-    pub(crate) fn sample(&self, x: Number) -> Result<Reading, TraceError> {
-        self.scale.position(x)
+    /// How positions become ticks.
+    pub(crate) const fn scale(&self) -> &Scale {
+        &self.scale
     }
 
-    /// A force as it is known, written to within `rounding` of its unit.
-    pub(crate) fn force(&self, x: Number, rounding: f64) -> Result<Force, TraceError> {
-        Ok(Force {
-            value: self.per_force.force(x)?,
-            rounding: rounding * self.size_of_force,
-        })
+    /// How forces become multiples of KΔ.
+    pub(crate) const fn per_force(&self) -> &Scale {
+        &self.per_force
     }
 }
 

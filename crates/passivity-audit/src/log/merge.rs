@@ -154,7 +154,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             self.before_file = self.samples;
         }
         if self.began.is_none() {
-            self.began = chunk.times.first().cloned();
+            self.began = chunk.times.get(0);
         }
         let lead = self.task.lead();
         let whole = chunk.samples.len();
@@ -204,9 +204,9 @@ impl<'a, 'w> Merge<'a, 'w> {
         let Some(sample) = chunk.samples.get(i) else {
             return Ok(());
         };
-        let dtau = match (i.checked_sub(1), &self.onward.time, chunk.times.first()) {
+        let dtau = match (i.checked_sub(1), &self.onward.time, chunk.times.get(0)) {
             (Some(before), _, _) => duration(self.task.layout, chunk, before)?,
-            (None, Some(from), Some(to)) => Some(between(self.task.layout, from, to)?),
+            (None, Some(from), Some(to)) => Some(between(self.task.layout, from, &to)?),
             (None, _, _) => self.onward.dtau.clone(),
         };
         if let (0, Some(closing)) = (i, &self.closing)
@@ -368,8 +368,8 @@ impl Findings {
 /// What sample `i` of a chunk starts.
 fn onward(chunk: &Chunk, i: usize) -> Onward {
     Onward {
-        time: chunk.times.get(i).cloned(),
+        time: chunk.times.get(i),
         dtau: chunk.dtaus.get(i).cloned(),
-        force: chunk.forces.get(i).map(|force| force.value.clone()),
+        force: chunk.forces.get(i),
     }
 }

@@ -18,6 +18,7 @@ mod guess;
 mod header;
 mod irrational;
 mod known;
+mod lanes;
 mod layout;
 mod lines;
 #[cfg(feature = "mcap")]
@@ -25,6 +26,7 @@ mod mcap;
 mod merge;
 mod motion;
 mod names;
+mod numbers;
 mod outcome;
 #[cfg(feature = "parquet")]
 mod parquet;
@@ -38,6 +40,7 @@ mod saved;
 mod saved_findings;
 mod scale;
 mod seek;
+mod slots;
 mod source;
 mod step;
 mod supply;
@@ -236,7 +239,7 @@ fn account<'a>(
             Ok(rest)
         });
         match led {
-            Ok(rest) => first = Some(Work::Account(rest)),
+            Ok(rest) => first = Some(Work::Account(Box::new(rest))),
             Err(error) => {
                 // It is for the stretch before this one to say where.
                 let law = beside.map(|beside| beside.fail(error.clone()));
@@ -303,7 +306,7 @@ fn parsed(work: Work, layout: &Layout) -> Chunk {
             place,
             ..csv::parse(&block, layout, notation)
         },
-        Work::Account(chunk) => chunk,
+        Work::Account(chunk) => *chunk,
     }
 }
 
@@ -336,13 +339,14 @@ fn at_once(
         for (work, [worker, other]) in work.into_iter().zip(workers) {
             running.push(scope.spawn(move || {
                 let mut chunk = parsed(work, task.layout);
-                let motions = worker.motions(task, &chunk);
-                chunk.commanded = motion::commanded(&motions);
-                let account = worker.account(task, (&mut chunk, &motions), task.lead());
+                let shared = worker.shared(task, &chunk);
+                chunk.commanded = lanes::commanded(task.ledger, &chunk);
+                let account = worker.account(task, (&mut chunk, &shared), task.lead());
                 let beside = match law {
-                    Some(law) => other.account(law, (&mut chunk, &motions), law.lead()),
+                    Some(law) => other.account(law, (&mut chunk, &shared), law.lead()),
                     None => account::Account::default(),
                 };
+                worker.reuse(shared);
                 (chunk, [account, beside])
             }));
         }

@@ -9,22 +9,12 @@ use crate::figure::Figure;
 use crate::ledger::{Ledger, Read, Truths};
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::UNIT;
-use crate::log::known::{Known, Starts};
 use crate::log::layout::Layout;
 use crate::log::step::{check_jump, duration};
 use crate::log::supply;
 use crate::number::Number;
 use crate::reading::Reading;
 use crate::span::units;
-
-/// What is computed of an interval once, for all accounts that are kept of it.
-#[derive(Clone, Debug)]
-pub(crate) enum Motion {
-    /// Between two known positions: what it comes to under any force.
-    Known(Known),
-    /// Between two counts, whose account under the wall's own law is part of that under another force.
-    Counted(Addend),
-}
 
 /// What an interval adds to the sums of an account, in units of the grid.
 #[derive(Clone, Debug)]
@@ -49,47 +39,31 @@ pub(crate) struct Motions {
 const MOST: usize = 1 << 14;
 
 impl Motions {
-    /// The motions of all intervals of a chunk for which `is_asked`, where doubles leave nothing open; empty where
-    /// there is none of them, and of a loop whose force remembers earlier samples.
+    /// What all intervals between counts of a chunk for which `is_asked` add under the force of the wall, which is
+    /// part of what they add under another force; empty where there is none of them, and of a loop whose force
+    /// remembers earlier samples.
     pub(crate) fn all(
         &mut self,
         ledger: &Ledger,
         layout: &Layout,
         chunk: &Chunk,
         is_asked: impl Fn(usize, &Number) -> bool,
-    ) -> Vec<Option<Motion>> {
-        let intervals = chunk.samples.len().saturating_sub(1);
+    ) -> Vec<Option<Addend>> {
+        let Samples::Counts(counts) = &chunk.samples else {
+            return Vec::new();
+        };
         let lasts = |i: usize| {
             let dtau = duration(layout, chunk, i).ok()?.unwrap_or(UNIT);
             is_asked(i, &dtau).then_some(dtau)
         };
+        let intervals = counts.len().saturating_sub(1);
         if ledger.has_memory() || !(0..intervals).any(|i| lasts(i).is_some()) {
             return Vec::new();
         }
         let mut motions = Vec::with_capacity(intervals);
-        match &chunk.samples {
-            Samples::Any(samples) => {
-                let mut starts = Starts::default();
-                for (i, pair) in samples.windows(2).enumerate() {
-                    let [from, to] = pair else { continue };
-                    let known = match lasts(i) {
-                        Some(dtau) => Known::of(ledger.near(), &mut starts, [from, to], dtau),
-                        None => {
-                            starts.forget();
-                            None
-                        }
-                    };
-                    motions.push(known.map(Motion::Known));
-                }
-            }
-            Samples::Counts(counts) => {
-                for (i, pair) in counts.windows(2).enumerate() {
-                    let [from, to] = pair else { continue };
-                    let counted =
-                        lasts(i).and_then(|dtau| self.counted(ledger, [*from, *to], &dtau));
-                    motions.push(counted.map(Motion::Counted));
-                }
-            }
+        for (i, pair) in counts.windows(2).enumerate() {
+            let [from, to] = pair else { continue };
+            motions.push(lasts(i).and_then(|dtau| self.counted(ledger, [*from, *to], &dtau)));
         }
         motions
     }
@@ -133,15 +107,6 @@ impl Motions {
         };
         addend.fits().then_some(addend)
     }
-}
-
-/// The forces of the loop's controller that some motions start with, near by, where they are known.
-pub(crate) fn commanded(motions: &[Option<Motion>]) -> Vec<Option<f64>> {
-    let force = |motion: &Option<Motion>| match motion {
-        Some(Motion::Known(known)) => known.commanded(),
-        _ => None,
-    };
-    motions.iter().map(force).collect()
 }
 
 /// The lower end of one number and the upper end of another, in units of the grid.

@@ -16,9 +16,10 @@ use crate::log::error::TraceError;
 use crate::log::guarded::guarded;
 use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout};
+use crate::log::numbers::Numbers;
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
-use crate::log::typed::{self, Column, Meaning, broken, counts, numbers};
+use crate::log::typed::{self, Meaning, broken, counts};
 use crate::reading::Reading;
 
 /// How many rows are decoded at once.
@@ -80,7 +81,7 @@ impl Table {
             for column in 0..schema.num_columns().min(COLUMNS) {
                 let values = match open_column(&*group, column) {
                     Ok(mut wanted) => {
-                        numbers(wanted.meaning, &mut wanted.reader, rows.min(ROWS)).values
+                        typed::numbers(wanted.meaning, &mut wanted.reader, rows.min(ROWS)).values
                     }
                     Err(_) => Vec::new(),
                 };
@@ -186,8 +187,8 @@ impl Table {
         }
         let left = self.left.min(self.most);
         let rows = ROWS.min(usize::try_from(left).unwrap_or(usize::MAX));
-        let mut chunk = Chunk::default();
-        let mut starts = Column::default();
+        let mut chunk = Chunk::new(layout);
+        let mut starts = Numbers::default();
         // How many rows are whole, and what is wrong with the next.
         let (mut whole, mut error) = (rows, None);
         for Wanted {
@@ -209,53 +210,46 @@ impl Table {
                 chunk.samples = Samples::Counts(counts.values);
                 continue;
             }
-            let mut read = numbers(*meaning, reader, rows);
-            keep(read.values.len(), read.error.take());
+            let (read, found) = typed::column(*meaning, reader, rows);
+            keep(read.len(), found);
             match *column {
                 i if i == layout.position => starts = read,
                 i if Some(i) == layout.end => {
-                    let next = read.values.iter().zip(starts.values.iter().skip(1));
-                    if let Some(row) = next.into_iter().position(|(end, start)| end != start) {
+                    let mut pairs = (0..read.len()).zip(1..starts.len());
+                    if let Some((row, _)) =
+                        pairs.find(|(row, next)| read.get(*row) != starts.get(*next))
+                    {
                         let message = "a row of a ledger starts where the row before it ends";
                         keep(row + 1, Some(TraceError::new("gap", message)));
                     }
-                    read.values.truncate(whole);
-                    chunk.closing = read.values.last().cloned().map(Reading::Exact);
+                    let last = whole.min(read.len()).checked_sub(1);
+                    chunk.closing = last.and_then(|last| read.get(last)).map(Reading::Exact);
                 }
-                i if Some(i) == layout.dtau => chunk.dtaus = read.values,
-                i if Some(i) == layout.time => chunk.times = read.values,
+                i if Some(i) == layout.dtau => {
+                    chunk.dtaus = (0..read.len()).filter_map(|i| read.get(i)).collect();
+                }
+                i if Some(i) == layout.time => chunk.times = read,
                 i if Some(i) == layout.velocity => {
-                    let near = read.values.iter().map(near_number);
-                    chunk.velocities = near.map(|v| v * layout.per_velocity).collect();
+                    let near = (0..read.len()).filter_map(|i| read.get(i));
+                    chunk.velocities = near
+                        .map(|v| near_number(&v) * layout.per_velocity)
+                        .collect();
                 }
                 column => {
-                    for x in read.values {
-                        match layout.force(x, 0.0) {
-                            Ok(force) => chunk.forces.push(force),
-                            Err(found) => {
-                                let found = found.column(layout.name(column));
-                                keep(chunk.forces.len(), Some(found));
-                                break;
-                            }
-                        }
-                    }
+                    let found = chunk.forces.values.push_all(read).err();
+                    let len = chunk.forces.values.len();
+                    chunk.forces.roundings.resize(len, 0.0);
+                    keep(len, found.map(|found| found.column(layout.name(column))));
                 }
             }
         }
-        if layout.form != Form::Count {
-            let mut samples = Vec::with_capacity(starts.values.len());
-            for x in starts.values.into_iter().take(whole) {
-                match layout.sample(x) {
-                    Ok(sample) => samples.push(sample),
-                    Err(found) => {
-                        whole = samples.len();
-                        let row = u64::try_from(whole).unwrap_or(u64::MAX);
-                        error = Some(found.column(layout.name(layout.position)).row(row));
-                        break;
-                    }
-                }
+        if let Samples::Any(samples) = &mut chunk.samples {
+            starts.truncate(whole);
+            if let Err(found) = samples.push_all(starts) {
+                whole = samples.len();
+                let row = u64::try_from(whole).unwrap_or(u64::MAX);
+                error = Some(found.column(layout.name(layout.position)).row(row));
             }
-            chunk.samples = Samples::Any(samples);
         }
         chunk.truncate(whole);
         self.left -= u64::try_from(rows).unwrap_or(0);

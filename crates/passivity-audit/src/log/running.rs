@@ -131,9 +131,7 @@ impl RunningSum {
         self.steps += 1;
         big.now.add_rational(step);
         big.near += near(step);
-        // Doubles are off by 2⁻⁵³ a step: a billion steps of them are within this.
-        let slack = 1e-6 * (1.0 + big.near.abs().max(big.least_near.abs()));
-        if big.near < big.least_near + slack {
+        if big.near < big.least_near + slack(big.near, big.least_near) {
             let now = big.now.value().lo().clone();
             big.near = near(&now);
             if now < big.least {
@@ -201,6 +199,12 @@ impl RunningSum {
 
     /// Goes on with another sum, which started at zero where this one ends.
     pub(crate) fn append(&mut self, other: &Self) {
+        if self.stays_above(other) {
+            let before = self.steps;
+            self.add_big(&other.total());
+            self.steps = before + other.steps;
+            return;
+        }
         let (mut both, before) = (self.exact(), self.steps);
         let (other, steps) = (other.exact(), other.steps);
         let is_lower = both.append(&other, before);
@@ -216,6 +220,19 @@ impl RunningSum {
             }
         }
         self.steps = before + steps;
+    }
+
+    /// Whether this sum of long fractions surely does not get to its least value by going on with another one:
+    /// told by doubles, for reducing long fractions takes long.
+    fn stays_above(&self, other: &Self) -> bool {
+        let (Some(big), None) = (&self.big, &other.big) else {
+            return false;
+        };
+        #[allow(clippy::cast_precision_loss)]
+        let [least, total] =
+            [other.course.least, other.course.sum].map(|n| n as f64 / other.denominator as f64);
+        let lowest = big.near + f64::min(least, total);
+        lowest > big.least_near + slack(big.near, big.least_near)
     }
 
     fn set_least(&mut self, lowest: BigRational) {
@@ -234,6 +251,11 @@ impl RunningSum {
             }
         }
     }
+}
+
+/// More than doubles near these sums are off: by 2⁻⁵³ a step, of which a billion are within this.
+fn slack(a: f64, b: f64) -> f64 {
+    1e-6 * (1.0 + a.abs().max(b.abs()))
 }
 
 /// The nearest double.

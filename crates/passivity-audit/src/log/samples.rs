@@ -94,15 +94,15 @@ fn append(
             if let (Reading::Count(from), Reading::Count(to)) = (last, &position) {
                 check_jump(*from, *to).map_err(at)?;
             }
-            let duration = match (&time, now) {
+            let duration = match (&time, &now) {
                 (Some(from), Some(to)) => between(layout, from, to).map_err(at)?,
                 _ => Number::whole(1),
             };
             all.durations.push(duration);
         }
-        *time = now.cloned();
+        *time = now;
         all.positions.push(position);
-        all.forces.push(force.value.clone());
+        all.forces.push(force);
     }
     match &chunk.error {
         Some(error) => {

@@ -1,14 +1,18 @@
 //! How the numbers of a log become ticks, sampling periods and KΔ.
 
+use std::sync::Arc;
+
 use passivity_core::{Exact, Interval, Loop, Scalar, pi};
 use passivity_scene::units::{Dimension, Unit};
 use passivity_scene::{Motion, Scene};
 
+use crate::ball::Ball;
 use crate::log::error::TraceError;
 use crate::log::header::read_unit;
 use crate::log::irrational::Irrational;
+use crate::log::numbers::Kind;
 use crate::log::running::near;
-use crate::number::{Number, product};
+use crate::number::{Number, power_of_ten, product};
 use crate::reading::Reading;
 
 /// How a number of the trace becomes one in ticks or in KΔ.
@@ -19,7 +23,7 @@ pub(crate) enum Scale {
     /// By a rational factor.
     Factor(Number),
     /// By a factor with π in it.
-    Irrational(Box<Irrational>),
+    Irrational(Arc<Irrational>),
 }
 
 impl Scale {
@@ -30,7 +34,7 @@ impl Scale {
             return Ok(Self::Factor(Number::from(x)));
         }
         match factor.enclosure(BITS) {
-            Some(range) => Ok(Self::Irrational(Box::new(Irrational::new(factor, range)))),
+            Some(range) => Ok(Self::Irrational(Arc::new(Irrational::new(factor, range)))),
             None => Err(TraceError::new(
                 "unit",
                 "the unit of this column is not defined",
@@ -49,8 +53,8 @@ impl Scale {
             Self::Factor(factor) => Self::Factor(product(&factor, &Number::whole(-1))),
             Self::Irrational(by) => {
                 let range = Interval::hull(-by.range.lo().clone(), -by.range.hi().clone());
-                let factor = Exact::zero() - by.factor;
-                Self::Irrational(Box::new(Irrational::new(factor, range)))
+                let factor = Exact::zero() - by.factor.clone();
+                Self::Irrational(Arc::new(Irrational::new(factor, range)))
             }
         }
     }
@@ -70,6 +74,29 @@ impl Scale {
             Self::One => Ok(Reading::Exact(x)),
             Self::Factor(factor) => Ok(Reading::Exact(product(&x, factor))),
             Self::Irrational(by) => by.force(x),
+        }
+    }
+
+    /// What is known of n over 10^k as a position or a force; `None` where that takes longer to find out.
+    #[inline]
+    pub(crate) fn near(&self, kind: Kind, n: i64, k: u8) -> Option<Ball> {
+        match self {
+            Self::One => Some(Ball::of(&Number::Small(n, power_of_ten(k.into())?))),
+            Self::Factor(factor) => {
+                let x = Number::Small(n, power_of_ten(k.into())?);
+                Some(Ball::of(&product(&x, factor)))
+            }
+            Self::Irrational(by) => by.near(kind, n, k),
+        }
+    }
+
+    /// The same of a double.
+    #[inline]
+    pub(crate) fn near_double(&self, kind: Kind, x: f64) -> Option<Ball> {
+        match self {
+            Self::One => Ball::of_double(x),
+            Self::Factor(_) => None,
+            Self::Irrational(by) => by.near_double(kind, x),
         }
     }
 

@@ -83,7 +83,7 @@ pub(crate) enum Reader {
 /// What a core is given.
 pub(crate) enum Work {
     Parse(Block, Notation, Place),
-    Account(Chunk),
+    Account(Box<Chunk>),
 }
 
 /// Where in a log a chunk is.
@@ -185,10 +185,10 @@ impl Source {
                 #[cfg(feature = "parquet")]
                 Reader::Parquet(table) => table
                     .next_chunk(layout)
-                    .map(|chunk| Work::Account(Chunk { place, ..chunk })),
+                    .map(|chunk| Work::Account(Box::new(Chunk { place, ..chunk }))),
                 Reader::Memory(chunks) => chunks
                     .next()
-                    .map(|chunk| Work::Account(Chunk { place, ..chunk })),
+                    .map(|chunk| Work::Account(Box::new(Chunk { place, ..chunk }))),
             };
             if let Some(work) = work {
                 if self.place.before < EXACT_ROWS {
@@ -206,11 +206,11 @@ impl Source {
                     // The log ends here.
                     self.files.clear();
                     self.reader = Reader::Memory(Box::new(std::iter::empty()));
-                    return Some(Work::Account(Chunk {
+                    return Some(Work::Account(Box::new(Chunk {
                         place: self.place,
                         error: Some(error),
                         ..Chunk::default()
-                    }));
+                    })));
                 }
             }
         }

@@ -1,10 +1,12 @@
 //! The intervals of a trace: their durations, and displacements that are too large to be a motion.
 
 use super::chunk::{Chunk, Samples};
+use super::computed::UNIT;
 use super::error::TraceError;
 use super::layout::Layout;
+use super::numbers::Numbers;
 use crate::ledger::Logged;
-use crate::number::Number;
+use crate::number::{Number, power_of_ten};
 
 /// A count that jumps by this much in one interval is no motion.
 pub(crate) const MAX_JUMP: i64 = 1 << 31;
@@ -16,7 +18,7 @@ pub(crate) fn duration(
     i: usize,
 ) -> Result<Option<Number>, TraceError> {
     if let Some((from, to)) = chunk.times.get(i).zip(chunk.times.get(i + 1)) {
-        return between(layout, from, to).map(Some);
+        return between(layout, &from, &to).map(Some);
     }
     match chunk.dtaus.get(i) {
         Some(dtau) if !crate::number::is_positive(dtau) => {
@@ -25,6 +27,39 @@ pub(crate) fn duration(
         }
         dtau => Ok(dtau.cloned()),
     }
+}
+
+/// As [`duration`], as a fraction; `None` where that is too long, or for [`duration`] to refuse.
+#[inline]
+pub(crate) fn periods(layout: &Layout, chunk: &Chunk, i: usize) -> Option<(i64, i64)> {
+    if let Numbers::Decimals(numerators, powers) = &chunk.times
+        && let (Some([from, to]), Some([k, l])) = (numerators.get(i..i + 2), powers.get(i..i + 2))
+        && k == l
+    {
+        return layout.periods(*from, *to, power_of_ten((*k).into())?);
+    }
+    if let Numbers::Doubles(times) = &chunk.times
+        && let Some([from, to]) = times.get(i..i + 2)
+        && let Some(Number::Small(n, d)) = difference_of_doubles(*from, *to)
+    {
+        return layout.periods(0, n, d);
+    }
+    match duration(layout, chunk, i).ok()?.unwrap_or(UNIT) {
+        Number::Small(n, d) => Some((n, d)),
+        Number::Tiny(..) | Number::Big(_) => None,
+    }
+}
+
+/// The second double less the first one, where that is a double.
+#[inline]
+fn difference_of_doubles(from: f64, to: f64) -> Option<Number> {
+    let difference = to - from;
+    // What rounding takes off, exactly.
+    let part = difference - to;
+    let rest = (to - (difference - part)) - (from + part);
+    (rest == 0.0)
+        .then(|| Number::from_f64(difference))
+        .flatten()
 }
 
 /// Δτ between two times.
@@ -70,7 +105,7 @@ pub(crate) fn interval(
     dtau: Number,
 ) -> Option<Logged> {
     let force = match applied {
-        true => Some(chunk.forces.get(i)?.value.clone()),
+        true => Some(chunk.forces.get(i)?),
         false => None,
     };
     Some(Logged {

@@ -64,7 +64,7 @@ impl<'a> Task<'a> {
     pub(crate) fn looks_up(&self, chunk: &Chunk, i: usize, dtau: &Number) -> bool {
         let force = chunk.forces.get(i).filter(|_| self.applied);
         let is_few = force.is_none_or(|force| {
-            *dtau == UNIT && matches!(force.value, Reading::Exact(Number::Small(..)))
+            *dtau == UNIT && matches!(force, Reading::Exact(Number::Small(..)))
         });
         matches!(chunk.samples, Samples::Counts(_)) && is_few
     }

@@ -3,6 +3,7 @@
 use num_traits::ToPrimitive as _;
 use passivity_core::course::First;
 
+use crate::log::lanes::Length;
 use crate::number::{Number, difference, is_less, is_positive};
 
 /// How long intervals were.
@@ -39,6 +40,34 @@ impl Timing {
             }
         }
         self.widen([dtau, dtau]);
+    }
+
+    /// Counts intervals of these lengths, as fractions of two positive numbers, from the interval `h` on.
+    pub(crate) fn add_all(&mut self, lengths: &[Length], h: u64) {
+        let is_less = |(n, d): (i64, i64), (m, e): (i64, i64)| match d == e {
+            true => n < m,
+            false => i128::from(n) * i128::from(e) < i128::from(m) * i128::from(d),
+        };
+        let Some(first) = lengths.first() else { return };
+        let Length(n, d) = *first;
+        let (mut shortest, mut longest) = ((n, d), (n, d));
+        for (Length(n, d), h) in lengths.iter().zip(h..) {
+            if i128::from(*n) * 2 >= i128::from(*d) * 3 {
+                // A sample is missing.
+                self.add(&Number::Small(*n, *d), h);
+                continue;
+            }
+            self.uneven += u64::from(n != d);
+            self.late += u64::from(n > d);
+            if is_less((*n, *d), shortest) {
+                shortest = (*n, *d);
+            }
+            if is_less(longest, (*n, *d)) {
+                longest = (*n, *d);
+            }
+        }
+        let [shortest, longest] = [shortest, longest].map(|(n, d)| Number::Small(n, d));
+        self.widen([&shortest, &longest]);
     }
 
     fn widen(&mut self, [shortest, longest]: [&Number; 2]) {

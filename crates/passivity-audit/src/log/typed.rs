@@ -9,6 +9,7 @@ use parquet::schema::types::ColumnDescriptor;
 use passivity_core::BigRational;
 
 use crate::log::error::{self, TraceError};
+use crate::log::numbers::Numbers;
 use crate::number::Number;
 
 /// The largest power of ten by which decimals are divided.
@@ -245,6 +246,21 @@ pub(crate) fn counts(meaning: Meaning, reader: &mut ColumnReader, rows: usize) -
             )),
         }),
     }
+}
+
+/// The numbers of a column up to the first that is wrong, and what is wrong with it.
+pub(crate) fn column(
+    meaning: Meaning,
+    reader: &mut ColumnReader,
+    rows: usize,
+) -> (Numbers, Option<TraceError>) {
+    if let (ColumnReader::DoubleColumnReader(reader), Meaning::Plain) = (&mut *reader, meaning) {
+        let read = values(reader, rows);
+        let (numbers, error) = Numbers::doubles(read.values);
+        return (numbers, error.or(read.error));
+    }
+    let read = numbers(meaning, reader, rows);
+    (read.values.into(), read.error)
 }
 
 /// The numbers of a column.

@@ -42,7 +42,7 @@ impl Velocities {
         for (i, velocity) in chunk.velocities.iter().enumerate().take(rows) {
             let sample = chunk.samples.get(i).ok_or_else(undefined)?;
             let position = near_reading(&sample);
-            let time = chunk.times.get(i).cloned();
+            let time = chunk.times.get(i);
             let before = self.latest.replace((position, time.clone()));
             let Some((from, since)) = before else {
                 continue;

@@ -4,14 +4,16 @@
 //! rows: each is computed once and looked up from then on. Everything else is computed row by row, in
 //! doubles and in batches as far as these decide.
 
+use crate::ball::Ball;
 use crate::ledger::Read;
 use crate::log::account::{Account, Place};
 use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::{Computed, EXACT_ROWS, UNIT, is_exact, note_stored};
 use crate::log::error::TraceError;
-use crate::log::known::Known;
-use crate::log::motion::{Addend, Motion};
+use crate::log::known::{Known, Starts};
+use crate::log::lanes::{TILE, Tiles};
+use crate::log::motion::Addend;
 use crate::log::step::{check_jump, duration, interval, jump, undefined};
 use crate::log::supply::{self, Supplied};
 use crate::log::table::Table;
@@ -23,7 +25,7 @@ use crate::reading::Reading;
 pub(super) struct Walk<'a> {
     pub(super) task: &'a Task<'a>,
     /// Those of the chunk, where they are known.
-    pub(super) motions: &'a [Option<Motion>],
+    pub(super) motions: &'a [Option<Addend>],
     pub(super) from: usize,
     /// The sample at which it ends.
     pub(super) until: usize,
@@ -39,6 +41,9 @@ pub(super) struct Walk<'a> {
     /// The sample at the start of the next interval.
     pub(super) at: usize,
     pub(super) key: Vec<i64>,
+    pub(super) starts: Starts,
+    /// The rows that were computed several at a time.
+    pub(super) tiles: &'a Tiles,
 }
 
 impl Walk<'_> {
@@ -108,8 +113,7 @@ impl Walk<'_> {
         if !self.timed {
             self.even = counts.len();
         } else if self.even <= self.at {
-            let times = chunk.times.get(self.at..).unwrap_or_default();
-            self.even = self.at + task.layout.even(times);
+            self.even = self.at + task.layout.even(&chunk.times, self.at);
         }
         let counts = counts.get(..=self.even.min(self.until)).unwrap_or(counts);
         let stride = task.points.then_some((self.stride, self.from));
@@ -129,7 +133,7 @@ impl Walk<'_> {
         let mut batch = Batch::after(account.supply.excess.clone());
         let mut came = Ok(());
         while self.at < self.until {
-            if !self.known(chunk, &mut batch, account) {
+            if !self.tiles(&mut batch, account) {
                 let dtau = match duration(task.layout, chunk, self.at) {
                     Ok(dtau) => dtau,
                     Err(error) => {
@@ -139,7 +143,14 @@ impl Walk<'_> {
                 };
                 let unit = UNIT;
                 let lasts = dtau.as_ref().unwrap_or(&unit);
-                if self.looks_up(chunk, lasts) || self.add_to(&mut batch, chunk, lasts).is_none() {
+                if self.looks_up(chunk, lasts) {
+                    break;
+                }
+                let known = self.known(&mut batch, chunk, lasts);
+                if known
+                    .or_else(|| self.add_to(&mut batch, chunk, lasts))
+                    .is_none()
+                {
                     break;
                 }
                 if let (true, Some(dtau)) = (self.noted, &dtau) {
@@ -173,43 +184,61 @@ impl Walk<'_> {
         self.task.points && came > 0 && came.is_multiple_of(self.stride)
     }
 
-    /// Most other traces: positions. Goes as far as doubles decide and no point is plotted; whether that is
-    /// any further.
-    fn known(&mut self, chunk: &Chunk, batch: &mut Batch, account: &mut Account) -> bool {
-        let Samples::Any(samples) = &chunk.samples else {
+    /// Most other traces: positions. Adds intervals that were computed several at a time, as far as doubles decide
+    /// and no point is plotted; whether there is any.
+    fn tiles(&mut self, batch: &mut Batch, account: &mut Account) -> bool {
+        let task = self.task;
+        if self.h(self.at) < EXACT_ROWS {
             return false;
-        };
+        }
         let start = self.at;
-        while self.at < self.until {
-            let Some(Some(Motion::Known(known))) = self.motions.get(self.at) else {
-                break;
-            };
-            let Some(end) = samples.get(self.at + 1) else {
-                break;
-            };
-            if is_exact(self.task, end, &known.lasts, self.h(self.at)) {
-                break;
+        while let Some(tile) = self.tiles.tiles.get(self.at / TILE) {
+            let from = self.at % TILE;
+            let mut until = from + self.until.saturating_sub(self.at);
+            if task.points {
+                until = until.min(from + self.stride - (self.at - self.from) % self.stride);
             }
-            let force = match self.task.applied {
-                true => match chunk.forces.get(self.at) {
-                    Some(force) => Some(&force.value),
-                    None => break,
-                },
-                false => None,
-            };
-            if add_known(known, force, self.task.running, batch).is_none() {
+            let rows = from..tile.decided(from, until, task.applied);
+            let len = rows.len();
+            let h = account.intervals + batch.intervals;
+            let added = batch.add_tile((tile, rows), task.applied, task.running);
+            if len == 0 || added.is_none() {
                 break;
             }
             if self.noted {
-                let h = account.intervals + batch.intervals - 1;
-                account.timing.add(&known.lasts, h);
+                let lengths = self.tiles.lengths.get(self.at..self.at + len);
+                account.timing.add_all(lengths.unwrap_or_default(), h);
             }
-            self.at += 1;
+            self.at += len;
             if self.is_point() {
                 break;
             }
         }
         self.at > start
+    }
+
+    /// One of them: adds the next interval, which lasts so long; `None` where doubles leave
+    /// something open, or its row is an exact one.
+    fn known(&mut self, batch: &mut Batch, chunk: &Chunk, dtau: &Number) -> Option<()> {
+        let (task, i) = (self.task, self.at);
+        let Samples::Any(samples) = &chunk.samples else {
+            return None;
+        };
+        if task.ledger.has_memory() || (self.h(i) < EXACT_ROWS && !samples.is_enclosed(i + 1)) {
+            return None;
+        }
+        let known = Known::of(
+            task.ledger.near(),
+            &mut self.starts,
+            [samples.ball(i)?, samples.ball(i + 1)?],
+            samples.written.is_same(i, i + 1),
+            &Ball::of(dtau),
+        )?;
+        let force = match task.applied {
+            true => Some(chunk.forces.values.ball(i)?),
+            false => None,
+        };
+        add_known(&known, force, task.running, batch)
     }
 
     /// Whether the next row is one to be looked up.
@@ -225,7 +254,7 @@ impl Walk<'_> {
         let ledger = task.ledger;
         let before = task.running.then(|| batch.excess());
         let force = match task.applied {
-            true => Some(&chunk.forces.get(i)?.value),
+            true => Some(chunk.forces.get(i)?),
             false => None,
         };
         let (start, end) = (chunk.samples.get(i)?, chunk.samples.get(i + 1)?);
@@ -236,9 +265,7 @@ impl Walk<'_> {
             check_jump(*from, *to).ok()?;
         }
         let own = match self.motions.get(i) {
-            // Those that doubles decide have been added.
-            Some(Some(Motion::Known(_))) => return None,
-            Some(Some(Motion::Counted(counted))) => match force {
+            Some(Some(counted)) => match force {
                 None => return batch.add(counted, None),
                 Some(_) => Some(counted.sums[3]),
             },
@@ -254,7 +281,7 @@ impl Walk<'_> {
                 }
             },
             end: &end,
-            force,
+            force: force.as_ref(),
         };
         let row = ledger.near_entry(read, dtau)?;
         let addend = Addend::of_entry(ledger.near(), &row)?;
@@ -318,11 +345,11 @@ impl Walk<'_> {
             return true;
         }
         if task.applied {
-            let force = chunk.forces.get(self.at).map(|force| &force.value);
+            let force = chunk.forces.get(self.at);
             let Some(crate::Reading::Exact(Number::Small(n, d))) = force else {
                 return false;
             };
-            self.key.extend([*n, *d]);
+            self.key.extend([n, d]);
         }
         let from = (self.at + 1).saturating_sub(task.ledger.window());
         let Some(window) = counts.get(from..self.at + 2) else {
@@ -358,12 +385,7 @@ impl Walk<'_> {
 
 /// Adds an interval between known positions; `None` where doubles leave something open.
 #[inline(always)]
-fn add_known(
-    known: &Known,
-    force: Option<&Reading>,
-    running: bool,
-    batch: &mut Batch,
-) -> Option<()> {
+fn add_known(known: &Known, force: Option<Ball>, running: bool, batch: &mut Batch) -> Option<()> {
     let addend = known.addend(force)?;
     let [_, _, _, net, _] = addend.sums;
     let supply = match running {

@@ -3,7 +3,9 @@
 use crate::log::account::Account;
 use crate::log::chunk::Chunk;
 use crate::log::computed::EXACT_ROWS;
-use crate::log::motion::{Motion, Motions};
+use crate::log::known::Starts;
+use crate::log::lanes::Tiles;
+use crate::log::motion::{Addend, Motions};
 use crate::log::supply::Supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
@@ -17,31 +19,50 @@ const POINTS: usize = 512;
 pub(crate) struct Worker {
     table: Table,
     motions: Motions,
+    /// The room of what was computed of the last chunk.
+    room: Shared,
     /// That of net energy, to which the rows of the last chunk led.
     denominator: Option<i128>,
 }
 
+/// What is computed of a chunk once, for an account and another one beside it.
+#[derive(Default)]
+pub(crate) struct Shared {
+    /// Of counts: what intervals add under the force of the wall.
+    counted: Vec<Option<Addend>>,
+    /// Of positions.
+    tiles: Tiles,
+}
+
 impl Worker {
     /// What is computed of a chunk once, for this account and another one beside it.
-    pub(crate) fn motions(&mut self, task: &Task<'_>, chunk: &Chunk) -> Vec<Option<Motion>> {
-        match task.rows {
-            None => self
-                .motions
-                .all(task.ledger, task.layout, chunk, |i, dtau| {
-                    !task.looks_up(chunk, i, dtau)
-                }),
-            Some(_) => Vec::new(),
+    pub(crate) fn shared(&mut self, task: &Task<'_>, chunk: &Chunk) -> Shared {
+        if task.rows.is_some() {
+            return Shared::default();
         }
+        let mut shared = std::mem::take(&mut self.room);
+        shared.tiles.fill(task, chunk);
+        shared.counted = self
+            .motions
+            .all(task.ledger, task.layout, chunk, |i, dtau| {
+                !task.looks_up(chunk, i, dtau)
+            });
+        shared
     }
 
-    /// The account of the intervals that start at sample `from` or later and end in the chunk, whose motions
-    /// are known as far as [`motions`](Self::motions) gives them.
+    /// Takes back the room of what is not needed any more.
+    pub(crate) fn reuse(&mut self, shared: Shared) {
+        self.room = shared;
+    }
+
+    /// The account of the intervals that start at sample `from` or later and end in the chunk, given
+    /// what was computed of them.
     ///
     /// On a mistake the chunk is cut before it.
     pub(crate) fn account(
         &mut self,
         task: &Task<'_>,
-        (chunk, motions): (&mut Chunk, &[Option<Motion>]),
+        (chunk, shared): (&mut Chunk, &Shared),
         from: usize,
     ) -> Account {
         let last = chunk.samples.len().saturating_sub(1).max(from);
@@ -50,7 +71,7 @@ impl Worker {
         let exact = exact.clamp(from, last);
         let (mut account, goes_on) = self.between(
             task,
-            (&mut *chunk, motions),
+            (&mut *chunk, shared),
             [from, exact],
             Account::default(),
         );
@@ -59,7 +80,7 @@ impl Worker {
                 supply: Supply::after(account.supply.excess.clone()),
                 ..Account::default()
             };
-            account.append(self.between(task, (chunk, motions), [exact, last], rest).0);
+            account.append(self.between(task, (chunk, shared), [exact, last], rest).0);
         }
         account
     }
@@ -68,7 +89,7 @@ impl Worker {
     fn between(
         &mut self,
         task: &Task<'_>,
-        (chunk, motions): (&mut Chunk, &[Option<Motion>]),
+        (chunk, shared): (&mut Chunk, &Shared),
         [from, until]: [usize; 2],
         mut account: Account,
     ) -> (Account, bool) {
@@ -80,7 +101,7 @@ impl Worker {
         let timed = !chunk.times.is_empty() || !chunk.dtaus.is_empty();
         let mut walk = Walk {
             task,
-            motions,
+            motions: &shared.counted,
             from,
             until,
             before: chunk.place.before,
@@ -90,6 +111,8 @@ impl Worker {
             even: from,
             at: from,
             key: Vec::new(),
+            starts: Starts::default(),
+            tiles: &shared.tiles,
         };
         let mut goes_on = true;
         if let Err(error) = walk.run(&mut self.table, chunk, &mut account) {

@@ -64,34 +64,86 @@ pub(crate) fn power_of_ten(k: u32) -> Option<i64> {
     POWERS.get(usize::try_from(k).ok()?).copied()
 }
 
-/// A short decimal up to `end` or a line break at the start of a text, as [`decimal`] reads it, and where it
-/// ends.
+/// A short decimal up to `end` or a line break at the start of a text, as a numerator and how many of its
+/// digits are decimals, and where it ends.
 #[inline]
-pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, i64), usize)> {
+pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)> {
     /// 64 bits hold any number of as many digits.
     const MOST: usize = 18;
-    let mut rest = text.iter();
-    let (mut value, mut digits, mut decimals, mut negative) = (0_i64, 0_usize, None, false);
-    loop {
-        match rest.next() {
-            Some(byte @ b'0'..=b'9') => {
-                value = value.wrapping_mul(10).wrapping_add(i64::from(byte - b'0'));
-                digits += 1;
-            }
-            Some(b'.') if decimals.is_none() => decimals = Some(digits),
-            Some(b'-') if digits == 0 && decimals.is_none() && !negative => negative = true,
-            Some(byte) if *byte == end || *byte == b'\n' => break,
-            Some(b'\r') if rest.as_slice().first() == Some(&b'\n') => break,
-            _ => return None,
-        }
+    let negative = text.first() == Some(&b'-');
+    let start = usize::from(negative);
+    let (whole, before) = match text.get(start..)? {
+        // Most numbers have one digit before the point.
+        [digit @ b'0'..=b'9', b'.', ..] => (u64::from(digit - b'0'), 1),
+        text => digits(text, 0)?,
+    };
+    let mut at = start + before;
+    let (mut value, mut decimals) = (whole, 0);
+    if text.get(at) == Some(&b'.') {
+        (value, decimals) = digits(text.get(at + 1..)?, whole)?;
+        at += 1 + decimals;
     }
-    if digits == 0 || digits > MOST {
+    if before + decimals == 0 || before + decimals > MOST {
         return None;
     }
-    let decimals = decimals.map_or(0, |before| digits - before);
-    let power = power_of_ten(u32::try_from(decimals).ok()?)?;
-    let length = text.len() - rest.as_slice().len() - 1;
-    Some(((if negative { -value } else { value }, power), length))
+    match text.get(at)? {
+        b'\n' => {}
+        b'\r' if text.get(at + 1) == Some(&b'\n') => {}
+        byte if *byte == end => {}
+        _ => return None,
+    }
+    let value = i64::try_from(value).ok()?;
+    let decimals = u8::try_from(decimals).ok()?;
+    Some(((if negative { -value } else { value }, decimals), at))
+}
+
+/// Appends the digits at the start of a text to a number, and says how many there are; `None` for more than 24.
+#[inline(always)]
+fn digits(text: &[u8], mut value: u64) -> Option<(u64, usize)> {
+    const POWERS: [u64; 9] = [
+        1,
+        10,
+        100,
+        1_000,
+        10_000,
+        100_000,
+        1_000_000,
+        10_000_000,
+        100_000_000,
+    ];
+    let mut count = 0;
+    // Eight at a time.
+    for _ in 0..3 {
+        let rest = text.get(count..)?;
+        let word = match rest.first_chunk::<8>() {
+            Some(word) => u64::from_le_bytes(*word),
+            None => {
+                let mut word = [0; 8];
+                word.iter_mut()
+                    .zip(rest)
+                    .for_each(|(slot, byte)| *slot = *byte);
+                u64::from_le_bytes(word)
+            }
+        };
+        // Of a digit the upper half is zero now, and adding six does not change that.
+        let found = word ^ 0x3030_3030_3030_3030;
+        let other = (found.wrapping_add(0x0606_0606_0606_0606) | found) & 0xf0f0_f0f0_f0f0_f0f0;
+        let here = (other.trailing_zeros() / 8) as usize;
+        if here == 0 {
+            return Some((value, count));
+        }
+        // The first digit is in the lowest byte: those behind the last one are shifted out, zeros come before.
+        let eight = found << (64 - 8 * here);
+        let pairs = eight.wrapping_mul(10).wrapping_add(eight >> 8) & 0x00ff_00ff_00ff_00ff;
+        let fours = pairs.wrapping_mul(100).wrapping_add(pairs >> 16) & 0x0000_ffff_0000_ffff;
+        let all = fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xffff_ffff;
+        value = value.wrapping_mul(*POWERS.get(here)?).wrapping_add(all);
+        count += here;
+        if here < 8 {
+            return Some((value, count));
+        }
+    }
+    None
 }
 
 /// A short literal without an exponent: `-12`, `0.375`, `3/8`. `None` for all else, which is then for the
@@ -107,5 +159,36 @@ pub(crate) fn short(text: &[u8]) -> Option<(i64, i64)> {
             Some((n, d))
         }
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_leading_decimal_is_the_decimal_up_to_its_end(
+            text in prop_oneof![
+                "-?[0-9]{0,20}(\\.[0-9]{0,20})?[,;x\n]?",
+                "[-.0-9/:+e ]{0,6}[,\n]",
+                "[ -~\r\n]{0,12}",
+            ],
+            rest in "[0-9.,\n\r-]{0,12}",
+        ) {
+            let all = format!("{text}{rest}");
+            let found = leading_decimal(all.as_bytes(), b',');
+            let end = all.find([',', '\n']);
+            let expected = end.and_then(|end| {
+                let field = all[..end].strip_suffix('\r').filter(|_| all.as_bytes()[end] == b'\n');
+                let field = field.unwrap_or(&all[..end]);
+                let (n, power) = decimal(field.as_bytes()).filter(|_| !field.starts_with('+'))?;
+                let digits = field.bytes().filter(u8::is_ascii_digit).count();
+                let decimals = u8::try_from(power.ilog10()).unwrap();
+                (digits <= 18).then_some(((n, decimals), field.len()))
+            });
+            prop_assert_eq!(found, expected);
+        }
     }
 }

@@ -1,0 +1,270 @@
+//! Rows of one linear wall several at a time: the kernel's text on balls, without a branch on what they are,
+//! so that processors compute several rows with each instruction.
+//!
+//! Each row is what [`Known`] makes of it, to the last bit: a row of which not all is decided here is for that.
+
+#![expect(
+    clippy::indexing_slicing,
+    reason = "every index is that of a row of a tile, below the length of every column"
+)]
+
+use std::ops::Range;
+
+use passivity_core::{Scalar as _, Truth};
+
+pub(crate) use compute::commanded;
+pub(crate) use sums::Sums;
+
+use crate::ball::Ball;
+use crate::figure::not;
+use crate::ledger::Truths;
+use crate::log::chunk::{Chunk, Samples};
+use crate::log::known::Known;
+use crate::log::motion::Addend;
+use crate::log::numbers::Readings;
+use crate::log::step::periods;
+use crate::log::task::Task;
+use crate::number::Number;
+use compute::Wall;
+use sums::Totals;
+
+/// How many rows are computed at once.
+pub(crate) const TILE: usize = 64;
+
+/// As many balls as there are rows.
+#[derive(Clone, Debug)]
+pub(crate) struct Column {
+    middles: [f64; TILE],
+    radii: [f64; TILE],
+}
+
+impl Column {
+    const ZERO: Self = Self {
+        middles: [0.0; TILE],
+        radii: [0.0; TILE],
+    };
+
+    #[inline(always)]
+    pub(crate) fn get(&self, i: usize) -> Ball {
+        Ball::from_parts(self.middles[i], self.radii[i])
+    }
+
+    #[inline(always)]
+    fn set(&mut self, i: usize, ball: Ball) {
+        (self.middles[i], self.radii[i]) = ball.parts();
+    }
+
+    /// Makes all behind the first `len` zero.
+    fn cut(&mut self, len: usize) {
+        self.middles[len..].fill(0.0);
+        self.radii[len..].fill(0.0);
+    }
+}
+
+/// What is known of some consecutive intervals.
+struct Intervals {
+    start: Column,
+    end: Column,
+    lasts: Column,
+    force: Column,
+    /// Not zero where the device stands still.
+    still: [u64; TILE],
+    len: usize,
+}
+
+/// What some consecutive intervals come to, under the force of the wall and under that in the log.
+#[derive(Clone, Debug)]
+pub(crate) struct Tile {
+    /// What is generated against the wall and against its quantized form, by its own force,
+    linear: Column,
+    quantized: Column,
+    /// and what the force in the log does more work than that.
+    more: Column,
+    /// The least that friction takes, of the least friction and of the most.
+    taken: [Column; 2],
+    observed: Column,
+    potential: Column,
+    /// What is at least, and at most, true of the criterion and of both accounts, as bits: under the force of the
+    /// wall, and under that in the log.
+    truths: [[u64; TILE]; 2],
+    /// Not zero for the rows that are left open.
+    open: [[u64; TILE]; 2],
+    len: usize,
+    /// Sums of all columns, where no row is left open.
+    whole: Option<Totals>,
+}
+
+impl Intervals {
+    const fn new() -> Self {
+        Self {
+            start: Column::ZERO,
+            end: Column::ZERO,
+            lasts: Column::ZERO,
+            force: Column::ZERO,
+            still: [0; TILE],
+            len: 0,
+        }
+    }
+
+    /// The intervals of a chunk from sample `at` on, as long as these: as many as there are and have room.
+    fn read(
+        &mut self,
+        samples: &Readings,
+        forces: Option<&Readings>,
+        at: usize,
+        lengths: &[Length],
+    ) {
+        self.len = 0;
+        for (i, length) in lengths.iter().enumerate().take(TILE) {
+            let force = match forces {
+                Some(forces) => forces.ball(at + i),
+                None => Some(Ball::zero()),
+            };
+            let (Some(start), Some(end), Some(force)) =
+                (samples.ball(at + i), samples.ball(at + i + 1), force)
+            else {
+                break;
+            };
+            self.start.set(i, start);
+            self.end.set(i, end);
+            self.force.set(i, force);
+            self.lasts.set(i, length.near());
+            self.still[i] = u64::from(samples.written.is_same(at + i, at + i + 1));
+            self.len = i + 1;
+        }
+        // Nothing comes of nothing.
+        for column in [&mut self.start, &mut self.end, &mut self.force] {
+            column.cut(self.len);
+        }
+        self.lasts.cut(self.len);
+        self.lasts.middles[self.len..].fill(1.0);
+    }
+}
+
+/// How long an interval is, in periods, as a fraction; nothing where that is left open.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Length(pub(crate) i64, pub(crate) i64);
+
+impl Length {
+    const OPEN: Self = Self(0, 0);
+
+    #[inline]
+    fn near(self) -> Ball {
+        match self.1 {
+            0 => Ball::UNDEFINED,
+            _ => Ball::of(&Number::Small(self.0, self.1)),
+        }
+    }
+}
+
+impl Tile {
+    const fn new() -> Self {
+        Self {
+            linear: Column::ZERO,
+            quantized: Column::ZERO,
+            more: Column::ZERO,
+            taken: [Column::ZERO; 2],
+            observed: Column::ZERO,
+            potential: Column::ZERO,
+            truths: [[0; TILE]; 2],
+            open: [[0; TILE]; 2],
+            len: 0,
+            whole: None,
+        }
+    }
+
+    /// Computes the rows of some intervals.
+    fn fill(&mut self, wall: &Wall, of: &Intervals, applied: bool) {
+        compute::compute(self, wall, of, applied);
+        self.len = of.len;
+        let open = self.open.iter().flatten().fold(0, |all, open| all | open);
+        self.whole = (self.len == TILE && open == 0).then(|| sums::totals(self));
+    }
+
+    /// Up to which row all are decided, from one of them on.
+    pub(crate) fn decided(&self, from: usize, until: usize, applied: bool) -> usize {
+        let until = until.min(self.len);
+        let rows = self.open[usize::from(applied)].get(from..until);
+        let open = rows.unwrap_or_default().iter().position(|open| *open != 0);
+        open.map_or(until, |rows| from + rows)
+    }
+
+    /// What a row answers.
+    pub(crate) fn truths(&self, i: usize, applied: bool) -> Truths {
+        let bits = self.truths[usize::from(applied)][i];
+        let truth = |place: u32| Truth::over(bits >> place & 1 == 1, bits >> (place + 1) & 1 == 1);
+        Truths {
+            criterion_holds: truth(0),
+            violates_linear: not(truth(2)),
+            violates_quantized: not(truth(4)),
+        }
+    }
+
+    /// How many of some rows, from the first one on, answer the same.
+    pub(crate) fn alike(&self, rows: Range<usize>, applied: bool) -> usize {
+        let rows = &self.truths[usize::from(applied)][rows];
+        rows.iter()
+            .take_while(|bits| rows.first() == Some(bits))
+            .count()
+    }
+
+    /// What the observer adds for a row.
+    pub(crate) fn observed(&self, i: usize, applied: bool) -> Option<i128> {
+        let more = match applied {
+            true => self.more.get(i).on_grid()?[1],
+            false => 0,
+        };
+        Some(self.observed.get(i).on_grid()?[0] - more)
+    }
+
+    /// What a row adds.
+    pub(crate) fn addend(&self, i: usize, applied: bool) -> Option<Addend> {
+        let at = |column: &Column| column.get(i).on_grid();
+        let known = Known {
+            displacement: Ball::zero(),
+            commanded: Ball::zero(),
+            generated: [at(&self.linear)?, at(&self.quantized)?],
+            observed: at(&self.observed)?,
+            dissipated: [at(&self.taken[0])?, at(&self.taken[1])?],
+            criterion_holds: self.truths(i, applied).criterion_holds,
+            potential: at(&self.potential)?,
+        };
+        known.with_work(if applied { at(&self.more)? } else { [0, 0] })
+    }
+}
+
+/// The rows of a chunk, computed several at a time: [`TILE`] in each tile.
+#[derive(Debug, Default)]
+pub(crate) struct Tiles {
+    pub(crate) tiles: Vec<Tile>,
+    pub(crate) lengths: Vec<Length>,
+}
+
+impl Tiles {
+    /// Computes those of a chunk, in the room of those before: none of counts, and of loops that are no plain
+    /// walls.
+    pub(crate) fn fill(&mut self, task: &Task<'_>, chunk: &Chunk) {
+        self.lengths.clear();
+        let (Some(wall), Samples::Any(samples)) = (Wall::of(task.ledger), &chunk.samples) else {
+            self.tiles.clear();
+            return;
+        };
+        let intervals = samples.len().saturating_sub(1);
+        let lengths = (0..intervals)
+            .map(|i| periods(task.layout, chunk, i).map_or(Length::OPEN, |(n, d)| Length(n, d)));
+        self.lengths.extend(lengths);
+        let forces = task.applied.then_some(&chunk.forces.values);
+        self.tiles.resize(intervals.div_ceil(TILE), Tile::new());
+        let mut of = Intervals::new();
+        let lengths = self.lengths.chunks(TILE);
+        for ((tile, lengths), at) in self.tiles.iter_mut().zip(lengths).zip((0..).step_by(TILE)) {
+            of.read(samples, forces, at, lengths);
+            tile.fill(&wall, &of, task.applied);
+        }
+    }
+}
+
+mod compute;
+mod sums;
+#[cfg(test)]
+mod tests;

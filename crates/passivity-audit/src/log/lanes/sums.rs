@@ -1,0 +1,147 @@
+//! Sums over the rows of a tile, and how low they may get on the way.
+
+use std::ops::Range;
+
+use multiversion::multiversion;
+
+use super::{Column, TILE, Tile};
+use crate::ball::{Ball, on_grid};
+
+/// The sums of the lower and of the upper ends of the columns of a tile.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Totals {
+    generated: [[i128; 2]; 2],
+    more: [i128; 2],
+    taken: [i128; 2],
+    observed: [i128; 2],
+}
+
+/// Sums of some rows of a tile, in units of the grid.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sums {
+    /// As [`Addend::sums`].
+    pub(crate) sums: [[i128; 2]; 5],
+    pub(crate) observed: i128,
+    /// No sum of the first few rows is less than these of their own: of net energy at the least, of that and the
+    /// potential after them, and of what the observer adds.
+    pub(crate) least_net: i128,
+    pub(crate) least_stored: i128,
+    pub(crate) least_observed: i128,
+    /// No net energy of a row is less than this.
+    pub(crate) least_row: i128,
+}
+
+impl Tile {
+    /// The sums of rows that are decided.
+    pub(crate) fn sums(&self, rows: &Range<usize>, applied: bool) -> Sums {
+        let totals = match &self.whole {
+            Some(totals) if *rows == (0..TILE) => *totals,
+            _ => self.totals_of(rows),
+        };
+        let Totals {
+            generated,
+            more,
+            taken,
+            observed,
+        } = totals;
+        let more = if applied { more } else { [0, 0] };
+        let generated = generated.map(|own| [own[0] + more[0], own[1] + more[1]]);
+        let net = |generated: [i128; 2]| [taken[0] - generated[1], taken[1] - generated[0]];
+        let [least_net, least_stored, least_observed, least_row] = self.least(rows, applied);
+        Sums {
+            sums: [
+                generated[0],
+                generated[1],
+                taken,
+                net(generated[0]),
+                net(generated[1]),
+            ],
+            observed: observed[0] - more[1],
+            least_net,
+            least_stored,
+            least_observed,
+            least_row,
+        }
+    }
+
+    fn totals_of(&self, rows: &Range<usize>) -> Totals {
+        let mut part = self.clone();
+        let [taken, most] = &mut part.taken;
+        let (linear, quantized, more) = (&mut part.linear, &mut part.quantized, &mut part.more);
+        for column in [linear, quantized, more, taken, most, &mut part.observed] {
+            column.cut(rows.end);
+            column.middles[..rows.start].fill(0.0);
+            column.radii[..rows.start].fill(0.0);
+        }
+        totals(&part)
+    }
+
+    #[inline(always)]
+    fn totals(&self) -> Totals {
+        let [least, most] = &self.taken;
+        Totals {
+            generated: [ends(&self.linear), ends(&self.quantized)],
+            more: ends(&self.more),
+            taken: [ends(least)[0], ends(most)[1]],
+            observed: ends(&self.observed),
+        }
+    }
+
+    /// Bounds from below, in units of the grid: see [`Sums`].
+    fn least(&self, rows: &Range<usize>, applied: bool) -> [i128; 4] {
+        // Each number is off by a few roundings of what it is made of, and rounded to the grid by a few units.
+        const ROUNDING: f64 = 1.0 / (1_u64 << 42) as f64;
+        const UNITS: f64 = 1.0 / (1_u64 << 50) as f64;
+        let [mut net, mut observed, mut size] = [0.0; 3];
+        let mut least = [f64::INFINITY; 4];
+        for i in rows.clone() {
+            let at = |column: &Column| (column.middles[i], column.radii[i]);
+            let ((a, r), (b, s)) = (at(&self.taken[0]), at(&self.linear));
+            let ((e, u), (g, v)) = (at(&self.observed), at(&self.potential));
+            let (c, t) = if applied { at(&self.more) } else { (0.0, 0.0) };
+            let more = c + t;
+            let row = (a - r) - (b + s) - more;
+            net += row;
+            observed += (e - u) - more;
+            let found = [net, net + (g - v), observed, row];
+            for (least, found) in least.iter_mut().zip(found) {
+                *least = if found < *least { found } else { *least };
+            }
+            size += a.abs() + b.abs() + c.abs() + e.abs() + g.abs() + (r + s + t + u + v);
+        }
+        let slack = size * ROUNDING + UNITS;
+        least.map(|x| below(x - slack))
+    }
+}
+
+/// A double as a number of units of the grid, rounded down, as far as 128 bits go.
+#[allow(clippy::cast_possible_truncation)] // to the nearest of them
+fn below(x: f64) -> i128 {
+    const UNITS: f64 = 18_446_744_073_709_551_616.0;
+    // There is room for sums with it.
+    let most = UNITS * UNITS / 16.0;
+    (x * UNITS).floor().clamp(-most, most) as i128
+}
+
+/// The sums of the lower and of the upper ends of a column.
+#[inline(always)]
+fn ends(column: &Column) -> [i128; 2] {
+    const LANES: usize = 8;
+    let mut sums = [[0_i64; LANES]; 4];
+    for i in 0..TILE {
+        let layers = Ball::from_parts(column.middles[i], column.radii[i]).layers();
+        for (sums, layer) in sums.iter_mut().zip(layers) {
+            // A tile of numbers below 2^50.
+            sums[i % LANES] = sums[i % LANES].wrapping_add(layer);
+        }
+    }
+    let [whole, upper, lower, radius] =
+        sums.map(|lanes| lanes.into_iter().fold(0, i64::wrapping_add));
+    let (middle, radius) = (on_grid([whole, upper, lower]), i128::from(radius));
+    [middle - radius, middle + radius]
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+pub(super) fn totals(tile: &Tile) -> Totals {
+    tile.totals()
+}

@@ -1,0 +1,182 @@
+use passivity_core::quantizer;
+use passivity_scene::Scene;
+use proptest::prelude::*;
+
+use super::*;
+use crate::ledger::Ledger;
+use crate::log::known::Starts;
+
+const EXACT: &str = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"7/10\"";
+
+/// Friction between two ends that are far apart.
+const BETWEEN: &str = "[device]\nviscous = \"9e-6 N m s/rad ± 20%\"\ncoulomb = \"2e-3 N m ± 30%\"\n[sampling]\n\
+    period = \"1 ms\"\n[encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"1 N m/rad\"\n";
+
+fn ledger(text: &str) -> Ledger {
+    Ledger::of_scene(&Scene::from_toml("s", text).unwrap())
+}
+
+/// Numbers of all sizes: short ones, on the edges of ticks, near them, and any.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        3 => (-40_i32..40).prop_map(|n| f64::from(n) / 8.0),
+        3 => (-4000_i32..4000, 1..400_i32).prop_map(|(n, d)| f64::from(n) / f64::from(d)),
+        1 => (-4_i32..4).prop_map(|n| f64::from(n) + f64::EPSILON * f64::from(n)),
+        1 => -1e9..1e9,
+        1 => -1e-9..1e-9,
+        1 => any::<f64>().prop_filter("a number", |x| x.is_finite()),
+    ]
+}
+
+fn ball() -> impl Strategy<Value = Ball> {
+    let radius =
+        prop_oneof![3 => Just(0.0), 3 => 0.0..1e-12, 1 => 0.0..0.3, 1 => Just(f64::INFINITY)];
+    (number(), radius).prop_map(|(middle, radius)| match radius < 1.0 {
+        true => Ball::from_parts(middle, radius * middle.abs()),
+        false => Ball::UNDEFINED,
+    })
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    ends: [Ball; 2],
+    still: bool,
+    lasts: Ball,
+    force: Ball,
+}
+
+fn row() -> impl Strategy<Value = Row> {
+    let lasts = (1..5000_i32, 1..5000_i32).prop_map(|(n, d)| {
+        let middle = f64::from(n) / f64::from(d);
+        Ball::from_parts(middle, f64::EPSILON * middle)
+    });
+    let lasts = prop_oneof![1 => Just(Ball::one()), 2 => lasts];
+    (ball(), ball(), 0..4, lasts, ball(), any::<bool>()).prop_map(
+        |(start, end, how, lasts, force, own)| {
+            let end = match how {
+                0 => start,
+                1 => start + Ball::one().half().half(),
+                _ => end,
+            };
+            let force = if own {
+                quantizer::held_force(&start)
+            } else {
+                force
+            };
+            Row {
+                ends: [start, end],
+                still: how == 0,
+                lasts,
+                force,
+            }
+        },
+    )
+}
+
+/// The row as it is computed on its own.
+fn alone(ledger: &Ledger, row: &Row, applied: bool) -> Option<Addend> {
+    let known = Known::of(
+        ledger.near(),
+        &mut Starts::default(),
+        row.ends,
+        row.still,
+        &row.lasts,
+    )?;
+    known.addend(applied.then_some(row.force))
+}
+
+fn intervals(rows: &[Row]) -> Intervals {
+    let mut all = Intervals::new();
+    all.lasts.middles.fill(1.0);
+    for (i, row) in rows.iter().enumerate() {
+        all.start.set(i, row.ends[0]);
+        all.end.set(i, row.ends[1]);
+        all.lasts.set(i, row.lasts);
+        all.force.set(i, row.force);
+        all.still[i] = u64::from(row.still);
+    }
+    all.len = rows.len();
+    all
+}
+
+fn same(a: &Addend, b: &Addend) -> bool {
+    (a.sums, a.observed, a.potential, a.truths) == (b.sums, b.observed, b.potential, b.truths)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn rows_are_those_that_are_computed_alone(
+        rows in prop::collection::vec(row(), 1..TILE + 1), exact: bool,
+    ) {
+        let ledger = ledger(if exact { EXACT } else { BETWEEN });
+        let wall = Wall::of(&ledger).unwrap();
+        prop_assert_eq!(wall.friction_is_exact, exact);
+        let mut tile = Tile::new();
+        tile.fill(&wall, &intervals(&rows), true);
+        for applied in [false, true] {
+            let mut at = 0;
+            while at < rows.len() {
+                let decided = at..tile.decided(at, TILE, applied);
+                for i in decided.clone() {
+                    let found = tile.addend(i, applied).unwrap();
+                    let expected = alone(&ledger, &rows[i], applied);
+                    let agrees = expected.as_ref().is_some_and(|expected| same(expected, &found));
+                    prop_assert!(agrees, "{:?} {found:?} {expected:?}", rows[i]);
+                    prop_assert_eq!(tile.truths(i, applied), found.truths);
+                }
+                if !decided.is_empty() {
+                    check_sums(&tile, &decided, applied)?;
+                }
+                at = decided.end + 1;
+            }
+        }
+    }
+}
+
+fn check_sums(tile: &Tile, rows: &Range<usize>, applied: bool) -> Result<(), TestCaseError> {
+    let sums = tile.sums(rows, applied);
+    let mut all = [[0, 0]; 5];
+    let mut observed = 0;
+    for i in rows.clone() {
+        let addend = tile.addend(i, applied).unwrap();
+        for (sum, figure) in all.iter_mut().zip(addend.sums) {
+            *sum = [sum[0] + figure[0], sum[1] + figure[1]];
+        }
+        observed += addend.observed;
+        prop_assert!(sums.least_row <= addend.sums[3][0]);
+        prop_assert!(sums.least_net <= all[3][0]);
+        prop_assert!(sums.least_stored <= all[3][0] + addend.potential[0]);
+        prop_assert!(sums.least_observed <= observed);
+    }
+    prop_assert_eq!((sums.sums, sums.observed), (all, observed));
+    Ok(())
+}
+
+#[test]
+fn most_rows_of_a_log_are_decided() {
+    let ledger = ledger(BETWEEN);
+    let wall = Wall::of(&ledger).unwrap();
+    let rows: Vec<Row> = (0..TILE)
+        .map(|i| {
+            let at = |i: usize| {
+                let middle = 20.0 * (0.03 * i as f64).sin() + 0.013;
+                Ball::from_parts(middle, f64::EPSILON * middle.abs())
+            };
+            Row {
+                ends: [at(i), at(i + 1)],
+                still: false,
+                lasts: Ball::from_parts(0.99, f64::EPSILON),
+                force: quantizer::held_force(&at(i)) + Ball::from_parts(0.01, f64::EPSILON),
+            }
+        })
+        .collect();
+    let mut tile = Tile::new();
+    tile.fill(&wall, &intervals(&rows), true);
+    for applied in [false, true] {
+        assert_eq!(tile.decided(0, TILE, applied), TILE);
+        check_sums(&tile, &(0..TILE), applied).unwrap();
+        check_sums(&tile, &(3..50), applied).unwrap();
+    }
+}

@@ -1,0 +1,354 @@
+//! Columns of numbers as they are written, kept short, and what is known of them after scaling.
+
+use crate::ball::Ball;
+use crate::log::error::TraceError;
+use crate::log::scale::Scale;
+use crate::number::{Number, power_of_ten};
+use crate::reading::Reading;
+
+/// The numbers of a column.
+#[derive(Clone, Debug)]
+pub(crate) enum Numbers {
+    /// n over 10^k.
+    Decimals(Vec<i64>, Vec<u8>),
+    /// Doubles, each the dyadic rational that it is.
+    Doubles(Vec<f64>),
+    Any(Vec<Number>),
+}
+
+impl Default for Numbers {
+    fn default() -> Self {
+        Self::Decimals(Vec::new(), Vec::new())
+    }
+}
+
+/// n over 10^k.
+fn decimal(n: i64, k: u8) -> Option<Number> {
+    power_of_ten(k.into()).map(|power| Number::Small(n, power))
+}
+
+impl Numbers {
+    pub(crate) const fn len(&self) -> usize {
+        match self {
+            Self::Decimals(numerators, _) => numerators.len(),
+            Self::Doubles(values) => values.len(),
+            Self::Any(values) => values.len(),
+        }
+    }
+
+    pub(crate) const fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    pub(crate) fn get(&self, i: usize) -> Option<Number> {
+        match self {
+            Self::Decimals(numerators, powers) => decimal(*numerators.get(i)?, *powers.get(i)?),
+            Self::Doubles(values) => Number::from_f64(*values.get(i)?),
+            Self::Any(values) => values.get(i).cloned(),
+        }
+    }
+
+    /// Whether two of them are the same.
+    #[inline]
+    pub(crate) fn is_same(&self, i: usize, j: usize) -> bool {
+        match self {
+            Self::Decimals(numerators, powers) if powers.get(i) == powers.get(j) => {
+                numerators.get(i) == numerators.get(j)
+            }
+            Self::Doubles(values) => values.get(i) == values.get(j),
+            Self::Decimals(..) | Self::Any(_) => self.get(i) == self.get(j),
+        }
+    }
+
+    pub(crate) fn reserve(&mut self, rows: usize) {
+        match self {
+            Self::Decimals(numerators, powers) => {
+                numerators.reserve(rows);
+                powers.reserve(rows);
+            }
+            Self::Doubles(values) => values.reserve(rows),
+            Self::Any(values) => values.reserve(rows),
+        }
+    }
+
+    /// Appends n over 10^k, 10^k within 64 bits.
+    #[inline]
+    pub(crate) fn push_decimal(&mut self, n: i64, k: u8) {
+        match self {
+            Self::Decimals(numerators, powers) => {
+                numerators.push(n);
+                powers.push(k);
+            }
+            Self::Doubles(_) | Self::Any(_) => self.any().extend(decimal(n, k)),
+        }
+    }
+
+    pub(crate) fn push(&mut self, x: Number) {
+        if let (Self::Decimals(..), Number::Small(n, d)) = (&self, &x)
+            && let Some(k) = d.checked_ilog10()
+            && power_of_ten(k) == Some(*d)
+            && let Ok(k) = u8::try_from(k)
+        {
+            return self.push_decimal(*n, k);
+        }
+        self.any().push(x);
+    }
+
+    /// The numbers as any are.
+    fn any(&mut self) -> &mut Vec<Number> {
+        if !matches!(self, Self::Any(_)) {
+            *self = Self::Any((0..self.len()).filter_map(|i| self.get(i)).collect());
+        }
+        match self {
+            Self::Any(values) => values,
+            Self::Decimals(..) | Self::Doubles(_) => unreachable!("they were made any just now"),
+        }
+    }
+
+    pub(crate) fn truncate(&mut self, len: usize) {
+        match self {
+            Self::Decimals(numerators, powers) => {
+                numerators.truncate(len);
+                powers.truncate(len);
+            }
+            Self::Doubles(values) => values.truncate(len),
+            Self::Any(values) => values.truncate(len),
+        }
+    }
+
+    pub(crate) fn append(&mut self, next: &mut Self) {
+        if self.is_empty() {
+            *self = std::mem::take(next);
+            return;
+        }
+        match (&mut *self, &mut *next) {
+            (Self::Decimals(numerators, powers), Self::Decimals(more, their)) => {
+                numerators.append(more);
+                powers.append(their);
+            }
+            (Self::Doubles(values), Self::Doubles(more)) => values.append(more),
+            (_, next) => self.any().append(next.any()),
+        }
+    }
+
+    /// Keeps the first `len`, and gives the others.
+    pub(crate) fn split_off(&mut self, len: usize) -> Self {
+        let len = len.min(self.len());
+        match self {
+            Self::Decimals(numerators, powers) => {
+                Self::Decimals(numerators.split_off(len), powers.split_off(len))
+            }
+            Self::Doubles(values) => Self::Doubles(values.split_off(len)),
+            Self::Any(values) => Self::Any(values.split_off(len)),
+        }
+    }
+}
+
+impl Numbers {
+    pub(crate) fn whole(values: Vec<i64>) -> Self {
+        let powers = vec![0; values.len()];
+        Self::Decimals(values, powers)
+    }
+
+    /// Doubles up to the first that is no number.
+    pub(crate) fn doubles(mut values: Vec<f64>) -> (Self, Option<TraceError>) {
+        let wrong = values.iter().find(|x| !x.is_finite());
+        let error = wrong.and_then(|x| double(*x).err());
+        if error.is_some() {
+            let whole = values.iter().take_while(|x| x.is_finite()).count();
+            values.truncate(whole);
+        }
+        (Self::Doubles(values), error)
+    }
+}
+
+impl From<Vec<Number>> for Numbers {
+    fn from(numbers: Vec<Number>) -> Self {
+        let mut column = Self::default();
+        column.reserve(numbers.len());
+        numbers.into_iter().for_each(|x| column.push(x));
+        column
+    }
+}
+
+/// The number that a double is.
+pub(crate) fn double(x: f64) -> Result<Number, TraceError> {
+    Number::from_f64(x)
+        .ok_or_else(|| TraceError::new("not_finite", format!("expected a number, found {x}")))
+}
+
+/// What is known of the numbers of a column, in doubles.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Balls {
+    pub(crate) middles: Vec<f64>,
+    pub(crate) radii: Vec<f64>,
+}
+
+impl Balls {
+    #[inline]
+    pub(crate) fn push(&mut self, ball: Ball) {
+        let (middle, radius) = ball.parts();
+        self.middles.push(middle);
+        self.radii.push(radius);
+    }
+
+    fn truncate(&mut self, len: usize) {
+        self.middles.truncate(len);
+        self.radii.truncate(len);
+    }
+
+    fn append(&mut self, next: &mut Self) {
+        self.middles.append(&mut next.middles);
+        self.radii.append(&mut next.radii);
+    }
+
+    fn split_off(&mut self, len: usize) -> Self {
+        let len = len.min(self.middles.len());
+        Self {
+            middles: self.middles.split_off(len),
+            radii: self.radii.split_off(len),
+        }
+    }
+}
+
+/// What the numbers of a column are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// Positions, in ticks.
+    Position,
+    /// Forces, in KΔ.
+    Force,
+}
+
+/// A column of positions or forces: as they are written, to what scale, and where they are.
+#[derive(Clone, Debug)]
+pub(crate) struct Readings {
+    pub(crate) written: Numbers,
+    /// The balls of what [`get`](Self::get) gives.
+    pub(crate) near: Balls,
+    kind: Kind,
+    scale: Scale,
+}
+
+impl Readings {
+    pub(crate) fn new(kind: Kind, scale: &Scale) -> Self {
+        Self {
+            written: Numbers::default(),
+            near: Balls::default(),
+            kind,
+            scale: scale.clone(),
+        }
+    }
+
+    pub(crate) const fn len(&self) -> usize {
+        self.written.len()
+    }
+
+    fn read(&self, x: Number) -> Result<Reading, TraceError> {
+        match self.kind {
+            Kind::Position => self.scale.position(x),
+            Kind::Force => self.scale.force(x),
+        }
+    }
+
+    pub(crate) fn get(&self, i: usize) -> Option<Reading> {
+        // What was appended can be read.
+        self.read(self.written.get(i)?).ok()
+    }
+
+    /// What is known of the number at `i`.
+    #[inline]
+    pub(crate) fn ball(&self, i: usize) -> Option<Ball> {
+        let (middle, radius) = (self.near.middles.get(i)?, self.near.radii.get(i)?);
+        Some(Ball::from_parts(*middle, *radius))
+    }
+
+    /// Whether [`get`](Self::get) gives an enclosure.
+    pub(crate) fn is_enclosed(&self, i: usize) -> bool {
+        self.scale.is_irrational() && self.ball(i).is_some_and(|ball| !ball.is_zero())
+    }
+
+    pub(crate) fn reserve(&mut self, rows: usize) {
+        self.written.reserve(rows);
+        self.near.middles.reserve(rows);
+        self.near.radii.reserve(rows);
+    }
+
+    /// What is known of n over 10^k; `None` where that is for the careful way.
+    #[inline]
+    pub(crate) fn near(&self, n: i64, k: u8) -> Option<Ball> {
+        self.scale.near(self.kind, n, k)
+    }
+
+    /// Appends n over 10^k, of which this is known.
+    #[inline]
+    pub(crate) fn push_near(&mut self, n: i64, k: u8, near: Ball) {
+        self.written.push_decimal(n, k);
+        self.near.push(near);
+    }
+
+    /// What is known of a number, for [`push`](Self::push).
+    pub(crate) fn known(&self, x: Number) -> Result<(Number, Ball), TraceError> {
+        let near = *self.read(x.clone())?.to_near().lo();
+        Ok((x, near))
+    }
+
+    /// Appends a number of which this is known.
+    pub(crate) fn push(&mut self, (x, near): (Number, Ball)) {
+        self.written.push(x);
+        self.near.push(near);
+    }
+
+    /// Appends numbers up to the first that cannot be read.
+    pub(crate) fn push_all(&mut self, numbers: Numbers) -> Result<(), TraceError> {
+        self.reserve(numbers.len());
+        match numbers {
+            Numbers::Doubles(values) if self.len() == 0 => {
+                for (i, x) in values.iter().enumerate() {
+                    let near = match self.scale.near_double(self.kind, *x) {
+                        Some(near) => Ok(near),
+                        None => double(*x).and_then(|x| Ok(self.known(x)?.1)),
+                    };
+                    match near {
+                        Ok(near) => self.near.push(near),
+                        Err(error) => {
+                            let read = values.into_iter().take(i).collect();
+                            self.written = Numbers::Doubles(read);
+                            return Err(error);
+                        }
+                    }
+                }
+                self.written = Numbers::Doubles(values);
+            }
+            numbers => {
+                for x in (0..numbers.len()).filter_map(|i| numbers.get(i)) {
+                    let known = self.known(x)?;
+                    self.push(known);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    pub(crate) fn truncate(&mut self, len: usize) {
+        self.written.truncate(len);
+        self.near.truncate(len);
+    }
+
+    pub(crate) fn append(&mut self, next: &mut Self) {
+        if self.len() == 0 {
+            (self.kind, self.scale) = (next.kind, next.scale.clone());
+        }
+        self.written.append(&mut next.written);
+        self.near.append(&mut next.near);
+    }
+
+    pub(crate) fn split_off(&mut self, len: usize) -> Self {
+        Self {
+            written: self.written.split_off(len),
+            near: self.near.split_off(len),
+            kind: self.kind,
+            scale: self.scale.clone(),
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Rows of a CSV trace that are nothing but short decimals, read in one pass.
+
+use crate::log::chunk::{Chunk, Samples};
+use crate::log::columns::Role;
+use crate::log::csv::Notation;
+use crate::log::layout::{Form, Layout};
+use crate::log::running::near_number;
+use crate::number::{Number, leading_decimal, power_of_ten};
+
+/// What the columns of a log hold, for rows of nothing but short decimals.
+pub(crate) struct Slots {
+    /// By column.
+    roles: Vec<Option<Role>>,
+    delimiter: u8,
+}
+
+impl Slots {
+    /// `None` for other logs.
+    pub(crate) fn of(layout: &Layout, notation: Notation) -> Option<Self> {
+        let is_plain = layout.form != Form::Ledger && !notation.decimal_comma;
+        if !is_plain || notation.delimiter == b'.' || notation.delimiter == b'-' {
+            return None;
+        }
+        let mut roles = vec![None; layout.width()];
+        let columns = [
+            (Some(layout.position), Role::X),
+            (layout.time, Role::T),
+            (layout.force, Role::F),
+            (layout.velocity, Role::V),
+        ];
+        for (column, role) in columns {
+            if let Some(column) = column {
+                *roles.get_mut(column)? = Some(role);
+            }
+        }
+        Some(Self {
+            roles,
+            delimiter: notation.delimiter,
+        })
+    }
+
+    /// Appends the row at the start of a text, and gives its length with its line break; `None`, and nothing
+    /// appended, for a row that is for the careful parser.
+    pub(crate) fn push(&self, text: &[u8], layout: &Layout, chunk: &mut Chunk) -> Option<usize> {
+        let mut at = 0;
+        let [mut position, mut time, mut force, mut velocity] = [None; 4];
+        let mut ended = false;
+        for role in &self.roles {
+            if ended {
+                return None;
+            }
+            let rest = text.get(at..)?;
+            let length = match role {
+                None => memchr::memchr2(self.delimiter, b'\n', rest)?,
+                Some(role) => {
+                    let (number, length) = leading_decimal(rest, self.delimiter)?;
+                    let slot = match role {
+                        Role::T => &mut time,
+                        Role::F => &mut force,
+                        Role::V => &mut velocity,
+                        _ => &mut position,
+                    };
+                    *slot = Some(number);
+                    length
+                }
+            };
+            let end = rest.get(length)?;
+            ended = *end != self.delimiter;
+            at += length + if *end == b'\r' { 2 } else { 1 };
+        }
+        if !ended {
+            return None;
+        }
+        let (n, k) = position?;
+        let force = match force {
+            Some((n, k)) => Some((n, k, chunk.forces.values.near(n, k)?)),
+            None => None,
+        };
+        match &mut chunk.samples {
+            Samples::Counts(counts) if k == 0 => counts.push(n),
+            Samples::Counts(_) => return None,
+            Samples::Any(samples) => {
+                let near = samples.near(n, k)?;
+                samples.push_near(n, k, near);
+            }
+        }
+        if let Some((n, k, near)) = force {
+            chunk.forces.values.push_near(n, k, near);
+            let rounding = half_a_unit(k) * layout.size_of_force;
+            chunk.forces.roundings.push(rounding);
+        }
+        if let Some((n, k)) = time {
+            chunk.times.push_decimal(n, k);
+        }
+        if let Some((n, k)) = velocity {
+            let near = near_number(&Number::Small(n, power_of_ten(k.into())?));
+            chunk.velocities.push(near * layout.per_velocity);
+        }
+        Some(at)
+    }
+}
+
+/// Half a unit of the last digit of a number with so many decimals.
+pub(crate) fn half_a_unit(decimals: u8) -> f64 {
+    // A power of ten that is a double.
+    const UNITS: [f64; 19] = [
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+        1e17, 1e18,
+    ];
+    UNITS
+        .get(usize::from(decimals))
+        .map_or(f64::INFINITY, |power| 0.5 / power)
+}
