@@ -6,23 +6,34 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use passivity_standin::copy::{copy, workspace};
-use passivity_standin::mutate::{Place, SWITCH, with_places};
+use passivity_standin::mutate::{AS_IT_WAS, MUTANT, Place, SWITCH, with_places};
 
-use crate::operators::Change;
-use crate::{SUBJECTS, Subject};
+use crate::Subject;
+use crate::changes::Change;
 
-/// Where it is, from the root of the workspace.
-const FOLDER: &str = "target/mutants-copy";
+/// A copy with its programs.
+pub(crate) struct Built {
+    /// The crate's folder in it.
+    pub(crate) folder: PathBuf,
+    /// Changes with which it does not compile.
+    pub(crate) unviable: Vec<Change>,
+    /// The tests.
+    pub(crate) programs: Vec<PathBuf>,
+    /// The number by which the function of each change asks for its switch.
+    pub(crate) functions: BTreeMap<u32, u32>,
+}
 
 /// Makes the copy, leaves out the changes with which it does not compile, and builds the tests.
 pub(crate) fn built(
     root: &Path,
+    subject: &Subject,
     changes: &mut Vec<Change>,
-) -> Result<Vec<(&'static Subject, PathBuf)>, String> {
-    let to = root.join(FOLDER);
-    loop {
-        let texts = written(root, &to, changes)?;
-        let said = cargo(&to, &["check", "--message-format", "short"], &SUBJECTS[1])?;
+) -> Result<Built, String> {
+    let to = root.join("target/mutants-copy").join(subject.package);
+    let mut unviable = Vec::new();
+    let texts = loop {
+        let texts = written(root, subject, &to, changes)?;
+        let said = cargo(&to, &["check", "--message-format", "short"], subject)?;
         let refused: Vec<u32> = said
             .lines()
             .filter_map(|line| at_fault(line, &texts))
@@ -31,72 +42,84 @@ pub(crate) fn built(
             if said.contains(": error") {
                 return Err(format!("the copy does not compile:\n{said}"));
             }
-            break;
+            break texts;
         }
+        let (refused, rest): (Vec<Change>, Vec<Change>) = std::mem::take(changes)
+            .into_iter()
+            .partition(|change| refused.contains(&change.number));
         println!("{} changes do not compile", refused.len());
-        changes.retain(|change| !refused.contains(&change.number));
+        unviable.extend(refused);
+        *changes = rest;
+    };
+    let mut arguments = vec!["test", "--no-run"];
+    arguments.extend(subject.tests);
+    let said = cargo(&to, &arguments, subject)?;
+    let programs: Vec<PathBuf> = said
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("Executable "))
+        .filter_map(|line| line.rsplit('(').next())
+        .map(|path| to.join(path.trim_end_matches(')')))
+        .collect();
+    if programs.is_empty() {
+        return Err(format!("the tests of the copy do not compile:\n{said}"));
     }
-    let mut programs = Vec::new();
-    for subject in &SUBJECTS {
-        let mut arguments = vec!["test", "--no-run"];
-        arguments.extend(subject.tests);
-        let said = cargo(&to, &arguments, subject)?;
-        let lines = said
-            .lines()
-            .filter_map(|l| l.trim().strip_prefix("Executable "));
-        let before = programs.len();
-        for line in lines {
-            let path = line.rsplit('(').next().unwrap_or_default();
-            programs.push((subject, to.join(path.trim_end_matches(')'))));
-        }
-        if programs.len() == before {
-            return Err(format!("the tests of the copy do not compile:\n{said}"));
+    Ok(Built {
+        folder: to.join(subject.folder()),
+        unviable,
+        programs,
+        functions: functions(&texts),
+    })
+}
+
+/// By which number the function of each change asks for its switch.
+fn functions(texts: &BTreeMap<String, String>) -> BTreeMap<u32, u32> {
+    let mut functions = BTreeMap::new();
+    for text in texts.values() {
+        let mut function = None;
+        for line in text.lines() {
+            let number = |text: &str| text.split(')').next()?.parse::<u32>().ok();
+            if let Some((_, rest)) = line.split_once("match crate::mutation::on(") {
+                function = number(rest);
+            }
+            let change = line.strip_prefix(MUTANT).and_then(number);
+            functions.extend(change.zip(function));
         }
     }
-    Ok(programs)
+    functions
 }
 
 /// Writes the copy; gives the texts of the changed files.
-fn written(root: &Path, to: &Path, changes: &[Change]) -> Result<BTreeMap<String, String>, String> {
+fn written(
+    root: &Path,
+    subject: &Subject,
+    to: &Path,
+    changes: &[Change],
+) -> Result<BTreeMap<String, String>, String> {
     let mut places: BTreeMap<&str, Vec<Place>> = BTreeMap::new();
     for change in changes {
-        places
-            .entry(&change.file)
-            .or_default()
-            .push(change.place.clone());
+        places.entry(&change.file).or_default().push(change.place());
     }
     let mut texts = BTreeMap::new();
-    for subject in &SUBJECTS {
-        let sources = root.join(subject.folder).join("src");
+    for folder in subject.folders {
+        let sources = root.join(folder).join("src");
         let mut fault = None;
         copy(
-            &root.join(subject.folder),
-            &to.join(subject.folder),
-            &mut |path, text| {
+            &root.join(folder),
+            &to.join(folder),
+            &mut |path, mut text| {
                 let Ok(within) = path.strip_prefix(&sources) else {
                     return text;
                 };
-                let name = format!("{}/src/{}", subject.folder, within.display());
-                let mut text = match places.get(name.as_str()) {
-                    Some(places) => with_places(&text, places).unwrap_or_else(|why| {
-                        fault = Some(format!("{name}: {why}"));
-                        text.clone()
-                    }),
-                    None => text,
-                };
-                if within == Path::new("lib.rs") {
+                let name = format!("{folder}/src/{}", within.display());
+                if let Some(places) = places.get(name.as_str()) {
+                    match with_places(&text, places) {
+                        Ok(changed) => text = computed_later(&changed),
+                        Err(why) => fault = Some(format!("{name}: {why}")),
+                    }
+                }
+                if *folder == subject.folder() && within == Path::new("lib.rs") {
                     text.push_str("\nmod mutation;\n");
                 }
-                // A switch cannot be looked at while compiling; constants need their constructors there.
-                let changed = places.contains_key(name.as_str());
-                let lines = text.split_inclusive('\n').map(|line| {
-                    if changed && !line.contains("fn new(") {
-                        line.replace("const fn ", "fn ")
-                    } else {
-                        line.to_owned()
-                    }
-                });
-                let text: String = lines.collect();
                 texts.insert(name, text.clone());
                 text
             },
@@ -104,23 +127,44 @@ fn written(root: &Path, to: &Path, changes: &[Change]) -> Result<BTreeMap<String
         if let Some(fault) = fault {
             return Err(fault);
         }
-        let switch = to.join(subject.folder).join("src/mutation.rs");
-        fs::write(&switch, SWITCH).map_err(|e| format!("{}: {e}", switch.display()))?;
     }
+    let switch = to.join(subject.folder()).join("src/mutation.rs");
+    fs::write(&switch, SWITCH).map_err(|e| format!("{}: {e}", switch.display()))?;
     // What tests read beside their crate.
     for folder in ["scenes", "docs"] {
         copy(&root.join(folder), &to.join(folder), &mut |_, text| text);
     }
-    workspace(root, to, &SUBJECTS.map(|subject| subject.folder));
+    workspace(root, to, subject.folders);
     Ok(texts)
 }
 
+/// A switch cannot be looked at while compiling; constants need their constructors there.
+fn computed_later(text: &str) -> String {
+    let lines = text.split_inclusive('\n').map(|line| {
+        if line.contains("fn new(") {
+            line.to_owned()
+        } else {
+            line.replace("const fn ", "fn ")
+        }
+    });
+    lines.collect()
+}
+
+/// Runs cargo in the copy. Whether a test fails is asked, not where: nothing is kept for debuggers.
 fn cargo(copy_of: &Path, arguments: &[&str], subject: &Subject) -> Result<String, String> {
     let output = Command::new("cargo")
         .args(arguments)
         .args(["--offline", "-p", subject.package])
+        .args(["--config", "profile.dev.debug=false"])
+        .args(["--config", "profile.dev.package.passivity-core.opt-level=0"])
+        .args([
+            "--config",
+            "profile.dev.package.passivity-scene.opt-level=0",
+        ])
         .current_dir(copy_of)
-        .env("CARGO_TARGET_DIR", "target")
+        .env("CARGO_TARGET_DIR", "../target")
+        .env("CARGO_INCREMENTAL", "0")
+        .env("RUSTFLAGS", "--cap-lints=allow")
         .output()
         .map_err(|e| format!("cargo: {e}"))?;
     Ok(String::from_utf8_lossy(&output.stderr).into_owned())
@@ -134,9 +178,7 @@ fn at_fault(line: &str, texts: &BTreeMap<String, String>) -> Option<u32> {
         return None;
     }
     let before: Vec<&str> = texts.get(file)?.lines().take(row).collect();
-    let switch = before
-        .iter()
-        .rev()
-        .find_map(|line| line.split_once("mutation::is("))?;
-    switch.1.split(')').next()?.parse().ok()
+    let mark = |line: &&&str| line.starts_with(MUTANT) || **line == AS_IT_WAS;
+    let above = before.iter().rev().find(mark)?;
+    above.strip_prefix(MUTANT)?.parse().ok()
 }
