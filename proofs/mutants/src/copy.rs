@@ -1,39 +1,36 @@
 //! The copy of the crates with every change in it, built.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use passivity_standin::copy::{copy, workspace};
+use passivity_standin::copy::{copy, workspace, write};
 use passivity_standin::mutate::{AS_IT_WAS, MUTANT, Place, SWITCH, with_places};
 
-use crate::Subject;
+use crate::SUBJECTS;
 use crate::changes::Change;
+
+/// Where it is, from the root of the workspace.
+const FOLDER: &str = "target/mutants-copy";
 
 /// A copy with its programs.
 pub(crate) struct Built {
-    /// The crate's folder in it.
-    pub(crate) folder: PathBuf,
     /// Changes with which it does not compile.
     pub(crate) unviable: Vec<Change>,
-    /// The tests.
-    pub(crate) programs: Vec<PathBuf>,
+    /// The tests, each with the folder in which it runs: that of the crate itself, where all stands
+    /// that they read.
+    pub(crate) programs: Vec<(PathBuf, PathBuf)>,
     /// The number by which the function of each change asks for its switch.
     pub(crate) functions: BTreeMap<u32, u32>,
 }
 
 /// Makes the copy, leaves out the changes with which it does not compile, and builds the tests.
-pub(crate) fn built(
-    root: &Path,
-    subject: &Subject,
-    changes: &mut Vec<Change>,
-) -> Result<Built, String> {
-    let to = root.join("target/mutants-copy").join(subject.package);
+pub(crate) fn built(root: &Path, changes: &mut Vec<Change>) -> Result<Built, String> {
+    let to = root.join(FOLDER);
     let mut unviable = Vec::new();
     let texts = loop {
-        let texts = written(root, subject, &to, changes)?;
-        let said = cargo(&to, &["check", "--message-format", "short"], subject)?;
+        let texts = written(root, &to, changes)?;
+        let said = cargo(&to, &["check", "--keep-going", "--message-format", "short"])?;
         let refused: Vec<u32> = said
             .lines()
             .filter_map(|line| at_fault(line, &texts))
@@ -51,20 +48,24 @@ pub(crate) fn built(
         unviable.extend(refused);
         *changes = rest;
     };
-    let mut arguments = vec!["test", "--no-run"];
-    arguments.extend(subject.tests);
-    let said = cargo(&to, &arguments, subject)?;
-    let programs: Vec<PathBuf> = said
-        .lines()
-        .filter_map(|line| line.trim().strip_prefix("Executable "))
-        .filter_map(|line| line.rsplit('(').next())
-        .map(|path| to.join(path.trim_end_matches(')')))
-        .collect();
-    if programs.is_empty() {
-        return Err(format!("the tests of the copy do not compile:\n{said}"));
+    let mut programs = Vec::new();
+    for subject in &SUBJECTS {
+        let mut arguments = vec!["test", "--no-run", "-p", subject.package];
+        arguments.extend(subject.tests);
+        let said = cargo(&to, &arguments)?;
+        let lines = said.lines();
+        let lines = lines.filter_map(|line| line.trim().strip_prefix("Executable "));
+        let before = programs.len();
+        for line in lines {
+            let program = line.rsplit('(').next().unwrap_or_default();
+            let program = to.join(program.trim_end_matches(')'));
+            programs.push((root.join(subject.folder), program));
+        }
+        if programs.len() < before + subject.tests.len() {
+            return Err(format!("the tests of the copy do not compile:\n{said}"));
+        }
     }
     Ok(Built {
-        folder: to.join(subject.folder()),
         unviable,
         programs,
         functions: functions(&texts),
@@ -89,18 +90,13 @@ fn functions(texts: &BTreeMap<String, String>) -> BTreeMap<u32, u32> {
 }
 
 /// Writes the copy; gives the texts of the changed files.
-fn written(
-    root: &Path,
-    subject: &Subject,
-    to: &Path,
-    changes: &[Change],
-) -> Result<BTreeMap<String, String>, String> {
+fn written(root: &Path, to: &Path, changes: &[Change]) -> Result<BTreeMap<String, String>, String> {
     let mut places: BTreeMap<&str, Vec<Place>> = BTreeMap::new();
     for change in changes {
         places.entry(&change.file).or_default().push(change.place());
     }
     let mut texts = BTreeMap::new();
-    for folder in subject.folders {
+    for folder in SUBJECTS.map(|subject| subject.folder) {
         let sources = root.join(folder).join("src");
         let mut fault = None;
         copy(
@@ -111,15 +107,17 @@ fn written(
                     return text;
                 };
                 let name = format!("{folder}/src/{}", within.display());
-                if let Some(places) = places.get(name.as_str()) {
+                let places = places.get(name.as_str());
+                if let Some(places) = places {
                     match with_places(&text, places) {
-                        Ok(changed) => text = computed_later(&changed),
+                        Ok(changed) => text = changed,
                         Err(why) => fault = Some(format!("{name}: {why}")),
                     }
                 }
-                if *folder == subject.folder() && within == Path::new("lib.rs") {
+                if within == Path::new("lib.rs") {
                     text.push_str("\nmod mutation;\n");
                 }
+                text = computed_later(&text, places.is_some());
                 texts.insert(name, text.clone());
                 text
             },
@@ -127,21 +125,22 @@ fn written(
         if let Some(fault) = fault {
             return Err(fault);
         }
+        let switch = to.join(folder).join("src/mutation.rs");
+        write(&switch, SWITCH.as_bytes());
     }
-    let switch = to.join(subject.folder()).join("src/mutation.rs");
-    fs::write(&switch, SWITCH).map_err(|e| format!("{}: {e}", switch.display()))?;
     // What tests read beside their crate.
     for folder in ["scenes", "docs"] {
         copy(&root.join(folder), &to.join(folder), &mut |_, text| text);
     }
-    workspace(root, to, subject.folders);
+    workspace(root, to, &SUBJECTS.map(|subject| subject.folder));
     Ok(texts)
 }
 
-/// A switch cannot be looked at while compiling; constants need their constructors there.
-fn computed_later(text: &str) -> String {
+/// A switch cannot be looked at while compiling. Constants need their constructors there, and those
+/// of files without a change any function that does not look at something.
+fn computed_later(text: &str, changed: bool) -> String {
     let lines = text.split_inclusive('\n').map(|line| {
-        if line.contains("fn new(") {
+        if line.contains("fn new(") || !changed && !line.contains("&self") {
             line.to_owned()
         } else {
             line.replace("const fn ", "fn ")
@@ -151,10 +150,10 @@ fn computed_later(text: &str) -> String {
 }
 
 /// Runs cargo in the copy. Whether a test fails is asked, not where: nothing is kept for debuggers.
-fn cargo(copy_of: &Path, arguments: &[&str], subject: &Subject) -> Result<String, String> {
+fn cargo(copy_of: &Path, arguments: &[&str]) -> Result<String, String> {
     let output = Command::new("cargo")
         .args(arguments)
-        .args(["--offline", "-p", subject.package])
+        .arg("--offline")
         .args(["--config", "profile.dev.debug=false"])
         .args(["--config", "profile.dev.package.passivity-core.opt-level=0"])
         .args([
@@ -162,7 +161,7 @@ fn cargo(copy_of: &Path, arguments: &[&str], subject: &Subject) -> Result<String
             "profile.dev.package.passivity-scene.opt-level=0",
         ])
         .current_dir(copy_of)
-        .env("CARGO_TARGET_DIR", "../target")
+        .env("CARGO_TARGET_DIR", "target")
         .env("CARGO_INCREMENTAL", "0")
         .env("RUSTFLAGS", "--cap-lints=allow")
         .output()

@@ -9,9 +9,9 @@ use std::process::Command;
 use std::sync::Mutex;
 
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde_json::json;
 
-use crate::Subject;
+use crate::SUBJECTS;
 use crate::changes::Change;
 use crate::runs::Outcome;
 
@@ -25,13 +25,13 @@ pub(crate) struct Entry {
     /// How many inputs a property test was given.
     pub(crate) cases: u32,
     pub(crate) seconds: f64,
-    /// Of the crate's sources and of those below it.
+    /// Of the sources of the crates.
     sources: u64,
-    /// Of the crate's tests.
+    /// Of their tests.
     tests: u64,
 }
 
-/// What is known of a crate's changes.
+/// What is known of the changes.
 pub(crate) struct Journal {
     sources: u64,
     tests: u64,
@@ -41,16 +41,15 @@ pub(crate) struct Journal {
 impl Journal {
     /// Reads what earlier runs have found on the same sources. That a change was not noticed counts
     /// only with the same tests.
-    pub(crate) fn open(root: &Path, subject: &Subject, folder: &Path) -> Result<Self, String> {
-        let mut sources = DefaultHasher::new();
-        for folder in subject.folders {
-            hash(&root.join(folder).join("src"), &mut sources)?;
+    pub(crate) fn open(root: &Path, folder: &Path) -> Result<Self, String> {
+        let (mut sources, mut tests) = (DefaultHasher::new(), DefaultHasher::new());
+        for name in SUBJECTS.map(|subject| subject.folder) {
+            hash(&root.join(name).join("src"), &mut sources)?;
+            hash(&root.join(name).join("tests"), &mut tests)?;
         }
         hash(&root.join("Cargo.lock"), &mut sources)?;
-        let mut tests = DefaultHasher::new();
-        hash(&root.join(subject.folder()).join("tests"), &mut tests)?;
         let (sources, tests) = (sources.finish(), tests.finish());
-        let path = folder.join(format!("{}.jsonl", subject.package));
+        let path = folder.join("journal.jsonl");
         let failed = |e: std::io::Error| format!("{}: {e}", path.display());
         let text = if path.exists() {
             fs::read_to_string(&path).map_err(failed)?
@@ -63,7 +62,8 @@ impl Journal {
             .lines()
             .filter_map(|line| serde_json::from_str::<Entry>(line).ok())
         {
-            let counts = entry.outcome == Outcome::Noticed || entry.tests == tests;
+            let counts = entry.tests == tests
+                || matches!(entry.outcome, Outcome::Noticed | Outcome::Unviable);
             if entry.sources == sources && counts {
                 entries.insert(entry.mutant.clone(), entry);
             }
@@ -125,70 +125,42 @@ impl Journal {
     }
 }
 
-/// What became of all changes, in the form of cargo-mutants.
-pub(crate) struct Whole {
-    version: String,
-    left_out: Vec<String>,
-    outcomes: Vec<Value>,
-}
-
-impl Whole {
-    pub(crate) fn new(left_out: Vec<String>) -> Result<Self, String> {
-        let output = Command::new("cargo")
-            .args(["mutants", "--version"])
-            .output()
-            .map_err(|e| format!("cargo mutants: {e}"))?;
-        let version = String::from_utf8_lossy(&output.stdout);
-        let version = version.trim().trim_start_matches("cargo-mutants ");
-        Ok(Self {
-            version: version.to_owned(),
-            left_out,
-            outcomes: Vec::new(),
-        })
-    }
-
-    /// Takes in the changes of a crate, and those with which it does not compile.
-    pub(crate) fn add(
-        &mut self,
-        journal: &Journal,
-        changes: &[Change],
-        unviable: Vec<Change>,
-    ) -> Result<(), String> {
-        for change in changes {
-            let missing = || format!("{}: no test was run", change.name);
-            let entry = journal.entry(&change.name).ok_or_else(missing)?;
-            let summary = match entry.outcome {
-                Outcome::Noticed => "CaughtMutant",
-                Outcome::Survived => "MissedMutant",
-                Outcome::TimedOut => "Timeout",
-            };
-            self.push(change, summary, entry.seconds);
-        }
-        for change in unviable {
-            self.push(&change, "Unviable", 0.0);
-        }
-        Ok(())
-    }
-
-    fn push(&mut self, change: &Change, summary: &str, seconds: f64) {
-        self.outcomes.push(json!({
+/// Leaves what became of all changes, in the form of cargo-mutants.
+pub(crate) fn write_whole(
+    folder: &Path,
+    journal: &Journal,
+    changes: &[Change],
+    left_out: &[String],
+) -> Result<(), String> {
+    let outcome = |change: &Change| {
+        let missing = || format!("{}: no test was run", change.name);
+        let entry = journal.entry(&change.name).ok_or_else(missing)?;
+        let summary = match entry.outcome {
+            Outcome::Noticed => "CaughtMutant",
+            Outcome::Survived => "MissedMutant",
+            Outcome::TimedOut => "Timeout",
+            Outcome::Unviable => "Unviable",
+        };
+        Ok(json!({
             "scenario": {"Mutant": {"name": change.name, "file": change.file}},
             "summary": summary,
-            "phase_results": [{"duration": seconds}],
-        }));
-    }
-
-    /// Leaves it in a folder.
-    pub(crate) fn write(self, folder: &Path) -> Result<(), String> {
-        let path = folder.join("outcomes.json");
-        let run = json!({
-            "cargo_mutants_version": self.version,
-            "end_time": "done",
-            "outcomes": self.outcomes,
-            "left_out": self.left_out,
-        });
-        fs::write(&path, run.to_string()).map_err(|e| format!("{}: {e}", path.display()))
-    }
+            "phase_results": [{"duration": entry.seconds}],
+        }))
+    };
+    let outcomes: Result<Vec<_>, String> = changes.iter().map(outcome).collect();
+    let version = Command::new("cargo")
+        .args(["mutants", "--version"])
+        .output()
+        .map_err(|e| format!("cargo mutants: {e}"))?;
+    let version = String::from_utf8_lossy(&version.stdout);
+    let run = json!({
+        "cargo_mutants_version": version.trim().trim_start_matches("cargo-mutants "),
+        "end_time": "done",
+        "outcomes": outcomes?,
+        "left_out": left_out,
+    });
+    let path = folder.join("outcomes.json");
+    fs::write(&path, run.to_string()).map_err(|e| format!("{}: {e}", path.display()))
 }
 
 /// Takes in a file, or all below a folder in the order of their names.

@@ -13,17 +13,20 @@ use std::time::{Duration, Instant};
 use passivity_standin::mutate::{REACHED, VARIABLE};
 use serde::{Deserialize, Serialize};
 
-use crate::Subject;
 use crate::changes::Change;
 use crate::copy::Built;
 use crate::journal::Journal;
 
-/// Inputs of each property test, at first and for survivors that nobody explained.
+/// The most inputs of a property test, at first and for survivors that nobody explained.
 pub(crate) const CASES: [u32; 2] = [24, 256];
+
+/// No property test has so many inputs that it takes much longer, in seconds; but some it has.
+const LONG: f64 = 0.25;
+const FEWEST: u32 = 4;
 
 /// How long a test may take, in seconds, and in multiples of its time without a change for as many
 /// inputs. What takes longer has not noticed.
-const LIMIT: (f64, f64) = (5.0, 10.0);
+const LIMIT: (f64, f64) = (2.0, 10.0);
 
 /// After so many tests without an end no more are tried.
 const MOST_TIMEOUTS: u32 = 2;
@@ -37,26 +40,35 @@ pub(crate) enum Outcome {
     Noticed,
     Survived,
     TimedOut,
+    /// It does not compile.
+    Unviable,
 }
 
-/// A test with what it reaches and the seconds that it takes, while nothing is changed.
+/// A test with what it reaches and the seconds that it takes on as many inputs as it has at first,
+/// while nothing is changed.
 pub(crate) struct Test {
+    folder: PathBuf,
     program: PathBuf,
     name: String,
     reached: BTreeSet<u32>,
-    seconds: f64,
+    pub(crate) seconds: f64,
+}
+
+impl Test {
+    /// How many inputs it has where so many are asked for.
+    fn cases(&self, most: u32) -> u32 {
+        (FEWEST..=most)
+            .rev()
+            .find(|n| f64::from(*n) * self.seconds <= f64::from(CASES[0]) * LONG)
+            .unwrap_or(FEWEST)
+    }
 }
 
 /// Runs each test without a change: it must pass.
-pub(crate) fn recorded(
-    root: &Path,
-    subject: &Subject,
-    programs: &[PathBuf],
-    folder: &Path,
-) -> Result<Vec<Test>, String> {
+pub(crate) fn recorded(built: &Built, folder: &Path) -> Result<Vec<Test>, String> {
     let mut tests = Vec::new();
     let record = folder.join("reached.txt");
-    for program in programs {
+    for (folder, program) in &built.programs {
         let failed = |e: std::io::Error| format!("{}: {e}", program.display());
         let listed = Command::new(program)
             .args(["--list", "--format", "terse"])
@@ -69,6 +81,7 @@ pub(crate) fn recorded(
         {
             fs::write(&record, "").map_err(failed)?;
             let mut test = Test {
+                folder: folder.clone(),
                 program: program.clone(),
                 name: name.to_owned(),
                 reached: BTreeSet::new(),
@@ -77,7 +90,7 @@ pub(crate) fn recorded(
             let started = Instant::now();
             let mut command = command(&test, CASES[0]);
             command.env(REACHED, &record);
-            if ended(command.current_dir(root.join(subject.folder())), None)? != Outcome::Survived {
+            if ended(&mut command, None)? != Outcome::Survived {
                 return Err(format!(
                     "{name} of {} fails without a change",
                     program.display()
@@ -95,7 +108,7 @@ pub(crate) fn recorded(
     Ok(tests)
 }
 
-/// A crate with its changes and its tests.
+/// The changes with the tests.
 pub(crate) struct Runs<'a> {
     built: &'a Built,
     tests: &'a [Test],
@@ -151,6 +164,10 @@ impl<'a> Runs<'a> {
         let keys = [function.to_string(), change.file.clone()];
         let mut tests: Vec<(usize, &Test)> = self.tests.iter().enumerate().collect();
         tests.retain(|(_, test)| test.reached.contains(&function));
+        if cases > CASES[0] {
+            // Whatever has no more inputs than before says the same again.
+            tests.retain(|(_, test)| test.cases(cases) > CASES[0]);
+        }
         {
             let noticed = self.noticed.lock().expect("no thread fails");
             let often = |key: &String, i| noticed.get(&(key.clone(), i)).copied().unwrap_or(0);
@@ -161,12 +178,13 @@ impl<'a> Runs<'a> {
         }
         let mut timeouts = 0;
         for (i, test) in tests {
-            let more = f64::from(cases) / f64::from(CASES[0]);
+            let cases = test.cases(cases);
+            let more = (f64::from(cases) / f64::from(CASES[0])).max(1.0);
             let limit = Duration::from_secs_f64(LIMIT.0 + LIMIT.1 * more * test.seconds);
             let mut command = command(test, cases);
             command.env(VARIABLE, change.number.to_string());
-            match ended(command.current_dir(&self.built.folder), Some(limit))? {
-                Outcome::Survived => {}
+            match ended(&mut command, Some(limit))? {
+                Outcome::Survived | Outcome::Unviable => {}
                 Outcome::Noticed => {
                     let mut noticed = self.noticed.lock().expect("no thread fails");
                     for key in keys {
@@ -201,6 +219,7 @@ fn command(test: &Test, cases: u32) -> Command {
         .env("PROPTEST_MAX_SHRINK_ITERS", "0")
         .env("RUST_BACKTRACE", "0")
         .env_remove("PASSIVITY_EVIDENCE_DIR")
+        .current_dir(&test.folder)
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .stderr(Stdio::piped());

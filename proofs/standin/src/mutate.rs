@@ -31,7 +31,7 @@ pub const SWITCH: &str = "\
 extern crate std;
 
 use std::collections::BTreeSet;
-use std::fs::File;
+use std::fs::{File, OpenOptions};
 use std::io::Write;
 use std::sync::{LazyLock, Mutex};
 
@@ -41,7 +41,8 @@ pub(crate) fn on(first: u32) -> u32 {
     });
     static REACHED: LazyLock<Option<Mutex<(BTreeSet<u32>, File)>>> = LazyLock::new(|| {
         let path = std::env::var_os(\"PASSIVITY_MUTATIONS_REACHED\")?;
-        Some(Mutex::new((BTreeSet::new(), File::create(path).unwrap())))
+        let file = OpenOptions::new().create(true).append(true).open(path).unwrap();
+        Some(Mutex::new((BTreeSet::new(), file)))
     });
     if let Some(reached) = &*REACHED {
         let (known, file) = &mut *reached.lock().unwrap();
