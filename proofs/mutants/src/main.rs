@@ -43,14 +43,7 @@ pub(crate) const SUBJECTS: [Subject; 2] = [
     Subject {
         package: "passivity-scene",
         folder: "crates/passivity-scene",
-        tests: &[
-            "--lib",
-            "--test=verdicts",
-            "--test=joints",
-            "--test=linear",
-            "--test=cycles",
-            "--test=scenes",
-        ],
+        tests: &["--lib", "--test=verdicts", "--test=joints", "--test=scenes"],
     },
 ];
 

@@ -218,6 +218,8 @@ fn command(test: &Test, cases: u32) -> Command {
         .env("PROPTEST_RNG_SEED", "1")
         .env("PROPTEST_MAX_SHRINK_ITERS", "0")
         .env("RUST_BACKTRACE", "0")
+        // What a function with many changes keeps on the stack.
+        .env("RUST_MIN_STACK", "67108864")
         .env_remove("PASSIVITY_EVIDENCE_DIR")
         .current_dir(&test.folder)
         .stdin(Stdio::null())
