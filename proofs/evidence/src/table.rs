@@ -203,13 +203,15 @@ fn mutation(text: &mut String, mutation: &Mutation, changes: &[Change]) {
         mutation.mutants,
         mutation.caught,
     );
-    let _ = writeln!(
-        text,
-        "{} more do not compile, and {} were left out: what a constant is computed from, and functions \
-         whose branches would have different types.",
-        mutation.unviable,
-        mutation.left_out.len(),
-    );
+    if mutation.unviable > 0 {
+        let _ = writeln!(
+            text,
+            "{} more do not compile, and {} were left out: what a constant is computed from, and functions \
+             whose branches would have different types.",
+            mutation.unviable,
+            mutation.left_out.len(),
+        );
+    }
     if !mutation.open.is_empty() {
         let open: Vec<String> = mutation.open.iter().map(|m| format!("- `{m}`\n")).collect();
         let _ = writeln!(
