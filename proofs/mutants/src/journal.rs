@@ -83,6 +83,11 @@ impl Journal {
         })
     }
 
+    /// Which sources and which tests it speaks of.
+    pub(crate) const fn of(&self) -> [u64; 2] {
+        [self.sources, self.tests]
+    }
+
     fn entry(&self, mutant: &str) -> Option<Entry> {
         self.inner
             .lock()
@@ -98,8 +103,10 @@ impl Journal {
 
     /// Whether the tests have been asked with as many inputs, or need not be.
     pub(crate) fn has(&self, mutant: &str, cases: u32) -> bool {
-        self.entry(mutant)
-            .is_some_and(|entry| entry.outcome != Outcome::Survived || entry.cases >= cases)
+        self.entry(mutant).is_some_and(|entry| {
+            let open = matches!(entry.outcome, Outcome::Survived | Outcome::TimedOut);
+            !open || entry.cases >= cases
+        })
     }
 
     pub(crate) fn add(

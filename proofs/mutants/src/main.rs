@@ -119,14 +119,14 @@ fn run(options: &Options) -> Result<(), String> {
         journal.add(&change.name, (Outcome::Unviable, None), 0, 0.0)?;
     }
     println!("{} of {} changes compile", changes.len(), all.len());
-    let tests = runs::recorded(&built, &options.folder)?;
+    let tests = runs::known(&built, &journal, &options.folder)?;
     let seconds: f64 = tests.iter().map(|test| test.seconds).sum();
     println!("{} tests, {seconds:.0} s without a change", tests.len());
     let runs = runs::Runs::new(&built, &tests, &journal);
     runs.each(&changes, CASES[0], options.jobs)?;
     let again: Vec<Change> = changes
         .iter()
-        .filter(|c| journal.outcome(&c.name) == Some(Outcome::Survived))
+        .filter(|c| journal.outcome(&c.name) != Some(Outcome::Noticed))
         .filter(|c| !explained.contains(&format!("\"{}\"", c.lasting_name())))
         .cloned()
         .collect();

@@ -24,9 +24,15 @@ pub(crate) const CASES: [u32; 2] = [24, 256];
 const LONG: f64 = 0.25;
 const FEWEST: u32 = 4;
 
+/// A test that takes longer, in seconds, is asked only of survivors that nobody explained.
+const SLOW: f64 = 2.0;
+
 /// How long a test may take, in seconds, and in multiples of its time without a change for as many
 /// inputs. What takes longer has not noticed.
 const LIMIT: (f64, f64) = (2.0, 10.0);
+
+/// The same, in seconds, where a change came to no end at first.
+const LONGER: f64 = 30.0;
 
 /// After so many tests without an end no more are tried.
 const MOST_TIMEOUTS: u32 = 2;
@@ -46,6 +52,7 @@ pub(crate) enum Outcome {
 
 /// A test with what it reaches and the seconds that it takes on as many inputs as it has at first,
 /// while nothing is changed.
+#[derive(Deserialize, Serialize)]
 pub(crate) struct Test {
     folder: PathBuf,
     program: PathBuf,
@@ -64,8 +71,26 @@ impl Test {
     }
 }
 
+/// What [`recorded`] has found, or found before with the same changes, sources and tests.
+pub(crate) fn known(built: &Built, journal: &Journal, folder: &Path) -> Result<Vec<Test>, String> {
+    let path = folder.join("tests.json");
+    let key = (journal.of(), &built.functions, &built.programs);
+    let key = serde_json::to_string(&key).map_err(|e| e.to_string())?;
+    if let Ok(text) = fs::read_to_string(&path) {
+        let (of, tests): (String, Vec<Test>) =
+            serde_json::from_str(&text).map_err(|e| format!("{}: {e}", path.display()))?;
+        if of == key {
+            return Ok(tests);
+        }
+    }
+    let tests = recorded(built, folder)?;
+    let text = serde_json::to_string(&(key, &tests)).map_err(|e| e.to_string())?;
+    fs::write(&path, text).map_err(|e| format!("{}: {e}", path.display()))?;
+    Ok(tests)
+}
+
 /// Runs each test without a change: it must pass.
-pub(crate) fn recorded(built: &Built, folder: &Path) -> Result<Vec<Test>, String> {
+fn recorded(built: &Built, folder: &Path) -> Result<Vec<Test>, String> {
     let mut tests = Vec::new();
     let record = folder.join("reached.txt");
     for (folder, program) in &built.programs {
@@ -90,7 +115,7 @@ pub(crate) fn recorded(built: &Built, folder: &Path) -> Result<Vec<Test>, String
             let started = Instant::now();
             let mut command = command(&test, CASES[0]);
             command.env(REACHED, &record);
-            if ended(&mut command, None)? != Outcome::Survived {
+            if run(&mut command, None)? != Outcome::Survived {
                 return Err(format!(
                     "{name} of {} fails without a change",
                     program.display()
@@ -164,10 +189,13 @@ impl<'a> Runs<'a> {
         let keys = [function.to_string(), change.file.clone()];
         let mut tests: Vec<(usize, &Test)> = self.tests.iter().enumerate().collect();
         tests.retain(|(_, test)| test.reached.contains(&function));
-        if cases > CASES[0] {
-            // Whatever has no more inputs than before says the same again.
-            tests.retain(|(_, test)| test.cases(cases) > CASES[0]);
-        }
+        // What is as quick as at first, and has no more inputs, says the same again.
+        let is_slow = |test: &Test| test.seconds > SLOW;
+        let ended = self.journal.outcome(&change.name) != Some(Outcome::TimedOut);
+        tests.retain(|(_, test)| match cases == CASES[0] {
+            true => !is_slow(test),
+            false => !ended || is_slow(test) || test.cases(cases) > CASES[0],
+        });
         {
             let noticed = self.noticed.lock().expect("no thread fails");
             let often = |key: &String, i| noticed.get(&(key.clone(), i)).copied().unwrap_or(0);
@@ -180,10 +208,11 @@ impl<'a> Runs<'a> {
         for (i, test) in tests {
             let cases = test.cases(cases);
             let more = (f64::from(cases) / f64::from(CASES[0])).max(1.0);
-            let limit = Duration::from_secs_f64(LIMIT.0 + LIMIT.1 * more * test.seconds);
+            let least = if ended { LIMIT.0 } else { LONGER };
+            let limit = Duration::from_secs_f64(least + LIMIT.1 * more * test.seconds);
             let mut command = command(test, cases);
             command.env(VARIABLE, change.number.to_string());
-            match ended(&mut command, Some(limit))? {
+            match run(&mut command, Some(limit))? {
                 Outcome::Survived | Outcome::Unviable => {}
                 Outcome::Noticed => {
                     let mut noticed = self.noticed.lock().expect("no thread fails");
@@ -229,7 +258,7 @@ fn command(test: &Test, cases: u32) -> Command {
 }
 
 /// How a run ended. One that took all the memory it may is one without an end.
-fn ended(command: &mut Command, limit: Option<Duration>) -> Result<Outcome, String> {
+fn run(command: &mut Command, limit: Option<Duration>) -> Result<Outcome, String> {
     let failed = |e: std::io::Error| format!("a test cannot be run: {e}");
     let mut child = command.spawn().map_err(failed)?;
     let started = Instant::now();

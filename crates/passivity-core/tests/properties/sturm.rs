@@ -203,3 +203,22 @@ fn th_lti_sturm_certificate_with_a_wrong_part_shows_nothing() {
     assert!(!shows(&|of| of.simple = &of.simple * &two));
     assert!(!shows(&|of| of.repeated = &of.repeated * &two));
 }
+
+/// A root at an end of a piece is met exactly, however wide an enclosure may be.
+#[test]
+fn th_lti_sturm_roots_at_the_ends_are_points() {
+    let width = q(4, 1);
+    for root in [q(-1, 1), q(1, 1)] {
+        // 1 + x and 1 − x.
+        let line = with_roots(&[(root.clone(), 1)], &-&root);
+        let found = sturm::not_positive(&line, &everywhere(), &width);
+        assert_eq!(found, [Interval::point(root)]);
+    }
+    // x²·(x − 1)²·(x + 1): zero at the ends and between.
+    let touching = with_roots(&[(zero(), 2), (q(1, 1), 2), (q(-1, 1), 1)], &q(1, 1));
+    let found = sturm::not_positive(&touching, &everywhere(), &width);
+    assert!(
+        found.iter().all(Interval::is_point) && found.len() == 3,
+        "{found:?}"
+    );
+}
