@@ -15,13 +15,10 @@ use crate::common::{number, q, sampled, zero};
 /// 2^−1500 is beyond what numbers of these tests can come near to zero without being zero.
 const BITS: u32 = 1500;
 
-/// π to [`BITS`] bits.
-static PI: LazyLock<BigRational> = LazyLock::new(|| pi_to(BITS));
-
-/// π by Gauss's formula 48·arctan(1/18) + 32·arctan(1/57) − 20·arctan(1/239): another one than the
-/// kernel's.
-fn pi_to(bits: u32) -> BigRational {
-    let one = BigInt::from(1) << (bits + 64);
+/// π to [`BITS`] bits, by Gauss's formula 48·arctan(1/18) + 32·arctan(1/57) − 20·arctan(1/239):
+/// another one than the kernel's.
+static PI: LazyLock<BigRational> = LazyLock::new(|| {
+    let one = BigInt::from(1) << (BITS + 64);
     let arctan = |n: u32| {
         let (mut sum, mut power, mut k) = (BigInt::ZERO, &one / n, 1);
         while power != BigInt::ZERO {
@@ -32,7 +29,7 @@ fn pi_to(bits: u32) -> BigRational {
         sum
     };
     BigRational::new(arctan(18) * 48 + arctan(57) * 32 - arctan(239) * 20, one)
-}
+});
 
 /// What computes: a sum, product, quotient, … of numbers and π.
 #[derive(Clone, Debug)]
@@ -271,7 +268,6 @@ fn num_exact_pi_floors_beside_whole_numbers() {
     for whole in [-7, -1, 0, 1, 7] {
         let number = Exact::integer(whole);
         for denominator in [pi(), two.clone(), pi() * pi() + two.clone()] {
-            // π − 355/113 and the like are not near zero, so that these have π in them.
             let middle = number.clone() * denominator.clone();
             let beside = tiny.clone() * pi();
             let floor = |x: Exact| x.over(denominator.clone()).floor().to_rational();
@@ -310,18 +306,6 @@ fn num_exact_pi_is_enclosed_relative_to_the_size() {
             let size = crate::common::magnitude(&near);
             assert!((found.hi() - found.lo()) * q(1 << 18, 1) <= size, "{bits}");
         }
-    }
-}
-
-/// The last width at which a sign is looked for, of 2¹⁸ bits, is tried too: 2¹⁶ do not tell these apart.
-#[test]
-fn num_exact_pi_is_refined_to_the_last_width() {
-    let unit = BigInt::from(1) << 70_000_u32;
-    let below = (pi_to(70_000) * BigRational::from_integer(unit.clone())).floor() - q(1, 1);
-    let above = &below + q(2, 1);
-    for (end, sign) in [(below, Greater), (above, Less)] {
-        let end = end / BigRational::from_integer(unit.clone());
-        assert_eq!((pi() - Exact::of(&end)).sign(), Some(sign));
     }
 }
 
