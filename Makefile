@@ -108,9 +108,9 @@ prove-prusti: ## the contracts on the kernel, where `cargo prusti` is installed
 	@echo "== Prusti on crates/passivity-core"
 	@proofs/prusti
 
-mutate: ## change what decides a verdict in one place after the other; a test must notice each (hours)
-	@echo "== cargo mutants and swaps of our own on crates/passivity-core and crates/passivity-scene"
-	@proofs/mutate
+mutate: ## change what decides a verdict in one place after the other; a test must notice each (JOBS=N)
+	@echo "== what cargo-mutants changes, and swaps of our own, in crates/passivity-core and crates/passivity-scene"
+	@proofs/mutate $(if $(JOBS),--jobs $(JOBS))
 
 test-python: ## build the Python wheel and test it from a fresh virtual environment
 	@echo "== the Python wheel"

@@ -21,6 +21,15 @@ pub struct Mutation {
     pub caught: u64,
     /// Those that no test noticed, or with which the tests came to no end, each with the reason.
     pub survivors: Vec<Survivor>,
+    /// Those of which nobody has said why no test notices them: the gate fails on them.
+    #[serde(default)]
+    pub open: Vec<String>,
+    /// Mutants that do not compile.
+    #[serde(default)]
+    pub unviable: u64,
+    /// Those that were not tried.
+    #[serde(default)]
+    pub left_out: Vec<String>,
     /// The time it took.
     pub seconds: f64,
     /// The files that were changed, as they were before.

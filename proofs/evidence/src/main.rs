@@ -10,7 +10,7 @@ use passivity_evidence::{
     Claims, Engine, Evidence, EvidenceError, Freshness, Outcome, RunOutcome, assess, in_tree, read,
 };
 
-const USAGE: &str = "usage: passivity-collect collect FOLDER OUT | commit EVIDENCE | mutants FOLDER... | import | table | stale | needed";
+const USAGE: &str = "usage: passivity-collect collect FOLDER OUT | commit EVIDENCE | mutants FOLDER | import | table | stale | needed";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -18,7 +18,7 @@ fn main() -> ExitCode {
     let outcome = match words.as_slice() {
         ["collect", folder, out] => gather(Path::new(folder), Path::new(out)),
         ["commit", evidence] => commit(Path::new(evidence)),
-        ["mutants", folders @ ..] if !folders.is_empty() => judge_mutants(folders),
+        ["mutants", folder] => judge_mutants(folder),
         ["import"] => import(),
         ["table"] => write_table(),
         ["stale"] => stale(),
@@ -112,23 +112,27 @@ fn write_table() -> Result<(), EvidenceError> {
     write(&root().join("proofs/README.md"), &text)
 }
 
-/// Compares the survivors of mutation runs with the explained ones; writes `last.json`.
-fn judge_mutants(folders: &[&str]) -> Result<(), EvidenceError> {
+/// Compares the survivors of a mutation run with the explained ones; writes `last.json`. Fails on
+/// survivors that nobody explained.
+fn judge_mutants(folder: &str) -> Result<(), EvidenceError> {
     let explained = mutants::explained(&root())?;
-    let folders: Vec<&Path> = folders.iter().map(Path::new).collect();
-    let (mutation, faults) = mutants::judge(&root(), &folders, &explained)?;
+    let (mutation, faults) = mutants::judge(&root(), Path::new(folder), &explained)?;
     println!(
-        "{} mutants compile, {} noticed, {} explained survivors",
+        "{} mutants compile ({} do not, {} were left out), {} noticed, {} explained survivors, {} open",
         mutation.mutants,
+        mutation.unviable,
+        mutation.left_out.len(),
         mutation.caught,
-        mutation.survivors.len()
+        mutation.survivors.len(),
+        mutation.open.len()
     );
-    if !faults.is_empty() {
-        return Err(EvidenceError::new(faults.join("\n")));
-    }
     let text = serde_json::to_string_pretty(&mutation)
         .map_err(|error| EvidenceError::within(mutants::LAST, error))?;
-    write(&root().join(mutants::LAST), &format!("{text}\n"))
+    write(&root().join(mutants::LAST), &format!("{text}\n"))?;
+    if faults.is_empty() {
+        return Ok(());
+    }
+    Err(EvidenceError::new(faults.join("\n")))
 }
 
 /// Lists the committed records whose claim or sources have changed; fails when there are any.

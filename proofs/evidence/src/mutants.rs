@@ -20,7 +20,15 @@ pub const LAST: &str = "proofs/mutants/last.json";
 #[serde(deny_unknown_fields)]
 struct Explained {
     #[serde(default)]
-    survivor: Vec<Survivor>,
+    survivor: Vec<Group>,
+}
+
+/// Survivors that make no difference for the same reason.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Group {
+    mutants: Vec<String>,
+    reason: String,
 }
 
 /// The survivors that are known, and why nothing can notice them.
@@ -31,7 +39,15 @@ struct Explained {
 pub fn explained(root: &Path) -> Result<Vec<Survivor>, EvidenceError> {
     let list: Explained = toml::from_str(&read(&root.join(EXPLAINED))?)
         .map_err(|error| EvidenceError::within(EXPLAINED, error))?;
-    Ok(list.survivor)
+    let each = |group: Group| {
+        let Group { mutants, reason } = group;
+        let of = move |mutant| Survivor {
+            mutant,
+            reason: reason.clone(),
+        };
+        mutants.into_iter().map(of)
+    };
+    Ok(list.survivor.into_iter().flat_map(each).collect())
 }
 
 /// The last mutation run, when there was one.
@@ -45,28 +61,27 @@ pub(crate) fn last(root: &Path) -> Result<Option<Mutation>, EvidenceError> {
         .map_err(|error| EvidenceError::within(LAST, error))
 }
 
-/// Reads the folders `mutants.out` of runs, of which a later one has asked again about survivors of
-/// an earlier one. Also gives what is wrong: survivors that nobody explained, and explanations of
-/// mutants that were noticed.
+/// Reads what a run left in a folder. Also gives what is wrong: survivors that nobody explained, and
+/// explanations of mutants that were noticed.
 ///
 /// # Errors
 ///
 /// A folder that is not that of a finished run.
 pub fn judge(
     root: &Path,
-    folders: &[&Path],
+    folder: &Path,
     explained: &[Survivor],
 ) -> Result<(Mutation, Vec<String>), EvidenceError> {
-    let mut all = Runs::default();
-    for folder in folders {
-        all.read(&folder.join("outcomes.json"))?;
-    }
+    let mut all = Run::default();
+    all.read(&folder.join("outcomes.json"))?;
     let caught = all.noticed.values().filter(|noticed| **noticed).count();
     if caught == 0 {
         let message = "no mutant was noticed: the run is not one";
         return Err(EvidenceError::new(message));
     }
-    let (survivors, faults) = all.survivors(explained);
+    let (survivors, open, mut faults) = all.survivors(explained);
+    let nobody = open.iter();
+    faults.extend(nobody.map(|name| format!("survived, and nobody says why: {name}")));
     let tree = Sources::new(root, None);
     let sum = |file: &String| Ok((file.clone(), tree.sum(file)?));
     let sources: Result<BTreeMap<String, Sha256>, EvidenceError> =
@@ -79,6 +94,9 @@ pub fn judge(
         mutants: counted(all.noticed.len())?,
         caught: counted(caught)?,
         survivors,
+        open,
+        unviable: all.unviable,
+        left_out: all.left_out,
         seconds: all.seconds.round(),
         sources: sources?,
     };
@@ -91,6 +109,8 @@ struct Outcomes {
     cargo_mutants_version: Option<String>,
     end_time: Option<String>,
     outcomes: Vec<Outcome>,
+    #[serde(default)]
+    left_out: Vec<String>,
 }
 
 #[derive(Deserialize)]
@@ -122,17 +142,19 @@ struct Phase {
     duration: f64,
 }
 
-/// What runs of cargo-mutants said, the last word on each mutant that compiles.
+/// What became of each mutant.
 #[derive(Default)]
-struct Runs {
+struct Run {
     /// Whether a test noticed it.
     noticed: BTreeMap<String, bool>,
     files: BTreeSet<String>,
     seconds: f64,
     version: Option<String>,
+    unviable: u64,
+    left_out: Vec<String>,
 }
 
-impl Runs {
+impl Run {
     fn read(&mut self, path: &Path) -> Result<(), EvidenceError> {
         let name = path.display().to_string();
         let run: Outcomes = serde_json::from_str(&read(path)?)
@@ -140,8 +162,8 @@ impl Runs {
         if run.end_time.is_none() {
             return Err(EvidenceError::within(&name, "the run was not finished"));
         }
-        // Swaps of our own are left in the same form, without a version.
-        self.version = run.cargo_mutants_version.or(self.version.take());
+        self.version = run.cargo_mutants_version;
+        self.left_out = run.left_out;
         for outcome in run.outcomes {
             let durations = outcome.phase_results.iter().map(|phase| phase.duration);
             self.seconds += durations.sum::<f64>();
@@ -153,7 +175,10 @@ impl Runs {
                 Summary::CaughtMutant => true,
                 // What does not come to an end says nothing: somebody has to say why it does not.
                 Summary::MissedMutant | Summary::Timeout => false,
-                Summary::Unviable => continue,
+                Summary::Unviable => {
+                    self.unviable += 1;
+                    continue;
+                }
                 Summary::Success | Summary::Failure => {
                     let what = format!("`{mutant}` came to no end that is known");
                     return Err(EvidenceError::within(&name, what));
@@ -164,8 +189,8 @@ impl Runs {
         Ok(())
     }
 
-    /// The survivors with their reasons, and what is wrong with them.
-    fn survivors(&self, explained: &[Survivor]) -> (Vec<Survivor>, Vec<String>) {
+    /// The survivors with their reasons, those without, and reasons that are not needed.
+    fn survivors(&self, explained: &[Survivor]) -> (Vec<Survivor>, Vec<String>, Vec<String>) {
         let missed = self.noticed.iter().filter(|(_, noticed)| !**noticed);
         let survived: BTreeSet<String> = missed.map(|(name, _)| without_line(name)).collect();
         let known: BTreeMap<&str, &Survivor> = explained
@@ -173,17 +198,16 @@ impl Runs {
             .map(|survivor| (survivor.mutant.as_str(), survivor))
             .collect();
         let mut survivors = Vec::new();
-        let mut faults = Vec::new();
+        let mut open = Vec::new();
         for name in &survived {
             match known.get(name.as_str()) {
                 Some(survivor) => survivors.push((*survivor).clone()),
-                None => faults.push(format!("survived, and nobody says why: {name}")),
+                None => open.push(name.clone()),
             }
         }
-        for name in known.keys().filter(|name| !survived.contains(**name)) {
-            faults.push(format!("explained, but it was noticed or is gone: {name}"));
-        }
-        (survivors, faults)
+        let idle = known.keys().filter(|name| !survived.contains(**name));
+        let idle = idle.map(|name| format!("explained, but it was noticed or is gone: {name}"));
+        (survivors, open, idle.collect())
     }
 }
 
@@ -239,12 +263,9 @@ mod tests {
         }
     }
 
-    fn judged(runs: &[PathBuf], explained: &[Survivor]) -> (Mutation, Vec<String>) {
-        let folders: Vec<&Path> = runs.iter().map(PathBuf::as_path).collect();
-        let judged = judge(&crate::root(), &folders, explained).unwrap();
-        for folder in runs {
-            std::fs::remove_dir_all(folder).unwrap();
-        }
+    fn judged(run: &Path, explained: &[Survivor]) -> (Mutation, Vec<String>) {
+        let judged = judge(&crate::root(), run, explained).unwrap();
+        std::fs::remove_dir_all(run).unwrap();
         judged
     }
 
@@ -260,28 +281,15 @@ mod tests {
                 ("a.rs:5:1: five", "Timeout"),
             ],
         );
-        let (mutation, faults) = judged(&[run], &[because("a.rs: two"), because("a.rs: gone")]);
+        let (mutation, faults) = judged(&run, &[because("a.rs: two"), because("a.rs: gone")]);
         assert_eq!(
             (mutation.mutants, mutation.caught, mutation.survivors.len()),
             (4, 1, 1)
         );
-        assert_eq!(faults.len(), 3, "{faults:?}");
-    }
-
-    #[test]
-    fn a_second_run_has_the_last_word() {
-        let first = [
-            ("a.rs:1:1: one", "CaughtMutant"),
-            ("a.rs:2:1: two", "MissedMutant"),
-            ("a.rs:3:1: three", "MissedMutant"),
-        ];
-        let second = [
-            ("a.rs:2:1: two", "CaughtMutant"),
-            ("a.rs:3:1: three", "MissedMutant"),
-        ];
-        let runs = [run_of("first-run", &first), run_of("second-run", &second)];
-        let (mutation, faults) = judged(&runs, &[because("a.rs: three")]);
-        assert_eq!((mutation.mutants, mutation.caught), (3, 2));
-        assert!(faults.is_empty(), "{faults:?}");
+        assert_eq!(
+            (mutation.open.len(), mutation.unviable, faults.len()),
+            (2, 1, 3),
+            "{faults:?}"
+        );
     }
 }

@@ -203,10 +203,28 @@ fn mutation(text: &mut String, mutation: &Mutation, changes: &[Change]) {
         mutation.mutants,
         mutation.caught,
     );
+    if mutation.unviable > 0 {
+        let _ = writeln!(
+            text,
+            "{} more do not compile, and {} were left out: what a constant is computed from, and functions \
+             whose branches would have different types.",
+            mutation.unviable,
+            mutation.left_out.len(),
+        );
+    }
+    if !mutation.open.is_empty() {
+        let open: Vec<String> = mutation.open.iter().map(|m| format!("- `{m}`\n")).collect();
+        let _ = writeln!(
+            text,
+            "\n**The gate fails**: {} were not noticed, and nobody has said why:\n\n{}",
+            open.len(),
+            open.concat()
+        );
+    }
     if mutation.survivors.is_empty() {
         return;
     }
-    text.push_str("The others change nothing of what is computed:\n\n");
+    text.push_str("\nThese change nothing of what is decided:\n\n");
     text.push_str("| mutant | why no test can notice it |\n| --- | --- |\n");
     for survivor in &mutation.survivors {
         let _ = writeln!(

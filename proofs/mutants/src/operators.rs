@@ -1,6 +1,8 @@
 //! What is swapped for what, and where in a text.
 
-use passivity_standin::mutate::{Place, is_in_a_body};
+use passivity_standin::mutate::Place;
+
+use crate::changes::{Change, has_switch};
 
 /// Words and what comes in their place: comparisons, ends of intervals, arithmetic.
 ///
@@ -56,21 +58,8 @@ const SWAPS: [(&str, &str); 48] = [
     (".any(", ".all("),
 ];
 
-/// A change of a file.
-#[derive(Clone, Debug)]
-pub(crate) struct Change {
-    /// Its switch.
-    pub(crate) number: u32,
-    /// The file, from the root of the workspace.
-    pub(crate) file: String,
-    /// Where in its text, and what comes there.
-    pub(crate) place: Place<'static>,
-    /// Line and column, the function, and what is swapped.
-    pub(crate) name: String,
-}
-
-/// Every change of a file, numbered from `first` on: outside of comments, attributes and tests.
-pub(crate) fn changes(file: &str, text: &str, first: u32) -> Vec<Change> {
+/// Every swap in a file, outside of comments, attributes and tests. They have no numbers yet.
+pub(crate) fn changes(file: &str, text: &str) -> Vec<Change> {
     let mut found = Vec::new();
     let (mut start, mut function) = (0, "");
     for (line, written) in text.split_inclusive('\n').enumerate() {
@@ -94,21 +83,22 @@ pub(crate) fn changes(file: &str, text: &str, first: u32) -> Vec<Change> {
                 if old.starts_with(inside) && word(before) || old.ends_with(inside) && word(after) {
                     continue;
                 }
-                let number = first + u32::try_from(found.len()).expect("few");
                 let (old_word, new_word) = (old.trim(), new.trim());
                 let place = Place {
-                    number,
+                    number: 0,
                     at: start + at,
                     old,
                     new,
                 };
-                if !is_in_a_body(text, &place) {
+                if !has_switch(text, &place) {
                     continue;
                 }
                 found.push(Change {
-                    number,
+                    number: 0,
                     file: file.to_owned(),
-                    place,
+                    at: place.at,
+                    old: (*old).to_owned(),
+                    new: (*new).to_owned(),
                     name: format!(
                         "{file}:{}:{}: replace {old_word} with {new_word} in {function}",
                         line + 1,
@@ -130,7 +120,7 @@ mod tests {
     fn what_is_swapped_is_found_with_its_place() {
         let text = "//! a < b\nfn of(x: S) -> bool {\n    is_true(x.half()) && x.lo() <= x // a + b\n}\n\
                     #[cfg(test)]\nfn test() { 1 + 1 }\n";
-        let found = changes("f.rs", text, 7);
+        let found = changes("f.rs", text);
         let names: Vec<&str> = found.iter().map(|change| change.name.as_str()).collect();
         assert_eq!(
             names,
@@ -141,9 +131,8 @@ mod tests {
                 "f.rs:3:27: replace .lo() with .hi() in of",
             ]
         );
-        assert_eq!(found[0].number, 7);
         for change in &found {
-            assert!(text[change.place.at..].starts_with(change.place.old));
+            assert!(text[change.at..].starts_with(&change.old));
         }
     }
 }

@@ -17,7 +17,7 @@ pub fn write(path: &Path, text: &[u8]) {
     fs::write(path, text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
 }
 
-/// Copies the manifests and the sources of a folder; `change` may change one.
+/// Copies the manifests, the sources and the pages of a folder; `change` may change one.
 ///
 /// # Panics
 ///
@@ -28,7 +28,7 @@ pub fn copy(from: &Path, to: &Path, change: &mut dyn FnMut(&Path, String) -> Str
         let name = path.file_name().expect("a name");
         if path.is_dir() {
             copy(&path, &to.join(name), change);
-        } else if ["rs", "toml"]
+        } else if ["rs", "toml", "md"]
             .map(OsStr::new)
             .contains(&path.extension().unwrap_or_default())
         {

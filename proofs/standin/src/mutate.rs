@@ -1,9 +1,10 @@
 //! All mutations of a source in one text, each with a switch: one build then runs them all.
 //!
-//! The body of a function that mutations change becomes `if SWITCH { changed } else { as it was }`.
+//! The body of a function that mutations change becomes `match SWITCH { 1 => { changed } _ => { as it was } }`.
 //! It is found by its indentation, as rustfmt leaves it.
 
 use std::collections::BTreeMap;
+use std::fmt::Write;
 use std::ops::Range;
 
 /// A change of a text: the number of its switch, what stands there, and what comes in its place.
@@ -23,20 +24,47 @@ pub struct Place<'a> {
 }
 
 /// The text of a module `mutation` for the crate whose sources have switches. The environment says
-/// which one is on.
+/// which one is on, and to which file the functions are written that are asked for theirs: each by
+/// the first of its numbers, once.
 pub const SWITCH: &str = "\
 //! Which mutation is on.
 extern crate std;
 
-pub(crate) fn is(number: u32) -> bool {
-    static ON: std::sync::LazyLock<Option<u32>> =
-        std::sync::LazyLock::new(|| std::env::var(\"PASSIVITY_MUTATION\").ok()?.parse().ok());
-    *ON == Some(number)
+use std::collections::BTreeSet;
+use std::fs::{File, OpenOptions};
+use std::io::Write;
+use std::sync::{LazyLock, Mutex};
+
+pub(crate) fn on(first: u32) -> u32 {
+    static ON: LazyLock<u32> = LazyLock::new(|| {
+        std::env::var(\"PASSIVITY_MUTATION\").map_or(0, |number| number.parse().unwrap())
+    });
+    static REACHED: LazyLock<Option<Mutex<(BTreeSet<u32>, File)>>> = LazyLock::new(|| {
+        let path = std::env::var_os(\"PASSIVITY_MUTATIONS_REACHED\")?;
+        let file = OpenOptions::new().create(true).append(true).open(path).unwrap();
+        Some(Mutex::new((BTreeSet::new(), file)))
+    });
+    if let Some(reached) = &*REACHED {
+        let (known, file) = &mut *reached.lock().unwrap();
+        if known.insert(first) {
+            std::writeln!(file, \"{first}\").unwrap();
+        }
+    }
+    *ON
 }
 ";
 
 /// The variable of the environment that [`SWITCH`] reads.
 pub const VARIABLE: &str = "PASSIVITY_MUTATION";
+
+/// The variable that says where [`SWITCH`] writes what is reached.
+pub const REACHED: &str = "PASSIVITY_MUTATIONS_REACHED";
+
+/// What stands above a changed body, before its number.
+pub const MUTANT: &str = "// mutant ";
+
+/// What stands above a body as it was.
+pub const AS_IT_WAS: &str = "// as it was";
 
 /// The text with every edit in it, none of which is on until its switch is.
 ///
@@ -61,13 +89,9 @@ pub fn with_switches(text: &str, edits: &[Edit]) -> Result<String, String> {
     with_places(text, &places)
 }
 
-/// Whether a change stands in the body of a function, as it has to.
+/// The body of the function in which a change stands, as it has to.
 #[must_use]
-pub fn is_in_a_body(text: &str, place: &Place) -> bool {
-    body_of(text, place).is_some()
-}
-
-fn body_of(text: &str, place: &Place) -> Option<Range<usize>> {
+pub fn body_of(text: &str, place: &Place) -> Option<Range<usize>> {
     body_around(text, place.at).filter(|body| place.at + place.old.len() <= body.end)
 }
 
@@ -77,38 +101,41 @@ fn body_of(text: &str, place: &Place) -> Option<Range<usize>> {
 ///
 /// A sentence, when a change does not stand in the body of a function.
 pub fn with_places(text: &str, places: &[Place]) -> Result<String, String> {
-    let mut bodies: BTreeMap<(usize, usize), Vec<&Place>> = BTreeMap::new();
+    let mut bodies: BTreeMap<usize, (usize, Vec<&Place>)> = BTreeMap::new();
     for place in places {
         let body = body_of(text, place)
             .ok_or_else(|| format!("`{}` does not stand in the body of a function", place.old))?;
-        bodies
-            .entry((body.start, body.end))
-            .or_default()
-            .push(place);
+        // A function in another one is changed with that.
+        let around = bodies.range_mut(..=body.start).next_back();
+        match around.filter(|(_, (end, _))| body.end <= *end) {
+            Some((_, (_, edits))) => edits.push(place),
+            None => {
+                let mut edits = vec![place];
+                let inside: Vec<usize> = bodies.range(body.clone()).map(|(at, _)| *at).collect();
+                for start in inside {
+                    edits.extend(bodies.remove(&start).into_iter().flat_map(|(_, e)| e));
+                }
+                bodies.insert(body.start, (body.end, edits));
+            }
+        }
     }
     let mut out = String::new();
     let mut done = 0;
-    for ((start, end), edits) in bodies {
-        let before = text
-            .get(done..start)
-            .ok_or("a function with a mutation stands in another with a mutation")?;
+    for (start, (end, edits)) in bodies {
         let body = &text[start..end];
-        out.push_str(before);
-        out.push('\n');
-        for Place {
-            number,
-            at,
-            old,
-            new,
-        } in edits
-        {
-            let (head, tail) = (&text[start..*at], &text[at + old.len()..end]);
-            let changed = format!("{head}{new}{tail}");
-            out.push_str(&format!(
-                "if crate::mutation::is({number}) {{\n{changed}\n}} else "
-            ));
+        out.push_str(&text[done..start]);
+        let mut arms = String::new();
+        for place in &edits {
+            let Place { number, old, .. } = place;
+            let (head, tail) = (&text[start..place.at], &text[place.at + old.len()..end]);
+            let changed = format!("{head}{}{tail}", place.new);
+            let _ = write!(arms, "{MUTANT}{number}\n{number} => {{\n{changed}\n}}\n");
         }
-        out.push_str(&format!("{{\n{body}\n}}\n"));
+        let first = edits.iter().map(|place| place.number).min().unwrap_or(0);
+        let _ = write!(
+            out,
+            "\nmatch crate::mutation::on({first}) {{\n{arms}{AS_IT_WAS}\n_ => {{\n{body}\n}}\n}}\n"
+        );
         done = end;
     }
     out.push_str(&text[done..]);
@@ -127,11 +154,11 @@ fn body_around(text: &str, at: usize) -> Option<Range<usize>> {
             .rfind('\n')
             .map_or(0, |newline| newline + 1);
         let line = text[begins..].lines().next()?;
-        let word = line
-            .trim_start()
-            .trim_start_matches("pub(crate) ")
-            .trim_start_matches("pub ")
-            .trim_start_matches("const ");
+        let mut word = line.trim_start();
+        if word.starts_with("pub") {
+            word = word.split_once(' ')?.1;
+        }
+        let word = word.trim_start_matches("const ");
         if word.starts_with("fn ") && indent(line) < here {
             break line;
         }
@@ -182,10 +209,8 @@ impl S {
         ];
         let out = with_switches(TEXT, &edits).unwrap();
         for (number, _, new) in edits {
-            let (_, after) = out
-                .split_once(&format!("crate::mutation::is({number})"))
-                .unwrap();
-            let (changed, _) = after.split_once("} else").unwrap();
+            let (_, after) = out.split_once(&format!("\n{number} => {{")).unwrap();
+            let (changed, _) = after.split_once("\n//").unwrap();
             assert!(changed.contains(new), "{out}");
         }
         // As it was: once where there is one change, in every branch but one where there are two.

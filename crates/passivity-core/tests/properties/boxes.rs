@@ -308,6 +308,15 @@ fn point(n: i64, d: i64) -> Interval<BigRational> {
 }
 
 /// A speed bound of 1 ± ½ around the critical speed of 1: neither end may be taken for the other.
+/// The criterion has no inertia in it; a loop at an end of the box has the greatest, whichever end.
+#[test]
+fn th_region_a_parameter_without_a_part_is_at_its_upper_end() {
+    let of = Interval::hull(q(1, 1), q(2, 1));
+    for end in [End::Hardest, End::Easiest] {
+        assert_eq!(end.of(Parameter::Inertia, &of), of.hi());
+    }
+}
+
 #[test]
 fn th_region_tolerance_of_the_speed_bound_depends() {
     let plain = Loop::plain(Friction::new(q(2, 5), q(3, 5))).map(|_, x| Interval::point(x.clone()));

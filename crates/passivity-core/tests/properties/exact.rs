@@ -258,3 +258,63 @@ fn num_exact_pi_in_a_loop_is_decided_where_it_cancels() {
     assert_eq!(decide(&at(below)), Some(Truth::Fails));
     assert_eq!(decide(&at(above)), Some(Truth::Holds));
 }
+
+/// Numerators within 2⁻¹⁰⁰ of a whole multiple of their denominator, on either side of it: the first
+/// enclosure of π, of 64 bits, has whole numbers inside, and each of its ends decides for some signs.
+#[test]
+fn num_exact_pi_floors_beside_whole_numbers() {
+    let tiny = Exact::of(&BigRational::new(1.into(), BigInt::from(1) << 100));
+    let two = Exact::integer(2);
+    for whole in [-7, -1, 0, 1, 7] {
+        let number = Exact::integer(whole);
+        for denominator in [pi(), two.clone(), pi() * pi() + two.clone()] {
+            let middle = number.clone() * denominator.clone();
+            let beside = tiny.clone() * pi();
+            let floor = |x: Exact| x.over(denominator.clone()).floor().to_rational();
+            assert_eq!(
+                floor(middle.clone() + beside.clone()),
+                Some(q(i64::from(whole), 1))
+            );
+            assert_eq!(
+                floor(middle.clone() - beside),
+                Some(q(i64::from(whole) - 1, 1))
+            );
+            assert_eq!(floor(middle), Some(q(i64::from(whole), 1)));
+        }
+    }
+}
+
+/// π less its first bits is near zero: the enclosure is as narrow for its size as for other numbers,
+/// has the sign, and holds the number.
+#[test]
+fn num_exact_pi_is_enclosed_relative_to_the_size() {
+    for bits in [3_u32, 62, 63, 64, 65, 130, 255, 256, 300] {
+        let cut = BigInt::from(1) << bits;
+        let below = (&*PI * BigRational::from_integer(cut.clone())).floor()
+            / BigRational::from_integer(cut);
+        for (x, near) in [
+            (pi() - Exact::of(&below), &*PI - &below),
+            (Exact::of(&below) - pi(), &below - &*PI),
+            (
+                (Exact::of(&below) - pi()).over(pi()),
+                (&below - &*PI) / &*PI,
+            ),
+            (pi().over(Exact::of(&below) - pi()), &*PI / (&below - &*PI)),
+        ] {
+            let found = x.enclosure(20).unwrap();
+            assert!(*found.lo() <= near && near <= *found.hi(), "{bits}");
+            let size = crate::common::magnitude(&near);
+            assert!((found.hi() - found.lo()) * q(1 << 18, 1) <= size, "{bits}");
+        }
+    }
+}
+
+/// A common power of π is taken out of a numerator and a denominator that have different ones.
+#[test]
+fn num_exact_pi_cancels_by_the_smaller_power() {
+    let cube = pi() * pi() * pi();
+    for (n, d) in [(cube.clone(), pi()), (pi(), cube)] {
+        let quotient = n.over(d);
+        assert_eq!(quotient.clone().shortened(), quotient);
+    }
+}

@@ -164,6 +164,9 @@ fn th_lti_figures() {
             half() + q(i64::from(k), 3)
         );
     }
+    // Largest at θ = π: met there exactly, however long the fraction is.
+    let long = q(1_234_567_891_011, 1_000_000_007);
+    assert_eq!(exactly(&damped(long.clone())), half() + long);
     assert_eq!(exactly(&damped(half()).delayed(1)), q(5, 4));
     assert_eq!(exactly(&damped(q(2, 1)).delayed(1)), q(41, 16));
     // B(1 − a)/(1 + a) instead of B.

@@ -30,8 +30,35 @@ sampled! {
     }
 }
 
+sampled! {
+    /// Middle ± radius are the ends, and the hull of two intervals has the least and the greatest of
+    /// their four ends.
+    fn num_exact_interval_middle_radius_and_hull(a in number(), b in number(), c in number(), d in number()) {
+        let (ab, cd) = (Interval::hull(a.clone(), b.clone()), Interval::hull(c.clone(), d.clone()));
+        prop_assert_eq!(&(ab.middle() - ab.radius()), ab.lo());
+        prop_assert_eq!(&(ab.middle() + ab.radius()), ab.hi());
+        let mut ends = [a, b, c, d];
+        ends.sort();
+        let both = ab.joined(&cd);
+        prop_assert_eq!((both.lo(), both.hi()), (&ends[0], &ends[3]));
+    }
+}
+
+#[test]
+fn num_exact_interval_maps_both_ends_or_none() {
+    let interval = Interval::hull(q(1, 1), q(2, 1));
+    let halves = interval.try_map(|x| (*x < q(3, 1)).then(|| x / q(2, 1)));
+    assert_eq!(halves, Some(Interval::hull(q(1, 2), q(1, 1))));
+    assert_eq!(
+        interval.try_map(|x| (*x < q(2, 1)).then(|| x.clone())),
+        None
+    );
+}
+
 #[test]
 fn num_exact_interval_edge_cases() {
+    let from_zero = Interval::new(zero(), q(1, 1)).unwrap();
+    assert_eq!(from_zero.is_nonnegative(), Some(Truth::Holds));
     assert!(Interval::new(q(1, 1), q(1, 1)).is_some_and(|i| i.is_point()));
     let at_zero = Interval::new(q(-1, 1), zero()).unwrap();
     assert_eq!(at_zero.is_nonnegative(), Some(Truth::Depends));

@@ -13,6 +13,7 @@ mod control_loop;
 mod controller;
 mod course;
 mod criterion;
+mod decision;
 mod dissipation;
 mod edge_cycle;
 mod errata;

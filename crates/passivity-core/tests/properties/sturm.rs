@@ -199,3 +199,90 @@ fn th_lti_sturm_exhausts_small_cubics() {
     }
     assert!(negative > 1000 && touching > 100, "{negative} {touching}");
 }
+
+/// A root counts at the ends too, also where the sign does not change; outside it does not.
+#[test]
+fn th_lti_sturm_has_root() {
+    let roots = |roots: &[(BigRational, u32)]| with_roots(roots, &q(3, 1));
+    assert!(sturm::has_root(
+        &Polynomial::constant(zero()),
+        &everywhere()
+    ));
+    assert!(!sturm::has_root(
+        &Polynomial::constant(q(1, 1)),
+        &everywhere()
+    ));
+    for root in [q(-1, 1), q(-1, 3), zero(), q(1, 1)] {
+        for times in 1..4 {
+            assert!(sturm::has_root(
+                &roots(&[(root.clone(), times)]),
+                &everywhere()
+            ));
+        }
+    }
+    assert!(!sturm::has_root(
+        &roots(&[(q(-5, 4), 1), (q(9, 8), 2)]),
+        &everywhere()
+    ));
+}
+
+/// A certificate in which one part is wrong shows nothing, whatever the others say.
+#[test]
+fn th_lti_sturm_certificate_with_a_wrong_part_shows_nothing() {
+    // (x − ¼)²·(x² + 1)·(9/8 − x): nowhere negative, with a root of even multiplicity, Sturm's sequence
+    // of the rest has three members and more.
+    let [one, two] = [1, 2].map(|n| Polynomial::constant(q(n, 1)));
+    let rest = &Polynomial::new([q(1, 1), zero(), q(1, 1)]) * &Polynomial::new([q(9, 8), q(-1, 1)]);
+    let polynomial = &with_roots(&[(q(1, 4), 2)], &q(1, 1)) * &rest;
+    let SignOver::Nonnegative(right) = sturm::sign_over(&polynomial, &everywhere()) else {
+        panic!("it is nowhere negative")
+    };
+    assert!(right.shows(&polynomial, &everywhere()));
+    assert!(right.sequence.len() > 3);
+    let shows = |change: &dyn Fn(&mut sturm::Certificate)| {
+        let mut wrong = right.clone();
+        change(&mut wrong);
+        wrong.shows(&polynomial, &everywhere())
+    };
+    // A positive factor is nothing; a wrong polynomial in any place of the sequence is.
+    assert!(shows(&|of| of.sequence[2] = &of.sequence[2] * &two));
+    for i in 0..right.sequence.len() {
+        assert!(!shows(
+            &|of| of.sequence[i] = &of.sequence[i] + &Polynomial::new([zero(), q(1, 1)])
+        ));
+        assert!(!shows(
+            &|of| of.sequence[i] = &of.sequence[i] * &Polynomial::constant(q(-1, 1))
+        ));
+    }
+    // It must go on to a number, and not beyond.
+    assert!(!shows(&|of| drop(of.sequence.pop())));
+    assert!(!shows(&|of| of.sequence.push(one.clone())));
+    assert!(!shows(&|of| of.sequence.truncate(1)));
+    assert!(!shows(&|of| of.sequence.clear()));
+    assert!(!shows(&|of| of.sign_changes[0] += 1));
+    assert!(!shows(&|of| of.sign_changes[1] += 1));
+    assert!(!shows(
+        &|of| of.sign_changes = of.sign_changes.map(|n| n + 1)
+    ));
+    assert!(!shows(&|of| of.simple = &of.simple * &two));
+    assert!(!shows(&|of| of.repeated = &of.repeated * &two));
+}
+
+/// A root at an end of a piece is met exactly, however wide an enclosure may be.
+#[test]
+fn th_lti_sturm_roots_at_the_ends_are_points() {
+    let width = q(4, 1);
+    for root in [q(-1, 1), q(1, 1)] {
+        // 1 + x and 1 − x.
+        let line = with_roots(&[(root.clone(), 1)], &-&root);
+        let found = sturm::not_positive(&line, &everywhere(), &width);
+        assert_eq!(found, [Interval::point(root)]);
+    }
+    // x²·(x − 1)²·(x + 1): zero at the ends and between.
+    let touching = with_roots(&[(zero(), 2), (q(1, 1), 2), (q(-1, 1), 1)], &q(1, 1));
+    let found = sturm::not_positive(&touching, &everywhere(), &width);
+    assert!(
+        found.iter().all(Interval::is_point) && found.len() == 3,
+        "{found:?}"
+    );
+}
