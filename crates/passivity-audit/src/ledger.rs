@@ -1,7 +1,7 @@
 //! Rows on machine integers where they fit, on big integers where they do not: the same answers.
 
 use passivity_core::verdict::End;
-use passivity_core::{BigRational, Exact, Fixed, Interval, Loop, Scalar as _, Truth, Wide};
+use passivity_core::{BigRational, Effect, Exact, Fixed, Interval, Loop, Scalar as _, Truth, Wide};
 use passivity_scene::Scene;
 
 use crate::ball::Ball;
@@ -84,7 +84,8 @@ impl Ledger {
     }
 
     /// The ledger of a scene: its friction in ticks over all tolerances, with π enclosed; other
-    /// parameters at their nominal values.
+    /// parameters at their nominal values. Of a scene with filtered damping or a controller of its own it
+    /// is the ledger of the wall's spring.
     #[must_use]
     pub fn of_scene(scene: &Scene) -> Self {
         let bounds = scene.bounds();
@@ -96,6 +97,17 @@ impl Ledger {
             (&mut dimensionless.coulomb, hardest.sigma, easiest.sigma),
         ] {
             *slot = slot.as_ref().map(|_| outward(&lo, &hi));
+        }
+        // What these remember is not in a log: the forces that it has are accounted for against the
+        // wall's spring.
+        if scene.has(Effect::DampingFilter) || scene.has(Effect::Controller) {
+            dimensionless = Loop {
+                damping: None,
+                damping_time_constant: None,
+                controller: None,
+                delay: 0,
+                ..dimensionless
+            };
         }
         match Self::new(&dimensionless) {
             Ok(ledger) => ledger,

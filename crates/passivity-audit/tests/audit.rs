@@ -430,6 +430,42 @@ fn a_scene_whose_force_changes_within_an_interval_is_not_accounted_for() {
 }
 
 #[test]
+fn a_logged_force_is_accounted_for_whatever_filter_or_controller_made_it() {
+    let plain = "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n";
+    let filter = "[wall]\ndamping = \"1/2\"\ndamping_time_constant = \"2\"\n";
+    let controller = "[controller]\nnumerator = [\"1\", \"1\"]\ndenominator = [\"2\"]\n";
+    let latency = "[sampling]\nlatency = \"1/4\"\n";
+    let of = |more: &str, log: &[u8]| audited(log, &scene(&format!("{plain}{more}")), 1, 0).0;
+    // There and back: friction takes 2 (β + σ) = 4 and the spring stores nothing at the ends. A force
+    // of 5 along the motion gives the operator 10; a force of 1 gives less than friction takes.
+    let logs: [(&[u8], Verdict); 2] = [
+        (b"xi,f\n0,5\n1,-5\n0,0\n", Verdict::Fails),
+        (b"xi,f\n0,1\n1,-1\n0,0\n", Verdict::Holds),
+    ];
+    for (log, expected) in logs {
+        for more in [filter, controller] {
+            let audit = of(more, log);
+            assert_eq!(audit.verdict(), expected, "{more}");
+            // Its account is that of the wall alone, and beside it nothing is said of the law.
+            assert_eq!(audit.totals().net_linear, of("", log).totals().net_linear);
+            let said = audit.to_json();
+            assert_eq!(said["not_covered"], serde_json::json!([]));
+            assert!(said["force"].is_null() && said["law"].is_null(), "{said}");
+            assert!(
+                audit.to_text().contains("the wall's spring"),
+                "{}",
+                audit.to_text()
+            );
+        }
+        assert_eq!(of(latency, log).verdict(), Verdict::NotCovered);
+    }
+    // Without forces, or where the law is asked for, nothing is known of what the memory held.
+    for more in [filter, controller] {
+        assert_eq!(of(more, b"xi\n0\n1\n").verdict(), Verdict::NotCovered);
+    }
+}
+
+#[test]
 fn a_missing_file_is_an_error() {
     let path = std::env::temp_dir().join("passivity-no-such-trace.csv");
     let error = audit(&path, &three_fifths(), Options::default()).unwrap_err();

@@ -140,16 +140,16 @@ impl Scene {
         effects
     }
 
-    /// The effects that make the force change within an interval, or of which the account of a log
-    /// knows too little: a log of the scene is not accounted for.
+    /// The effects with which a log of the scene is not accounted for: those that make the force change
+    /// within an interval, and, where the log does not have the forces, those that keep in memory what
+    /// was before the log.
     #[must_use]
-    pub fn unaccounted(&self) -> Vec<Effect> {
+    pub fn unaccounted(&self, has_forces: bool) -> Vec<Effect> {
         let mut effects = self.effects();
-        effects.retain(|effect| {
-            matches!(
-                effect,
-                Effect::Latency | Effect::Amplifier | Effect::DampingFilter | Effect::Controller
-            )
+        effects.retain(|effect| match effect {
+            Effect::Latency | Effect::Amplifier => true,
+            Effect::DampingFilter | Effect::Controller => !has_forces,
+            _ => false,
         });
         effects
     }

@@ -314,7 +314,10 @@ fn the_effects_of_a_scene_are_its_keys() {
         covered.given.operator_force.as_ref().unwrap().text,
         "1 mN m"
     );
-    assert_eq!(scene("amplifier-lag").unaccounted(), [Effect::Amplifier]);
+    for has_forces in [false, true] {
+        let found = scene("amplifier-lag").unaccounted(has_forces);
+        assert_eq!(found, [Effect::Amplifier]);
+    }
     let phantom = scene("phantom-premium");
     assert!(phantom.given.viscous.is_none() && phantom.given.unilateral);
     assert_eq!(phantom.motion, Motion::Linear);

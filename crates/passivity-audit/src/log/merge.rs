@@ -85,7 +85,7 @@ impl<'a, 'w> Merge<'a, 'w> {
         if let (Some(out), Some(form)) = (&mut out, task.rows) {
             writeln!(out, "{}", form.header()).map_err(|error| TraceError::io(&error))?;
         }
-        let compared = task.compares && task.layout.force.is_some();
+        let compared = task.compares_forces();
         let moved = task.compares && task.layout.velocity.is_some();
         Ok(Self {
             task,
@@ -353,8 +353,12 @@ impl Findings {
         mut self,
         task: &Task<'_>,
         scene: &Scene,
-        law: Option<Audit>,
+        beside: Option<Self>,
     ) -> Result<Audit, TraceError> {
+        let law = match (beside, task.by_law()) {
+            (Some(beside), Some(by_law)) => Some(beside.audit(&by_law, scene, None)?),
+            _ => None,
+        };
         if self.error.is_none() && self.account.intervals == 0 {
             let message = "a trace needs two samples at least: there is nothing to account for";
             let mut error = TraceError::new("empty", message);

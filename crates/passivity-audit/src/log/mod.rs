@@ -181,19 +181,15 @@ fn run(
             .is_some()
             .then(|| form(&ledger, layout, options.law)),
         points: options.points,
-        ..Task::new(&ledger, layout, options.law)
+        ..Task::new(scene, &ledger, layout, options.law)
     };
     let by_law = task.by_law();
-    let law = task.applied.then_some(&by_law);
     let stretch = Reading {
         lead: 0,
         ends: true,
     };
-    let (found, beside) = account(&mut source, &task, law, options, stretch)?;
-    let law = beside
-        .map(|beside| beside.audit(&by_law, scene, None))
-        .transpose()?;
-    found.audit(&task, scene, law)
+    let (found, beside) = account(&mut source, &task, by_law.as_ref(), options, stretch)?;
+    found.audit(&task, scene, beside)
 }
 
 /// How rows are written.

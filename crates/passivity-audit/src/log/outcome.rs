@@ -90,9 +90,10 @@ impl Audit {
             criterion,
         ] = account.firsts.each_ref().map(Option::as_ref);
         let nominal = taken_as_nominal(scene, task);
+        let unaccounted = scene.unaccounted(task.applied);
         let certificate = match linear {
             // Of a scene with an effect that is left out, the account is not that of the loop.
-            Some(place) if scene.unaccounted().is_empty() => {
+            Some(place) if unaccounted.is_empty() => {
                 let found = Certificate::new(&scene.name, nominal.clone(), task.ledger, place);
                 Some(found.ok_or_else(undefined)?)
             }
@@ -100,7 +101,7 @@ impl Audit {
         };
         let verdict = match (&findings.error, judged) {
             (Some(_), _) => Verdict::Broken,
-            (None, _) if !scene.unaccounted().is_empty() => Verdict::NotCovered,
+            (None, _) if !unaccounted.is_empty() => Verdict::NotCovered,
             (None, Judged::Interval) => of_intervals(&totals),
             (None, Judged::Running) => of_supply(lowest),
         };
@@ -114,7 +115,7 @@ impl Audit {
                 false => Force::Law,
             },
             effects: scene.effects(),
-            not_covered: scene.unaccounted(),
+            not_covered: unaccounted,
             nominal,
             samples: findings.samples,
             intervals: account.intervals,

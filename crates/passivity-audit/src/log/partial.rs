@@ -200,14 +200,13 @@ pub fn audit_part(
     let block = piece::block(options.block);
     let mut piece = Piece::open(&path, scene, &dialect, stretch, block)?;
     let ledger = Ledger::of_scene(scene);
-    let task = Task::new(&ledger, &piece.layout, law);
+    let task = Task::new(scene, &ledger, &piece.layout, law);
     let by_law = task.by_law();
     let reading = Reading {
         lead: piece.lead,
         ends: piece.place.ends,
     };
-    let beside = task.applied.then_some(&by_law);
-    let (found, by_law) = account(&mut piece.source, &task, beside, options, reading)?;
+    let (found, by_law) = account(&mut piece.source, &task, by_law.as_ref(), options, reading)?;
     let is_first = piece.place.from == piece.place.start;
     let is_whole = found.samples >= EXACT_ROWS as u64 || piece.place.ends;
     if piece.before < EXACT_ROWS && !(is_first && is_whole) {
@@ -276,16 +275,12 @@ pub fn merge_parts(parts: &[(String, Partial)], scene: &Scene) -> Result<Audit, 
     let ledger = Ledger::of_scene(scene);
     let task = Task {
         told: dialect.columns.is_some(),
-        ..Task::new(&ledger, &layout, first.law)
+        ..Task::new(scene, &ledger, &layout, first.law)
     };
-    let by_law = task.by_law();
     let found = joined(&parts, &ledger, |part| Some(&part.found))?;
     let beside = joined(&parts, &ledger, |part| part.by_law.as_ref())?;
-    let law = beside
-        .map(|beside| beside.audit(&by_law, scene, None))
-        .transpose()?;
     match found {
-        Some(found) => found.audit(&task, scene, law),
+        Some(found) => found.audit(&task, scene, beside),
         None => Err(wrong("it holds no account")),
     }
 }

@@ -1,5 +1,7 @@
 //! What is asked of every chunk of a log.
 
+use passivity_scene::Scene;
+
 use crate::ledger::{Ledger, Logged};
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::UNIT;
@@ -24,6 +26,8 @@ pub(crate) struct Task<'a> {
     pub(crate) running: bool,
     /// Whether the forces, velocities and times of the trace are compared with what they should be.
     pub(crate) compares: bool,
+    /// Whether the forces of the scene's law follow from the positions in the trace.
+    pub(crate) knows_law: bool,
     /// The names of the files, where there are several.
     pub(crate) files: &'a [String],
     /// Whether the columns are read as they were told to be.
@@ -33,7 +37,7 @@ pub(crate) struct Task<'a> {
 impl<'a> Task<'a> {
     /// The account of the forces in the trace where it has any, and of the scene's law else or where
     /// that is asked for.
-    pub(crate) fn new(ledger: &'a Ledger, layout: &'a Layout, law: bool) -> Self {
+    pub(crate) fn new(scene: &Scene, ledger: &'a Ledger, layout: &'a Layout, law: bool) -> Self {
         let applied = layout.force.is_some() && !law;
         Self {
             ledger,
@@ -43,21 +47,27 @@ impl<'a> Task<'a> {
             applied,
             running: applied || ledger.has_memory(),
             compares: true,
+            knows_law: scene.unaccounted(false).is_empty(),
             files: &[],
             told: false,
         }
     }
 
-    /// Beside the account of the forces in the trace, that of the wall's own law.
-    pub(crate) fn by_law(&self) -> Self {
-        Task {
+    /// Beside the account of the forces in the trace, that of the wall's own law, where it is known.
+    pub(crate) fn by_law(&self) -> Option<Self> {
+        (self.applied && self.knows_law).then(|| Task {
             rows: None,
             points: false,
             applied: false,
             running: self.ledger.has_memory(),
             compares: false,
             ..self.clone()
-        }
+        })
+    }
+
+    /// Whether the forces in the trace are compared with those of the scene's law.
+    pub(crate) const fn compares_forces(&self) -> bool {
+        self.compares && self.knows_law && self.layout.force.is_some()
     }
 
     /// Whether the row that starts at sample `i` is one of counts that may come again, to be looked up.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use passivity_core::BigRational;
+use passivity_core::{BigRational, Effect};
 use passivity_scene::display::{approx, significant};
 
 use crate::figure::Figure;
@@ -93,12 +93,21 @@ impl Report {
                 format!(", by {drawn} KΔ² after row {}", after + 1)
             })
         };
+        // What such a controller remembered when the log began is not in the log.
+        let remembers = |e: &Effect| matches!(e, Effect::DampingFilter | Effect::Controller);
+        let (stored, aside) = match self.effects.iter().any(remembers) {
+            true => (
+                "the wall's spring stored at the start",
+                "; what the controller remembered then is not counted",
+            ),
+            false => ("was stored at the start", ""),
+        };
         match (self.verdict, self.judged) {
             (Verdict::Holds, Judged::Interval) => {
                 "HOLDS: no interval generated more than friction dissipates".to_owned()
             }
             (Verdict::Holds, Judged::Running) => {
-                "HOLDS: the operator never drew more than was stored at the start".to_owned()
+                format!("HOLDS: the operator never drew more than {stored}{aside}")
             }
             (Verdict::Fails, Judged::Interval) => format!(
                 "FAILS: {} generated more than friction surely dissipates{}",
@@ -107,7 +116,7 @@ impl Report {
             ),
             (Verdict::Fails, Judged::Running) => {
                 let drawn = drawn();
-                format!("FAILS: the operator surely drew more than was stored at the start{drawn}")
+                format!("FAILS: the operator surely drew more than {stored}{drawn}{aside}")
             }
             (Verdict::Depends, Judged::Interval) => format!(
                 "DEPENDS: {} may have generated more than friction dissipates{}",
@@ -115,7 +124,7 @@ impl Report {
                 first_row(self.first.possible_linear.as_ref().map(|shown| shown.h))
             ),
             (Verdict::Depends, Judged::Running) => {
-                "DEPENDS: the operator may have drawn more than was stored at the start".to_owned()
+                format!("DEPENDS: the operator may have drawn more than {stored}{aside}")
             }
             (Verdict::NotCovered, _) => {
                 let words: Vec<&str> = self.not_covered.iter().map(|e| e.words()).collect();

@@ -44,8 +44,8 @@ interval must generate no more energy than friction surely dissipated. Otherwise
 never have drawn more energy than was stored at the start.
 
 Exit codes: 0 it holds; 1 it fails or is undecided; 2 the trace or the scene is invalid (the rows
-before the error are accounted for) or the trace is empty; 3 the scene has an effect that no theorem
-covers.")]
+before the error are accounted for) or the trace is empty; 3 the log is not accounted for: the scene
+has a latency or an amplifier, or it has filtered damping or a controller and the trace has no forces.")]
 pub(crate) struct Args {
     /// The trace; several files with the same header are one trace, in this order. `-` reads CSV from
     /// standard input.

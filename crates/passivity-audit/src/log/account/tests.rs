@@ -86,7 +86,7 @@ proptest! {
         let names = ["xi", "f"].into_iter().take(1 + usize::from(applied));
         let headings = names.map(|name| Heading::plain(name.to_owned())).collect();
         let layout = Layout::read(headings, None, &Preview::of_rows(&[]), &scene).unwrap();
-        let task = Task::new(&ledger, &layout, false);
+        let task = Task::new(&scene, &ledger, &layout, false);
         prop_assert_eq!(task.running, applied);
         let mut at = 0;
         let mut intervals = Vec::new();
