@@ -27,6 +27,7 @@ pub const SOURCES: &[(&str, &str)] = sources! {
     "effect.rs"
     "exponential.rs"
     "extra_storage.rs"
+    "extremes.rs"
     "fraction.rs"
     "frequency.rs"
     "generation.rs"

@@ -6,25 +6,16 @@
 pub(crate) fn decimal(text: &[u8]) -> Option<(i64, i64)> {
     /// 64 bits hold any number of as many digits.
     const MOST: usize = 19;
-    fn digits(text: &[u8], mut value: u64) -> (u64, &[u8]) {
-        let mut rest = text;
-        while let Some((digit @ b'0'..=b'9', after)) = rest.split_first() {
-            value = value.wrapping_mul(10).wrapping_add(u64::from(digit - b'0'));
-            rest = after;
-        }
-        (value, rest)
-    }
     let (negative, text) = match text.split_first()? {
         (b'-', rest) => (true, rest),
         (b'+', rest) => (false, rest),
         _ => (false, text),
     };
-    let (value, rest) = digits(text, 0);
-    let whole = text.len() - rest.len();
-    let (value, decimals) = match rest.split_first() {
+    let (value, whole) = digits(text, 0)?;
+    let (value, decimals) = match text.get(whole..)?.split_first() {
         None => (value, 0),
-        Some((b'.', fraction)) => match digits(fraction, value) {
-            (value, []) => (value, fraction.len()),
+        Some((b'.', fraction)) => match digits(fraction, value)? {
+            (value, decimals) if decimals == fraction.len() => (value, decimals),
             _ => return None,
         },
         Some(_) => return None,
@@ -100,17 +91,6 @@ pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)
 /// Appends the digits at the start of a text to a number, and says how many there are; `None` for more than 24.
 #[inline(always)]
 fn digits(text: &[u8], mut value: u64) -> Option<(u64, usize)> {
-    const POWERS: [u64; 9] = [
-        1,
-        10,
-        100,
-        1_000,
-        10_000,
-        100_000,
-        1_000_000,
-        10_000_000,
-        100_000_000,
-    ];
     let mut count = 0;
     // Eight at a time.
     for _ in 0..3 {
@@ -137,7 +117,8 @@ fn digits(text: &[u8], mut value: u64) -> Option<(u64, usize)> {
         let pairs = eight.wrapping_mul(10).wrapping_add(eight >> 8) & 0x00ff_00ff_00ff_00ff;
         let fours = pairs.wrapping_mul(100).wrapping_add(pairs >> 16) & 0x0000_ffff_0000_ffff;
         let all = fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xffff_ffff;
-        value = value.wrapping_mul(*POWERS.get(here)?).wrapping_add(all);
+        let power = power_of_ten(u32::try_from(here).ok()?)?;
+        value = value.wrapping_mul(power.cast_unsigned()).wrapping_add(all);
         count += here;
         if here < 8 {
             return Some((value, count));
