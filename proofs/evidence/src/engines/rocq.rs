@@ -23,6 +23,9 @@ const CHECKED_BY: [&str; 7] = [
     "theorems.toml",
 ];
 
+/// The definitions that `BridgeActuator` says are the kernel's.
+const ACTUATORS: [&str; 4] = ["ActuatorCost", "OnePole", "LagForm", "LateLag"];
+
 /// What `proofs/prove` recorded of the run.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -77,7 +80,7 @@ pub(super) fn report(sources: &Sources, folder: &Path) -> Result<Report, Evidenc
     let count =
         f64::from(u32::try_from(claims.len()).map_err(|e| EvidenceError::within(&list, e))?);
     let part = |(name, claims): (String, Vec<String>)| Part {
-        files: development.under(name.split('.').next()),
+        files: development.of_theorem(&name),
         claims,
         shows: Shown::AllReals,
         domain: None,
@@ -126,6 +129,17 @@ impl Development {
         Ok(Self(files))
     }
 
+    /// What a theorem rests on beside what all do: its file and all that this requires, and where actuators
+    /// are among that, the lemmas that these are the kernel's.
+    fn of_theorem(&self, name: &str) -> BTreeSet<String> {
+        let mut files = self.under(name.split('.').next());
+        let is_actuator = |module| files.contains(&format!("{FOLDER}/{module}.v"));
+        if ACTUATORS.into_iter().any(is_actuator) {
+            files.extend(self.under(["BridgeActuator"]));
+        }
+        files
+    }
+
     /// The files of modules and of all that they require, from the root of the workspace.
     fn under<'a>(&'a self, modules: impl IntoIterator<Item = &'a str>) -> BTreeSet<String> {
         let mut waiting: Vec<&str> = modules.into_iter().collect();
@@ -149,7 +163,6 @@ impl Development {
             "BridgeEffects",
             "BridgeUnits",
             "BridgeController",
-            "BridgeActuator",
             "Decisions",
         ];
         let mut files = self.under(printed);
@@ -194,10 +207,14 @@ mod tests {
     fn a_theorem_rests_on_what_its_file_requires() {
         let sources = Sources::new(&crate::root(), None);
         let development = Development::new(&sources).unwrap();
-        let under = development.under(["Generation"]);
+        let under = development.of_theorem("Generation.TH_QUANT");
         let expected = ["Definitions", "Generation", "Quantizer"];
         let expected: BTreeSet<String> = expected.map(|name| format!("{FOLDER}/{name}.v")).into();
         assert_eq!(under, expected);
+        // The lemmas about actuators are under the theorems about these, and under no others.
+        let bridge = format!("{FOLDER}/BridgeActuator.v");
+        assert!(development.of_theorem("LagForm.any").contains(&bridge));
+        assert!(!development.shared(&sources).unwrap().contains(&bridge));
         let combined = development.under(["Counterparts"]);
         assert!(combined.contains("proofs/rocq/Calculus.v"), "{combined:?}");
         assert!(!combined.contains("proofs/rocq/Active.v"), "{combined:?}");
