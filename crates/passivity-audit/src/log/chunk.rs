@@ -55,6 +55,7 @@ impl Forces {
         }
     }
 
+    #[inline]
     pub(crate) fn get(&self, i: usize) -> Option<Reading> {
         self.values.get(i)
     }
@@ -102,6 +103,7 @@ impl Samples {
         }
     }
 
+    #[inline]
     pub(crate) fn get(&self, i: usize) -> Option<Reading> {
         match self {
             Self::Counts(counts) => counts.get(i).map(|n| Reading::Count(*n)),

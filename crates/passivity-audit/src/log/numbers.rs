@@ -28,6 +28,7 @@ fn decimal(n: i64, k: u8) -> Option<Number> {
 }
 
 impl Numbers {
+    #[inline]
     pub(crate) const fn len(&self) -> usize {
         match self {
             Self::Decimals(numerators, _) => numerators.len(),
@@ -40,6 +41,7 @@ impl Numbers {
         self.len() == 0
     }
 
+    #[inline]
     pub(crate) fn get(&self, i: usize) -> Option<Number> {
         match self {
             Self::Decimals(numerators, powers) => decimal(*numerators.get(i)?, *powers.get(i)?),
@@ -251,6 +253,7 @@ impl Readings {
         }
     }
 
+    #[inline]
     pub(crate) fn get(&self, i: usize) -> Option<Reading> {
         // What was appended can be read.
         self.read(self.written.get(i)?).ok()

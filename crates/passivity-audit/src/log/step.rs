@@ -12,12 +12,16 @@ use crate::number::{Number, power_of_ten};
 pub(crate) const MAX_JUMP: i64 = 1 << 31;
 
 /// Δτ of the interval that starts at sample `i`, not in lowest terms; `None` when the trace does not say.
+#[inline]
 pub(crate) fn duration(
     layout: &Layout,
     chunk: &Chunk,
     i: usize,
 ) -> Result<Option<Number>, TraceError> {
-    if let Some((from, to)) = chunk.times.get(i).zip(chunk.times.get(i + 1)) {
+    // Most logs of counts have no times, and cost no more than this question.
+    if i + 1 < chunk.times.len()
+        && let (Some(from), Some(to)) = (chunk.times.get(i), chunk.times.get(i + 1))
+    {
         return between(layout, &from, &to).map(Some);
     }
     match chunk.dtaus.get(i) {

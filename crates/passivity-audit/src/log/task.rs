@@ -71,6 +71,7 @@ impl<'a> Task<'a> {
     }
 
     /// Whether the row that starts at sample `i` is one of counts that may come again, to be looked up.
+    #[inline]
     pub(crate) fn looks_up(&self, chunk: &Chunk, i: usize, dtau: &Number) -> bool {
         let force = chunk.forces.get(i).filter(|_| self.applied);
         let is_few = force.is_none_or(|force| {
