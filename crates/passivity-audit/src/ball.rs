@@ -3,6 +3,7 @@
 
 use passivity_core::{BigRational, Scalar as _};
 
+pub(crate) use bits::is_exact_sum;
 use bits::{digits, is_double, split};
 
 use crate::log::near_rational;

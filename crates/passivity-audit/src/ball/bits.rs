@@ -28,7 +28,7 @@ pub(super) fn is_double(n: i64) -> bool {
 
 /// Whether a sum is a double.
 #[inline(always)]
-pub(super) fn is_exact_sum(a: f64, b: f64) -> bool {
+pub(crate) fn is_exact_sum(a: f64, b: f64) -> bool {
     // What rounding takes off, exactly.
     let sum = a + b;
     let part = sum - a;

@@ -94,6 +94,17 @@ impl Batch {
         Some(())
     }
 
+    /// Adds an interval between known positions of a wall without memory, as [`add`](Self::add) does.
+    #[inline(always)]
+    pub(crate) fn add_known(&mut self, addend: &Addend, running: bool) -> Option<()> {
+        let [_, _, _, net, _] = addend.sums;
+        let supply = match running {
+            true => Some(Supplied::known(net, addend.potential, self.excess())?),
+            false => None,
+        };
+        self.add(addend, supply)
+    }
+
     /// Adds decided rows of a tile, as [`add`](Self::add) does one after the other, for intervals without excess
     /// force: under the force in the log where that is `applied`. `None`, and nothing added, where the batch has no
     /// room for them.
@@ -163,13 +174,7 @@ impl Batch {
         running: bool,
     ) -> Option<()> {
         for i in rows {
-            let addend = tile.addend(i, applied)?;
-            let [_, _, _, net, _] = addend.sums;
-            let supply = match running {
-                true => Some(Supplied::known(net, addend.potential, None)?),
-                false => None,
-            };
-            self.add(&addend, supply)?;
+            self.add_known(&tile.addend(i, applied)?, running)?;
         }
         Some(())
     }

@@ -9,7 +9,7 @@ use crate::ball::Ball;
 use crate::ends::Ends;
 use crate::figure::not;
 use crate::ledger::{Ledger, Logged, Truths};
-use crate::log::motion::Addend;
+use crate::log::motion::{Addend, figures};
 use crate::number::Written as _;
 use crate::reading::Reading;
 
@@ -135,11 +135,8 @@ impl Known {
     #[inline(always)]
     pub(crate) fn with_work(&self, more: [i128; 2]) -> Option<Addend> {
         let [least, most] = self.dissipated;
-        let taken = [least[0], most[1]];
-        let [linear, quantized] = self
-            .generated
-            .map(|own| [own[0] + more[0], own[1] + more[1]]);
-        let net = |generated: [i128; 2]| [taken[0] - generated[1], taken[1] - generated[0]];
+        let sums = figures(self.generated, more, [least[0], most[1]]);
+        let [linear, quantized, ..] = sums;
         let violates = |generated: [i128; 2]| {
             let at_least = covers(least, generated)?;
             let at_most = match least == most {
@@ -149,7 +146,7 @@ impl Known {
             Some(not(Truth::over(at_least, at_most)))
         };
         Some(Addend {
-            sums: [linear, quantized, taken, net(linear), net(quantized)],
+            sums,
             observed: self.observed[0] - more[1],
             potential: self.potential,
             truths: Truths {

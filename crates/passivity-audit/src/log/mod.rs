@@ -336,7 +336,9 @@ fn at_once(
             running.push(scope.spawn(move || {
                 let mut chunk = parsed(work, task.layout);
                 let shared = worker.shared(task, &chunk);
-                chunk.commanded = lanes::commanded(task.ledger, &chunk);
+                if task.compares_forces() {
+                    chunk.commanded = lanes::commanded(task.ledger, &chunk);
+                }
                 let account = worker.account(task, (&mut chunk, &shared), task.lead());
                 let beside = match law {
                     Some(law) => other.account(law, (&mut chunk, &shared), law.lead()),

@@ -28,6 +28,19 @@ pub(crate) struct Addend {
     pub(crate) truths: Truths,
 }
 
+/// The five figures, of what the loop's own force generates, what another one does more work, and what friction
+/// takes.
+#[inline(always)]
+pub(crate) fn figures(
+    generated: [[i128; 2]; 2],
+    more: [i128; 2],
+    taken: [i128; 2],
+) -> [[i128; 2]; 5] {
+    let [linear, quantized] = generated.map(|own| [own[0] + more[0], own[1] + more[1]]);
+    let net = |generated: [i128; 2]| [taken[0] - generated[1], taken[1] - generated[0]];
+    [linear, quantized, taken, net(linear), net(quantized)]
+}
+
 /// What of motions is kept from chunk to chunk.
 #[derive(Debug, Default)]
 pub(crate) struct Motions {

@@ -28,6 +28,22 @@ fn decimal(n: i64, k: u8) -> Option<Number> {
 }
 
 impl Numbers {
+    pub(crate) fn whole(values: Vec<i64>) -> Self {
+        let powers = vec![0; values.len()];
+        Self::Decimals(values, powers)
+    }
+
+    /// Doubles up to the first that is no number.
+    pub(crate) fn doubles(mut values: Vec<f64>) -> (Self, Option<TraceError>) {
+        let wrong = values.iter().find(|x| !x.is_finite());
+        let error = wrong.and_then(|x| double(*x).err());
+        if error.is_some() {
+            let whole = values.iter().take_while(|x| x.is_finite()).count();
+            values.truncate(whole);
+        }
+        (Self::Doubles(values), error)
+    }
+
     #[inline]
     pub(crate) const fn len(&self) -> usize {
         match self {
@@ -143,24 +159,6 @@ impl Numbers {
             Self::Doubles(values) => Self::Doubles(values.split_off(len)),
             Self::Any(values) => Self::Any(values.split_off(len)),
         }
-    }
-}
-
-impl Numbers {
-    pub(crate) fn whole(values: Vec<i64>) -> Self {
-        let powers = vec![0; values.len()];
-        Self::Decimals(values, powers)
-    }
-
-    /// Doubles up to the first that is no number.
-    pub(crate) fn doubles(mut values: Vec<f64>) -> (Self, Option<TraceError>) {
-        let wrong = values.iter().find(|x| !x.is_finite());
-        let error = wrong.and_then(|x| double(*x).err());
-        if error.is_some() {
-            let whole = values.iter().take_while(|x| x.is_finite()).count();
-            values.truncate(whole);
-        }
-        (Self::Doubles(values), error)
     }
 }
 

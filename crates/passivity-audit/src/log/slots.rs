@@ -101,13 +101,7 @@ impl Slots {
 }
 
 /// Half a unit of the last digit of a number with so many decimals.
+#[allow(clippy::cast_precision_loss)] // of powers of ten within 64 bits nothing is lost
 pub(crate) fn half_a_unit(decimals: u8) -> f64 {
-    // A power of ten that is a double.
-    const UNITS: [f64; 19] = [
-        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
-        1e17, 1e18,
-    ];
-    UNITS
-        .get(usize::from(decimals))
-        .map_or(f64::INFINITY, |power| 0.5 / power)
+    power_of_ten(decimals.into()).map_or(f64::INFINITY, |power| 0.5 / power as f64)
 }

@@ -5,6 +5,7 @@ use super::computed::UNIT;
 use super::error::TraceError;
 use super::layout::Layout;
 use super::numbers::Numbers;
+use crate::ball::is_exact_sum;
 use crate::ledger::Logged;
 use crate::number::{Number, power_of_ten};
 
@@ -57,12 +58,8 @@ pub(crate) fn periods(layout: &Layout, chunk: &Chunk, i: usize) -> Option<(i64, 
 /// The second double less the first one, where that is a double.
 #[inline]
 fn difference_of_doubles(from: f64, to: f64) -> Option<Number> {
-    let difference = to - from;
-    // What rounding takes off, exactly.
-    let part = difference - to;
-    let rest = (to - (difference - part)) - (from + part);
-    (rest == 0.0)
-        .then(|| Number::from_f64(difference))
+    is_exact_sum(to, -from)
+        .then(|| Number::from_f64(to - from))
         .flatten()
 }
 

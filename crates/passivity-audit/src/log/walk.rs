@@ -15,7 +15,7 @@ use crate::log::known::{Known, Starts};
 use crate::log::lanes::{TILE, Tiles};
 use crate::log::motion::Addend;
 use crate::log::step::{check_jump, duration, interval, jump, undefined};
-use crate::log::supply::{self, Supplied};
+use crate::log::supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
 use crate::number::{Number, Reduced};
@@ -238,7 +238,7 @@ impl Walk<'_> {
             true => Some(chunk.forces.values.ball(i)?),
             false => None,
         };
-        add_known(&known, force, task.running, batch)
+        batch.add_known(&known.addend(force)?, task.running)
     }
 
     /// Whether the next row is one to be looked up.
@@ -381,18 +381,6 @@ impl Walk<'_> {
         }
         Ok(())
     }
-}
-
-/// Adds an interval between known positions; `None` where doubles leave something open.
-#[inline(always)]
-fn add_known(known: &Known, force: Option<Ball>, running: bool, batch: &mut Batch) -> Option<()> {
-    let addend = known.addend(force)?;
-    let [_, _, _, net, _] = addend.sums;
-    let supply = match running {
-        true => Some(Supplied::known(net, addend.potential, batch.excess())?),
-        false => None,
-    };
-    batch.add(&addend, supply)
 }
 
 /// Adds an interval of counts whose row is known to the account, all but its sums and tallies.

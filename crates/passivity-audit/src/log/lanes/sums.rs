@@ -6,6 +6,7 @@ use multiversion::multiversion;
 
 use super::{Column, TILE, Tile};
 use crate::ball::{Ball, on_grid};
+use crate::log::motion::figures;
 
 /// The sums of the lower and of the upper ends of the columns of a tile.
 #[derive(Clone, Copy, Debug)]
@@ -45,17 +46,9 @@ impl Tile {
             observed,
         } = totals;
         let more = if applied { more } else { [0, 0] };
-        let generated = generated.map(|own| [own[0] + more[0], own[1] + more[1]]);
-        let net = |generated: [i128; 2]| [taken[0] - generated[1], taken[1] - generated[0]];
         let [least_net, least_stored, least_observed, least_row] = self.least(rows, applied);
         Sums {
-            sums: [
-                generated[0],
-                generated[1],
-                taken,
-                net(generated[0]),
-                net(generated[1]),
-            ],
+            sums: figures(generated, more, taken),
             observed: observed[0] - more[1],
             least_net,
             least_stored,
