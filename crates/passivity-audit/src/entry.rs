@@ -6,6 +6,7 @@ use std::cmp::Ordering;
 use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::{Criterion, Interval, Ordered, Step, Truth, dissipation, extra_storage};
 
+use crate::ball::Ball;
 use crate::enclosure::Rectangle;
 use crate::ends::Ends;
 use crate::figure::{Figure, not};
@@ -148,13 +149,12 @@ pub fn entry<S: Written>(ends: &Ends<S>, interval: &Recorded<'_, S>) -> Option<E
             less_stored(rectangle.row()?, extra_storage.as_ref())?
         }
     };
-    let speed = displacement(start, interval.end)?
-        .magnitude()?
-        .try_map(|d| Some(dissipation::mean_speed(d, interval.dtau)))?;
-    let (margin, criterion_holds) = if speed.hi().is_positive()? {
-        criterion(ends, &account.margin, &speed)?
-    } else {
-        (None, Truth::Holds)
+    let speed = mean_speed([start, interval.end], interval.dtau)?;
+    let criterion_holds = criterion(&account.margin, &speed)?;
+    // Of enclosures it is asked only where it is written.
+    let margin = match S::EXACT {
+        true => margin_at(ends, &speed)?,
+        false => None,
     };
     let entry = Entry {
         xi0: start.clone(),
@@ -223,24 +223,34 @@ fn displacement<S: Ordered>(start: &Figure<S>, end: &Figure<S>) -> Option<Figure
     end.minus(start)
 }
 
-/// The margin at the mean speed, and whether the criterion holds there.
-fn criterion<S: Written>(
-    ends: &Ends<S>,
-    times_speed: &Figure<S>,
-    speed: &Figure<S>,
-) -> Option<(Option<Margin<S>>, Truth)> {
+/// The mean speed from one position to another.
+fn mean_speed<S: Ordered>([start, end]: [&Figure<S>; 2], dtau: &S) -> Option<Figure<S>> {
+    let distance = displacement(start, end)?.magnitude()?;
+    distance.try_map(|d| Some(dissipation::mean_speed(d, dtau)))
+}
+
+/// Whether the criterion holds at the mean speed, of which this is the margin times that speed.
+fn criterion<S: Ordered>(times_speed: &Figure<S>, speed: &Figure<S>) -> Option<Truth> {
+    if !speed.hi().is_positive()? {
+        return Some(Truth::Holds);
+    }
     let may_rest = speed.lo().sign()? == Ordering::Equal;
     // (8) times the speed has the sign of (8).
-    let truth = match times_speed.is_nonnegative()? {
+    Some(match times_speed.is_nonnegative()? {
         // Had nothing moved, the criterion would hold.
         Truth::Fails if may_rest => Truth::Depends,
         truth => truth,
-    };
-    if !S::EXACT {
-        // Its value is shown of exact rows alone.
-        return Some((None, truth));
+    })
+}
+
+/// The margin of the criterion at the mean speed: `Some(None)` where nothing moves, `None` when a number is
+/// undefined.
+fn margin_at<S: Ordered>(ends: &Ends<S>, speed: &Figure<S>) -> Option<Option<Margin<S>>> {
+    if !speed.hi().is_positive()? {
+        return Some(None);
     }
-    // (8) itself is monotone in the speed, and without bound at rest unless σ is on the line.
+    let may_rest = speed.lo().sign()? == Ordering::Equal;
+    // It is monotone in the speed, and without bound at rest unless σ is on the line.
     let at = |criterion: &Criterion<S>, v: &S| {
         criterion.viscous.clone() + criterion.coulomb.clone().over(v.clone())
     };
@@ -256,11 +266,10 @@ fn criterion<S: Written>(
     };
     let [least, most] = &ends.criteria;
     let (lo, hi) = (end(least, Ordering::Less)?, end(most, Ordering::Greater)?);
-    let margin = match (ends.friction_is_exact(), speed, lo) {
+    Some(Some(match (ends.friction_is_exact(), speed, lo) {
         (true, Figure::Exact(_), Some(margin)) => Margin::At(margin),
         (_, _, lo) => Margin::Between(lo, hi),
-    };
-    Some((Some(margin), truth))
+    }))
 }
 
 /// What the extra storages of delay and damping gain over the interval: `Some(None)` without these
@@ -333,6 +342,18 @@ impl<S: Ordered> Entry<S> {
             violates_linear: self.violates_linear,
             violates_quantized: self.violates_quantized,
         }
+    }
+}
+
+impl Entry<Ball> {
+    /// The same with its margin, which a row has that is written; `None` where doubles leave it open.
+    pub(crate) fn with_margin(self, ends: &Ends<Ball>) -> Option<Self> {
+        let speed = mean_speed([&self.xi0, &self.xi1], &self.dtau)?;
+        let margin = match self.rests {
+            true => None,
+            false => margin_at(ends, &speed)?,
+        };
+        Some(Self { margin, ..self })
     }
 }
 

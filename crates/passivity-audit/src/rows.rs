@@ -5,10 +5,11 @@
 
 use passivity_core::Truth;
 
+use crate::ball::Ball;
 use crate::entry::{Entry, Margin};
 use crate::figure::Figure;
 use crate::ledger::{Row, on_entry};
-use crate::number::Written;
+use crate::number::{Number, Reduced, Written};
 
 /// The columns of a row, in the order of the interface.
 const COLUMNS: [(&str, Column); 15] = [
@@ -62,21 +63,40 @@ impl Form {
 
     /// Appends the positions of a row, ξ₀ and ξ₁, each after a comma; `None` when one is undefined.
     pub fn write_positions(self, row: &Row, out: &mut Vec<u8>) -> Option<()> {
-        on_entry!(row, entry => {
-            self.figure(&entry.xi0, out)?;
-            self.figure(&entry.xi1, out)
-        })
+        on_entry!(row, entry => self.positions(entry, out))
     }
 
     /// Appends what follows the positions, from a comma to the line break; a figure without meaning
     /// is empty, and so is a truth that depends. `None` when a figure is undefined.
     pub fn write_account(self, row: &Row, out: &mut Vec<u8>) -> Option<()> {
-        on_entry!(row, entry => self.account(entry, out))
+        on_entry!(row, entry => self.account(entry, &entry.dtau.to_reduced()?, out))
     }
 
-    fn account<S: Written>(self, entry: &Entry<S>, out: &mut Vec<u8>) -> Option<()> {
+    /// Appends a row that doubles enclose, in these two parts, but for how long it lasts, which is known: each figure
+    /// between the multiples of 2⁻⁶⁴ around it. `None` where one is not between any.
+    pub(crate) fn write_near(
+        self,
+        entry: &Entry<Ball>,
+        dtau: &Number,
+        [positions, account]: [&mut Vec<u8>; 2],
+    ) -> Option<()> {
+        self.positions(entry, positions)?;
+        self.account(entry, &dtau.into(), account)
+    }
+
+    fn positions<S: Written>(self, entry: &Entry<S>, out: &mut Vec<u8>) -> Option<()> {
+        self.figure(&entry.xi0, out)?;
+        self.figure(&entry.xi1, out)
+    }
+
+    fn account<S: Written>(
+        self,
+        entry: &Entry<S>,
+        dtau: &Reduced,
+        out: &mut Vec<u8>,
+    ) -> Option<()> {
         out.push(b',');
-        entry.dtau.write(out)?;
+        dtau.write(out);
         let account = &entry.account;
         for figure in [
             &account.generated_linear,
@@ -118,15 +138,14 @@ impl Form {
     }
 
     fn ends<S: Written>(self, [lo, hi]: [Option<&S>; 2], out: &mut Vec<u8>) -> Option<()> {
-        let ends = if self.enclosures {
-            &[lo, hi][..]
-        } else {
-            &[lo][..]
-        };
-        for end in ends {
+        out.push(b',');
+        if let Some(x) = lo {
+            x.below()?.write(out);
+        }
+        if self.enclosures {
             out.push(b',');
-            if let Some(x) = end {
-                x.write(out)?;
+            if let Some(x) = hi {
+                x.above()?.write(out);
             }
         }
         Some(())

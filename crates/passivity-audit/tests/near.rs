@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 
 use num_traits::{Signed as _, Zero as _};
-use passivity_audit::{Ledger, Logged, Number, Options, Reading, Verdict, audit_csv};
+use passivity_audit::{Ledger, Logged, Number, Options, Reading, Verdict, audit_csv, rows::Form};
 use passivity_core::{BigRational, Truth};
 use passivity_scene::Scene;
 use proptest::prelude::*;
@@ -127,6 +127,110 @@ fn a_long_log_has_the_answers_of_exact_rows_and_sums_around_theirs() {
     }
     let short = audited(&log(1, 900, "t [us],x [m],f [N]", 2e-4, 1000.0), &scene, 0);
     assert!(short.totals().generated_linear.is_exact());
+}
+
+/// π, cut off after thirty decimals.
+fn pi() -> BigRational {
+    let digits = "3141592653589793238462643383279/1000000000000000000000000000000";
+    Number::parse(digits).unwrap().to_rational()
+}
+
+/// The row as it is written between two positions that are known, under a force that is.
+fn written(
+    ledger: &Ledger,
+    positions: [&BigRational; 2],
+    dtau: BigRational,
+    force: &BigRational,
+) -> String {
+    let exact = |x: &BigRational| Reading::Exact(Number::from(x.clone()));
+    let [start, end] = positions.map(exact);
+    let row = ledger.row(&Logged {
+        samples: vec![start],
+        end,
+        dtau: Number::from(dtau),
+        force: Some(exact(force)),
+    });
+    let form = Form {
+        enclosures: true,
+        force: true,
+    };
+    let mut text = Vec::new();
+    form.write_positions(row.as_ref().unwrap(), &mut text)
+        .unwrap();
+    form.write_account(row.as_ref().unwrap(), &mut text)
+        .unwrap();
+    String::from_utf8(text).unwrap()
+}
+
+#[test]
+fn a_row_that_is_written_encloses_that_of_positions_known_more_closely() {
+    let scene = Scene::from_toml("rotary", ROTARY).unwrap();
+    let ledger = Ledger::of_scene(&scene);
+    let log = log(5, 1200, "t [us],x [rad],f [N m]", 2e-3, 1.0);
+    let mut rows = Vec::new();
+    let options = Options {
+        rows: Some(&mut rows),
+        ..Options::default()
+    };
+    let input = Box::new(std::io::Cursor::new(log.as_bytes().to_vec()));
+    let audit = audit_csv(input, &scene, options).unwrap();
+    assert!(audit.error().is_none());
+    // A tick is π/4096, and its stiffness 1.
+    let per_tick = BigRational::from_integer(4096.into()) / pi();
+    let number = |text: &str| Number::parse(text).unwrap().to_rational();
+    let samples: Vec<[BigRational; 3]> = log
+        .lines()
+        .skip(1)
+        .map(|line| {
+            let read: Vec<_> = line.split(',').map(number).collect();
+            [
+                &read[0] / BigRational::from_integer(1000.into()),
+                &read[1] * &per_tick,
+                &read[2] * &per_tick,
+            ]
+        })
+        .collect();
+    let text = String::from_utf8(rows).unwrap();
+    assert_eq!(text.lines().count(), samples.len());
+    // π is off by 10⁻³⁰; positions and forces are below 100, margins below 10⁵ of what they are made of.
+    let off = number("1e-20");
+    let width = BigRational::new(1.into(), (1_i64 << 30).into());
+    for (line, pair) in text.lines().skip(1).zip(samples.windows(2)) {
+        let [[from, start, force], [to, end, _]] = pair else {
+            unreachable!()
+        };
+        assert!(start.abs() < BigRational::from_integer(100.into()));
+        let expected = written(&ledger, [start, end], to - from, force);
+        let (_, found) = line.split_once(',').unwrap();
+        let fields = |text: &str| {
+            text.trim_end()
+                .trim_start_matches(',')
+                .split(',')
+                .map(str::to_owned)
+                .collect::<Vec<_>>()
+        };
+        let (found, expected) = (fields(found), fields(&expected));
+        assert_eq!(found.len(), expected.len());
+        let mut i = 0;
+        while i < found.len() {
+            // How long it lasts, and the answers, are one field each.
+            if i == 4 || (21..24).contains(&i) || found[i].is_empty() {
+                assert_eq!(found[i], expected[i], "field {i} of {line}");
+                i += 1;
+                continue;
+            }
+            let ([lo, hi], [least, most]) = (
+                [number(&found[i]), number(&found[i + 1])],
+                [number(&expected[i]), number(&expected[i + 1])],
+            );
+            assert!(
+                lo <= &most + &off && &least - &off <= hi,
+                "field {i} of {line}"
+            );
+            assert!(hi - lo <= most - least + &width, "field {i} of {line}");
+            i += 2;
+        }
+    }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::ball::Ball;
 use crate::entry::Entry;
-use crate::ledger::{Logged, Row, Truths, on_entry};
+use crate::ledger::{Ledger, Logged, Row, Truths, on_entry};
 use crate::log::account::{Account, Place};
 use crate::log::error::TraceError;
 use crate::log::known::{Known, known};
@@ -14,6 +14,7 @@ use crate::log::supply::{Contribution, observed, potential, potential_on};
 use crate::log::task::Task;
 use crate::number::{Number, Reduced, Written as _};
 use crate::reading::Reading;
+use crate::rows::Form;
 use crate::span::{ONE, below_on_grid, on_both_sides, outward};
 use crate::sum::FigureSum;
 
@@ -102,10 +103,56 @@ pub(crate) struct Computed {
     /// What the observer adds.
     pub(crate) observed: Reduced,
     pub(crate) contribution: Option<Contribution>,
-    /// The row as CSV, where it is written: up to `dtau`,
+    /// The row as CSV, where it is written.
+    pub(crate) written: Text,
+}
+
+/// A row as CSV: its positions, and what follows them, which intervals elsewhere may have in common with it.
+#[derive(Default)]
+pub(crate) struct Text {
     positions: Vec<u8>,
-    /// and from there on.
-    pub(crate) text: Vec<u8>,
+    pub(crate) account: Vec<u8>,
+}
+
+impl Text {
+    /// The row of an interval that doubles decide.
+    pub(crate) fn of(task: &Task<'_>, interval: &Logged, form: Form) -> Option<Self> {
+        let near = Self::near(task.ledger, interval, form);
+        near.or_else(|| Self::exact(&task.ledger.row(interval)?, form))
+    }
+
+    /// A row enclosed by doubles: of positions or a force that a factor with π in it leaves enclosed in any
+    /// case, and where doubles leave nothing open.
+    fn near(ledger: &Ledger, interval: &Logged, form: Form) -> Option<Self> {
+        let is_scaled = |reading: &Reading| matches!(reading, Reading::Within(_));
+        if !(is_scaled(&interval.end) || interval.force.as_ref().is_some_and(is_scaled)) {
+            return None;
+        }
+        let entry = ledger.near_entry(interval.read(), &interval.dtau)?;
+        let entry = entry.with_margin(ledger.near())?;
+        let mut text = Self {
+            positions: Vec::with_capacity(256),
+            account: Vec::with_capacity(1024),
+        };
+        form.write_near(
+            &entry,
+            &interval.dtau,
+            [&mut text.positions, &mut text.account],
+        )?;
+        Some(text)
+    }
+
+    fn exact(row: &Row, form: Form) -> Option<Self> {
+        let mut text = Self::default();
+        form.write_positions(row, &mut text.positions)?;
+        form.write_account(row, &mut text.account)?;
+        Some(text)
+    }
+
+    pub(crate) fn append_to(&self, rows: &mut Vec<u8>) {
+        rows.extend_from_slice(&self.positions);
+        rows.extend_from_slice(&self.account);
+    }
 }
 
 impl Computed {
@@ -130,23 +177,28 @@ impl Computed {
         };
         let exact = is_exact(task, &interval.end, &interval.dtau, h);
         let near = if exact { None } else { quick().or_else(near) };
-        let row = match (&near, task.rows) {
-            (Some(_), None) => return near,
-            _ => task.ledger.row(interval)?,
+        let mut written = Text::default();
+        let computed = match near {
+            Some(near) => {
+                if let Some(form) = task.rows {
+                    written = Text::of(task, interval, form)?;
+                }
+                near
+            }
+            None => {
+                let row = task.ledger.row(interval)?;
+                if let Some(form) = task.rows {
+                    written = Text::exact(&row, form)?;
+                }
+                let row = match exact {
+                    true => Accounted::Exact(row),
+                    false => Accounted::Decided(row),
+                };
+                Self::of_row(task, interval, row)?
+            }
         };
-        let (mut positions, mut text) = (Vec::new(), Vec::new());
-        if let Some(form) = task.rows {
-            form.write_positions(&row, &mut positions)?;
-            form.write_account(&row, &mut text)?;
-        }
-        let accounted = match exact {
-            true => Accounted::Exact(row),
-            false => Accounted::Decided(row),
-        };
-        let computed = near.or_else(|| Self::of_row(task, interval, accounted))?;
         Some(Self {
-            positions,
-            text,
+            written,
             ..computed
         })
     }
@@ -160,8 +212,7 @@ impl Computed {
             net: row.least_net()?,
             observed: observed(&row)?,
             contribution,
-            positions: Vec::new(),
-            text: Vec::new(),
+            written: Text::default(),
             row,
         })
     }
@@ -189,8 +240,7 @@ impl Computed {
         interval: &Logged,
         account: &mut Account,
     ) -> Result<(), TraceError> {
-        account.rows.extend_from_slice(&self.positions);
-        account.rows.extend_from_slice(&self.text);
+        self.written.append_to(&mut account.rows);
         let h = account.intervals;
         let place = || {
             Some(Place {

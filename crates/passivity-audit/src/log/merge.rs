@@ -289,11 +289,15 @@ impl<'a, 'w> Merge<'a, 'w> {
         let Some(out) = &mut self.out else {
             return Ok(());
         };
-        for line in rows.split_inclusive(|byte| *byte == b'\n') {
-            write!(out, "{}", self.written)
-                .and_then(|()| out.write_all(line))
+        let mut number = itoa::Buffer::new();
+        let mut start = 0;
+        for end in memchr::memchr_iter(b'\n', &rows) {
+            let row = rows.get(start..=end).unwrap_or_default();
+            out.write_all(number.format(self.written).as_bytes())
+                .and_then(|()| out.write_all(row))
                 .map_err(|error| TraceError::io(&error))?;
             self.written += 1;
+            start = end + 1;
         }
         Ok(())
     }

@@ -9,7 +9,7 @@ use crate::ledger::Read;
 use crate::log::account::{Account, Place};
 use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::computed::{Computed, EXACT_ROWS, UNIT, is_exact, note_stored};
+use crate::log::computed::{Computed, EXACT_ROWS, Text, UNIT, is_exact, note_stored};
 use crate::log::error::TraceError;
 use crate::log::known::{Known, Starts};
 use crate::log::lanes::{TILE, Tiles};
@@ -126,9 +126,6 @@ impl Walk<'_> {
     /// Intervals whose rows doubles decide, as far as they do; whether there is any.
     fn batch(&mut self, chunk: &Chunk, account: &mut Account) -> Result<bool, TraceError> {
         let task = self.task;
-        if task.rows.is_some() {
-            return Ok(false);
-        }
         let start = self.at;
         let mut batch = Batch::after(account.supply.excess.clone());
         let mut came = Ok(());
@@ -171,6 +168,12 @@ impl Walk<'_> {
                 Ok(Place { h, interval })
             };
             account.append(batch.account(task.running, place)?);
+            if let Some(form) = task.rows {
+                for i in start..self.at {
+                    let text = Text::of(task, &task.logged(chunk, i)?, form);
+                    text.ok_or_else(undefined)?.append_to(&mut account.rows);
+                }
+            }
             if self.is_point() {
                 account.plot();
             }
@@ -397,7 +400,7 @@ fn known_row(
         let (now, next) = (i128::from(*now), i128::from(*next));
         let ends = format!(",{now},{},{next},{}", now + 1, next + 1);
         account.rows.extend_from_slice(ends.as_bytes());
-        account.rows.extend_from_slice(&known.text);
+        account.rows.extend_from_slice(&known.written.account);
     }
     if task.ledger.is_plain() && !task.applied {
         // The row is that of every interval as long; what the observer adds is not.

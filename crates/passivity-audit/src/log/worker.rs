@@ -37,9 +37,6 @@ pub(crate) struct Shared {
 impl Worker {
     /// What is computed of a chunk once, for this account and another one beside it.
     pub(crate) fn shared(&mut self, task: &Task<'_>, chunk: &Chunk) -> Shared {
-        if task.rows.is_some() {
-            return Shared::default();
-        }
         let mut shared = std::mem::take(&mut self.room);
         shared.tiles.fill(task, chunk);
         shared.counted = self
