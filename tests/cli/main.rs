@@ -5,7 +5,9 @@
 
 mod accuracy;
 mod audit;
+mod careful;
 mod case;
+mod certificates;
 mod check;
 mod design;
 mod explain;
@@ -17,7 +19,9 @@ mod joints;
 mod logs;
 mod monitor;
 mod oracle;
+mod pieces;
 mod plane;
+mod recordings;
 mod simulate;
 mod sweep;
 mod usage;
