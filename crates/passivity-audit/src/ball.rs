@@ -108,13 +108,11 @@ impl Ball {
     /// n/2^k, where that is far from the least of the normal doubles.
     #[allow(clippy::cast_precision_loss)] // a double has no more digits
     fn tiny(n: i64, k: u32) -> Self {
-        /// The exponent of one.
-        const ONE: u32 = 1023;
         match k {
-            0..=900 if n.unsigned_abs() < EXACT => {
-                let unit = f64::from_bits(u64::from(ONE - k) << (f64::MANTISSA_DIGITS - 1));
-                Self::exactly(n as f64 * unit)
-            }
+            0..=900 if n.unsigned_abs() < EXACT => match power_of_two(-i64::from(k)) {
+                Some(unit) => Self::exactly(n as f64 * unit),
+                None => Self::UNDEFINED,
+            },
             _ => Self::of_rational(&Number::Tiny(n, k).to_rational()),
         }
     }
@@ -160,6 +158,29 @@ impl Ball {
             true => Self::rounded(middle, 1.0),
             false => Self::UNDEFINED,
         }
+    }
+
+    /// The same of ±n/d·2^−k, n > 0, without big numbers; `None` where it is near the least or the largest doubles.
+    #[inline]
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // of 53 bits none is lost
+    pub(crate) fn of_scaled_quotient(is_negative: bool, n: u128, d: u64, k: u32) -> Option<Self> {
+        let up = n.leading_zeros();
+        let (n, d) = (n.checked_shl(up)?, u128::from(d));
+        let quotient = n.checked_div(d)?;
+        // It has 64 bits at least, of which a double has the first 53.
+        let down = u128::BITS - quotient.leading_zeros() - f64::MANTISSA_DIGITS;
+        let (mantissa, half) = ((quotient >> down) as u64, 1_u128 << (down - 1));
+        let rest = quotient & (2 * half - 1);
+        let is_more = n % d != 0;
+        let rounds_up = rest > half || rest == half && (is_more || mantissa % 2 == 1);
+        let exponent = i64::from(down) - i64::from(up) - i64::from(k);
+        let unit = power_of_two(exponent)?;
+        let size = (mantissa + u64::from(rounds_up)) as f64 * unit;
+        let middle = if is_negative { -size } else { size };
+        Some(match rest == 0 && !is_more {
+            true => Self::exactly(middle),
+            false => Self::rounded(middle, 1.0),
+        })
     }
 
     /// Around all numbers from one to another.
@@ -261,6 +282,17 @@ impl Ball {
     pub(crate) fn is_zero(self) -> bool {
         self.middle == 0.0 && self.radius == 0.0
     }
+}
+
+/// 2^k, where that is far from the least and from the largest doubles.
+#[inline]
+fn power_of_two(k: i64) -> Option<f64> {
+    /// The exponent of one.
+    const ONE: i64 = 1023;
+    let exponent = u64::try_from(ONE + k).ok()?;
+    (-900..=900)
+        .contains(&k)
+        .then(|| f64::from_bits(exponent << (f64::MANTISSA_DIGITS - 1)))
 }
 
 /// The units of the grid that as many of 1, 2⁻³² and 2⁻⁶⁴ are.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use num_integer::Integer as _;
 use passivity_core::{Exact, Interval, Loop, Scalar, pi};
 use passivity_scene::units::{Dimension, Unit};
 use passivity_scene::{Motion, Scene};
@@ -95,7 +96,7 @@ impl Scale {
     pub(crate) fn near_double(&self, kind: Kind, x: f64) -> Option<Ball> {
         match self {
             Self::One => Ball::of_double(x),
-            Self::Factor(_) => None,
+            Self::Factor(factor) => near_product(factor, x),
             Self::Irrational(by) => by.near_double(kind, x),
         }
     }
@@ -108,6 +109,32 @@ impl Scale {
             Self::Irrational(by) => near(by.range.lo()).abs(),
         }
     }
+}
+
+/// The ball of the product of a double with a factor, where that is no short fraction; `None` of all else.
+fn near_product(factor: &Number, x: f64) -> Option<Ball> {
+    let Number::Small(p, q) = *factor else {
+        return None;
+    };
+    // n/2^k, n odd or zero.
+    let (n, k) = match Number::from_f64(x)? {
+        Number::Small(n, d) => (n, d.trailing_zeros()),
+        Number::Tiny(n, k) => (n, k),
+        Number::Big(_) => return None,
+    };
+    if n == 0 {
+        return Some(Ball::whole(0));
+    }
+    let (size, q) = (n.unsigned_abs(), q.cast_unsigned());
+    // Of p/q and n/2^k nothing else can be shortened.
+    let (divisor, twos) = (size.gcd(&q), k.min(p.trailing_zeros()));
+    let numerator = u128::from(size) * u128::from(p.unsigned_abs());
+    let shortest = (numerator >> twos) / u128::from(divisor);
+    let bits = u64::BITS - (q / divisor).leading_zeros() + (k - twos);
+    if shortest <= 1 << 63 && bits < i64::BITS {
+        return None;
+    }
+    Ball::of_scaled_quotient((n < 0) != (p < 0), numerator, q, k)
 }
 
 fn unit(text: Option<&str>, example: &str) -> Result<Unit, TraceError> {
@@ -221,5 +248,41 @@ pub(crate) fn velocity_scale(text: Option<&str>, scene: &Scene) -> Result<f64, T
             "unit",
             "the unit of this column is not defined",
         )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn double() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            4 => -1.0..1.0,
+            2 => -1e6..1e6,
+            2 => (-100_000_i32..100_000).prop_map(|n| f64::from(n) / 1000.0),
+            1 => (-64_i32..64).prop_map(|n| f64::from(n) / 16.0),
+            1 => any::<f64>().prop_filter("a number", |x| x.is_finite()),
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
+
+        #[test]
+        fn a_product_is_known_as_closely_as_by_big_numbers(
+            x in double(),
+            p in prop_oneof![1..2000_i64, Just(100_000_i64), 1..i64::MAX],
+            q in prop_oneof![1..2000_i64, Just(3_i64), 1..i64::MAX],
+            reversed: bool,
+        ) {
+            let factor = Number::Small(if reversed { -p } else { p }, q).reduced();
+            if let Some(found) = near_product(&factor, x) {
+                let written = Number::from_f64(x).unwrap();
+                let expected = Reading::Exact(product(&written, &factor)).to_near();
+                prop_assert_eq!(found.parts(), expected.lo().parts());
+            }
+        }
     }
 }
