@@ -107,6 +107,33 @@ pub(crate) fn verdict(of: &Bounds) -> Option<Truth> {
     wide.truth(&speeds)
 }
 
+/// 10⁻³⁰.
+fn tiny() -> BigRational {
+    let tenth = BigRational::integer(10).recip();
+    (0..30).fold(BigRational::one(), |tiny, _| tiny * &tenth)
+}
+
+/// Loops with a sample of delay and damping of B ≥ ¼ that have just the friction that is asked for,
+/// ½ + B + 1/(8B) and ½ + B (TH-LTI), and with 10⁻³⁰ less of viscous friction.
+pub(crate) fn borders() -> Vec<[Bounds; 2]> {
+    let half = BigRational::one().half();
+    let point = |x: &BigRational| Some(Interval::point(x.clone()));
+    let one = || Interval::point(BigRational::one());
+    let of = |eighths: i32| {
+        let b = BigRational::integer(eighths) / BigRational::integer(8);
+        let viscous = &half + &b + BigRational::integer(eighths).recip();
+        [viscous.clone(), viscous - tiny()].map(|viscous| Loop {
+            viscous: point(&viscous),
+            coulomb: point(&(&half + &b)),
+            resolution: Some(one()),
+            damping: point(&b),
+            delay: 1,
+            ..Loop::new(one(), one())
+        })
+    };
+    (2..=32).map(of).collect()
+}
+
 impl Random {
     fn some(&mut self, least: i32) -> Option<Interval<BigRational>> {
         (self.below(2) > 0).then(|| Interval::point(self.eighths(least)))
@@ -195,12 +222,10 @@ impl Random {
             }
             coulomb += spare;
         }
-        let tenth = BigRational::integer(10).recip();
-        let tiny = (0..30).fold(BigRational::one(), |tiny, _| tiny * &tenth);
         match self.below(8) {
-            0 => viscous -= tiny,
-            1 => viscous += tiny,
-            2 => coulomb -= tiny,
+            0 => viscous -= tiny(),
+            1 => viscous += tiny(),
+            2 => coulomb -= tiny(),
             3 | 4 => viscous *= self.eighths(4).half(),
             _ => {}
         }

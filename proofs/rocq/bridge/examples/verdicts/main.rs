@@ -49,6 +49,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             print_box(&mut out, &name, &of)?;
         }
     }
+    for [met, short] in computed::borders() {
+        print_computed(&mut out, "border", &met)?;
+        print_computed(&mut out, "below the border", &short)?;
+    }
     let mut random = Random(20);
     for i in 0..BOXES {
         print_box(&mut out, &format!("random {i}"), &random.any_box())?;
