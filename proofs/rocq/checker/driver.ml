@@ -1,7 +1,15 @@
-(* Reads boxes, one a line, and writes the verdict of the proved checker for each.
+(* Reads loops, one a line, and writes the verdict of the proved checker for each.
 
-   A line is b c K T D B F k V, divided by blanks: an interval of two rationals `n/d:n/d`, or `-`
-   for what is absent (no bound on the speed: every speed); k is a whole number. *)
+   A line is words divided by blanks. An interval is two rationals `n/d:n/d`, `-` stands for what is
+   absent (no bound on the speed: every speed), k is a whole number, and a response is `c0,c1,...`.
+
+     box b c K T D B F k V         with intervals
+     damped b c K T D F V k B      with intervals for b and c, and numbers: delay and damping together
+     filter b c K T D F V k c0,... the same under a controller, k samples late
+     gated b c K T D F V k c0,...  and where the wall is one-sided or saturated
+     one_pole b c K T D F V B tau  damping behind a filter with the time constant tau
+     latency b c K T D F V k f c0,...  a controller's force k + f samples late
+     lag b c K T D F V k f Ta c0,...   and at an amplifier with the time constant Ta *)
 
 open Checker
 
@@ -36,22 +44,42 @@ let range text =
   | [lo; hi] -> { lo = rational lo; hi = rational hi }
   | _ -> failwith ("`" ^ text ^ "` is no interval")
 
-let optional text = if text = "-" then None else Some (range text)
+let optional value text = if text = "-" then None else Some (value text)
+
+let response text = List.map rational (String.split_on_char ',' text)
 
 let rec nat_of n = if n = 0 then O else S (nat_of (n - 1))
+let samples text = nat_of (int_of_string text)
+
+let of_verdict = function Holds -> "holds" | Fails -> "fails" | Depends -> "depends"
+
+let of_outcome = function
+  | Says verdict -> of_verdict verdict
+  | Unknown -> "unknown"
+  | Invalid -> "invalid"
 
 let verdict line =
   match String.split_on_char ' ' line with
-  | [b; c; k; t; d; damping; force; delay; v] ->
-    let box = { p_b = optional b; p_c = optional c; p_K = range k; p_T = range t; p_D = optional d;
-                p_B = optional damping; p_F = optional force; p_k = nat_of (int_of_string delay) } in
-    let speeds = match optional v with None -> AtAll | Some v -> UpTo v in
-    (match check box speeds with
-     | Some Holds -> "holds"
-     | Some Fails -> "fails"
-     | Some Depends -> "depends"
-     | None -> "invalid")
-  | _ -> failwith ("`" ^ line ^ "` is not nine words")
+  | ["box"; b; c; k; t; d; damping; force; delay; v] ->
+    let box = { p_b = optional range b; p_c = optional range c; p_K = range k; p_T = range t;
+                p_D = optional range d; p_B = optional range damping; p_F = optional range force;
+                p_k = samples delay } in
+    let speeds = match optional range v with None -> AtAll | Some v -> UpTo v in
+    (match check box speeds with Some verdict -> of_verdict verdict | None -> "invalid")
+  | kind :: b :: c :: k :: t :: d :: force :: v :: others ->
+    let of_loop = { l_b = range b; l_c = range c; l_K = rational k; l_T = rational t;
+                    l_D = optional rational d; l_F = optional rational force;
+                    l_V = optional rational v } in
+    of_outcome (match kind, others with
+      | "damped", [delay; damping] -> check_damped of_loop (samples delay) (rational damping)
+      | "filter", [delay; c] -> check_filter of_loop (late (samples delay) (response c))
+      | "gated", [delay; c] -> check_gated of_loop (response c) (samples delay)
+      | "one_pole", [damping; tau] -> check_one_pole of_loop (rational damping) (rational tau)
+      | "latency", [delay; f; c] -> check_latency of_loop (response c) (samples delay) (rational f)
+      | "lag", [delay; f; time; c] ->
+        check_lag of_loop (response c) (samples delay) (rational f) (rational time)
+      | _ -> failwith ("`" ^ line ^ "` is no loop"))
+  | _ -> failwith ("`" ^ line ^ "` is no loop")
 
 let () =
   try
