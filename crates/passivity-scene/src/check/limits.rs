@@ -258,10 +258,8 @@ fn searched<S: Enclosed>(
         let moved = bounds.clone().with(parameter, Interval::point(x.clone()));
         moved.surely_holds(speeds)
     };
-    let from = match side {
-        Side::AtMost => now.hi().clone(),
-        Side::AtLeast => now.lo().clone(),
-    };
+    // Not from the lower end, which may be zero.
+    let from = now.hi().clone();
     let holds = passes(&from);
     // Towards where it fails, or where it holds.
     let grows = holds == (side == Side::AtMost);
