@@ -43,7 +43,14 @@ pub(crate) const SUBJECTS: [Subject; 2] = [
     Subject {
         package: "passivity-scene",
         folder: "crates/passivity-scene",
-        tests: &["--lib", "--test=verdicts", "--test=joints", "--test=scenes"],
+        tests: &[
+            "--lib",
+            "--test=joints",
+            "--test=limits",
+            "--test=linear",
+            "--test=scenes",
+            "--test=verdicts",
+        ],
     },
 ];
 
