@@ -1,59 +1,13 @@
 //! Limits of the parameters, with figures by hand (CHECK-LIMITS): the criterion is
 //! (b − KT/2)V + c − KΔ/2 ≥ 0, with T, Δ and K of 1 in SI units unless a scene says otherwise.
 
+mod wall;
+
 use num_traits::Signed as _;
 use passivity_core::{BigRational, Parameter};
-use passivity_scene::Scene;
-use passivity_scene::check::{Limit, Report, Side, check};
-use passivity_scene::number::parse;
+use passivity_scene::check::{Limit, Side};
 
-/// Keys with their section and unit.
-const KEYS: [(&str, &str, &str); 14] = [
-    ("viscous", "device", "N s/m"),
-    ("coulomb", "device", "N"),
-    ("period", "sampling", "s"),
-    ("delay", "sampling", ""),
-    ("latency", "sampling", "s"),
-    ("resolution", "encoder", "m"),
-    ("stiffness", "wall", "N/m"),
-    ("damping", "wall", "N s/m"),
-    ("damping_time_constant", "wall", "s"),
-    ("force_step", "wall", "N"),
-    ("max_force", "wall", "N"),
-    ("time_constant", "amplifier", "s"),
-    ("max_speed", "operator", "m/s"),
-    ("numerator", "controller", ""),
-];
-
-/// A scene with these values, as in `viscous 3/4, delay 1`.
-fn scene(values: &str) -> Scene {
-    let mut text = String::new();
-    let ones = ["period 1", "resolution 1", "stiffness 1"];
-    let given: Vec<&str> = values.split(", ").collect();
-    let is_given = |one: &str| {
-        given
-            .iter()
-            .any(|value| value.split(' ').next() == one.split(' ').next())
-    };
-    let ones = ones.into_iter().filter(|one| !is_given(one));
-    for value in given.iter().copied().chain(ones) {
-        let (key, value) = value.split_once(' ').unwrap();
-        let (_, section, unit) = KEYS.iter().find(|(k, ..)| *k == key).unwrap();
-        text += &match *unit {
-            "" => format!("{section}.{key} = {value}\n"),
-            unit => format!("{section}.{key} = \"{value} {unit}\"\n"),
-        };
-    }
-    Scene::from_toml("test", &text).unwrap_or_else(|e| panic!("{e}\n{text}"))
-}
-
-fn report(values: &str) -> Report {
-    check(&scene(values))
-}
-
-fn q(text: &str) -> BigRational {
-    parse(text).unwrap()
-}
+use wall::{q, report};
 
 /// A limit in a line: the key, the side, the border, and what is printed.
 fn said(limit: &Limit) -> String {
