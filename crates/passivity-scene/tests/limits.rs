@@ -5,9 +5,13 @@ mod wall;
 
 use num_traits::Signed as _;
 use passivity_core::{BigRational, Parameter};
-use passivity_scene::check::{Limit, Side};
+use passivity_scene::check::{Limit, Report, Side, check};
 
-use wall::{q, report};
+use wall::{q, scene};
+
+fn report(values: &str) -> Report {
+    check(&scene(values))
+}
 
 /// A limit in a line: the key, the side, the border, and what is printed.
 fn said(limit: &Limit) -> String {

@@ -45,9 +45,12 @@ pub(crate) const SUBJECTS: [Subject; 2] = [
         folder: "crates/passivity-scene",
         tests: &[
             "--lib",
+            "--test=constants",
+            "--test=joint_reports",
             "--test=joints",
             "--test=limits",
             "--test=linear",
+            "--test=reports",
             "--test=scenes",
             "--test=verdicts",
         ],

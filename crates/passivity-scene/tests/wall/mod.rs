@@ -2,7 +2,6 @@
 
 use passivity_core::BigRational;
 use passivity_scene::Scene;
-use passivity_scene::check::{Report, check};
 use passivity_scene::number::parse;
 
 /// Keys with their section and unit.
@@ -50,10 +49,6 @@ pub(crate) fn scene(values: &str) -> Scene {
         };
     }
     Scene::from_toml("test", &text).unwrap_or_else(|e| panic!("{e}\n{text}"))
-}
-
-pub(crate) fn report(values: &str) -> Report {
-    check(&scene(values))
 }
 
 pub(crate) fn q(text: &str) -> BigRational {
