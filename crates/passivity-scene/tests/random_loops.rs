@@ -2,7 +2,7 @@
 //! against its devices (TH-LTI, TH-LATENCY, TH-LAG).
 
 use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
-use passivity_core::{BigRational, Interval};
+use passivity_core::BigRational;
 use passivity_scene::check::{Report, Verdict, check};
 use passivity_scene::{Scene, number};
 use proptest::prelude::*;
