@@ -8,6 +8,7 @@ mod absolute_sum;
 mod actuator;
 mod agreement;
 mod boxes;
+mod boxes_of_costs;
 mod common;
 mod control_loop;
 mod controller;
