@@ -53,6 +53,7 @@ pub(crate) const SUBJECTS: [Subject; 2] = [
             "--test=reports",
             "--test=scenes",
             "--test=verdicts",
+            "--test=witnesses",
         ],
     },
 ];
