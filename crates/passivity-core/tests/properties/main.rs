@@ -9,6 +9,7 @@ mod actuator;
 mod agreement;
 mod boxes;
 mod boxes_of_costs;
+mod circle;
 mod common;
 mod control_loop;
 mod controller;
