@@ -36,8 +36,8 @@ use crate::transfer::TransferFunction;
 /// With the slowest pole at r it takes about ln(1/width)/(1 − r).
 pub const MOST_TERMS: u32 = 1 << 20;
 
-/// The longest fixed-point numbers that powers of the companion matrix are tried in, in bits.
-const MOST_BITS: u64 = 1 << 13;
+/// Bits after the point that the powers of the companion matrix are computed to, one after the other.
+const WIDTHS: [u64; 4] = [128, 512, 2048, 8192];
 
 /// The highest power of the companion matrix that is tried, as a power of two.
 const MOST_DOUBLINGS: u32 = 24;
@@ -206,14 +206,8 @@ fn whole(controller: &TransferFunction<BigRational>) -> [Vec<BigInt>; 2] {
 /// G of the derivation; `None` when a pole is so near to the unit circle that no power of the
 /// companion matrix within the bounds is small.
 fn growth(leading: &BigInt, others: &[BigInt]) -> Option<BigRational> {
-    let mut bits = 128;
-    while bits <= MOST_BITS {
-        match growth_to(bits, leading, others) {
-            Some(growth) => return Some(growth),
-            None => bits *= 4,
-        }
-    }
-    None
+    let to = |bits| growth_to(bits, leading, others);
+    WIDTHS.into_iter().find_map(to)
 }
 
 /// The same with powers computed to so many bits after the point.

@@ -40,8 +40,8 @@ pub struct Actuator<S> {
     pub time_constant: S,
 }
 
-/// The tightest enclosure that a decision is looked for with, in bits after the point.
-const MOST_BITS: u32 = 1 << 14;
+/// The enclosures that a decision is looked for with, in bits after the point.
+const WIDTHS: [u32; 9] = [64, 128, 256, 512, 1024, 2048, 4096, 8192, 16_384];
 
 impl<S: Scalar> Actuator<S> {
     /// m, the mean delay, in sampling periods.
@@ -171,16 +171,14 @@ impl Actuator<BigRational> {
                 .iter()
                 .all(|spare| spare.is_nonnegative() == Some(true))
         };
-        let mut bits = 64;
-        while bits <= MOST_BITS {
+        WIDTHS.into_iter().find_map(|bits| {
             let variance = self.variance(bits);
             match (holds(variance.lo()), holds(variance.hi())) {
-                (_, true) => return Some(true),
-                (false, _) => return Some(false),
-                (true, false) => bits *= 2,
+                (_, true) => Some(true),
+                (false, _) => Some(false),
+                (true, false) => None,
             }
-        }
-        None
+        })
     }
 
     /// An enclosure of κ, at most `width` > 0 wide, for print; a point where κ is met exactly.
@@ -211,19 +209,14 @@ impl Actuator<BigRational> {
     ) -> Option<Interval<BigRational>> {
         let half = BigRational::one().half() + mean_delay;
         let of = |root: &BigRational| (&half + root).half();
-        let mut bits = 64;
-        while bits <= MOST_BITS {
+        WIDTHS.into_iter().find_map(|bits| {
             let variance = self.variance(bits);
             let [below, above] = [variance.lo(), variance.hi()].map(|v| {
                 let off = Scalar::max(v + error, BigRational::zero());
                 root(&(half.square() + off), bits)
             });
             let cost = Interval::hull(of(below.lo()), of(above.hi()));
-            if cost.hi() - cost.lo() <= *width {
-                return Some(cost);
-            }
-            bits *= 2;
-        }
-        None
+            (cost.hi() - cost.lo() <= *width).then_some(cost)
+        })
     }
 }

@@ -120,21 +120,14 @@ impl Polynomial {
     }
 }
 
-/// Tries ever tighter enclosures of π, until `decide` is content; `None` past [`MOST_BITS`].
+/// Tries ever tighter enclosures of π, until `decide` is content; `None` past all [`WIDTHS`].
 fn refine<T>(decide: impl Fn(u32) -> Option<T>) -> Option<T> {
-    let mut bits = 64;
-    while bits <= MOST_BITS {
-        if let Some(decided) = decide(bits) {
-            return Some(decided);
-        }
-        bits *= 4;
-    }
-    None
+    WIDTHS.into_iter().find_map(decide)
 }
 
-/// The tightest enclosure of π that a sign is looked for with, in bits after the point: far past
+/// The enclosures of π that a sign is looked for with, in bits after the point: the last is far past
 /// what the longest numbers of a scene can come near to without being equal.
-const MOST_BITS: u32 = 1 << 18;
+const WIDTHS: [u32; 7] = [64, 256, 1024, 4096, 16_384, 65_536, 262_144];
 
 impl Integer for Polynomial {
     fn from_i32(n: i32) -> Self {

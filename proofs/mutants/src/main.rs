@@ -43,7 +43,18 @@ pub(crate) const SUBJECTS: [Subject; 2] = [
     Subject {
         package: "passivity-scene",
         folder: "crates/passivity-scene",
-        tests: &["--lib", "--test=verdicts", "--test=joints", "--test=scenes"],
+        tests: &[
+            "--lib",
+            "--test=constants",
+            "--test=joint_reports",
+            "--test=joints",
+            "--test=limits",
+            "--test=linear",
+            "--test=reports",
+            "--test=scenes",
+            "--test=verdicts",
+            "--test=witnesses",
+        ],
     },
 ];
 

@@ -114,3 +114,30 @@ sampled! {
         prop_assert_eq!(pieces, vec![Account::of(&intervals)]);
     }
 }
+
+/// Of equals the first one stays, and what has none leaves what is there.
+#[test]
+fn th_merge_of_equals_the_first_stays() {
+    let mut least = Least::default();
+    assert!(!least.append(&Least(None), &0, 1));
+    assert_eq!(least, Least(None));
+    assert!(least.keep(3, 1) && !least.keep(3, 2) && !least.keep(4, 3));
+    assert!(!least.append(&Least(Some((3, 1))), &0, 3));
+    assert!(!least.append(&Least(None), &-9, 3));
+    assert_eq!(least, Least(Some((3, 1))));
+    let mut course = Course::default();
+    course.step(-1, 1);
+    course.step(1, 2);
+    let before = course;
+    // From a sum of 0 down to −1 again.
+    assert!(!course.append(&before, 2));
+    assert_eq!((course.least, course.at, course.sum), (-1, 1, 0));
+    let mut lower = Course::default();
+    lower.step(-2, 1);
+    assert!(course.append(&lower, 4));
+    assert_eq!((course.least, course.at), (-2, 5));
+    let mut first = First::default();
+    assert!(first.keep(7) && !first.keep(7) && !first.keep(8) && first.keep(6));
+    assert!(!first.append(First(None), 0));
+    assert_eq!(first, First(Some(6)));
+}

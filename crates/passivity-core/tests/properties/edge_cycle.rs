@@ -115,3 +115,43 @@ fn th_lti_edge_figures() {
     assert_eq!(EdgeCycle::of(&vec![q(1, 1); 11]), None);
     assert_eq!(best(&[]).above, Vec::<bool>::new());
 }
+
+/// Up and down for the plain wall, with a wait behind a delay; nothing where the bound or the friction leaves
+/// no room, or the force is that of another loop.
+#[test]
+fn th_lti_edge_motions_have_room() {
+    let taps = |c: &[i64]| c.iter().map(|c| q(*c, 1)).collect::<Vec<_>>();
+    for (c, coulomb, above) in [
+        (taps(&[1]), half(), vec![false, true]),
+        (taps(&[0, 1]), half(), vec![true, true, false, false]),
+        (taps(&[2, -1]), q(3, 2), vec![false, true]),
+    ] {
+        let found = best(&c);
+        assert_eq!(found.coulomb, coulomb);
+        let mut turned = found.above.clone();
+        let turns = (0..turned.len()).any(|_| {
+            turned.rotate_left(1);
+            turned == above
+        });
+        assert!(turns, "{:?}", found.above);
+    }
+    let wall = best(&taps(&[1]));
+    let kernel = kernels(&Controller::wall());
+    let held = |positions: &[BigRational]| Some(held_forces(&kernel, positions));
+    let motion = |sigma: BigRational, bound: Option<BigRational>| {
+        wall.motion(held, &Friction::new(q(1, 1), sigma), bound.as_ref())
+    };
+    assert_eq!(motion(half(), None), None);
+    // a = ¼/1/2, or half of the bound.
+    let gain = |a: BigRational| &a * half() - &a * &a * q(2, 1);
+    assert_eq!(motion(q(1, 4), None).unwrap().gain, gain(q(1, 8)));
+    assert_eq!(
+        motion(q(1, 4), Some(q(1, 50))).unwrap().gain,
+        gain(q(1, 100))
+    );
+    assert_eq!(motion(q(1, 4), Some(zero())), None);
+    // A loop without force gains nothing, whatever the pattern.
+    let none = |positions: &[BigRational]| Some(vec![zero(); positions.len()]);
+    let slow = Friction::new(zero(), zero());
+    assert_eq!(wall.motion(none, &slow, None), None);
+}

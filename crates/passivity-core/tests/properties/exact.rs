@@ -13,11 +13,11 @@ use proptest::prelude::*;
 use crate::common::{number, q, sampled, zero};
 
 /// 2^−1500 is beyond what numbers of these tests can come near to zero without being zero.
-const BITS: u32 = 1500;
+pub(crate) const BITS: u32 = 1500;
 
 /// π to [`BITS`] bits, by Gauss's formula 48·arctan(1/18) + 32·arctan(1/57) − 20·arctan(1/239):
 /// another one than the kernel's.
-static PI: LazyLock<BigRational> = LazyLock::new(|| {
+pub(crate) static PI: LazyLock<BigRational> = LazyLock::new(|| {
     let one = BigInt::from(1) << (BITS + 64);
     let arctan = |n: u32| {
         let (mut sum, mut power, mut k) = (BigInt::ZERO, &one / n, 1);

@@ -189,3 +189,62 @@ fn th_lti_figures() {
     let flat = ViscousCost::of(&Controller::wall()).worst(&q(1, 1000));
     assert_eq!(flat, [Interval::hull(q(-1, 1), q(1, 1))]);
 }
+
+/// Wherever λ is a short fraction it is met exactly, at whatever angle: ½ + B + 1/(8B) at cos θ = 1/(4B)
+/// behind a delay of one sample, and the value at θ = 0 however long it is.
+#[test]
+fn th_lti_short_costs_are_met_exactly() {
+    let width = q(1, 1_000_000_000);
+    for (n, d) in [
+        (1, 3),
+        (2, 5),
+        (3, 4),
+        (5, 7),
+        (7, 5),
+        (11, 4),
+        (8, 9),
+        (13, 6),
+        (9, 2),
+        (17, 12),
+    ] {
+        let b = q(n, d);
+        let cost = ViscousCost::of(&damped(b.clone()).delayed(1));
+        let lambda = half() + &b + q(1, 8) / &b;
+        assert_eq!(cost.enclosure(&width), Interval::point(lambda), "{b}");
+        assert_eq!(cost.at(&(q(1, 4) / &b)), half() + &b + q(1, 8) / &b);
+    }
+    // Of taps 1 and c the largest value, at θ = 0, is ½(1 + c) + c.
+    let long = q(1_234_567_891_011, 1_000_000_007);
+    let taps = Controller::new([q(1, 1), long.clone()], [q(1, 1)]).unwrap();
+    let expected = half() + long * q(3, 2);
+    assert_eq!(
+        ViscousCost::of(&taps).enclosure(&width),
+        Interval::point(expected)
+    );
+}
+
+/// Where it is no fraction both ends are within the width, and one is short, the other enough.
+#[test]
+fn th_lti_irrational_costs_are_enclosed() {
+    for (b, delay) in [
+        (q(2, 1), 2),
+        (q(3, 2), 2),
+        (q(5, 1), 3),
+        (q(100, 1), 2),
+        (q(10_000, 1), 3),
+    ] {
+        let cost = ViscousCost::of(&damped(b.clone()).delayed(delay));
+        for digits in [0, 1, 5, 12, 40] {
+            let width = BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(digits));
+            let found = cost.enclosure(&width);
+            assert!(
+                !found.is_point() && found.hi() - found.lo() <= width,
+                "{b} {digits}"
+            );
+            assert!(
+                cost.decide(found.hi()).is_nonnegative()
+                    && !cost.decide(found.lo()).is_nonnegative()
+            );
+        }
+    }
+}

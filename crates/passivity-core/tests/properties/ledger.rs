@@ -168,3 +168,23 @@ sampled! {
         prop_assert!(drawn - work + after <= first);
     }
 }
+
+/// An account that comes out even is not short.
+#[test]
+fn th_interval_an_even_account_is_not_short() {
+    // From ½ to 1 in a sample E_gᴸ = d²/2 and E_g = 0 + …: friction that takes as much, and a little less.
+    let row = |beta: BigRational| plain(&half(), &q(1, 1), &Friction::new(beta, zero()), &q(1, 1));
+    let even = row(half());
+    assert_eq!(
+        (&even.net_linear, even.violates_linear()),
+        (&zero(), Some(false))
+    );
+    assert_eq!(row(q(49, 100)).violates_linear(), Some(true));
+    let least = (even.dissipated_lower - &even.net_quantized) / squared(&half());
+    let even = row(least.clone());
+    assert_eq!(
+        (&even.net_quantized, even.violates_quantized()),
+        (&zero(), Some(false))
+    );
+    assert_eq!(row(least - q(1, 100)).violates_quantized(), Some(true));
+}

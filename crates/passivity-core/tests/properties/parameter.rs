@@ -210,3 +210,38 @@ fn num_exact_absent_parameters_have_the_default_of_the_table() {
     }
     assert_eq!(bare.map(|_, x| x.clone().double()).period, q(16, 1));
 }
+
+/// A torque at the motor is n times one at the device, and friction and inertia n² times: every energy stays.
+#[test]
+fn num_exact_units_across_a_transmission() {
+    use passivity_core::parameter::Unit;
+    for (unit, power) in [
+        (Unit::INERTIA, 2),
+        (Unit::VISCOUS, 2),
+        (Unit::STIFFNESS, 2),
+        (Unit::FORCE, 1),
+        (Unit::POSITION, -1),
+        (Unit::SPEED, -1),
+        (Unit::TIME, 0),
+        (Unit::NONE, 0),
+    ] {
+        assert_eq!(unit.transmission_power(), power, "{unit:?}");
+    }
+}
+
+/// Effects are told apart by their names, words and keys, and each has its theorem.
+#[test]
+fn num_exact_effects_have_names() {
+    use passivity_core::Effect;
+    let late = Effect::Delay;
+    assert_eq!((late.name(), late.key()), ("delay", "sampling.delay"));
+    assert_eq!(late.words(), "delay of whole samples");
+    assert_eq!(late.theorem(), Some("TH-DELAY"));
+    for of in [Effect::name, Effect::words, Effect::key] {
+        let mut all: Vec<&str> = Effect::ALL.into_iter().map(of).collect();
+        all.sort_unstable();
+        all.dedup();
+        assert_eq!(all.len(), Effect::ALL.len());
+        assert!(all.iter().all(|text| text.len() > 2));
+    }
+}

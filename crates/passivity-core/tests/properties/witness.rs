@@ -1,6 +1,6 @@
 //! TH-ACTIVE: the cycle that draws energy, checked from the held force and friction alone.
 
-use passivity_core::witness::{gain, gain_formula, quantized};
+use passivity_core::witness::{gain, gain_formula, quantized, smooth};
 use passivity_core::{BigRational, Friction};
 use proptest::prelude::*;
 
@@ -114,4 +114,29 @@ fn th_active_exact_cycles() {
         // 1/16 is left, and a move of just the bound is too fast where it turns round.
         q(16, 17)
     );
+}
+
+/// Strictly below the bound, and nothing where what is left gains nothing.
+#[test]
+fn th_active_bounds_are_strict() {
+    let friction = |beta, sigma| Friction::new(beta, sigma);
+    let found = quantized(&friction(q(1, 5), zero()), Some(&q(1, 5))).unwrap();
+    assert_eq!(
+        (found.from, found.to, found.gain),
+        (q(5, 6), q(1, 1), q(7, 45))
+    );
+    // m = 2 and a < 2·(1 − 2β) … : with a bound of two ticks there is no room.
+    assert_eq!(quantized(&friction(q(2, 5), q(3, 5)), Some(&q(2, 1))), None);
+    assert!(quantized(&friction(q(2, 5), q(3, 5)), Some(&q(5, 2))).is_some());
+    // 0 → d → 0 gains 2(½d² − βd² − σd): nothing at d = σ/(½ − β), and beyond it more and more.
+    let smooth = |sigma, bound: Option<BigRational>| {
+        let found = smooth(&friction(q(1, 4), sigma), bound.as_ref())?;
+        assert_eq!(found.from, zero());
+        Some((found.to, found.gain))
+    };
+    assert_eq!(smooth(zero(), None), Some((q(1, 1), half())));
+    assert_eq!(smooth(q(1, 8), None), Some((q(1, 1), q(1, 4))));
+    assert_eq!(smooth(q(1, 8), Some(q(1, 1))), Some((q(3, 4), q(3, 32))));
+    assert_eq!(smooth(q(1, 8), Some(half())), None);
+    assert_eq!(smooth(zero(), Some(half())), Some((q(1, 4), q(1, 32))));
 }

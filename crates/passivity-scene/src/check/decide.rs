@@ -75,10 +75,7 @@ pub(super) fn find_witness<S: Enclosed>(
     let mut tried = None;
     let mut found = tries.filter_map(|bits| {
         // Where no π is in the way, more bits change nothing, and the search ends as before.
-        let ends = bounds.try_map(|_, range| {
-            let [lo, hi] = [range.lo().enclosed(bits)?, range.hi().enclosed(bits)?];
-            Some(Interval::hull(lo.lo().clone(), hi.hi().clone()))
-        })?;
+        let ends = bounds.try_map(|_, range| range.try_map(|x| x.enclosed(bits)))?;
         if tried.as_ref() == Some(&ends) {
             return None;
         }

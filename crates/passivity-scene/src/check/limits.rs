@@ -167,8 +167,8 @@ pub(crate) fn typed_back<S: Enclosed>(
 /// How the scene file writes a parameter: in SI where it does not have it.
 fn written(parameter: Parameter, scene: &Scene) -> Written {
     match scene.given.get(parameter) {
-        Some(given) if !given.text.is_empty() => given.written.clone(),
-        _ => Written::si(unit_of(parameter, scene.motion)),
+        Some(given) => given.written.clone(),
+        None => Written::si(unit_of(parameter, scene.motion)),
     }
 }
 
@@ -231,14 +231,14 @@ pub(crate) fn is_searched<S: Enclosed>(parameter: Parameter, bounds: &Loop<Inter
         | Parameter::TimeConstant => true,
         // A controller in units of the stiffness costs the same whatever K and T are.
         Parameter::Stiffness | Parameter::Period => varies,
-        Parameter::Viscous | Parameter::Coulomb | Parameter::Resolution => {
+        // Friction and the resolution are no part of what is computed.
+        _ => {
             let cost = bounds.viscous_cost.as_ref();
             let given = bounds
                 .get(parameter)
                 .is_some_and(|x| x.hi().is_positive() == Some(true));
             varies && given && !cost.is_none_or(Interval::is_point)
         }
-        _ => false,
     }
 }
 
@@ -258,10 +258,8 @@ fn searched<S: Enclosed>(
         let moved = bounds.clone().with(parameter, Interval::point(x.clone()));
         moved.surely_holds(speeds)
     };
-    let from = match side {
-        Side::AtMost => now.hi().clone(),
-        Side::AtLeast => now.lo().clone(),
-    };
+    // Not from the lower end, which may be zero.
+    let from = now.hi().clone();
     let holds = passes(&from);
     // Towards where it fails, or where it holds.
     let grows = holds == (side == Side::AtMost);

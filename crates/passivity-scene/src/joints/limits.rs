@@ -103,8 +103,7 @@ fn limit<S: Enclosed>(
         moved.decide(asked) == Truth::Holds
     };
     let motion = scene.motion(place);
-    let given = scene.given.get(place);
-    let written = match given.filter(|given| !given.text.is_empty()) {
+    let written = match scene.given.get(place) {
         Some(given) => given.written.clone(),
         None => Written::si(unit_of(place.parameter, motion)),
     };
