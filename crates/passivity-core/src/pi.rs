@@ -157,26 +157,18 @@ impl Integer for Polynomial {
         if divisor.signum()? != Ordering::Greater {
             return None;
         }
+        let is_floor = |whole: &Self| {
+            let rest = self.sub(&divisor.mul(whole)?)?;
+            let next = divisor.sub(&rest)?;
+            Some(rest.signum()? != Ordering::Less && next.signum()? == Ordering::Greater)
+        };
         refine(|bits| {
             let (n, d) = (self.enclosure(bits), divisor.enclosure(bits));
-            if !d.lo().is_positive() {
-                return None;
-            }
-            let ends = [
-                n.lo() / d.lo(),
-                n.lo() / d.hi(),
-                n.hi() / d.lo(),
-                n.hi() / d.hi(),
-            ];
-            let floors = ends.map(|x| x.floor().to_integer());
-            let least = floors.iter().min()?;
-            let most = floors.iter().max()?;
-            if least == most {
-                return Some(Self::whole(least.clone()));
-            }
-            // A quotient that is a whole number exactly: no enclosure would ever show it.
-            let whole = Self::whole(most.clone());
-            (divisor.mul(&whole)? == *self).then_some(whole)
+            let near = (n.middle() / d.hi()).floor().to_integer();
+            // Or the next: no enclosure shows a quotient that is a whole number exactly.
+            let candidates = [near.clone(), near + 1].map(Self::whole);
+            let is_it = |whole: &Self| is_floor(whole) == Some(true);
+            candidates.into_iter().find(is_it)
         })
     }
 

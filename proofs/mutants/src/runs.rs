@@ -182,7 +182,7 @@ impl<'a> Runs<'a> {
     }
 
     /// Whether a test notices a change. Those come first that noticed others beside it, then the
-    /// quick ones.
+    /// quick ones; where it came to no end at first, the quick ones.
     fn tried(&self, change: &Change, cases: u32) -> Result<(Outcome, Option<String>), String> {
         let function = self.built.functions.get(&change.number);
         let function = *function.ok_or_else(|| format!("{} has no switch", change.name))?;
@@ -200,7 +200,11 @@ impl<'a> Runs<'a> {
             let noticed = self.noticed.lock().expect("no thread fails");
             let often = |key: &String, i| noticed.get(&(key.clone(), i)).copied().unwrap_or(0);
             tests.sort_by(|&(i, a), &(j, b)| {
-                let of = |i| keys.each_ref().map(|key| often(key, i));
+                // With a change that came to no end at first, a quick one may still come to its own.
+                let of = |i| {
+                    keys.each_ref()
+                        .map(|key| if ended { often(key, i) } else { 0 })
+                };
                 of(j).cmp(&of(i)).then(a.seconds.total_cmp(&b.seconds))
             });
         }

@@ -101,6 +101,7 @@ fn th_latency_boxes_are_cut_into_cells() {
             // 3/2 of it.
             "b=1.444 L=0.2..0.4 K=1..1.5",
             "b=1.6 L=0.2..0.4 K=1..1.5",
+            "b=1.46 L=0..0.4 K=1..1.5",
         ],
     );
     assert_said(
@@ -212,6 +213,9 @@ fn th_lti_boxes_beside_a_controller() {
             "b=11 c=2.1 slow K=1..1.1",
             "b=10 c=2.3 slow K=1..1.1",
             "b=11 c=3 slow L=0.1..0.2",
+            // The first corner holds and the last fails; the last but never tells.
+            "b=10.5 c=3 slow T=1..1.1",
+            "b=11 c=1.9..2 slow",
         ],
     );
     // As near to the border as 64 bits do not tell.
@@ -245,8 +249,41 @@ fn th_lti_boxes_with_their_costs_at_hand() {
         );
         assert_eq!(with.truth(&speeds), Some(truth), "{line}");
     }
+    // Where they do not tell, more bits may.
+    let tiny = BigRational::new(1.into(), num_bigint::BigInt::from(1) << 70);
+    for (off, truth) in [(tiny.clone(), Truth::Holds), (-tiny, Truth::Fails)] {
+        let (of, speeds) = asked("b=11 slow");
+        let coulomb = Interval::point(to_wide(&(q(2, 1) + off)));
+        let with = of.with(Parameter::Coulomb, coulomb).with_costs(64).unwrap();
+        assert_eq!(with.decide(&speeds), Some(Truth::Depends));
+        assert_eq!(with.truth(&speeds), Some(truth));
+    }
+    // Behind a latency the cells enclose to 40 bits only.
+    let (late, speeds) = asked("b=13 slow L=0.1..0.2");
+    let less = BigRational::new(1.into(), num_bigint::BigInt::from(1) << 60);
+    let coulomb = Interval::point(to_wide(&(q(2, 1) - less)));
+    let late = late.with(Parameter::Coulomb, coulomb);
+    assert_eq!(late.truth(&speeds), Some(Truth::Depends));
     let (damped, _) = asked("b=11 k=1 B=0.5");
     assert_eq!(damped.with_costs(64).unwrap().coulomb_cost, None);
+}
+
+/// Behind a delay of one sample λ falls with B as 3/2 − B up to ¼, and rises in the end: ½ + B + 1/(8B).
+#[test]
+fn th_lti_boxes_are_hardest_at_either_end_of_the_damping() {
+    assert_said(
+        Truth::Holds,
+        &["b=1.49 k=1 B=0.01..0.3", "b=1.5 k=1 B=0.01..0.8"],
+    );
+    assert_said(
+        Truth::Depends,
+        &[
+            "b=1.3 k=1 B=0.01..0.3",
+            "b=1.4 k=1 B=0.1..0.8",
+            "b=1.4 k=1 B=0.11..0.9",
+        ],
+    );
+    assert_said(Truth::Fails, &["b=1.2 k=1 B=0.01..0.3"]);
 }
 
 /// Of a bound of which the square is known: (b − λ)V + c − ½ − B ≥ 0 with λ = 5/4, so V² ≤ 4.
