@@ -12,12 +12,11 @@
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_rational::BigRational;
 
 use crate::interval::Interval;
 use crate::polynomial::Polynomial;
+use crate::rational;
 use crate::scalar::{Ordered as _, Scalar};
 use crate::sturm::{self, SignOver};
 use crate::transfer::TransferFunction;
@@ -149,7 +148,7 @@ impl ViscousCost {
         if enough(&lo) {
             return Interval::point(lo);
         }
-        let simple = simplest_above(&lo, &hi);
+        let simple = rational::simplest_above(&lo, &hi);
         if !enough(&simple) {
             return Interval::hull(simple, hi);
         }
@@ -196,45 +195,4 @@ fn real_part_of_product(a: &[BigRational], b: &[BigRational]) -> Polynomial {
         }
     }
     Polynomial::of_cosines(&series)
-}
-
-/// The fraction of least denominator in (lo, hi], for 0 ≤ lo < hi.
-fn simplest_above(lo: &BigRational, hi: &BigRational) -> BigRational {
-    // By continued fractions: as long as no whole number is between the ends their common whole
-    // part is kept, and the simplest fraction between the reciprocals of what is left comes next.
-    let (mut lo, mut hi) = (lo.clone(), hi.clone());
-    let mut closed_above = true;
-    let mut wholes: Vec<BigInt> = Vec::new();
-    let last = loop {
-        let whole = lo.numer().div_floor(lo.denom());
-        let kept = BigRational::from_integer(whole.clone());
-        let at_lo = kept == lo;
-        let next = if at_lo && !closed_above {
-            kept.clone()
-        } else {
-            &kept + BigRational::one()
-        };
-        if next < hi || (closed_above && next == hi) {
-            break next;
-        }
-        wholes.push(whole);
-        let reciprocal = (hi - &kept).recip();
-        if at_lo {
-            // Above there is no end; from below it is closed exactly when the old end above was.
-            let floor = BigRational::from_integer(reciprocal.numer().div_floor(reciprocal.denom()));
-            let least = closed_above && floor == reciprocal;
-            break if least {
-                floor
-            } else {
-                floor + BigRational::one()
-            };
-        }
-        // Reciprocals turn the order round: the closed end changes sides.
-        hi = (lo - &kept).recip();
-        lo = reciprocal;
-        closed_above = !closed_above;
-    };
-    wholes.into_iter().rev().fold(last, |fraction, whole| {
-        fraction.recip() + BigRational::from_integer(whole)
-    })
 }

@@ -1,8 +1,10 @@
 //! The public number, [`BigRational`], and its roads to and from the fractions of the kernel.
 
+use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use num_bigint::{BigInt, Sign};
+use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
@@ -141,4 +143,56 @@ pub fn from_fixed(x: &Fixed) -> Option<BigRational> {
 pub fn from_wide(x: &Wide) -> Option<BigRational> {
     let (n, d) = x.reduced()?;
     Some(BigRational::new_raw(n, d))
+}
+
+/// The fraction of least denominator in (lo, hi], for 0 ≤ lo < hi.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{BigRational, rational::simplest_above};
+///
+/// let ratio = |n: i64, d: i64| BigRational::new(n.into(), d.into());
+/// assert_eq!(simplest_above(&ratio(314, 100), &ratio(315, 100)), ratio(22, 7));
+/// assert_eq!(simplest_above(&ratio(1, 2), &ratio(2, 3)), ratio(2, 3));
+/// ```
+#[must_use]
+pub fn simplest_above(lo: &BigRational, hi: &BigRational) -> BigRational {
+    // By continued fractions: as long as no whole number is between the ends their common whole
+    // part is kept, and the simplest fraction between the reciprocals of what is left comes next.
+    let (mut lo, mut hi) = (lo.clone(), hi.clone());
+    let mut closed_above = true;
+    let mut wholes: Vec<BigInt> = Vec::new();
+    let last = loop {
+        let whole = lo.numer().div_floor(lo.denom());
+        let kept = BigRational::from_integer(whole.clone());
+        let at_lo = kept == lo;
+        let next = if at_lo && !closed_above {
+            kept.clone()
+        } else {
+            &kept + BigRational::one()
+        };
+        if next < hi || (closed_above && next == hi) {
+            break next;
+        }
+        wholes.push(whole);
+        let reciprocal = (hi - &kept).recip();
+        if at_lo {
+            // Above there is no end; from below it is closed exactly when the old end above was.
+            let floor = BigRational::from_integer(reciprocal.numer().div_floor(reciprocal.denom()));
+            let least = closed_above && floor == reciprocal;
+            break if least {
+                floor
+            } else {
+                floor + BigRational::one()
+            };
+        }
+        // Reciprocals turn the order round: the closed end changes sides.
+        hi = (lo - &kept).recip();
+        lo = reciprocal;
+        closed_above = !closed_above;
+    };
+    wholes.into_iter().rev().fold(last, |fraction, whole| {
+        fraction.recip() + BigRational::from_integer(whole)
+    })
 }

@@ -29,6 +29,8 @@ fn constants_are_the_limits_of_the_scene() {
     let bounded = of("viscous 1/4, coulomb 5/4, max_speed 2");
     assert_eq!(bounded.max_speed, Some(2.0));
     assert_eq!(bounded.max_damping, Some(0.083333));
+    let vague = of("viscous 1/4, coulomb 5/4, max_speed 1 … 2");
+    assert_eq!(vague.max_speed, Some(1.0));
     // A bound that is not needed is not passed on.
     assert_eq!(of("viscous 3/4, coulomb 5/4, max_speed 2").max_speed, None);
     // Nothing is enough: the criterion fails near rest; a controller has its own damping.

@@ -156,7 +156,7 @@ fn limits_of_two_joints_are_those_of_the_formulas() {
         assert_eq!(limits(joints, wall), expected, "{joints:?} {wall}");
     }
     // Bounds that are not needed change nothing.
-    let bounded = [["1", "0.8", "1", "1"], ["4", "3", "1/2", "1"]];
+    let bounded = [["1", "0.8", "1", "1/100"], ["4", "3", "1/2", "1/100"]];
     assert_eq!(limits(bounded, WALL), limits(TWO, WALL));
 }
 
@@ -194,6 +194,16 @@ fn limits_up_to_the_bounds_of_the_joints() {
     assert!(
         said.contains(&"joint[2].coulomb ≥ 5/4 … 3/2: not enough alone".to_owned()),
         "{said:?}"
+    );
+    // None may be needed, or some: 5/4 − c₁ at V₁ = 1.
+    let some = [["1/4", "1.1 … 1.3", "1", "1/2 … 1"], ["1", "3", "1/2", "1"]];
+    let some = limits(some, WALL);
+    let viscous = some
+        .iter()
+        .find(|said| said.starts_with("joint[1].viscous"));
+    assert!(
+        viscous.is_some_and(|said| said.contains("≥ 0 … 3/20: ")),
+        "{some:?}"
     );
     let stiffest = |report: &JointReport| {
         [

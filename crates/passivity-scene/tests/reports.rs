@@ -3,7 +3,7 @@
 
 mod wall;
 
-use passivity_core::{BigRational, Interval, Truth};
+use passivity_core::{BigRational, Exact, Interval, Scalar as _, Truth, pi};
 use passivity_scene::Scene;
 use passivity_scene::check::{Report, Verdict, check};
 use serde_json::Value;
@@ -58,6 +58,11 @@ fn figures_are_those_of_the_formulas() {
             "β 3/4, σ 4/5, costs 1/2, and 1/2, spares 1/4, and 3/10, V 2, m/s 2, margin 2/5, K 3/2, \
              to V 23/15",
         ),
+        (
+            "viscous 3/4, coulomb 4/5, max_speed 1 … 2",
+            "β 3/4, σ 4/5, costs 1/2, and 1/2, spares 1/4, and 3/10, V 1 … 2, m/s 1 … 2, \
+             margin 2/5 … 11/20, K 3/2, to V 23/15 … 31/20",
+        ),
         // v_c = (c − KΔ/2)/(KT/2 − b), and in ticks T/Δ times that.
         (
             "viscous 2/5, coulomb 3/5, period 1.6, resolution 1/2",
@@ -100,6 +105,10 @@ fn the_margin_at_the_bound_is_largest_at_a_period_inside() {
     assert_eq!(margin("3/2 … 2"), "-1/4 … -2/9");
     assert_eq!(margin("1/2 … 1"), "-1 … -1/4");
     assert_eq!(margin("4/3"), "-7/32");
+    // With b of up to 1 it is largest at T = 1, where p = 1.
+    let values = "viscous 3/4 … 1, coulomb 1, damping 1/2, max_speed 1, period 1/2 … 2";
+    let margin = range(&report(values).margin_at_speed_bound.unwrap());
+    assert_eq!(margin, "-1 … 0");
     // At V = 2 and K = 2 it is 3/(4T) − 1/(8T²) − ½, largest at T = 1/3.
     let values = "viscous 3/2, coulomb 2, damping 1/2, max_speed 2, stiffness 2, period 1/4 … 1";
     let margin = range(&report(values).margin_at_speed_bound.unwrap());
@@ -348,6 +357,9 @@ fn a_witness_is_as_exact_with_pi() {
     ];
     assert!(witness.gain_per_cycle <= gain(least));
     assert!(gain(most) - &witness.gain_per_cycle < q("1e-18"));
+    let tick = pi::pi().over(Exact::integer(1000));
+    let joules = Exact::of(&witness.gain_per_cycle) * tick.clone() * tick;
+    assert!(Exact::of(&witness.gain_per_cycle_joules.unwrap()) <= joules);
     // 10⁻⁴⁰ below the border there is a motion as well, and with steps of the D/A converter none is made up.
     let half = "1.570796326794896619231321691639751442098";
     let plain = |coulomb: &str| {
@@ -396,6 +408,13 @@ fn a_device_left_alone_keeps_to_its_speed() {
     let friction = "viscous 2/5, coulomb 3/5";
     for (start, holds, ticks, speed) in [
         ("velocity 1", Holds, "1", "1"),
+        (
+            "velocity 1/10, resolution 1/2, period 1/4",
+            Holds,
+            "1/20",
+            "1/10",
+        ),
+        ("position 0 … 3/5, inertia 4", Holds, "0 … 3/10", "0 … 3/10"),
         ("velocity -1", Holds, "1", "1"),
         ("velocity 1.001", Fails, "1001/1000", "1001/1000"),
         ("velocity -1/2 … 1", Holds, "0 … 1", "0 … 1"),
@@ -455,6 +474,17 @@ fn a_device_left_alone_keeps_to_its_speed() {
     let square = |x: &BigRational| x * x;
     assert!(square(speed.lo()) < q("1/200") && q("1/200") < square(speed.hi()));
     assert!(speed.hi() - speed.lo() < q("1e-60"));
+    // A degree, times a root of 2 that no fraction is: below and above it.
+    let text = "[device]\ninertia = \"2 kg m^2\"\n[sampling]\nperiod = \"1 s\"\n\
+                [wall]\nstiffness = \"2 N m/rad\"\n[start]\nposition = \"1 deg\"\n";
+    let speed = check(&Scene::from_toml("test", text).unwrap())
+        .unforced
+        .unwrap()
+        .speed;
+    let degree = pi::pi().over(Exact::integer(180));
+    let tiny = Exact::of(&q("1e-50"));
+    assert!(Exact::of(speed.lo()) < degree && degree < Exact::of(speed.hi()));
+    assert!(Exact::of(speed.hi()) - Exact::of(speed.lo()) < tiny);
     // Of a loop that remembers more than a delay and damping nothing is shown; of those, by their sum.
     for (values, holds) in [
         (

@@ -11,7 +11,7 @@ use passivity_core::rational::to_wide;
 use passivity_core::verdict::Speeds;
 use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Scalar, Truth, Wide};
 
-use crate::common::{half, q};
+use crate::common::{half, q, zero};
 use crate::exact::PI;
 use crate::transfer::Controller;
 
@@ -229,6 +229,20 @@ fn th_lti_boxes_beside_a_controller() {
     }
 }
 
+/// Of a pole that is too near to the unit circle nothing is known of ‖c‖₁, and so of the loop.
+#[test]
+fn th_lti_boxes_beside_a_controller_that_forgets_too_slowly() {
+    let near = q(-9_999_999_999, 10_000_000_000);
+    let controller = Controller::new([q(1, 1)], [q(1, 1), zero(), near]).unwrap();
+    let (of, speeds) = asked("b=11 c=3");
+    let of = Loop {
+        controller: Some(Arc::new(controller)),
+        ..of
+    };
+    assert_eq!(of.truth(&speeds), Some(Truth::Depends));
+    assert!(!of.surely_holds(&speeds));
+}
+
 /// With the costs of the box at hand they may be enough, and else its corners are asked.
 #[test]
 fn th_lti_boxes_with_their_costs_at_hand() {
@@ -402,7 +416,7 @@ fn th_lti_boxes_with_pi_are_decided_at_the_border() {
         };
         of.map(|_, x| Interval::point(x.clone()))
     };
-    for (off, truth) in [(tiny.clone(), Truth::Holds), (-tiny, Truth::Fails)] {
+    for (off, truth) in [(tiny.clone(), Truth::Holds), (-tiny.clone(), Truth::Fails)] {
         let at_all = of(&(&needed + &off), &q(1, 1));
         assert_eq!(at_all.truth(&Speeds::All), Some(truth));
         let two = Interval::point(Exact::integer(2));
@@ -412,6 +426,17 @@ fn th_lti_boxes_with_pi_are_decided_at_the_border() {
             up_to.surely_holds(&Speeds::UpTo(two)),
             truth == Truth::Holds
         );
+    }
+    // 3/2 − z⁻¹/2 costs KT, with no damping to be enclosed.
+    let controller = Controller::new([q(3, 2), q(-1, 2)], [q(1, 1)]).unwrap();
+    for (off, truth) in [(tiny.clone(), Truth::Holds), (-tiny, Truth::Fails)] {
+        let at = Loop {
+            damping: None,
+            delay: 0,
+            controller: Some(Arc::new(controller.clone())),
+            ..of(&(&u + off), &q(1, 1))
+        };
+        assert_eq!(at.truth(&Speeds::All), Some(truth));
     }
     assert_eq!(pi().enclosed(64).map(|x| x.is_point()), Some(false));
 }

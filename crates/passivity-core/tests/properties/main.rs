@@ -37,6 +37,7 @@ mod periodic;
 mod pi;
 mod polynomial;
 mod quantizer;
+mod rational;
 mod recursion;
 mod region;
 mod smooth;
