@@ -43,9 +43,11 @@ impl Journal {
     /// only with the same tests.
     pub(crate) fn open(root: &Path, folder: &Path) -> Result<Self, String> {
         let (mut sources, mut tests) = (DefaultHasher::new(), DefaultHasher::new());
-        for name in SUBJECTS.map(|subject| subject.folder) {
-            hash(&root.join(name).join("src"), &mut sources)?;
-            hash(&root.join(name).join("tests"), &mut tests)?;
+        for subject in &SUBJECTS {
+            let folder = root.join(subject.folder);
+            hash(&folder.join("src"), &mut sources)?;
+            hash(&folder.join("tests"), &mut tests)?;
+            subject.tests.hash(&mut tests);
         }
         hash(&root.join("Cargo.lock"), &mut sources)?;
         let (sources, tests) = (sources.finish(), tests.finish());
