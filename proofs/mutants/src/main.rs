@@ -52,6 +52,7 @@ pub(crate) const SUBJECTS: [Subject; 2] = [
             "--test=linear",
             "--test=reports",
             "--test=scenes",
+            "--test=unforced",
             "--test=verdicts",
             "--test=witnesses",
         ],
