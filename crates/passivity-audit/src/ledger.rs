@@ -1,7 +1,7 @@
 //! Rows on machine integers where they fit, on big integers where they do not: the same answers.
 
 use passivity_core::verdict::End;
-use passivity_core::{BigRational, Effect, Exact, Fixed, Interval, Loop, Scalar as _, Truth, Wide};
+use passivity_core::{BigRational, Effect, Exact, Fixed, Interval, Loop, Truth, Wide, rational};
 use passivity_scene::Scene;
 
 use crate::ball::Ball;
@@ -272,18 +272,13 @@ fn outward(lo: &Exact, hi: &Exact) -> Interval<BigRational> {
     Interval::hull(below, above)
 }
 
-/// The fraction with the smallest denominator in [lo, hi], 0 < lo ≤ hi, by its continued fraction.
+/// The fraction with the smallest denominator in [lo, hi], 0 < lo < hi.
 fn simplest(lo: &BigRational, hi: &BigRational) -> BigRational {
-    let whole = lo.floor();
-    if whole == *lo {
-        return whole;
+    let above = rational::simplest_above(lo, hi);
+    match lo.denom() <= above.denom() {
+        true => lo.clone(),
+        false => above,
     }
-    let above = &whole + BigRational::one();
-    if above <= *hi {
-        return above;
-    }
-    let rest = simplest(&(hi - &whole).recip(), &(lo - &whole).recip());
-    whole + rest.recip()
 }
 
 /// Runs an expression on the entry inside a row, whatever its integers.

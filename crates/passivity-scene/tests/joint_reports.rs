@@ -1,11 +1,15 @@
 //! What a report says of small scenes of two joints, with figures by hand (TH-NDOF): a direction a and a
 //! stiffness k make the wall k·aaᵀ, which asks for k·T/2·Σ aᵢ²/bᵢ ≤ 1 and cᵢ ≥ ½k|aᵢ|Σ|aⱼ|Δⱼ.
 
+mod ranges;
+
 use passivity_core::{BigRational, Exact, Interval, Scalar as _, pi};
 use passivity_scene::check::{Side, Verdict};
 use passivity_scene::joints::{JointLimit, JointReport};
 use passivity_scene::number::parse;
 use passivity_scene::{AnyScene, JointScene};
+
+use ranges::range;
 
 fn scene(text: &str) -> JointScene {
     match AnyScene::from_toml("two", text) {
@@ -41,13 +45,6 @@ fn report(joints: [[&str; 4]; 2], wall: &str) -> JointReport {
 
 fn q(text: &str) -> BigRational {
     parse(text).unwrap()
-}
-
-fn range(x: &Interval<BigRational>) -> String {
-    match x.is_point() {
-        true => x.lo().to_string(),
-        false => format!("{} … {}", x.lo(), x.hi()),
-    }
 }
 
 fn said(of: &JointLimit) -> String {

@@ -2,24 +2,14 @@
 //! and the motions that draw energy below it, computed again from the encoder and the difference
 //! equation alone (TH-LTI, TH-LATENCY, TH-LAG).
 
-use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
+mod dimensionless;
+
+use num_traits::{Signed as _, Zero as _};
 use passivity_core::{BigRational, Interval};
-use passivity_scene::check::{Report, Verdict, check};
-use passivity_scene::{Scene, number};
+use passivity_scene::Scene;
+use passivity_scene::check::{Report, Verdict};
 
-fn q(text: &str) -> BigRational {
-    number::parse(text).unwrap()
-}
-
-/// The report on a dimensionless scene with these further sections.
-fn report(beta: &BigRational, sigma: &str, sections: &str) -> Report {
-    let text = format!("[dimensionless]\nbeta = \"{beta}\"\nsigma = \"{sigma}\"\n{sections}");
-    check(&Scene::from_toml("scene", &text).unwrap_or_else(|error| panic!("{error}\n{text}")))
-}
-
-fn approx(x: &BigRational) -> f64 {
-    x.to_f64().unwrap()
-}
+use dimensionless::{approx, q, report};
 
 /// Verdicts at β, and 10⁻³⁰ below.
 fn beside(beta: &str, sections: &str) -> [Report; 2] {

@@ -1,25 +1,15 @@
 //! Random linear loops: what their controllers cost against a grid of frequencies, and what is said of a box
 //! against its devices (TH-LTI, TH-LATENCY, TH-LAG).
 
-use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
+mod dimensionless;
+
+use num_traits::{Signed as _, Zero as _};
 use passivity_core::BigRational;
+use passivity_scene::Scene;
 use passivity_scene::check::{Report, Verdict, check};
-use passivity_scene::{Scene, number};
 use proptest::prelude::*;
 
-fn q(text: &str) -> BigRational {
-    number::parse(text).unwrap()
-}
-
-/// The report on a dimensionless scene with these further sections.
-fn report(beta: &BigRational, sigma: &str, sections: &str) -> Report {
-    let text = format!("[dimensionless]\nbeta = \"{beta}\"\nsigma = \"{sigma}\"\n{sections}");
-    check(&Scene::from_toml("scene", &text).unwrap_or_else(|error| panic!("{error}\n{text}")))
-}
-
-fn approx(x: &BigRational) -> f64 {
-    x.to_f64().unwrap()
-}
+use dimensionless::{approx, q, report};
 
 /// A controller whose poles are products of ones inside the unit circle, as texts and in doubles.
 fn controllers() -> impl Strategy<Value = (Vec<BigRational>, Vec<BigRational>, u16)> {

@@ -1,24 +1,19 @@
 //! What a report says of small scenes, with figures by hand (CHECK-VERDICT): T, Δ and K are 1 in SI units
 //! unless a scene says otherwise.
 
+mod ranges;
 mod wall;
 
-use passivity_core::{BigRational, Exact, Interval, Scalar as _, Truth, pi};
+use passivity_core::{Exact, Scalar as _, Truth, pi};
 use passivity_scene::Scene;
 use passivity_scene::check::{Report, Verdict, check};
 use serde_json::Value;
 
+use ranges::range;
 use wall::{q, scene};
 
 fn report(values: &str) -> Report {
     check(&scene(values))
-}
-
-fn range(x: &Interval<BigRational>) -> String {
-    match x.is_point() {
-        true => x.lo().to_string(),
-        false => format!("{} … {}", x.lo(), x.hi()),
-    }
 }
 
 /// The figures of a report in one line, without those that are absent.

@@ -1,23 +1,18 @@
 //! What is said of a device left alone at its start (TH-START), with figures by hand: T, Δ and K are 1 in SI units unless
 //! a scene says otherwise.
 
+mod ranges;
 mod wall;
 
-use passivity_core::{BigRational, Exact, Interval, Scalar as _, Truth, pi};
+use passivity_core::{BigRational, Exact, Scalar as _, Truth, pi};
 use passivity_scene::Scene;
 use passivity_scene::check::{Report, check};
 
+use ranges::range;
 use wall::{q, scene};
 
 fn report(values: &str) -> Report {
     check(&scene(values))
-}
-
-fn range(x: &Interval<BigRational>) -> String {
-    match x.is_point() {
-        true => x.lo().to_string(),
-        false => format!("{} … {}", x.lo(), x.hi()),
-    }
 }
 
 /// V² = ẋ² + (K/m)x², (b − ½)V + c − ½ ≥ 0 up to V = 1 here; in ticks VT/Δ.
