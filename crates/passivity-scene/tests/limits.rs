@@ -117,9 +117,11 @@ fn limits_hold_at_the_shortest_and_at_the_longest_period() {
     // b ≥ KT/2 + B is hardest at T = 3/2, c ≥ 1/4 + 1/(10T) at T = 1/2; T ≤ 2(9 − B)/K.
     for (key, expected) in [
         ("viscous", "viscous ≥ 9/40 … 19/40: 0.475"),
-        ("stiffness", "stiffness ≤ 4/5 … 7/5: 0.8"),
+        // 1/4 + 1/15 and 1/4 + 1/5.
+        ("coulomb", "coulomb ≥ 19/60 … 9/20: 0.45"),
+        ("stiffness", "stiffness ≤ 4/5 … 5/3: 0.8"),
         ("period", "period ≤ 178/5: 35.6"),
-        ("resolution", "resolution ≤ 4/3 … 2: 1.3333"),
+        ("resolution", "resolution ≤ 4/3 … 54/19: 1.3333"),
     ] {
         assert_eq!(found(steady, key).as_deref(), Some(expected));
     }
@@ -339,5 +341,44 @@ fn limits_of_a_period_that_pulls_both_ways() {
         Parameter::Period,
         "3/10",
         |t| passes("0.4", "0.7", t),
+    );
+}
+
+/// Periods between the ends of the tolerance count at the easiest end of a border. At every speed
+/// b ≥ KT/2 + B, c ≥ K/2 + B/T and K ≤ min(2(b − B)/T, 2(c − B/T)).
+#[test]
+fn borders_over_a_period_that_pulls_both_ways() {
+    // With b = c = 1 both limits of K are 9/5 at T = 1; at 1/2 one is 8/5, at 3/2 the other 6/5.
+    let values = "viscous 1, coulomb 1, period 1 ± 0.5, damping 0.1";
+    let report = self::report(values);
+    let of = |parameter| {
+        report
+            .limits
+            .iter()
+            .find(|limit| limit.parameter == parameter)
+    };
+    let border = &of(Parameter::Stiffness).unwrap().border;
+    assert_eq!(*border.lo(), q("6/5"));
+    let bits = BigRational::from_integer((1_i64 << 31).into()).recip();
+    assert!(
+        *border.hi() >= q("9/5") && *border.hi() <= q("9/5") + &bits,
+        "{border:?}"
+    );
+
+    // Up to V = 1 c ≥ 1/2 + B/T and c ≥ 1/2 + B/T + B + T/2 − b. With B = 1/2 and b = 1 that is 3/2 at
+    // T = 1/2, 13/12 at 3/2, and least where both are 1, at T = 1.
+    let values = "viscous 1, coulomb 2, period 1 ± 0.5, damping 0.5, max_speed 1";
+    let report = self::report(values);
+    let of = |parameter| {
+        report
+            .limits
+            .iter()
+            .find(|limit| limit.parameter == parameter)
+    };
+    let border = &of(Parameter::Coulomb).unwrap().border;
+    assert_eq!(*border.hi(), q("3/2"));
+    assert!(
+        *border.lo() <= q("1") && *border.lo() >= q("1") - bits,
+        "{border:?}"
     );
 }

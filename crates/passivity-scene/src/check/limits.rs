@@ -1,6 +1,9 @@
 //! Limits of the parameters: where the criterion is met with equality, one parameter at a time
 //! (CHECK-LIMITS).
 
+use std::cmp::Ordering;
+use std::iter;
+
 use num_bigint::BigInt;
 use num_traits::Signed as _;
 use passivity_core::parameter::Hurts;
@@ -33,7 +36,7 @@ pub struct Limit {
     /// What it is now.
     pub now: Interval<BigRational>,
     /// Where the criterion is met with equality, over the tolerances of the others, at the speeds
-    /// that the limits are for.
+    /// that the limits are for. A limit that no formula says is a bracket of its hardest end.
     pub border: Interval<BigRational>,
     /// On which side of the border the criterion holds.
     pub side: Side,
@@ -59,6 +62,9 @@ impl Limit {
         }
     }
 }
+
+/// How often a value is doubled, or halved, to find one with another answer.
+const DOUBLINGS: u32 = 40;
 
 /// The parameters that limits are computed of.
 const LIMITED: [Parameter; 9] = [
@@ -102,7 +108,11 @@ pub(super) fn limit<S: Enclosed>(
     } else if parameter == Parameter::Period && both_ways {
         longest_period(bounds, speeds)?
     } else {
-        border(parameter, side, bounds, speeds)?
+        let border = border(parameter, side, bounds, speeds)?;
+        match both_ways && !bounds.period.is_point() {
+            true => with_periods_between(parameter, side, border, bounds, speeds)?,
+            false => border,
+        }
     };
     let clamped = |x: &S| x.clone().max(S::zero());
     let border = border.map(clamped);
@@ -193,8 +203,54 @@ pub(crate) fn border<S: Enclosed>(
         Side::AtLeast => hardest.max(other),
         Side::AtMost => hardest.min(other),
     };
-    let easiest = at_end(&bounds.at(End::Easiest), End::Easiest)?;
+    let [longest, shortest] = bounds.easiest();
+    let easiest = at_end(&longest, End::Easiest)?;
+    let other = at_end(&shortest, End::Easiest)?;
+    let easiest = match side {
+        Side::AtLeast => easiest.min(other),
+        Side::AtMost => easiest.max(other),
+    };
     Some(Interval::hull(hardest, easiest))
+}
+
+/// The border with the loops of periods between the ends of the tolerance, among which one may be
+/// easier than both ends are: where the period pulls both ways. Its easiest end is bracketed then.
+fn with_periods_between<S: Enclosed>(
+    parameter: Parameter,
+    side: Side,
+    border: Interval<S>,
+    bounds: &Loop<Interval<S>>,
+    speeds: &Speeds<Interval<S>>,
+) -> Option<Interval<S>> {
+    let fails = |x: &S| {
+        let at = Interval::point(x.clone());
+        bounds.clone().with(parameter, at).decide(speeds) == Some(Truth::Fails)
+    };
+    let easiest = match side {
+        Side::AtLeast => border.lo().clone().max(S::zero()),
+        Side::AtMost => border.hi().clone(),
+    };
+    let doubled = |x: &S| Some(x.clone() + x.clone());
+    let beyond = match side {
+        Side::AtLeast => Some(S::zero()),
+        Side::AtMost => iter::successors(Some(easiest.clone()), doubled)
+            .take(DOUBLINGS as usize)
+            .find(fails),
+    };
+    // Alone it is not enough whatever it is, or it is always.
+    let Some(beyond) = beyond.filter(|_| !fails(&easiest)) else {
+        return Some(border);
+    };
+    if !fails(&beyond) {
+        return Some(border.joined(&Interval::point(beyond)));
+    }
+    let found = bisected(easiest.clone(), &beyond, |x| !fails(x))?;
+    let unmoved = |end: &S| end.compare(&easiest) == Some(Ordering::Equal);
+    let is_at_an_end = unmoved(found.lo()) || unmoved(found.hi());
+    Some(match is_at_an_end {
+        true => border,
+        false => border.joined(&found),
+    })
 }
 
 /// Where a loop meets the criterion with equality, at every speed or at every speed up to a bound.
@@ -252,7 +308,6 @@ fn searched<S: Enclosed>(
     bounds: &Loop<Interval<S>>,
     speeds: &Speeds<Interval<S>>,
 ) -> Option<Interval<S>> {
-    const DOUBLINGS: u32 = 40;
     let now = bounds.get(parameter)?;
     let passes = |x: &S| {
         let moved = bounds.clone().with(parameter, Interval::point(x.clone()));
