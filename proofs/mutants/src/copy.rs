@@ -17,9 +17,8 @@ const FOLDER: &str = "target/mutants-copy";
 pub(crate) struct Built {
     /// Changes with which it does not compile.
     pub(crate) unviable: Vec<Change>,
-    /// The tests, each with the folder in which it runs: that of the crate itself, where all stands
-    /// that they read.
-    pub(crate) programs: Vec<(PathBuf, PathBuf)>,
+    /// The tests, each with the number of its crate.
+    pub(crate) programs: Vec<(usize, PathBuf)>,
     /// The number by which the function of each change asks for its switch.
     pub(crate) functions: BTreeMap<u32, u32>,
 }
@@ -49,7 +48,7 @@ pub(crate) fn built(root: &Path, changes: &mut Vec<Change>) -> Result<Built, Str
         *changes = rest;
     };
     let mut programs = Vec::new();
-    for subject in &SUBJECTS {
+    for (number, subject) in SUBJECTS.iter().enumerate() {
         let mut arguments = vec!["test", "--no-run", "-p", subject.package];
         arguments.extend(subject.tests);
         let said = cargo(&to, &arguments)?;
@@ -59,7 +58,7 @@ pub(crate) fn built(root: &Path, changes: &mut Vec<Change>) -> Result<Built, Str
         for line in lines {
             let program = line.rsplit('(').next().unwrap_or_default();
             let program = to.join(program.trim_end_matches(')'));
-            programs.push((root.join(subject.folder), program));
+            programs.push((number, program));
         }
         if programs.len() < before + subject.tests.len() {
             return Err(format!("the tests of the copy do not compile:\n{said}"));

@@ -13,7 +13,7 @@ use serde_json::json;
 
 use crate::SUBJECTS;
 use crate::changes::Change;
-use crate::runs::Outcome;
+use crate::runs::{Outcome, Test};
 
 /// A line of the journal.
 #[derive(Clone, Debug, Deserialize, Serialize)]
@@ -25,32 +25,36 @@ pub(crate) struct Entry {
     /// How many inputs a property test was given.
     pub(crate) cases: u32,
     pub(crate) seconds: f64,
-    /// Of the sources of the crates.
+    /// Of what was built: the crate whose test noticed with those below it, or else all.
     sources: u64,
-    /// Of their tests.
+    /// Of all their tests.
     tests: u64,
 }
 
 /// What is known of the changes.
 pub(crate) struct Journal {
-    sources: u64,
+    /// Of each crate with those below it.
+    sources: [u64; SUBJECTS.len()],
     tests: u64,
     inner: Mutex<(BTreeMap<String, Entry>, File)>,
 }
 
 impl Journal {
     /// Reads what earlier runs have found on the same sources. That a change was not noticed counts
-    /// only with the same tests.
+    /// only with the same tests; that it was, as long as the crate of the test and those below it are
+    /// the same.
     pub(crate) fn open(root: &Path, folder: &Path) -> Result<Self, String> {
-        let (mut sources, mut tests) = (DefaultHasher::new(), DefaultHasher::new());
-        for subject in &SUBJECTS {
+        let (mut so_far, mut tests) = (DefaultHasher::new(), DefaultHasher::new());
+        hash(&root.join("Cargo.lock"), &mut so_far)?;
+        let mut sources = [0; SUBJECTS.len()];
+        for (subject, sources) in SUBJECTS.iter().zip(&mut sources) {
             let folder = root.join(subject.folder);
-            hash(&folder.join("src"), &mut sources)?;
+            hash(&folder.join("src"), &mut so_far)?;
             hash(&folder.join("tests"), &mut tests)?;
             subject.tests.hash(&mut tests);
+            *sources = so_far.finish();
         }
-        hash(&root.join("Cargo.lock"), &mut sources)?;
-        let (sources, tests) = (sources.finish(), tests.finish());
+        let tests = tests.finish();
         let path = folder.join("journal.jsonl");
         let failed = |e: std::io::Error| format!("{}: {e}", path.display());
         let text = if path.exists() {
@@ -66,7 +70,7 @@ impl Journal {
         {
             let counts = entry.tests == tests
                 || matches!(entry.outcome, Outcome::Noticed | Outcome::Unviable);
-            if entry.sources == sources && counts {
+            if sources.contains(&entry.sources) && counts {
                 entries.insert(entry.mutant.clone(), entry);
             }
         }
@@ -86,8 +90,8 @@ impl Journal {
     }
 
     /// Which sources and which tests it speaks of.
-    pub(crate) const fn of(&self) -> [u64; 2] {
-        [self.sources, self.tests]
+    pub(crate) const fn of(&self) -> ([u64; SUBJECTS.len()], u64) {
+        (self.sources, self.tests)
     }
 
     fn entry(&self, mutant: &str) -> Option<Entry> {
@@ -114,17 +118,17 @@ impl Journal {
     pub(crate) fn add(
         &self,
         mutant: &str,
-        (outcome, test): (Outcome, Option<String>),
+        (outcome, test): (Outcome, Option<&Test>),
         cases: u32,
         seconds: f64,
     ) -> Result<(), String> {
         let entry = Entry {
             mutant: mutant.to_owned(),
             outcome,
-            test,
+            test: test.map(|test| test.name.clone()),
             cases,
             seconds,
-            sources: self.sources,
+            sources: self.sources[test.map_or(SUBJECTS.len() - 1, |test| test.subject)],
             tests: self.tests,
         };
         let line = serde_json::to_string(&entry).map_err(|e| e.to_string())?;

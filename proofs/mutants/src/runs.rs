@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use crate::changes::Change;
 use crate::copy::Built;
 use crate::journal::Journal;
+use crate::{SUBJECTS, root};
 
 /// The most inputs of a property test, at first and for survivors that nobody explained.
 pub(crate) const CASES: [u32; 2] = [24, 256];
@@ -54,9 +55,10 @@ pub(crate) enum Outcome {
 /// while nothing is changed.
 #[derive(Deserialize, Serialize)]
 pub(crate) struct Test {
-    folder: PathBuf,
+    /// The crate whose test it is.
+    pub(crate) subject: usize,
     program: PathBuf,
-    name: String,
+    pub(crate) name: String,
     reached: BTreeSet<u32>,
     pub(crate) seconds: f64,
 }
@@ -93,7 +95,7 @@ pub(crate) fn known(built: &Built, journal: &Journal, folder: &Path) -> Result<V
 fn recorded(built: &Built, folder: &Path) -> Result<Vec<Test>, String> {
     let mut tests = Vec::new();
     let record = folder.join("reached.txt");
-    for (folder, program) in &built.programs {
+    for (subject, program) in &built.programs {
         let failed = |e: std::io::Error| format!("{}: {e}", program.display());
         let listed = Command::new(program)
             .args(["--list", "--format", "terse"])
@@ -106,7 +108,7 @@ fn recorded(built: &Built, folder: &Path) -> Result<Vec<Test>, String> {
         {
             fs::write(&record, "").map_err(failed)?;
             let mut test = Test {
-                folder: folder.clone(),
+                subject: *subject,
                 program: program.clone(),
                 name: name.to_owned(),
                 reached: BTreeSet::new(),
@@ -162,7 +164,7 @@ impl<'a> Runs<'a> {
                 let started = Instant::now();
                 let found = self.tried(change, cases)?;
                 let seconds = started.elapsed().as_secs_f64();
-                let test = found.1.as_deref().unwrap_or_default();
+                let test = found.1.map_or("", |test| &test.name);
                 println!(
                     "{:<9} {seconds:>5.1} s  {}  {test}",
                     format!("{:?}", found.0),
@@ -183,11 +185,11 @@ impl<'a> Runs<'a> {
 
     /// Whether a test notices a change. Those come first that noticed others beside it, then the
     /// quick ones; where it came to no end at first, the quick ones.
-    fn tried(&self, change: &Change, cases: u32) -> Result<(Outcome, Option<String>), String> {
+    fn tried(&self, change: &Change, cases: u32) -> Result<(Outcome, Option<&'a Test>), String> {
         let function = self.built.functions.get(&change.number);
         let function = *function.ok_or_else(|| format!("{} has no switch", change.name))?;
         let keys = [function.to_string(), change.file.clone()];
-        let mut tests: Vec<(usize, &Test)> = self.tests.iter().enumerate().collect();
+        let mut tests: Vec<(usize, &'a Test)> = self.tests.iter().enumerate().collect();
         tests.retain(|(_, test)| test.reached.contains(&function));
         // What is as quick as at first, and has no more inputs, says the same again.
         let is_slow = |test: &Test| test.seconds > SLOW;
@@ -223,7 +225,7 @@ impl<'a> Runs<'a> {
                     for key in keys {
                         *noticed.entry((key, i)).or_default() += 1;
                     }
-                    return Ok((Outcome::Noticed, Some(test.name.clone())));
+                    return Ok((Outcome::Noticed, Some(test)));
                 }
                 Outcome::TimedOut => timeouts += 1,
             }
@@ -240,11 +242,16 @@ impl<'a> Runs<'a> {
     }
 }
 
+/// How many seconds of a processor a test may take: more than it is waited for, so that only one
+/// whose gate was stopped ends by it.
+const SECONDS: &str = "3600";
+
 /// A run of one test. The inputs that are drawn are the same each time.
 fn command(test: &Test, cases: u32) -> Command {
     let mut command = Command::new("sh");
+    let limits = "ulimit -v $0 && ulimit -t $1 && shift && exec \"$@\"";
     command
-        .args(["-c", "ulimit -v $0 && exec \"$@\"", MEMORY])
+        .args(["-c", limits, MEMORY, SECONDS])
         .arg(&test.program)
         .args(["--exact", &test.name, "--test-threads", "1"])
         .env("PROPTEST_CASES", cases.to_string())
@@ -254,7 +261,7 @@ fn command(test: &Test, cases: u32) -> Command {
         // What a function with many changes keeps on the stack.
         .env("RUST_MIN_STACK", "67108864")
         .env_remove("PASSIVITY_EVIDENCE_DIR")
-        .current_dir(&test.folder)
+        .current_dir(root().join(SUBJECTS[test.subject].folder))
         .stdin(Stdio::null())
         .stdout(Stdio::null())
         .stderr(Stdio::piped());
