@@ -157,7 +157,9 @@ fn main() {
         precise(&point, &grid, &rows);
         println!("with an amplifier, whose time constant is a fifth of a period, 200 intervals:");
         let point = amplified(200);
-        precise(&point, &grid, &swept(&point, &grid));
+        let rows = swept(&point, &grid);
+        rigorous(&point, &grid, &rows);
+        precise(&point, &grid, &rows);
     } else {
         println!("state at the end against the reference: not run here (-- --reference, minutes)");
     }

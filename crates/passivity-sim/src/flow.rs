@@ -4,29 +4,35 @@
 //! ẏ = κ(u − y), where M and β′ include the arm's mass and damping, k is its stiffness and s the
 //! sign of ξ̇. Its solution is the exponential of a matrix. It is evaluated by the power series of
 //! that exponential on pieces short enough that rate × piece ≤ ½, where n terms leave 2⁻ⁿ/n! of the
-//! first: the error is rounding, not a step size. Reversals are bracketed by the signs of ξ̇ and ξ̈
-//! at the ends of a piece and found by safeguarded Newton iteration on the series. That serves every
-//! kind of number; in doubles [`Fast`] does the same by propagators, and comes here for what they leave.
+//! first: the error is rounding, not a step size, and an interval grows by it. What a whole piece does
+//! is a table that is made once. Reversals are bracketed by the signs of ξ̇ and ξ̈ at the ends of a
+//! piece and found by safeguarded Newton iteration on the series. That serves every kind of number; in
+//! doubles [`Fast`] does the same by propagators, and comes here for what they leave.
 
 mod after;
 mod events;
 mod fast;
 mod nearest;
 mod power;
+mod products;
 mod propagator;
 mod short;
 mod signs;
+mod table;
 mod turn;
 mod wide;
 
 use std::cmp::Ordering;
+use std::sync::OnceLock;
 
 use passivity_core::{Effect, Loop};
 
 use crate::error::SimError;
 use crate::number::{Double, Real, Undecided};
+use crate::series;
 pub(crate) use fast::{Attempt, Fast, Kind};
-use power::{Series, horner, terms};
+use power::terms;
+use table::{Start, Table};
 pub(crate) use turn::{LONG, Near, Onward, SHORT, Turns};
 pub(crate) use wide::Wide;
 
@@ -48,6 +54,8 @@ pub(crate) struct Flow<R> {
     pub arm: Option<[R; 2]>,
     /// How many pieces an interval has.
     pub pieces: u32,
+    /// The motion over one of them, once it was asked for.
+    pub whole: OnceLock<Box<Table<R>>>,
 }
 
 /// The state that is carried from piece to piece.
@@ -59,6 +67,13 @@ pub(crate) struct State<R> {
     pub velocity: R,
     /// y, the amplifier's output.
     pub output: R,
+}
+
+/// What becomes of a device at rest.
+enum Rest<R> {
+    Stays,
+    LetsGo,
+    LetsGoAfter(R),
 }
 
 /// What happened over an interval.
@@ -177,6 +192,7 @@ impl<R: Real> Flow<R> {
                 .map(|time| time.whole(1).over(time.clone())),
             arm: has_arm.then(|| [&the_loop.arm_damping, &the_loop.arm_stiffness].map(or_zero)),
             pieces,
+            whole: OnceLock::new(),
         }
     }
 
@@ -209,9 +225,11 @@ impl<R: Real> Flow<R> {
         force: &R,
         ledger: bool,
     ) -> Result<Flowed<R>, Undecided> {
-        // At most 2·FASTEST of them.
-        let pieces = i32::try_from(self.pieces).unwrap_or(i32::MAX);
-        let piece = self.mass.ratio(1, pieces);
+        let whole = self.whole.get_or_init(|| {
+            // At most 2·FASTEST of them.
+            let pieces = i32::try_from(self.pieces).unwrap_or(i32::MAX);
+            Box::new(self.table(&self.mass.ratio(1, pieces)))
+        });
         let mut flowed = Flowed {
             end: start.clone(),
             path: R::zero(),
@@ -221,8 +239,8 @@ impl<R: Real> Flow<R> {
         if self.rate.is_none() {
             flowed.end.output = command.clone();
         }
-        for _ in 0..pieces {
-            self.piece(&mut flowed, command, force, &piece, ledger)?;
+        for _ in 0..self.pieces {
+            self.piece(&mut flowed, command, force, whole, ledger)?;
         }
         Ok(flowed)
     }
@@ -233,45 +251,77 @@ impl<R: Real> Flow<R> {
         flowed: &mut Flowed<R>,
         command: &R,
         force: &R,
-        piece: &R,
+        piece: &Table<R>,
         ledger: bool,
     ) -> Result<(), Undecided> {
         // Each stop is followed by a motion the other way or by rest. More than a few within half a
         // time constant can only be rounding about a stop; the device then rests until the piece ends.
         const MOST_STOPS: u32 = 16;
-        let mut left = piece.clone();
         let Some(sigma) = &self.sigma else {
-            let series = self.series(&flowed.end, command, force, &R::zero(), &left);
-            self.take(flowed, &series, &left.whole(1), ledger);
+            let start = self.start(&flowed.end, command, force, &R::zero());
+            self.take(flowed, command, piece, &start, ledger);
             return Ok(());
         };
+        let mut rest_of_piece: Option<Table<R>> = None;
         for _ in 0..MOST_STOPS {
             let mut direction = flowed.end.velocity.sign().ok_or(Undecided)?;
+            let mut waited = false;
             if direction == Ordering::Equal {
-                let wait = self.rest(flowed, command, force, sigma, &left)?;
-                let Some(wait) = wait else { return Ok(()) };
-                left = left - wait;
+                let left = &rest_of_piece.as_ref().unwrap_or(piece).length;
+                match self.rest(flowed, command, force, sigma, left)? {
+                    Rest::Stays => return Ok(()),
+                    Rest::LetsGo => {}
+                    Rest::LetsGoAfter(time) => {
+                        rest_of_piece = Some(self.table(&(left.clone() - time)));
+                        waited = true;
+                    }
+                }
                 direction = self.net(&flowed.end, force).sign().ok_or(Undecided)?;
             }
+            let table = rest_of_piece.as_ref().unwrap_or(piece);
             let friction = match direction {
                 Ordering::Less => -sigma.clone(),
                 _ => sigma.clone(),
             };
-            let series = self.series(&flowed.end, command, force, &friction, &left);
-            let Some(at) = series.stop(direction)? else {
-                self.take(flowed, &series, &left.whole(1), ledger);
+            let start = self.start(&flowed.end, command, force, &friction);
+            // What pulled the device loose pulls it more and more.
+            let stop = if waited {
+                None
+            } else {
+                self.stop(table, &start, direction)?
+            };
+            let Some(at) = stop else {
+                self.take(flowed, command, table, &start, ledger);
                 return Ok(());
             };
-            self.take(flowed, &series, &at, ledger);
+            let until = at * table.length.clone();
+            let after = table.length.clone() - until.clone();
+            self.take(flowed, command, &self.table(&until), &start, ledger);
             flowed.end.velocity = R::zero();
-            left = left.clone() - left * at;
+            rest_of_piece = Some(self.table(&after));
         }
-        self.idle(flowed, command, &left);
-        flowed.end.velocity = R::zero();
+        if R::ENCLOSES {
+            return Err(Undecided);
+        }
+        let left = &rest_of_piece.as_ref().unwrap_or(piece).length;
+        flowed.end.output = self.output_after(&flowed.end.output, command, left);
         Ok(())
     }
 
-    /// At rest: how long until the device starts, within `left`; `None` when it does not.
+    /// What a motion against `friction` starts with.
+    fn start(&self, from: &State<R>, command: &R, force: &R, friction: &R) -> Start<R> {
+        let pull = command.clone() + force.clone() - friction.clone();
+        Start {
+            velocity: from.velocity.clone(),
+            excess: from.output.clone() - command.clone(),
+            pull: match &self.arm {
+                Some([_, stiffness]) => pull - stiffness.clone() * from.xi.clone(),
+                None => pull,
+            },
+        }
+    }
+
+    /// At rest for the time `left`, or until the device starts.
     fn rest(
         &self,
         flowed: &mut Flowed<R>,
@@ -279,40 +329,31 @@ impl<R: Real> Flow<R> {
         force: &R,
         sigma: &R,
         left: &R,
-    ) -> Result<Option<R>, Undecided> {
-        let lets_go = |state: &State<R>| {
-            let net = self.net(state, force).abs();
-            Ok(net.compare(sigma).ok_or(Undecided)?.is_gt())
-        };
-        if lets_go(&flowed.end)? {
-            return Ok(Some(R::zero()));
+    ) -> Result<Rest<R>, Undecided> {
+        let lets_go = |net: &R| Ok(net.abs().compare(sigma).ok_or(Undecided)?.is_gt());
+        if lets_go(&self.net(&flowed.end, force))? {
+            return Ok(Rest::LetsGo);
         }
-        let after = |time: &R| State {
-            output: self.output_after(&flowed.end.output, command, time),
+        let later = State {
+            output: self.output_after(&flowed.end.output, command, left),
             ..flowed.end.clone()
         };
-        let later = after(left);
-        if !lets_go(&later)? {
+        let net = self.net(&later, force);
+        let (Some(rate), true) = (&self.rate, lets_go(&net)?) else {
             flowed.end = later;
-            return Ok(None);
-        }
-        // The output is monotone: the time at which it lets go is bracketed by 0 and `left`.
-        let (mut low, mut high) = (R::zero(), left.clone());
-        for _ in 0..left.bits() + 4 {
-            let middle = (low.clone() + high.clone()).half();
-            if lets_go(&after(&middle))? {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        self.idle(flowed, command, &high);
-        Ok(Some(high))
-    }
-
-    /// Lets time pass at rest.
-    fn idle(&self, flowed: &mut Flowed<R>, command: &R, time: &R) {
-        flowed.end.output = self.output_after(&flowed.end.output, command, time);
+            return Ok(Rest::Stays);
+        };
+        // The output tends from y to u, and with e^(κτ) = (y − u)/(y* − u) it is y*, against which
+        // friction just holds.
+        let most = match net.sign().ok_or(Undecided)? {
+            Ordering::Less => -sigma.clone(),
+            _ => sigma.clone(),
+        };
+        let loose = most - (net - later.output);
+        let passed = flowed.end.output.clone() - loose.clone();
+        let time = series::ln_1p(&passed.over(loose.clone() - command.clone())).over(rate.clone());
+        flowed.end.output = loose;
+        Ok(Rest::LetsGoAfter(time))
     }
 
     /// The amplifier's output after a time of at most a piece.
@@ -327,85 +368,31 @@ impl<R: Real> Flow<R> {
             term = term * x.clone() * self.mass.ratio(1, n);
             sum = sum + term.clone();
         }
-        sum
+        // What is left out is at most as much as the last term again.
+        sum.widened(&term)
     }
 
-    /// The series of the motion from a state, on a piece of length `h`, against `friction`.
-    fn series(&self, from: &State<R>, command: &R, force: &R, friction: &R, h: &R) -> Series<R> {
-        match (&self.rate, &self.arm) {
-            (Some(_), Some(_)) => self.series_with::<true, true>(from, command, force, friction, h),
-            (Some(_), None) => self.series_with::<true, false>(from, command, force, friction, h),
-            (None, Some(_)) => self.series_with::<false, true>(from, command, force, friction, h),
-            (None, None) => self.series_with::<false, false>(from, command, force, friction, h),
-        }
-    }
-
-    /// The terms of the series; what is not there, amplifier or arm, is not in the loop over them.
-    fn series_with<const LAG: bool, const ARM: bool>(
+    /// Takes the motion to the end of a piece on which the velocity keeps its sign.
+    fn take(
         &self,
-        from: &State<R>,
+        flowed: &mut Flowed<R>,
         command: &R,
-        force: &R,
-        friction: &R,
-        h: &R,
-    ) -> Series<R> {
-        let count = terms(h.bits());
-        let damping = match &self.arm {
-            Some([damping, _]) => self.beta.clone() + damping.clone(),
-            None => self.beta.clone(),
-        };
-        let per_mass = h.clone().over(self.mass.clone());
-        let damped = damping * per_mass.clone();
-        let pulled = h.clone() * per_mass;
-        let room = usize::try_from(count).unwrap_or(2);
-        let mut output = Vec::with_capacity(if LAG { room } else { 1 });
-        output.push(from.output.clone());
-        let mut excess = from.output.clone() - command.clone();
-        let mut xi = Vec::with_capacity(room);
-        let mut before = from.xi.clone(); // c_{n−2}
-        let mut latest = from.velocity.clone() * h.clone(); // c_{n−1}
-        xi.extend([before.clone(), latest.clone()]);
-        // y_{n−2}, with the constant forces where n = 2.
-        let mut pull = from.output.clone() + force.clone() - friction.clone();
-        for n in 2..count {
-            // c_n = h²/(n(n − 1))·(y_{n−2} + [F − σs] − kc_{n−2} − β′(n − 1)c_{n−1}/h)/M.
-            if ARM && let Some([_, stiffness]) = &self.arm {
-                pull = pull - stiffness.clone() * before;
-            }
-            let drag = damped.clone() * latest.clone() * R::integer(n - 1);
-            let next = (pull * pulled.clone() - drag) * h.ratio(1, n * (n - 1));
-            xi.push(next.clone());
-            before = std::mem::replace(&mut latest, next);
-            pull = if LAG && let Some(rate) = &self.rate {
-                excess = -(excess * rate.clone() * h.clone()) * h.ratio(1, n - 1);
-                output.push(excess.clone());
-                excess.clone()
-            } else {
-                R::zero()
-            };
-        }
-        Series {
-            xi,
-            output,
-            h: h.clone(),
-        }
-    }
-
-    /// Takes the motion to the fraction `s` of a series, on which the velocity keeps its sign.
-    fn take(&self, flowed: &mut Flowed<R>, series: &Series<R>, s: &R, ledger: bool) {
-        let from = flowed.end.xi.clone();
+        table: &Table<R>,
+        start: &Start<R>,
+        ledger: bool,
+    ) {
+        let end = table.end(start);
         if ledger {
-            let (square, work) = series.integrals(s);
+            let [square, excess] = table.integrals(start);
             flowed.square = flowed.square.clone() + square;
-            flowed.work = flowed.work.clone() + work;
+            flowed.work = flowed.work.clone() + command.clone() * end.way.clone() + excess;
         }
-        flowed.end.xi = horner(series.xi.iter(), s);
-        flowed.end.velocity = series.velocity(s);
+        flowed.path = flowed.path.clone() + end.way.abs();
+        flowed.end.xi = flowed.end.xi.clone() + end.way;
+        flowed.end.velocity = end.velocity;
         if self.rate.is_some() {
-            flowed.end.output = horner(series.output.iter(), s);
+            flowed.end.output = command.clone() + end.excess;
         }
-        let d = flowed.end.xi.clone() - from;
-        flowed.path = flowed.path.clone() + d.abs();
     }
 }
 

@@ -130,7 +130,7 @@ impl Method {
         let viscous = point.at.viscous_friction().sign() != Some(Ordering::Equal);
         let cannot = |effect: &Effect| match (self, effect) {
             (Self::Exact, Effect::Viscous) => viscous,
-            (Self::Exact | Self::Enclosure, Effect::Amplifier | Effect::Arm) => true,
+            (Self::Exact, Effect::Amplifier) | (Self::Exact | Self::Enclosure, Effect::Arm) => true,
             _ => false,
         };
         let effects = Effect::ALL.into_iter();

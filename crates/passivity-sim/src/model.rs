@@ -1,6 +1,7 @@
 //! The motion under the kernel's controller with the kernel's account, for any [`Real`]: one text for
 //! rationals, numbers of any precision and rigorous intervals.
 
+mod between;
 mod motion;
 
 use std::cmp::Ordering;
@@ -426,6 +427,10 @@ impl<R: Real> Part<R> {
                 arm: R::zero(),
             });
         };
+        let known = [&state.velocity, &state.output, command, force];
+        if known.iter().any(|x| x.ends().is_some()) {
+            return between::way(flow, state, command, force);
+        }
         let flowed = flow.advance(state, command, force, true)?;
         let sigma = flow.sigma.clone().unwrap_or_else(R::zero);
         let arm = match &flow.arm {

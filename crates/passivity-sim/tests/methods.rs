@@ -192,36 +192,64 @@ fn enclosures_hold_the_reference() {
 
 #[test]
 fn enclosures_of_energies_hold_the_reference() {
-    let point = paper("3/5", "2/5", "2", 300);
-    let mut rows = Vec::new();
-    let mut see = |line: &Line<'_>| {
-        if let Line::Enclosed(row) = line {
-            rows.push((*row).clone());
-        }
-        true
+    let behind = |time_constant: &str, latency: Option<&str>, mut point: Point| {
+        point.at.time_constant = Some(q(time_constant));
+        point.at.latency = latency.map(q);
+        point
     };
-    simulate(&point, &Method::Enclosure, Some(&mut see)).unwrap();
-    assert_eq!(rows.len(), 300);
-    let mut index = 0;
-    let mut compare = |line: &Line<'_>| {
-        let (Line::Double(entry), row) = (line, &rows[index]) else {
-            panic!("doubles")
+    for (point, intervals) in [
+        (paper("3/5", "2/5", "2", 300), 300),
+        // A cycle that stops and starts again in each period, a device that comes to rest, and one
+        // whose output lets it go in the middle of an interval.
+        (behind("1/5", None, paper("3/5", "1/10", "2", 300)), 300),
+        (behind("1", None, paper("3/5", "2/5", "2", 300)), 300),
+        (
+            behind("3", Some("3/10"), paper("1/2", "3/10", "2", 300)),
+            300,
+        ),
+        (
+            behind("2", None, point("1", "1/10", "2/5", ["3", "0"], 60)),
+            60,
+        ),
+        (
+            behind("1/10", None, point("1/2", "0", "3/10", ["3", "0"], 60)),
+            60,
+        ),
+    ] {
+        let mut rows = Vec::new();
+        let mut see = |line: &Line<'_>| {
+            if let Line::Enclosed(row) = line {
+                rows.push((*row).clone());
+            }
+            true
         };
-        index += 1;
-        for (x, range) in [
-            (entry.xi1, &row.step.end),
-            (entry.v1, &row.velocity[1]),
-            (entry.generated_linear, &row.generated[0]),
-            (entry.generated_quantized, &row.generated[1]),
-            (entry.dissipated, &row.dissipated),
-            (0.0, &row.residual),
-        ] {
-            let [lo, hi] = range.bounds();
-            assert!(lo <= x && x <= hi, "{entry:?} {row:?}");
-        }
-        true
-    };
-    simulate(&point, &REFERENCE, Some(&mut compare)).unwrap();
+        let run = simulate(&point, &Method::Enclosure, Some(&mut see)).unwrap();
+        assert_ne!(run.end.outcome.exact, ExactOutcome::Undecided, "{point:?}");
+        assert_eq!(rows.len() as u64, run.end.intervals);
+        assert!(run.end.intervals <= intervals);
+        let mut index = 0;
+        let mut compare = |line: &Line<'_>| {
+            let (Line::Double(entry), row) = (line, &rows[index]) else {
+                panic!("doubles")
+            };
+            index += 1;
+            for (x, range) in [
+                (entry.xi1, &row.step.end),
+                (entry.v1, &row.velocity[1]),
+                (entry.generated_linear, &row.generated[0]),
+                (entry.generated_quantized, &row.generated[1]),
+                (entry.dissipated, &row.dissipated),
+                (0.0, &row.residual),
+            ] {
+                let [lo, hi] = range.bounds();
+                assert!(lo <= x && x <= hi, "{entry:?} {row:?}");
+                assert!(hi - lo < 1e-6 * x.abs().max(1.0), "{row:?}");
+            }
+            true
+        };
+        simulate(&point, &REFERENCE, Some(&mut compare)).unwrap();
+        assert_eq!(index, rows.len());
+    }
 }
 
 #[test]

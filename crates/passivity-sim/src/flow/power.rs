@@ -1,16 +1,13 @@
-//! The power series of a motion on a short piece: its values, its stops and its integrals.
+//! The power series of a motion on a short piece, and where it stops.
 
 use std::cmp::Ordering;
 
+use super::Flow;
+use super::table::{Rates, Start, Table};
 use crate::number::{Real, Undecided};
 
-/// The series of ξ on a piece: ξ(τ) = Σ c_n·(τ/h)ⁿ, and of the output likewise; without an amplifier
-/// the output is one constant.
-pub(super) struct Series<R> {
-    pub(super) xi: Vec<R>,
-    pub(super) output: Vec<R>,
-    pub(super) h: R,
-}
+/// The coefficients of ξ in the fraction s of a piece.
+pub(super) struct Series<R>(Vec<R>);
 
 /// How many terms leave less than 2^−bits when each is at most half the one before, over n.
 pub(super) fn terms(bits: u32) -> i32 {
@@ -23,30 +20,115 @@ pub(super) fn terms(bits: u32) -> i32 {
     i32::try_from(n + 1).unwrap_or(i32::MAX)
 }
 
-/// Σ cₙsⁿ.
-pub(super) fn horner<'a, R: Real + 'a>(
-    coefficients: impl DoubleEndedIterator<Item = &'a R>,
-    s: &R,
-) -> R {
-    let terms = coefficients.rev();
-    terms.fold(R::zero(), |sum, c| sum * s.clone() + c.clone())
-}
-
 /// The index of a term as a factor; a series has some hundred terms.
 fn factor(n: usize) -> i32 {
     i32::try_from(n).unwrap_or(i32::MAX)
 }
 
-impl<R: Real> Series<R> {
-    /// ξ̇ at the fraction `s`.
-    pub(super) fn velocity(&self, s: &R) -> R {
-        self.derivative(s, 1).over(self.h.clone())
+impl<R: Real> Flow<R> {
+    /// At which fraction of a piece the velocity, of sign `direction` at first, becomes 0.
+    pub(super) fn stop(
+        &self,
+        table: &Table<R>,
+        start: &Start<R>,
+        direction: Ordering,
+    ) -> Result<Option<R>, Undecided> {
+        let one = table.length.whole(1);
+        let end = table.end(start);
+        let sign = end.velocity.sign().ok_or(Undecided)?;
+        if sign == direction.reverse() {
+            let series = self.series(table, start);
+            return series.crossing(1, direction, &one).map(Some);
+        }
+        // It may have been to 0 and back: only if it slowed down first and sped up later.
+        let slows = self.accelerates(start, &start.velocity, &start.excess, &R::zero())?;
+        if slows != direction.reverse()
+            || self.accelerates(start, &end.velocity, &end.excess, &end.way)? != direction
+        {
+            return Ok(None);
+        }
+        let series = self.series(table, start);
+        let slowest = series.crossing(2, direction.reverse(), &one)?;
+        if series.derivative(&slowest, 1).sign().ok_or(Undecided)? == direction {
+            return Ok(None);
+        }
+        series.crossing(1, direction, &slowest).map(Some)
     }
 
+    /// The sign of the acceleration at a speed, an excess of the output and a way from the start.
+    fn accelerates(
+        &self,
+        start: &Start<R>,
+        velocity: &R,
+        excess: &R,
+        way: &R,
+    ) -> Result<Ordering, Undecided> {
+        let mut net = excess.clone() + start.pull.clone() - self.beta.clone() * velocity.clone();
+        if let Some([damping, stiffness]) = &self.arm {
+            net = net - damping.clone() * velocity.clone() - stiffness.clone() * way.clone();
+        }
+        net.sign().ok_or(Undecided)
+    }
+
+    /// The series of the motion on a piece.
+    fn series(&self, table: &Table<R>, start: &Start<R>) -> Series<R> {
+        match (&self.rate, &self.arm) {
+            (Some(_), Some(_)) => table.series::<true, true>(start),
+            (Some(_), None) => table.series::<true, false>(start),
+            (None, Some(_)) => table.series::<false, true>(start),
+            (None, None) => table.series::<false, false>(start),
+        }
+    }
+}
+
+impl<R: Real> Table<R> {
+    /// The series of the motion; what is not there, amplifier or arm, is not in the loop over its terms.
+    fn series<const LAG: bool, const ARM: bool>(&self, start: &Start<R>) -> Series<R> {
+        let count = terms(self.length.bits());
+        let Rates {
+            output,
+            damping,
+            stiffness,
+        } = &self.rates;
+        // c_{n−2} and c_{n−1}, from the start on.
+        let mut before = R::zero();
+        let mut latest = start.velocity.clone() * self.length.clone();
+        let scale = self.length.clone() * self.per_mass.clone();
+        let mut excess = start.excess.clone() * scale.clone();
+        let mut pull = excess.clone() + start.pull.clone() * scale;
+        let mut terms = vec![before.clone(), latest.clone()];
+        for n in 2..count {
+            if ARM {
+                pull = pull - stiffness.clone() * before;
+            }
+            let drag = damping.clone() * latest.clone() * R::integer(n - 1);
+            let next = (pull - drag) * self.length.ratio(1, n * (n - 1));
+            terms.push(next.clone());
+            before = std::mem::replace(&mut latest, next);
+            pull = R::zero();
+            if LAG {
+                excess = -(excess * output.clone()) * self.length.ratio(1, n - 1);
+                pull = excess.clone();
+            }
+        }
+        if R::ENCLOSES {
+            // What is left out of ξ and of its first two derivatives is less than the last term with
+            // m in its place (see [`super::table`]).
+            let more =
+                (excess.abs() + before.abs().half().half()) * self.length.ratio(1, count - 1);
+            if let Some(last) = terms.last_mut() {
+                *last = latest.clone().widened(&(latest.abs() + more));
+            }
+        }
+        Series(terms)
+    }
+}
+
+impl<R: Real> Series<R> {
     /// A derivative of ξ by the fraction.
     fn derivative(&self, s: &R, order: usize) -> R {
         let mut sum = R::zero();
-        for (n, c) in self.xi.iter().enumerate().skip(order).rev() {
+        for (n, c) in self.0.iter().enumerate().skip(order).rev() {
             // n(n − 1)…, a factor for each order.
             let falling = (0..order).map(|i| factor(n - i)).product();
             sum = sum * s.clone() + c.clone() * R::integer(falling);
@@ -54,40 +136,20 @@ impl<R: Real> Series<R> {
         sum
     }
 
-    /// The fraction at which the velocity, of sign `direction` at first, becomes 0.
-    pub(super) fn stop(&self, direction: Ordering) -> Result<Option<R>, Undecided> {
-        let one = self.h.whole(1);
-        let end = self.derivative(&one, 1).sign().ok_or(Undecided)?;
-        let high = if end == direction || end == Ordering::Equal {
-            // It may have been to 0 and back: only if it slowed down first and sped up later.
-            let slows =
-                self.derivative(&R::zero(), 2).sign().ok_or(Undecided)? == direction.reverse();
-            let speeds_up = self.derivative(&one, 2).sign().ok_or(Undecided)? == direction;
-            if !(slows && speeds_up) {
-                return Ok(None);
-            }
-            let slowest = self.crossing(2, direction.reverse(), &one)?;
-            if self.derivative(&slowest, 1).sign().ok_or(Undecided)? == direction {
-                return Ok(None);
-            }
-            slowest
-        } else {
-            one
-        };
-        self.crossing(1, direction, &high).map(Some)
-    }
-
-    /// Where a derivative of sign `before` at 0 ceases to have it, between 0 and `high`: Newton's
+    /// Where a derivative of sign `before` at 0 ceases to have it, between 0 and `top`: Newton's
     /// iteration, with bisection whenever it leaves the bracket or shrinks it too little.
-    fn crossing(&self, order: usize, before: Ordering, high: &R) -> Result<R, Undecided> {
-        let (mut low, mut high) = (R::zero(), high.clone());
-        let mut at = (low.clone() + high.clone()).half();
+    fn crossing(&self, order: usize, before: Ordering, top: &R) -> Result<R, Undecided> {
+        let (mut low, mut high) = (R::zero(), top.one_of());
+        let mut at = (low.clone() + high.clone()).half().one_of();
         for _ in 0..2 * high.bits() {
             let value = self.derivative(&at, order);
-            match value.sign().ok_or(Undecided)? {
-                Ordering::Equal => return Ok(at),
-                sign if sign == before => low = at.clone(),
-                _ => high = at.clone(),
+            match value.sign() {
+                Some(Ordering::Equal) => return Ok(at),
+                Some(sign) if sign == before => low = at.clone(),
+                Some(_) => high = at.clone(),
+                // As near as an interval of this precision can tell.
+                None if R::ENCLOSES && value.is_defined() => break,
+                None => return Err(Undecided),
             }
             let width = high.clone() - low.clone();
             if width.approximate() <= at.approximate() * (-f64::from(at.bits())).exp2() {
@@ -95,60 +157,47 @@ impl<R: Real> Series<R> {
             }
             let slope = self.derivative(&at, order + 1);
             let mut next = (low.clone() + high.clone()).half();
-            if slope.sign().ok_or(Undecided)? != Ordering::Equal {
-                let newton = at.clone() - value.over(slope);
+            if slope.sign().is_some_and(Ordering::is_ne) {
+                let newton = (at.clone() - value.over(slope)).one_of();
                 let step = (newton.clone() - at.clone()).approximate().abs();
                 let inside = newton.compare(&low).ok_or(Undecided)?.is_gt()
                     && newton.compare(&high).ok_or(Undecided)?.is_lt();
                 if inside {
                     if step <= at.approximate() * (-f64::from(at.bits())).exp2() {
-                        return Ok(newton);
+                        at = newton;
+                        break;
                     }
                     next = newton;
                 }
             }
-            at = next;
+            at = next.one_of();
+        }
+        if R::ENCLOSES {
+            return self.around(order, before, &at, top);
         }
         Ok(at)
     }
 
-    /// ∫ξ̇² and ∫yξ̇ from 0 to the fraction `s`: products of the series.
-    pub(super) fn integrals(&self, s: &R) -> (R, R) {
-        // Coefficients of ξ̇·h.
-        let numbered = self.xi.iter().enumerate().skip(1);
-        let rates: Vec<R> = numbered
-            .map(|(n, c)| c.clone() * R::integer(factor(n)))
-            .collect();
-        // The coefficient of sⁿ⁺¹ in the integral of a product is that of sⁿ in it, over n + 1.
-        let integral = |coefficient: &dyn Fn(usize) -> R| {
-            let mut sum = R::zero();
-            for n in (0..rates.len()).rev() {
-                let over = s.ratio(1, factor(n + 1));
-                sum = sum * s.clone() + coefficient(n) * over;
+    /// An interval about `at` at whose lower end a derivative has the sign `before`, and at whose
+    /// upper end the other, as it has at `top`.
+    fn around(&self, order: usize, before: Ordering, at: &R, top: &R) -> Result<R, Undecided> {
+        let sign = |s: &R| self.derivative(s, order).sign();
+        let mut off = at.clone();
+        for _ in 4..at.bits() {
+            off = off.half();
+        }
+        for _ in 4..at.bits() {
+            let below = (at.clone() - off.clone()).one_of();
+            let above = (at.clone() + off.clone()).one_of();
+            let is_within = above.compare(top).is_some_and(Ordering::is_lt);
+            let above = if is_within { above } else { top.clone() };
+            if sign(&below) == Some(before)
+                && (!is_within || sign(&above) == Some(before.reverse()))
+            {
+                return Ok(below.join(above));
             }
-            sum * s.clone()
-        };
-        // Of the coefficient of sⁿ in the product with the rates, so many products.
-        let products = |with: &[R], n: usize, count: usize| {
-            let pairs = with.iter().zip(rates.iter().take(n + 1).rev());
-            pairs
-                .take(count)
-                .fold(R::zero(), |sum, (x, y)| sum + x.clone() * y.clone())
-        };
-        let square = integral(&|n| {
-            // Every pair but that of the middle is there twice.
-            let half = n.div_ceil(2);
-            let twice = products(&rates, n, half).double();
-            match rates.get(half) {
-                Some(middle) if n % 2 == 0 => twice + middle.square(),
-                _ => twice,
-            }
-        });
-        let work = if let [constant] = self.output.as_slice() {
-            constant.clone() * (horner(self.xi.iter().skip(1), s) * s.clone())
-        } else {
-            integral(&|n| products(&self.output, n, n + 1))
-        };
-        (square.over(self.h.clone()), work)
+            off = off.double();
+        }
+        Err(Undecided)
     }
 }

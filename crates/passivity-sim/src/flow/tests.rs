@@ -13,6 +13,7 @@ fn plain(mass: f64, beta: f64, sigma: f64) -> Flow<Double> {
         rate: None,
         arm: None,
         pieces: 1,
+        whole: OnceLock::new(),
     };
     flow.pieces = flow.pieces_needed().unwrap();
     flow

@@ -137,18 +137,24 @@ fn bounded<T: Directed>(
     let mut totals = Totals::default();
     let growing = |state: &State<Enclosed<T>>, memory: &Memory<Enclosed<T>>| {
         // At every corner of what is enclosed; the samples are decided already.
-        let ([a, b], [c, d]) = (state.xi.near_ends(), state.velocity.near_ends());
-        let [first, others @ ..] = [[a, c], [a, d], [b, c], [b, d]].map(|[xi, velocity]| {
-            let output = state.output.approximate();
-            let state = State {
-                xi,
-                velocity,
-                output,
-            };
-            plan.growth
-                .certain(&state, memory.samples.iter().map(Real::approximate))
+        let [xis, velocities, outputs] =
+            [&state.xi, &state.velocity, &state.output].map(Enclosed::near_ends);
+        let corners = xis.map(|xi| {
+            velocities.map(|velocity| {
+                outputs.map(|output| State {
+                    xi,
+                    velocity,
+                    output,
+                })
+            })
         });
-        if others.iter().all(|other| *other == first) {
+        let corners = corners.as_flattened().as_flattened().iter();
+        let mut answers = corners.map(|state| {
+            plan.growth
+                .certain(state, memory.samples.iter().map(Real::approximate))
+        });
+        let first = answers.next().ok_or(Undecided)?;
+        if answers.all(|other| other == first) {
             Ok(first)
         } else {
             Err(Undecided)

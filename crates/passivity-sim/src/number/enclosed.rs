@@ -323,6 +323,8 @@ impl<T: Directed> Ordered for Enclosed<T> {
 }
 
 impl<T: Directed> Real for Enclosed<T> {
+    const ENCLOSES: bool = true;
+
     fn approximate(&self) -> f64 {
         let [lo, hi] = self.near_ends();
         0.5 * lo + 0.5 * hi
@@ -347,6 +349,10 @@ impl<T: Directed> Real for Enclosed<T> {
 
     fn join(self, other: Self) -> Self {
         Self(self.0.joined(&other.0))
+    }
+
+    fn one_of(&self) -> Self {
+        Self::thin(self.lo().clone())
     }
 
     fn ends(&self) -> Option<[Self; 2]> {

@@ -12,6 +12,9 @@ pub struct Undecided;
 /// the floor of an interval that straddles an edge, for one. A sign is `None` where it cannot be
 /// told, of an undefined value or of an interval that holds both signs.
 pub trait Real: Ordered {
+    /// Whether it is an interval that holds the number meant.
+    const ENCLOSES: bool = false;
+
     /// A double near the number; NaN for an undefined one.
     fn approximate(&self) -> f64;
 
@@ -60,6 +63,12 @@ pub trait Real: Ordered {
     fn join(self, other: Self) -> Self {
         let _ = other;
         self
+    }
+
+    /// One of the numbers that it may be.
+    #[must_use]
+    fn one_of(&self) -> Self {
+        self.clone()
     }
 
     /// The ends of what is known of the number, where they differ.

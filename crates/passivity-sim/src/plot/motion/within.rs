@@ -4,6 +4,8 @@
 //! β/s, a rate κ is κs and a speed v is vs, while positions and forces stay. So the loop's own closed
 //! form gives every part exactly, reversals included.
 
+use std::sync::OnceLock;
+
 use crate::flow::{Flow, State};
 use crate::law::{HeldForce, Memory};
 use crate::motion::Constants;
@@ -162,6 +164,7 @@ impl Follower {
                 .arm
                 .map(|[damping, stiffness]| [Double(damping.0 / s), stiffness]),
             pieces: flow.pieces,
+            whole: OnceLock::new(),
         };
         Some(part.advance_doubles(from, command, force, false)?.end)
     }
