@@ -32,7 +32,6 @@ mod motion;
 #[cfg(feature = "plot")]
 mod picture;
 mod propagator;
-pub mod random;
 mod region;
 mod report;
 mod search;
