@@ -1,32 +1,14 @@
 //! Audits in pieces: merged, they are the report of the whole, to the last byte.
 
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
+mod scratch;
+
+use std::path::Path;
 
 use passivity_audit::{Options, Partial, Stretch, TraceError, audit, audit_part, merge_parts};
 use passivity_scene::Scene;
 use proptest::prelude::*;
 
-/// A file of its own, removed when dropped.
-struct Log(PathBuf);
-
-impl Log {
-    fn new(end: &str, bytes: &[u8]) -> Self {
-        static COUNT: AtomicUsize = AtomicUsize::new(0);
-        let count = COUNT.fetch_add(1, Ordering::Relaxed);
-        let name = format!("passivity-partial-{}-{count}.{end}", std::process::id());
-        let path = std::env::temp_dir().join(name);
-        std::fs::write(&path, bytes).unwrap();
-        Self(path)
-    }
-}
-
-impl Drop for Log {
-    fn drop(&mut self) {
-        // A file that stays behind in the temporary folder does no harm.
-        let _ = std::fs::remove_file(&self.0);
-    }
-}
+use scratch::Scratch;
 
 fn options<'a>(law: bool, block: usize) -> Options<'a> {
     Options {
@@ -146,19 +128,19 @@ proptest! {
     ) {
         let scenes = scenes();
         let scene = &scenes[which];
-        let log = Log::new("csv", &text(kind, &walk, mistake, ending));
-        let whole = match audit(&log.0, scene, options(law, 100)) {
+        let log = Scratch::new("csv", &text(kind, &walk, mistake, ending));
+        let whole = match audit(&log, scene, options(law, 100)) {
             Ok(whole) => whole,
             Err(error) => {
                 // What cannot be audited cannot be audited in pieces, for the same reason.
-                let refused = part(&log.0, scene, Stretch::Shard(1, 1), law).unwrap_err();
+                let refused = part(&log, scene, Stretch::Shard(1, 1), law).unwrap_err();
                 prop_assert_eq!(refused.to_string(), error.to_string());
                 return Ok(());
             }
         };
         let shards = (1..=shards).map(|i| Stretch::Shard(i, shards));
         for all in [stretches(&cuts), shards.collect()] {
-            let parts = all.iter().rev().map(|stretch| part(&log.0, scene, *stretch, law));
+            let parts = all.iter().rev().map(|stretch| part(&log, scene, *stretch, law));
             let parts = parts.collect::<Result<Vec<_>, _>>().unwrap();
             let merged = merge_parts(&parts, scene).unwrap();
             prop_assert_eq!(merged.to_json().to_string(), whole.to_json().to_string(), "{:?}", all);
@@ -170,7 +152,7 @@ proptest! {
 
 /// A log with ever new durations: the common denominator of the energies of its first, exact rows outgrows
 /// what is kept exactly.
-fn of_many_durations(rows: u64, more_decimals: usize) -> Log {
+fn of_many_durations(rows: u64, more_decimals: usize) -> Scratch {
     let mut text = "tau,xi\n".to_owned();
     let mut time = 0_u64;
     for i in 0..rows {
@@ -179,14 +161,14 @@ fn of_many_durations(rows: u64, more_decimals: usize) -> Log {
         let more = "0".repeat(more_decimals);
         text.push_str(&format!("{whole}.{decimals:06}{more}{},{}\n", i % 7, i % 3));
     }
-    Log::new("csv", text.as_bytes())
+    Scratch::new("csv", text.as_bytes())
 }
 
 #[test]
 fn pieces_whose_sums_would_be_rounded_are_refused() {
     let log = of_many_durations(300, 150);
     let scene = &scenes()[0];
-    let error = part(&log.0, scene, Stretch::Samples(0, Some(290)), false).unwrap_err();
+    let error = part(&log, scene, Stretch::Samples(0, Some(290)), false).unwrap_err();
     assert_eq!(error.kind, "denominator");
     assert!(
         error
@@ -195,7 +177,7 @@ fn pieces_whose_sums_would_be_rounded_are_refused() {
         "{error}"
     );
     // One piece alone may be exact where all of them together are not.
-    let parts = (1..=8).map(|i| part(&log.0, scene, Stretch::Shard(i, 8), false));
+    let parts = (1..=8).map(|i| part(&log, scene, Stretch::Shard(i, 8), false));
     let parts = parts.collect::<Result<Vec<_>, _>>().unwrap();
     let error = merge_parts(&parts, scene).unwrap_err();
     assert_eq!(error.kind, "denominator");
@@ -205,9 +187,9 @@ fn pieces_whose_sums_would_be_rounded_are_refused() {
 fn pieces_after_the_exact_rows_are_summed_up_whatever_their_durations() {
     let log = of_many_durations(1600, 0);
     for scene in scenes().iter().take(1) {
-        let whole = audit(&log.0, scene, Options::default()).unwrap();
+        let whole = audit(&log, scene, Options::default()).unwrap();
         let part = |stretch: Stretch| {
-            let part = audit_part(&log.0, scene, stretch, Options::default()).unwrap();
+            let part = audit_part(&log, scene, stretch, Options::default()).unwrap();
             let part = Partial::from_json(&part.to_json().unwrap()).unwrap();
             (format!("{stretch:?}"), part)
         };
@@ -220,8 +202,8 @@ fn pieces_after_the_exact_rows_are_summed_up_whatever_their_durations() {
 #[test]
 fn compressed_logs_and_streams_are_refused() {
     let scene = &scenes()[0];
-    let log = Log::new("csv.gz", &[0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 3]);
-    let error = part(&log.0, scene, Stretch::Shard(1, 2), false).unwrap_err();
+    let log = Scratch::new("csv.gz", &[0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 3]);
+    let error = part(&log, scene, Stretch::Shard(1, 2), false).unwrap_err();
     assert!(error.to_string().contains("decompress"), "{error}");
     let error = part(Path::new("-"), scene, Stretch::Shard(1, 2), false).unwrap_err();
     assert!(error.to_string().contains("standard input"), "{error}");
@@ -233,9 +215,9 @@ fn a_changed_account_ends_in_a_report_or_an_error() {
     let walk: Vec<(i32, u32)> = (0..40_i32)
         .map(|i| (i % 5 - 2, u32::from(i % 7 == 0)))
         .collect();
-    let log = Log::new("csv", &text(5, &walk, None, 0));
-    let (name, first) = part(&log.0, scene, Stretch::Shard(1, 2), false).unwrap();
-    let second = part(&log.0, scene, Stretch::Shard(2, 2), false).unwrap();
+    let log = Scratch::new("csv", &text(5, &walk, None, 0));
+    let (name, first) = part(&log, scene, Stretch::Shard(1, 2), false).unwrap();
+    let second = part(&log, scene, Stretch::Shard(2, 2), false).unwrap();
     let json = first.to_json().unwrap();
     let (mut refused, mut read) = (0, 0);
     let digits = json.char_indices().filter(|(_, c)| c.is_ascii_digit());

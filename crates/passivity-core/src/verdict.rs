@@ -29,6 +29,17 @@ pub enum Speeds<V> {
     UpToSquared(V),
 }
 
+impl<V: Clone> Loop<V> {
+    /// The speeds that a verdict on the loop is about: all, or those up to `operator.max_speed`.
+    #[must_use]
+    pub fn speeds(&self) -> Speeds<V> {
+        match &self.max_speed {
+            Some(v) => Speeds::UpTo(v.clone()),
+            None => Speeds::All,
+        }
+    }
+}
+
 /// What the criterion says of one loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Decision {

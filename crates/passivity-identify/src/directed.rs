@@ -46,7 +46,7 @@ mod tests {
     fn every_operation_is_on_its_side_of_the_exact_result() {
         use passivity_core::BigRational;
         let exact = |x: f64| BigRational::from_float(x).unwrap();
-        let mut random = crate::random::Random::new(1);
+        let mut random = passivity_random::Random::new(1);
         for _ in 0..3000 {
             let a = random.between(-3.0, 3.0) * 10_f64.powi(random.below(13) as i32 - 6);
             let b = random.between(-3.0, 3.0);

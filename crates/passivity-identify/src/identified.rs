@@ -12,52 +12,9 @@ use passivity_sim::{Double, Enclosed};
 use crate::estimate;
 use crate::lacks::{self, Lack};
 use crate::log::{Errors, Log};
+use crate::options::{Inertia, Options};
 use crate::region::{COULOMB, Corner, Ends, INERTIA, Part, Shear};
 use crate::search::{self, Found, Task};
-
-/// What the inertia is taken to be.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Inertia {
-    /// What the sketch says, over its tolerance; looked for where it says nothing.
-    #[default]
-    Sketch,
-    /// Looked for, whatever the sketch says.
-    Free,
-}
-
-/// What is known of the logs, and how much work a search may be.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Options {
-    /// By how many ticks a count may be off to either side: count n says that the device is between n − e
-    /// and n + 1 + e ticks.
-    pub count_error: f64,
-    /// By how much the force may be off to either side, in SI units (KΔ where the sketch is
-    /// dimensionless).
-    pub force_error: f64,
-    /// What the inertia is taken to be.
-    pub inertia: Inertia,
-    /// How many sampling intervals of motion are computed at the most, in the search for the box.
-    pub effort: u64,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            count_error: 1.0,
-            force_error: 0.0,
-            inertia: Inertia::Sketch,
-            effort: 20_000_000,
-        }
-    }
-}
-
-impl Options {
-    /// How much work the search is, unless another bound is asked for: more for logs of many rows.
-    #[must_use]
-    pub fn effort_for(rows: usize) -> u64 {
-        (rows as u64).max(20_000) * 1_000
-    }
-}
 
 /// What is known of a parameter, in SI units (in K, T and Δ where the sketch is dimensionless).
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -29,10 +29,10 @@ mod kept;
 mod lacks;
 mod log;
 mod motion;
+mod options;
 #[cfg(feature = "plot")]
 mod picture;
 mod propagator;
-pub mod random;
 mod region;
 mod report;
 mod search;
@@ -40,10 +40,9 @@ mod stop;
 mod written;
 
 pub use hash::sha256;
-pub use identified::{
-    Bounds, Identified, IdentifyError, Inertia, Options, Refutation, identify, read,
-};
+pub use identified::{Bounds, Identified, IdentifyError, Refutation, identify, read};
 pub use lacks::Lack;
+pub use options::{Inertia, Options};
 pub use passivity_audit::{Dialect, Sampled, TraceError};
 pub use report::{Known, LogReport, Parameters, RefutedBy, Report};
 pub use written::{Provenance, read_sketch};

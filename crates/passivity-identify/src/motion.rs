@@ -314,8 +314,8 @@ pub(crate) fn simulated(log: &Log, at: [f64; 3], propagators: &mut Propagators) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Random;
     use crate::region::Shear;
+    use passivity_random::Random;
 
     fn log(random: &mut Random) -> Log {
         let intervals = 120;

@@ -178,7 +178,7 @@ mod tests {
 
     #[test]
     fn a_part_holds_what_it_was_made_around() {
-        let mut random = crate::random::Random::new(4);
+        let mut random = passivity_random::Random::new(4);
         for _ in 0..300 {
             let mut ends = || {
                 let lo = random.between(0.0, 2.0);

@@ -5,8 +5,8 @@ mod trial;
 
 use passivity_audit::Number;
 use passivity_core::Parameter;
-use passivity_identify::random::Random;
 use passivity_identify::{Bounds, Identified, Inertia, Lack, Options, Sampled, identify};
+use passivity_random::Random;
 use trial::{Device, recorded, sketch, trial};
 
 /// So much work that a debug build takes a fraction of a second for a log: the box is as sure.

@@ -3,6 +3,7 @@
 
 mod between;
 mod motion;
+mod part;
 
 use std::cmp::Ordering;
 
@@ -19,6 +20,7 @@ use crate::ledger::Entry;
 use crate::number::{Real, Undecided};
 use crate::plan::Plan;
 use motion::Motion;
+use part::{Part, Way};
 
 /// A scene in the numbers of a method.
 #[derive(Clone, Debug)]
@@ -125,15 +127,6 @@ pub(crate) struct Ended<R> {
     pub(crate) velocity: R,
 }
 
-/// A part of an interval, in its own time; see [`crate::latency`].
-#[derive(Clone, Debug)]
-struct Part<R> {
-    /// Its length in periods; `None` for a whole interval.
-    time: Option<R>,
-    motion: Motion<R>,
-    flow: Option<Flow<R>>,
-}
-
 /// What acts on the device over an interval.
 struct Acting<R> {
     /// The force of the sample before, where it goes on into the interval.
@@ -141,17 +134,6 @@ struct Acting<R> {
     held: R,
     /// The operator's.
     force: R,
-}
-
-/// What the motion over an interval was.
-struct Way<R> {
-    end: State<R>,
-    /// E_d.
-    dissipated: R,
-    /// The work of the force that acted for the held one: behind an amplifier it lags.
-    work: R,
-    /// The work against the operator's arm.
-    arm: R,
 }
 
 impl<R: Real> Model<R> {
@@ -388,77 +370,6 @@ impl<R: Real> Model<R> {
             }
         }
         Ok(true)
-    }
-}
-
-impl<R: Real> Part<R> {
-    /// The motion over the part under a command and the operator's force.
-    fn way(&self, from: &State<R>, command: &R, force: &R) -> Result<Way<R>, Undecided> {
-        let Some(time) = &self.time else {
-            return self.way_in_its_time(from, command, force);
-        };
-        let from = State {
-            velocity: from.velocity.clone() * time.clone(),
-            ..from.clone()
-        };
-        let mut way = self.way_in_its_time(&from, command, force)?;
-        way.end.velocity = way.end.velocity.over(time.clone());
-        Ok(way)
-    }
-
-    /// The same with the length of the part as the unit of time.
-    fn way_in_its_time(
-        &self,
-        state: &State<R>,
-        command: &R,
-        force: &R,
-    ) -> Result<Way<R>, Undecided> {
-        let Some(flow) = &self.flow else {
-            let u = command.clone() + force.clone();
-            let moved = self.motion.over(&state.xi, &state.velocity, &u)?;
-            return Ok(Way {
-                work: command.clone() * (moved.xi.clone() - state.xi.clone()),
-                end: State {
-                    xi: moved.xi.decided()?,
-                    velocity: moved.velocity.decided()?,
-                    output: command.clone(),
-                },
-                dissipated: moved.dissipated,
-                arm: R::zero(),
-            });
-        };
-        let known = [&state.velocity, &state.output, command, force];
-        if known.iter().any(|x| x.ends().is_some()) {
-            return between::way(flow, state, command, force);
-        }
-        let flowed = flow.advance(state, command, force, true)?;
-        let sigma = flow.sigma.clone().unwrap_or_else(R::zero);
-        let arm = match &flow.arm {
-            Some([damping, stiffness]) => {
-                let d = flowed.end.xi.clone() - state.xi.clone();
-                let middle = state.xi.clone() + d.clone().half();
-                damping.clone() * flowed.square.clone() + stiffness.clone() * d * middle
-            }
-            None => R::zero(),
-        };
-        Ok(Way {
-            end: flowed.end,
-            dissipated: flow.beta.clone() * flowed.square + sigma * flowed.path,
-            work: flowed.work,
-            arm,
-        })
-    }
-}
-
-impl<R: Real> Way<R> {
-    /// This way and the next.
-    fn and(self, next: Self) -> Self {
-        Self {
-            end: next.end,
-            dissipated: self.dissipated + next.dissipated,
-            work: self.work + next.work,
-            arm: self.arm + next.arm,
-        }
     }
 }
 

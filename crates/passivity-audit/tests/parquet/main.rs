@@ -1,9 +1,11 @@
 //! Parquet traces: as CSV ones, and an error for every file that is cut short or corrupt.
 
+#[path = "../scratch/mod.rs"]
+mod scratch;
 mod types;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use parquet::basic::Compression;
@@ -15,6 +17,8 @@ use passivity_audit::{
     Audit, Options, Stretch, TraceError, Verdict, audit, audit_csv, audit_part, merge_parts,
 };
 use passivity_scene::Scene;
+
+use scratch::Scratch;
 
 fn scene() -> Scene {
     Scene::from_toml("test", "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"").unwrap()
@@ -29,9 +33,7 @@ enum Column {
 }
 
 /// Writes a file with groups of two rows each.
-fn write(name: &str, columns: &[(&str, Column)], compression: Compression) -> PathBuf {
-    let path =
-        std::env::temp_dir().join(format!("passivity-{}-{name}.parquet", std::process::id()));
+fn write(columns: &[(&str, Column)], compression: Compression) -> Scratch {
     let field = |(name, column): &(&str, Column)| match column {
         Column::Whole(_) => format!("required int64 {name};"),
         Column::Double(_) => format!("required double {name};"),
@@ -43,8 +45,7 @@ fn write(name: &str, columns: &[(&str, Column)], compression: Compression) -> Pa
     let properties = WriterProperties::builder()
         .set_compression(compression)
         .build();
-    let file = fs::File::create(&path).unwrap();
-    let mut writer = SerializedFileWriter::new(file, schema, Arc::new(properties)).unwrap();
+    let mut writer = SerializedFileWriter::new(Vec::new(), schema, Arc::new(properties)).unwrap();
     let rows = columns
         .iter()
         .map(|(_, column)| match column {
@@ -97,8 +98,7 @@ fn write(name: &str, columns: &[(&str, Column)], compression: Compression) -> Pa
         }
         group.close().unwrap();
     }
-    writer.close().unwrap();
-    path
+    Scratch::new("parquet", &writer.into_inner().unwrap())
 }
 
 fn read(path: &Path) -> Result<Audit, TraceError> {
@@ -133,18 +133,12 @@ fn parquet_and_csv_agree() {
         Compression::GZIP(Default::default()),
         Compression::BROTLI(Default::default()),
     ] {
-        let path = write(
-            "agree",
-            &[("count", counts()), ("tau", times())],
-            compression,
-        );
+        let path = write(&[("count", counts()), ("tau", times())], compression);
         let table = read(&path).unwrap().to_json();
         let text = csv("count,tau\n0,0\n1,1\n3,2.5\n2,3\n-1,4\n").to_json();
         assert_eq!(table, text, "{compression}");
-        fs::remove_file(path).unwrap();
     }
     let path = write(
-        "text",
         &[("xi", Column::Text(vec!["1/3", "-0.5", "2e1"]))],
         Compression::SNAPPY,
     );
@@ -152,16 +146,13 @@ fn parquet_and_csv_agree() {
         read(&path).unwrap().to_json(),
         csv("xi\n1/3\n-1/2\n20\n").to_json()
     );
-    fs::remove_file(path).unwrap();
     let path = write(
-        "double",
         &[("xi", Column::Double(vec![0.1, 0.5]))],
         Compression::SNAPPY,
     );
     // The dyadic rational that the double is, not 1/10.
     let json = read(&path).unwrap().to_json();
     assert_eq!(json["rows"][0]["xi0"], "3602879701896397/36028797018963968");
-    fs::remove_file(path).unwrap();
 }
 
 #[test]
@@ -192,13 +183,16 @@ fn a_wrong_value_has_its_row() {
             2,
         ),
     ] {
-        let path = write(name, &[("xi", column)], Compression::SNAPPY);
+        let path = write(&[("xi", column)], Compression::SNAPPY);
         let audit = read(&path).unwrap();
         let error = audit.error().unwrap();
-        assert_eq!((error.kind, error.row), (kind, Some(row)), "{error}");
+        assert_eq!(
+            (error.kind, error.row),
+            (kind, Some(row)),
+            "{name}: {error}"
+        );
         assert_eq!(audit.totals().intervals, u64::saturating_sub(row, 2));
         assert_eq!(audit.verdict(), Verdict::Broken);
-        fs::remove_file(path).unwrap();
     }
 }
 
@@ -206,31 +200,25 @@ fn a_wrong_value_has_its_row() {
 fn every_prefix_and_every_flipped_byte_ends_in_a_report_or_an_error() {
     // Six groups of rows: every byte of the file is tried, so it is kept short.
     let counts: Vec<i64> = (0..12).map(|i| i * i % 17).collect();
-    let path = write(
-        "hostile",
-        &[("count", Column::Whole(counts))],
-        Compression::SNAPPY,
-    );
-    let whole = fs::read(&path).unwrap();
-    let hostile = path.with_extension("hostile");
+    let path = write(&[("count", Column::Whole(counts))], Compression::SNAPPY);
+    let whole = fs::read(&*path).unwrap();
+    let hostile = Scratch::new("hostile", &whole);
     let mut refused = 0;
     for end in (0..whole.len()).step_by(7) {
-        fs::write(&hostile, &whole[..end]).unwrap();
+        fs::write(&*hostile, &whole[..end]).unwrap();
         // A file cut short has no footer.
         assert!(read(&hostile).is_err(), "{end} of {} bytes", whole.len());
     }
     for at in 0..whole.len() {
         let mut bytes = whole.clone();
         bytes[at] ^= 0x55;
-        fs::write(&hostile, &bytes).unwrap();
+        fs::write(&*hostile, &bytes).unwrap();
         match read(&hostile) {
             Err(_) => refused += 1,
             Ok(audit) => assert!(audit.to_json().is_object()),
         }
     }
     assert!(refused > 0);
-    fs::remove_file(path).unwrap();
-    fs::remove_file(hostile).unwrap();
 }
 
 #[test]
@@ -239,7 +227,6 @@ fn merged_pieces_are_the_report_of_the_whole() {
     let counts: Vec<i64> = (0..41).map(|i| (i * i) % 7).collect();
     let mut forces: Vec<Option<f64>> = counts.iter().map(|n| Some(-(*n as f64))).collect();
     let whole_file = write(
-        "pieces",
         &[
             ("count", Column::Whole(counts.clone())),
             ("f", Column::Sparse(forces.clone())),
@@ -248,7 +235,6 @@ fn merged_pieces_are_the_report_of_the_whole() {
     );
     forces[29] = None;
     let broken_file = write(
-        "pieces-broken",
         &[
             ("count", Column::Whole(counts)),
             ("f", Column::Sparse(forces)),
@@ -273,6 +259,5 @@ fn merged_pieces_are_the_report_of_the_whole() {
             let stretches = [Stretch::Samples(0, Some(cut)), Stretch::Samples(cut, None)];
             assert_eq!(merged(&stretches), whole, "{cut}");
         }
-        fs::remove_file(path).unwrap();
     }
 }

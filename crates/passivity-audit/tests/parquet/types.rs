@@ -1,7 +1,6 @@
 //! What stored values mean by their types: numbers of all widths, decimals, clocks.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use parquet::data_type::{
@@ -15,6 +14,7 @@ use passivity_audit::{Audit, Options, audit};
 use passivity_scene::Scene;
 
 use super::read;
+use super::scratch::Scratch;
 
 /// A value as it is stored, whatever its type says that it means.
 enum Stored {
@@ -24,17 +24,14 @@ enum Stored {
 }
 
 /// Writes columns of stored values, each with its field of the schema.
-fn store(name: &str, columns: &[(&str, Vec<Stored>)]) -> PathBuf {
-    let path =
-        std::env::temp_dir().join(format!("passivity-{}-{name}.parquet", std::process::id()));
+fn store(columns: &[(&str, Vec<Stored>)]) -> Scratch {
     let fields: String = columns
         .iter()
         .map(|(field, _)| format!("required {field};"))
         .collect();
     let schema = Arc::new(parse_message_type(&format!("message trace {{ {fields} }}")).unwrap());
     let properties = Arc::new(WriterProperties::builder().build());
-    let file = fs::File::create(&path).unwrap();
-    let mut writer = SerializedFileWriter::new(file, schema, properties).unwrap();
+    let mut writer = SerializedFileWriter::new(Vec::new(), schema, properties).unwrap();
     let mut group = writer.next_row_group().unwrap();
     for (field, values) in columns {
         let mut column = group.next_column().unwrap().unwrap();
@@ -77,8 +74,7 @@ fn store(name: &str, columns: &[(&str, Vec<Stored>)]) -> PathBuf {
         column.close().unwrap();
     }
     group.close().unwrap();
-    writer.close().unwrap();
-    path
+    Scratch::new("parquet", &writer.into_inner().unwrap())
 }
 
 #[test]
@@ -146,7 +142,7 @@ fn types_mean_what_they_say() {
         ("binary xi", vec![Bytes(b"1/3"), Bytes(b"2")], ["1/3", "2"]),
     ];
     for (field, values, expected) in cases {
-        let path = store("typed", &[(field, values)]);
+        let path = store(&[(field, values)]);
         let audit = read(&path).unwrap();
         assert_eq!(audit.error(), None, "{field}");
         assert_eq!(positions(&audit), expected, "{field}");
@@ -162,7 +158,7 @@ fn types_mean_what_they_say() {
         ("binary xi (JSON)", vec![Bytes(b"1")]),
         ("int64 xi (TIMESTAMP(MICROS,true))", vec![Long(1), Long(2)]),
     ] {
-        let path = store("refused", &[(field, values)]);
+        let path = store(&[(field, values)]);
         let error = match read(&path) {
             Err(error) => error,
             Ok(audit) => audit
@@ -177,10 +173,7 @@ fn types_mean_what_they_say() {
         );
     }
     // A count past 63 bits is none.
-    let path = store(
-        "large",
-        &[("int64 count (INTEGER(64,false))", vec![Long(-1), Long(0)])],
-    );
+    let path = store(&[("int64 count (INTEGER(64,false))", vec![Long(-1), Long(0)])]);
     assert_eq!(read(&path).unwrap().error().unwrap().kind, "count");
 }
 
@@ -223,7 +216,7 @@ fn a_clock_has_the_unit_of_its_type() {
             format!("int64 t ({unit})"),
             "int32 pos (DECIMAL(9,4))".to_owned(),
         ];
-        let path = store("clock", &[(&fields[0], clock), (&fields[1], positions())]);
+        let path = store(&[(&fields[0], clock), (&fields[1], positions())]);
         // The name of the position is not understood; the proposal is.
         let error = audited(&path, None).unwrap_err();
         let proposal = error.proposal.unwrap();

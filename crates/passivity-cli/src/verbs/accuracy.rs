@@ -12,7 +12,7 @@ use passivity_sim::report::Accuracy;
 use crate::exit::{Exit, Failure};
 use crate::output::{Format, emit, emit_json, read_scene};
 use crate::progress::Progress;
-use crate::verbs::simulate::{speed_at_start, words};
+use crate::verbs::simulate::{Start, words};
 
 /// Compare the simulation methods on a scene: error against the reference, and time per interval.
 #[derive(Debug, clap::Args)]
@@ -26,9 +26,8 @@ pub(crate) struct Args {
     /// The largest number of intervals to simulate; the reference method takes microseconds for each.
     #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u64).range(1..))]
     intervals: u64,
-    /// The speed at the start in place of the scene's: with a unit, or in ticks per sample.
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
-    speed: Option<String>,
+    #[command(flatten)]
+    start: Start,
     /// Draw error against computing time into this file, as SVG or PNG according to its extension.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
@@ -42,9 +41,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     crate::picture::check(args.plot.as_deref())?;
     let scene = read_scene(&args.scene)?;
     let mut point = scene.point();
-    if let Some(text) = &args.speed {
-        point.at.start_velocity = Some(speed_at_start(&scene, text)?);
-    }
+    args.start.put(&scene, &mut point)?;
     let mut bar = Progress::new(methods().len() as u64 + 1, "methods");
     let measured = measure(&point, args.intervals, |method| {
         bar.say(method.to_string());

@@ -5,7 +5,6 @@ use std::io::{BufWriter, IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use passivity_core::BigRational;
 #[cfg(feature = "plot")]
 use passivity_plot::save;
 use passivity_scene::display::significant;
@@ -51,9 +50,8 @@ pub(crate) struct Args {
     /// The number of sampling intervals to simulate, in place of the scene's.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     intervals: Option<u64>,
-    /// The speed at the start in place of the scene's: with a unit, or in ticks per sample.
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
-    speed: Option<String>,
+    #[command(flatten)]
+    start: Start,
     /// Write the energy ledger to this CSV file, one row per interval.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -89,9 +87,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     if let Some(intervals) = args.intervals {
         point.intervals = intervals;
     }
-    if let Some(text) = &args.speed {
-        point.at.start_velocity = Some(speed_at_start(&scene, text)?);
-    }
+    args.start.put(&scene, &mut point)?;
     let method = Method::parse(&args.method).map_err(Failure::input)?;
     let of_scene = |error| Failure::input(format!("`{}`: {error}", args.scene.display()));
     let plan = Plan::compile(&point).map_err(of_scene)?;
@@ -190,11 +186,25 @@ pub(crate) fn words(outcome: ExactOutcome) -> String {
     outcome.name().replace('_', " ")
 }
 
-/// A speed as it was typed, in ticks per sample.
-pub(crate) fn speed_at_start(scene: &Scene, text: &str) -> Result<BigRational, Failure> {
-    scene
-        .ticks_per_sample(text)
-        .map_err(|error| Failure::Scene(format!("--speed `{text}`: {}", error.render(look()))))
+/// How a simulation starts, where not as the scene says.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Start {
+    /// The speed at the start in place of the scene's: with a unit, or in ticks per sample.
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    speed: Option<String>,
+}
+
+impl Start {
+    /// Puts what was typed in place of the scene's.
+    pub(crate) fn put(&self, scene: &Scene, point: &mut Point) -> Result<(), Failure> {
+        if let Some(text) = &self.speed {
+            let speed = scene.ticks_per_sample(text).map_err(|error| {
+                Failure::Scene(format!("--speed `{text}`: {}", error.render(look())))
+            })?;
+            point.at.start_velocity = Some(speed);
+        }
+        Ok(())
+    }
 }
 
 /// The table of the run, in the units that were asked for.

@@ -2,7 +2,7 @@
 //! off by up to a tick.
 
 use passivity_audit::{Number, Reading, Sampled};
-use passivity_identify::random::Random;
+use passivity_random::Random;
 use passivity_scene::Scene;
 
 /// A device, dimensionless.

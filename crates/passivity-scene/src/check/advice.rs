@@ -11,7 +11,7 @@ use super::limits::{Limit, typed_back};
 use super::report::Report;
 use super::{BITS, figure};
 use crate::display::{Rounding, significant, wrapped};
-use crate::json::write_rational;
+use crate::json::shape;
 use crate::number::nearest_f64;
 use crate::scene::Motion;
 use crate::written::{Form, Written};
@@ -43,8 +43,7 @@ pub struct SpeedToSet {
     /// What to type as `operator.max_speed`, with the unit.
     pub typed: String,
     /// The same in m/s or rad/s, or ticks a sample in a dimensionless scene.
-    #[serde(serialize_with = "write_rational")]
-    #[schemars(with = "crate::json::shape::Rational")]
+    #[serde(with = "shape::Rational")]
     pub value: BigRational,
 }
 

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::limits::{self, Limit};
 use super::text::unit_of;
-use super::{BITS, Verdict, check, decide};
+use super::{BITS, Verdict, check};
 use crate::display::{Rounding, rounded, wrapped};
 use crate::number::nearest_f64;
 use crate::scene::{Motion, Scene};
@@ -136,7 +136,7 @@ fn damping_limit<S: Enclosed>(
     let speeds = if every_speed {
         Speeds::All
     } else {
-        decide::speeds(&bounds)
+        bounds.speeds()
     };
     limits::limit(Parameter::Damping, scene, &bounds, &speeds)
 }

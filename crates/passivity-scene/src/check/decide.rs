@@ -5,10 +5,9 @@ use std::cmp::Ordering;
 use passivity_core::drawn::{Drawn, Search};
 use passivity_core::parameter::Hurts;
 use passivity_core::periodic::Motion;
-use passivity_core::verdict::{End, Speeds};
+use passivity_core::verdict::End;
 use passivity_core::{
-    BigRational, Cycle, Enclosed, Friction, Interval, Loop, Ordered, Parameter, Truth, quantizer,
-    witness,
+    BigRational, Cycle, Enclosed, Friction, Interval, Loop, Parameter, Truth, quantizer, witness,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -43,14 +42,6 @@ impl Verdict {
             Self::Depends => "depends",
             Self::NotCovered => "not_covered",
         }
-    }
-}
-
-/// The speeds that a scene's verdict is about: all, or those up to `operator.max_speed`.
-pub(super) fn speeds<S: Ordered>(bounds: &Loop<Interval<S>>) -> Speeds<Interval<S>> {
-    match &bounds.max_speed {
-        Some(v) => Speeds::UpTo(v.clone()),
-        None => Speeds::All,
     }
 }
 
@@ -173,7 +164,7 @@ pub(super) fn deciding<S: Enclosed>(
                     Interval::point(end.of(other, range).clone())
                 }
             });
-            pinned.truth(&speeds(&pinned)) == Some(Truth::Depends)
+            pinned.truth(&pinned.speeds()) == Some(Truth::Depends)
         })
     };
     let decisive = toleranced.iter().filter(|(parameter, _)| alone(*parameter));

@@ -7,10 +7,10 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::limits::{self, Limit};
-use super::{Report, check, decide};
+use super::{Report, check};
 use crate::diagnostic::SceneError;
 use crate::display::{Rounding, approx};
-use crate::json::write_rational;
+use crate::json::shape;
 use crate::scene::{Given, Scene};
 use crate::written::Form;
 
@@ -31,8 +31,7 @@ pub struct Stiffest {
     /// As the scene file would write it, without the unit: typed there, it passes.
     pub typed: String,
     /// The same in N/m or N·m/rad.
-    #[serde(serialize_with = "write_rational")]
-    #[schemars(with = "crate::json::shape::Rational")]
+    #[serde(with = "shape::Rational")]
     pub si: BigRational,
     /// Whether it is as stiff as the scene's own wall, or stiffer.
     pub is_enough: bool,
@@ -171,7 +170,7 @@ fn stiffest(scene: &Scene, bounds: &Loop<Interval<Exact>>, report: &Report) -> O
         let speeds = if every_speed {
             Speeds::All
         } else {
-            decide::speeds(bounds)
+            bounds.speeds()
         };
         limits::limit(Parameter::Stiffness, scene, bounds, &speeds)
     }

@@ -5,8 +5,7 @@ use passivity_core::{
     BigRational, Effect, Enclosed, Interval, Loop, Parameter, Region, Scalar, Truth, Wide,
 };
 use schemars::JsonSchema;
-use serde::Serialize;
-use serde::Serializer;
+use serde::{Serialize, Serializer};
 
 use super::advice::{self, Advice};
 use super::decide::{self, Verdict};
@@ -16,7 +15,7 @@ use super::text::speed_unit;
 use super::unforced::{self, StartSpeed, Unforced};
 use super::witness::{Witness, witness};
 use super::{BITS, figure};
-use crate::json::{write_interval as interval, write_optional_interval as optional_interval};
+use crate::json::shape;
 use crate::scene::{Motion, Scene};
 use crate::written::Written;
 
@@ -24,13 +23,11 @@ use crate::written::Written;
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Costs {
     /// Of effective viscous friction: ½ + k + B, or λ or κ where the effects act together.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     pub viscous: Interval<BigRational>,
     /// Of effective Coulomb friction: ½(‖c‖₁ + δ), with ½‖c‖₁ = ½ + B of damping; without an encoder
     /// ½δ.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     pub coulomb: Interval<BigRational>,
 }
 
@@ -39,12 +36,10 @@ pub struct Costs {
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Spare {
     /// β less its cost.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     pub viscous: Interval<BigRational>,
     /// σ less its cost.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     pub coulomb: Interval<BigRational>,
 }
 
@@ -65,8 +60,7 @@ pub struct Report {
     #[serde(skip)]
     pub stiffness_written: Written,
     /// The region of the (β, σ) plane; `None` when it depends on tolerances.
-    #[serde(serialize_with = "region")]
-    #[schemars(with = "crate::json::shape::Region")]
+    #[serde(with = "shape::Region")]
     pub region: Option<Region>,
     /// The verdict, about any operator.
     pub verdict: Verdict,
@@ -75,67 +69,53 @@ pub struct Report {
     /// The ids of the theorems that the verdict rests on.
     pub because: Vec<&'static str>,
     /// The effects in the scene.
-    #[serde(serialize_with = "effects")]
-    #[schemars(with = "Vec<String>")]
+    #[serde(with = "shape::Effects")]
     pub effects: Vec<Effect>,
     /// How values of the file were taken, where a reader could have taken them otherwise.
     pub remarks: Vec<String>,
     /// The effects that no theorem covers.
-    #[serde(serialize_with = "effects")]
-    #[schemars(with = "Vec<String>")]
+    #[serde(with = "shape::Effects")]
     pub not_covered: Vec<Effect>,
     /// μ, when the scene has an inertia.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub mu: Option<Interval<BigRational>>,
     /// β; 0 without viscous friction.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     pub beta: Interval<BigRational>,
     /// σ; 0 without Coulomb friction, `None` without an encoder.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub sigma: Option<Interval<BigRational>>,
     /// What the effects ask of β and σ.
     pub cost: Costs,
     /// What β and σ have to spare.
     pub spare: Spare,
     /// Where the criterion meets equality, in ticks per sample; `None` when no single speed does.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub critical_speed: Option<Interval<BigRational>>,
     /// The same in m/s or rad/s; `None` for a dimensionless scene.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub critical_speed_si: Option<Interval<BigRational>>,
     /// V of `operator.max_speed`, up to which the verdict is asked, in ticks per sample.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub speed_bound: Option<Interval<BigRational>>,
     /// V in SI units; `None` for a dimensionless scene.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub speed_bound_si: Option<Interval<BigRational>>,
     /// The margin of (8) at V, (β − ½) + (σ − ½)/V with the costs of the effects.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub margin_at_speed_bound: Option<Interval<BigRational>>,
     /// The stiffest wall at every speed, SI; 0 when there is none.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub max_stiffness_all_speeds: Option<Interval<BigRational>>,
     /// The stiffest wall at every speed up to V, SI.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub max_stiffness_at_speed_bound: Option<Interval<BigRational>>,
     /// Colgate's b ≥ KT/2 + B, for comparison: no quantization, no Coulomb friction. `None` where it
     /// does not apply: with a delay, a latency, filtered damping, a controller or an amplifier.
-    #[serde(serialize_with = "truth")]
-    #[schemars(with = "Option<crate::json::shape::Truth>")]
+    #[serde(with = "shape::OptionalTruth")]
     pub colgate: Option<Truth>,
     /// Abbott and Okamura's K ≤ min(2b/T, 2c/Δ), for comparison. `None` like `colgate`.
-    #[serde(serialize_with = "truth")]
-    #[schemars(with = "Option<crate::json::shape::Truth>")]
+    #[serde(with = "shape::OptionalTruth")]
     pub abbott_okamura: Option<Truth>,
     /// A cycle that draws energy, where the verdict is that the wall is not passive.
     pub witness: Option<Witness>,
@@ -182,7 +162,7 @@ pub fn check(scene: &Scene) -> Report {
 /// The report, or `None` where a figure is undefined.
 fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Report> {
     let figures = Figures { bounds };
-    let asked = decide::speeds(bounds);
+    let asked = bounds.speeds();
     let unbounded = bounds.truth(&Speeds::All)?;
     let at_every_speed = unbounded == Truth::Holds;
     let truth = if at_every_speed || bounds.max_speed.is_none() {
@@ -353,18 +333,6 @@ fn because(scene: &Scene, verdict: Verdict) -> Vec<&'static str> {
     ids
 }
 
-fn region<S: Serializer>(region: &Option<Region>, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(region.map_or("depends", Region::name))
-}
-
-fn effects<S: Serializer>(effects: &[Effect], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(effects.iter().map(|effect| effect.name()))
-}
-
-fn truth<S: Serializer>(truth: &Option<Truth>, serializer: S) -> Result<S::Ok, S::Error> {
-    truth.map(Truth::name).serialize(serializer)
-}
-
 /// What holds of the device left alone, as it is written.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Unforced")]
@@ -372,12 +340,10 @@ struct UnforcedShape<'a> {
     /// Null where it is not shown.
     holds: Option<bool>,
     /// The speed of the start, in ticks per sample.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     speed: &'a Interval<BigRational>,
     /// The same in m/s or rad/s.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     speed_si: &'a Option<Interval<BigRational>>,
     /// What it assumes of the controller's memory.
     assumes: &'static str,
@@ -405,13 +371,18 @@ impl Serialize for Unforced {
 struct LimitShape<'a> {
     /// The key of the parameter in a scene file.
     parameter: &'static str,
+    #[serde(flatten)]
+    figures: LimitFigures<'a>,
+}
+
+/// What is written of a limit, whichever parameter it is of.
+#[derive(Serialize, JsonSchema)]
+pub(crate) struct LimitFigures<'a> {
     /// What it is now.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     now: &'a Interval<BigRational>,
     /// Where the criterion is met with equality.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     border: &'a Interval<BigRational>,
     /// On which side of the border the criterion holds.
     holds: Side,
@@ -421,15 +392,23 @@ struct LimitShape<'a> {
     printed: &'a Option<String>,
 }
 
+impl<'a> LimitFigures<'a> {
+    pub(crate) const fn of(limit: &'a Limit) -> Self {
+        Self {
+            now: &limit.now,
+            border: &limit.border,
+            holds: limit.side,
+            suffices: limit.suffices,
+            printed: &limit.printed,
+        }
+    }
+}
+
 impl Serialize for Limit {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let shape = LimitShape {
             parameter: self.parameter.row().key,
-            now: &self.now,
-            border: &self.border,
-            holds: self.side,
-            suffices: self.suffices,
-            printed: &self.printed,
+            figures: LimitFigures::of(self),
         };
         shape.serialize(serializer)
     }
@@ -439,9 +418,6 @@ impl Report {
     /// The report as a JSON object, one of the `scenes` of `check --format json`.
     #[must_use]
     pub fn to_json(&self) -> serde_json::Value {
-        match serde_json::to_value(self) {
-            Ok(value) => value,
-            Err(error) => unreachable!("a report has nothing that JSON cannot hold: {error}"),
-        }
+        crate::json::of(self)
     }
 }

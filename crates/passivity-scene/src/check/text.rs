@@ -1,11 +1,10 @@
 //! A report for people.
 
-use std::fmt::Write as _;
-
 use passivity_core::{BigRational, Effect, Interval, Parameter, Region, Truth};
 
 use super::decide::Verdict;
 use super::limits::{Limit, Side};
+use super::lines::{Lines, headline, limits_heading};
 use super::report::Report;
 use crate::display::{Rounding, approx, range, rounded, wrapped};
 use crate::scene::Motion;
@@ -15,11 +14,8 @@ impl Report {
     /// The report as text, a screen for a scene.
     #[must_use]
     pub fn to_text(&self) -> String {
-        let mut out = String::new();
-        let mut line = |label: &str, value: &str| {
-            // Writing to a string cannot fail.
-            let _ = writeln!(out, "  {label:<24}  {}", wrapped(value, 28));
-        };
+        let mut lines = Lines::default();
+        let mut line = |label: &str, value: &str| lines.add(label, value);
         line("region", self.region_text());
         line("β = b/(KT)", &range(&self.beta));
         match &self.sigma {
@@ -49,26 +45,20 @@ impl Report {
             line("critical speed", &text);
         }
         line("what binds", &self.binds_text());
-        self.stiffness_lines(&mut line);
+        self.add_stiffest(&mut lines);
         let applies = |truth: Option<Truth>| {
             truth.map_or(
                 "does not apply: delay, filter, controller or amplifier",
                 Truth::name,
             )
         };
-        line("Colgate, b ≥ KT/2", applies(self.colgate));
-        line("Abbott and Okamura", applies(self.abbott_okamura));
-        line("effects", &words(&self.effects));
-        if !self.because.is_empty() {
-            line("because", &self.because.join(", "));
-        }
-        for (at, remark) in self.remarks.iter().enumerate() {
-            line(if at == 0 { "taken" } else { "" }, remark);
-        }
+        lines.add("Colgate, b ≥ KT/2", applies(self.colgate));
+        lines.add("Abbott and Okamura", applies(self.abbott_okamura));
+        lines.add_grounds(&self.effects, &self.because, &self.remarks);
         if let Some(text) = self.unforced_text() {
-            line("with the hand off", &text);
+            lines.add("with the hand off", &text);
         }
-        let mut text = format!("{}: {}\n{out}", self.scene, self.headline());
+        let mut text = format!("{}: {}\n{}", self.scene, self.headline(), lines.0);
         text.push_str(&self.witness_text());
         text.push_str(&self.limits_text());
         text.push_str(&self.advice_text());
@@ -78,23 +68,8 @@ impl Report {
     /// The verdict in one line.
     #[must_use]
     pub fn headline(&self) -> String {
-        match self.verdict {
-            Verdict::Passive => format!("PASSIVE {}", self.speeds_text()),
-            Verdict::NotPassive => "NOT PASSIVE: a cycle draws energy from it".to_owned(),
-            Verdict::NotGuaranteed => {
-                let speeds = self.speeds_text();
-                format!("NOT GUARANTEED passive {speeds}: the criterion fails")
-            }
-            Verdict::Depends if self.decided_by.is_empty() => {
-                "DEPENDS on digits of π beyond those that were looked at".to_owned()
-            }
-            Verdict::Depends => {
-                format!("DEPENDS on the tolerance of {}", self.decided_by.join(", "))
-            }
-            Verdict::NotCovered => {
-                format!("NOT COVERED by a theorem: {}", words(&self.not_covered))
-            }
-        }
+        let speeds = self.speeds_text();
+        headline(self.verdict, &speeds, &self.decided_by, &self.not_covered)
     }
 
     /// The speeds that the headline and the limits speak of.
@@ -161,24 +136,14 @@ impl Report {
         }
     }
 
-    fn stiffness_lines(&self, line: &mut impl FnMut(&str, &str)) {
-        let unit = unit_of(Parameter::Stiffness, self.motion);
-        let safe = |k: &Interval<BigRational>| {
-            let written = &self.stiffness_written;
-            written.rounded_text(k.lo(), Rounding::Down, unit)
-        };
-        let bound = self.speed_bound_text();
-        let rows = [
-            (&self.max_stiffness_all_speeds, "at every speed".to_owned()),
-            (&self.max_stiffness_at_speed_bound, format!("up to {bound}")),
+    fn add_stiffest(&self, lines: &mut Lines) {
+        let up_to = format!("up to {}", self.speed_bound_text());
+        let walls = [
+            (&self.max_stiffness_all_speeds, "at every speed"),
+            (&self.max_stiffness_at_speed_bound, up_to.as_str()),
         ];
-        let mut label = "stiffest wall";
-        for (k, speeds) in rows {
-            if let Some(k) = k {
-                line(label, &format!("{} {speeds}", safe(k)));
-                label = "";
-            }
-        }
+        let unit = unit_of(Parameter::Stiffness, self.motion);
+        lines.add_stiffest(walls, &self.stiffness_written, unit);
     }
 
     fn unforced_text(&self) -> Option<String> {
@@ -250,24 +215,9 @@ impl Report {
         if self.limits.is_empty() || self.verdict == Verdict::NotCovered {
             return String::new();
         }
-        let passive = self.verdict == Verdict::Passive;
-        let speeds = self.speeds_text();
-        let mut out = if passive {
-            format!("  Limits, one parameter at a time, to stay passive {speeds}:\n")
-        } else {
-            format!("  What each parameter would have to be for the criterion to hold {speeds}:\n")
-        };
-        for limit in &self.limits {
-            let name = limit.name(self.motion);
-            let now = limit.now(self.motion);
-            let enough = if limit.printed.is_some() {
-                ""
-            } else {
-                "; this alone does not suffice"
-            };
-            let promise = limit.promise(self.motion);
-            let _ = writeln!(out, "    {name}: {promise} (now {now}){enough}");
-        }
+        let mut out = limits_heading(self.verdict, &self.speeds_text());
+        let lines = self.limits.iter().map(|limit| limit.line("", self.motion));
+        out.extend(lines);
         out
     }
 }

@@ -6,35 +6,31 @@ use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use super::BITS;
-use crate::json::{write_optional_rational, write_rational};
+use crate::json::shape;
 
 /// A motion that draws energy from the display each time round (TH-ACTIVE, TH-LTI): ticks, or the
 /// unit of length without an encoder.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Witness {
     /// Where it starts and ends.
-    #[serde(serialize_with = "write_rational")]
-    #[schemars(with = "crate::json::shape::Rational")]
+    #[serde(with = "shape::Rational")]
     pub from: BigRational,
     /// Where it is farthest from there; of a formula, a place on the way.
-    #[serde(serialize_with = "write_rational")]
-    #[schemars(with = "crate::json::shape::Rational")]
+    #[serde(with = "shape::Rational")]
     pub to: BigRational,
     /// Its positions at the samples of a period, in between at constant speed and after the last one
     /// back to the first; empty where the motion is a formula.
     #[serde(serialize_with = "rationals")]
-    #[schemars(with = "Vec<crate::json::shape::Rational>")]
+    #[schemars(with = "Vec<shape::Rational>")]
     pub positions: Vec<BigRational>,
     /// The formula of a motion that may be too long to write down.
     pub wave: Option<WaveFormula>,
     /// What the operator gains at least each time round, in KΔ².
-    #[serde(serialize_with = "write_rational")]
-    #[schemars(with = "crate::json::shape::Rational")]
+    #[serde(with = "shape::Rational")]
     pub gain_per_cycle: BigRational,
     /// The same in joules, with the softest wall and the finest encoder that the tolerances allow;
     /// `None` for a dimensionless scene.
-    #[serde(serialize_with = "write_optional_rational")]
-    #[schemars(with = "Option<crate::json::shape::Rational>")]
+    #[serde(with = "shape::OptionalRational")]
     pub gain_per_cycle_joules: Option<BigRational>,
 }
 

@@ -12,6 +12,7 @@ use serde::{Serialize, Serializer};
 
 use crate::check::{Report, Verdict, check};
 use crate::display::{approx, range, wrapped};
+use crate::json::shape;
 use crate::scene::{Motion, Scene};
 use equations::{Cost, held_force, motion, readable};
 pub use frequency::Frequency;
@@ -90,12 +91,10 @@ pub struct Explanation {
     /// The scene's name.
     pub scene: String,
     /// The effects in the scene.
-    #[serde(rename = "effects", serialize_with = "names")]
-    #[schemars(with = "Vec<String>")]
+    #[serde(rename = "effects", with = "shape::Effects")]
     pub present: Vec<Effect>,
     /// The effects that are not: nothing is computed for them.
-    #[serde(serialize_with = "names")]
-    #[schemars(with = "Vec<String>")]
+    #[serde(with = "shape::Effects")]
     pub absent: Vec<Effect>,
     /// The parameters as they were given, with their keys.
     #[serde(serialize_with = "given_texts")]
@@ -109,10 +108,6 @@ pub struct Explanation {
     /// The check that the derivation ends in.
     #[serde(rename = "check")]
     pub report: Report,
-}
-
-fn names<S: Serializer>(effects: &[Effect], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(effects.iter().map(|effect| effect.name()))
 }
 
 fn given_texts<S: Serializer>(given: &[GivenText], serializer: S) -> Result<S::Ok, S::Error> {

@@ -12,6 +12,7 @@ use super::report::{JointReport, check};
 use crate::check::figure;
 use crate::display::{approx, range, wrapped};
 use crate::explain::{Line, Step, Theorem};
+use crate::json::shape;
 use crate::scene::Given;
 
 /// What `passivity explain` shows of a scene of several joints.
@@ -22,8 +23,7 @@ pub struct JointExplanation {
     /// The scene's name.
     pub scene: String,
     /// The effects in the scene.
-    #[serde(serialize_with = "names")]
-    #[schemars(with = "Vec<String>")]
+    #[serde(with = "shape::Effects")]
     pub effects: Vec<Effect>,
     /// The parameters as they were given, with their keys.
     #[serde(serialize_with = "texts")]
@@ -37,10 +37,6 @@ pub struct JointExplanation {
     /// The check that the derivation ends in.
     #[serde(rename = "check")]
     pub report: JointReport,
-}
-
-fn names<S: Serializer>(effects: &[Effect], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(effects.iter().map(|effect| effect.name()))
 }
 
 fn texts<S: Serializer>(given: &[(String, String)], serializer: S) -> Result<S::Ok, S::Error> {

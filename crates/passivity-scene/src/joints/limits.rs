@@ -4,14 +4,13 @@ use num_traits::Signed as _;
 use passivity_core::joint_criterion::Asked;
 use passivity_core::joints::{Joints, Place};
 use passivity_core::parameter::Hurts;
-use passivity_core::{BigRational, Enclosed, Interval, Parameter, Truth};
+use passivity_core::{Enclosed, Interval, Parameter, Truth};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use super::JointScene;
-use crate::check::{Limit, Side, figure, typed_back, unit_of};
+use crate::check::{Limit, LimitFigures, Side, figure, typed_back, unit_of};
 use crate::display::Rounding;
-use crate::json::write_interval as interval;
 use crate::written::Written;
 
 /// The limit of one parameter of a device of several joints, all others as they are.
@@ -28,34 +27,18 @@ pub struct JointLimit {
 /// How a limit looks in JSON.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "JointLimit")]
-pub(super) struct Shape<'a> {
+pub(super) struct JointLimitShape<'a> {
     /// The key of the parameter, of a joint with its number from 1, as in `joint[2].coulomb`.
     parameter: &'a str,
-    /// What it is now.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
-    now: &'a Interval<BigRational>,
-    /// Where the criterion is met with equality.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
-    border: &'a Interval<BigRational>,
-    /// On which side of the border the criterion holds.
-    holds: Side,
-    /// Whether this parameter alone is enough.
-    suffices: bool,
-    /// The border in SI, rounded to the safe side; null where it is not enough alone.
-    printed: &'a Option<String>,
+    #[serde(flatten)]
+    figures: LimitFigures<'a>,
 }
 
 impl Serialize for JointLimit {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let shape = Shape {
+        let shape = JointLimitShape {
             parameter: &self.key,
-            now: &self.limit.now,
-            border: &self.limit.border,
-            holds: self.limit.side,
-            suffices: self.limit.suffices,
-            printed: &self.limit.printed,
+            figures: LimitFigures::of(&self.limit),
         };
         shape.serialize(serializer)
     }

@@ -13,9 +13,7 @@ use serde::{Serialize, Serializer};
 use super::JointScene;
 use super::limits::{self, JointLimit};
 use crate::check::{BITS, Verdict, figure, unit_of};
-use crate::json::{
-    write_interval as interval, write_optional_interval as optional_interval, write_rational,
-};
+use crate::json::shape;
 use crate::scene::Motion;
 use crate::written::Written;
 
@@ -27,28 +25,22 @@ pub struct OfJoint {
     /// `linear` or `rotary`: SI units are those of metres and newtons, or of radians and newton metres.
     pub motion: &'static str,
     /// b; 0 without viscous friction.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     pub viscous: Interval<BigRational>,
     /// c; 0 without Coulomb friction.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     pub coulomb: Interval<BigRational>,
     /// Δ of the encoder.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub resolution: Option<Interval<BigRational>>,
     /// The bound on the joint's speed.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub max_speed: Option<Interval<BigRational>>,
     /// ½Σⱼ|Kᵢⱼ|Δⱼ: the Coulomb friction that the encoders ask of the joint at every speed.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     pub coulomb_needed: Interval<BigRational>,
     /// c less that.
-    #[serde(serialize_with = "interval")]
-    #[schemars(with = "crate::json::shape::Interval")]
+    #[serde(with = "shape::Interval")]
     pub spare_coulomb: Interval<BigRational>,
     /// The unit in which the scene gives Coulomb friction.
     #[serde(skip)]
@@ -62,16 +54,15 @@ pub struct JointWitness {
     pub units: Vec<&'static str>,
     /// Where the joints start, a sampling instant.
     #[serde(serialize_with = "crate::check::rationals")]
-    #[schemars(with = "Vec<crate::json::shape::Rational>")]
+    #[schemars(with = "Vec<shape::Rational>")]
     pub from: Vec<BigRational>,
     /// Displacements of the joints, one list a sampling interval, each at constant speed; after the last
     /// one they are where they started.
     #[serde(serialize_with = "moves")]
-    #[schemars(with = "Vec<Vec<crate::json::shape::Rational>>")]
+    #[schemars(with = "Vec<Vec<shape::Rational>>")]
     pub moves: Vec<Vec<BigRational>>,
     /// What the operator gains at least each time round, in joules.
-    #[serde(serialize_with = "write_rational")]
-    #[schemars(with = "crate::json::shape::Rational")]
+    #[serde(with = "shape::Rational")]
     pub gain_per_cycle: BigRational,
 }
 
@@ -119,14 +110,12 @@ pub struct JointReport {
     /// The ids of the theorems that the verdict rests on.
     pub because: Vec<&'static str>,
     /// The effects in the scene.
-    #[serde(serialize_with = "effects")]
-    #[schemars(with = "Vec<String>")]
+    #[serde(with = "shape::Effects")]
     pub effects: Vec<Effect>,
     /// How values of the file were taken, where a reader could have taken them otherwise.
     pub remarks: Vec<String>,
     /// The effects that no theorem covers: none, a scene with one is refused.
-    #[serde(serialize_with = "effects")]
-    #[schemars(with = "Vec<String>")]
+    #[serde(with = "shape::Effects")]
     pub not_covered: Vec<Effect>,
     /// The joints, in the order of the file.
     pub joints: Vec<OfJoint>,
@@ -134,28 +123,25 @@ pub struct JointReport {
     pub viscous_definite: Option<bool>,
     /// The direction of the wall, a = Jᵀn, in SI units; null for a matrix.
     #[serde(serialize_with = "optional_intervals")]
-    #[schemars(with = "Option<Vec<crate::json::shape::Interval>>")]
+    #[schemars(with = "Option<Vec<shape::Interval>>")]
     pub direction: Option<Vec<Interval<BigRational>>>,
     /// The stiffest wall along the direction at every speed, SI; 0 when there is none, null for a matrix
     /// and where there is no stiffest.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub max_stiffness_all_speeds: Option<Interval<BigRational>>,
     /// The same at every speed up to the bounds of the joints; null without bounds.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub max_stiffness_at_speed_bound: Option<Interval<BigRational>>,
     /// The largest factor of the stiffness matrix at the speeds that the headline speaks of; null for a
     /// direction.
-    #[serde(serialize_with = "optional_interval")]
-    #[schemars(with = "Option<crate::json::shape::Interval>")]
+    #[serde(with = "shape::OptionalInterval")]
     pub max_matrix_factor: Option<Interval<BigRational>>,
     /// A motion that draws energy, where the verdict is that the wall is not passive.
     pub witness: Option<JointWitness>,
     /// The keys of the parameters whose tolerance decides, when the verdict depends.
     pub decided_by: Vec<String>,
     /// How far each parameter can go, or has to go, at the speeds that the headline speaks of.
-    #[schemars(with = "Vec<limits::Shape<'static>>")]
+    #[schemars(with = "Vec<limits::JointLimitShape<'static>>")]
     pub limits: Vec<JointLimit>,
     /// The limits' names, by joint.
     #[serde(skip)]
@@ -404,10 +390,6 @@ fn deciding<S: Enclosed>(
     places.into_iter().map(|place| scene.key(*place)).collect()
 }
 
-fn effects<S: Serializer>(effects: &[Effect], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(effects.iter().map(|effect| effect.name()))
-}
-
 fn moves<S: Serializer>(moves: &[Vec<BigRational>], serializer: S) -> Result<S::Ok, S::Error> {
     let texts = |step: &Vec<BigRational>| -> Vec<serde_json::Value> {
         step.iter().map(crate::json::rational).collect()
@@ -428,9 +410,6 @@ impl JointReport {
     /// The report as a JSON object, one of the `scenes` of `check --format json`.
     #[must_use]
     pub fn to_json(&self) -> serde_json::Value {
-        match serde_json::to_value(self) {
-            Ok(value) => value,
-            Err(error) => unreachable!("a report has nothing that JSON cannot hold: {error}"),
-        }
+        crate::json::of(self)
     }
 }

@@ -1,13 +1,11 @@
 //! A report on several joints, for people.
 
-use std::fmt::Write as _;
-
 use num_traits::{Signed as _, Zero as _};
 use passivity_core::{BigRational, Interval, Parameter};
 
 use super::limits::JointLimit;
 use super::report::{JointReport, OfJoint};
-use crate::check::{Verdict, short, unit_of, words};
+use crate::check::{Lines, headline, limits_heading, short, unit_of};
 use crate::display::{Rounding, rounded, wrapped};
 use crate::scene::Motion;
 
@@ -15,23 +13,15 @@ impl JointReport {
     /// The report as text, a screen for a scene.
     #[must_use]
     pub fn to_text(&self) -> String {
-        let mut out = String::new();
-        let mut line = |label: &str, value: &str| {
-            // Writing to a string cannot fail.
-            let _ = writeln!(out, "  {label:<24}  {}", wrapped(value, 28));
-        };
-        line("wall", &self.wall_text());
-        line("diag(b) − (T/2)K", self.viscous_text());
-        self.stiffness_lines(&mut line);
+        let mut lines = Lines::default();
+        lines.add("wall", &self.wall_text());
+        lines.add("diag(b) − (T/2)K", self.viscous_text());
+        self.add_stiffest(&mut lines);
         for (joint, name) in self.joints.iter().zip(&self.joint_names) {
-            line(name, &joint.text());
+            lines.add(name, &joint.text());
         }
-        line("effects", &words(&self.effects));
-        line("because", &self.because.join(", "));
-        for (at, remark) in self.remarks.iter().enumerate() {
-            line(if at == 0 { "taken" } else { "" }, remark);
-        }
-        let mut text = format!("{}: {}\n{out}", self.scene, self.headline());
+        lines.add_grounds(&self.effects, &self.because, &self.remarks);
+        let mut text = format!("{}: {}\n{}", self.scene, self.headline(), lines.0);
         text.push_str(&self.witness_text());
         text.push_str(&self.limits_text());
         text
@@ -40,20 +30,8 @@ impl JointReport {
     /// The verdict in one line.
     #[must_use]
     pub fn headline(&self) -> String {
-        match self.verdict {
-            Verdict::Passive => format!("PASSIVE {}", self.speeds_text()),
-            Verdict::NotPassive => "NOT PASSIVE: a cycle draws energy from it".to_owned(),
-            Verdict::Depends if self.decided_by.is_empty() => {
-                "DEPENDS on digits of π beyond those that were looked at".to_owned()
-            }
-            Verdict::Depends => {
-                format!("DEPENDS on the tolerance of {}", self.decided_by.join(", "))
-            }
-            Verdict::NotGuaranteed | Verdict::NotCovered => {
-                let speeds = self.speeds_text();
-                format!("NOT GUARANTEED passive {speeds}: the criterion fails")
-            }
-        }
+        let speeds = self.speeds_text();
+        headline(self.verdict, speeds, &self.decided_by, &self.not_covered)
     }
 
     /// The speeds that the headline and the limits speak of.
@@ -85,16 +63,16 @@ impl JointReport {
         }
     }
 
-    fn stiffness_lines(&self, line: &mut impl FnMut(&str, &str)) {
+    fn add_stiffest(&self, lines: &mut Lines) {
         if let Some(factor) = &self.max_matrix_factor {
             let factor = rounded(factor.lo(), 5, Rounding::Down);
             let speeds = self.speeds_text();
-            line(
+            lines.add(
                 "stiffest wall",
                 &format!("{factor} times this matrix {speeds}"),
             );
         }
-        let rows = [
+        let walls = [
             (&self.max_stiffness_all_speeds, "at every speed"),
             (
                 &self.max_stiffness_at_speed_bound,
@@ -102,16 +80,7 @@ impl JointReport {
             ),
         ];
         let unit = unit_of(Parameter::Stiffness, self.wall);
-        let mut label = "stiffest wall";
-        for (k, speeds) in rows {
-            if let Some(k) = k {
-                let k = self
-                    .stiffness_written
-                    .rounded_text(k.lo(), Rounding::Down, unit);
-                line(label, &format!("{k} {speeds}"));
-                label = "";
-            }
-        }
+        lines.add_stiffest(walls, &self.stiffness_written, unit);
     }
 
     fn witness_text(&self) -> String {
@@ -145,38 +114,20 @@ impl JointReport {
         if self.limits.is_empty() {
             return String::new();
         }
-        let speeds = self.speeds_text();
-        let mut out = if self.verdict == Verdict::Passive {
-            format!("  Limits, one parameter at a time, to stay passive {speeds}:\n")
-        } else {
-            format!("  What each parameter would have to be for the criterion to hold {speeds}:\n")
-        };
-        for limit in &self.limits {
-            let _ = writeln!(out, "    {}", self.limit_text(limit));
-        }
+        let mut out = limits_heading(self.verdict, self.speeds_text());
+        out.extend(self.limits.iter().map(|limit| self.limit_line(limit)));
         out
     }
 
-    fn limit_text(&self, of: &JointLimit) -> String {
-        let limit = &of.limit;
-        let joint = of.place.joint;
+    fn limit_line(&self, limit: &JointLimit) -> String {
+        let joint = limit.place.joint;
         let motion = match (joint.and_then(|joint| self.joints.get(joint)), joint) {
             (Some(joint), _) => joint.moves(),
             (None, _) => self.wall,
         };
         let name = joint.and_then(|joint| self.joint_names.get(joint));
         let of_joint = name.map_or_else(String::new, |name| format!(", {name}"));
-        let enough = if limit.printed.is_some() {
-            ""
-        } else {
-            "; this alone does not suffice"
-        };
-        format!(
-            "{}{of_joint}: {} (now {}){enough}",
-            limit.name(motion),
-            limit.promise(motion),
-            limit.now(motion)
-        )
+        limit.limit.line(&of_joint, motion)
     }
 }
 

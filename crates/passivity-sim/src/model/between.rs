@@ -6,7 +6,7 @@
 //! ends of all and that from the upper ends have every other one between them, and nothing widens but by
 //! rounding and by the motion itself.
 
-use super::Way;
+use super::part::Way;
 use crate::flow::{Flow, State};
 use crate::number::{Real, Undecided};
 

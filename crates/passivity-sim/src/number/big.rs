@@ -7,7 +7,7 @@ use astro_float_num::{BigFloat, Consts, Radix, RoundingMode, Sign};
 use num_bigint::BigInt;
 use passivity_core::{BigRational, Ordered, Scalar};
 
-use super::enclosed::Directed;
+use super::directed::Directed;
 use super::real::Real;
 
 /// A binary floating-point number; operations round it to `bits` bits, to nearest unless a direction

@@ -3,6 +3,7 @@
 
 #[cfg(feature = "multiprecision")]
 pub(crate) mod big;
+pub(crate) mod directed;
 pub(crate) mod double;
 pub(crate) mod enclosed;
 pub(crate) mod rational;

@@ -8,7 +8,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::SimError;
 use crate::sweep::disk::{failed, with_suffix};
-use crate::sweep::file::{Form, hash};
+use crate::sweep::file::hash;
+use crate::sweep::form::Form;
 use crate::sweep::grid::Grid;
 #[cfg(feature = "parquet")]
 use crate::sweep::parquet;

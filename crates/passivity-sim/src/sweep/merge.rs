@@ -8,7 +8,8 @@ use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::sweep::disk::{failed, plain};
-use crate::sweep::file::{Form, write_ordered};
+use crate::sweep::file::write_ordered;
+use crate::sweep::form::Form;
 use crate::sweep::grid::Grid;
 use crate::sweep::manifest::Manifest;
 use crate::sweep::row::Row;

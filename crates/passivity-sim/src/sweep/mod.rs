@@ -4,6 +4,7 @@ mod asked;
 mod csv;
 mod disk;
 mod file;
+mod form;
 mod grid;
 mod manifest;
 mod merge;

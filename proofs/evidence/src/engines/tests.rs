@@ -31,7 +31,10 @@ const PROGRAMS: [Program; 4] = [
     Program {
         said: "verdicts.txt",
         tests: "crates/passivity-scene/tests/verdicts.rs",
-        shared: &["crates/passivity-scene/Cargo.toml"],
+        shared: &[
+            "crates/passivity-scene/Cargo.toml",
+            "crates/passivity-scene/tests/verdicts/examples.rs",
+        ],
     },
     Program {
         said: "certificates.txt",

@@ -4,7 +4,6 @@
 use std::sync::Arc;
 
 use passivity_core::transfer::TransferFunction;
-use passivity_core::verdict::Speeds;
 use passivity_core::{BigRational, Interval, Loop, Scalar, Truth, rational};
 
 use crate::Bounds;
@@ -100,11 +99,7 @@ fn response(of: &Bounds) -> Option<String> {
 /// What the kernel says of a loop.
 pub(crate) fn verdict(of: &Bounds) -> Option<Truth> {
     let wide = of.map(|_, x| x.map(rational::to_wide));
-    let speeds = match &wide.max_speed {
-        Some(v) => Speeds::UpTo(v.clone()),
-        None => Speeds::All,
-    };
-    wide.truth(&speeds)
+    wide.truth(&wide.speeds())
 }
 
 /// 10⁻³⁰.

@@ -12,7 +12,6 @@ use std::error::Error;
 use std::io::Write;
 use std::path::Path;
 
-use passivity_core::verdict::Speeds;
 use passivity_core::{BigRational, Exact, Interval, Loop, Truth};
 use passivity_scene::Scene;
 
@@ -53,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         print_computed(&mut out, "border", &met)?;
         print_computed(&mut out, "below the border", &short)?;
     }
-    let mut random = Random(20);
+    let mut random = Random::new(20);
     for i in 0..BOXES {
         print_box(&mut out, &format!("random {i}"), &random.any_box())?;
     }
@@ -100,10 +99,6 @@ fn print_computed(out: &mut impl Write, name: &str, of: &Bounds) -> Result<(), B
 }
 
 fn print_box(out: &mut impl Write, name: &str, of: &Bounds) -> Result<(), Box<dyn Error>> {
-    let speeds = match &of.max_speed {
-        Some(v) => Speeds::UpTo(v.clone()),
-        None => Speeds::All,
-    };
     let ends = |range: &Interval<BigRational>| format!("{}:{}", range.lo(), range.hi());
     let optional = |range: &Option<_>| range.as_ref().map_or("-".to_owned(), ends);
     let words = [
@@ -118,5 +113,5 @@ fn print_box(out: &mut impl Write, name: &str, of: &Bounds) -> Result<(), Box<dy
         of.delay.to_string(),
         optional(&of.max_speed),
     ];
-    print(out, name, &words.join(" "), of.decide(&speeds))
+    print(out, name, &words.join(" "), of.decide(&of.speeds()))
 }

@@ -4,19 +4,16 @@ use passivity_core::{BigRational, Interval, Loop, Scalar as _};
 
 use crate::Bounds;
 
-/// Random numbers (SplitMix64), always the same.
-pub(crate) struct Random(pub(crate) u64);
+/// Random loops and their parameters, always the same.
+pub(crate) struct Random(passivity_random::Random);
 
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^ (x >> 31)
+    pub(crate) const fn new(seed: u64) -> Self {
+        Self(passivity_random::Random::new(seed))
     }
 
     pub(crate) fn below(&mut self, n: u16) -> u16 {
-        let [a, b, ..] = self.next().to_le_bytes();
+        let [a, b, ..] = self.0.bits().to_le_bytes();
         u16::from_le_bytes([a, b]) % n
     }
 

@@ -1,7 +1,9 @@
 //! Exact numbers in JSON: rationals as strings in lowest terms, intervals as `lo`, `hi`, `approx`.
 
+pub mod shape;
+
 use passivity_core::{BigRational, Interval};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::number::{self, NumberError, NumberErrorKind, nearest_f64};
@@ -52,97 +54,11 @@ pub fn approx(x: &BigRational) -> Value {
     serde_json::Number::from_f64(nearest_f64(x)).map_or(Value::Null, Value::Number)
 }
 
-/// Writes an interval as [`interval`] does: for `#[serde(serialize_with = …)]`.
-///
-/// # Errors
-///
-/// Those of the serializer.
-pub fn write_interval<S: Serializer>(
-    x: &Interval<BigRational>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    interval(x).serialize(serializer)
-}
-
-/// Writes an interval as [`interval`] does, or null.
-///
-/// # Errors
-///
-/// Those of the serializer.
-pub fn write_optional_interval<S: Serializer>(
-    x: &Option<Interval<BigRational>>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    x.as_ref().map(interval).serialize(serializer)
-}
-
-/// Writes a rational as a string in lowest terms.
-///
-/// # Errors
-///
-/// Those of the serializer.
-pub fn write_rational<S: Serializer>(x: &BigRational, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(x)
-}
-
-/// Writes a rational as a string in lowest terms, or null.
-///
-/// # Errors
-///
-/// Those of the serializer.
-pub fn write_optional_rational<S: Serializer>(
-    x: &Option<BigRational>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    x.as_ref().map(ToString::to_string).serialize(serializer)
-}
-
-/// How exact numbers look in JSON, for schemas.
-pub mod shape {
-    use schemars::JsonSchema;
-
-    /// A rational in lowest terms, such as `3/8`, `-2` or `0`.
-    #[derive(JsonSchema)]
-    #[schemars(transparent)]
-    pub struct Rational(#[schemars(regex(pattern = r"^-?[0-9]+(/[0-9]+)?$"))] pub String);
-
-    /// All numbers from `lo` to `hi`.
-    #[derive(JsonSchema)]
-    pub struct Interval {
-        /// The lower end.
-        pub lo: Rational,
-        /// The upper end.
-        pub hi: Rational,
-        /// The double nearest to the middle; null past the doubles.
-        pub approx: Option<f64>,
-    }
-
-    /// What is known of a statement.
-    #[derive(JsonSchema)]
-    #[schemars(rename_all = "snake_case")]
-    pub enum Truth {
-        /// It holds.
-        Holds,
-        /// It does not.
-        Fails,
-        /// It depends on the tolerances.
-        Depends,
-    }
-
-    /// A region of the (β, σ) plane.
-    #[derive(JsonSchema)]
-    #[schemars(rename_all = "snake_case")]
-    pub enum Region {
-        /// The criterion holds at every speed.
-        GloballyStable,
-        /// It holds up to the critical speed.
-        LocallyStable,
-        /// It fails below the critical speed.
-        LimitCycles,
-        /// It holds at no speed.
-        Unstable,
-        /// It depends on the tolerances.
-        Depends,
+/// A report as JSON.
+pub(crate) fn of(report: &impl Serialize) -> Value {
+    match serde_json::to_value(report) {
+        Ok(value) => value,
+        Err(error) => unreachable!("a report has nothing that JSON cannot hold: {error}"),
     }
 }
 

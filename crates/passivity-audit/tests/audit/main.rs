@@ -1,9 +1,11 @@
 //! The streamed, parallel, tabled audit gives what the ledger gives row by row; and whatever a
 //! file holds, it ends in a report or in an error that says where.
 
+mod mistakes;
+
 use std::fmt::Write as _;
 
-use passivity_audit::{Audit, Options, TraceError, Verdict, audit, audit_csv};
+use passivity_audit::{Audit, Options, Verdict, audit_csv};
 use passivity_audit::{Ledger, Number, Reading, rows::Form, run::Run};
 use passivity_scene::Scene;
 use proptest::prelude::*;
@@ -199,90 +201,6 @@ fn a_trace_from_a_loop_that_is_not_passive_violates() {
     assert_eq!(audit.verdict(), Verdict::Depends);
 }
 
-fn refusal(csv: &[u8], text: &str) -> TraceError {
-    let input = Box::new(std::io::Cursor::new(csv.to_vec()));
-    match audit_csv(input, &scene(text), Options::default()) {
-        Err(error) => error,
-        Ok(audit) => panic!("expected an error, found {}", audit.to_text()),
-    }
-}
-
-#[test]
-fn headers_say_what_is_wrong_with_them() {
-    let plain = "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"";
-    let rotary = "[sampling]\nrate = \"1 kHz\"\n[encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"2 N m/rad\"";
-    for (csv, text, kind, said) in [
-        ("", plain, "header", "nothing"),
-        ("a,b\n1,2\n", plain, "header", "found `a`, `b`"),
-        ("xi,xi\n1,2\n", plain, "header", "twice"),
-        ("xi,count\n1,2\n", plain, "header", "`xi` and `count`"),
-        ("x\n1\n", rotary, "unit", "x [rad]"),
-        ("x [mm]\n1\n", rotary, "unit", "rad"),
-        ("x [rad]\n1\n", plain, "unit", "xi"),
-        ("x [parsec]\n1\n", rotary, "unit", "parsec"),
-        ("count,t [rad]\n1,2\n", rotary, "unit", "time"),
-        ("count,t\n1,2\n", rotary, "unit", "t [s]"),
-        ("count,f [N]\n1,2\n", rotary, "unit", "N m"),
-        ("xi [rad]\n1\n", rotary, "header", "no unit"),
-        ("x [rad\n1\n", rotary, "header", "not closed"),
-        ("count,t [s\n1,2\n", rotary, "header", "not closed"),
-    ] {
-        let error = refusal(csv.as_bytes(), text);
-        assert_eq!(error.kind, kind, "{csv}: {error}");
-        assert!(error.to_string().contains(said), "{csv}: {error}");
-    }
-}
-
-#[test]
-fn mistakes_have_a_row_and_what_came_before_is_kept() {
-    let wide = format!("count\n1\n2\n{}\n4\n", "9".repeat(10_000_000));
-    let endless = format!("count\n1\n2\n{}", "9".repeat(10_000_000));
-    for (csv, kind, row, intervals) in [
-        ("count\n1\n2\nx\n4\n", "malformed_number", 3, 1),
-        ("count\n1\n2\n3,4\n", "fields", 3, 1),
-        ("count\n1\n2\nNaN\n", "not_finite", 3, 1),
-        ("count\n1\n2.5\n3\n", "count", 2, 0),
-        ("xi\n1\n2\n1e999999999\n", "exponent_too_large", 3, 1),
-        ("xi\n1\n2\n1/0\n", "zero_denominator", 3, 1),
-        ("count\n1\n\n3\n", "blank_row", 2, 0),
-        ("count\n0\n1\n2147483649\n5\n", "jump", 3, 1),
-        (
-            "count\n9223372036854775807\n-9223372036854775808\n",
-            "jump",
-            2,
-            0,
-        ),
-        ("count\n99999999999999999999\n", "count", 1, 0),
-        ("count,tau\n1,1\n2,2\n3,2\n", "time", 3, 1),
-        ("count,tau\n1,1\n2,2\n3,1\n", "time", 3, 1),
-        ("count,tau\n1,1\n2,2\n3", "fields", 3, 1), // torn
-        ("xi0,xi1\n0,1\n2,3\n", "gap", 2, 1),
-        ("\u{feff}count\r\n1\r\n2\r\n-\r\n", "malformed_number", 3, 1),
-        (&wide, "line_too_long", 3, 1),
-        (&endless, "line_too_long", 3, 1),
-    ] {
-        for (threads, block) in [(1, 0), (2, 7), (3, 12)] {
-            let (audit, rows) = audited(csv.as_bytes(), &three_fifths(), threads, block);
-            let shown = &csv[..csv.len().min(60)];
-            let error = audit
-                .error()
-                .unwrap_or_else(|| panic!("no error in {shown:?}"));
-            assert_eq!(
-                (error.kind, error.row),
-                (kind, Some(row)),
-                "{shown:?} {block}: {error}"
-            );
-            assert_eq!(audit.totals().intervals, intervals, "{shown:?} {block}");
-            assert_eq!(
-                rows.lines().count() as u64,
-                intervals + 1,
-                "{shown:?} {block}"
-            );
-            assert_eq!(audit.verdict(), Verdict::Broken);
-        }
-    }
-}
-
 #[test]
 fn harmless_forms_are_read() {
     let expected = audited(b"count\n1\n2\n3\n", &three_fifths(), 1, 0).1;
@@ -462,50 +380,5 @@ fn a_logged_force_is_accounted_for_whatever_filter_or_controller_made_it() {
     // Without forces, or where the law is asked for, nothing is known of what the memory held.
     for more in [filter, controller] {
         assert_eq!(of(more, b"xi\n0\n1\n").verdict(), Verdict::NotCovered);
-    }
-}
-
-#[test]
-fn a_missing_file_is_an_error() {
-    let path = std::env::temp_dir().join("passivity-no-such-trace.csv");
-    let error = audit(&path, &three_fifths(), Options::default()).unwrap_err();
-    assert_eq!(error.kind, "io");
-}
-
-#[test]
-fn blank_lines_may_end_a_log_wherever_a_block_ends() {
-    let scene = Scene::from_toml("s", "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"").unwrap();
-    for block in 1..40 {
-        let read = |text: &'static str| {
-            let options = Options {
-                block,
-                ..Options::default()
-            };
-            audit_csv(Box::new(text.as_bytes()), &scene, options).unwrap()
-        };
-        let audit = read("count\n1\n22\n3\n\n \n\n");
-        assert!(audit.error().is_none(), "{block}: {:?}", audit.error());
-        assert_eq!(audit.totals().intervals, 2);
-        let audit = read("count\n1\n22\n3\n\n\n4\n");
-        assert_eq!(
-            audit.error().map(|error| error.row),
-            Some(Some(4)),
-            "{block}"
-        );
-    }
-}
-
-#[test]
-fn what_a_broken_ledger_accounts_for_does_not_depend_on_where_a_block_ends() {
-    let scene = Scene::from_toml("s", "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"").unwrap();
-    for block in 1..40 {
-        let options = Options {
-            block,
-            ..Options::default()
-        };
-        let text = Box::new(&b"xi0,xi1\n0,1\n1,2\n2,4\nx"[..]);
-        let audit = audit_csv(text, &scene, options).unwrap();
-        assert_eq!(audit.totals().intervals, 3, "{block}");
-        assert_eq!(audit.error().and_then(|error| error.row), Some(4));
     }
 }

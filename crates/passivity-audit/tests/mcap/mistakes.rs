@@ -1,0 +1,186 @@
+//! MCAP logs that are cut short, changed, incomplete or in an encoding that is not read.
+
+use std::collections::BTreeMap;
+use std::io::Cursor;
+
+use mcap::{WriteOptions, Writer};
+use passivity_audit::{
+    Dialect, Options, Stretch, Verdict, audit, audit_csv, audit_files, audit_part,
+};
+
+use super::write::{Form, Sent, file, put};
+use super::{COLUMNS, START, csv, dialect, read, save, scene, sent};
+
+#[test]
+fn a_file_out_of_order_is_refused_where_it_matters() {
+    let mut sent = sent(Form::Cdr);
+    sent[20].log_time = START;
+    let path = save(&file(WriteOptions::new(), Form::Cdr, &sent));
+    let found = read(&path, COLUMNS, &scene()).unwrap();
+    let error = found.error().unwrap();
+    assert_eq!(error.row, Some(11));
+    assert!(
+        error.message.contains("`/wrench`") && error.message.contains("mcap sort"),
+        "{error}"
+    );
+    // Of one topic alone the stamps tell.
+    let columns = "t=/joint_states.header.stamp, x=/joint_states.position.slide [m]";
+    assert_eq!(read(&path, columns, &scene()).unwrap().error(), None);
+}
+
+#[test]
+fn what_is_missing_in_a_row_is_an_error_there() {
+    for (effort, why) in [(&[][..], "``"), (&[f64::NAN, 0.0][..], "NaN")] {
+        let mut sent = sent(Form::Cdr);
+        sent[9].bytes =
+            Form::Cdr.joints(START + 4_000_000, &["slide", "other"], &[0.0, 0.0], effort);
+        let path = save(&file(WriteOptions::new(), Form::Cdr, &sent));
+        let columns = "t=/joint_states.log_time, x=/joint_states.position.slide [m], f=/joint_states.effort.slide [N]";
+        let found = read(&path, columns, &scene()).unwrap();
+        let error = found.error().unwrap();
+        assert_eq!(error.row, Some(5));
+        assert_eq!(error.column.as_deref(), Some("/joint_states.effort.slide"));
+        assert!(error.message.contains(why), "{error}");
+        assert_eq!(found.totals().intervals, 3);
+    }
+}
+
+#[test]
+fn other_encodings_are_refused_by_name() {
+    for (encoding, definitions) in [
+        ("protobuf", "protobuf"),
+        ("cdr", "ros2idl"),
+        ("flatbuffer", "flatbuffer"),
+        ("cbor", ""),
+    ] {
+        let mut bytes = Cursor::new(Vec::new());
+        let mut writer = Writer::new(&mut bytes).unwrap();
+        let schema = match definitions {
+            "" => 0,
+            other => writer.add_schema("x", other, b"").unwrap(),
+        };
+        let channel = writer
+            .add_channel(schema, "/arm", encoding, &BTreeMap::new())
+            .unwrap();
+        let message = Sent {
+            topic: "/arm",
+            log_time: START,
+            bytes: vec![1, 2, 3],
+        };
+        put(&mut writer, channel, 1, &message);
+        writer.finish().unwrap();
+        drop(writer);
+        let path = save(&bytes.into_inner());
+        for told in [Dialect::default(), dialect("x=/arm.position [m]")] {
+            let options = Options {
+                dialect: told,
+                ..Options::default()
+            };
+            let error = audit(&path, &scene(), options).unwrap_err();
+            assert!(
+                error.message.contains("`/arm`") && error.message.contains(encoding),
+                "{error}"
+            );
+        }
+    }
+}
+
+#[test]
+fn messages_that_are_long_or_wide_take_bounded_work() {
+    let long = format!("{{\"data\":[{}0]}}", "0,".repeat(3 << 20));
+    let list = format!("[{}0]", "0,".repeat(63));
+    let lists = format!("[{}{list}]", format!("{list},").repeat(63));
+    let wide = format!("{{\"data\":[{}{lists}]}}", format!("{lists},").repeat(63));
+    for (message, why) in [(long, "longer than 4 MiB"), (wide, "expected a column")] {
+        let mut bytes = Cursor::new(Vec::new());
+        let mut writer = Writer::new(&mut bytes).unwrap();
+        let channel = writer
+            .add_channel(0, "/data", "json", &BTreeMap::new())
+            .unwrap();
+        for i in 0..3 {
+            let message = Sent {
+                topic: "/data",
+                log_time: START,
+                bytes: message.clone().into_bytes(),
+            };
+            put(&mut writer, channel, i, &message);
+        }
+        writer.finish().unwrap();
+        drop(writer);
+        let path = save(&bytes.into_inner());
+        let error = audit(&path, &scene(), Options::default()).unwrap_err();
+        assert!(error.message.contains(why), "{error}");
+    }
+}
+
+#[test]
+fn files_that_are_cut_short_are_accounted_for_up_to_there() {
+    for chunk in [None, Some(2000)] {
+        let options = WriteOptions::new()
+            .compression(None)
+            .use_chunks(chunk.is_some())
+            .chunk_size(chunk);
+        let whole = file(options, Form::Cdr, &sent(Form::Cdr));
+        let mut least = 0;
+        for share in 1..20 {
+            let len = whole.len() * share / 20;
+            let path = save(&whole[..len]);
+            match read(&path, COLUMNS, &scene()) {
+                Ok(found) => {
+                    assert_eq!(found.verdict(), Verdict::Broken, "{share}");
+                    let error = found.error().unwrap();
+                    assert!(
+                        error.message.contains("byte") || error.message.contains("checksum"),
+                        "{error}"
+                    );
+                    assert!(found.totals().intervals >= least);
+                    least = found.totals().intervals;
+                }
+                Err(error) => assert!(error.message.contains("byte"), "{error}"),
+            }
+        }
+        assert!(least > 100, "{least}");
+    }
+}
+
+#[test]
+fn a_file_that_was_changed_is_an_error_before_it_is_used() {
+    let options = WriteOptions::new().compression(None).chunk_size(Some(4000));
+    let whole = file(options, Form::Cdr, &sent(Form::Cdr));
+    let at = whole.len() / 3;
+    let mut changed = whole.clone();
+    changed[at] ^= 1;
+    let path = save(&changed);
+    let found = read(&path, COLUMNS, &scene()).unwrap();
+    let error = found.error().unwrap();
+    assert!(error.message.contains("checksum"), "{error}");
+    assert!(found.totals().intervals > 10);
+}
+
+#[test]
+fn pieces_and_streams_are_refused() {
+    let bytes = file(WriteOptions::new(), Form::Cdr, &sent(Form::Cdr));
+    let path = save(&bytes);
+    let options = || Options {
+        dialect: dialect(COLUMNS),
+        ..Options::default()
+    };
+    let Err(error) = audit_part(&path, &scene(), Stretch::Shard(1, 2), options()) else {
+        panic!("a piece of an MCAP file");
+    };
+    assert!(error.message.contains("from its start"), "{error}");
+    let error = audit_csv(Box::new(Cursor::new(bytes)), &scene(), options()).unwrap_err();
+    assert!(error.message.contains("must be a file"), "{error}");
+    let csv = save(csv().as_bytes());
+    let error = audit_files(
+        &[csv.to_path_buf(), path.to_path_buf()],
+        &scene(),
+        options(),
+    )
+    .unwrap();
+    assert!(
+        error.error().unwrap().message.contains("goes on only"),
+        "{:?}",
+        error.error()
+    );
+}
