@@ -3,8 +3,8 @@
 
 use passivity_core::{BigRational, Scalar as _};
 
-pub(crate) use bits::is_exact_sum;
-use bits::{digits, is_double, split};
+use bits::{digits, is_double};
+pub(crate) use bits::{is_exact_sum, split, unless};
 
 use crate::log::near_rational;
 use crate::number::Number;
@@ -16,11 +16,17 @@ use crate::span::{BITS, Span};
 /// the operands stand for, the result of the exact operation is in the result. Comparisons are answered
 /// only where they come out the same for all of them. What cannot be told has a radius that is infinite or
 /// no number, and stays so: the caller then computes with numbers that are known more closely.
+///
+/// One by one they are computed with `BRANCHES` around what most do not need; several at a time, as [`Lane`]s,
+/// without any. The results are the same.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Ball {
+pub(crate) struct Ball<const BRANCHES: bool = true> {
     middle: f64,
     radius: f64,
 }
+
+/// One of several that are computed at a time.
+pub(crate) type Lane = Ball<false>;
 
 /// Twice the most that rounding to the nearest double is off by, of the double: 2⁻⁵³.
 const ROUNDING: f64 = f64::EPSILON;
@@ -40,14 +46,13 @@ const EXACT: u64 = 1 << f64::MANTISSA_DIGITS;
 /// One, in units of the grid.
 const UNITS: f64 = 18_446_744_073_709_551_616.0;
 
-impl Ball {
+impl<const BRANCHES: bool> Ball<BRANCHES> {
     pub(crate) const UNDEFINED: Self = Self {
         middle: 0.0,
         radius: f64::INFINITY,
     };
 
-    const ZERO: Self = Self::exactly(0.0);
-
+    #[inline(always)]
     const fn exactly(middle: f64) -> Self {
         Self {
             middle,
@@ -55,6 +60,61 @@ impl Ball {
         }
     }
 
+    /// The middle and the radius.
+    #[inline(always)]
+    pub(crate) const fn parts(self) -> (f64, f64) {
+        (self.middle, self.radius)
+    }
+
+    /// The same number, to be computed with several at a time.
+    #[inline(always)]
+    pub(crate) const fn lane(self) -> Lane {
+        let (middle, radius) = self.parts();
+        Ball { middle, radius }
+    }
+
+    /// Whether there are [`units`](Ball::units) of it.
+    #[inline(always)]
+    pub(crate) fn fits(self) -> bool {
+        self.excess() == 0.0
+    }
+
+    /// Zero where there are [`units`](Ball::units) of it, else above that.
+    #[inline(always)]
+    pub(crate) fn excess(self) -> f64 {
+        /// Room for sums.
+        const LARGEST: f64 = (1_u64 << 35) as f64;
+        const WIDEST: f64 = (1_u64 << 50) as f64;
+        unless(self.middle.abs() < LARGEST) + unless(self.radius * UNITS < WIDEST)
+    }
+
+    #[inline(always)]
+    fn is_defined(self) -> bool {
+        self.radius < f64::INFINITY
+    }
+
+    #[inline(always)]
+    pub(crate) fn is_zero(self) -> bool {
+        self.size() == 0.0
+    }
+
+    /// Zero for zero alone: the magnitude of the middle and the radius.
+    #[inline(always)]
+    pub(crate) const fn size(self) -> f64 {
+        self.middle.abs() + self.radius
+    }
+
+    /// A number that it may stand for.
+    #[inline(always)]
+    pub(crate) fn one_of(self) -> Self {
+        match self.is_defined() {
+            true => Self::exactly(self.middle),
+            false => self,
+        }
+    }
+}
+
+impl Ball {
     /// Around a double that is the nearest but for `roundings` roundings.
     #[inline]
     fn rounded(middle: f64, roundings: f64) -> Self {
@@ -81,12 +141,6 @@ impl Ball {
         let size = x.abs();
         // Zero has one form.
         (size == 0.0 || size > 1e-100 && size < WHOLE).then(|| Self::exactly(x + 0.0))
-    }
-
-    /// The middle and the radius.
-    #[inline(always)]
-    pub(crate) const fn parts(self) -> (f64, f64) {
-        (self.middle, self.radius)
     }
 
     /// The ball with these [`parts`](Self::parts).
@@ -118,9 +172,9 @@ impl Ball {
     }
 
     /// Around n/d, d > 0.
-    #[inline]
+    #[inline(always)]
     #[allow(clippy::cast_precision_loss)] // that is in the radius
-    fn ratio(n: i64, d: i64) -> Self {
+    pub(crate) fn ratio(n: i64, d: i64) -> Self {
         if d == 1 {
             return Self::whole(n);
         }
@@ -129,7 +183,7 @@ impl Ball {
             // So that equal fractions are one ball.
             let divisor = num_integer::gcd(n, d);
             if divisor > 1 {
-                return Self::ratio(n / divisor, d / divisor);
+                return Self::of(&Number::Small(n / divisor, d / divisor));
             }
         }
         let middle = n as f64 / d as f64;
@@ -233,15 +287,6 @@ impl Ball {
             .then(|| (on_grid([whole, upper, lower]), radius))
     }
 
-    /// Whether there are [`units`](Self::units) of it.
-    #[inline(always)]
-    pub(crate) fn fits(self) -> bool {
-        /// Room for sums.
-        const LARGEST: f64 = (1_u64 << 35) as f64;
-        const WIDEST: f64 = (1_u64 << 50) as f64;
-        self.middle.abs() < LARGEST && self.radius * UNITS < WIDEST
-    }
-
     /// The [`units`](Self::units) as whole numbers of 1, 2⁻³² and 2⁻⁶⁴ and how many of the last they may be off,
     /// where they [fit](Self::fits): without a branch.
     #[inline(always)]
@@ -271,16 +316,6 @@ impl Ball {
     #[inline]
     pub(crate) fn near(self) -> Option<f64> {
         self.is_defined().then_some(self.middle)
-    }
-
-    #[inline(always)]
-    fn is_defined(self) -> bool {
-        self.radius < f64::INFINITY
-    }
-
-    #[inline(always)]
-    pub(crate) fn is_zero(self) -> bool {
-        self.middle == 0.0 && self.radius == 0.0
     }
 }
 

@@ -78,33 +78,33 @@ impl<W: Width> Account<W> {
     /// Force and ticks are within the limits of the width, and the account came from
     /// [`start`](Self::start).
     #[inline]
-    pub fn advance(&mut self, config: &Config, force: W, ticks: W) -> Option<()> {
+    pub fn advance(&mut self, config: &Config, force: W, ticks: i64) -> Option<()> {
         let twice = force.plus(force);
         let mask = ticks.sign_mask();
 
-        let stiffness = W::from_i64(config.stiffness);
-        let slope = twice.plus(stiffness);
-        let turned = stiffness.times(ticks);
+        // Products of ticks and parameters fit in 64 bits for either width.
+        let ahead: W = net(config, ticks.signed_by(mask));
+        let turned = W::from_i64(config.stiffness.times(ticks));
+        let slope = twice.plus(W::from_i64(config.stiffness));
+        let held = self.slope.max(slope).minus(slope);
         let slanted = slope.minus(turned);
-        let held = self.slope.minus(slope).max(W::ZERO);
-        let moved = ticks
-            .times(slanted)
-            .minus(net(config, ticks.signed_by(mask)));
-        self.most = self.most.checked_plus(held.plus(moved))?;
+        let moved = slanted.times(W::from_i64(ticks));
+        self.most = self.most.checked_plus(held.minus(ahead).plus(moved))?;
         self.slope = slanted.minus(turned);
 
         // `given` of the same distance, and what one tick more and one less add to it: the force gives
         // 2F more and less, and friction takes 2V(2d + 1) and 2V(1 − 2d) more, and 2C more and less
         // where d is not zero.
-        let viscous = W::from_i64(config.twice_viscous);
-        let coulomb = W::from_i64(config.twice_coulomb);
-        let (stays, further, taken) = if ticks == W::ZERO {
+        let (viscous, coulomb) = (config.twice_viscous, config.twice_coulomb);
+        let (stays, further, taken) = if ticks == 0 {
             (W::ZERO, twice, viscous.plus(coulomb))
         } else {
             let dragged = viscous.times(ticks);
-            let pull = twice.minus(dragged).minus(coulomb.signed_by(mask));
-            (pull.times(ticks), pull.minus(dragged), viscous)
+            let pull = twice.minus(W::from_i64(dragged.plus(coulomb.signed_by(mask))));
+            let stays = pull.times(W::from_i64(ticks));
+            (stays, pull.minus(W::from_i64(dragged)), viscous)
         };
+        let taken = W::from_i64(taken);
         let rose = further.minus(taken);
         let fell = W::ZERO.minus(further).minus(taken);
         let [lower, upper] = self.least;
@@ -147,11 +147,9 @@ impl<W: Width> Account<W> {
             return true;
         }
         let stiffness = W::from_i64(config.stiffness);
-        if self.slope <= W::ZERO {
-            return false;
-        }
-        if self.slope >= stiffness.plus(stiffness) {
-            return self.most.plus(self.slope) > stiffness;
+        if !self.slope.is_below(stiffness.plus(stiffness)) {
+            // From 2K on the rise is s − K. Of a slope below zero there is none, and `most` is not above −s either.
+            return self.most > stiffness.minus(self.slope);
         }
         let four = W::from_i64(4).times(stiffness);
         self.most.plus(stiffness) > W::ZERO
@@ -190,13 +188,11 @@ pub fn given<W: Width>(config: &Config, force: W, distance: W) -> W {
 /// that of the last in the table: a little too low, where friction is so small that either is there at all.
 #[inline]
 #[must_use]
-pub fn net<W: Width>(config: &Config, ticks: W) -> W {
+pub fn net<W: Width>(config: &Config, ticks: i64) -> W {
     let net = &config.net;
     if let Some(short) = ticks.index().and_then(|ticks| net.short.get(ticks)) {
         return W::from_i64(*short);
     }
-    let [square, linear, constant, peak] =
-        [net.square, net.linear, net.constant, net.peak].map(W::from_i64);
-    let x = ticks.minus(W::from_i64((ticks < peak).into()));
-    square.times(x).plus(linear).times(x).plus(constant)
+    let x = ticks.minus(ticks.is_below(net.peak).into());
+    W::product(net.square.times(x).plus(net.linear), x).plus(W::from_i64(net.constant))
 }

@@ -102,10 +102,10 @@
 //! # Cost
 //!
 //! A sample has no loop and no division, and calls nothing. On x86-64, the call included and as the
-//! workspace builds it, with 64-bit sums it takes 77 to 95 instructions in the ways that `cargo bench -p
+//! workspace builds it, with 64-bit sums it takes 76 to 99 instructions in the ways that `cargo bench -p
 //! passivity-monitor` counts under valgrind: at rest, at a few and at many ticks a sample, outside of the wall,
-//! open, and surely active. No way through the machine code is longer than 109, and the longest one is
-//! taken at most once, as the answer changes. With 128-bit sums it takes 189 to 254.
+//! open, surely active, and as the answer changes. That last one is the longest way through the machine code, and
+//! is taken at most once. With 128-bit sums a sample takes 161 to 191 instructions, and 226 as the answer changes.
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(

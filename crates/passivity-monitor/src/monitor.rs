@@ -82,14 +82,14 @@ pub struct Monitor<W: Width> {
     config: Config,
     account: Account<W>,
     /// The count and the force of the last sample.
-    count: W,
+    count: W::Input,
     force: W::Input,
     /// How many samples were taken after the first.
     samples: u64,
     answer: Answer,
-    /// How many ticks away the next count may be; below zero, so that none is looked at, once a
-    /// number did not fit.
-    reach: W,
+    /// How many different steps the next count may be away: those up to [`Width::STEP_MAX`] either way; none, so
+    /// that no sample is looked at, once a number did not fit.
+    steps: i64,
     /// Which number that was.
     saturated: Option<Quantity>,
 }
@@ -99,8 +99,7 @@ impl<W: Width> Monitor<W> {
     /// that is held from now until the next sample, in the unit of the configuration.
     #[must_use]
     pub fn start(config: Config, count: W::Input, force: W::Input) -> Self {
-        let count = count.into();
-        let account = Account::start(&config, count);
+        let account = Account::start(&config, count.into());
         let nothing = Account {
             most: W::ZERO,
             slope: W::ZERO,
@@ -113,7 +112,7 @@ impl<W: Width> Monitor<W> {
             force,
             samples: 0,
             answer: Answer::SurelyPassive,
-            reach: W::from_i64(W::STEP_MAX),
+            steps: 2 * W::STEP_MAX + 1,
             saturated: None,
         };
         if account.is_none() {
@@ -129,11 +128,11 @@ impl<W: Width> Monitor<W> {
     /// are no longer looked at.
     #[inline]
     pub fn sample(&mut self, count: W::Input, force: W::Input) -> Answer {
-        let count = count.into();
-        let ticks = count.minus(self.count);
-        if ticks.signed_by(ticks.sign_mask()) > self.reach {
-            return self.saturate(Quantity::Step);
-        }
+        // Whether a step is neither too long up nor too long down is one comparison.
+        let ticks = match W::ticks(self.count, count) {
+            Some(ticks) if ticks.wrapping_add(W::STEP_MAX).is_below(self.steps) => ticks,
+            _ => return self.saturate(Quantity::Step),
+        };
         let held = core::mem::replace(&mut self.force, force);
         self.count = count;
         self.samples = self.samples.wrapping_add(1);
@@ -141,15 +140,16 @@ impl<W: Width> Monitor<W> {
         if advanced.is_none() {
             return self.saturate(Quantity::Energy);
         }
-        if self.answer == Answer::SurelyPassive {
-            if !self.account.may_be_positive(&self.config) {
+        self.answer = match self.answer {
+            Answer::SurelyPassive if !self.account.may_be_positive(&self.config) => {
                 return Answer::SurelyPassive;
             }
-            self.answer = Answer::Open;
-        }
-        if self.answer == Answer::Open && self.account.at_least() > W::ZERO {
-            self.answer = Answer::SurelyActive;
-        }
+            Answer::SurelyPassive | Answer::Open => match self.account.at_least() > W::ZERO {
+                true => Answer::SurelyActive,
+                false => Answer::Open,
+            },
+            settled => return settled,
+        };
         self.answer
     }
 
@@ -157,7 +157,7 @@ impl<W: Width> Monitor<W> {
     fn saturate(&mut self, quantity: Quantity) -> Answer {
         if self.saturated.is_none() {
             self.saturated = Some(quantity);
-            self.reach = W::from_i64(-1);
+            self.steps = 0;
             if self.answer != Answer::SurelyActive {
                 self.answer = Answer::Unknown;
             }

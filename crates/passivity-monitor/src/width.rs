@@ -38,6 +38,10 @@ pub trait Width: Copy + Ord + core::fmt::Debug + sealed::Sealed {
     #[must_use]
     fn times(self, other: Self) -> Self;
 
+    /// The product of two numbers of 64 bits, where the inputs are such that it fits.
+    #[must_use]
+    fn product(a: i64, b: i64) -> Self;
+
     /// The sum; `None` when it does not fit.
     #[must_use]
     fn checked_plus(self, other: Self) -> Option<Self>;
@@ -49,6 +53,14 @@ pub trait Width: Copy + Ord + core::fmt::Debug + sealed::Sealed {
     /// The quotient of two numbers above zero, rounded up; `None` for a divisor of zero.
     #[must_use]
     fn over_rounded_up(self, divisor: Self) -> Option<Self>;
+
+    /// Whether the number is from zero to below another, which is not below zero: by one comparison.
+    #[must_use]
+    fn is_below(self, other: Self) -> bool;
+
+    /// How far apart two counts are, in ticks; `None` of more than 64 bits, which is past any step.
+    #[must_use]
+    fn ticks(from: Self::Input, to: Self::Input) -> Option<i64>;
 
     /// The number as an index; `None` of one below zero.
     #[must_use]
@@ -64,7 +76,7 @@ pub trait Width: Copy + Ord + core::fmt::Debug + sealed::Sealed {
 }
 
 macro_rules! width {
-    ($int:ty, $input:ty, $step:expr) => {
+    ($int:ty, $unsigned:ty, $input:ty, $step:expr) => {
         impl Width for $int {
             type Input = $input;
             const ZERO: Self = 0;
@@ -97,6 +109,11 @@ macro_rules! width {
             }
 
             #[inline]
+            fn product(a: i64, b: i64) -> Self {
+                Self::from(a).times(b.into())
+            }
+
+            #[inline]
             fn checked_plus(self, other: Self) -> Option<Self> {
                 self.checked_add(other)
             }
@@ -110,6 +127,18 @@ macro_rules! width {
             fn over_rounded_up(self, divisor: Self) -> Option<Self> {
                 // (a − 1)/b + 1 fits where a + b − 1 might not.
                 Some(self.minus(1).checked_div(divisor)?.plus(1))
+            }
+
+            #[inline]
+            fn is_below(self, other: Self) -> bool {
+                debug_assert!(other >= 0);
+                // Without a sign, numbers below zero come after all others.
+                (self as $unsigned) < other as $unsigned
+            }
+
+            #[inline]
+            fn ticks(from: $input, to: $input) -> Option<i64> {
+                to.checked_sub(from).map(i64::from)
             }
 
             #[inline]
@@ -130,8 +159,8 @@ macro_rules! width {
     };
 }
 
-width!(i64, i32, (1 << 15) - 1);
-width!(i128, i64, (1 << 31) - 1);
+width!(i64, u64, i32, (1 << 15) - 1);
+width!(i128, u128, i64, (1 << 31) - 1);
 
 /// The largest that one sample adds, of inputs at their limits: the magnitudes of all terms of
 /// [`Account::advance`](crate::account::Account::advance) together.

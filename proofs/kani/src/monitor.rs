@@ -144,7 +144,7 @@ fn th_monitor_net_is_least() {
     let taken = 2 * config.viscous() * q * q + 8 * config.coulomb() * q.abs();
     // Twice ½d² + (ρ₀ − ½)d of stiffness, in sixteenths.
     let generated = stiffness * (q * q + 2 * (from - 2) * q);
-    let least = net(&config, ticks);
+    let least: i64 = net(&config, ticks);
     kani::cover!(
         taken - generated == 16 * least && ticks > 16,
         "it is reached by a long interval"

@@ -5,7 +5,7 @@ use super::{EXACT, WHOLE};
 /// The nearest whole number, and what is left: for numbers below 2⁵⁰ in magnitude.
 #[inline(always)]
 #[allow(clippy::cast_possible_wrap)] // both are below 2⁶³
-pub(super) fn split(x: f64) -> (i64, f64) {
+pub(crate) fn split(x: f64) -> (i64, f64) {
     /// Doubles from here to the next power of two are whole numbers, and in order as their bits are.
     const MIDDLE: f64 = 1.5 * WHOLE / 2.0;
     let shifted = x + MIDDLE;
@@ -19,6 +19,15 @@ pub(super) fn is_more(size: f64) -> bool {
     size > 0.0
 }
 
+/// Nothing where that is so, else one.
+///
+/// Several conditions are looked at by one comparison of the sum of these: vector code has as many of them at once as
+/// of numbers, where it would have to make conditions narrower first to combine them.
+#[inline(always)]
+pub(crate) fn unless(is: bool) -> f64 {
+    if is { 0.0 } else { 1.0 }
+}
+
 /// Whether a whole number is a double.
 #[inline(always)]
 pub(super) fn is_double(n: i64) -> bool {
@@ -29,10 +38,15 @@ pub(super) fn is_double(n: i64) -> bool {
 /// Whether a sum is a double.
 #[inline(always)]
 pub(crate) fn is_exact_sum(a: f64, b: f64) -> bool {
-    // What rounding takes off, exactly.
+    rest_of_sum(a, b) == 0.0
+}
+
+/// What rounding takes off a sum, exactly.
+#[inline(always)]
+pub(super) fn rest_of_sum(a: f64, b: f64) -> f64 {
     let sum = a + b;
     let part = sum - a;
-    (a - (sum - part)) + (b - part) == 0.0
+    (a - (sum - part)) + (b - part)
 }
 
 /// The bits of a number without the zeros at their end, with the leading one that is not written.
@@ -41,9 +55,10 @@ pub(super) fn digits(x: f64) -> u32 {
     f64::MANTISSA_DIGITS - x.to_bits().trailing_zeros().min(f64::MANTISSA_DIGITS - 1)
 }
 
-/// Whether a product is a double: of numbers that are far from the least and the largest doubles.
+/// Zero where a product is a double, and above that where it is none, or where one of the numbers is near the least
+/// or the largest doubles.
 #[inline(always)]
-pub(super) fn is_exact_product(a: f64, b: f64) -> bool {
+pub(super) fn off_product(a: f64, b: f64) -> f64 {
     /// Takes the upper half of the digits apart.
     const UPPER: f64 = ((1_u64 << 27) + 1) as f64;
     let halves = |x: f64| {
@@ -51,9 +66,10 @@ pub(super) fn is_exact_product(a: f64, b: f64) -> bool {
         let upper = shifted - (shifted - x);
         [upper, x - upper]
     };
-    let is_far_from_zero = |x: f64| x.abs() > 1e-100 && x.abs() < 1e100;
     let ([a1, a2], [b1, b2]) = (halves(a), halves(b));
     // What rounding takes off, exactly.
     let rest = ((a1 * b1 - a * b) + a1 * b2 + a2 * b1) + a2 * b2;
-    is_far_from_zero(a) && is_far_from_zero(b) && rest == 0.0
+    let (a, b) = (a.abs(), b.abs());
+    let (least, most) = if a < b { (a, b) } else { (b, a) };
+    rest.abs() + (unless(least > 1e-100) + unless(most < 1e100))
 }

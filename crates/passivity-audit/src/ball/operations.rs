@@ -5,19 +5,24 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use passivity_core::{Ordered, Scalar};
 
-use super::bits::{is_exact_product, is_exact_sum, is_more, split};
+use super::bits::{is_more, off_product, rest_of_sum, split, unless};
 use super::{Ball, OUTWARD, ROUNDING, TINY, WHOLE};
 use crate::number::{Reduced, Written};
 use crate::span::ONE;
 
-impl Add for Ball {
+impl<const BRANCHES: bool> Add for Ball<BRANCHES> {
     type Output = Self;
 
     #[inline(always)]
     fn add(self, other: Self) -> Self {
         let middle = self.middle + other.middle;
         let radius = self.radius + other.radius;
-        if !is_more(radius) && radius == 0.0 && is_exact_sum(self.middle, other.middle) {
+        let rest = || rest_of_sum(self.middle, other.middle).abs();
+        let is_exact = match BRANCHES {
+            true => !is_more(radius) && radius == 0.0 && rest() == 0.0,
+            false => radius + rest() == 0.0,
+        };
+        if is_exact {
             return Self::exactly(middle);
         }
         Self {
@@ -27,7 +32,7 @@ impl Add for Ball {
     }
 }
 
-impl Neg for Ball {
+impl<const BRANCHES: bool> Neg for Ball<BRANCHES> {
     type Output = Self;
 
     #[inline(always)]
@@ -39,7 +44,7 @@ impl Neg for Ball {
     }
 }
 
-impl Sub for Ball {
+impl<const BRANCHES: bool> Sub for Ball<BRANCHES> {
     type Output = Self;
 
     #[inline(always)]
@@ -48,21 +53,30 @@ impl Sub for Ball {
     }
 }
 
-impl Mul for Ball {
+impl<const BRANCHES: bool> Mul for Ball<BRANCHES> {
     type Output = Self;
 
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let middle = self.middle * other.middle;
+        // Zero has one form.
+        let middle = self.middle * other.middle + 0.0;
         let radius = self.radius + other.radius;
-        if !is_more(radius) && radius == 0.0 && is_exact_product(self.middle, other.middle) {
+        let off = || radius + off_product(self.middle, other.middle);
+        // What stands still generates nothing, not even a rounding: the smaller one is zero. Where one of them is
+        // undefined this is no number.
+        let still = || {
+            let (own, others) = (self.size(), other.size());
+            (if own < others { own } else { others }) + radius * 0.0
+        };
+        let is_exact = match BRANCHES {
+            true => !is_more(radius) && off() == 0.0 || !is_more(middle.abs()) && still() == 0.0,
+            false => {
+                let (off, still) = (off(), still());
+                (if off < still { off } else { still }) == 0.0
+            }
+        };
+        if is_exact {
             return Self::exactly(middle);
-        }
-        // What stands still generates nothing: not even a rounding.
-        if !is_more(middle.abs())
-            && (self.is_zero() && other.is_defined() || other.is_zero() && self.is_defined())
-        {
-            return Self::ZERO;
         }
         let radius = self.middle.abs() * other.radius
             + self.radius * (other.middle.abs() + other.radius)
@@ -74,7 +88,7 @@ impl Mul for Ball {
     }
 }
 
-impl Scalar for Ball {
+impl<const BRANCHES: bool> Scalar for Ball<BRANCHES> {
     #[inline(always)]
     fn integer(n: i32) -> Self {
         Self::exactly(n.into())
@@ -83,7 +97,9 @@ impl Scalar for Ball {
     #[inline(always)]
     fn half(self) -> Self {
         // Half of the smallest double is none.
-        let is_exact = self.radius == 0.0 && self.middle.abs() > 2.0 * TINY || self.is_zero();
+        let size = self.middle.abs();
+        let small = if size > 2.0 * TINY { 0.0 } else { size };
+        let is_exact = self.radius + small == 0.0;
         Self {
             middle: 0.5 * self.middle,
             radius: 0.5 * self.radius + if is_exact { 0.0 } else { TINY },
@@ -92,10 +108,6 @@ impl Scalar for Ball {
 
     #[inline(always)]
     fn floor(&self) -> Self {
-        let fits = self.middle.abs() < WHOLE / 4.0;
-        if !fits {
-            return Self::UNDEFINED;
-        }
         let nearest = self.middle - split(self.middle).1;
         let below = match nearest > self.middle {
             true => nearest - 1.0,
@@ -103,7 +115,10 @@ impl Scalar for Ball {
         };
         // Exact: a double has no digits behind those of a larger one.
         let rest = self.middle - below;
-        match rest >= self.radius && (1.0 - rest) > self.radius * OUTWARD {
+        let open = unless(self.middle.abs() < WHOLE / 4.0)
+            + unless(rest >= self.radius)
+            + unless((1.0 - rest) > self.radius * OUTWARD);
+        match open == 0.0 {
             true => Self::exactly(below),
             false => Self::UNDEFINED,
         }
@@ -148,7 +163,7 @@ impl Scalar for Ball {
             return Self::UNDEFINED;
         }
         if self.is_zero() {
-            return Self::ZERO;
+            return Self::exactly(0.0);
         }
         let middle = self.middle / divisor.middle;
         // |A/B − a/b| ≤ (|A − a| + |a/b|·|B − b|)/|B|.
@@ -160,7 +175,7 @@ impl Scalar for Ball {
     }
 }
 
-impl Ordered for Ball {
+impl<const BRANCHES: bool> Ordered for Ball<BRANCHES> {
     #[inline(always)]
     fn sign(&self) -> Option<Ordering> {
         let Self { middle, radius } = *self;
@@ -222,10 +237,7 @@ impl Written for Ball {
 
     #[inline(always)]
     fn one_of(&self) -> Self {
-        match self.is_defined() {
-            true => Self::exactly(self.middle),
-            false => *self,
-        }
+        (*self).one_of()
     }
 
     fn in_lowest_terms(&self) -> Option<Self> {

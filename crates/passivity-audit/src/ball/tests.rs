@@ -134,10 +134,10 @@ fn what_cannot_be_told_stays_so() {
     let open = third - third;
     for undefined in [
         third.over(open),
-        third.over(Ball::ZERO),
+        third.over(Ball::zero()),
         Ball::exactly(f64::MAX) * Ball::exactly(f64::MAX),
         (third + third + third).floor(),
-        Ball::ZERO * third.over(open),
+        Ball::zero() * third.over(open),
     ] {
         assert_eq!(undefined.sign(), None, "{undefined:?}");
         assert_eq!((undefined + third).sign(), None);

@@ -132,8 +132,9 @@ impl Batch {
         match self.observer.sum + sums.least_observed >= self.observer.least {
             true => self.observer.sum += sums.observed,
             false => {
-                for (i, h) in rows.clone().zip(before + 1..) {
-                    self.observer.step(tile.observed(i, applied)?, h);
+                let observed = tile.observed(applied);
+                for (observed, h) in observed.get(rows.clone())?.iter().zip(before + 1..) {
+                    self.observer.step(*observed, h);
                 }
             }
         }

@@ -160,6 +160,24 @@ impl Chunk {
         }
     }
 
+    /// Finds out what is known of positions and forces that were appended as they are written; the first row with
+    /// one that cannot be read, and why.
+    pub(crate) fn complete(&mut self, layout: &Layout) -> Result<(), (usize, TraceError)> {
+        let position = match &mut self.samples {
+            Samples::Any(samples) => samples.complete(),
+            Samples::Counts(_) => Ok(()),
+        };
+        let force = self.forces.values.complete();
+        let named = |found: Result<(), (usize, TraceError)>, column: Option<usize>| {
+            let error = found.err()?;
+            Some((error.0, error.1.column(layout.name(column?))))
+        };
+        let position = named(position, Some(layout.position));
+        let force = named(force, layout.force);
+        let both = position.into_iter().chain(force);
+        both.min_by_key(|(row, _)| *row).map_or(Ok(()), Err)
+    }
+
     /// Goes on with the rows that follow.
     pub(crate) fn append(&mut self, mut next: Self) {
         if self.samples.len() == 0 {

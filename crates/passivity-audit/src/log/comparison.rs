@@ -134,15 +134,14 @@ impl Comparison {
     /// Compares the forces of the first `rows` samples of a chunk.
     pub(crate) fn feed(&mut self, chunk: &Chunk, rows: usize) -> Result<(), TraceError> {
         let compared = rows.min(chunk.forces.values.len());
-        let mut law = Vec::with_capacity(compared);
-        for i in 0..compared {
-            law.push(match chunk.commanded.get(i) {
-                Some(force) if !force.is_nan() => *force,
-                _ => {
-                    let sample = chunk.samples.get(i).ok_or_else(undefined)?;
-                    self.commanded(sample).ok_or_else(undefined)?
-                }
-            });
+        // What is not known near by is computed one by one.
+        let mut law: Vec<f64> = chunk.commanded.iter().copied().take(compared).collect();
+        law.resize(compared, f64::NAN);
+        for (i, force) in law.iter_mut().enumerate() {
+            if force.is_nan() {
+                let sample = chunk.samples.get(i).ok_or_else(undefined)?;
+                *force = self.commanded(sample).ok_or_else(undefined)?;
+            }
         }
         let Some(first) = law.first() else {
             return Ok(());
@@ -152,19 +151,12 @@ impl Comparison {
         if self.before.is_empty() {
             self.before.clone_from(&self.law);
         }
-        let near = chunk
-            .forces
-            .values
-            .near
-            .middles
-            .iter()
-            .zip(&chunk.forces.values.near.radii);
-        let mut forces = Vec::with_capacity(compared);
-        for (i, (near, radius)) in near.enumerate().take(compared) {
-            forces.push(match radius.is_finite() {
-                true => *near,
-                false => near_reading(&chunk.forces.get(i).ok_or_else(undefined)?),
-            });
+        let near = &chunk.forces.values.near;
+        let mut forces: Vec<f64> = near.middles.iter().copied().take(compared).collect();
+        for (i, (force, radius)) in forces.iter_mut().zip(&near.radii).enumerate() {
+            if !radius.is_finite() {
+                *force = near_reading(&chunk.forces.get(i).ok_or_else(undefined)?);
+            }
         }
         let rounding = chunk.forces.roundings.get(..compared).unwrap_or_default();
         self.squares.add_products(&forces, &forces);

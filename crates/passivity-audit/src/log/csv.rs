@@ -91,11 +91,31 @@ pub(crate) fn has_decimal_commas(lines: &[&[u8]], delimiter: u8) -> bool {
 
 /// Parses a block. Rows in errors are counted from 0 at the start of the block.
 pub(crate) fn parse(block: &Block, layout: &Layout, notation: Notation) -> Chunk {
+    let mut chunk = read(block, layout, notation);
+    complete(&mut chunk, layout);
+    chunk
+}
+
+/// Finds out what is known of the numbers; whether that can be said of all. The chunk ends before one that cannot be
+/// read.
+fn complete(chunk: &mut Chunk, layout: &Layout) -> bool {
+    let found = chunk.complete(layout);
+    let is_complete = found.is_ok();
+    if let Err((row, error)) = found {
+        chunk.truncate(row);
+        chunk.unended = false;
+        chunk.error = Some(error.row(row as u64));
+    }
+    is_complete
+}
+
+/// Reads the rows of a block.
+fn read(block: &Block, layout: &Layout, notation: Notation) -> Chunk {
     let mut chunk = Chunk::new(layout);
     let bytes = &block.bytes[..];
     let plain = layout.form == Form::Count && layout.width() == 1;
     let mut counts = Vec::new();
-    let read = match plain {
+    let done = match plain {
         true => parse_counts(bytes, &mut counts),
         false => 0,
     };
@@ -103,7 +123,7 @@ pub(crate) fn parse(block: &Block, layout: &Layout, notation: Notation) -> Chunk
         chunk.samples = Samples::Counts(counts);
     }
     // The rest, if anything: other columns, and lines that are not plain counts.
-    let mut rest = bytes.get(read..).unwrap_or_default();
+    let mut rest = bytes.get(done..).unwrap_or_default();
     let mut blank: Option<u64> = None;
     let slots = Slots::of(layout, notation);
     if slots.is_some() {
@@ -124,6 +144,9 @@ pub(crate) fn parse(block: &Block, layout: &Layout, notation: Notation) -> Chunk
         let line = line.strip_suffix(b"\r").unwrap_or(line);
         let torn = after.is_none();
         rest = after.unwrap_or_default();
+        if !complete(&mut chunk, layout) {
+            return chunk;
+        }
         let row = count(&chunk);
         if line.iter().all(u8::is_ascii_whitespace) {
             // Blank lines may stand at the end only.

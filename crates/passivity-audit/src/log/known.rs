@@ -10,7 +10,6 @@ use crate::ends::Ends;
 use crate::figure::not;
 use crate::ledger::{Ledger, Logged, Truths};
 use crate::log::motion::{Addend, figures};
-use crate::number::Written as _;
 use crate::reading::Reading;
 
 /// What an interval between two known positions comes to. Energies are in units of the grid, at the

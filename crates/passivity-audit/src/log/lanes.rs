@@ -21,10 +21,9 @@ use crate::ledger::Truths;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::known::Known;
 use crate::log::motion::Addend;
-use crate::log::numbers::Readings;
+use crate::log::numbers::{Balls, Readings};
 use crate::log::step::periods;
 use crate::log::task::Task;
-use crate::number::Number;
 use compute::Wall;
 use sums::Totals;
 
@@ -50,8 +49,18 @@ impl Column {
     }
 
     #[inline(always)]
-    fn set(&mut self, i: usize, ball: Ball) {
+    fn set<const BRANCHES: bool>(&mut self, i: usize, ball: Ball<BRANCHES>) {
         (self.middles[i], self.radii[i]) = ball.parts();
+    }
+
+    /// Takes the balls from `at` on, as many as there are and are asked for: how many that is.
+    fn copy(&mut self, balls: &Balls, at: usize, most: usize) -> usize {
+        let middles = balls.middles.get(at..).unwrap_or_default();
+        let radii = balls.radii.get(at..).unwrap_or_default();
+        let len = most.min(middles.len()).min(radii.len());
+        self.middles[..len].copy_from_slice(&middles[..len]);
+        self.radii[..len].copy_from_slice(&radii[..len]);
+        len
     }
 
     /// Makes all behind the first `len` zero.
@@ -114,23 +123,16 @@ impl Intervals {
         at: usize,
         lengths: &[Length],
     ) {
-        self.len = 0;
-        for (i, length) in lengths.iter().enumerate().take(TILE) {
-            let force = match forces {
-                Some(forces) => forces.ball(at + i),
-                None => Some(Ball::zero()),
-            };
-            let (Some(start), Some(end), Some(force)) =
-                (samples.ball(at + i), samples.ball(at + i + 1), force)
-            else {
-                break;
-            };
-            self.start.set(i, start);
-            self.end.set(i, end);
-            self.force.set(i, force);
+        let most = lengths.len().min(TILE);
+        let from_start = self.start.copy(&samples.near, at, most);
+        let to_end = self.end.copy(&samples.near, at + 1, most);
+        self.len = from_start.min(to_end);
+        if let Some(forces) = forces {
+            self.len = self.len.min(self.force.copy(&forces.near, at, most));
+        }
+        for (i, length) in lengths.iter().enumerate().take(self.len) {
             self.lasts.set(i, length.near());
             self.still[i] = u64::from(samples.written.is_same(at + i, at + i + 1));
-            self.len = i + 1;
         }
         // Nothing comes of nothing.
         for column in [&mut self.start, &mut self.end, &mut self.force] {
@@ -152,7 +154,7 @@ impl Length {
     fn near(self) -> Ball {
         match self.1 {
             0 => Ball::UNDEFINED,
-            _ => Ball::of(&Number::Small(self.0, self.1)),
+            _ => Ball::ratio(self.0, self.1),
         }
     }
 }
@@ -206,15 +208,6 @@ impl Tile {
         rows.iter()
             .take_while(|bits| rows.first() == Some(bits))
             .count()
-    }
-
-    /// What the observer adds for a row.
-    pub(crate) fn observed(&self, i: usize, applied: bool) -> Option<i128> {
-        let more = match applied {
-            true => self.more.get(i).on_grid()?[1],
-            false => 0,
-        };
-        Some(self.observed.get(i).on_grid()?[0] - more)
     }
 
     /// What a row adds.

@@ -192,6 +192,31 @@ impl Balls {
         self.radii.push(radius);
     }
 
+    const fn len(&self) -> usize {
+        self.middles.len()
+    }
+
+    /// Appends the balls of decimals, from the first that has none on, up to one that has none.
+    #[inline]
+    fn complete(
+        &mut self,
+        numerators: &[i64],
+        powers: &[u8],
+        ball: impl Fn(i64, u8) -> Option<Ball>,
+    ) {
+        let mut known = self.len();
+        let decimals = numerators.iter().zip(powers).skip(known);
+        self.middles.resize(numerators.len(), 0.0);
+        self.radii.resize(numerators.len(), 0.0);
+        let parts = self.middles.iter_mut().zip(&mut self.radii).skip(known);
+        for ((n, k), (middle, radius)) in decimals.zip(parts) {
+            let Some(ball) = ball(*n, *k) else { break };
+            (*middle, *radius) = ball.parts();
+            known += 1;
+        }
+        self.truncate(known);
+    }
+
     fn truncate(&mut self, len: usize) {
         self.middles.truncate(len);
         self.radii.truncate(len);
@@ -275,17 +300,33 @@ impl Readings {
         self.near.radii.reserve(rows);
     }
 
-    /// What is known of n over 10^k; `None` where that is for the careful way.
+    /// Appends n over 10^k, of which nothing is known before [`complete`](Self::complete).
     #[inline]
-    pub(crate) fn near(&self, n: i64, k: u8) -> Option<Ball> {
-        self.scale.near(self.kind, n, k)
+    pub(crate) fn push_decimal(&mut self, n: i64, k: u8) {
+        self.written.push_decimal(n, k);
     }
 
-    /// Appends n over 10^k, of which this is known.
-    #[inline]
-    pub(crate) fn push_near(&mut self, n: i64, k: u8, near: Ball) {
-        self.written.push_decimal(n, k);
-        self.near.push(near);
+    /// Finds out what is known of the numbers of which nothing was known; of the first that cannot be read, where it
+    /// is and why.
+    pub(crate) fn complete(&mut self) -> Result<(), (usize, TraceError)> {
+        loop {
+            let Self {
+                written,
+                near,
+                kind,
+                scale,
+            } = self;
+            if let Numbers::Decimals(numerators, powers) = written {
+                near.complete(numerators, powers, |n, k| scale.near(*kind, n, k));
+            }
+            // One that takes longer, if any is left.
+            let at = self.near.len();
+            let Some(x) = self.written.get(at) else {
+                return Ok(());
+            };
+            let (_, near) = self.known(x).map_err(|error| (at, error))?;
+            self.near.push(near);
+        }
     }
 
     /// What is known of a number, for [`push`](Self::push).

@@ -40,10 +40,22 @@ impl Slots {
     }
 
     /// Appends the row at the start of a text, and gives its length with its line break; `None`, and nothing
-    /// appended, for a row that is for the careful parser.
+    /// appended, for a row that is for the careful parser. What is known of its position and of its force is for
+    /// [`Chunk::complete`] to find out.
+    #[inline(always)]
     pub(crate) fn push(&self, text: &[u8], layout: &Layout, chunk: &mut Chunk) -> Option<usize> {
+        let rows = chunk.samples.len();
+        let length = self.append(text, layout, chunk);
+        if length.is_none() {
+            chunk.truncate(rows);
+        }
+        length
+    }
+
+    /// The same, but for `None`: then there may be parts of a row.
+    #[inline(always)]
+    fn append(&self, text: &[u8], layout: &Layout, chunk: &mut Chunk) -> Option<usize> {
         let mut at = 0;
-        let [mut position, mut time, mut force, mut velocity] = [None; 4];
         let mut ended = false;
         for role in &self.roles {
             if ended {
@@ -53,14 +65,22 @@ impl Slots {
             let length = match role {
                 None => memchr::memchr2(self.delimiter, b'\n', rest)?,
                 Some(role) => {
-                    let (number, length) = leading_decimal(rest, self.delimiter)?;
-                    let slot = match role {
-                        Role::T => &mut time,
-                        Role::F => &mut force,
-                        Role::V => &mut velocity,
-                        _ => &mut position,
-                    };
-                    *slot = Some(number);
+                    let ((n, k), length) = leading_decimal(rest, self.delimiter)?;
+                    match (role, &mut chunk.samples) {
+                        (Role::T, _) => chunk.times.push_decimal(n, k),
+                        (Role::F, _) => {
+                            chunk.forces.values.push_decimal(n, k);
+                            let rounding = half_a_unit(k) * layout.size_of_force;
+                            chunk.forces.roundings.push(rounding);
+                        }
+                        (Role::V, _) => {
+                            let near = near_number(&Number::Small(n, power_of_ten(k.into())?));
+                            chunk.velocities.push(near * layout.per_velocity);
+                        }
+                        (_, Samples::Any(samples)) => samples.push_decimal(n, k),
+                        (_, Samples::Counts(counts)) if k == 0 => counts.push(n),
+                        (_, Samples::Counts(_)) => return None,
+                    }
                     length
                 }
             };
@@ -68,35 +88,7 @@ impl Slots {
             ended = *end != self.delimiter;
             at += length + if *end == b'\r' { 2 } else { 1 };
         }
-        if !ended {
-            return None;
-        }
-        let (n, k) = position?;
-        let force = match force {
-            Some((n, k)) => Some((n, k, chunk.forces.values.near(n, k)?)),
-            None => None,
-        };
-        match &mut chunk.samples {
-            Samples::Counts(counts) if k == 0 => counts.push(n),
-            Samples::Counts(_) => return None,
-            Samples::Any(samples) => {
-                let near = samples.near(n, k)?;
-                samples.push_near(n, k, near);
-            }
-        }
-        if let Some((n, k, near)) = force {
-            chunk.forces.values.push_near(n, k, near);
-            let rounding = half_a_unit(k) * layout.size_of_force;
-            chunk.forces.roundings.push(rounding);
-        }
-        if let Some((n, k)) = time {
-            chunk.times.push_decimal(n, k);
-        }
-        if let Some((n, k)) = velocity {
-            let near = near_number(&Number::Small(n, power_of_ten(k.into())?));
-            chunk.velocities.push(near * layout.per_velocity);
-        }
-        Some(at)
+        ended.then_some(at)
     }
 }
 

@@ -43,31 +43,36 @@ impl Timing {
     }
 
     /// Counts intervals of these lengths, as fractions of two positive numbers, from the interval `h` on.
-    pub(crate) fn add_all(&mut self, lengths: &[Length], h: u64) {
-        let is_less = |(n, d): (i64, i64), (m, e): (i64, i64)| match d == e {
-            true => n < m,
-            false => i128::from(n) * i128::from(e) < i128::from(m) * i128::from(d),
-        };
-        let Some(first) = lengths.first() else { return };
-        let Length(n, d) = *first;
-        let (mut shortest, mut longest) = ((n, d), (n, d));
-        for (Length(n, d), h) in lengths.iter().zip(h..) {
-            if i128::from(*n) * 2 >= i128::from(*d) * 3 {
-                // A sample is missing.
-                self.add(&Number::Small(*n, *d), h);
+    pub(crate) fn add_all(&mut self, lengths: &[Length], mut h: u64) {
+        // Decimals with as many digits have one denominator.
+        for run in lengths.chunk_by(|Length(_, d), Length(_, e)| d == e) {
+            let Some(Length(first, d)) = run.first() else {
                 continue;
+            };
+            let (mut shortest, mut longest) = (first, first);
+            let [mut uneven, mut late] = [0_u64; 2];
+            for Length(n, _) in run {
+                shortest = shortest.min(n);
+                longest = longest.max(n);
+                uneven += u64::from(n != d);
+                late += u64::from(n > d);
             }
-            self.uneven += u64::from(n != d);
-            self.late += u64::from(n > d);
-            if is_less((*n, *d), shortest) {
-                shortest = (*n, *d);
+            if i128::from(*longest) * 2 >= i128::from(*d) * 3 {
+                // A sample is missing.
+                for (Length(n, d), h) in run.iter().zip(h..) {
+                    self.add(&Number::Small(*n, *d), h);
+                }
+            } else {
+                self.uneven += uneven;
+                self.late += late;
+                self.widen(
+                    [shortest, longest]
+                        .map(|n| Number::Small(*n, *d))
+                        .each_ref(),
+                );
             }
-            if is_less(longest, (*n, *d)) {
-                longest = (*n, *d);
-            }
+            h += run.len() as u64;
         }
-        let [shortest, longest] = [shortest, longest].map(|(n, d)| Number::Small(n, d));
-        self.widen([&shortest, &longest]);
     }
 
     fn widen(&mut self, [shortest, longest]: [&Number; 2]) {

@@ -63,11 +63,7 @@ pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)
     const MOST: usize = 18;
     let negative = text.first() == Some(&b'-');
     let start = usize::from(negative);
-    let (whole, before) = match text.get(start..)? {
-        // Most numbers have one digit before the point.
-        [digit @ b'0'..=b'9', b'.', ..] => (u64::from(digit - b'0'), 1),
-        text => digits(text, 0)?,
-    };
+    let (whole, before) = few_digits(text.get(start..)?)?;
     let mut at = start + before;
     let (mut value, mut decimals) = (whole, 0);
     if text.get(at) == Some(&b'.') {
@@ -83,48 +79,70 @@ pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)
         byte if *byte == end => {}
         _ => return None,
     }
-    let value = i64::try_from(value).ok()?;
+    // As many digits are less than 2^60.
+    let value = value.cast_signed();
     let decimals = u8::try_from(decimals).ok()?;
     Some(((if negative { -value } else { value }, decimals), at))
 }
 
+/// The digits at the start of a text, of which there may be few: as [`digits`] has them.
+#[inline(always)]
+fn few_digits(text: &[u8]) -> Option<(u64, usize)> {
+    /// As many are read faster one by one.
+    const FEW: usize = 4;
+    let mut value = 0;
+    for (i, byte) in text.iter().take(FEW).enumerate() {
+        let digit = byte.wrapping_sub(b'0');
+        if digit > 9 {
+            return Some((value, i));
+        }
+        value = 10 * value + u64::from(digit);
+    }
+    let (value, more) = digits(text.get(FEW..)?, value)?;
+    Some((value, FEW + more))
+}
+
 /// Appends the digits at the start of a text to a number, and says how many there are; `None` for more than 24.
 #[inline(always)]
-fn digits(text: &[u8], mut value: u64) -> Option<(u64, usize)> {
-    let mut count = 0;
-    // Eight at a time.
-    for _ in 0..3 {
-        let rest = text.get(count..)?;
-        let word = match rest.first_chunk::<8>() {
-            Some(word) => u64::from_le_bytes(*word),
-            None => {
-                let mut word = [0; 8];
-                word.iter_mut()
-                    .zip(rest)
-                    .for_each(|(slot, byte)| *slot = *byte);
-                u64::from_le_bytes(word)
-            }
-        };
-        // Of a digit the upper half is zero now, and adding six does not change that.
-        let found = word ^ 0x3030_3030_3030_3030;
-        let other = (found.wrapping_add(0x0606_0606_0606_0606) | found) & 0xf0f0_f0f0_f0f0_f0f0;
-        let here = (other.trailing_zeros() / 8) as usize;
-        if here == 0 {
-            return Some((value, count));
+fn digits(text: &[u8], value: u64) -> Option<(u64, usize)> {
+    let word = match text.first_chunk::<8>() {
+        Some(word) => u64::from_le_bytes(*word),
+        None => {
+            let mut word = [0; 8];
+            word.iter_mut()
+                .zip(text)
+                .for_each(|(slot, byte)| *slot = *byte);
+            u64::from_le_bytes(word)
         }
-        // The first digit is in the lowest byte: those behind the last one are shifted out, zeros come before.
-        let eight = found << (64 - 8 * here);
-        let pairs = eight.wrapping_mul(10).wrapping_add(eight >> 8) & 0x00ff_00ff_00ff_00ff;
-        let fours = pairs.wrapping_mul(100).wrapping_add(pairs >> 16) & 0x0000_ffff_0000_ffff;
-        let all = fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xffff_ffff;
-        let power = power_of_ten(u32::try_from(here).ok()?)?;
-        value = value.wrapping_mul(power.cast_unsigned()).wrapping_add(all);
-        count += here;
-        if here < 8 {
-            return Some((value, count));
-        }
+    };
+    // Of a digit the upper half is zero now, and adding six does not change that.
+    let found = word ^ 0x3030_3030_3030_3030;
+    let other = (found.wrapping_add(0x0606_0606_0606_0606) | found) & 0xf0f0_f0f0_f0f0_f0f0;
+    let here = (other.trailing_zeros() / 8) as usize;
+    if here == 0 {
+        return Some((value, 0));
     }
-    None
+    // The first digit is in the lowest byte: those behind the last one are shifted out, zeros come before.
+    let eight = found << (64 - 8 * here);
+    let pairs = eight.wrapping_mul(10).wrapping_add(eight >> 8) & 0x00ff_00ff_00ff_00ff;
+    let fours = pairs.wrapping_mul(100).wrapping_add(pairs >> 16) & 0x0000_ffff_0000_ffff;
+    let all = fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xffff_ffff;
+    let power = power_of_ten(u32::try_from(here).ok()?)?;
+    let mut value = value.wrapping_mul(power.cast_unsigned()).wrapping_add(all);
+    if here < 8 {
+        return Some((value, here));
+    }
+    // Few numbers have many more.
+    let mut count = here;
+    for byte in text.get(here..)?.iter().take(17) {
+        let digit = byte.wrapping_sub(b'0');
+        if digit > 9 {
+            return Some((value, count));
+        }
+        value = value.wrapping_mul(10).wrapping_add(digit.into());
+        count += 1;
+    }
+    (count <= 24).then_some((value, count))
 }
 
 /// A short literal without an exponent: `-12`, `0.375`, `3/8`. `None` for all else, which is then for the

@@ -5,17 +5,16 @@ use passivity_core::ledger;
 use passivity_core::{Criterion, Friction, Law, Scalar as _, Step, dissipation, quantizer};
 
 use super::{Intervals, TILE, Tile};
-use crate::ball::Ball;
+use crate::ball::{Ball, Lane, split, unless};
 use crate::ledger::Ledger;
 use crate::log::chunk::{Chunk, Samples};
-use crate::number::Written as _;
 
 /// A loop whose force is that of its linear wall, quantized and nothing else.
 #[derive(Clone, Debug)]
 pub(super) struct Wall {
     /// The least friction and the most.
-    frictions: [Friction<Ball>; 2],
-    criteria: [Criterion<Ball>; 2],
+    frictions: [Friction<Lane>; 2],
+    criteria: [Criterion<Lane>; 2],
     pub(super) friction_is_exact: bool,
 }
 
@@ -32,71 +31,71 @@ impl Wall {
             && controller.force_step.is_none()
             && controller.max_force.is_none();
         let friction = |of: &passivity_core::Loop<Ball>| {
-            Friction::new(of.viscous_friction(), of.coulomb_friction())
+            Friction::new(of.viscous_friction().lane(), of.coulomb_friction().lane())
         };
         (is_plain && ends.least.has_encoder() && ends.least.law().is_linear()).then(|| Self {
             frictions: [friction(&ends.least), friction(&ends.most)],
-            criteria: ends.criteria,
+            criteria: ends.criteria.map(|of| Criterion {
+                viscous: of.viscous.lane(),
+                coulomb: of.coulomb.lane(),
+            }),
             friction_is_exact: ends.friction_is_exact(),
         })
     }
 }
 
+/// Zero where a number is surely not negative, else one; and the same of whether it surely is.
 #[inline(always)]
-fn bit(is: bool, place: usize) -> u64 {
-    u64::from(is) << place
-}
-
-/// Whether a number is surely not negative, and whether it surely is.
-#[inline(always)]
-fn is_nonnegative(ball: Ball) -> [bool; 2] {
+fn is_nonnegative(ball: Lane) -> [f64; 2] {
     let (middle, radius) = ball.parts();
-    [middle >= radius, -middle > radius]
+    [unless(middle >= radius), unless(-middle > radius)]
 }
 
-/// Whether what is taken is surely at least as much as two parts that are generated, and whether it is surely
-/// less: on the grid too, to which each is rounded outward.
+/// Zero where what is taken is surely at least as much as two parts that are generated, else one; and the same of
+/// whether it is surely less: on the grid too, to which each is rounded outward.
 #[inline(always)]
-fn covers(taken: Ball, own: Ball, more: Ball) -> [bool; 2] {
+fn covers(taken: Lane, own: Lane, more: Lane) -> [f64; 2] {
     const UNIT: f64 = 1.0 / (1_u64 << 60) as f64;
     const ROUNDING: f64 = 1.0 / (1_u64 << 48) as f64;
     let ((a, r), (b, s), (c, t)) = (taken.parts(), own.parts(), more.parts());
     let rest = a - (b + c);
     let radius = r + s + t;
-    let reach = radius + ((a.abs() + b.abs() + c.abs() + radius) * ROUNDING + UNIT);
-    let nothing = taken.is_zero() & own.is_zero() & more.is_zero();
-    [(rest > reach) | nothing, -rest > reach]
+    let size = a.abs() + b.abs() + c.abs() + radius;
+    let reach = radius + (size * ROUNDING + UNIT);
+    // Nothing covers nothing.
+    let least = if size > 0.0 { rest } else { f64::INFINITY };
+    [unless(least > reach), unless(-rest > reach)]
 }
 
-/// Whether what both accounts answer is left open, and what they answer, as bits, where a force does so much more
-/// work.
+/// Zero where what both accounts answer is decided, else above that, and what they answer, as bits of a whole number,
+/// where a force does so much more work.
 #[inline(always)]
 fn answers<const EXACT: bool>(
-    ([taken, most], [linear, quantized]): ([Ball; 2], [Ball; 2]),
-    more: Ball,
-) -> (bool, u64) {
+    ([taken, most], [linear, quantized]): ([Lane; 2], [Lane; 2]),
+    more: Lane,
+) -> [f64; 2] {
     let [linear_yes, linear_no] = covers(taken, linear, more);
     let [quantized_yes, quantized_no] = covers(taken, quantized, more);
-    let mut open = !more.fits() | !(linear_yes | linear_no) | !(quantized_yes | quantized_no);
+    let mut open = more.excess() + (linear_yes * linear_no + quantized_yes * quantized_no);
     let (mut linear_most, mut quantized_most) = (linear_yes, quantized_yes);
     if !EXACT {
         let [yes, no] = covers(most, linear, more);
-        (linear_most, open) = (yes, open | !(yes | no));
+        (linear_most, open) = (yes, open + yes * no);
         let [yes, no] = covers(most, quantized, more);
-        (quantized_most, open) = (yes, open | !(yes | no));
+        (quantized_most, open) = (yes, open + yes * no);
     }
-    let linear = bit(linear_yes, 2) | bit(linear_most, 3);
-    (
-        open,
-        linear | bit(quantized_yes, 4) | bit(quantized_most, 5),
-    )
+    let linear = 4.0 * linear_yes + 8.0 * linear_most;
+    let quantized = 16.0 * quantized_yes + 32.0 * quantized_most;
+    [open, 60.0 - (linear + quantized)]
 }
 
 impl Tile {
     #[inline(always)]
     fn compute<const EXACT: bool, const APPLIED: bool>(&mut self, wall: &Wall, of: &Intervals) {
+        let [least_criterion, most_criterion] = &wall.criteria;
         for i in 0..TILE {
-            let (start, end, lasts) = (of.start.get(i), of.end.get(i), of.lasts.get(i));
+            let [start, end, lasts] =
+                [&of.start, &of.end, &of.lasts].map(|column| column.get(i).lane());
             // Of what stands still, any position that it may have stands for all.
             let step = match of.still[i] != 0 {
                 true => Step::new(start.one_of(), start.one_of()),
@@ -114,25 +113,30 @@ impl Tile {
             let observed = -(commanded * d);
             let potential = Law::bilateral().potential(&end);
             let [rests, moves] = is_nonnegative(-speed);
-            let mut open = !(rests | moves);
+            let mut open = rests * moves;
             for ball in [linear, quantized, taken, most, observed, potential] {
-                open |= !ball.fits();
+                open += ball.excess();
             }
-            let mut criterion = 0;
-            for place in 0..2 {
-                let [yes, no] = is_nonnegative(wall.criteria[place].margin(&speed));
-                open |= moves & !(yes | no);
-                criterion |= bit(rests | yes, place);
+            // The criterion is asked of what moves.
+            let [yes, no] = is_nonnegative(least_criterion.margin(&speed));
+            open += (1.0 - moves) * (yes * no);
+            let least = rests * yes;
+            // Friction that is known has one end.
+            let mut criterion = 3.0 - 3.0 * least;
+            if !EXACT {
+                let [yes, no] = is_nonnegative(most_criterion.margin(&speed));
+                open += (1.0 - moves) * (yes * no);
+                criterion = 3.0 - (least + 2.0 * (rests * yes));
             }
             let accounts = ([taken, most], [linear, quantized]);
-            let (left, truths) = answers::<EXACT>(accounts, Ball::zero());
-            self.open[0][i] = u64::from(open | left);
-            self.truths[0][i] = criterion | truths;
+            let [left, truths] = answers::<EXACT>(accounts, Lane::zero());
+            self.open[0][i] = whole(open + left);
+            self.truths[0][i] = whole(criterion + truths);
             if APPLIED {
-                let more = (of.force.get(i) - commanded) * d;
-                let (left, truths) = answers::<EXACT>(accounts, more);
-                self.open[1][i] = u64::from(open | left);
-                self.truths[1][i] = criterion | truths;
+                let more = (of.force.get(i).lane() - commanded) * d;
+                let [left, truths] = answers::<EXACT>(accounts, more);
+                self.open[1][i] = whole(open + left);
+                self.truths[1][i] = whole(criterion + truths);
                 self.more.set(i, more);
             }
             self.linear.set(i, linear);
@@ -143,6 +147,12 @@ impl Tile {
             self.potential.set(i, potential);
         }
     }
+}
+
+/// A whole number of at least zero, and a small one, as such.
+#[inline(always)]
+fn whole(x: f64) -> u64 {
+    split(x).0.cast_unsigned()
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
@@ -171,7 +181,8 @@ pub(crate) fn commanded(ledger: &Ledger, chunk: &Chunk) -> Vec<f64> {
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
 fn held(middles: &[f64], radii: &[f64], forces: &mut [f64]) {
     for ((middle, radius), force) in middles.iter().zip(radii).zip(forces) {
-        let (held, radius) = quantizer::held_force(&Ball::from_parts(*middle, *radius)).parts();
+        let (held, radius) =
+            quantizer::held_force(&Ball::from_parts(*middle, *radius).lane()).parts();
         *force = if radius == 0.0 { held } else { f64::NAN };
     }
 }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use multiversion::multiversion;
+use passivity_core::Scalar as _;
 
 use super::{Column, TILE, Tile};
 use crate::ball::{Ball, on_grid};
@@ -46,7 +47,7 @@ impl Tile {
             observed,
         } = totals;
         let more = if applied { more } else { [0, 0] };
-        let [least_net, least_stored, least_observed, least_row] = self.least(rows, applied);
+        let [least_net, least_stored, least_observed, least_row] = least(self, rows, applied);
         Sums {
             sums: figures(generated, more, taken),
             observed: observed[0] - more[1],
@@ -55,6 +56,11 @@ impl Tile {
             least_observed,
             least_row,
         }
+    }
+
+    /// What the observer adds for each of the rows that are decided.
+    pub(crate) fn observed(&self, applied: bool) -> [i128; TILE] {
+        observed(self, applied).map(on_grid)
     }
 
     fn totals_of(&self, rows: &Range<usize>) -> Totals {
@@ -81,30 +87,68 @@ impl Tile {
     }
 
     /// Bounds from below, in units of the grid: see [`Sums`].
+    #[inline(always)]
     fn least(&self, rows: &Range<usize>, applied: bool) -> [i128; 4] {
         // Each number is off by a few roundings of what it is made of, and rounded to the grid by a few units.
         const ROUNDING: f64 = 1.0 / (1_u64 << 42) as f64;
         const UNITS: f64 = 1.0 / (1_u64 << 50) as f64;
-        let [mut net, mut observed, mut size] = [0.0; 3];
-        let mut least = [f64::INFINITY; 4];
-        for i in rows.clone() {
+        // Of each row: what it adds to net energy and to what the observer sums, the potential after it, and the
+        // size of all of them.
+        let mut found = [[0.0; TILE]; 4];
+        let [nets, observations, potentials, sizes] = &mut found;
+        for i in 0..TILE {
             let at = |column: &Column| (column.middles[i], column.radii[i]);
             let ((a, r), (b, s)) = (at(&self.taken[0]), at(&self.linear));
             let ((e, u), (g, v)) = (at(&self.observed), at(&self.potential));
             let (c, t) = if applied { at(&self.more) } else { (0.0, 0.0) };
             let more = c + t;
-            let row = (a - r) - (b + s) - more;
-            net += row;
-            observed += (e - u) - more;
-            let found = [net, net + (g - v), observed, row];
+            nets[i] = (a - r) - (b + s) - more;
+            observations[i] = (e - u) - more;
+            potentials[i] = g - v;
+            sizes[i] = a.abs() + b.abs() + c.abs() + e.abs() + g.abs() + (r + s + t + u + v);
+        }
+        let [mut net, mut observed, mut size] = [0.0; 3];
+        let mut least = [f64::INFINITY; 4];
+        for i in rows.clone() {
+            net += nets[i];
+            observed += observations[i];
+            size += sizes[i];
+            let found = [net, net + potentials[i], observed, nets[i]];
             for (least, found) in least.iter_mut().zip(found) {
                 *least = if found < *least { found } else { *least };
             }
-            size += a.abs() + b.abs() + c.abs() + e.abs() + g.abs() + (r + s + t + u + v);
         }
         let slack = size * ROUNDING + UNITS;
         least.map(|x| below(x - slack))
     }
+}
+
+/// What the observer adds for each row, at the least, as whole numbers of 1, 2⁻³² and 2⁻⁶⁴.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+fn observed(tile: &Tile, applied: bool) -> [[i64; 3]; TILE] {
+    let mut all = [[0; 3]; TILE];
+    for (i, layers) in all.iter_mut().enumerate() {
+        let more = match applied {
+            true => tile.more.get(i),
+            false => Ball::zero(),
+        };
+        let [whole, upper, lower, off] = tile.observed.get(i).layers();
+        let [more_whole, more_upper, more_lower, more_off] = more.layers();
+        // Of rows that are decided each layer is below 2^51.
+        let lowest = lower.wrapping_sub(off).wrapping_sub(more_lower);
+        *layers = [
+            whole.wrapping_sub(more_whole),
+            upper.wrapping_sub(more_upper),
+            lowest.wrapping_sub(more_off),
+        ];
+    }
+    all
+}
+
+/// [`Tile::least`], in the widest instructions that there are.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+fn least(tile: &Tile, rows: &Range<usize>, applied: bool) -> [i128; 4] {
+    tile.least(rows, applied)
 }
 
 /// A double as a number of units of the grid, rounded down, as far as 128 bits go.
@@ -119,17 +163,15 @@ fn below(x: f64) -> i128 {
 /// The sums of the lower and of the upper ends of a column.
 #[inline(always)]
 fn ends(column: &Column) -> [i128; 2] {
-    const LANES: usize = 8;
-    let mut sums = [[0_i64; LANES]; 4];
-    for i in 0..TILE {
-        let layers = Ball::from_parts(column.middles[i], column.radii[i]).layers();
-        for (sums, layer) in sums.iter_mut().zip(layers) {
+    let mut sums = [0_i64; 4];
+    for (middle, radius) in column.middles.iter().zip(&column.radii) {
+        let layers = Ball::from_parts(*middle, *radius).layers();
+        for (sum, layer) in sums.iter_mut().zip(layers) {
             // A tile of numbers below 2^50.
-            sums[i % LANES] = sums[i % LANES].wrapping_add(layer);
+            *sum = sum.wrapping_add(layer);
         }
     }
-    let [whole, upper, lower, radius] =
-        sums.map(|lanes| lanes.into_iter().fold(0, i64::wrapping_add));
+    let [whole, upper, lower, radius] = sums;
     let (middle, radius) = (on_grid([whole, upper, lower]), i128::from(radius));
     [middle - radius, middle + radius]
 }
