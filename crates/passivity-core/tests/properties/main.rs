@@ -18,6 +18,7 @@ mod criterion;
 mod decision;
 mod definite;
 mod dissipation;
+mod drawn;
 mod drift;
 mod edge_cycle;
 mod errata;
