@@ -31,6 +31,7 @@ mod frequency;
 mod generation;
 mod interval;
 mod joint_criterion;
+mod joint_cycle;
 mod joints;
 mod law;
 mod ledger;
