@@ -83,3 +83,47 @@ fn th_ndof_cycles_of_one_joint_keep_the_slowest_bound() {
     assert_eq!(bounded, step(Some(&q(5, 4))));
     assert_eq!(bounded, [q(6, 5)]);
 }
+
+/// b = ¾ each is enough for either joint alone and not for both: along d = a/b = (4/3, 4/3), where −dᵀ(diag(b) −
+/// ½𝐊)d = 8/9, a way of s·d gains 16/9·s² − 16/3·c·s. It is twice as long as one that gains nothing, s = 3c, and
+/// moves a joint by 1 at least; up to a bound it is half-way between.
+#[test]
+fn th_ndof_cycles_along_a_direction_by_hand() {
+    let of = |coulomb: &BigRational, resolution: Option<i64>, bounds: [Option<Range>; 2]| {
+        let pushed = |bound: Option<Range>| Joint {
+            viscous: Some(point(3, 4)),
+            coulomb: Some(between(coulomb.clone(), coulomb.clone())),
+            ..joint(resolution.map(|n| point(n, 1)), bound)
+        };
+        let resting = joint(None, Some(point(1, 1_000_000)));
+        let mut joints: Vec<_> = bounds.map(pushed).to_vec();
+        joints.push(resting);
+        let device = Joints {
+            stiffness: point(1, 1),
+            period: point(1, 1),
+            joints,
+            shape: Shape::Direction([1, 1, 0].map(|a| to_wide(&q(a, 1))).to_vec()),
+            unilateral: false,
+        };
+        device.find_cycle().unwrap()
+    };
+    for (coulomb, s) in [(q(1, 1), q(6, 1)), (q(1, 10), q(3, 4)), (q(1, 3), q(2, 1))] {
+        let found = of(&coulomb, None, [None, None]);
+        let way = &s * q(4, 3);
+        assert_eq!(found.step, [way.clone(), way, zero()]);
+        let gain = q(16, 9) * &s * &s - q(16, 3) * coulomb * s;
+        assert_eq!(found.gain, to_wide(&gain));
+    }
+    let bounds = || [point(10, 1), between(q(4, 1), q(6, 1))].map(Some);
+    let [slow, fast] = bounds();
+    for bounds in [bounds(), [fast, slow]] {
+        let found = of(&half(), None, bounds);
+        assert_eq!(found.step, [q(3, 1), q(3, 1), zero()]);
+    }
+    // To the nearest tick: 8c = 17/2 and 33/4.
+    for (coulomb, ticks) in [(q(17, 16), 9), (q(33, 32), 8)] {
+        let found = of(&coulomb, Some(1), [None, None]);
+        assert_eq!(found.step, [q(ticks, 1), q(ticks, 1), zero()]);
+        assert_eq!(found.from, [zero(), zero(), zero()]);
+    }
+}
