@@ -157,3 +157,61 @@ fn th_lag_exponentials_and_roots() {
         assert!(squared(root.lo()) <= q(n, d) && q(n, d) <= squared(root.hi()));
     }
 }
+
+/// f(1 − f) and the lesser of ½θ and 1/12.
+#[test]
+fn th_lag_simple_bound_by_hand() {
+    for (theta, bound) in [
+        (q(1, 24), q(1, 48)),
+        (q(1, 6), q(1, 12)),
+        (q(2, 1), q(1, 12)),
+    ] {
+        assert_eq!(actuator(zero(), theta.clone()).variance_bound(), bound);
+        let late = actuator(q(5, 4), theta);
+        assert_eq!(late.variance_bound(), q(3, 16) + bound);
+    }
+}
+
+/// So slow a lag that e^(−1/θ) is 1 to the bits that are computed.
+#[test]
+fn th_lag_variance_of_a_lag_without_end() {
+    let slow = actuator(half(), q(1 << 60, 1) * q(1 << 60, 1));
+    let widest = Interval::hull(zero(), q(1, 4) + q(1, 12));
+    assert_eq!(slow.variance(64), widest);
+}
+
+/// Beside κ the first enclosure does not tell, and a tighter one does; and one that is tighter is within one
+/// that is not.
+#[test]
+fn th_lag_decisions_beside_the_border() {
+    for (latency, theta) in [
+        (zero(), q(1, 2)),
+        (q(7, 10), q(1, 3)),
+        (q(1, 3), q(3, 1)),
+        (zero(), q(1_000_000, 1)),
+        (q(1, 3), q(1_000_000, 1)),
+    ] {
+        let late = actuator(latency, theta);
+        let little = squared(&squared(&squared(&q(1, 1 << 40))));
+        let close = late.cost(&little).unwrap();
+        assert_eq!(late.decide(close.hi()), Some(true));
+        assert_eq!(late.decide(close.lo()), Some(false));
+        let coarse = late.cost(&q(1, 1)).unwrap();
+        assert!(coarse.lo() <= close.lo() && close.hi() <= coarse.hi());
+    }
+}
+
+/// An enclosure to few bits holds one to many.
+#[test]
+fn th_lag_variances_hold_tighter_ones() {
+    for n in 1..24 {
+        for f in 1..12 {
+            let late = actuator(q(f, 12), q(n, 12));
+            let [coarse, fine] = [1, 64].map(|bits| late.variance(bits));
+            assert!(
+                coarse.lo() <= fine.lo() && fine.hi() <= coarse.hi(),
+                "{n} {f}"
+            );
+        }
+    }
+}

@@ -45,3 +45,15 @@ fn th_lti_cosines_are_enclosed() {
         assert!(squared(&sum) <= squared(&(unit(bits) * q(2, 1))));
     }
 }
+
+/// Whole turns make no difference.
+#[test]
+fn th_lti_cosines_after_many_turns() {
+    let circle = Circle::to(16);
+    for turns in [q(1, 8), q(3, 10), q(9, 10)] {
+        for more in [1, 2, 100] {
+            let after = circle.cosine(&(&turns + q(more, 1)));
+            assert_eq!(after, circle.cosine(&turns));
+        }
+    }
+}

@@ -79,3 +79,23 @@ fn th_latency_roots_are_met_or_enclosed() {
         }
     }
 }
+
+/// 1 − y ≤ e⁻ʸ ≤ 1 − y + ½y², where y is far below the unit that is computed with.
+#[test]
+fn th_lag_decays_of_next_to_nothing() {
+    for bits in [30, 50, 100, 200] {
+        let y = unit(bits);
+        for to in [4, 16, 64] {
+            let found = decay(&y, to);
+            assert!(*found.lo() <= q(1, 1) - &y + squared(&y) * q(1, 2));
+            assert!(*found.hi() >= q(1, 1) - &y);
+        }
+    }
+}
+
+/// e⁻¹⁹⁹ is between 2⁻²⁸⁸ and 2⁻²⁸⁷, far below the unit of an enclosure of 200 bits.
+#[test]
+fn th_lag_decays_to_next_to_nothing() {
+    let found = decay(&q(199, 1), 200);
+    assert!(*found.lo() < unit(287) && unit(288) < *found.hi());
+}

@@ -248,3 +248,14 @@ fn th_lti_irrational_costs_are_enclosed() {
         }
     }
 }
+
+/// Wider than 1, too, an enclosure is as wide as was asked for at most, with both ends decided.
+#[test]
+fn th_lti_costs_are_enclosed_in_wide_intervals() {
+    for width in [q(5, 1), q(64, 1), q(1000, 1)] {
+        let cost = ViscousCost::of(&damped(q(10_000, 1)).delayed(3));
+        let found = cost.enclosure(&width);
+        assert!(!found.is_point() && found.hi() - found.lo() <= width);
+        assert!(cost.is_enough(found.hi()) && !cost.is_enough(found.lo()));
+    }
+}

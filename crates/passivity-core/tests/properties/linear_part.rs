@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use num_traits::ToPrimitive as _;
 use passivity_core::actuator::Actuator;
+use passivity_core::exponential::root;
 use passivity_core::frequency::ViscousCost;
 use passivity_core::linear_part::{Command, LinearPart, MOST_DEGREE};
 use passivity_core::{BigRational, Interval};
@@ -236,4 +237,17 @@ fn th_latency_linear_part_over_a_box() {
         damped.cost(&tiny()).unwrap().viscous,
         between(q(5, 2), q(7, 2))
     );
+}
+
+/// ½(1 + √(5/4)) for half a sample of latency: on either side of it by far less than the enclosure that was asked
+/// for is wide.
+#[test]
+fn th_latency_linear_part_decides_points_exactly() {
+    let wall = spring(point(zero()), point(zero()), 0);
+    let late = behind(wall, point(half()), point(zero()));
+    let root = root(&q(5, 4), 300);
+    for (root, enough) in [(root.lo(), false), (root.hi(), true)] {
+        let beta = (q(1, 1) + root) * half();
+        assert_eq!(late.decide(&point(beta), &q(1, 1)), Some(enough));
+    }
 }

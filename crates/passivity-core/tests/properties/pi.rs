@@ -146,3 +146,30 @@ fn num_exact_pi_signs_beside_pi() {
         }
     }
 }
+
+/// Quotients that an enclosure of few bits tells, that it has one below, and that none tells.
+#[test]
+fn num_exact_pi_quotients_by_hand() {
+    let divided = |n: Polynomial, d: Polynomial| n.div_floor(&d).unwrap().as_whole();
+    assert_eq!(divided(whole(7), whole(2)), Some(BigInt::from(3)));
+    assert_eq!(divided(whole(-7), whole(2)), Some(BigInt::from(-4)));
+    let zero = BigInt::ZERO;
+    let turns = |n: i64| linear(&zero, &(BigInt::from(n) << 80));
+    let above = linear(&BigInt::from(1), &(BigInt::from(5) << 80));
+    assert_eq!(divided(above, turns(1)), Some(BigInt::from(5)));
+    assert_eq!(divided(turns(5), turns(1)), Some(BigInt::from(5)));
+}
+
+#[test]
+fn num_exact_pi_is_below_zero() {
+    assert_eq!((-pi()).compare(&Exact::zero()), Some(Less));
+}
+
+#[test]
+fn num_exact_pi_is_enclosed_on_either_side_of_zero() {
+    for x in [pi(), -pi()] {
+        let found = x.enclosure(8).unwrap();
+        assert!(Exact::of(found.lo()) < x && x < Exact::of(found.hi()));
+        assert!(found.hi() - found.lo() < q(1, 16));
+    }
+}

@@ -91,3 +91,12 @@ fn num_exact_polynomials_divide_without_a_rest_what_they_multiplied() {
         }
     }
 }
+
+/// x³ + 2 less x(x² + 1) is 2 − x, and 4x³ − 3 at ½ is −5/2: of both the positive multiple with coprime coefficients.
+#[test]
+fn num_exact_polynomials_remainders_by_hand() {
+    assert_eq!(of(&[2, 0, 0, 1]).remainder(&of(&[1, 0, 1])), of(&[2, -1]));
+    assert_eq!(of(&[-3, 0, 0, 4]).remainder(&of(&[1, -2])), of(&[-1]));
+    assert_eq!(of(&[1, 2]).remainder(&of(&[])), of(&[]));
+    assert_eq!(of(&[4, 2]).remainder(&of(&[0, 0, 1])), of(&[2, 1]));
+}

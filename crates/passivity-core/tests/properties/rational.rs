@@ -37,3 +37,9 @@ fn num_exact_the_simplest_fraction_above() {
     }
     assert!(met > 50, "{met}");
 }
+
+/// A whole number that is the upper end itself.
+#[test]
+fn num_exact_the_simplest_fraction_is_the_upper_end() {
+    assert_eq!(simplest_above(&q(1, 2), &q(1, 1)), q(1, 1));
+}

@@ -286,3 +286,12 @@ fn th_lti_sturm_roots_at_the_ends_are_points() {
         "{found:?}"
     );
 }
+
+#[test]
+fn th_lti_one_parabola_each_way() {
+    let everywhere = Interval::hull(q(-1, 1), q(1, 1));
+    let above = Polynomial::new([q(1, 1), q(0, 1), q(1, 1)]);
+    assert!(sturm::sign_over(&above, &everywhere).is_nonnegative());
+    let across = Polynomial::new([q(-1, 4), q(0, 1), q(1, 1)]);
+    assert!(sturm::has_root(&across, &everywhere));
+}

@@ -190,3 +190,10 @@ fn th_lti_refused() {
     );
     assert!(Controller::filtered_damping(&q(1, 1), &q(1, 1)).is_err());
 }
+
+#[test]
+fn th_lti_zeros_at_the_end_are_left_out() {
+    let controller = Controller::new([q(2, 1), zero()], [q(1, 1), zero(), zero()]).unwrap();
+    assert_eq!(controller.numerator(), [q(2, 1)]);
+    assert_eq!(controller.denominator(), [q(1, 1)]);
+}
