@@ -169,6 +169,8 @@ fn th_lti_boxes_of_filtered_damping() {
             "b=0.9 c=1.02 B=1 τ=1..1.1 T=0.9..1",
             "b=0.5 c=1.6 B=1 τ=0.5..1 T=0.5..1 V=1..2",
             "b=0.8 c=1.55 B=1 τ=0.5..1 T=0.5..1 V=1..2",
+            // At T = 1 c is short, 1 is asked for, and at T = 2 b, 3/2 is: at 3/2 neither is.
+            "b=1.2 c=0.92 B=1 τ=1 T=1..2",
         ],
     );
 }
