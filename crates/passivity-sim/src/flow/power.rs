@@ -3,11 +3,11 @@
 use std::cmp::Ordering;
 
 use super::Flow;
-use super::table::{Rates, Start, Table};
+use super::table::{Start, Table};
 use crate::number::{Real, Undecided};
 
-/// The coefficients of ξ in the fraction s of a piece.
-pub(super) struct Series<R>(Vec<R>);
+/// The coefficients of the way in the fraction s of a piece, over its length.
+pub(super) struct Series<R>(pub(super) Vec<R>);
 
 /// How many terms leave less than 2^−bits when each is at most half the one before, over n.
 pub(super) fn terms(bits: u32) -> i32 {
@@ -37,7 +37,7 @@ impl<R: Real> Flow<R> {
         let end = table.end(start);
         let sign = end.velocity.sign().ok_or(Undecided)?;
         if sign == direction.reverse() {
-            let series = self.series(table, start);
+            let series = table.series(start);
             return series.crossing(1, direction, &one).map(Some);
         }
         // It may have been to 0 and back: only if it slowed down first and sped up later.
@@ -47,7 +47,7 @@ impl<R: Real> Flow<R> {
         {
             return Ok(None);
         }
-        let series = self.series(table, start);
+        let series = table.series(start);
         let slowest = series.crossing(2, direction.reverse(), &one)?;
         if series.derivative(&slowest, 1).sign().ok_or(Undecided)? == direction {
             return Ok(None);
@@ -69,71 +69,22 @@ impl<R: Real> Flow<R> {
         }
         net.sign().ok_or(Undecided)
     }
-
-    /// The series of the motion on a piece.
-    fn series(&self, table: &Table<R>, start: &Start<R>) -> Series<R> {
-        match (&self.rate, &self.arm) {
-            (Some(_), Some(_)) => table.series::<true, true>(start),
-            (Some(_), None) => table.series::<true, false>(start),
-            (None, Some(_)) => table.series::<false, true>(start),
-            (None, None) => table.series::<false, false>(start),
-        }
-    }
 }
 
-impl<R: Real> Table<R> {
-    /// The series of the motion; what is not there, amplifier or arm, is not in the loop over its terms.
-    fn series<const LAG: bool, const ARM: bool>(&self, start: &Start<R>) -> Series<R> {
-        let count = terms(self.length.bits());
-        let Rates {
-            output,
-            damping,
-            stiffness,
-        } = &self.rates;
-        // c_{n−2} and c_{n−1}, from the start on.
-        let mut before = R::zero();
-        let mut latest = start.velocity.clone() * self.length.clone();
-        let scale = self.length.clone() * self.per_mass.clone();
-        let mut excess = start.excess.clone() * scale.clone();
-        let mut pull = excess.clone() + start.pull.clone() * scale;
-        let mut terms = vec![before.clone(), latest.clone()];
-        for n in 2..count {
-            if ARM {
-                pull = pull - stiffness.clone() * before;
-            }
-            let drag = damping.clone() * latest.clone() * R::integer(n - 1);
-            let next = (pull - drag) * self.length.ratio(1, n * (n - 1));
-            terms.push(next.clone());
-            before = std::mem::replace(&mut latest, next);
-            pull = R::zero();
-            if LAG {
-                excess = -(excess * output.clone()) * self.length.ratio(1, n - 1);
-                pull = excess.clone();
-            }
-        }
-        if R::ENCLOSES {
-            // What is left out of ξ and of its first two derivatives is less than the last term with
-            // m in its place (see [`super::table`]).
-            let more =
-                (excess.abs() + before.abs().half().half()) * self.length.ratio(1, count - 1);
-            if let Some(last) = terms.last_mut() {
-                *last = latest.clone().widened(&(latest.abs() + more));
-            }
-        }
-        Series(terms)
+/// A derivative at s of the polynomial with these coefficients.
+pub(super) fn derivative<R: Real>(coefficients: &[R], s: &R, order: usize) -> R {
+    let mut sum = R::zero();
+    for (n, c) in coefficients.iter().enumerate().skip(order).rev() {
+        // n(n − 1)…, a factor for each order.
+        let falling = (0..order).map(|i| factor(n - i)).product();
+        sum = sum * s.clone() + c.clone() * R::integer(falling);
     }
+    sum
 }
 
 impl<R: Real> Series<R> {
-    /// A derivative of ξ by the fraction.
     fn derivative(&self, s: &R, order: usize) -> R {
-        let mut sum = R::zero();
-        for (n, c) in self.0.iter().enumerate().skip(order).rev() {
-            // n(n − 1)…, a factor for each order.
-            let falling = (0..order).map(|i| factor(n - i)).product();
-            sum = sum * s.clone() + c.clone() * R::integer(falling);
-        }
-        sum
+        derivative(&self.0, s, order)
     }
 
     /// Where a derivative of sign `before` at 0 ceases to have it, between 0 and `top`: Newton's

@@ -8,8 +8,9 @@
 //! Each of V, E and w at the start adds to the end by itself, and every pair of them to the integrals. So
 //! an interval about one of them never widens but by what the motion makes of it.
 
+use super::Flow;
+use super::power::{self, Series};
 use super::products::Integrals;
-use super::{Flow, power};
 use crate::number::Real;
 
 /// K, D and S. On a piece K and D are at most ½ and S at most ¼.
@@ -43,11 +44,12 @@ pub(crate) struct Table<R> {
     /// M.
     mass: R,
     /// h/M.
-    pub(super) per_mass: R,
-    pub(super) rates: Rates<R>,
+    per_mass: R,
     /// E at the end from E = 1.
     decay: R,
-    /// x at the end from V = 1, E = 1 and w = 1.
+    /// The coefficients of x in s, from V = 1, E = 1 and w = 1.
+    ways: [Vec<R>; 3],
+    /// x at the end.
     way: [R; 3],
     /// V likewise.
     speed: [R; 3],
@@ -81,30 +83,21 @@ impl<R: Real> Flow<R> {
         let mut decay = one.clone();
         // The coefficients of E, and of x from V, E and w alone.
         let mut output = if LAG { one.clone() } else { R::zero() };
-        let mut before = [R::zero(), R::zero(), R::zero()];
-        let mut latest = [one.clone(), R::zero(), R::zero()];
-        let (mut way, mut speed) = (latest.clone(), latest.clone());
+        let mut ways = [one.clone(), R::zero(), R::zero()].map(|c| vec![R::zero(), c]);
         let count = power::terms(h.bits());
         for n in 2..count {
             let share = h.ratio(1, n * (n - 1));
-            let each = R::integer(n - 1);
-            for (i, (before, latest)) in before.iter_mut().zip(&mut latest).enumerate() {
-                let mut pull = -(rates.damping.clone() * latest.clone() * each.clone());
+            let constant = if n == 2 { one.clone() } else { R::zero() };
+            let pulls = [R::zero(), output.clone(), constant];
+            for (way, mut pull) in ways.iter_mut().zip(pulls) {
+                let [.., before, latest] = way.as_slice() else {
+                    continue; // There are two from the start.
+                };
+                pull = pull - rates.damping.clone() * latest.clone() * R::integer(n - 1);
                 if ARM {
                     pull = pull - rates.stiffness.clone() * before.clone();
                 }
-                if i == 1 {
-                    pull = pull + output.clone();
-                } else if i == 2 && n == 2 {
-                    pull = pull + one.clone();
-                }
-                *before = std::mem::replace(latest, pull * share.clone());
-            }
-            for (sum, c) in way.iter_mut().zip(&latest) {
-                *sum = sum.clone() + c.clone();
-            }
-            for (sum, c) in speed.iter_mut().zip(&latest) {
-                *sum = sum.clone() + c.clone() * R::integer(n);
+                way.push(pull * share.clone());
             }
             if LAG {
                 output = -(output * rates.output.clone()) * h.ratio(1, n - 1);
@@ -112,48 +105,58 @@ impl<R: Real> Flow<R> {
             }
         }
         // With |c_{n+1}| ≤ (|e_{n−1}|/n + ½|c_n| + ¼|c_{n−1}|/n)/(n + 1) and |e_n| ≤ ½|e_{n−1}|/n what is
-        // left out of x is at most m, of V at most 2m, and of E at most |e_{n−1}|, where
-        // m = |c_n| + (|e_{n−1}| + ¼|c_{n−1}|)/n.
+        // left out of x and of its first two derivatives is less than the last term with m in its
+        // place, m = |c_n| + (|e_{n−1}| + ¼|c_{n−1}|)/n, and of E less than |e_{n−1}|.
         let last = h.ratio(1, count - 1);
-        let sums = way.iter_mut().zip(&mut speed);
-        for ((way, speed), (before, latest)) in sums.zip(before.iter().zip(&latest)) {
-            let more = (output.abs() + before.abs().half().half()) * last.clone();
-            let rest = latest.abs() + more;
-            *way = way.clone().widened(&rest);
-            *speed = speed.clone().widened(&rest.double());
+        for way in &mut ways {
+            if let [.., before, latest] = way.as_mut_slice() {
+                let more = (output.abs() + before.abs().half().half()) * last.clone();
+                *latest = latest.clone().widened(&(latest.abs() + more));
+            }
         }
+        let decay = match LAG {
+            true => decay.widened(&output),
+            false => R::zero(),
+        };
         Table {
             length: h.clone(),
             mass: self.mass.clone(),
             per_mass,
             integrals: Integrals::of::<LAG, ARM>(&rates),
-            rates,
-            decay: if LAG {
-                decay.widened(&output)
-            } else {
-                R::zero()
-            },
-            way,
-            speed,
+            decay,
+            way: ways.each_ref().map(|way| power::derivative(way, &one, 0)),
+            speed: ways.each_ref().map(|way| power::derivative(way, &one, 1)),
+            ways,
         }
     }
 }
 
 impl<R: Real> Table<R> {
-    /// The end of the piece.
-    pub(super) fn end(&self, start: &Start<R>) -> End<R> {
+    /// ξ̇, (y − u)h/M and (u + F − σs − kξ₀)h/M at the start: V, E and w over h.
+    fn inputs(&self, start: &Start<R>) -> [R; 3] {
         let [excess, pull] =
             [&start.excess, &start.pull].map(|x| x.clone() * self.per_mass.clone());
-        let sum = |[of_v, of_e, of_w]: &[R; 3]| {
-            of_v.clone() * start.velocity.clone()
-                + of_e.clone() * excess.clone()
-                + of_w.clone() * pull.clone()
-        };
+        [start.velocity.clone(), excess, pull]
+    }
+
+    /// The end of the piece.
+    pub(super) fn end(&self, start: &Start<R>) -> End<R> {
+        let inputs = self.inputs(start);
         End {
-            way: sum(&self.way) * self.length.clone(),
-            velocity: sum(&self.speed),
+            way: combined(&self.way, &inputs) * self.length.clone(),
+            velocity: combined(&self.speed, &inputs),
             excess: start.excess.clone() * self.decay.clone(),
         }
+    }
+
+    /// The series of x/h.
+    pub(super) fn series(&self, start: &Start<R>) -> Series<R> {
+        let inputs = self.inputs(start);
+        let [of_v, of_e, of_w] = &self.ways;
+        let terms = of_v.iter().zip(of_e).zip(of_w);
+        let combined =
+            |((v, e), w): ((&R, &R), &R)| combined(&[v.clone(), e.clone(), w.clone()], &inputs);
+        Series(terms.map(combined).collect())
     }
 
     /// ∫ξ̇²dτ and ∫(y − u)ξ̇dτ over the piece.
@@ -166,8 +169,7 @@ impl<R: Real> Table<R> {
             ew,
             ev,
         } = &self.integrals;
-        let v = start.velocity.clone();
-        let [e, w] = [&start.excess, &start.pull].map(|x| x.clone() * self.per_mass.clone());
+        let [v, e, w] = self.inputs(start);
         let products = [
             (vv, v.square()),
             (vw, v.clone() * w.clone()),
@@ -188,4 +190,10 @@ impl<R: Real> Table<R> {
         let [square, work] = sums;
         [square * self.length.clone(), work * self.mass.clone()]
     }
+}
+
+/// The sum of the inputs, each times what comes of it.
+fn combined<R: Real>(of: &[R; 3], inputs: &[R; 3]) -> R {
+    let products = of.iter().zip(inputs).map(|(of, x)| of.clone() * x.clone());
+    products.fold(R::zero(), |sum, x| sum + x)
 }
