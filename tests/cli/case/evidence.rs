@@ -153,8 +153,8 @@ const EDITS: [Edit; 11] = [
     },
     Edit {
         file: "crates/passivity-scene/src/check/decide.rs",
-        old: "Speeds::All,",
-        new: "Speeds::All ,",
+        old: "fn find_witness<S: Enclosed>(",
+        new: "fn find_witness<S: Enclosed> (",
         engines: &["tests"],
         stale: &["CHECK-VERDICT/tests", "CHECK-LIMITS/tests"],
         fresh: &["TH-REGION/tests"],
