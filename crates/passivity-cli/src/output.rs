@@ -93,7 +93,6 @@ fn without_hidden(text: &str, escape: impl Fn(char, &mut String)) -> Cow<'_, str
 
 /// Refuses to write over what is read, and over what is no plain file: a device, a pipe, a folder, or a
 /// link to whatever it may be.
-#[cfg(any(feature = "audit", feature = "simulate"))]
 pub(crate) fn may_be_written(output: &Path, inputs: &[&Path], verb: &str) -> Result<(), Failure> {
     let refuse = |why: &str| Err(Failure::input(format!("{}: {why}", output.display())));
     // What does not exist yet is no input, and nothing that is lost.
