@@ -4,7 +4,7 @@
 mod wall;
 
 use num_traits::Signed as _;
-use passivity_core::{BigRational, Parameter};
+use passivity_core::{BigRational, Interval, Parameter};
 use passivity_scene::check::{Limit, Report, Side, check};
 
 use wall::{q, scene};
@@ -346,20 +346,21 @@ fn limits_of_a_period_that_pulls_both_ways() {
     );
 }
 
+fn border(values: &str, parameter: Parameter) -> Interval<BigRational> {
+    let mut limits = report(values).limits.into_iter();
+    limits
+        .find(|limit| limit.parameter == parameter)
+        .unwrap()
+        .border
+}
+
 /// Periods between the ends of the tolerance count at the easiest end of a border. At every speed
 /// b ≥ KT/2 + B, c ≥ K/2 + B/T and K ≤ min(2(b − B)/T, 2(c − B/T)).
 #[test]
 fn borders_over_a_period_that_pulls_both_ways() {
     // With b = c = 1 both limits of K are 9/5 at T = 1; at 1/2 one is 8/5, at 3/2 the other 6/5.
     let values = "viscous 1, coulomb 1, period 1 ± 0.5, damping 0.1";
-    let report = self::report(values);
-    let of = |parameter| {
-        report
-            .limits
-            .iter()
-            .find(|limit| limit.parameter == parameter)
-    };
-    let border = &of(Parameter::Stiffness).unwrap().border;
+    let border = self::border(values, Parameter::Stiffness);
     assert_eq!(*border.lo(), q("6/5"));
     let bits = BigRational::from_integer((1_i64 << 31).into()).recip();
     assert!(
@@ -370,14 +371,7 @@ fn borders_over_a_period_that_pulls_both_ways() {
     // Up to V = 1 c ≥ 1/2 + B/T and c ≥ 1/2 + B/T + B + T/2 − b. With B = 1/2 and b = 1 that is 3/2 at
     // T = 1/2, 13/12 at 3/2, and least where both are 1, at T = 1.
     let values = "viscous 1, coulomb 2, period 1 ± 0.5, damping 0.5, max_speed 1";
-    let report = self::report(values);
-    let of = |parameter| {
-        report
-            .limits
-            .iter()
-            .find(|limit| limit.parameter == parameter)
-    };
-    let border = &of(Parameter::Coulomb).unwrap().border;
+    let border = self::border(values, Parameter::Coulomb);
     assert_eq!(*border.hi(), q("3/2"));
     assert!(
         *border.lo() <= q("1") && *border.lo() >= q("1") - bits,

@@ -31,7 +31,6 @@ use crate::error::SimError;
 use crate::number::{Double, Real, Undecided};
 use crate::series;
 pub(crate) use fast::{Attempt, Fast, Kind};
-use power::terms;
 use table::{Start, Table};
 pub(crate) use turn::{LONG, Near, Onward, SHORT, Turns};
 pub(crate) use wide::Wide;
@@ -267,12 +266,12 @@ impl<R: Real> Flow<R> {
             let mut direction = flowed.end.velocity.sign().ok_or(Undecided)?;
             let mut waited = false;
             if direction == Ordering::Equal {
-                let left = &rest_of_piece.as_ref().unwrap_or(piece).length;
+                let left = rest_of_piece.as_ref().unwrap_or(piece);
                 match self.rest(flowed, command, force, sigma, left)? {
                     Rest::Stays => return Ok(()),
                     Rest::LetsGo => {}
                     Rest::LetsGoAfter(time) => {
-                        rest_of_piece = Some(self.table(&(left.clone() - time)));
+                        rest_of_piece = Some(self.table(&(left.length.clone() - time)));
                         waited = true;
                     }
                 }
@@ -303,8 +302,8 @@ impl<R: Real> Flow<R> {
         if R::ENCLOSES {
             return Err(Undecided);
         }
-        let left = &rest_of_piece.as_ref().unwrap_or(piece).length;
-        flowed.end.output = self.output_after(&flowed.end.output, command, left);
+        let left = rest_of_piece.as_ref().unwrap_or(piece);
+        flowed.end.output = left.output(&flowed.end.output, command);
         Ok(())
     }
 
@@ -321,21 +320,21 @@ impl<R: Real> Flow<R> {
         }
     }
 
-    /// At rest for the time `left`, or until the device starts.
+    /// At rest for what is left of a piece, or until the device starts.
     fn rest(
         &self,
         flowed: &mut Flowed<R>,
         command: &R,
         force: &R,
         sigma: &R,
-        left: &R,
+        left: &Table<R>,
     ) -> Result<Rest<R>, Undecided> {
         let lets_go = |net: &R| Ok(net.abs().compare(sigma).ok_or(Undecided)?.is_gt());
         if lets_go(&self.net(&flowed.end, force))? {
             return Ok(Rest::LetsGo);
         }
         let later = State {
-            output: self.output_after(&flowed.end.output, command, left),
+            output: left.output(&flowed.end.output, command),
             ..flowed.end.clone()
         };
         let net = self.net(&later, force);
@@ -356,22 +355,6 @@ impl<R: Real> Flow<R> {
         Ok(Rest::LetsGoAfter(time))
     }
 
-    /// The amplifier's output after a time of at most a piece.
-    fn output_after(&self, output: &R, command: &R, time: &R) -> R {
-        let Some(rate) = &self.rate else {
-            return command.clone();
-        };
-        let x = -(rate.clone() * time.clone());
-        let mut term = output.clone() - command.clone();
-        let mut sum = command.clone() + term.clone();
-        for n in 1..terms(self.mass.bits()) {
-            term = term * x.clone() * self.mass.ratio(1, n);
-            sum = sum + term.clone();
-        }
-        // What is left out is at most as much as the last term again.
-        sum.widened(&term)
-    }
-
     /// Takes the motion to the end of a piece on which the velocity keeps its sign.
     fn take(
         &self,
@@ -382,17 +365,17 @@ impl<R: Real> Flow<R> {
         ledger: bool,
     ) {
         let end = table.end(start);
+        if self.rate.is_some() {
+            flowed.end.output = table.output(&flowed.end.output, command);
+        }
         if ledger {
-            let [square, excess] = table.integrals(start);
+            let [square, excess] = table.integrals(self, start);
             flowed.square = flowed.square.clone() + square;
             flowed.work = flowed.work.clone() + command.clone() * end.way.clone() + excess;
         }
         flowed.path = flowed.path.clone() + end.way.abs();
         flowed.end.xi = flowed.end.xi.clone() + end.way;
         flowed.end.velocity = end.velocity;
-        if self.rate.is_some() {
-            flowed.end.output = command.clone() + end.excess;
-        }
     }
 }
 

@@ -9,12 +9,12 @@ use crate::number::{Real, Undecided};
 /// The coefficients of the way in the fraction s of a piece, over its length.
 pub(super) struct Series<R>(pub(super) Vec<R>);
 
-/// How many terms leave less than 2^−bits when each is at most half the one before, over n.
-pub(super) fn terms(bits: u32) -> i32 {
+/// How many terms leave less than 2^−bits when each is at most the one before, halved so often, over n.
+pub(super) fn terms(bits: u32, halvings: u32) -> i32 {
     let mut n = 3_u32;
     let mut gained = 0;
     while gained < bits + 4 {
-        gained += 1 + n.ilog2();
+        gained += halvings + n.ilog2();
         n += 1;
     }
     i32::try_from(n + 1).unwrap_or(i32::MAX)

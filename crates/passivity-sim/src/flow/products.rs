@@ -1,7 +1,9 @@
 //! ∫V²ds and ∫EVds over a piece: the products of two of E, x, V and w follow a linear law as they do
 //! themselves (see [`super::table`]), and its series sums up their integrals.
 
-use crate::flow::table::Rates;
+use super::Flow;
+use super::power::terms;
+use super::table::Rates;
 use crate::number::Real;
 
 /// The derivatives, of one order, of the products of two of E, x, V and w.
@@ -67,17 +69,6 @@ impl<R: Real> Products<R> {
     }
 }
 
-/// How many terms leave less than 2^−bits when each is at most the one before, over n.
-fn terms(bits: u32) -> i32 {
-    let mut n = 3_u32;
-    let mut gained = 0;
-    while gained < bits + 4 {
-        gained += n.ilog2();
-        n += 1;
-    }
-    i32::try_from(n).unwrap_or(i32::MAX)
-}
-
 /// What ∫V²ds and ∫EVds over the piece have of one product at its start, each of them alone at 1.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Integrals<R> {
@@ -89,8 +80,20 @@ pub(super) struct Integrals<R> {
     pub(super) ev: [R; 2],
 }
 
+impl<R: Real> Flow<R> {
+    /// The integrals over a piece.
+    pub(super) fn products(&self, rates: &Rates<R>) -> Integrals<R> {
+        match (&self.rate, &self.arm) {
+            (Some(_), Some(_)) => Integrals::of::<true, true>(rates),
+            (Some(_), None) => Integrals::of::<true, false>(rates),
+            (None, Some(_)) => Integrals::of::<false, true>(rates),
+            (None, None) => Integrals::of::<false, false>(rates),
+        }
+    }
+}
+
 impl<R: Real> Integrals<R> {
-    pub(super) fn of<const LAG: bool, const ARM: bool>(rates: &Rates<R>) -> Self {
+    fn of<const LAG: bool, const ARM: bool>(rates: &Rates<R>) -> Self {
         let zero = R::zero;
         let of = || Products {
             ee: zero(),
@@ -127,7 +130,7 @@ impl<R: Real> Products<R> {
         // 1/(n + 1)!.
         let mut share = one.clone();
         let (mut square, mut work) = (self.vv.clone(), self.ev.clone());
-        for n in 2..terms(one.bits()) {
+        for n in 2..terms(one.bits(), 0) {
             self = self.next::<ARM>(rates, constant);
             constant = R::zero();
             share = share * one.ratio(1, n);

@@ -8,6 +8,8 @@
 //! Each of V, E and w at the start adds to the end by itself, and every pair of them to the integrals. So
 //! an interval about one of them never widens but by what the motion makes of it.
 
+use std::sync::OnceLock;
+
 use super::Flow;
 use super::power::{self, Series};
 use super::products::Integrals;
@@ -53,7 +55,9 @@ pub(crate) struct Table<R> {
     way: [R; 3],
     /// V likewise.
     speed: [R; 3],
-    integrals: Integrals<R>,
+    rates: Rates<R>,
+    /// Once they were asked for.
+    integrals: OnceLock<Integrals<R>>,
 }
 
 impl<R: Real> Flow<R> {
@@ -84,7 +88,7 @@ impl<R: Real> Flow<R> {
         // The coefficients of E, and of x from V, E and w alone.
         let mut output = if LAG { one.clone() } else { R::zero() };
         let mut ways = [one.clone(), R::zero(), R::zero()].map(|c| vec![R::zero(), c]);
-        let count = power::terms(h.bits());
+        let count = power::terms(h.bits(), 1);
         for n in 2..count {
             let share = h.ratio(1, n * (n - 1));
             let constant = if n == 2 { one.clone() } else { R::zero() };
@@ -122,7 +126,8 @@ impl<R: Real> Flow<R> {
             length: h.clone(),
             mass: self.mass.clone(),
             per_mass,
-            integrals: Integrals::of::<LAG, ARM>(&rates),
+            integrals: OnceLock::new(),
+            rates,
             decay,
             way: ways.each_ref().map(|way| power::derivative(way, &one, 0)),
             speed: ways.each_ref().map(|way| power::derivative(way, &one, 1)),
@@ -149,6 +154,11 @@ impl<R: Real> Table<R> {
         }
     }
 
+    /// The amplifier's output at the end of the piece.
+    pub(super) fn output(&self, output: &R, command: &R) -> R {
+        command.clone() + (output.clone() - command.clone()) * self.decay.clone()
+    }
+
     /// The series of x/h.
     pub(super) fn series(&self, start: &Start<R>) -> Series<R> {
         let inputs = self.inputs(start);
@@ -160,7 +170,7 @@ impl<R: Real> Table<R> {
     }
 
     /// ∫ξ̇²dτ and ∫(y − u)ξ̇dτ over the piece.
-    pub(super) fn integrals(&self, start: &Start<R>) -> [R; 2] {
+    pub(super) fn integrals(&self, flow: &Flow<R>, start: &Start<R>) -> [R; 2] {
         let Integrals {
             vv,
             vw,
@@ -168,7 +178,7 @@ impl<R: Real> Table<R> {
             ee,
             ew,
             ev,
-        } = &self.integrals;
+        } = self.integrals.get_or_init(|| flow.products(&self.rates));
         let [v, e, w] = self.inputs(start);
         let products = [
             (vv, v.square()),
