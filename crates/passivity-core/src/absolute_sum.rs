@@ -248,9 +248,9 @@ fn growth_to(bits: u64, leading: &BigInt, others: &[BigInt]) -> Option<BigRation
         if &error + &error > BigRational::one() {
             return None;
         }
+        // (A + E)² = A² + AE + E(A + E), and each entry of a column is rounded once.
+        error = &error * (computed + &bound) + &rows * &unit;
         growth *= BigRational::one() + bound;
-        // (A + E)² = A² + AE + EA + E², and each entry of a column is rounded once.
-        error = &error * (&computed + &computed + &error) + &rows * &unit;
         error = round_up(&error, bits);
         growth = round_up(&growth, bits);
         power = product(&power, bits);

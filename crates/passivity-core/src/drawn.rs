@@ -13,25 +13,18 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::absolute_sum::Terms;
-use crate::actuator::Actuator;
 use crate::controller::rounded;
 use crate::dissipation::Friction;
 use crate::edge_cycle::{EdgeCycle, MOST_TAPS};
-use crate::exponential::decay;
 use crate::frequency::ViscousCost;
 use crate::interval::Interval;
 use crate::linear_part::{LinearPart, MOST_DEGREE};
-use crate::periodic::Motion;
+use crate::periodic::{Motion, steps};
 use crate::quantizer::Quantized;
 use crate::scalar::{Ordered as _, Scalar};
+use crate::smoothed::{Smoothed, unit};
 use crate::transfer::TransferFunction;
 use crate::wave::{Wave, harmonic};
-
-/// The most terms of a lag's response that a motion is computed with.
-const MOST_TERMS: usize = 512;
-
-/// Bits after the point of a lag's response.
-const BITS: u32 = 64;
 
 /// A loop in which such a motion is looked for; dimensionless.
 #[derive(Clone, Debug)]
@@ -81,13 +74,8 @@ impl Response {
                 *slot += tail;
             }
         }
-        let later = measured.iter().skip(1).chain(measured.first());
         // The fall of each sample from the one before: of sample h it stands at h − 1.
-        let falls: Vec<BigRational> = measured
-            .iter()
-            .zip(later)
-            .map(|(q, next)| q - next)
-            .collect();
+        let falls: Vec<BigRational> = steps(measured).map(|(q, next)| q - next).collect();
         let at = |(h, q): (usize, &BigRational)| {
             // gⱼ goes with the fall from the sample j − 1 before to the one j before.
             let before = falls.iter().rev().cycle().skip(period - 1 - h);
@@ -99,16 +87,6 @@ impl Response {
         };
         measured.iter().enumerate().map(at).collect()
     }
-}
-
-/// What an actuator makes of a command, on average over each interval.
-struct Smoothed {
-    /// κ₀, κ₁, …
-    response: Vec<BigRational>,
-    /// The same as a transfer function, up to rounding.
-    transfer: TransferFunction<BigRational>,
-    /// How far the mean force may be off for a command that changes by at most 1 a sample.
-    error: BigRational,
 }
 
 impl Search<'_> {
@@ -201,17 +179,12 @@ impl Search<'_> {
         }
         let late = usize::from(self.part.delay) % positions.len().max(1);
         forces.rotate_right(late);
-        let next = positions.iter().skip(1).chain(positions.first());
-        let ways = positions.iter().zip(next);
-        let lowered =
-            forces
-                .into_iter()
-                .zip(ways)
-                .map(|(force, (from, to))| match to.compare(from) {
-                    Some(Ordering::Greater) => force - &error,
-                    Some(Ordering::Less) => force + &error,
-                    _ => force,
-                });
+        let moved = forces.into_iter().zip(steps(positions));
+        let lowered = moved.map(|(force, (from, to))| match to.compare(from) {
+            Some(Ordering::Greater) => force - &error,
+            Some(Ordering::Less) => force + &error,
+            _ => force,
+        });
         Some(lowered.collect())
     }
 
@@ -222,84 +195,6 @@ impl Search<'_> {
             xi.clone()
         }
     }
-}
-
-impl Smoothed {
-    /// The mean of a latency's and a lag's output over an interval.
-    ///
-    /// With e₁ = e^(−f/θ) and e₂ = e^(−(1 − f)/θ) the output x at a sample becomes
-    /// e₁e₂x + (1 − e₁)e₂p + (1 − e₂)u, where p is the command before u, and its mean is
-    /// θ(1 − e₁e₂)x + [f − θ(1 − e₁)e₂]p + [1 − f − θ(1 − e₂)]u.
-    ///
-    /// With e₁ and e₂ off by D together no jκⱼ is off by more than 18θD/(1 − e₁e₂)³ in sum: the three
-    /// weights change by at most 3θD, the powers of e = e₁e₂ by jeʲ⁻¹D, Σ jeʲ ≤ 1/(1 − e)² and
-    /// Σ j(j + 1)eʲ⁻¹ = 2/(1 − e)³.
-    fn of(actuator: &Actuator<Interval<BigRational>>) -> Option<Self> {
-        let one = BigRational::one();
-        let (latency, theta) = (actuator.latency.middle(), actuator.time_constant.middle());
-        let over_box = actuator.latency.radius() + actuator.time_constant.radius();
-        let whole = u16::try_from(latency.to_integer()).ok()?;
-        let fraction = &latency - latency.floor();
-        let rest = &one - &fraction;
-        if theta == BigRational::zero() {
-            let taps = [rest, fraction];
-            let transfer = TransferFunction::new(taps, [one]).ok()?.delayed(whole);
-            return Some(Self {
-                response: transfer.numerator().to_vec(),
-                transfer,
-                error: over_box,
-            });
-        }
-        let decays = [&fraction, &rest].map(|time| decay(&(time / &theta), 2 * BITS));
-        let width = decays
-            .iter()
-            .fold(BigRational::zero(), |sum, e| sum + e.radius());
-        let [e1, e2] = decays.map(|e| on_grid(&e.middle()));
-        let width = width + unit().double();
-        let e = &e1 * &e2;
-        let left = &one - &e;
-        let of_output = &theta * &left;
-        let of_last = &fraction - &theta * (&one - &e1) * &e2;
-        let of_now = &rest - &theta * (&one - &e2);
-        let (to_last, to_now) = ((&one - &e1) * &e2, &one - &e2);
-        let numerator = [
-            of_now.clone(),
-            &of_last - &e * &of_now + &of_output * to_now,
-            &of_output * to_last - &e * &of_last,
-        ];
-        let transfer = TransferFunction::new(numerator, [one.clone(), -e.clone()]).ok()?;
-        let cube = &left * &left * &left;
-        let mut error = over_box + BigRational::integer(18) * &theta * width / cube;
-        // By what is left of the sum after each term: Σ|Δgⱼ| is what moves the mean delay.
-        let tails = Terms::of(&transfer.tails(), &unit())?;
-        if tails.terms.len() > MOST_TERMS {
-            return None;
-        }
-        error += &tails.error;
-        let left_after = |j: usize| {
-            let units = tails.terms.get(j).cloned().unwrap_or_default();
-            BigRational::from_integer(units) * &tails.unit
-        };
-        let mut response = alloc::vec![&one - left_after(1)];
-        response.extend((1..tails.terms.len()).map(|j| left_after(j) - left_after(j + 1)));
-        let mut late = Vec::new();
-        late.resize(usize::from(whole), BigRational::zero());
-        late.append(&mut response);
-        Some(Self {
-            response: late,
-            transfer: transfer.delayed(whole),
-            error,
-        })
-    }
-}
-
-fn unit() -> BigRational {
-    BigRational::new(BigInt::from(1), BigInt::from(1) << BITS)
-}
-
-/// The number rounded down to the grid of [`BITS`].
-fn on_grid(x: &BigRational) -> BigRational {
-    (x / unit()).floor() * unit()
 }
 
 /// A response that ends, applied to a period of commands.
@@ -314,11 +209,7 @@ fn filtered(response: &[BigRational], commands: &[BigRational]) -> Vec<BigRation
 
 /// The largest change from one to the next round a period.
 fn largest_change(values: &[BigRational]) -> BigRational {
-    let next = values.iter().skip(1).chain(values.first());
-    let changes = values
-        .iter()
-        .zip(next)
-        .map(|(from, to)| Scalar::abs(&(to - from)));
+    let changes = steps(values).map(|(from, to)| Scalar::abs(&(to - from)));
     changes.fold(BigRational::zero(), Scalar::max)
 }
 

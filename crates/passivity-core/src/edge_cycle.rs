@@ -15,7 +15,7 @@ use num_integer::Integer as _;
 use num_rational::BigRational;
 
 use crate::dissipation::Friction;
-use crate::periodic::{self, Motion};
+use crate::periodic::Motion;
 use crate::scalar::{Ordered as _, Scalar};
 
 /// The most coefficients of a response that a cycle is looked for with: 2¹⁰ nodes.
@@ -119,8 +119,7 @@ impl EdgeCycle {
         let positions: Vec<BigRational> = sides
             .map(|above| if *above { one.clone() } else { below.clone() })
             .collect();
-        let gain = periodic::gain(&held(&positions)?, &positions, friction);
-        gain.is_positive()?.then_some(Motion { positions, gain })
+        Motion::below(speed_bound, positions, held, friction)?.that_draws()
     }
 }
 

@@ -99,6 +99,30 @@ impl ViscousCost {
         !eighths.into_iter().any(short) && sturm::sign_over(&spare, &cosines()).is_nonnegative()
     }
 
+    /// Whether λ(θ) ≥ β at every angle whose cosine is in an interval of [−1, 1].
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_core::{BigRational, Interval, Scalar, frequency::ViscousCost};
+    /// use passivity_core::transfer::TransferFunction;
+    ///
+    /// // A delay of one sample: λ(θ) = ½ + cos θ.
+    /// let cost = ViscousCost::of(&TransferFunction::wall().delayed(1));
+    /// let number = BigRational::integer;
+    /// let right = Interval::hull(number(1).half(), number(1));
+    /// assert!(cost.is_at_least(&number(1), &right));
+    /// assert!(!cost.is_at_least(&number(1), &Interval::hull(number(0), number(1))));
+    /// ```
+    #[must_use]
+    pub fn is_at_least(&self, beta: &BigRational, cosines: &Interval<BigRational>) -> bool {
+        let over = self.spare(beta).scaled(&-BigRational::one());
+        if cosines.is_point() {
+            return over.sign_at(cosines.lo()) != Ordering::Less;
+        }
+        sturm::sign_over(&over, cosines).is_nonnegative()
+    }
+
     /// Where β ≤ λ(θ): intervals of cos θ, from left to right, too wide by at most `width` at either
     /// end.
     #[must_use]

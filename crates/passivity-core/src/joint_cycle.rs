@@ -77,11 +77,13 @@ impl<S: Enclosed> Joints<Interval<S>, S> {
         draws.then_some(JointCycle { from, step, gain })
     }
 
-    /// What is gained at least, whatever the parameters within their tolerances.
+    /// What an operator gains at least on `from` → `from` + `step` → `from`, in ticks or in the unit of
+    /// length without an encoder, whatever the parameters within their tolerances; inside the wall.
     ///
     /// With the unit of length ℓ of each joint, and M what the measured position changes on the way, it
     /// is Σᵢ ℓᵢ|dᵢ|·(sgn dᵢ·Σⱼ Kᵢⱼℓⱼ Mⱼ − 2bᵢℓᵢ|dᵢ|/T − 2cᵢ), from the held torques alone.
-    fn gain_at_least(&self, from: &[BigRational], step: &[BigRational]) -> Option<S> {
+    #[must_use]
+    pub fn gain_at_least(&self, from: &[BigRational], step: &[BigRational]) -> Option<S> {
         let (from, step) = (numbers::<S>(from)?, numbers::<S>(step)?);
         let one = || Interval::point(S::one());
         let lengths = || {

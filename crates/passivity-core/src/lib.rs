@@ -84,6 +84,7 @@ pub mod quantizer;
 pub mod rational;
 pub mod region;
 pub mod scalar;
+pub mod smoothed;
 pub mod sources;
 pub mod spring;
 pub mod start;

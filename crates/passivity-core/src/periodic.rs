@@ -27,6 +27,36 @@ pub struct Motion<S> {
     pub gain: S,
 }
 
+impl<S: Ordered> Motion<S> {
+    /// The motion through these positions, with the gain of the forces that `held` gives for the period.
+    ///
+    /// `None` where a step is not strictly below `speed_bound` (ticks per sample), because a hand that
+    /// turns round is faster in between, or where `held` has no answer.
+    #[must_use]
+    pub fn below(
+        speed_bound: Option<&S>,
+        positions: Vec<S>,
+        held: impl Fn(&[S]) -> Option<Vec<S>>,
+        friction: &Friction<S>,
+    ) -> Option<Self> {
+        if let Some(bound) = speed_bound {
+            for (from, to) in steps(&positions) {
+                if (to.clone() - from.clone()).abs().compare(bound)? != Ordering::Less {
+                    return None;
+                }
+            }
+        }
+        let gain = gain(&held(&positions)?, &positions, friction);
+        Some(Self { positions, gain })
+    }
+
+    /// The motion, where its gain is above zero.
+    #[must_use]
+    pub fn that_draws(self) -> Option<Self> {
+        self.gain.is_positive()?.then_some(self)
+    }
+}
+
 impl<S> From<Cycle<S>> for Motion<S> {
     fn from(cycle: Cycle<S>) -> Self {
         Self {
@@ -154,10 +184,15 @@ fn solved<S: Ordered>(mut rows: Vec<Vec<S>>) -> Option<Vec<S>> {
 /// ```
 #[must_use]
 pub fn gain<S: Scalar>(forces: &[S], positions: &[S], friction: &Friction<S>) -> S {
-    let next = positions.iter().skip(1).chain(positions.first());
-    let steps = forces.iter().zip(positions).zip(next);
-    steps.fold(S::zero(), |sum, ((force, from), to)| {
+    let moved = forces.iter().zip(steps(positions));
+    moved.fold(S::zero(), |sum, (force, (from, to))| {
         let d = to.clone() - from.clone();
         sum + force.clone() * d.clone() - friction.dissipated_lower(&d, &d.abs())
     })
+}
+
+/// Each position with the next, and the last with the first.
+pub(crate) fn steps<S>(positions: &[S]) -> impl Iterator<Item = (&S, &S)> {
+    let next = positions.iter().skip(1).chain(positions.first());
+    positions.iter().zip(next)
 }

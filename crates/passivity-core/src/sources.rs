@@ -47,6 +47,7 @@ pub const SOURCES: &[(&str, &str)] = sources! {
     "rational.rs"
     "region.rs"
     "scalar.rs"
+    "smoothed.rs"
     "sources.rs"
     "spring.rs"
     "start.rs"

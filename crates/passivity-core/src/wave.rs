@@ -5,7 +5,6 @@
 //! The positions are rounded to whole ticks, which an encoder measures exactly but for a constant.
 
 use alloc::vec::Vec;
-use core::cmp::Ordering;
 
 use num_bigint::BigInt;
 use num_integer::Integer as _;
@@ -16,9 +15,8 @@ use crate::circle::Circle;
 use crate::dissipation::Friction;
 use crate::frequency::ViscousCost;
 use crate::interval::Interval;
-use crate::periodic::{Motion, gain};
+use crate::periodic::Motion;
 use crate::scalar::{Ordered, Scalar};
-use crate::sturm;
 use crate::transfer::TransferFunction;
 
 /// The longest period that [`harmonic`] tries, in samples.
@@ -62,22 +60,9 @@ pub fn harmonic(
         let least = whole.iter().min()?;
         let from_zero = whole.iter().map(|n| BigRational::from_integer(n - least));
         let positions: Vec<BigRational> = from_zero.collect();
-        if let Some(bound) = speed_bound {
-            let next = positions.iter().skip(1).chain(positions.first());
-            let steps = positions
-                .iter()
-                .zip(next)
-                .map(|(from, to)| Scalar::abs(&(to - from)));
-            if steps
-                .into_iter()
-                .any(|d| d.compare(bound) != Some(Ordering::Less))
-            {
-                return None;
-            }
-        }
-        let gain = gain(&held(&positions)?, &positions, friction);
-        if gain.is_positive()? {
-            return Some(Motion { positions, gain });
+        let motion = Motion::below(speed_bound, positions, &held, friction)?;
+        if let Some(found) = motion.that_draws() {
+            return Some(found);
         }
     }
     None
@@ -224,21 +209,12 @@ fn angle(
             }
             // A unit fraction: the decision is about as long as its numbers.
             let spare = half.recip().ceil().recip();
-            if exceeds(cost, &(beta + &spare), &cosine) {
+            if cost.is_at_least(&(beta + &spare), &cosine) {
                 return Some((turns.numer().clone(), turns.denom().clone(), spare));
             }
         }
     }
     None
-}
-
-/// Whether λ(θ) ≥ β at every cos θ of an interval.
-fn exceeds(cost: &ViscousCost, beta: &BigRational, cosine: &Interval<BigRational>) -> bool {
-    let over = cost.spare(beta).scaled(&-BigRational::one());
-    if cosine.is_point() {
-        return over.sign_at(cosine.lo()) != Ordering::Less;
-    }
-    sturm::sign_over(&over, cosine).is_nonnegative()
 }
 
 /// The part of an enclosure of a cosine that is in [−1, 1].

@@ -28,7 +28,7 @@ pub use claims::{Assumption, Caveat, Claim, Claims, Item};
 pub use engine::Engine;
 pub use error::EvidenceError;
 pub use freshness::{Assessed, Change, Freshness, Now, assess, in_tree};
-pub use mutation::{Mutation, Survivor};
+pub use mutation::{Mutation, Search, Survivor};
 pub use record::{Evidence, FORMAT, Failure, Outcome, Record, Run, RunOutcome, Shown, Tool};
 pub use sha256::Sha256;
 

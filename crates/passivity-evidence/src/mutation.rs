@@ -21,6 +21,10 @@ pub struct Mutation {
     pub caught: u64,
     /// Those that no test noticed, or with which the tests came to no end, each with the reason.
     pub survivors: Vec<Survivor>,
+    /// Those that no test noticed in functions that only look for a candidate: what they find is checked
+    /// by other functions, so that a change of them may lose an answer, and never give a wrong one.
+    #[serde(default)]
+    pub searches: Vec<Search>,
     /// Those of which nobody has said why no test notices them: the gate fails on them.
     #[serde(default)]
     pub open: Vec<String>,
@@ -44,6 +48,18 @@ pub struct Survivor {
     pub mutant: String,
     /// Why it makes no difference.
     pub reason: String,
+}
+
+/// A function that only looks for a candidate, and the mutants of it that no test noticed.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Search {
+    /// Its file and name: `src/wave.rs: best_angle`.
+    pub function: String,
+    /// What checks its finds.
+    pub checked_by: String,
+    /// The mutants, without their lines.
+    pub survivors: Vec<String>,
 }
 
 impl Mutation {

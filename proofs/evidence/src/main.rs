@@ -115,15 +115,21 @@ fn write_table() -> Result<(), EvidenceError> {
 /// Compares the survivors of a mutation run with the explained ones; writes `last.json`. Fails on
 /// survivors that nobody explained.
 fn judge_mutants(folder: &str) -> Result<(), EvidenceError> {
-    let explained = mutants::explained(&root())?;
+    let explained = mutants::Explained::read(&root())?;
     let (mutation, faults) = mutants::judge(&root(), Path::new(folder), &explained)?;
+    let searching = mutation
+        .searches
+        .iter()
+        .map(|search| search.survivors.len());
     println!(
-        "{} mutants compile ({} do not, {} were left out), {} noticed, {} explained survivors, {} open",
+        "{} mutants compile ({} do not, {} were left out), {} noticed, {} explained survivors, {} in \
+         functions that only search, {} open",
         mutation.mutants,
         mutation.unviable,
         mutation.left_out.len(),
         mutation.caught,
         mutation.survivors.len(),
+        searching.sum::<usize>(),
         mutation.open.len()
     );
     let text = serde_json::to_string_pretty(&mutation)

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use passivity_evidence::{EvidenceError, Mutation, Sha256, Survivor, Tool, read};
+use passivity_evidence::{EvidenceError, Mutation, Search, Sha256, Survivor, Tool, read};
 use serde::Deserialize;
 
 use crate::collect::counted;
@@ -15,12 +15,14 @@ const EXPLAINED: &str = "proofs/mutants/explained.toml";
 /// The last mutation run, from the root of the workspace.
 pub const LAST: &str = "proofs/mutants/last.json";
 
-/// `proofs/mutants/explained.toml`.
+/// `proofs/mutants/explained.toml`: survivors that are known, and why they make no difference.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Explained {
+pub struct Explained {
     #[serde(default)]
     survivor: Vec<Group>,
+    #[serde(default)]
+    search: Vec<Searches>,
 }
 
 /// Survivors that make no difference for the same reason.
@@ -31,23 +33,63 @@ struct Group {
     reason: String,
 }
 
-/// The survivors that are known, and why nothing can notice them.
-///
-/// # Errors
-///
-/// A list that cannot be read.
-pub fn explained(root: &Path) -> Result<Vec<Survivor>, EvidenceError> {
-    let list: Explained = toml::from_str(&read(&root.join(EXPLAINED))?)
-        .map_err(|error| EvidenceError::within(EXPLAINED, error))?;
-    let each = |group: Group| {
-        let Group { mutants, reason } = group;
-        let of = move |mutant| Survivor {
-            mutant,
-            reason: reason.clone(),
-        };
-        mutants.into_iter().map(of)
-    };
-    Ok(list.survivor.into_iter().flat_map(each).collect())
+/// Functions that only look for a candidate, which the same code checks.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Searches {
+    functions: Vec<String>,
+    checked_by: String,
+}
+
+impl Explained {
+    /// The list of the workspace.
+    ///
+    /// # Errors
+    ///
+    /// A list that cannot be read.
+    pub fn read(root: &Path) -> Result<Self, EvidenceError> {
+        toml::from_str(&read(&root.join(EXPLAINED))?)
+            .map_err(|error| EvidenceError::within(EXPLAINED, error))
+    }
+
+    /// Whether a survivor is known, or changes a function that only searches; without its line.
+    #[must_use]
+    pub fn has(&self, mutant: &str) -> bool {
+        self.reason(mutant).is_some() || self.checked_by(&function(mutant)).is_some()
+    }
+
+    fn reason(&self, mutant: &str) -> Option<&str> {
+        let of = |group: &&Group| group.mutants.iter().any(|known| known == mutant);
+        let group = self.survivor.iter().find(of)?;
+        Some(&group.reason)
+    }
+
+    fn checked_by(&self, function: &str) -> Option<&str> {
+        let of = |searches: &&Searches| searches.functions.iter().any(|known| known == function);
+        let searches = self.search.iter().find(of)?;
+        Some(&searches.checked_by)
+    }
+}
+
+/// The file and the name of the function that a mutant changes, without its type:
+/// `src/wave.rs: best_angle`.
+fn function(mutant: &str) -> String {
+    let (file, what) = mutant.split_once(": ").unwrap_or((mutant, ""));
+    let what = what
+        .rfind(" (")
+        .filter(|_| what.ends_with(')'))
+        .map_or(what, |at| &what[..at]);
+    // `replace + with - in F`, or `replace F -> T with x`.
+    let path = what.rsplit_once(" in ").map_or_else(
+        || {
+            let of = what.trim_start_matches("replace ");
+            let end = of.find(" -> ").or_else(|| of.find(" with "));
+            &of[..end.unwrap_or(of.len())]
+        },
+        |(_, path)| path,
+    );
+    let name = path.rsplit("::").next().unwrap_or_default();
+    format!("{file}: {name}")
 }
 
 /// The last mutation run, when there was one.
@@ -70,7 +112,7 @@ pub(crate) fn last(root: &Path) -> Result<Option<Mutation>, EvidenceError> {
 pub fn judge(
     root: &Path,
     folder: &Path,
-    explained: &[Survivor],
+    explained: &Explained,
 ) -> Result<(Mutation, Vec<String>), EvidenceError> {
     let mut all = Run::default();
     all.read(&folder.join("outcomes.json"))?;
@@ -79,7 +121,9 @@ pub fn judge(
         let message = "no mutant was noticed: the run is not one";
         return Err(EvidenceError::new(message));
     }
-    let (survivors, open, mut faults) = all.survivors(explained);
+    let survived = all.survived();
+    let (survivors, searches, open) = sorted(&survived, explained);
+    let mut faults = idle(&survived, explained);
     let nobody = open.iter();
     faults.extend(nobody.map(|name| format!("survived, and nobody says why: {name}")));
     let tree = Sources::new(root, None);
@@ -94,6 +138,7 @@ pub fn judge(
         mutants: counted(all.noticed.len())?,
         caught: counted(caught)?,
         survivors,
+        searches,
         open,
         unviable: all.unviable,
         left_out: all.left_out,
@@ -189,26 +234,51 @@ impl Run {
         Ok(())
     }
 
-    /// The survivors with their reasons, those without, and reasons that are not needed.
-    fn survivors(&self, explained: &[Survivor]) -> (Vec<Survivor>, Vec<String>, Vec<String>) {
+    fn survived(&self) -> BTreeSet<String> {
         let missed = self.noticed.iter().filter(|(_, noticed)| !**noticed);
-        let survived: BTreeSet<String> = missed.map(|(name, _)| without_line(name)).collect();
-        let known: BTreeMap<&str, &Survivor> = explained
-            .iter()
-            .map(|survivor| (survivor.mutant.as_str(), survivor))
-            .collect();
-        let mut survivors = Vec::new();
-        let mut open = Vec::new();
-        for name in &survived {
-            match known.get(name.as_str()) {
-                Some(survivor) => survivors.push((*survivor).clone()),
-                None => open.push(name.clone()),
-            }
-        }
-        let idle = known.keys().filter(|name| !survived.contains(**name));
-        let idle = idle.map(|name| format!("explained, but it was noticed or is gone: {name}"));
-        (survivors, open, idle.collect())
+        missed.map(|(name, _)| without_line(name)).collect()
     }
+}
+
+/// The survivors with their reasons, those of functions that only search, and those without a reason.
+fn sorted(
+    survived: &BTreeSet<String>,
+    explained: &Explained,
+) -> (Vec<Survivor>, Vec<Search>, Vec<String>) {
+    let (mut survivors, mut open) = (Vec::new(), Vec::new());
+    let mut searches: BTreeMap<String, Search> = BTreeMap::new();
+    for mutant in survived.iter().cloned() {
+        let function = function(&mutant);
+        if let Some(reason) = explained.reason(&mutant) {
+            let reason = reason.to_owned();
+            survivors.push(Survivor { mutant, reason });
+        } else if let Some(checked_by) = explained.checked_by(&function) {
+            let search = searches.entry(function.clone()).or_insert_with(|| Search {
+                function,
+                checked_by: checked_by.to_owned(),
+                survivors: Vec::new(),
+            });
+            search.survivors.push(mutant);
+        } else {
+            open.push(mutant);
+        }
+    }
+    (survivors, searches.into_values().collect(), open)
+}
+
+/// Reasons that are not needed.
+fn idle(survived: &BTreeSet<String>, explained: &Explained) -> Vec<String> {
+    let functions: BTreeSet<String> = survived.iter().map(|mutant| function(mutant)).collect();
+    let mutants = explained.survivor.iter().flat_map(|group| &group.mutants);
+    let gone = mutants.filter(|name| !survived.contains(*name));
+    let gone = gone.map(|name| format!("explained, but it was noticed or is gone: {name}"));
+    let searches = explained
+        .search
+        .iter()
+        .flat_map(|searches| &searches.functions);
+    let whole = searches.filter(|name| !functions.contains(*name));
+    let whole = whole.map(|name| format!("only searches, but no change of it survived: {name}"));
+    gone.chain(whole).collect()
 }
 
 /// The name of a mutant without its line and column, which change with every edit above it.
@@ -256,17 +326,36 @@ mod tests {
         folder
     }
 
-    fn because(mutant: &str) -> Survivor {
-        Survivor {
-            mutant: mutant.into(),
-            reason: "because".into(),
-        }
-    }
+    const KNOWN: &str = r#"
+        [[survivor]]
+        mutants = ["a.rs: replace + with - in two", "a.rs: gone"]
+        reason = "because"
 
-    fn judged(run: &Path, explained: &[Survivor]) -> (Mutation, Vec<String>) {
-        let judged = judge(&crate::root(), run, explained).unwrap();
-        std::fs::remove_dir_all(run).unwrap();
-        judged
+        [[search]]
+        functions = ["a.rs: guess", "a.rs: other"]
+        checked_by = "`judged`"
+    "#;
+
+    #[test]
+    fn functions_of_mutants() {
+        for (mutant, name) in [
+            ("replace + with - in harmonic (2 of 5)", "harmonic"),
+            (
+                "replace match guard a > 0 with true in X<S>::on_ray",
+                "on_ray",
+            ),
+            (
+                "replace X<Y<S>, S>::along_ray -> Option<Z<S>> with None",
+                "along_ray",
+            ),
+            ("replace set with () (1 of 2)", "set"),
+            ("replace .lo() with .hi() in angle", "angle"),
+        ] {
+            assert_eq!(
+                function(&format!("a.rs: {mutant}")),
+                format!("a.rs: {name}")
+            );
+        }
     }
 
     #[test]
@@ -275,21 +364,27 @@ mod tests {
             "one-run",
             &[
                 ("a.rs:1:1: one", "CaughtMutant"),
-                ("a.rs:2:1: two", "MissedMutant"),
+                ("a.rs:2:1: replace + with - in two", "MissedMutant"),
                 ("a.rs:3:1: three", "MissedMutant"),
                 ("a.rs:4:1: four", "Unviable"),
                 ("a.rs:5:1: five", "Timeout"),
+                ("a.rs:6:1: replace guess -> u8 with 0", "MissedMutant"),
+                ("b.rs:6:1: replace guess -> u8 with 0", "MissedMutant"),
             ],
         );
-        let (mutation, faults) = judged(&run, &[because("a.rs: two"), because("a.rs: gone")]);
+        let explained: Explained = toml::from_str(KNOWN).unwrap();
+        let (mutation, faults) = judge(&crate::root(), &run, &explained).unwrap();
+        std::fs::remove_dir_all(run).unwrap();
+        let counts = (mutation.mutants, mutation.caught, mutation.unviable);
+        assert_eq!(counts, (6, 1, 1));
+        assert_eq!(mutation.survivors.len(), 1);
+        assert_eq!(mutation.searches.len(), 1);
+        let found = &mutation.searches[0];
         assert_eq!(
-            (mutation.mutants, mutation.caught, mutation.survivors.len()),
-            (4, 1, 1)
+            (found.function.as_str(), found.survivors.len()),
+            ("a.rs: guess", 1)
         );
-        assert_eq!(
-            (mutation.open.len(), mutation.unviable, faults.len()),
-            (2, 1, 3),
-            "{faults:?}"
-        );
+        // Open: three, five and the one of b.rs; not needed: `gone` and `other`.
+        assert_eq!((mutation.open.len(), faults.len()), (3, 5), "{faults:?}");
     }
 }

@@ -221,11 +221,28 @@ fn mutation(text: &mut String, mutation: &Mutation, changes: &[Change]) {
             open.concat()
         );
     }
-    if mutation.survivors.is_empty() {
-        return;
+    if !mutation.searches.is_empty() {
+        text.push_str(
+            "\nThese functions only look for a motion or a number that other code then checks. A change of \
+             them may lose an answer, and never give a wrong one:\n\n\
+             | function | not noticed | what checks its finds |\n| --- | --- | --- |\n",
+        );
     }
-    text.push_str("\nThese change nothing of what is decided:\n\n");
-    text.push_str("| mutant | why no test can notice it |\n| --- | --- |\n");
+    for search in &mutation.searches {
+        let _ = writeln!(
+            text,
+            "| `{}` | {} | {} |",
+            escaped(&search.function),
+            search.survivors.len(),
+            escaped(&search.checked_by)
+        );
+    }
+    if !mutation.survivors.is_empty() {
+        text.push_str(
+            "\nThese change nothing of what is decided:\n\n\
+             | mutant | why no test can notice it |\n| --- | --- |\n",
+        );
+    }
     for survivor in &mutation.survivors {
         let _ = writeln!(
             text,

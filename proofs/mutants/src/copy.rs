@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use passivity_standin::copy::{copy, workspace, write};
+use passivity_standin::copy::{copy, without_what_is_gone, workspace, write};
 use passivity_standin::mutate::{AS_IT_WAS, MUTANT, Place, SWITCH, with_places};
 
 use crate::SUBJECTS;
@@ -124,6 +124,7 @@ fn written(root: &Path, to: &Path, changes: &[Change]) -> Result<BTreeMap<String
         if let Some(fault) = fault {
             return Err(fault);
         }
+        without_what_is_gone(&root.join(folder), &to.join(folder), &["mutation.rs"]);
         let switch = to.join(folder).join("src/mutation.rs");
         write(&switch, SWITCH.as_bytes());
     }

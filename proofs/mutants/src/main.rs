@@ -23,6 +23,7 @@ use std::process::ExitCode;
 
 use changes::Change;
 use journal::Journal;
+use passivity_collect::mutants::Explained;
 use runs::{CASES, Outcome};
 
 /// A crate that is changed.
@@ -116,9 +117,7 @@ fn run(options: &Options) -> Result<(), String> {
     let root = root();
     fs::create_dir_all(&options.folder)
         .map_err(|e| format!("{}: {e}", options.folder.display()))?;
-    let explained = root.join("proofs/mutants/explained.toml");
-    let explained =
-        fs::read_to_string(&explained).map_err(|e| format!("{}: {e}", explained.display()))?;
+    let explained = Explained::read(&root).map_err(|e| e.to_string())?;
     let (mut changes, left_out) = changes::all(&root)?;
     for name in &left_out {
         println!("left out      {name}");
@@ -144,7 +143,7 @@ fn run(options: &Options) -> Result<(), String> {
     let again: Vec<Change> = changes
         .iter()
         .filter(|c| journal.outcome(&c.name) != Some(Outcome::Noticed))
-        .filter(|c| !explained.contains(&format!("\"{}\"", c.lasting_name())))
+        .filter(|c| !explained.has(&c.lasting_name()))
         .cloned()
         .collect();
     println!("{} survivors that nobody explained", again.len());

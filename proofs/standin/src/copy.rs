@@ -38,6 +38,25 @@ pub fn copy(from: &Path, to: &Path, change: &mut dyn FnMut(&Path, String) -> Str
     }
 }
 
+/// Removes the files of a copied folder that are gone from the folder itself, but for those that were
+/// `added` to it.
+///
+/// # Panics
+///
+/// When the copy cannot be read, or a file of it not be removed.
+pub fn without_what_is_gone(from: &Path, to: &Path, added: &[&str]) {
+    for entry in fs::read_dir(to).expect("the copy can be read") {
+        let path = entry.expect("the copy can be read").path();
+        let name = path.file_name().expect("a name");
+        let original = from.join(name);
+        if path.is_dir() {
+            without_what_is_gone(&original, &path, added);
+        } else if !original.exists() && !added.iter().any(|added| name == *added) {
+            fs::remove_file(&path).expect("files can be removed");
+        }
+    }
+}
+
 /// Makes a workspace of the copied `members`, with the versions of the one at `root`.
 ///
 /// # Panics

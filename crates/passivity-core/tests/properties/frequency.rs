@@ -38,6 +38,23 @@ fn billionth() -> BigRational {
 }
 
 sampled! {
+    /// Where λ(θ) ≥ β over a range of cosines, it is so on a grid of it.
+    fn th_lti_cost_is_at_least_over_a_range(
+        controller in controller(), ends in prop::array::uniform2(-8i64..9), beta in -12i64..13,
+    ) {
+        let cost = ViscousCost::of(&controller);
+        let [lo, hi] = [ends.iter().min(), ends.iter().max()].map(|n| q(*n.unwrap(), 8));
+        let range = Interval::hull(lo.clone(), hi.clone());
+        let beta = cost.at(&((&lo + &hi) * half())) + q(beta, 8);
+        let grid = (0..=64).map(|n| &lo + (&hi - &lo) * q(n, 64));
+        let least = grid.map(|x| cost.at(&x)).min().unwrap();
+        let said = cost.is_at_least(&beta, &range);
+        prop_assert!(!said || least >= beta);
+        if range.is_point() {
+            prop_assert_eq!(said, least >= beta);
+        }
+    }
+
     /// The enclosure is within 10⁻⁹ of the largest value on a fine grid, and never below it.
     fn th_lti_cost_is_the_largest_on_a_grid(controller in controller()) {
         let cost = ViscousCost::of(&controller);
@@ -143,6 +160,31 @@ sampled! {
             xi += d;
         }
     }
+}
+
+/// A delay of one sample: λ = ½ + cos θ.
+#[test]
+fn th_lti_cost_is_at_least_by_hand() {
+    let cost = ViscousCost::of(&Controller::wall().delayed(1));
+    let over = |lo: i64, hi: i64| Interval::hull(q(lo, 4), q(hi, 4));
+    for (beta, range, reached) in [
+        (q(3, 4), over(1, 3), true),
+        (q(3, 4) + billionth(), over(1, 3), false),
+        (q(3, 4), over(1, 1), true),
+        (q(3, 4) + billionth(), over(1, 1), false),
+        (q(-1, 2), over(-4, 4), true),
+        (q(5, 4), over(-4, 4), false),
+    ] {
+        assert_eq!(
+            cost.is_at_least(&beta, &range),
+            reached,
+            "{beta} over {range:?}"
+        );
+    }
+    // 1/(2 − z⁻¹) at half the sampling rate: ½H(−1) = 1/6.
+    let cost = ViscousCost::of(&Controller::new([q(1, 1)], [q(2, 1), q(-1, 1)]).unwrap());
+    assert!(cost.is_at_least(&q(1, 6), &over(-4, -4)));
+    assert!(!cost.is_at_least(&(q(1, 6) + billionth()), &over(-4, -4)));
 }
 
 #[test]

@@ -4,9 +4,10 @@ use passivity_core::joint_cycle::JointCycle;
 use passivity_core::joints::{Joint, Joints, Shape};
 use passivity_core::rational::to_wide;
 use passivity_core::witness::quantized;
-use passivity_core::{BigRational, Friction, Interval, Wide};
+use passivity_core::{BigRational, Friction, Interval, Ordered as _, Wide};
+use proptest::prelude::*;
 
-use crate::common::{half, q, zero};
+use crate::common::{half, magnitude, q, sampled, zero};
 
 type Range = Interval<Wide>;
 
@@ -38,6 +39,114 @@ fn cycle(joints: Vec<Joint<Range>>, direction: &[i64]) -> Option<JointCycle<Wide
         unilateral: false,
     };
     device.find_cycle()
+}
+
+/// K, T, and for each of two joints Δ, b and c: numbers from ½ to 5.
+type Device = [BigRational; 8];
+
+/// What is gained on a cycle: Σ Δᵢ|dᵢ|·(sgn dᵢ·Σ K aᵢaⱼΔⱼMⱼ − 2bᵢΔᵢ|dᵢ|/T − 2cᵢ).
+fn gain_by_hand(
+    [k, t, joints @ ..]: &Device,
+    a: [i64; 2],
+    from: &[BigRational],
+    step: &[BigRational],
+) -> BigRational {
+    let moved = |j: usize| (&from[j] + &step[j]).floor() - from[j].floor();
+    let torque = (0..2).fold(zero(), |sum, j| {
+        sum + q(a[j], 1) * &joints[3 * j] * moved(j)
+    });
+    let of = |i: usize| {
+        let [tick, viscous, coulomb] = [0, 1, 2].map(|at| &joints[3 * i + at]);
+        let way = tick * magnitude(&step[i]);
+        let held = k * q(a[i], 1) * &torque * tick * &step[i];
+        held - q(2, 1) * &way * (viscous * &way / t + coulomb)
+    };
+    of(0) + of(1)
+}
+
+sampled! {
+    /// No device of the box gains less than what is said, and with one joint that moves some device
+    /// gains just that, where it is above zero.
+    fn th_ndof_gain_at_least_over_the_box(
+        ends in prop::array::uniform8((1i64..9, 0i64..3)), a in prop::array::uniform2(-2i64..3),
+        from in prop::array::uniform2(-20i64..20), step in prop::array::uniform2(-20i64..20),
+        alone in any::<bool>(), little_friction in any::<bool>(),
+    ) {
+        let ends: Vec<[BigRational; 2]> = ends.iter().enumerate().map(|(at, (lo, more))| {
+            let friction = at > 2 && at != 5 && little_friction;
+            let d = if friction { 16 } else { 2 };
+            [q(*lo, d), q(lo + more, d)]
+        }).collect();
+        let range = |at: usize| between(ends[at][0].clone(), ends[at][1].clone());
+        let joint = |at: usize| Joint {
+            viscous: Some(range(at + 1)),
+            coulomb: Some(range(at + 2)),
+            ..joint(Some(range(at)), None)
+        };
+        let device = Joints {
+            stiffness: range(0),
+            period: range(1),
+            joints: vec![joint(2), joint(5)],
+            shape: Shape::Direction(a.iter().map(|a| to_wide(&q(*a, 1))).collect()),
+            unilateral: false,
+        };
+        let from: Vec<BigRational> = from.iter().map(|x| q(*x, 4)).collect();
+        let mut step: Vec<BigRational> = step.iter().map(|d| q(*d, 4)).collect();
+        if alone {
+            step[1] = zero();
+        }
+        let said = device.gain_at_least(&from, &step).unwrap();
+        let corners = (0..256).map(|bits: usize| {
+            let device: Device = std::array::from_fn(|at| ends[at][bits >> at & 1].clone());
+            gain_by_hand(&device, a, &from, &step)
+        });
+        let least = to_wide(&corners.min().unwrap());
+        prop_assert!((least.clone() - said.clone()).is_nonnegative().unwrap());
+        if alone && said.is_positive().unwrap() {
+            prop_assert_eq!(least, said);
+        }
+    }
+}
+
+/// A wall on one side, K = 1 against b = ¾ each, at a = (1, −1): along (1, −1) or its opposite, in ticks.
+#[test]
+fn th_ndof_cycles_stay_inside_a_wall_on_one_side() {
+    for a in [[1, -1], [-1, 1], [1, 1], [-1, -1]] {
+        let pushed = || Joint {
+            viscous: Some(point(3, 4)),
+            coulomb: Some(point(1, 1)),
+            ..joint(Some(point(1, 1)), None)
+        };
+        let device = Joints {
+            stiffness: point(1, 1),
+            period: point(1, 1),
+            joints: vec![pushed(), pushed()],
+            shape: Shape::Direction(a.map(|a| to_wide(&q(a, 1))).to_vec()),
+            unilateral: true,
+        };
+        let found = device.find_cycle().unwrap();
+        for (a, (x, d)) in a.iter().zip(found.from.iter().zip(&found.step)) {
+            for at in [x.clone(), x + d] {
+                // In ticks from the wall's surface: both sides of it begin with a tick of their own.
+                let inside = if *a > 0 {
+                    at.floor() >= zero()
+                } else {
+                    at.floor() < zero()
+                };
+                assert!(inside, "{found:?}");
+            }
+            // No further in than it takes.
+            let ends = [x.floor(), (x + d).floor()];
+            let nearest = if *a > 0 {
+                ends.iter().min()
+            } else {
+                ends.iter().max()
+            };
+            let first = if *a > 0 { zero() } else { q(-1, 1) };
+            let untouched = x.floor() == *x && (x + d).floor() == x + d;
+            assert!(*nearest.unwrap() == first || untouched, "{found:?}");
+        }
+    }
 }
 
 /// Of Δ = 2 and at V = 2 and T = ½ at the least, half a tick is as fast as the bound: a quarter is taken, by the

@@ -45,6 +45,7 @@ mod rational;
 mod recursion;
 mod region;
 mod smooth;
+mod smoothed;
 mod spring;
 mod start;
 mod stiffness;

@@ -1,9 +1,10 @@
 //! TH-LTI, the converse: motions of one frequency that draw energy.
 
 use num_traits::ToPrimitive as _;
+use passivity_core::absolute_sum::viscous_bound;
 use passivity_core::drift::Drift;
 use passivity_core::frequency::ViscousCost;
-use passivity_core::periodic::{commands, gain, held_forces};
+use passivity_core::periodic::{Motion, commands, gain, held_forces};
 use passivity_core::transfer::TransferFunction;
 use passivity_core::wave::{Wave, harmonic};
 use passivity_core::{BigRational, Friction, Loop, controller};
@@ -11,7 +12,7 @@ use proptest::prelude::*;
 
 use crate::common::{half, magnitude, nonnegative, q, sampled, squared, zero};
 use crate::transfer::{
-    Controller, controller as any_controller, finite_controller, response, small,
+    Controller, controller as any_controller, finite_controller, response, small, times,
 };
 
 /// The kernel's controller of a finite response, with an encoder.
@@ -179,6 +180,72 @@ fn th_lti_waves_written_down() {
     let less = BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(30));
     let wave = Wave::of(&controller, &Friction::new(q(5, 4) - less, q(1, 1))).unwrap();
     assert!(wave.period.bits() > 40);
+}
+
+/// s of gain = p·[s·(½A² − 2A) − F − σ(A + 1)]: one over a whole number.
+fn spare_of(wave: &Wave, controller: &Controller, friction: &Friction<BigRational>) -> BigRational {
+    let [period, amplitude] =
+        [&wave.period, &wave.amplitude].map(|n| BigRational::from_integer(n.clone()));
+    let most = viscous_bound(controller, &q(1, 1)).unwrap().hi() + &friction.beta;
+    let spent = most + &friction.sigma * (&amplitude + q(1, 1));
+    let drawn = &wave.gain_at_least / period + spent;
+    drawn / (&amplitude * &amplitude * half() - &amplitude * q(2, 1))
+}
+
+/// For the plain wall λ = ½ and F = ½ + β. With β = ¼, s = ⅛, and σ = 5/36 an amplitude of 8 draws
+/// ⅛(32 − 16) − ¾ − 9σ = 0 a sample, which is not above zero.
+#[test]
+fn th_lti_wave_gain_by_hand() {
+    let little = q(1, 1_000_000);
+    for (sigma, amplitude) in [(q(5, 36), 16), (q(5, 36) - little, 8)] {
+        let friction = Friction::new(q(1, 4), sigma);
+        let wave = Wave::of(&Controller::wall(), &friction).unwrap();
+        assert_eq!(wave.amplitude, amplitude.into());
+        assert_eq!(
+            spare_of(&wave, &Controller::wall(), &friction),
+            q(1, 8),
+            "{wave:?}"
+        );
+    }
+    // Σ|gⱼ| is known only within bounds: the larger one counts.
+    let poles = times(&[q(1, 1), q(-1, 2)], &[q(1, 1), q(-1, 3)]);
+    let controller = Controller::new([q(2, 1), q(-1, 1)], poles).unwrap();
+    assert!(!viscous_bound(&controller, &q(1, 1)).unwrap().is_point());
+    let border = ViscousCost::of(&controller).enclosure(&q(1, 1000));
+    let friction = Friction::new(border.lo() - q(1, 10), q(1, 2));
+    let wave = Wave::of(&controller, &friction).unwrap();
+    let spare = spare_of(&wave, &controller, &friction);
+    assert!(spare.numer() == &1.into() && spare <= q(101, 1000));
+}
+
+#[test]
+fn th_lti_motions_stay_below_the_bound_and_draw() {
+    let kernel = kernels(&Controller::wall());
+    let held = |positions: &[BigRational]| Some(held_forces(&kernel, positions));
+    let friction = |sigma: BigRational| Friction::new(zero(), sigma);
+    let up_and_down = |bound: Option<BigRational>, sigma: BigRational| {
+        let positions = vec![zero(), q(1, 1), q(3, 1), q(1, 1)];
+        Motion::below(bound.as_ref(), positions, held, &friction(sigma))
+    };
+    // Held: −½, −3/2, −7/2, −3/2; drawn: −½ − 3 + 7 + 3/2 = 5 over a way of 6.
+    let free = up_and_down(None, q(1, 2)).unwrap();
+    assert_eq!(free.gain, q(2, 1));
+    assert_eq!(up_and_down(Some(q(2, 1)), q(1, 2)), None);
+    let slower = up_and_down(Some(q(2_000_001, 1_000_000)), q(1, 2));
+    assert_eq!(slower.unwrap().that_draws(), Some(free));
+    assert_eq!(up_and_down(None, q(5, 6)).unwrap().that_draws(), None);
+    // The last step, back to the start, is the longest.
+    let down = |bound: BigRational| {
+        let positions = vec![zero(), q(1, 1), q(2, 1)];
+        Motion::below(Some(&bound), positions, held, &friction(zero()))
+    };
+    assert_eq!(down(q(2, 1)), None);
+    assert!(down(q(3, 1) + q(1, 1000)).is_some());
+    let nothing = |_: &[BigRational]| None;
+    assert_eq!(
+        Motion::below(None, vec![zero(), q(1, 1)], nothing, &friction(zero())),
+        None
+    );
 }
 
 #[test]
