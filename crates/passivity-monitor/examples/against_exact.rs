@@ -11,6 +11,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use passivity_monitor::{Answer, Config, Monitor};
+use passivity_random::Random;
 
 /// Samples of one run.
 const RUN: u64 = 1000;
@@ -18,23 +19,10 @@ const RUN: u64 = 1000;
 /// Positions are in parts of a tick.
 const PARTS: i64 = 16;
 
-/// Numbers that look random (SplitMix64), the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    /// A number from `low` to `high`.
-    fn between(&mut self, low: i64, high: i64) -> i64 {
-        let width = high.abs_diff(low) + 1;
-        low + i64::try_from(self.next() % width).expect("the width is small")
-    }
+/// A number from `low` to `high`.
+fn between(random: &mut Random, low: i64, high: i64) -> i64 {
+    let width = high.abs_diff(low) + 1;
+    low + i64::try_from(random.below(width)).expect("the width is small")
 }
 
 /// The exact account.
@@ -83,27 +71,27 @@ enum Controller {
 
 /// One run; a sentence where something disagrees.
 fn run(random: &mut Random, answers: &mut Answers) -> Result<(), String> {
-    let scale = [4, 40, 1000, 1_000_000][random.between(0, 3) as usize];
-    let mut parameter = || random.between(0, 2 * scale);
+    let scale = [4, 40, 1000, 1_000_000][between(random, 0, 3) as usize];
+    let mut parameter = || between(random, 0, 2 * scale);
     let (stiffness, viscous, coulomb) = (parameter(), parameter(), parameter());
-    let fast = [1, 3, 12, 40][random.between(0, 3) as usize] * PARTS;
-    let controller = match random.between(0, 5) {
+    let fast = [1, 3, 12, 40][between(random, 0, 3) as usize] * PARTS;
+    let controller = match between(random, 0, 5) {
         0..=1 => Controller::Wall { delay: 0 },
         2 => Controller::Wall {
-            delay: random.between(1, 3) as usize,
+            delay: between(random, 1, 3) as usize,
         },
         3 => Controller::OneSided,
         _ => Controller::Random {
-            limit: random.between(0, 20 * scale),
+            limit: between(random, 0, 20 * scale),
         },
     };
     let config = Config::new(stiffness, viscous, coulomb).map_err(|error| error.to_string())?;
-    let mut position = random.between(-20 * PARTS, 20 * PARTS);
+    let mut position = between(random, -20 * PARTS, 20 * PARTS);
     let mut counts = [position.div_euclid(PARTS); 4];
     let force_of = |random: &mut Random, counts: &[i64; 4]| match controller {
         Controller::Wall { delay } => -stiffness * counts[delay] - stiffness / 2,
         Controller::OneSided => (-stiffness * counts[0] - stiffness / 2).min(0),
-        Controller::Random { limit } => random.between(-limit, limit),
+        Controller::Random { limit } => between(random, -limit, limit),
     };
     let input = |n: i64| i32::try_from(n).expect("the numbers of a run are small");
     let mut force = force_of(random, &counts);
@@ -112,7 +100,7 @@ fn run(random: &mut Random, answers: &mut Answers) -> Result<(), String> {
     let mut wide = Monitor::<i128>::start(config, counts[0], force);
     let (mut highest, mut speed) = (exact.given, 0);
     for h in 1..RUN {
-        speed = (speed + random.between(-fast / 4 - 1, fast / 4 + 1)).clamp(-fast, fast);
+        speed = (speed + between(random, -fast / 4 - 1, fast / 4 + 1)).clamp(-fast, fast);
         // Drawn back, so that a run stays where its numbers fit.
         position += if position.abs() > 1000 * PARTS && position.signum() == speed.signum() {
             -speed
@@ -170,7 +158,7 @@ fn main() -> ExitCode {
         }
     };
     let start = Instant::now();
-    let (mut random, mut answers) = (Random(0), Answers::default());
+    let (mut random, mut answers) = (Random::new(0), Answers::default());
     let runs = millions * 1_000_000 / RUN;
     for i in 0..runs {
         if let Err(found) = run(&mut random, &mut answers) {

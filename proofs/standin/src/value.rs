@@ -32,43 +32,35 @@ impl Arbitrary for bool {
     }
 }
 
-/// A small generator of random numbers (splitmix64), seeded by the harness's name so that every
-/// run draws the same.
-pub(crate) struct Random(u64);
+/// Random numbers, seeded by the harness's name so that every run draws the same.
+pub(crate) struct Random(passivity_random::Random);
 
 impl Random {
     /// Seeded by the FNV-1a hash of `name`.
     pub(crate) fn named(name: &str) -> Self {
-        Self(name.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        let seed = name.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
             (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
-        }))
-    }
-
-    pub(crate) fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        });
+        Self(passivity_random::Random::new(seed))
     }
 
     /// A number below `n`, which is above zero.
     pub(crate) fn below(&mut self, n: usize) -> usize {
-        (self.next() % n.max(1) as u64) as usize
+        self.0.below(n as u64) as usize
     }
 
     /// A number in `range`, more often than not near an end of it, near zero or of few bits.
     pub(crate) fn number(&mut self, (lo, hi): (i128, i128)) -> i128 {
-        let near = (self.next() % 3) as i128;
+        let near = (self.0.bits() % 3) as i128;
         match self.below(6) {
             0 => lo + near,
             1 => hi - near,
             2 => (near - 1).clamp(lo, hi),
-            3 => lo + (i128::from(self.next()) % (hi - lo + 1)),
+            3 => lo + (i128::from(self.0.bits()) % (hi - lo + 1)),
             _ => {
                 let bits = self.below(64) as u32;
-                let magnitude = i128::from(self.next() >> bits);
-                let signed = if self.next() & 1 == 0 {
+                let magnitude = i128::from(self.0.bits() >> bits);
+                let signed = if self.0.bits() & 1 == 0 {
                     magnitude
                 } else {
                     -magnitude

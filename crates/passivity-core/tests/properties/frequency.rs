@@ -181,10 +181,12 @@ fn th_lti_cost_is_at_least_by_hand() {
             "{beta} over {range:?}"
         );
     }
-    // 1/(2 − z⁻¹) at half the sampling rate: ½H(−1) = 1/6.
+    // 1/(2 − z⁻¹) at half the sampling rate: ½H(−1) = 1/6; at a quarter: ½·Re[(1 + i)/(2 + i)] = 3/10.
     let cost = ViscousCost::of(&Controller::new([q(1, 1)], [q(2, 1), q(-1, 1)]).unwrap());
-    assert!(cost.is_at_least(&q(1, 6), &over(-4, -4)));
-    assert!(!cost.is_at_least(&(q(1, 6) + billionth()), &over(-4, -4)));
+    for (beta, cosine) in [(q(1, 6), -4), (q(3, 10), 0)] {
+        assert!(cost.is_at_least(&beta, &over(cosine, cosine)));
+        assert!(!cost.is_at_least(&(beta + billionth()), &over(cosine, cosine)));
+    }
 }
 
 #[test]

@@ -24,6 +24,18 @@ fn num_exact_pi_whole_numbers_are_known_at_once() {
     assert_eq!(Polynomial::power(2).signum(), Some(Greater));
 }
 
+/// The first enclosure of π has 64 bits: too few from here on.
+#[test]
+fn num_exact_pi_enclosures_as_narrow_as_asked() {
+    let pi = pi();
+    for digits in [80, 200] {
+        let found = pi.enclosure(digits).unwrap();
+        let width = found.hi() - found.lo();
+        assert!(width * BigRational::from_integer(BigInt::from(1) << digits) <= *found.hi());
+        assert!(*found.lo() < *PI && *PI < *found.hi());
+    }
+}
+
 /// ⌊π·2^bits⌋.
 fn cut(bits: u32) -> BigInt {
     (&*PI * BigRational::from_integer(BigInt::from(1) << bits)).to_integer()
