@@ -31,6 +31,9 @@ pub struct Explained {
 struct Group {
     mutants: Vec<String>,
     reason: String,
+    /// Whether tests come to no end with them: it may be that one is asked first that notices them.
+    #[serde(default)]
+    endless: bool,
 }
 
 /// Functions that only look for a candidate, which the same code checks.
@@ -121,9 +124,9 @@ pub fn judge(
         let message = "no mutant was noticed: the run is not one";
         return Err(EvidenceError::new(message));
     }
-    let survived = all.survived();
+    let survived = all.names(|noticed| !noticed);
     let (survivors, searches, open) = sorted(&survived, explained);
-    let mut faults = idle(&survived, explained);
+    let mut faults = idle(&survived, &all.names(|_| true), explained);
     let nobody = open.iter();
     faults.extend(nobody.map(|name| format!("survived, and nobody says why: {name}")));
     let tree = Sources::new(root, None);
@@ -234,9 +237,10 @@ impl Run {
         Ok(())
     }
 
-    fn survived(&self) -> BTreeSet<String> {
-        let missed = self.noticed.iter().filter(|(_, noticed)| !**noticed);
-        missed.map(|(name, _)| without_line(name)).collect()
+    /// The mutants, without their lines, of which it is so whether a test noticed them.
+    fn names(&self, is: impl Fn(bool) -> bool) -> BTreeSet<String> {
+        let mutants = self.noticed.iter().filter(|(_, noticed)| is(**noticed));
+        mutants.map(|(name, _)| without_line(name)).collect()
     }
 }
 
@@ -267,15 +271,16 @@ fn sorted(
 }
 
 /// Reasons that are not needed.
-fn idle(survived: &BTreeSet<String>, explained: &Explained) -> Vec<String> {
+fn idle(survived: &BTreeSet<String>, all: &BTreeSet<String>, explained: &Explained) -> Vec<String> {
     let functions: BTreeSet<String> = survived.iter().map(|mutant| function(mutant)).collect();
-    let mutants = explained.survivor.iter().flat_map(|group| &group.mutants);
-    let gone = mutants.filter(|name| !survived.contains(*name));
+    let gone = explained.survivor.iter().flat_map(|group| {
+        let needed = if group.endless { all } else { survived };
+        let mutants = group.mutants.iter();
+        mutants.filter(|name| !needed.contains(*name))
+    });
     let gone = gone.map(|name| format!("explained, but it was noticed or is gone: {name}"));
-    let searches = explained
-        .search
-        .iter()
-        .flat_map(|searches| &searches.functions);
+    let searches = explained.search.iter();
+    let searches = searches.flat_map(|searches| &searches.functions);
     let whole = searches.filter(|name| !functions.contains(*name));
     let whole = whole.map(|name| format!("only searches, but no change of it survived: {name}"));
     gone.chain(whole).collect()
@@ -331,6 +336,11 @@ mod tests {
         mutants = ["a.rs: replace + with - in two", "a.rs: gone"]
         reason = "because"
 
+        [[survivor]]
+        mutants = ["a.rs: one", "a.rs: lost"]
+        endless = true
+        reason = "never ends"
+
         [[search]]
         functions = ["a.rs: guess", "a.rs: other"]
         checked_by = "`judged`"
@@ -384,7 +394,8 @@ mod tests {
             (found.function.as_str(), found.survivors.len()),
             ("a.rs: guess", 1)
         );
-        // Open: three, five and the one of b.rs; not needed: `gone` and `other`.
-        assert_eq!((mutation.open.len(), faults.len()), (3, 5), "{faults:?}");
+        // Open: three, five and the one of b.rs; not needed: `gone`, `lost` and `other`. That `one` was noticed
+        // is no fault.
+        assert_eq!((mutation.open.len(), faults.len()), (3, 6), "{faults:?}");
     }
 }

@@ -32,11 +32,9 @@ const SLOW: f64 = 2.0;
 /// inputs. What takes longer has not noticed.
 const LIMIT: (f64, f64) = (2.0, 10.0);
 
-/// The same, in seconds, where a change came to no end at first.
-const LONGER: f64 = 30.0;
-
-/// After so many tests without an end no more are tried.
-const MOST_TIMEOUTS: u32 = 2;
+/// After so many tests without an end no more are tried: at first, and where nobody has explained that
+/// there was none, of which another test may well notice something.
+const MOST_TIMEOUTS: (u32, u32) = (2, 16);
 
 /// What a test may take of memory, in KiB: a change can make a list grow without end.
 const MEMORY: &str = "3000000";
@@ -214,8 +212,7 @@ impl<'a> Runs<'a> {
         for (i, test) in tests {
             let cases = test.cases(cases);
             let more = (f64::from(cases) / f64::from(CASES[0])).max(1.0);
-            let least = if ended { LIMIT.0 } else { LONGER };
-            let limit = Duration::from_secs_f64(least + LIMIT.1 * more * test.seconds);
+            let limit = Duration::from_secs_f64(LIMIT.0 + LIMIT.1 * more * test.seconds);
             let mut command = command(test, cases);
             command.env(VARIABLE, change.number.to_string());
             match run(&mut command, Some(limit))? {
@@ -229,7 +226,13 @@ impl<'a> Runs<'a> {
                 }
                 Outcome::TimedOut => timeouts += 1,
             }
-            if timeouts == MOST_TIMEOUTS {
+            if timeouts
+                == if ended {
+                    MOST_TIMEOUTS.0
+                } else {
+                    MOST_TIMEOUTS.1
+                }
+            {
                 break;
             }
         }
