@@ -16,8 +16,13 @@ pub(crate) fn criterion_written_out(the_loop: &Loop<BigRational>) -> Criterion<B
     let damping = absent_is_zero(&the_loop.damping);
     let force_step = absent_is_zero(&the_loop.force_step);
     let delay = q(i64::from(the_loop.delay), 1);
+    // Without damping a period of zero, which a limit may be, costs no Coulomb friction.
+    let per_tick = |delta: &BigRational| match &the_loop.damping {
+        Some(damping) => damping * delta / t,
+        None => zero(),
+    };
     let quantization = match &the_loop.resolution {
-        Some(delta) => k * delta * half() + &damping * delta / t,
+        Some(delta) => k * delta * half() + per_tick(delta),
         None => zero(),
     };
     Criterion {
