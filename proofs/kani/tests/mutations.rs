@@ -21,9 +21,10 @@ const CHANGED: [(&str, &str); 2] = [
 ];
 
 /// The members of the copy.
-const MEMBERS: [&str; 5] = [
+const MEMBERS: [&str; 6] = [
     CHANGED[0].0,
     CHANGED[1].0,
+    "crates/passivity-random",
     "proofs/kani",
     "proofs/standin",
     "proofs/standin/macros",

@@ -10,8 +10,8 @@ use super::{Done, Modules, Part, Report, built, built_by, lines, tool};
 use crate::imported::{HARNESSES, LIST};
 use crate::sources::Sources;
 
-/// What runs them as tests.
-const STAND_IN: &str = "proofs/standin";
+/// What runs them as tests, and what it draws numbers with.
+const STAND_IN: [&str; 2] = ["proofs/standin", "crates/passivity-random"];
 
 /// What every harness is built of.
 pub(crate) fn shared() -> BTreeSet<String> {
@@ -131,7 +131,9 @@ pub(super) fn stand_in(root: &Path, folder: &Path) -> Result<Report, EvidenceErr
     };
     let parts: Vec<Part> = lines.into_iter().map(part).collect::<Result<_, _>>()?;
     let mut shared = shared();
-    shared.extend(sources.under(STAND_IN)?);
+    for folder in STAND_IN {
+        shared.extend(sources.under(folder)?);
+    }
     Ok(Report::done(
         Engine::StandIn,
         Done {
