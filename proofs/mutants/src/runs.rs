@@ -208,6 +208,11 @@ impl<'a> Runs<'a> {
                 of(j).cmp(&of(i)).then(a.seconds.total_cmp(&b.seconds))
             });
         }
+        let most_timeouts = if ended {
+            MOST_TIMEOUTS.0
+        } else {
+            MOST_TIMEOUTS.1
+        };
         let mut timeouts = 0;
         for (i, test) in tests {
             let cases = test.cases(cases);
@@ -226,13 +231,7 @@ impl<'a> Runs<'a> {
                 }
                 Outcome::TimedOut => timeouts += 1,
             }
-            if timeouts
-                == if ended {
-                    MOST_TIMEOUTS.0
-                } else {
-                    MOST_TIMEOUTS.1
-                }
-            {
+            if timeouts == most_timeouts {
                 break;
             }
         }
