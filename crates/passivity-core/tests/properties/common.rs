@@ -1,5 +1,6 @@
 //! Numbers to try, and the frame that runs a test on many of them.
 
+use std::any::Any;
 use std::cell::Cell;
 use std::fs::OpenOptions;
 use std::io::Write as _;
@@ -180,12 +181,36 @@ macro_rules! sampled {
 }
 pub(crate) use sampled;
 
+/// What a test is run on, whatever that is: so the frame is compiled once, and not for each of hundreds of tests.
+trait Input: std::fmt::Debug {
+    fn into_any(self: Box<Self>) -> Box<dyn Any>;
+}
+
+impl<T: std::fmt::Debug + 'static> Input for T {
+    fn into_any(self: Box<Self>) -> Box<dyn Any> {
+        self
+    }
+}
+
 /// Runs a test on [`CASES`] inputs and leaves a record where `PASSIVITY_EVIDENCE_DIR` says.
-pub(crate) fn run<S: Strategy>(
+pub(crate) fn run<S: Strategy<Value: 'static> + 'static>(
     name: &str,
     file: &'static str,
     strategy: S,
-    test: impl Fn(S::Value) -> Result<(), TestCaseError>,
+    test: fn(S::Value) -> Result<(), TestCaseError>,
+) {
+    let inputs = strategy.prop_map(|value| Box::new(value) as Box<dyn Input>);
+    run_on(name, file, &inputs.boxed(), &|input| {
+        let value = input.into_any().downcast::<S::Value>();
+        test(*value.expect("what the strategy makes"))
+    });
+}
+
+fn run_on(
+    name: &str,
+    file: &'static str,
+    inputs: &BoxedStrategy<Box<dyn Input>>,
+    test: &dyn Fn(Box<dyn Input>) -> Result<(), TestCaseError>,
 ) {
     let started = Instant::now();
     let asked = |name: &str| std::env::var(name).ok()?.parse().ok();
@@ -202,8 +227,8 @@ pub(crate) fn run<S: Strategy>(
         ..ProptestConfig::default()
     };
     let cases = Cell::new(0u64);
-    let outcome = TestRunner::new(config).run(&strategy, |value| {
-        let result = test(value);
+    let outcome = TestRunner::new(config).run(inputs, |input| {
+        let result = test(input);
         if result.is_ok() {
             cases.set(cases.get() + 1);
         }
