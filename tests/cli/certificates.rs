@@ -44,7 +44,7 @@ fn the_second_implementation_confirms_violations_and_refuses_changed_figures() {
         let run = certified(&dir, scene, trace, "json");
         let row = &run.json()["first_violation"]["row"];
         assert!(row.is_u64(), "{scene}{trace}: no row is violated");
-        let found = dir.check_certificate("certificate.json");
+        let found = dir.check_certificates(&["certificate.json"]);
         assert_eq!(found.code, 0, "{scene}{trace}{}", found.stderr);
         let says = format!("The violation is real: the net energy of row {row} is ");
         assert!(found.stdout.starts_with(&says), "{}", found.stdout);
@@ -65,22 +65,34 @@ fn refuses_changes(dir: &Dir) {
     }
     assert!(places.len() >= 3, "{text}");
     places.push("/log/dtau".to_owned());
-    for place in places {
+    for (i, place) in places.iter().enumerate() {
         let mut changed = whole.clone();
-        let number = changed.pointer_mut(&place).unwrap();
+        let number = changed.pointer_mut(place).unwrap();
         let one = BigRational::from_integer(1.into());
         let thousandth = BigRational::new(1.into(), 1000.into());
         let sign = if place.ends_with("/lo") { -one } else { one };
         *number = Value::from((rational(number) + sign * thousandth).to_string());
-        dir.write("changed.json", changed.to_string());
-        let found = dir.check_certificate("changed.json");
-        assert_eq!((found.code, found.stdout.as_str()), (1, ""), "{place}");
+        dir.write(&format!("changed{i}.json"), changed.to_string());
+    }
+    let files: Vec<String> = (0..places.len())
+        .map(|i| format!("changed{i}.json"))
+        .collect();
+    let found = dir.check_certificates(&files);
+    // Nothing is said of what is right, and one line of each that is refused.
+    assert_eq!((found.code, found.stdout.as_str()), (1, ""), "{text}");
+    assert_eq!(
+        found.stderr.lines().count(),
+        places.len(),
+        "{}",
+        found.stderr
+    );
+    for (place, line) in places.iter().zip(found.stderr.lines()) {
         let figure = match place.strip_prefix("/figures/") {
             Some(figure) => figure.split('/').next().unwrap(),
             None => "dissipated_lower",
         };
         let says = format!("refused: {figure} is ");
-        assert!(found.stderr.starts_with(&says), "{place}: {}", found.stderr);
+        assert!(line.starts_with(&says), "{place}: {line}");
     }
 }
 

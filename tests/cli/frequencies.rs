@@ -20,7 +20,7 @@ fn the_certificate_of_a_scene_is_written_and_confirmed() {
     for (beta, code, says) in [("5/4", 0, "is enough"), ("1.2499", 1, "is not enough")] {
         let run = certified(&dir, &scene(beta, late));
         assert_eq!((run.code, run.stderr.as_str()), (code, ""));
-        let found = dir.check_certificate("certificate.json");
+        let found = dir.check_certificates(&["certificate.json"]);
         assert_eq!(found.code, 0, "{}", found.stderr);
         assert!(found.stdout.contains(says), "{}", found.stdout);
     }

@@ -59,13 +59,14 @@ impl Dir {
         }
     }
 
-    /// Lets the second implementation check a certificate: its exit code, and what it says.
-    pub(crate) fn check_certificate(&self, file: &str) -> Run {
+    /// Lets the second implementation check certificates: its exit code, and what it says of each.
+    pub(crate) fn check_certificates(&self, files: &[impl AsRef<std::ffi::OsStr>]) -> Run {
         let reference =
             Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/conformance/passivity_ref.py");
         let output = Command::new("python3")
             .arg(reference)
-            .args(["check-certificate", file])
+            .arg("check-certificate")
+            .args(files)
             .current_dir(&self.path)
             .output()
             .expect("Python");

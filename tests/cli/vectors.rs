@@ -42,7 +42,9 @@ fn another_implementation_passes_and_a_broken_copy_is_told_where_it_differs() {
         let path = tests().join("conformance").join(module);
         dir.write(module, fs::read_to_string(path).unwrap());
     }
-    let run = dir.run(&["vectors", "--against", "python3 sound.py"]);
+    // That it passes all of them, the tests of the vectors show.
+    let sound = ["vectors", "--against", "python3 sound.py"];
+    let run = dir.run(&[&sound[..], &["--group", "errata", "--group", "intervals"]].concat());
     assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
     assert!(
         run.stdout.trim_end().ends_with(" tests, 0 differences"),
@@ -97,15 +99,11 @@ fn silence_talk_and_a_command_that_is_not_there_fail_every_test() {
         let words = last.split_whitespace();
         words.filter_map(|word| word.parse().ok()).collect()
     };
-    let run = dir.run(&["vectors", "--against", "yes"]);
-    assert_eq!(run.code, 1, "{}", run.stderr);
-    let all = counts(&run);
-    assert!(all[0] >= 2000 && all[0] == all[1], "{all:?}");
-    for command in ["true", "passivity-no-such-command 2>/dev/null"] {
+    for command in ["yes", "true", "passivity-no-such-command 2>/dev/null"] {
         let run = dir.run(&["vectors", "--against", command, "--group", "errata"]);
         assert_eq!(run.code, 1, "{command}: {}", run.stderr);
         let errata = counts(&run);
-        assert!(errata[0] >= 400 && errata[0] < all[0], "{errata:?}");
+        assert!(errata[0] >= 400, "{errata:?}");
         assert_eq!(errata[0], errata[1], "{command}");
     }
 }

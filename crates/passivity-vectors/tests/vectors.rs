@@ -211,37 +211,47 @@ fn notices(folder: &Path, file: &str, [sound, mistake]: [&str; 2], groups: &[Gro
 #[test]
 fn second_implementation_passes_and_broken_copies_do_not() {
     let path = root().join("tests/conformance/passivity_ref.py");
-    let mut groups = all();
+    let groups = all();
     let outcome = python(path.to_str().unwrap(), &groups);
     let first = &outcome.differences[..outcome.differences.len().min(5)];
     assert!(outcome.differences.is_empty(), "{first:#?}");
     assert!(outcome.tests >= 2000);
-    // What is broken here is none of the rules for loops with memory, nor replaced by a formula.
-    // The regions come last, since it searches for witnesses in them.
-    groups.retain(|group| !["linear", "wrong_formulas"].contains(&group.name));
-    let regions = groups.iter().position(|group| group.name == "regions");
-    let regions = groups.remove(regions.expect("there are vectors of the regions"));
-    groups.extend(parts(&regions, 30));
     let folder = copied("broken");
-    for change in [
-        ["HALF * d * d + HALF * abs(d)", "HALF * d * d + HALF * d"],
-        ["beta * d * d / dtau", "beta * d * d"],
-        ["return xi - floor(xi)", "return abs(xi) - floor(abs(xi))"],
-        [
+    // Each mistake, and a group in which it is noticed.
+    for (group, sound, mistake) in [
+        (
+            "intervals",
+            "HALF * d * d + HALF * abs(d)",
+            "HALF * d * d + HALF * d",
+        ),
+        ("jitter", "beta * d * d / dtau", "beta * d * d"),
+        (
+            "intervals",
+            "return xi - floor(xi)",
+            "return abs(xi) - floor(abs(xi))",
+        ),
+        (
+            "intervals",
             "margin is None or margin >= 0",
             "margin is None or margin > 0",
-        ],
-        ["net_linear < 0", "net_linear <= 0"],
-        ["v >= 0 and c >= 0", "v > 0 and c >= 0"],
-        ["c**2 >= f**2 * square", "c**2 > f**2 * square"],
-        ["holds is False and least == 0", "False"],
-        ["coulomb -= self.step / 2", "pass"],
-        ["F(k - j + 1)", "F(1)"],
-        ["+ (v - limit) * (1 - decay)", "- (v - limit) * (1 - decay)"],
-        ["if int(d) == 0:", "if False:"],
+        ),
+        ("intervals", "net_linear < 0", "net_linear <= 0"),
+        ("regions", "v >= 0 and c >= 0", "v > 0 and c >= 0"),
+        ("regions", "c**2 >= f**2 * square", "c**2 > f**2 * square"),
+        ("counts", "holds is False and least == 0", "False"),
+        ("effects", "coulomb -= self.step / 2", "pass"),
+        ("effects", "F(k - j + 1)", "F(1)"),
+        (
+            "motion",
+            "+ (v - limit) * (1 - decay)",
+            "- (v - limit) * (1 - decay)",
+        ),
+        ("refusals", "if int(d) == 0:", "if False:"),
     ] {
-        let noticed = notices(&folder, "passivity_ref.py", change, &groups);
-        assert!(noticed, "nobody notices {}", change[1]);
+        let group = groups.iter().find(|known| known.name == group);
+        let group = parts(group.expect("a group of that name"), 30);
+        let noticed = notices(&folder, "passivity_ref.py", [sound, mistake], &group);
+        assert!(noticed, "nobody notices {mistake}");
     }
     fs::remove_dir_all(folder).unwrap();
 }
