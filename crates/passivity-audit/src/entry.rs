@@ -4,7 +4,9 @@
 use std::cmp::Ordering;
 
 use passivity_core::ledger::{self, HeldInterval};
-use passivity_core::{Criterion, Interval, Ordered, Step, Truth, dissipation, extra_storage};
+use passivity_core::{
+    Criterion, Interval, Ordered, Scalar, Step, Truth, dissipation, extra_storage,
+};
 
 use crate::ball::Ball;
 use crate::enclosure::Rectangle;
@@ -251,9 +253,6 @@ fn margin_at<S: Ordered>(ends: &Ends<S>, speed: &Figure<S>) -> Option<Option<Mar
     }
     let may_rest = speed.lo().sign()? == Ordering::Equal;
     // It is monotone in the speed, and without bound at rest unless σ is on the line.
-    let at = |criterion: &Criterion<S>, v: &S| {
-        criterion.viscous.clone() + criterion.coulomb.clone().over(v.clone())
-    };
     let end = |criterion: &Criterion<S>, grows: Ordering| {
         let sign = criterion.coulomb.sign()?;
         let v = if sign == grows {
@@ -262,7 +261,7 @@ fn margin_at<S: Ordered>(ends: &Ends<S>, speed: &Figure<S>) -> Option<Option<Mar
             speed.hi()
         };
         let unbounded = sign == grows && may_rest;
-        Some((!unbounded).then(|| at(criterion, v)))
+        Some((!unbounded).then(|| margin_of(criterion, v)))
     };
     let [least, most] = &ends.criteria;
     let (lo, hi) = (end(least, Ordering::Less)?, end(most, Ordering::Greater)?);
@@ -270,6 +269,12 @@ fn margin_at<S: Ordered>(ends: &Ends<S>, speed: &Figure<S>) -> Option<Option<Mar
         (true, Figure::Exact(_), Some(margin)) => Margin::At(margin),
         (_, _, lo) => Margin::Between(lo, hi),
     }))
+}
+
+/// The margin of a criterion (8) at a speed v > 0.
+#[inline(always)]
+pub(crate) fn margin_of<S: Scalar>(criterion: &Criterion<S>, v: &S) -> S {
+    criterion.viscous.clone() + criterion.coulomb.clone().over(v.clone())
 }
 
 /// What the extra storages of delay and damping gain over the interval: `Some(None)` without these

@@ -2,6 +2,7 @@
 
 mod arithmetic;
 mod decimal;
+mod digits;
 
 use num_bigint::BigInt;
 use num_integer::Integer as _;
@@ -9,9 +10,9 @@ use passivity_core::{BigRational, Fixed, Ordered, Wide, rational};
 use passivity_scene::number::{NumberError, nearest_f64, parse};
 
 pub use arithmetic::is_positive;
-use arithmetic::small;
 pub(crate) use arithmetic::{difference, is_less, product, quotient};
 pub(crate) use decimal::{decimal, leading_decimal, power_of_ten, short};
+pub(crate) use digits::Fraction;
 
 /// The widest numerator or denominator that is read from a trace or a request, in bits. Exact
 /// motions have at most as many, doubles need 1075; past it, arithmetic would take seconds a row.
@@ -141,7 +142,10 @@ impl Number {
     #[must_use]
     pub(crate) fn reduced(self) -> Self {
         match self {
-            Self::Small(n, d) => small(n.into(), d.into()).unwrap_or(self),
+            Self::Small(n, d) => match i64::try_from(n.unsigned_abs().gcd(&d.unsigned_abs())) {
+                Ok(divisor) => Self::Small(n / divisor, d / divisor),
+                Err(_) => self,
+            },
             Self::Tiny(..) | Self::Big(_) => self,
         }
     }

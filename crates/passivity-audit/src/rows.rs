@@ -3,13 +3,13 @@
 //! An audit may write millions of them, so they are written by hand; a test holds each field
 //! against the row as JSON.
 
-use passivity_core::Truth;
+use passivity_core::{Ordered, Truth};
 
 use crate::ball::Ball;
 use crate::entry::{Entry, Margin};
 use crate::figure::Figure;
-use crate::ledger::{Row, on_entry};
-use crate::number::{Number, Reduced, Written};
+use crate::ledger::{Row, Truths, on_entry};
+use crate::number::{Fraction, Number, Reduced, Written};
 
 /// The columns of a row, in the order of the interface.
 const COLUMNS: [(&str, Column); 15] = [
@@ -35,6 +35,72 @@ const COLUMNS: [(&str, Column); 15] = [
 enum Column {
     Plain,
     Figure,
+}
+
+/// What is written of a number.
+pub(crate) trait Shown {
+    /// Appends the number, or one close below it; `None` when it is undefined.
+    fn write_below(&self, out: &mut Vec<u8>) -> Option<()>;
+
+    /// Appends the number, or one close above it; `None` when it is undefined.
+    fn write_above(&self, out: &mut Vec<u8>) -> Option<()>;
+}
+
+impl<S: Written> Shown for S {
+    fn write_below(&self, out: &mut Vec<u8>) -> Option<()> {
+        self.below()?.write(out);
+        Some(())
+    }
+
+    fn write_above(&self, out: &mut Vec<u8>) -> Option<()> {
+        self.above()?.write(out);
+        Some(())
+    }
+}
+
+/// A number that was rounded already.
+impl Shown for Fraction {
+    #[inline]
+    fn write_below(&self, out: &mut Vec<u8>) -> Option<()> {
+        self.write(out)
+    }
+
+    #[inline]
+    fn write_above(&self, out: &mut Vec<u8>) -> Option<()> {
+        self.write(out)
+    }
+}
+
+/// What a row says behind its positions and how long it lasts: numbers at the least and at the most.
+pub(crate) struct Figures<'a, S> {
+    /// The energies, in the order of their columns.
+    pub(crate) energies: [[&'a S; 2]; 7],
+    pub(crate) margin: [Option<&'a S>; 2],
+    pub(crate) truths: Truths,
+    /// The force that was given, where there is any.
+    pub(crate) force: [Option<&'a S>; 2],
+}
+
+impl<'a, S: Ordered> Figures<'a, S> {
+    fn of(entry: &'a Entry<S>) -> Self {
+        let account = &entry.account;
+        let energies = [
+            &account.generated_linear,
+            &account.generated_quantized,
+            &account.bound_22,
+            &account.bound_quantized,
+            &account.dissipated_lower,
+            &account.net_linear,
+            &account.net_quantized,
+        ];
+        let (margin, force) = (entry.margin.as_ref(), entry.force());
+        Self {
+            energies: energies.map(|figure| [figure.lo(), figure.hi()]),
+            margin: [margin.and_then(Margin::lo), margin.and_then(Margin::hi)],
+            truths: entry.truths(),
+            force: [force.map(Figure::lo), force.map(Figure::hi)],
+        }
+    }
 }
 
 /// How the rows of a file are written.
@@ -69,7 +135,10 @@ impl Form {
     /// Appends what follows the positions, from a comma to the line break; a figure without meaning
     /// is empty, and so is a truth that depends. `None` when a figure is undefined.
     pub fn write_account(self, row: &Row, out: &mut Vec<u8>) -> Option<()> {
-        on_entry!(row, entry => self.account(entry, &entry.dtau.to_reduced()?, out))
+        on_entry!(row, entry => {
+            self.duration(&entry.dtau.to_reduced()?, out);
+            self.account(&Figures::of(entry), out)
+        })
     }
 
     /// Appends a row that doubles enclose, in these two parts, but for how long it lasts, which is known: each figure
@@ -81,41 +150,41 @@ impl Form {
         [positions, account]: [&mut Vec<u8>; 2],
     ) -> Option<()> {
         self.positions(entry, positions)?;
-        self.account(entry, &dtau.into(), account)
+        self.duration(&dtau.into(), account);
+        self.account(&Figures::of(entry), account)
     }
 
     fn positions<S: Written>(self, entry: &Entry<S>, out: &mut Vec<u8>) -> Option<()> {
-        self.figure(&entry.xi0, out)?;
-        self.figure(&entry.xi1, out)
+        self.position([entry.xi0.lo(), entry.xi0.hi()], out)?;
+        self.position([entry.xi1.lo(), entry.xi1.hi()], out)
     }
 
-    fn account<S: Written>(
-        self,
-        entry: &Entry<S>,
-        dtau: &Reduced,
-        out: &mut Vec<u8>,
-    ) -> Option<()> {
+    /// Appends a position, after a comma.
+    pub(crate) fn position<S: Shown>(self, [lo, hi]: [&S; 2], out: &mut Vec<u8>) -> Option<()> {
+        self.ends([Some(lo), Some(hi)], out)
+    }
+
+    /// Appends how long a row lasts, after a comma.
+    pub(crate) fn duration(self, dtau: &Reduced, out: &mut Vec<u8>) {
         out.push(b',');
         dtau.write(out);
-        let account = &entry.account;
-        for figure in [
-            &account.generated_linear,
-            &account.generated_quantized,
-            &account.bound_22,
-            &account.bound_quantized,
-            &account.dissipated_lower,
-            &account.net_linear,
-            &account.net_quantized,
-        ] {
-            self.figure(figure, out)?;
+    }
+
+    /// Appends the figures of a row, from a comma to the line break.
+    pub(crate) fn account<S: Shown>(
+        self,
+        figures: &Figures<'_, S>,
+        out: &mut Vec<u8>,
+    ) -> Option<()> {
+        for [lo, hi] in figures.energies {
+            self.ends([Some(lo), Some(hi)], out)?;
         }
-        let margin = entry.margin.as_ref();
-        let ends = [margin.and_then(Margin::lo), margin.and_then(Margin::hi)];
-        self.ends(ends, out)?;
+        self.ends(figures.margin, out)?;
+        let truths = figures.truths;
         for truth in [
-            entry.criterion_holds,
-            entry.violates_linear,
-            entry.violates_quantized,
+            truths.criterion_holds,
+            truths.violates_linear,
+            truths.violates_quantized,
         ] {
             out.extend_from_slice(match truth {
                 Truth::Holds => b",true",
@@ -124,28 +193,22 @@ impl Form {
             });
         }
         if self.force {
-            match entry.force() {
-                Some(force) => self.figure(force, out)?,
-                None => self.ends::<S>([None, None], out)?,
-            }
+            self.ends(figures.force, out)?;
         }
         out.push(b'\n');
         Some(())
     }
 
-    fn figure<S: Written>(self, figure: &Figure<S>, out: &mut Vec<u8>) -> Option<()> {
-        self.ends([Some(figure.lo()), Some(figure.hi())], out)
-    }
-
-    fn ends<S: Written>(self, [lo, hi]: [Option<&S>; 2], out: &mut Vec<u8>) -> Option<()> {
+    #[inline]
+    fn ends<S: Shown>(self, [lo, hi]: [Option<&S>; 2], out: &mut Vec<u8>) -> Option<()> {
         out.push(b',');
         if let Some(x) = lo {
-            x.below()?.write(out);
+            x.write_below(out)?;
         }
         if self.enclosures {
             out.push(b',');
             if let Some(x) = hi {
-                x.above()?.write(out);
+                x.write_above(out)?;
             }
         }
         Some(())

@@ -155,7 +155,11 @@ impl Account {
             }
         }
         self.timing.append(other.timing, before);
-        self.rows.append(&mut other.rows);
+        // What is long is moved rather than copied.
+        match self.rows.is_empty() {
+            true => self.rows = other.rows,
+            false => self.rows.append(&mut other.rows),
+        }
         self.last = other.last.or(self.last.take());
         self.intervals += other.intervals;
     }

@@ -111,7 +111,7 @@ pub(crate) struct Computed {
 #[derive(Default)]
 pub(crate) struct Text {
     positions: Vec<u8>,
-    pub(crate) account: Vec<u8>,
+    account: Vec<u8>,
 }
 
 impl Text {
@@ -147,6 +147,21 @@ impl Text {
         form.write_positions(row, &mut text.positions)?;
         form.write_account(row, &mut text.account)?;
         Some(text)
+    }
+
+    /// Appends the row of an interval between two other counts.
+    pub(crate) fn append_between(&self, counts: [i64; 2], rows: &mut Vec<u8>) {
+        let mut digits = itoa::Buffer::new();
+        for n in counts {
+            rows.push(b',');
+            rows.extend_from_slice(digits.format(n).as_bytes());
+            rows.push(b',');
+            match n.checked_add(1) {
+                Some(next) => rows.extend_from_slice(digits.format(next).as_bytes()),
+                None => rows.extend_from_slice(digits.format(i128::from(n) + 1).as_bytes()),
+            }
+        }
+        rows.extend_from_slice(&self.account);
     }
 
     pub(crate) fn append_to(&self, rows: &mut Vec<u8>) {

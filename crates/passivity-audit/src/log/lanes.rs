@@ -14,6 +14,7 @@ use passivity_core::{Scalar as _, Truth};
 
 pub(crate) use compute::commanded;
 pub(crate) use sums::Sums;
+pub(crate) use written::write;
 
 use crate::ball::Ball;
 use crate::figure::not;
@@ -103,6 +104,16 @@ pub(crate) struct Tile {
     whole: Option<Totals>,
 }
 
+/// What a row answers, of what is at least, and at most, true of the criterion and of both accounts, as bits.
+fn truths(bits: u64) -> Truths {
+    let truth = |place: u32| Truth::over(bits >> place & 1 == 1, bits >> (place + 1) & 1 == 1);
+    Truths {
+        criterion_holds: truth(0),
+        violates_linear: not(truth(2)),
+        violates_quantized: not(truth(4)),
+    }
+}
+
 impl Intervals {
     const fn new() -> Self {
         Self {
@@ -144,7 +155,7 @@ impl Intervals {
 }
 
 /// How long an interval is, in periods, as a fraction; nothing where that is left open.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Length(pub(crate) i64, pub(crate) i64);
 
 impl Length {
@@ -193,13 +204,7 @@ impl Tile {
 
     /// What a row answers.
     pub(crate) fn truths(&self, i: usize, applied: bool) -> Truths {
-        let bits = self.truths[usize::from(applied)][i];
-        let truth = |place: u32| Truth::over(bits >> place & 1 == 1, bits >> (place + 1) & 1 == 1);
-        Truths {
-            criterion_holds: truth(0),
-            violates_linear: not(truth(2)),
-            violates_quantized: not(truth(4)),
-        }
+        truths(self.truths[usize::from(applied)][i])
     }
 
     /// How many of some rows, from the first one on, answer the same.
@@ -231,6 +236,7 @@ impl Tile {
 pub(crate) struct Tiles {
     pub(crate) tiles: Vec<Tile>,
     pub(crate) lengths: Vec<Length>,
+    wall: Option<Wall>,
 }
 
 impl Tiles {
@@ -238,7 +244,8 @@ impl Tiles {
     /// walls.
     pub(crate) fn fill(&mut self, task: &Task<'_>, chunk: &Chunk) {
         self.lengths.clear();
-        let (Some(wall), Samples::Any(samples)) = (Wall::of(task.ledger), &chunk.samples) else {
+        self.wall = Wall::of(task.ledger);
+        let (Some(wall), Samples::Any(samples)) = (&self.wall, &chunk.samples) else {
             self.tiles.clear();
             return;
         };
@@ -252,7 +259,7 @@ impl Tiles {
         let lengths = self.lengths.chunks(TILE);
         for ((tile, lengths), at) in self.tiles.iter_mut().zip(lengths).zip((0..).step_by(TILE)) {
             of.read(samples, forces, at, lengths);
-            tile.fill(&wall, &of, task.applied);
+            tile.fill(wall, &of, task.applied);
         }
     }
 }
@@ -261,3 +268,4 @@ mod compute;
 mod sums;
 #[cfg(test)]
 mod tests;
+mod written;

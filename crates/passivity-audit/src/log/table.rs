@@ -153,9 +153,7 @@ impl Table {
         });
         while let Some([now, next]) = counts.get(i..i + 2) {
             let step = next.wrapping_sub(*now);
-            let place = usize::try_from(step.wrapping_add(SMALL_STEP)).ok();
-            let id = place.and_then(|place| self.small.get(place)).copied();
-            let known = id.flatten().and_then(|id| self.known.get_mut(id));
+            let known = self.small(step).and_then(|id| self.known.get_mut(id));
             let Some(known) = known else { break };
             let Some((scaled, over)) = known.scaled else {
                 break;
@@ -194,6 +192,28 @@ impl Table {
             Lowest::keep(&mut account.stored, Lowest::new(value, h));
         }
         i
+    }
+}
+
+impl Table {
+    /// Where the row of a small step is, when it is known.
+    #[inline]
+    fn small(&self, step: i64) -> Option<usize> {
+        let place = usize::try_from(step.wrapping_add(SMALL_STEP)).ok()?;
+        *self.small.get(place)?
+    }
+
+    /// Writes the rows between counts whose steps are small and known.
+    pub(crate) fn write(&self, counts: &[i64], rows: &mut Vec<u8>) {
+        for pair in counts.windows(2) {
+            if let [now, next] = pair
+                && let Some(id) = self.small(next.wrapping_sub(*now))
+                && let Some(known) = self.known.get(id)
+            {
+                let written = &known.computed.written;
+                written.append_between([*now, *next], rows);
+            }
+        }
     }
 }
 

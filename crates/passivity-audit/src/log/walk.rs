@@ -12,7 +12,7 @@ use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::{Computed, EXACT_ROWS, Text, UNIT, is_exact, note_stored};
 use crate::log::error::TraceError;
 use crate::log::known::{Known, Starts};
-use crate::log::lanes::{TILE, Tiles};
+use crate::log::lanes::{TILE, Tiles, write};
 use crate::log::motion::Addend;
 use crate::log::step::{check_jump, duration, interval, jump, undefined};
 use crate::log::supply;
@@ -107,7 +107,7 @@ impl Walk<'_> {
         let Samples::Counts(counts) = &chunk.samples else {
             return false;
         };
-        if !task.ledger.is_plain() || task.rows.is_some() || task.running {
+        if !task.ledger.is_plain() || task.running {
             return false;
         }
         if !self.timed {
@@ -118,6 +118,10 @@ impl Walk<'_> {
         let counts = counts.get(..=self.even.min(self.until)).unwrap_or(counts);
         let stride = task.points.then_some((self.stride, self.from));
         let came = table.quick(counts, self.at, stride, account);
+        if task.rows.is_some() {
+            let rows = counts.get(self.at..=came).unwrap_or_default();
+            table.write(rows, &mut account.rows);
+        }
         let any = came > self.at;
         self.at = came;
         any
@@ -169,10 +173,12 @@ impl Walk<'_> {
             };
             account.append(batch.account(task.running, place)?);
             if let Some(form) = task.rows {
-                for i in start..self.at {
+                let alone = |i: usize, rows: &mut Vec<u8>| {
                     let text = Text::of(task, &task.logged(chunk, i)?, form);
-                    text.ok_or_else(undefined)?.append_to(&mut account.rows);
-                }
+                    text.ok_or_else(undefined).map(|text| text.append_to(rows))
+                };
+                let rows = start..self.at;
+                write((self.tiles, chunk), rows, form, &mut account.rows, alone)?;
             }
             if self.is_point() {
                 account.plot();
@@ -397,10 +403,9 @@ fn known_row(
     let ends = counts.get(i).zip(counts.get(i + 1));
     let (now, next) = ends.ok_or_else(undefined)?;
     if task.rows.is_some() {
-        let (now, next) = (i128::from(*now), i128::from(*next));
-        let ends = format!(",{now},{},{next},{}", now + 1, next + 1);
-        account.rows.extend_from_slice(ends.as_bytes());
-        account.rows.extend_from_slice(&known.written.account);
+        known
+            .written
+            .append_between([*now, *next], &mut account.rows);
     }
     if task.ledger.is_plain() && !task.applied {
         // The row is that of every interval as long; what the observer adds is not.

@@ -13,8 +13,8 @@ use crate::log::chunk::{Chunk, Samples};
 #[derive(Clone, Debug)]
 pub(super) struct Wall {
     /// The least friction and the most.
-    frictions: [Friction<Lane>; 2],
-    criteria: [Criterion<Lane>; 2],
+    pub(super) frictions: [Friction<Lane>; 2],
+    pub(super) criteria: [Criterion<Lane>; 2],
     pub(super) friction_is_exact: bool,
 }
 
@@ -46,7 +46,7 @@ impl Wall {
 
 /// Zero where a number is surely not negative, else one; and the same of whether it surely is.
 #[inline(always)]
-fn is_nonnegative(ball: Lane) -> [f64; 2] {
+pub(super) fn is_nonnegative(ball: Lane) -> [f64; 2] {
     let (middle, radius) = ball.parts();
     [unless(middle >= radius), unless(-middle > radius)]
 }
@@ -151,7 +151,7 @@ impl Tile {
 
 /// A whole number of at least zero, and a small one, as such.
 #[inline(always)]
-fn whole(x: f64) -> u64 {
+pub(super) fn whole(x: f64) -> u64 {
     split(x).0.cast_unsigned()
 }
 

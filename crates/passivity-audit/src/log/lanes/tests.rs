@@ -2,9 +2,14 @@ use passivity_core::quantizer;
 use passivity_scene::Scene;
 use proptest::prelude::*;
 
+use super::written::{Before, Rows, compute};
 use super::*;
+use crate::entry::{Entry, Recorded, entry};
+use crate::figure::Figure;
 use crate::ledger::Ledger;
 use crate::log::known::Starts;
+use crate::number::Number;
+use crate::rows::Form;
 
 const EXACT: &str = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"7/10\"";
 
@@ -135,6 +140,84 @@ proptest! {
     }
 }
 
+/// The row of one period as it is written on its own.
+fn written_alone(ledger: &Ledger, row: &Row, form: Form) -> Option<Vec<u8>> {
+    let [xi0, xi1] = row.ends.map(Figure::Exact);
+    let at = |ball: Ball| Figure::Exact(if row.still { ball.one_of() } else { ball });
+    let force = Figure::Exact(row.force);
+    let (start, end) = (at(row.ends[0]), at(row.ends[1]));
+    let interval = Recorded {
+        samples: &[start],
+        end: &end,
+        dtau: &row.lasts,
+        force: form.force.then_some(&force),
+    };
+    let entry = entry(ledger.near(), &interval)?;
+    let entry = Entry { xi0, xi1, ..entry }.with_margin(ledger.near())?;
+    let (mut text, mut rest) = (Vec::new(), Vec::new());
+    form.write_near(&entry, &Number::whole(1), [&mut text, &mut rest])?;
+    text.append(&mut rest);
+    Some(text)
+}
+
+/// How many rows are written several at a time: as they are on their own, after any other one.
+fn written(ledger: &Ledger, rows: &[Row], form: Form) -> Result<usize, TestCaseError> {
+    let mut found = Rows::new();
+    compute(
+        &mut found,
+        &Wall::of(ledger).unwrap(),
+        &intervals(rows),
+        form.force,
+    );
+    let mut several = 0;
+    for (i, row) in rows.iter().enumerate() {
+        let (start, length) = (row.ends[0], Length(1, 1));
+        let (mut before, mut out) = (Before::default(), Vec::new());
+        let is_written = found.write(i, (start, length), &mut before, form, &mut out);
+        if is_written.is_none() {
+            continue;
+        }
+        several += 1;
+        let expected = written_alone(ledger, row, form);
+        prop_assert_eq!(Some(&out), expected.as_ref(), "{:?}", row);
+        // Another row that starts where it ends has that position, and how long it lasts, from it.
+        let end = row.ends[1];
+        let next = Row {
+            ends: [end; 2],
+            still: true,
+            ..*row
+        };
+        let mut after = Rows::new();
+        compute(
+            &mut after,
+            &Wall::of(ledger).unwrap(),
+            &intervals(&[next]),
+            form.force,
+        );
+        let from = out.len();
+        if after
+            .write(0, (end, length), &mut before, form, &mut out)
+            .is_some()
+        {
+            let expected = written_alone(ledger, &next, form);
+            prop_assert_eq!(Some(&out[from..]), expected.as_deref(), "{:?}", next);
+        }
+    }
+    Ok(several)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+
+    #[test]
+    fn rows_are_written_as_they_are_alone(
+        rows in prop::collection::vec(row(), 1..TILE + 1), exact: bool, force: bool,
+    ) {
+        let ledger = ledger(if exact { EXACT } else { BETWEEN });
+        written(&ledger, &rows, Form { enclosures: true, force })?;
+    }
+}
+
 fn check_sums(tile: &Tile, rows: &Range<usize>, applied: bool) -> Result<(), TestCaseError> {
     let sums = tile.sums(rows, applied);
     let mut all = [[0, 0]; 5];
@@ -178,5 +261,10 @@ fn most_rows_of_a_log_are_decided() {
         assert_eq!(tile.decided(0, TILE, applied), TILE);
         check_sums(&tile, &(0..TILE), applied).unwrap();
         check_sums(&tile, &(3..50), applied).unwrap();
+        let form = Form {
+            enclosures: true,
+            force: applied,
+        };
+        assert_eq!(written(&ledger, &rows, form).unwrap(), TILE);
     }
 }

@@ -1,0 +1,339 @@
+//! Rows that are written: all of their figures, several rows at a time.
+//!
+//! What an account sums up is told of each motion and of what a force does more than the wall's; a row that is
+//! written is told as a whole, by the kernel's [`row_of`](passivity_core::ledger::row_of) on balls. A row of which
+//! not all is decided here is left to that.
+
+use std::ops::Range;
+
+use multiversion::multiversion;
+use passivity_core::{Scalar as _, Step, dissipation, generation, ledger, quantizer};
+
+use super::compute::{Wall, is_nonnegative, whole};
+use super::{Column, Intervals, Length, TILE, Tiles, truths};
+use crate::ball::{Ball, Lane, on_grid, unless};
+use crate::entry::margin_of;
+use crate::log::chunk::{Chunk, Samples};
+use crate::log::error::TraceError;
+use crate::number::{Fraction, Number, Reduced};
+use crate::rows::{Figures, Form};
+
+/// Balls on the grid, as [`layers`](Ball::layers).
+#[derive(Clone, Copy)]
+struct OnGrid([[i64; TILE]; 4]);
+
+impl OnGrid {
+    const ZERO: Self = Self([[0; TILE]; 4]);
+
+    /// Takes balls to the grid, and says which of them are `open`.
+    #[inline(always)]
+    fn take(&mut self, balls: &Column, open: &mut [f64; TILE]) {
+        let [wholes, uppers, lowers, radii] = &mut self.0;
+        for i in 0..TILE {
+            let ball = balls.get(i);
+            [wholes[i], uppers[i], lowers[i], radii[i]] = ball.layers();
+            open[i] += ball.excess();
+        }
+    }
+
+    /// The ends, in units of the grid.
+    #[inline(always)]
+    fn ends(&self, i: usize) -> [i128; 2] {
+        let [wholes, uppers, lowers, radii] = &self.0;
+        let middle = on_grid([wholes[i], uppers[i], lowers[i]]);
+        let radius = i128::from(radii[i]);
+        [middle - radius, middle + radius]
+    }
+}
+
+/// The figures of some consecutive rows.
+pub(super) struct Rows {
+    /// The energies in the order of a row's columns and then the margin: at the least and at the most friction, which
+    /// are the same column where friction is known.
+    balls: [[Column; 2]; 8],
+    figures: [[OnGrid; 2]; 8],
+    /// Where they end, and the force of each.
+    end: OnGrid,
+    force: OnGrid,
+    /// What they answer, as bits.
+    truths: [u64; TILE],
+    /// Not zero where nothing moves.
+    rests: [u64; TILE],
+    /// Above zero for the rows that are left open.
+    open: [f64; TILE],
+    /// Where the column at the most friction is.
+    most: usize,
+}
+
+/// Zero where two ends are in order, else one.
+#[inline(always)]
+fn in_order(least: Lane, most: Lane) -> f64 {
+    let ((least, _), (most, _)) = (least.parts(), most.parts());
+    unless(least <= most)
+}
+
+/// What a row says of the least friction or of the most.
+#[derive(Clone, Copy)]
+struct Ends {
+    taken: Lane,
+    /// What it is asked whether they are negative: the margin of the criterion times the speed, and net energies.
+    asked: [Lane; 3],
+    margin: Lane,
+}
+
+impl Ends {
+    #[inline(always)]
+    fn of(wall: &Wall, end: usize, generated: [Lane; 2], [d, speed]: [&Lane; 2]) -> Self {
+        let criterion = &wall.criteria[end];
+        let taken = wall.frictions[end].dissipated_lower(d, speed);
+        let [linear, quantized] = generated.map(|generated| taken - generated);
+        Self {
+            taken,
+            asked: [criterion.margin(speed), linear, quantized],
+            margin: margin_of(criterion, speed),
+        }
+    }
+}
+
+impl Rows {
+    pub(super) const fn new() -> Self {
+        Self {
+            balls: [const { [Column::ZERO; 2] }; 8],
+            figures: [[OnGrid::ZERO; 2]; 8],
+            end: OnGrid::ZERO,
+            force: OnGrid::ZERO,
+            most: 0,
+            truths: [0; TILE],
+            rests: [0; TILE],
+            open: [0.0; TILE],
+        }
+    }
+
+    #[inline(always)]
+    fn compute<const EXACT: bool, const APPLIED: bool>(&mut self, wall: &Wall, of: &Intervals) {
+        for i in 0..TILE {
+            let [start, end, lasts] =
+                [&of.start, &of.end, &of.lasts].map(|column| column.get(i).lane());
+            // Of what stands still, any position that it may have stands for all.
+            let step = match of.still[i] != 0 {
+                true => Step::new(start.one_of(), start.one_of()),
+                false => Step::new(start, end),
+            };
+            let d = step.displacement();
+            let speed = dissipation::mean_speed(&d, &lasts);
+            let force = match APPLIED {
+                true => of.force.get(i).lane(),
+                false => quantizer::held_force(&step.start),
+            };
+            let generated = ledger::generated_by_spring(&step, &force, true);
+            let bounds = [generation::bound_22(&d), generation::bound_quantized(&d)];
+            let [rests, moves] = is_nonnegative(-speed);
+            let (length, off) = lasts.parts();
+            let mut open = rests * moves + unless(length > off);
+            // Friction that is known has one end.
+            let least = Ends::of(wall, 0, generated, [&d, &speed]);
+            let most = match EXACT {
+                true => least,
+                false => Ends::of(wall, 1, generated, [&d, &speed]),
+            };
+            let ends = [least, most];
+            let mut truths = 0.0;
+            for (Ends { asked, .. }, bit) in ends.iter().zip([1.0, 2.0]) {
+                // The criterion is asked of what moves.
+                let [
+                    [criterion, not],
+                    [linear, not_linear],
+                    [quantized, not_quantized],
+                ] = asked.map(is_nonnegative);
+                open += (1.0 - moves) * (criterion * not);
+                open += linear * not_linear + quantized * not_quantized;
+                let failed = rests * criterion + 4.0 * linear + 16.0 * quantized;
+                truths += bit * (21.0 - failed);
+            }
+            let [least, most] = &ends;
+            open += in_order(least.taken, most.taken);
+            for (least, most) in least.asked.iter().zip(&most.asked) {
+                open += in_order(*least, *most);
+            }
+            let [[linear, quantized], [bound_22, bound_quantized]] = [generated, bounds];
+            for (
+                at,
+                Ends {
+                    taken,
+                    asked,
+                    margin,
+                },
+            ) in ends.into_iter().enumerate()
+            {
+                let [_, net_linear, net_quantized] = asked;
+                // What rests has no margin.
+                let margin = if rests == 0.0 { Lane::zero() } else { margin };
+                let figures = [
+                    linear,
+                    quantized,
+                    bound_22,
+                    bound_quantized,
+                    taken,
+                    net_linear,
+                    net_quantized,
+                    margin,
+                ];
+                for (columns, figure) in self.balls.iter_mut().zip(figures) {
+                    columns[at].set(i, figure);
+                }
+            }
+            open += start.excess() + force.excess();
+            self.truths[i] = whole(truths);
+            self.rests[i] = whole(1.0 - rests);
+            self.open[i] = open;
+        }
+        self.most = usize::from(!EXACT);
+        let open = &mut self.open;
+        for (figures, balls) in self.figures.iter_mut().zip(&self.balls) {
+            for (figure, balls) in figures.iter_mut().zip(balls).take(1 + self.most) {
+                figure.take(balls, open);
+            }
+        }
+        self.end.take(&of.end, open);
+        if APPLIED {
+            self.force.take(&of.force, open);
+        }
+    }
+
+    /// The numbers of row `i`, which is decided, at the least and at the most: the position at its end, its figures and
+    /// the force.
+    #[inline(always)]
+    fn numbers(&self, i: usize) -> [Fraction; 20] {
+        let mut all = [0; 20];
+        if let [end, figures @ .., force] = all.as_chunks_mut().0 {
+            *end = self.end.ends(i);
+            for (figure, columns) in figures.iter_mut().zip(&self.figures) {
+                let [lo, hi] = columns[0].ends(i);
+                *figure = match self.most {
+                    0 => [lo, hi],
+                    most => [lo, columns[most].ends(i)[1]],
+                };
+            }
+            *force = self.force.ends(i);
+        }
+        Fraction::all(&all)
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+pub(super) fn compute(rows: &mut Rows, wall: &Wall, of: &Intervals, applied: bool) {
+    match (wall.friction_is_exact, applied) {
+        (true, true) => rows.compute::<true, true>(wall, of),
+        (true, false) => rows.compute::<true, false>(wall, of),
+        (false, true) => rows.compute::<false, true>(wall, of),
+        (false, false) => rows.compute::<false, false>(wall, of),
+    }
+}
+
+/// What is written again in most rows: where it stands.
+#[derive(Default)]
+pub(super) struct Before {
+    /// The position at the end of the row before, with its comma.
+    end: Range<usize>,
+    /// How long a row lasts, with its comma.
+    duration: Range<usize>,
+    length: Length,
+}
+
+/// Writes some rows of a chunk that doubles decide; those that are not decided here are `left` to be written one by
+/// one.
+pub(crate) fn write(
+    (tiles, chunk): (&Tiles, &Chunk),
+    rows: Range<usize>,
+    form: Form,
+    out: &mut Vec<u8>,
+    left: impl Fn(usize, &mut Vec<u8>) -> Result<(), TraceError>,
+) -> Result<(), TraceError> {
+    /// Fewer rows are written faster one by one.
+    const FEW: usize = 8;
+    let (Some(wall), Samples::Any(samples), FEW..) = (&tiles.wall, &chunk.samples, rows.len())
+    else {
+        return rows.into_iter().try_for_each(|i| left(i, out));
+    };
+    let forces = form.force.then_some(&chunk.forces.values);
+    let (mut of, mut found) = (Intervals::new(), Rows::new());
+    let mut before = Before::default();
+    for at in rows.clone().step_by(TILE) {
+        let lengths = tiles.lengths.get(at..rows.end).unwrap_or_default();
+        of.read(samples, forces, at, lengths);
+        compute(&mut found, wall, &of, form.force);
+        for (i, row) in (at..rows.end).take(TILE).enumerate() {
+            let is_enclosed = samples.is_enclosed(row + 1)
+                || forces.is_some_and(|forces| forces.is_enclosed(row));
+            let from = out.len();
+            let mut written = None;
+            if is_enclosed && i < of.len {
+                let interval = (of.start.get(i), lengths[i]);
+                written = found.write(i, interval, &mut before, form, out);
+            }
+            if written.is_none() {
+                out.truncate(from);
+                before = Before::default();
+                left(row, out)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+impl Rows {
+    /// Writes row `i`, of an interval that starts there and lasts so long.
+    pub(super) fn write(
+        &self,
+        i: usize,
+        (start, length): (Ball, Length),
+        before: &mut Before,
+        form: Form,
+        out: &mut Vec<u8>,
+    ) -> Option<()> {
+        if self.open[i] > 0.0 {
+            return None;
+        }
+        let numbers = self.numbers(i);
+        let [end, a, b, c, d, e, f, g, margin, force] = numbers.as_chunks().0 else {
+            return None;
+        };
+        before.write(start, end.each_ref(), length, form, out)?;
+        let moves = self.rests[i] == 0;
+        let figures = Figures {
+            energies: [a, b, c, d, e, f, g].map(<[_; 2]>::each_ref),
+            margin: margin.each_ref().map(|end| moves.then_some(end)),
+            truths: truths(self.truths[i]),
+            force: force.each_ref().map(|end| form.force.then_some(end)),
+        };
+        form.account(&figures, out)
+    }
+}
+
+impl Before {
+    /// Writes the positions of a row and how long it lasts.
+    fn write(
+        &mut self,
+        start: Ball,
+        end: [&Fraction; 2],
+        length: Length,
+        form: Form,
+        out: &mut Vec<u8>,
+    ) -> Option<()> {
+        match self.end.is_empty() {
+            true => form.position([&start; 2], out)?,
+            false => out.extend_from_within(self.end.clone()),
+        }
+        let from = out.len();
+        form.position(end, out)?;
+        self.end = from..out.len();
+        if self.length == length {
+            out.extend_from_within(self.duration.clone());
+        } else {
+            let lasts = Number::Small(length.0, length.1);
+            form.duration(&Reduced::from(&lasts), out);
+            (self.length, self.duration) = (length, self.end.end..out.len());
+        }
+        Some(())
+    }
+}
