@@ -8,6 +8,7 @@ mod chunk;
 mod columns;
 mod comparison;
 mod computed;
+mod counted;
 mod csv;
 mod error;
 mod exact;

@@ -5,7 +5,6 @@ use crate::log::chunk::Chunk;
 use crate::log::computed::EXACT_ROWS;
 use crate::log::known::Starts;
 use crate::log::lanes::Tiles;
-use crate::log::motion::{Addend, Motions};
 use crate::log::supply::Supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
@@ -18,7 +17,6 @@ const POINTS: usize = 512;
 #[derive(Default)]
 pub(crate) struct Worker {
     table: Table,
-    motions: Motions,
     /// The room of what was computed of the last chunk.
     room: Shared,
     /// That of net energy, to which the rows of the last chunk led.
@@ -28,8 +26,6 @@ pub(crate) struct Worker {
 /// What is computed of a chunk once, for an account and another one beside it.
 #[derive(Default)]
 pub(crate) struct Shared {
-    /// Of counts: what intervals add under the force of the wall.
-    counted: Vec<Option<Addend>>,
     /// Of positions.
     tiles: Tiles,
 }
@@ -39,11 +35,6 @@ impl Worker {
     pub(crate) fn shared(&mut self, task: &Task<'_>, chunk: &Chunk) -> Shared {
         let mut shared = std::mem::take(&mut self.room);
         shared.tiles.fill(task, chunk);
-        shared.counted = self
-            .motions
-            .all(task.ledger, task.layout, chunk, |i, dtau| {
-                !task.looks_up(chunk, i, dtau)
-            });
         shared
     }
 
@@ -98,7 +89,6 @@ impl Worker {
         let timed = !chunk.times.is_empty() || !chunk.dtaus.is_empty();
         let mut walk = Walk {
             task,
-            motions: &shared.counted,
             from,
             until,
             before: chunk.place.before,
