@@ -58,6 +58,12 @@ impl<S: Scalar> Resistance<S> {
     pub fn taken(&self, distance: &S) -> S {
         distance.clone() * (self.own.square.clone() * distance.clone() + self.sigma.clone())
     }
+
+    /// The same over a displacement d, less what a force does along it: of what stands still, nothing.
+    #[inline(always)]
+    fn net(&self, d: &S, force: &S) -> S {
+        self.taken(&d.abs()) - d.clone() * force.clone()
+    }
 }
 
 impl<S: Ordered> Resistance<S> {
@@ -150,13 +156,18 @@ impl<S: Scalar> Sides<S> {
     #[inline(always)]
     fn arcs(self, [before, behind]: [(&Bend<S>, S, S); 2]) -> [Arc<S>; 2] {
         let ([short, long], [first, last]) = (self.excess, self.ends);
-        let arc = |(bend, slope, constant): (&Bend<S>, S, S), excess: S, ends: [S; 2]| Arc {
-            bend: bend.clone(),
-            slope: slope - excess,
-            constant,
-            ends,
-        };
         [arc(before, short, first), arc(behind, long, last)]
+    }
+}
+
+/// The parabola with this bend, slope at zero but for the excess, and constant.
+#[inline(always)]
+fn arc<S: Scalar>((bend, slope, constant): (&Bend<S>, S, S), excess: S, ends: [S; 2]) -> Arc<S> {
+    Arc {
+        bend: bend.clone(),
+        slope: slope - excess,
+        constant,
+        ends,
     }
 }
 
@@ -197,14 +208,13 @@ impl<S: Ordered> Crossing<S> {
     pub fn generated(&self) -> [[S; 2]; 2] {
         let (zero, one, half) = (S::zero(), S::one(), S::one().half());
         let (k, f) = (&self.ticks, &self.excess);
-        let at = |u: &S| u.clone() * (f.clone() + (u.clone() - one.clone()).half());
         // The wall balances the force.
         let balance = half - f.clone();
         // a(k + 1) = a(k) + f + k, and a(1) = f.
-        let (start, rise) = (at(k), f.clone() + k.clone());
+        let (start, rise) = (self.energy(k), f.clone() + k.clone());
         let highest = start.clone() + rise.clone().max(zero.clone());
-        let least = at(&clamp(balance.clone(), k, &(k.clone() + one.clone())));
-        let most = highest.clone() - at(&clamp(balance, &zero, &one));
+        let least = self.energy(&clamp(balance.clone(), k, &(k.clone() + one.clone())));
+        let most = highest.clone() - self.energy(&clamp(balance, &zero, &one));
         let start_at_most = f.clone().max(zero.clone());
         [
             [least - start_at_most.clone(), most],
@@ -233,22 +243,26 @@ impl<S: Ordered> Crossing<S> {
     #[inline(always)]
     #[must_use]
     pub fn net_at_least(&self, friction: &Resistance<S>) -> [S; 2] {
-        let ([least, _], ends) = self.net_at_corners(friction);
-        let corners = ends.into_iter().fold(least, S::min);
-        [self.least_linear(friction), self.least_quantized(friction)].map(|arcs| {
-            let turns = arcs.map(|arc| arc.turn());
-            turns.into_iter().fold(corners.clone(), S::min)
-        })
+        let ([least, _], [first, last]) = self.net_at_corners(friction);
+        let corners = least.min(first).min(last);
+        let ([a, b], [c, d]) = (self.least_linear(friction), self.least_quantized(friction));
+        [
+            corners.clone().min(a.turn()).min(b.turn()),
+            corners.min(c.turn()).min(d.turn()),
+        ]
     }
 
     /// The largest net energy against the wall and against its quantized form, which is not bent down: a corner has it.
     #[inline(always)]
     #[must_use]
     pub fn net_at_most(&self, friction: &Resistance<S>) -> [S; 2] {
-        let ([_, most], ends) = self.net_at_corners(friction);
-        let corners = ends.into_iter().fold(most, S::max);
-        let turns = self.most_linear(friction).map(|arc| arc.turn());
-        [turns.into_iter().fold(corners.clone(), S::max), corners]
+        let ([_, most], [first, last]) = self.net_at_corners(friction);
+        let corners = most.max(first).max(last);
+        let [before, behind] = self.most_linear(friction);
+        [
+            corners.clone().max(before.turn()).max(behind.turn()),
+            corners,
+        ]
     }
 
     /// The least net energy against the wall that each displacement leaves, before and behind k: x is 1 before it, or
@@ -325,16 +339,22 @@ impl<S: Scalar> Crossing<S> {
     #[must_use]
     pub fn net_at_corners(&self, friction: &Resistance<S>) -> ([S; 2], [S; 2]) {
         let (k, f, one) = (&self.ticks, &self.excess, S::one());
-        // Of what stands still, nothing.
-        let net = |d: &S, force: S| friction.taken(&d.abs()) - d.clone() * force;
         let [before, after] = [k.clone() - one.clone(), k.clone() + one];
-        let same = net(k, f.clone() + before.clone().half());
-        let rise = [S::max, S::min].map(|end: fn(S, S) -> S| end(k.clone(), S::zero()));
+        let same = friction.net(k, &(f.clone() + before.clone().half()));
         let force = f.clone() + k.clone().half();
         (
-            rise.map(|rise| same.clone() - rise),
-            [net(&before, force.clone()), net(&after, force)],
+            [
+                same.clone() - k.clone().max(S::zero()),
+                same - k.clone().min(S::zero()),
+            ],
+            [friction.net(&before, &force), friction.net(&after, &force)],
         )
+    }
+
+    /// a(u).
+    #[inline(always)]
+    fn energy(&self, u: &S) -> S {
+        u.clone() * (self.excess.clone() + (u.clone() - S::one()).half())
     }
 
     /// Under the wall's own force.
@@ -354,10 +374,10 @@ impl<S: Scalar> Crossing<S> {
     pub fn stored(&self, end: &S) -> [S; 2] {
         let (zero, one) = (S::zero(), S::one());
         let slope = end.clone() - self.excess.clone();
-        let beyond = |y: &S| y.clone() * (slope.clone() + y.clone().half());
         let base = end.square().half();
-        let least = beyond(&clamp(-slope.clone(), &zero, &one));
-        [base.clone() + least, base + beyond(&one).max(zero)]
+        let balance = clamp(-slope.clone(), &zero, &one);
+        let beyond = balance.clone() * (slope.clone() + balance.half());
+        [base.clone() + beyond, base + (slope + one.half()).max(zero)]
     }
 }
 

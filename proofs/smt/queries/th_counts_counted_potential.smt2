@@ -10,7 +10,7 @@
 (define-fun def1 () Real (- (- end f)))
 (define-fun def2 () Real (ite (>= def1 0) def1 0))
 (define-fun def3 () Real (ite (<= def2 1) def2 1))
-(define-fun def4 () Real (* 1 (+ (- end f) (/ 1 2))))
+(define-fun def4 () Real (+ (- end f) (/ 1 2)))
 (define-fun def5 () Real (ite (>= def4 0) def4 0))
 (assert (and (<= 0 y) (<= y 1)))
 ; what would contradict the goal

@@ -13,7 +13,7 @@
 (define-fun def4 () Real (- (- end f)))
 (define-fun def5 () Real (ite (>= def4 0) def4 0))
 (define-fun def6 () Real (ite (<= def5 1) def5 1))
-(define-fun def7 () Real (* 1 (+ (- end f) (/ 1 2))))
+(define-fun def7 () Real (+ (- end f) (/ 1 2)))
 (define-fun def8 () Real (ite (>= def7 0) def7 0))
 (assert (= y def3))
 ; what would contradict the goal

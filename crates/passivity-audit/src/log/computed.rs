@@ -4,7 +4,7 @@ use crate::ball::Ball;
 use crate::entry::Entry;
 use crate::ledger::{Ledger, Logged, Row, Truths, on_entry};
 use crate::log::account::{Account, Place};
-use crate::log::counted::Counted;
+use crate::log::counted;
 use crate::log::error::TraceError;
 use crate::log::known::{Known, known_force};
 use crate::log::merge::ROWS_IN_REPORT;
@@ -168,7 +168,10 @@ impl Computed {
             let force = known_force(interval)?;
             let addend = match Known::of_interval(task.ledger, interval) {
                 Some(known) => known.addend(force)?,
-                None => Counted::of_interval(task.ledger, interval)?.addend(force)?,
+                None => {
+                    let (row, crossed) = counted::Row::of_interval(task.ledger, interval)?;
+                    row.addend(crossed)?
+                }
             };
             Self::of_row(task, interval, Accounted::Quick(Box::new(addend)))
         };

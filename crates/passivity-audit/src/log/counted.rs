@@ -1,142 +1,159 @@
 //! What an interval between two counts comes to, in doubles, where a linear wall on both sides is all there is.
 
 use passivity_core::counted::{Crossing, Resistance};
-use passivity_core::{Criterion, Ordered as _, Scalar as _, Truth, dissipation, quantizer};
+use passivity_core::{Ordered as _, Scalar as _, Truth, dissipation, quantizer};
 
 use crate::ball::Ball;
-use crate::ends::Ends;
 use crate::figure::not;
 use crate::ledger::{Ledger, Logged, Truths};
+use crate::log::known::known_force;
 use crate::log::motion::{Addend, between};
 use crate::log::supply::Contribution;
+use crate::log::wall::Wall;
 use crate::number::Reduced;
 use crate::reading::Reading;
 
-/// What an interval between two counts comes to under any force.
-pub(crate) struct Counted {
-    /// The force of the wall at the middle of the first tick.
-    own: Ball,
-    /// The ticks from one count to the other,
-    crossed: i64,
-    ticks: Ball,
-    /// and the count where it ends.
-    end: Ball,
-    /// With the least friction and with the most.
-    frictions: [Resistance<Ball>; 2],
-    /// The least that friction takes (26), at the least and at the most.
-    taken: [i128; 2],
-    /// Whether the criterion holds at the mean speed.
-    criterion_holds: Truth,
+/// What is known of an interval between two counts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Interval<T> {
+    pub(crate) start: T,
+    pub(crate) end: T,
+    /// How many periods it lasts.
+    pub(crate) lasts: T,
+    /// The force in the log; any number where the account is of the wall's own.
+    pub(crate) force: T,
 }
 
-impl Counted {
-    /// Of an interval of its own; `None` of others than those between counts.
-    pub(crate) fn of_interval(ledger: &Ledger, interval: &Logged) -> Option<Self> {
-        match (interval.samples.as_slice(), &interval.end) {
-            ([Reading::Count(from)], Reading::Count(to)) => {
-                Self::of(ledger, [*from, *to], &Ball::of(&interval.dtau))
-            }
-            _ => None,
-        }
-    }
+/// What it comes to. Pairs are at the least and at the most.
+#[derive(Clone, Debug)]
+pub(crate) struct Row<T> {
+    /// The least that friction takes (26).
+    pub(crate) taken: [T; 2],
+    /// The margin of the criterion, times the mean speed.
+    pub(crate) margin: [T; 2],
+    /// Generated and net energy, against the wall and against its quantized form.
+    pub(crate) generated: [[T; 2]; 2],
+    pub(crate) net: [[T; 2]; 2],
+    /// The work of the force from one count to the other.
+    pub(crate) work: T,
+    /// Net energy against the wall under its own force,
+    pub(crate) own: [T; 2],
+    /// what is held beyond that,
+    pub(crate) excess: T,
+    /// and the potential where the interval ends, less what of the work of that is due to the place within the tick.
+    pub(crate) stored: [T; 2],
+}
 
-    /// Of an interval from one count to another that lasts so many periods; `None` where doubles leave something
-    /// open, and of loops that have more than an encoder.
-    pub(crate) fn of(ledger: &Ledger, [from, to]: [i64; 2], lasts: &Ball) -> Option<Self> {
-        if !ledger.is_plain() {
-            return None;
-        }
-        let ends = ledger.near();
-        let crossed = to.checked_sub(from)?;
-        let ticks = Ball::whole(crossed);
-        let least = Resistance::new(&ends.least.friction(), lasts);
-        let most = match ends.friction_is_exact() {
-            true => least.clone(),
-            false => Resistance::new(&ends.most.friction(), lasts),
-        };
-        let [near, far] = Crossing::own(ticks).distances();
-        let takes = |of: &Resistance<Ball>, d: &Ball| of.taken(d);
-        Some(Self {
-            own: quantizer::held_force(&Ball::whole(from)),
-            crossed,
+impl<const BRANCHES: bool> Row<Ball<BRANCHES>> {
+    /// Of an interval under the force in the log where that is `applied`, else under that of the wall; `is_exact` says
+    /// whether friction is.
+    #[inline(always)]
+    pub(crate) fn of(
+        wall: &Wall<BRANCHES>,
+        of: &Interval<Ball<BRANCHES>>,
+        is_exact: bool,
+        applied: bool,
+    ) -> Self {
+        let ticks = of.end - of.start;
+        let own = Crossing::own(ticks);
+        let held = quantizer::held_force(&of.start);
+        let force = if applied { of.force } else { held };
+        let crossing = Crossing {
             ticks,
-            end: Ball::whole(to),
-            taken: between(takes(&least, &near), takes(&most, &far))?,
-            frictions: [least, most],
-            criterion_holds: criterion(ends, [near, far], lasts)?,
-        })
-    }
-
-    /// What it is under this force, or under that of the wall.
-    fn crossing(&self, force: Option<Ball>) -> Crossing<Ball> {
-        match force {
-            None => Crossing::own(self.ticks),
-            Some(force) => Crossing {
-                ticks: self.ticks,
-                excess: force - self.own,
-            },
+            excess: if applied { force - held } else { Ball::zero() },
+        };
+        let [least, most] = &wall.frictions;
+        let least = Resistance::new(least, &of.lasts);
+        let most = match is_exact {
+            true => least.clone(),
+            false => Resistance::new(most, &of.lasts),
+        };
+        let [near, far] = crossing.distances();
+        let [slow, fast] = [
+            dissipation::mean_speed(&near, &of.lasts),
+            dissipation::mean_speed(&far, &of.lasts),
+        ];
+        let [low, high] = &wall.criteria;
+        let ([a, b], [c, d]) = (crossing.net_at_least(&least), crossing.net_at_most(&most));
+        let ([lo, _], [hi, _]) = (own.net_at_least(&least), own.net_at_most(&most));
+        Self {
+            taken: [least.taken(&near), most.taken(&far)],
+            margin: [
+                low.margin(&slow).min(low.margin(&fast)),
+                high.margin(&slow).max(high.margin(&fast)),
+            ],
+            generated: crossing.generated(),
+            net: [[a, c], [b, d]],
+            work: force * ticks,
+            own: [lo, hi],
+            excess: crossing.excess,
+            stored: crossing.stored(&of.end),
         }
     }
+}
 
-    /// What the interval adds to an account, under the force that the log has or, without one, under that of the
-    /// wall; `None` where doubles leave something open.
-    pub(crate) fn addend(&self, force: Option<Ball>) -> Option<Addend> {
-        let crossing = self.crossing(force);
-        let [linear, quantized] = crossing.generated();
-        let [least, most] = &self.frictions;
-        let ([a, b], [c, d]) = (crossing.net_at_least(least), crossing.net_at_most(most));
-        let grid = |[lo, hi]: [Ball; 2]| between(lo, hi);
-        let violates = |[lo, hi]: [Ball; 2]| {
-            let covered = Truth::over(lo.is_nonnegative()?, hi.is_nonnegative()?);
-            Some(not(covered))
+impl Row<Ball> {
+    /// Of an interval of its own, and the ticks that it crosses; `None` of others than those between counts, and of
+    /// loops that have more than an encoder.
+    pub(crate) fn of_interval(ledger: &Ledger, interval: &Logged) -> Option<(Self, i64)> {
+        let ([Reading::Count(from)], Reading::Count(to)) =
+            (interval.samples.as_slice(), &interval.end)
+        else {
+            return None;
         };
-        let work = force.unwrap_or(self.own) * self.ticks;
+        let force = known_force(interval)?;
+        let wall = Wall::of(ledger)?;
+        let of = Interval {
+            start: Ball::whole(*from),
+            end: Ball::whole(*to),
+            lasts: Ball::of(&interval.dtau),
+            force: force.unwrap_or(Ball::zero()),
+        };
+        let row = Self::of(&wall, &of, wall.friction_is_exact, force.is_some());
+        Some((row, to.checked_sub(*from)?))
+    }
+
+    /// What the interval adds to an account, given the ticks that it crosses; `None` where doubles leave something
+    /// open.
+    pub(crate) fn addend(&self, crossed: i64) -> Option<Addend> {
+        let grid = |[lo, hi]: [Ball; 2]| between(lo, hi);
+        let covers = |[lo, hi]: [Ball; 2]| {
+            let [lo, hi] = [lo.is_nonnegative()?, hi.is_nonnegative()?];
+            Some(Truth::over(lo, hi))
+        };
+        let ([linear, quantized], [net, net_quantized]) = (self.generated, self.net);
+        let criterion_holds = match covers(self.margin)? {
+            // Had nothing moved, it would hold.
+            Truth::Fails if crossed.unsigned_abs() <= 1 => Truth::Depends,
+            holds => holds,
+        };
         let addend = Addend {
             sums: [
                 grid(linear)?,
                 grid(quantized)?,
-                self.taken,
-                grid([a, c])?,
-                grid([b, d])?,
+                grid(self.taken)?,
+                grid(net)?,
+                grid(net_quantized)?,
             ],
-            observed: (-work).on_grid()?[0],
-            potential: grid(Crossing::own(self.ticks).stored(&self.end))?,
+            observed: (-self.work).on_grid()?[0],
+            potential: grid(self.stored)?,
             truths: Truths {
-                criterion_holds: self.criterion_holds,
-                violates_linear: violates([a, c])?,
-                violates_quantized: violates([b, d])?,
+                criterion_holds,
+                violates_linear: not(covers(net)?),
+                violates_quantized: not(covers(net_quantized)?),
             },
         };
         addend.fits().then_some(addend)
     }
 
-    /// What it adds to T under this force.
-    pub(crate) fn contribution(&self, force: Option<Ball>) -> Option<Contribution> {
-        let [least, most] = &self.frictions;
-        let own = Crossing::own(self.ticks);
-        let ([lo, _], [hi, _]) = (own.net_at_least(least), own.net_at_most(most));
-        let crossing = self.crossing(force);
-        let [first, last] = crossing.stored(&self.end);
+    /// What it adds to T, given the same.
+    pub(crate) fn contribution(&self, crossed: i64) -> Option<Contribution> {
+        let grid = |[lo, hi]: [Ball; 2]| between(lo, hi);
         Some(Contribution::counted(
-            between(lo, hi)?,
-            crossing.excess.on_grid()?,
-            Reduced::Small(self.crossed.into(), 1),
-            between(first, last)?,
+            grid(self.own)?,
+            self.excess.on_grid()?,
+            Reduced::Small(crossed.into(), 1),
+            grid(self.stored)?,
         ))
     }
-}
-
-/// Whether the criterion holds at the speeds between those of two distances.
-fn criterion(ends: &Ends<Ball>, distances: [Ball; 2], lasts: &Ball) -> Option<Truth> {
-    let speeds = distances.map(|d| dissipation::mean_speed(&d, lasts));
-    let margins = |of: &Criterion<Ball>| speeds.map(|v| of.margin(&v));
-    let [least, most] = &ends.criteria;
-    let ([a, b], [c, d]) = (margins(least), margins(most));
-    let holds = Truth::over(a.min(b).is_nonnegative()?, c.max(d).is_nonnegative()?);
-    let [near, _] = distances;
-    // Had nothing moved, it would hold.
-    Some(match holds {
-        Truth::Fails if near.is_zero() => Truth::Depends,
-        holds => holds,
-    })
 }

@@ -13,6 +13,7 @@ use std::ops::Range;
 use passivity_core::{Scalar as _, Truth};
 
 pub(crate) use compute::commanded;
+pub(crate) use counted::Counted;
 pub(crate) use sums::Sums;
 
 use crate::ball::Ball;
@@ -20,11 +21,12 @@ use crate::figure::not;
 use crate::ledger::Truths;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::known::Known;
+use crate::log::layout::Layout;
 use crate::log::motion::Addend;
 use crate::log::numbers::{Balls, Readings};
 use crate::log::step::periods;
 use crate::log::task::Task;
-use compute::Wall;
+use crate::log::wall::Wall;
 use sums::Totals;
 
 /// How many rows are computed at once.
@@ -150,6 +152,12 @@ pub(crate) struct Length(pub(crate) i64, pub(crate) i64);
 impl Length {
     const OPEN: Self = Self(0, 0);
 
+    /// Of the interval that starts at sample `i` of a chunk.
+    #[inline]
+    pub(crate) fn of(layout: &Layout, chunk: &Chunk, i: usize) -> Self {
+        periods(layout, chunk, i).map_or(Self::OPEN, |(n, d)| Self(n, d))
+    }
+
     #[inline]
     fn near(self) -> Ball {
         match self.1 {
@@ -176,7 +184,7 @@ impl Tile {
     }
 
     /// Computes the rows of some intervals.
-    fn fill(&mut self, wall: &Wall, of: &Intervals, applied: bool) {
+    fn fill(&mut self, wall: &Wall<false>, of: &Intervals, applied: bool) {
         compute::compute(self, wall, of, applied);
         self.len = of.len;
         let open = self.open.iter().flatten().fold(0, |all, open| all | open);
@@ -243,9 +251,9 @@ impl Tiles {
             return;
         };
         let intervals = samples.len().saturating_sub(1);
-        let lengths = (0..intervals)
-            .map(|i| periods(task.layout, chunk, i).map_or(Length::OPEN, |(n, d)| Length(n, d)));
+        let lengths = (0..intervals).map(|i| Length::of(task.layout, chunk, i));
         self.lengths.extend(lengths);
+        let wall = wall.lanes();
         let forces = task.applied.then_some(&chunk.forces.values);
         self.tiles.resize(intervals.div_ceil(TILE), Tile::new());
         let mut of = Intervals::new();
@@ -258,6 +266,7 @@ impl Tiles {
 }
 
 mod compute;
+mod counted;
 mod sums;
 #[cfg(test)]
 mod tests;

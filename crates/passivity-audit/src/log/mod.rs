@@ -53,6 +53,7 @@ mod timing;
 mod typed;
 mod velocity;
 mod walk;
+mod wall;
 mod worker;
 
 pub(crate) use running::near as near_rational;

@@ -22,8 +22,7 @@ use crate::entry::Entry;
 use crate::figure::Figure;
 use crate::ledger::{Ledger, Logged, Row, on_entry};
 use crate::log::computed::Accounted;
-use crate::log::counted::Counted;
-use crate::log::known::known_force;
+use crate::log::counted;
 use crate::log::motion::WIDEST;
 use crate::number::{Reduced, Written};
 use crate::reading::Reading;
@@ -92,8 +91,8 @@ impl Contribution {
         let row = match row {
             Accounted::Near(entry) => return contribution(ledger.near(), entry),
             Accounted::Quick(addend) => {
-                if let Some(counted) = Counted::of_interval(ledger, interval) {
-                    return counted.contribution(known_force(interval)?);
+                if let Some((row, crossed)) = counted::Row::of_interval(ledger, interval) {
+                    return row.contribution(crossed);
                 }
                 let [_, _, _, net, _] = addend.sums;
                 return Some(Self::known(net, addend.potential));

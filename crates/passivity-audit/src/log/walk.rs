@@ -10,15 +10,15 @@ use crate::log::account::{Account, Place};
 use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::{Computed, EXACT_ROWS, Text, UNIT, is_exact, note_stored};
-use crate::log::counted::Counted;
 use crate::log::error::TraceError;
 use crate::log::known::{Known, Starts};
-use crate::log::lanes::{TILE, Tiles};
+use crate::log::lanes::{Counted, Length, TILE, Tiles};
 use crate::log::motion::Addend;
 use crate::log::step::{check_jump, duration, interval, jump, undefined};
 use crate::log::supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
+use crate::log::wall::Wall;
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 
@@ -43,6 +43,9 @@ pub(super) struct Walk<'a> {
     pub(super) starts: Starts,
     /// The rows that were computed several at a time.
     pub(super) tiles: &'a Tiles,
+    /// Those of counts, of the wall.
+    pub(super) wall: Option<Wall<false>>,
+    pub(super) counted: &'a mut Counted,
 }
 
 impl Walk<'_> {
@@ -244,9 +247,9 @@ impl Walk<'_> {
         batch.add_known(&known.addend(force)?, task.running)
     }
 
-    /// The same of counts.
+    /// The same of counts, of which several are computed at a time.
     fn counted(
-        &self,
+        &mut self,
         batch: &mut Batch,
         (chunk, counts): (&Chunk, &[i64]),
         dtau: &Number,
@@ -257,14 +260,20 @@ impl Walk<'_> {
         if is_exact(task, &Reading::Count(to), dtau, self.h(i)) {
             return None;
         }
-        let counted = Counted::of(task.ledger, [from, to], &Ball::of(dtau))?;
-        let force = match task.applied {
-            true => Some(chunk.forces.values.ball(i)?),
-            false => None,
+        let wall = self.wall.as_ref()?;
+        let row = match self.counted.get(i) {
+            Some(row) => row,
+            None => {
+                let lengths = (i..).map(|i| Length::of(task.layout, chunk, i));
+                let forces = task.applied.then_some(&chunk.forces.values);
+                self.counted.fill(wall, (counts, forces), i, lengths);
+                self.counted.get(i)?
+            }
         };
-        let addend = counted.addend(force)?;
+        let crossed = to - from;
+        let addend = row.addend(crossed)?;
         let supply = match task.running {
-            true => Some(counted.contribution(force)?.supplied(batch.excess())?),
+            true => Some(row.contribution(crossed)?.supplied(batch.excess())?),
             false => None,
         };
         if supply.as_ref().is_some_and(|supply| !supply.fits()) {

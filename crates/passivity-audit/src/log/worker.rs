@@ -4,11 +4,12 @@ use crate::log::account::Account;
 use crate::log::chunk::Chunk;
 use crate::log::computed::EXACT_ROWS;
 use crate::log::known::Starts;
-use crate::log::lanes::Tiles;
+use crate::log::lanes::{Counted, Tiles};
 use crate::log::supply::Supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
 use crate::log::walk::Walk;
+use crate::log::wall::Wall;
 
 /// About how many points of a chunk are plotted.
 const POINTS: usize = 512;
@@ -17,6 +18,8 @@ const POINTS: usize = 512;
 #[derive(Default)]
 pub(crate) struct Worker {
     table: Table,
+    /// The room of rows of counts.
+    counted: Option<Box<Counted>>,
     /// The room of what was computed of the last chunk.
     room: Shared,
     /// That of net energy, to which the rows of the last chunk led.
@@ -100,6 +103,8 @@ impl Worker {
             key: Vec::new(),
             starts: Starts::default(),
             tiles: &shared.tiles,
+            wall: Wall::of(task.ledger).map(|wall| wall.lanes()),
+            counted: self.counted.get_or_insert_with(Counted::new).after(),
         };
         let mut goes_on = true;
         if let Err(error) = walk.run(&mut self.table, chunk, &mut account) {

@@ -4,7 +4,10 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::ledger::Ledger;
+use crate::log::counted;
 use crate::log::known::Starts;
+use crate::log::numbers::Kind;
+use crate::log::scale::Scale;
 
 const EXACT: &str = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"7/10\"";
 
@@ -111,7 +114,7 @@ proptest! {
         rows in prop::collection::vec(row(), 1..TILE + 1), exact: bool,
     ) {
         let ledger = ledger(if exact { EXACT } else { BETWEEN });
-        let wall = Wall::of(&ledger).unwrap();
+        let wall = Wall::of(&ledger).unwrap().lanes();
         prop_assert_eq!(wall.friction_is_exact, exact);
         let mut tile = Tile::new();
         tile.fill(&wall, &intervals(&rows), true);
@@ -157,7 +160,7 @@ fn check_sums(tile: &Tile, rows: &Range<usize>, applied: bool) -> Result<(), Tes
 #[test]
 fn most_rows_of_a_log_are_decided() {
     let ledger = ledger(BETWEEN);
-    let wall = Wall::of(&ledger).unwrap();
+    let wall = Wall::of(&ledger).unwrap().lanes();
     let rows: Vec<Row> = (0..TILE)
         .map(|i| {
             let at = |i: usize| {
@@ -178,5 +181,87 @@ fn most_rows_of_a_log_are_decided() {
         assert_eq!(tile.decided(0, TILE, applied), TILE);
         check_sums(&tile, &(0..TILE), applied).unwrap();
         check_sums(&tile, &(3..50), applied).unwrap();
+    }
+}
+
+/// The same of counts: both as what they add to an account and to what is left of what was stored.
+fn alone_and_in_a_tile(
+    ledger: &Ledger,
+    counts: &[i64],
+    lengths: &[(i64, i64)],
+    forces: Option<&Readings>,
+) -> Vec<[(Option<Addend>, String); 2]> {
+    let wall = Wall::of(ledger).unwrap();
+    let mut tile = Counted::new();
+    let lasts = lengths.iter().map(|(n, d)| Length(*n, *d));
+    tile.fill(&wall.lanes(), (counts, forces), 0, lasts);
+    let both = |row: &counted::Row<Ball>, crossed| {
+        let contribution = format!("{:?}", row.contribution(crossed));
+        (row.addend(crossed), contribution)
+    };
+    let rows = counts.windows(2).zip(lengths).take(TILE).enumerate();
+    rows.map(|(i, (pair, (n, d)))| {
+        let of = counted::Interval {
+            start: Ball::whole(pair[0]),
+            end: Ball::whole(pair[1]),
+            lasts: Ball::ratio(*n, *d),
+            force: forces.map_or(Ball::zero(), |forces| forces.ball(i).unwrap()),
+        };
+        let alone = counted::Row::of(&wall, &of, wall.friction_is_exact, forces.is_some());
+        [alone, tile.get(i).unwrap()].map(|row| both(&row, pair[1] - pair[0]))
+    })
+    .collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn rows_of_counts_are_those_that_are_computed_alone(
+        start in prop_oneof![3 => -40..40_i64, 1 => -1_000_000_000..1_000_000_000_i64, 1 => any::<i32>().prop_map(i64::from)],
+        steps in prop::collection::vec(prop_oneof![4 => -3..4_i64, 1 => -3000..3000_i64], 1..TILE + 9),
+        lengths in prop::collection::vec((1..5000_i64, 1..5000_i64), TILE + 9),
+        forces in prop::collection::vec(ball(), TILE + 9),
+        exact: bool,
+        applied: bool,
+    ) {
+        let ledger = ledger(if exact { EXACT } else { BETWEEN });
+        let steps = steps.iter().scan(start, |at, step| {
+            *at += step;
+            Some(*at)
+        });
+        let counts: Vec<i64> = std::iter::once(start).chain(steps).collect();
+        let mut readings = Readings::new(Kind::Force, &Scale::One);
+        forces.iter().for_each(|force| readings.near.push(*force));
+        let forces = applied.then_some(&readings);
+        for [alone, found] in alone_and_in_a_tile(&ledger, &counts, &lengths, forces) {
+            let agrees = match (&alone.0, &found.0) {
+                (Some(expected), Some(found)) => same(expected, found),
+                (expected, found) => expected.is_none() && found.is_none(),
+            };
+            prop_assert!(agrees && alone.1 == found.1, "{found:?} {alone:?}");
+        }
+    }
+}
+
+#[test]
+fn all_rows_of_a_log_of_counts_are_decided() {
+    for text in [EXACT, BETWEEN] {
+        let counts: Vec<i64> = (0..=TILE as i64).map(|i| (i * 7 % 23) / 3 - 4).collect();
+        let lengths: Vec<_> = (0..TILE as i64).map(|i| (900 + i * 3, 1000)).collect();
+        let mut forces = Readings::new(Kind::Force, &Scale::One);
+        let held = counts
+            .iter()
+            .map(|n| quantizer::held_force(&Ball::whole(*n)));
+        held.for_each(|force| {
+            forces
+                .near
+                .push(force + Ball::from_parts(0.013, f64::EPSILON))
+        });
+        for forces in [None, Some(&forces)] {
+            let rows = alone_and_in_a_tile(&ledger(text), &counts, &lengths, forces);
+            assert_eq!(rows.len(), TILE);
+            assert!(rows.iter().flatten().all(|(addend, _)| addend.is_some()));
+        }
     }
 }
