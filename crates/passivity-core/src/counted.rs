@@ -2,7 +2,8 @@
 //!
 //! The counts n₀ and n₀ + k leave ξ₀ = n₀ + x and ξ₁ = n₀ + k + y, x and y anywhere in [0, 1], so that the
 //! displacement d = k + y − x is in [k − 1, k + 1]. Under a force F that is held, with the excess f = F + n₀ + ½ over
-//! the force of the wall at the middle of the tick, a linear wall on both sides and its quantized form take up
+//! the force of the wall at the middle of the tick, what is generated against a linear wall on both sides and against
+//! its quantized form is
 //!
 //! * E_gᴸ = d(f + ½(d − 1) + x) = a(k + y) − a(x) with a(u) = u(f + ½(u − 1)), which is convex;
 //! * E_g = a(k) + (f + k)y − fx.
@@ -10,12 +11,23 @@
 //! Both are a function of y less one of x. Net energy, β′d² + σ|d| less that, is for each d extreme at the least or
 //! at the largest x, or y, that d leaves: on each side of d = k along one parabola in d. Turning both directions
 //! around (k, f and d change their signs, x becomes 1 − x and y becomes 1 − y) changes no net energy, so the text
-//! below is of k ≥ 0, and of d ≥ 0 too: what of k = 0 goes back is what goes ahead under −f.
+//! below is of k ≥ 0, and of d ≥ 0 too: what of k = 0 goes back is what goes ahead under −f. So net energy is least,
+//! and largest, where such a parabola turns or at a corner, where x and y are 0 or 1.
 
 use crate::dissipation::Friction;
 use crate::scalar::{Ordered, Scalar};
 
 /// αd² in a parabola that turns where its slope is zero.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::counted::Bend;
+/// use passivity_core::{Fixed, Scalar};
+///
+/// assert_eq!(Bend::of(Fixed::integer(2)).turn, Fixed::new(1, 4));
+/// assert_eq!(Bend::of(Fixed::zero()).turn, Fixed::zero());
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Bend<S> {
     /// α.
@@ -369,6 +381,17 @@ impl<S: Scalar> Crossing<S> {
 
     /// The least and the most of ½ξ₁² − fy, the wall's potential where the interval ends, at count `end`, less what of
     /// the work of the excess is due to the place within the tick.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_core::counted::Crossing;
+    /// use passivity_core::{Fixed, Scalar};
+    ///
+    /// // Under the wall's own force, in the tick from 1 on: from ½ to 2.
+    /// let own = Crossing::own(Fixed::integer(3));
+    /// assert_eq!(own.stored(&Fixed::integer(1)), [Fixed::new(1, 2), Fixed::integer(2)]);
+    /// ```
     #[inline(always)]
     #[must_use]
     pub fn stored(&self, end: &S) -> [S; 2] {

@@ -168,10 +168,7 @@ impl Computed {
             let force = known_force(interval)?;
             let addend = match Known::of_interval(task.ledger, interval) {
                 Some(known) => known.addend(force)?,
-                None => {
-                    let (row, crossed) = counted::Row::of_interval(task.ledger, interval)?;
-                    row.addend(crossed)?
-                }
+                None => counted::Figures::of_interval(task.ledger, interval)?.addend(),
             };
             Self::of_row(task, interval, Accounted::Quick(Box::new(addend)))
         };

@@ -92,10 +92,26 @@ impl<const BRANCHES: bool> Row<Ball<BRANCHES>> {
     }
 }
 
-impl Row<Ball> {
-    /// Of an interval of its own, and the ticks that it crosses; `None` of others than those between counts, and of
-    /// loops that have more than an encoder.
-    pub(crate) fn of_interval(ledger: &Ledger, interval: &Logged) -> Option<(Self, i64)> {
+/// What an interval between two counts comes to, in units of the grid. Pairs are at the least and at the most.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Figures {
+    /// As [`Addend::sums`].
+    pub(crate) sums: [[i128; 2]; 5],
+    /// What the observer adds.
+    pub(crate) observed: i128,
+    /// The rest as in [`Row`].
+    pub(crate) own: [i128; 2],
+    pub(crate) excess: [i128; 2],
+    pub(crate) stored: [i128; 2],
+    pub(crate) truths: Truths,
+    /// How many ticks it crosses.
+    pub(crate) crossed: i64,
+}
+
+impl Figures {
+    /// Of an interval of its own; `None` of others than those between counts, of loops that have more than an encoder,
+    /// and where doubles leave something open.
+    pub(crate) fn of_interval(ledger: &Ledger, interval: &Logged) -> Option<Self> {
         let ([Reading::Count(from)], Reading::Count(to)) =
             (interval.samples.as_slice(), &interval.end)
         else {
@@ -109,51 +125,64 @@ impl Row<Ball> {
             lasts: Ball::of(&interval.dtau),
             force: force.unwrap_or(Ball::zero()),
         };
-        let row = Self::of(&wall, &of, wall.friction_is_exact, force.is_some());
-        Some((row, to.checked_sub(*from)?))
+        let row = Row::of(&wall, &of, wall.friction_is_exact, force.is_some());
+        Self::of(&row, to.checked_sub(*from)?)
     }
 
-    /// What the interval adds to an account, given the ticks that it crosses; `None` where doubles leave something
-    /// open.
-    pub(crate) fn addend(&self, crossed: i64) -> Option<Addend> {
+    /// Of a row that crosses so many ticks; `None` where doubles leave something open.
+    pub(crate) fn of(row: &Row<Ball>, crossed: i64) -> Option<Self> {
         let grid = |[lo, hi]: [Ball; 2]| between(lo, hi);
-        let covers = |[lo, hi]: [Ball; 2]| {
-            let [lo, hi] = [lo.is_nonnegative()?, hi.is_nonnegative()?];
-            Some(Truth::over(lo, hi))
-        };
-        let ([linear, quantized], [net, net_quantized]) = (self.generated, self.net);
-        let criterion_holds = match covers(self.margin)? {
-            // Had nothing moved, it would hold.
-            Truth::Fails if crossed.unsigned_abs() <= 1 => Truth::Depends,
-            holds => holds,
-        };
-        let addend = Addend {
+        let covers = |[lo, hi]: [Ball; 2]| Some([lo.is_nonnegative()?, hi.is_nonnegative()?]);
+        let ([linear, quantized], [net, net_quantized]) = (row.generated, row.net);
+        Some(Self {
             sums: [
                 grid(linear)?,
                 grid(quantized)?,
-                grid(self.taken)?,
+                grid(row.taken)?,
                 grid(net)?,
                 grid(net_quantized)?,
             ],
-            observed: (-self.work).on_grid()?[0],
-            potential: grid(self.stored)?,
-            truths: Truths {
-                criterion_holds,
-                violates_linear: not(covers(net)?),
-                violates_quantized: not(covers(net_quantized)?),
-            },
-        };
-        addend.fits().then_some(addend)
+            observed: (-row.work).on_grid()?[0],
+            own: grid(row.own)?,
+            excess: row.excess.on_grid()?,
+            stored: grid(row.stored)?,
+            truths: truths(
+                [covers(row.margin)?, covers(net)?, covers(net_quantized)?],
+                crossed,
+            ),
+            crossed,
+        })
     }
 
-    /// What it adds to T, given the same.
-    pub(crate) fn contribution(&self, crossed: i64) -> Option<Contribution> {
-        let grid = |[lo, hi]: [Ball; 2]| between(lo, hi);
-        Some(Contribution::counted(
-            grid(self.own)?,
-            self.excess.on_grid()?,
-            Reduced::Small(crossed.into(), 1),
-            grid(self.stored)?,
-        ))
+    /// What the interval adds to an account.
+    pub(crate) const fn addend(&self) -> Addend {
+        // Balls on the grid are below 2³⁶ KΔ², so all of it fits.
+        Addend {
+            sums: self.sums,
+            observed: self.observed,
+            potential: self.stored,
+            truths: self.truths,
+        }
+    }
+
+    /// What it adds to T.
+    pub(crate) fn contribution(&self) -> Contribution {
+        let advance = Reduced::Small(self.crossed.into(), 1);
+        Contribution::counted(self.own, self.excess, advance, self.stored)
+    }
+}
+
+/// What a row answers that crosses so many ticks: whether the margin of the criterion and net energy against the wall and
+/// against its quantized form are not negative at the least and at the most.
+pub(crate) fn truths([margin, net, quantized]: [[bool; 2]; 3], crossed: i64) -> Truths {
+    let [holds, linear, quantized] = [margin, net, quantized].map(|[lo, hi]| Truth::over(lo, hi));
+    Truths {
+        // Had nothing moved, it would hold.
+        criterion_holds: match holds {
+            Truth::Fails if crossed.unsigned_abs() <= 1 => Truth::Depends,
+            holds => holds,
+        },
+        violates_linear: not(linear),
+        violates_quantized: not(quantized),
     }
 }

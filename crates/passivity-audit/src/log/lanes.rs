@@ -1,7 +1,8 @@
 //! Rows of one linear wall several at a time: the kernel's text on balls, without a branch on what they are,
 //! so that processors compute several rows with each instruction.
 //!
-//! Each row is what [`Known`] makes of it, to the last bit: a row of which not all is decided here is for that.
+//! Each row is what [`Known`] makes of it, or of counts a [`Row`](crate::log::counted::Row) of its own, to the last bit:
+//! one of positions of which not all is decided here is for the former.
 
 #![expect(
     clippy::indexing_slicing,

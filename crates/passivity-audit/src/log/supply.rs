@@ -91,8 +91,8 @@ impl Contribution {
         let row = match row {
             Accounted::Near(entry) => return contribution(ledger.near(), entry),
             Accounted::Quick(addend) => {
-                if let Some((row, crossed)) = counted::Row::of_interval(ledger, interval) {
-                    return row.contribution(crossed);
+                if let Some(figures) = counted::Figures::of_interval(ledger, interval) {
+                    return Some(figures.contribution());
                 }
                 let [_, _, _, net, _] = addend.sums;
                 return Some(Self::known(net, addend.potential));

@@ -260,26 +260,21 @@ impl Walk<'_> {
         if is_exact(task, &Reading::Count(to), dtau, self.h(i)) {
             return None;
         }
-        let wall = self.wall.as_ref()?;
-        let row = match self.counted.get(i) {
-            Some(row) => row,
-            None => {
-                let lengths = (i..).map(|i| Length::of(task.layout, chunk, i));
-                let forces = task.applied.then_some(&chunk.forces.values);
-                self.counted.fill(wall, (counts, forces), i, lengths);
-                self.counted.get(i)?
-            }
-        };
-        let crossed = to - from;
-        let addend = row.addend(crossed)?;
+        if !self.counted.has(i) {
+            let lengths = (i..).map(|i| Length::of(task.layout, chunk, i));
+            let forces = task.applied.then_some(&chunk.forces.values);
+            let wall = self.wall.as_ref()?;
+            self.counted.fill(wall, (counts, forces), i, lengths);
+        }
+        let figures = self.counted.get(i, to - from)?;
         let supply = match task.running {
-            true => Some(row.contribution(crossed)?.supplied(batch.excess())?),
+            true => Some(figures.contribution().supplied(batch.excess())?),
             false => None,
         };
         if supply.as_ref().is_some_and(|supply| !supply.fits()) {
             return None;
         }
-        batch.add(&addend, supply)
+        batch.add(&figures.addend(), supply)
     }
 
     /// Adds the next interval; `None` where doubles leave something open, or its row is an exact one.

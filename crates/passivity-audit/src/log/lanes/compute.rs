@@ -12,7 +12,7 @@ use crate::log::wall::Wall;
 
 /// Zero where a number is surely not negative, else one; and the same of whether it surely is.
 #[inline(always)]
-fn is_nonnegative(ball: Lane) -> [f64; 2] {
+pub(super) fn is_nonnegative(ball: Lane) -> [f64; 2] {
     let (middle, radius) = ball.parts();
     [unless(middle >= radius), unless(-middle > radius)]
 }
@@ -121,7 +121,7 @@ impl Tile {
 
 /// A whole number of at least zero, and a small one, as such.
 #[inline(always)]
-fn whole(x: f64) -> u64 {
+pub(super) fn whole(x: f64) -> u64 {
     split(x).0.cast_unsigned()
 }
 

@@ -2,17 +2,33 @@
 
 use multiversion::multiversion;
 
+use super::compute::{is_nonnegative, whole};
 use super::{Column, Length, TILE};
-use crate::ball::{Ball, Lane};
-use crate::log::counted::{Interval, Row};
+use crate::ball::{Ball, Lane, on_grid};
+use crate::log::counted::{Figures, Interval, Row, truths};
 use crate::log::numbers::Readings;
 use crate::log::wall::Wall;
+
+/// The lower or the upper ends of numbers, in layers of 1, 2⁻³² and 2⁻⁶⁴.
+type Ends = [[i64; TILE]; 3];
+
+const NONE: Ends = [[0; TILE]; 3];
 
 /// What some consecutive intervals between counts come to.
 #[derive(Clone, Debug)]
 pub(crate) struct Counted {
     of: Interval<Column>,
-    row: Row<Column>,
+    /// As [`Figures`] has it.
+    sums: [[Ends; 2]; 5],
+    observed: Ends,
+    own: [Ends; 2],
+    excess: [Ends; 2],
+    stored: [Ends; 2],
+    /// What is not negative, as bits: the margin of the criterion, net energy, and that against the quantized wall, each
+    /// at the least and at the most.
+    covers: [u64; TILE],
+    /// Not zero for the rows that are left open.
+    open: [u64; TILE],
     /// The first of them, and how many there are.
     at: usize,
     len: usize,
@@ -20,24 +36,20 @@ pub(crate) struct Counted {
 
 impl Counted {
     pub(crate) fn new() -> Box<Self> {
-        let (one, two) = (|| Column::ZERO, || [Column::ZERO; 2]);
         Box::new(Self {
             of: Interval {
-                start: one(),
-                end: one(),
-                lasts: one(),
-                force: one(),
+                start: Column::ZERO,
+                end: Column::ZERO,
+                lasts: Column::ZERO,
+                force: Column::ZERO,
             },
-            row: Row {
-                taken: two(),
-                margin: two(),
-                generated: [two(), two()],
-                net: [two(), two()],
-                work: one(),
-                own: two(),
-                excess: one(),
-                stored: two(),
-            },
+            sums: [[NONE; 2]; 5],
+            observed: NONE,
+            own: [NONE; 2],
+            excess: [NONE; 2],
+            stored: [NONE; 2],
+            covers: [0; TILE],
+            open: [0; TILE],
             at: 0,
             len: 0,
         })
@@ -49,21 +61,31 @@ impl Counted {
         self
     }
 
-    /// The row of interval `i`, where it is one of these.
+    /// Whether interval `i` is one of these.
     #[inline]
-    pub(crate) fn get(&self, i: usize) -> Option<Row<Ball>> {
+    pub(crate) const fn has(&self, i: usize) -> bool {
+        self.at <= i && i - self.at < self.len
+    }
+
+    /// What interval `i` comes to, which crosses so many ticks; `None` where doubles leave something open.
+    #[inline]
+    pub(crate) fn get(&self, i: usize, crossed: i64) -> Option<Figures> {
         let i = i.checked_sub(self.at).filter(|i| *i < self.len)?;
-        let two = |columns: &[Column; 2]| columns.each_ref().map(|column| column.get(i));
-        let row = &self.row;
-        Some(Row {
-            taken: two(&row.taken),
-            margin: two(&row.margin),
-            generated: row.generated.each_ref().map(two),
-            net: row.net.each_ref().map(two),
-            work: row.work.get(i),
-            own: two(&row.own),
-            excess: row.excess.get(i),
-            stored: two(&row.stored),
+        if self.open[i] != 0 {
+            return None;
+        }
+        let end = |ends: &Ends| on_grid([ends[0][i], ends[1][i], ends[2][i]]);
+        let both = |[lo, hi]: &[Ends; 2]| [end(lo), end(hi)];
+        let is = |place: u32| self.covers[i] >> place & 1 == 1;
+        let covers = [[is(0), is(1)], [is(2), is(3)], [is(4), is(5)]];
+        Some(Figures {
+            sums: self.sums.each_ref().map(both),
+            observed: end(&self.observed),
+            own: both(&self.own),
+            excess: both(&self.excess),
+            stored: both(&self.stored),
+            truths: truths(covers, crossed),
+            crossed,
         })
     }
 
@@ -94,37 +116,66 @@ impl Counted {
 
     #[inline(always)]
     fn compute(&mut self, wall: &Wall<false>, is_exact: bool, applied: bool) {
-        let (of, to) = (&self.of, &mut self.row);
         for i in 0..TILE {
-            let at = |column: &Column| column.get(i).lane();
             let of = Interval {
-                start: at(&of.start),
-                end: at(&of.end),
-                lasts: at(&of.lasts),
-                force: at(&of.force),
+                start: self.of.start.get(i).lane(),
+                end: self.of.end.get(i).lane(),
+                lasts: self.of.lasts.get(i).lane(),
+                force: self.of.force.get(i).lane(),
             };
             let row = Row::of(wall, &of, is_exact, applied);
-            let [linear, quantized] = &mut to.generated;
-            let [net, net_quantized] = &mut to.net;
-            let ([a, b], [c, d]) = (row.generated, row.net);
-            set(&mut to.taken, i, row.taken);
-            set(&mut to.margin, i, row.margin);
-            set(linear, i, a);
-            set(quantized, i, b);
-            set(net, i, c);
-            set(net_quantized, i, d);
-            set(&mut to.own, i, row.own);
-            set(&mut to.stored, i, row.stored);
-            to.work.set(i, row.work);
-            to.excess.set(i, row.excess);
+            let ([linear, quantized], [net, net_quantized]) = (row.generated, row.net);
+            let mut open = 0.0;
+            let [generated, stairs, taken, left, stairs_left] = &mut self.sums;
+            open += set(generated, i, linear);
+            open += set(stairs, i, quantized);
+            open += set(taken, i, row.taken);
+            open += set(left, i, net);
+            open += set(stairs_left, i, net_quantized);
+            open += set(&mut self.own, i, row.own);
+            open += set(&mut self.excess, i, [row.excess, row.excess]);
+            open += set(&mut self.stored, i, row.stored);
+            let observed = -row.work;
+            open += observed.excess();
+            put(&mut self.observed, i, lower(observed));
+            let (holds, margin) = covers(row.margin);
+            let (linear, of_linear) = covers(net);
+            let (quantized, of_quantized) = covers(net_quantized);
+            self.covers[i] = whole(holds + 4.0 * linear + 16.0 * quantized);
+            self.open[i] = whole(open + margin + of_linear + of_quantized);
         }
     }
 }
 
+/// Sets the lower end of one number and the upper end of another; zero where both are on the grid, else above that.
 #[inline(always)]
-fn set([lo, hi]: &mut [Column; 2], i: usize, [least, most]: [Lane; 2]) {
-    lo.set(i, least);
-    hi.set(i, most);
+fn set([lo, hi]: &mut [Ends; 2], i: usize, [least, most]: [Lane; 2]) -> f64 {
+    put(lo, i, lower(least));
+    let [whole, upper, lower, off] = most.layers();
+    put(hi, i, [whole, upper, lower.wrapping_add(off)]);
+    least.excess() + most.excess()
+}
+
+/// The layers of the lower end.
+#[inline(always)]
+fn lower(of: Lane) -> [i64; 3] {
+    let [whole, upper, lower, off] = of.layers();
+    [whole, upper, lower.wrapping_sub(off)]
+}
+
+#[inline(always)]
+fn put(ends: &mut Ends, i: usize, [whole, upper, lower]: [i64; 3]) {
+    ends[0][i] = whole;
+    ends[1][i] = upper;
+    ends[2][i] = lower;
+}
+
+/// Whether a number is not negative at the least and at the most, as two bits; and zero where that is decided, else above
+/// that.
+#[inline(always)]
+fn covers([lo, hi]: [Lane; 2]) -> (f64, f64) {
+    let ([a, b], [c, d]) = (is_nonnegative(lo), is_nonnegative(hi));
+    (3.0 - (a + 2.0 * c), a * b + c * d)
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]

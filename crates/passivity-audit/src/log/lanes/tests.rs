@@ -184,21 +184,17 @@ fn most_rows_of_a_log_are_decided() {
     }
 }
 
-/// The same of counts: both as what they add to an account and to what is left of what was stored.
+/// The same of counts.
 fn alone_and_in_a_tile(
     ledger: &Ledger,
     counts: &[i64],
     lengths: &[(i64, i64)],
     forces: Option<&Readings>,
-) -> Vec<[(Option<Addend>, String); 2]> {
+) -> Vec<[Option<counted::Figures>; 2]> {
     let wall = Wall::of(ledger).unwrap();
     let mut tile = Counted::new();
     let lasts = lengths.iter().map(|(n, d)| Length(*n, *d));
     tile.fill(&wall.lanes(), (counts, forces), 0, lasts);
-    let both = |row: &counted::Row<Ball>, crossed| {
-        let contribution = format!("{:?}", row.contribution(crossed));
-        (row.addend(crossed), contribution)
-    };
     let rows = counts.windows(2).zip(lengths).take(TILE).enumerate();
     rows.map(|(i, (pair, (n, d)))| {
         let of = counted::Interval {
@@ -208,7 +204,8 @@ fn alone_and_in_a_tile(
             force: forces.map_or(Ball::zero(), |forces| forces.ball(i).unwrap()),
         };
         let alone = counted::Row::of(&wall, &of, wall.friction_is_exact, forces.is_some());
-        [alone, tile.get(i).unwrap()].map(|row| both(&row, pair[1] - pair[0]))
+        let crossed = pair[1] - pair[0];
+        [counted::Figures::of(&alone, crossed), tile.get(i, crossed)]
     })
     .collect()
 }
@@ -235,11 +232,7 @@ proptest! {
         forces.iter().for_each(|force| readings.near.push(*force));
         let forces = applied.then_some(&readings);
         for [alone, found] in alone_and_in_a_tile(&ledger, &counts, &lengths, forces) {
-            let agrees = match (&alone.0, &found.0) {
-                (Some(expected), Some(found)) => same(expected, found),
-                (expected, found) => expected.is_none() && found.is_none(),
-            };
-            prop_assert!(agrees && alone.1 == found.1, "{found:?} {alone:?}");
+            prop_assert_eq!(alone, found);
         }
     }
 }
@@ -261,7 +254,7 @@ fn all_rows_of_a_log_of_counts_are_decided() {
         for forces in [None, Some(&forces)] {
             let rows = alone_and_in_a_tile(&ledger(text), &counts, &lengths, forces);
             assert_eq!(rows.len(), TILE);
-            assert!(rows.iter().flatten().all(|(addend, _)| addend.is_some()));
+            assert!(rows.iter().flatten().all(Option::is_some));
         }
     }
 }
