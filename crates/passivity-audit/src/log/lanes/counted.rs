@@ -74,16 +74,21 @@ impl Counted {
         if self.open[i] != 0 {
             return None;
         }
-        let end = |ends: &Ends| on_grid([ends[0][i], ends[1][i], ends[2][i]]);
-        let both = |[lo, hi]: &[Ends; 2]| [end(lo), end(hi)];
+        let [linear, quantized, taken, net, net_quantized] = &self.sums;
         let is = |place: u32| self.covers[i] >> place & 1 == 1;
         let covers = [[is(0), is(1)], [is(2), is(3)], [is(4), is(5)]];
         Some(Figures {
-            sums: self.sums.each_ref().map(both),
-            observed: end(&self.observed),
-            own: both(&self.own),
-            excess: both(&self.excess),
-            stored: both(&self.stored),
+            sums: [
+                both(linear, i),
+                both(quantized, i),
+                both(taken, i),
+                both(net, i),
+                both(net_quantized, i),
+            ],
+            observed: one(&self.observed, i),
+            own: both(&self.own, i),
+            excess: both(&self.excess, i),
+            stored: both(&self.stored, i),
             truths: truths(covers, crossed),
             crossed,
         })
@@ -145,6 +150,18 @@ impl Counted {
             self.open[i] = whole(open + margin + of_linear + of_quantized);
         }
     }
+}
+
+/// An end in units of the grid.
+#[inline(always)]
+fn one(ends: &Ends, i: usize) -> i128 {
+    on_grid([ends[0][i], ends[1][i], ends[2][i]])
+}
+
+/// Both of them.
+#[inline(always)]
+fn both([lo, hi]: &[Ends; 2], i: usize) -> [i128; 2] {
+    [one(lo, i), one(hi, i)]
 }
 
 /// Sets the lower end of one number and the upper end of another; zero where both are on the grid, else above that.
