@@ -104,6 +104,23 @@ impl<const BRANCHES: bool> Ball<BRANCHES> {
         self.middle.abs() + self.radius
     }
 
+    /// The [`units`](Ball::units) as whole numbers of 1, 2⁻³² and 2⁻⁶⁴ and how many of the last they may be off,
+    /// where they [fit](Self::fits): without a branch.
+    #[inline(always)]
+    pub(crate) fn layers(self) -> [i64; 4] {
+        const HALF: f64 = (1_u64 << (BITS / 2)) as f64;
+        // Exact: each rest has no digits that the number before it has not.
+        let (whole, rest) = split(self.middle);
+        let (upper, rest) = split(rest * HALF);
+        let (lower, rest) = split(rest * HALF);
+        // What is left is half a unit at most, as is what a radius loses to the nearest whole number.
+        let radius = self.radius * UNITS;
+        let (nearest, _) = split(radius);
+        let is_exact = rest == 0.0 && radius == 0.0;
+        let off = nearest.wrapping_add(i64::from(!is_exact));
+        [whole, upper, lower, off]
+    }
+
     /// A number that it may stand for.
     #[inline(always)]
     pub(crate) fn one_of(self) -> Self {
@@ -285,23 +302,6 @@ impl Ball {
         let [whole, upper, lower, radius] = self.layers();
         self.fits()
             .then(|| (on_grid([whole, upper, lower]), radius))
-    }
-
-    /// The [`units`](Self::units) as whole numbers of 1, 2⁻³² and 2⁻⁶⁴ and how many of the last they may be off,
-    /// where they [fit](Self::fits): without a branch.
-    #[inline(always)]
-    pub(crate) fn layers(self) -> [i64; 4] {
-        const HALF: f64 = (1_u64 << (BITS / 2)) as f64;
-        // Exact: each rest has no digits that the number before it has not.
-        let (whole, rest) = split(self.middle);
-        let (upper, rest) = split(rest * HALF);
-        let (lower, rest) = split(rest * HALF);
-        // What is left is half a unit at most, as is what a radius loses to the nearest whole number.
-        let radius = self.radius * UNITS;
-        let (nearest, _) = split(radius);
-        let is_exact = rest == 0.0 && radius == 0.0;
-        let off = nearest.wrapping_add(i64::from(!is_exact));
-        [whole, upper, lower, off]
     }
 
     /// The ends in units of the grid, rounded outward; `None` as for [`units`](Self::units).

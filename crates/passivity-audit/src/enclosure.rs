@@ -15,9 +15,12 @@
 //!   extremes are on the edge of the rectangle, where generated energy is a parabola, known from three
 //!   of its values, and net energy a parabola with a kink at d = 0.
 //! * All of it is linear in F, so extreme at an end of the force.
+//!
+//! Where both positions are counts and the law is linear, all of that has a closed form ([`Crossing`]).
 
 use std::cmp::Ordering;
 
+use passivity_core::counted::{Crossing, Resistance};
 use passivity_core::extremes::{self, Parabola};
 use passivity_core::ledger::{self, HeldInterval, Row};
 use passivity_core::{Criterion, Friction, Interval, Loop, Ordered, Step, dissipation};
@@ -121,10 +124,61 @@ impl<S: Written> Rectangle<'_, S> {
         std::iter::once(lo).chain((!self.force.is_exact()).then_some(hi))
     }
 
+    /// The interval as one between two counts, under each end of the force; `None` where a position is known
+    /// otherwise, and of another law than a linear one.
+    fn crossings(&self) -> Option<Vec<Crossing<S>>> {
+        let law = self.ends.least.law();
+        let is_tick = |of: &Figure<S>| {
+            let end = of.lo().clone() + S::one();
+            of.hi().compare(&end) == Some(Ordering::Equal)
+        };
+        let is_counted = is_tick(self.start) && is_tick(self.end);
+        (is_counted && law.is_linear() && self.ends.least.has_encoder()).then(|| {
+            let own = law.held_force(self.start.lo());
+            let crossing = |force: &S| Crossing {
+                ticks: self.end.lo().clone() - self.start.lo().clone(),
+                excess: force.clone() - own.clone(),
+            };
+            self.forces().map(crossing).collect()
+        })
+    }
+
+    /// Both accounts at their extremes under each end of the force, as those of all between them.
+    fn joined(&self, ranges: impl IntoIterator<Item = [[S; 2]; 2]>) -> Option<[Figure<S>; 2]> {
+        let mut found: [Option<Interval<S>>; 2] = [None, None];
+        for accounts in ranges {
+            for (known, [lo, hi]) in found.iter_mut().zip(accounts) {
+                join(known, Interval::new(lo, hi)?);
+            }
+        }
+        self.figures(found)
+    }
+
     /// Generated energy at its extremes.
+    fn generated(&self) -> Option<[Figure<S>; 2]> {
+        match self.crossings() {
+            Some(crossings) => self.joined(crossings.iter().map(Crossing::generated)),
+            None => self.generated_between(),
+        }
+    }
+
+    /// `dissipated_lower` less generated energy, at its extremes.
+    fn net(&self) -> Option<[Figure<S>; 2]> {
+        let Some(crossings) = self.crossings() else {
+            return self.net_on_edges();
+        };
+        let [least, most] = [&self.ends.least, &self.ends.most]
+            .map(|of| Resistance::new(&of.friction(), self.dtau));
+        self.joined(crossings.iter().map(|crossing| {
+            let ([a, b], [c, d]) = (crossing.net_at_least(&least), crossing.net_at_most(&most));
+            [[a, c], [b, d]]
+        }))
+    }
+
+    /// Generated energy at its extremes, wherever the ends of the positions are.
     ///
     /// A function of ξ₁ less one of ξ₀: the extremes of each, taken with the other one fixed.
-    fn generated(&self) -> Option<[Figure<S>; 2]> {
+    fn generated_between(&self) -> Option<[Figure<S>; 2]> {
         let (from, to) = (self.start.lo(), self.end.lo());
         let mut found: [Option<Interval<S>>; 2] = [None, None];
         for force in self.forces() {
@@ -165,8 +219,8 @@ impl<S: Written> Rectangle<'_, S> {
         Some(linear)
     }
 
-    /// `dissipated_lower` less generated energy, at its extremes.
-    fn net(&self) -> Option<[Figure<S>; 2]> {
+    /// `dissipated_lower` less generated energy, at its extremes, wherever the ends of the positions are.
+    fn net_on_edges(&self) -> Option<[Figure<S>; 2]> {
         let of = |ends: &Loop<S>| {
             let friction = ends.friction();
             Friction::new(friction.beta.over(self.dtau.clone()), friction.sigma)
@@ -268,4 +322,80 @@ fn through<S: Written>(values: [S; 3], [from, to]: [S; 2]) -> Option<[S; 3]> {
     // Dividing by a short width made the numbers longer than what they stand for.
     let [alpha, gamma, kappa] = found.each_ref().map(S::in_lowest_terms);
     Some([alpha?, gamma?, kappa?])
+}
+
+#[cfg(test)]
+mod tests {
+    use passivity_core::{BigRational, Loop, Scalar};
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::ball::Ball;
+    use crate::number::Number;
+
+    fn ratio(n: i64, d: i64) -> BigRational {
+        BigRational::new(n.into(), d.into())
+    }
+
+    fn count<S: Ordered>(tick: i32) -> Figure<S> {
+        Figure::between(S::integer(tick), S::integer(tick + 1)).unwrap()
+    }
+
+    /// Where exact fractions say that both accounts are, and where balls do.
+    fn is_around(near: Option<[Figure<Ball>; 2]>, exact: &[Figure<BigRational>; 2]) -> bool {
+        let holds = |ball: &Ball, x: &BigRational| match ball.near() {
+            None => true,
+            Some(middle) => {
+                let [middle, radius] = [middle, ball.parts().1]
+                    .map(|x| num_rational::BigRational::from_float(x).unwrap());
+                Scalar::abs(&(x - middle)) <= radius
+            }
+        };
+        near.is_none_or(|near| {
+            let mut both = near.iter().zip(exact);
+            both.all(|(near, exact)| holds(near.lo(), exact.lo()) && holds(near.hi(), exact.hi()))
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        /// On exact fractions the closed form is what the edges of the rectangle give; on balls it is around that.
+        #[test]
+        fn the_closed_form_is_what_the_edges_give(
+            (from, ticks) in (-40..40_i32, prop_oneof![-3..4_i32, -50..50_i32]),
+            (force, parts, width) in (-900..900_i64, 1..40_i64, 0..3_i64),
+            (n, d) in (1..60_i64, 1..30_i64),
+            friction in prop::array::uniform4(0..30_i64),
+            is_exact: bool,
+        ) {
+            let [b, c, more_b, more_c] = friction;
+            let more = |more: i64| if is_exact { 0 } else { more };
+            let range = |lo: i64, more: i64| Interval::new(ratio(lo, 12), ratio(lo + more, 12)).unwrap();
+            let point = |n: i64| Interval::point(ratio(n, 1));
+            let ends = Ends::of(&Loop {
+                viscous: Some(range(b, more(more_b))),
+                coulomb: Some(range(c, more(more_c))),
+                resolution: Some(point(1)),
+                ..Loop::new(point(1), point(1))
+            }).unwrap();
+            let force = match width {
+                0 => Figure::Exact(ratio(force, parts)),
+                _ => Figure::between(ratio(force, parts), ratio(force + width, parts)).unwrap(),
+            };
+            let (start, end) = (count(from), count(from + ticks));
+            let exact = Rectangle { ends: &ends, start: &start, end: &end, force: &force, dtau: &ratio(n, d) };
+            let (generated, net) = (exact.generated().unwrap(), exact.net().unwrap());
+            prop_assert!(exact.crossings().is_some());
+            prop_assert_eq!(&generated, &exact.generated_between().unwrap());
+            prop_assert_eq!(&net, &exact.net_on_edges().unwrap());
+            if let Figure::Exact(force) = &force {
+                let (ends, start, end) = (ends.try_map(|x| Some(Ball::of_rational(x))).unwrap(), count(from), count(from + ticks));
+                let force = Figure::Exact(Ball::of_rational(force));
+                let near = Rectangle { ends: &ends, start: &start, end: &end, force: &force, dtau: &Ball::of(&Number::Small(n, d)) };
+                prop_assert!(is_around(near.generated(), &generated));
+                prop_assert!(is_around(near.net(), &net));
+            }
+        }
+    }
 }

@@ -54,6 +54,7 @@ pub mod actuator;
 pub mod circle;
 pub mod control_loop;
 pub mod controller;
+pub mod counted;
 pub mod course;
 pub mod criterion;
 pub mod decision;

@@ -16,6 +16,7 @@ pub const SOURCES: &[(&str, &str)] = sources! {
     "circle.rs"
     "control_loop.rs"
     "controller.rs"
+    "counted.rs"
     "course.rs"
     "criterion.rs"
     "decision.rs"

@@ -4,8 +4,9 @@ use crate::ball::Ball;
 use crate::entry::Entry;
 use crate::ledger::{Ledger, Logged, Row, Truths, on_entry};
 use crate::log::account::{Account, Place};
+use crate::log::counted;
 use crate::log::error::TraceError;
-use crate::log::known::{Known, known};
+use crate::log::known::{Known, known_force};
 use crate::log::merge::ROWS_IN_REPORT;
 use crate::log::motion::Addend;
 use crate::log::running::Lowest;
@@ -25,7 +26,7 @@ pub(crate) const EXACT_ROWS: usize = ROWS_IN_REPORT;
 pub(crate) enum Accounted {
     Exact(Row),
     Near(Box<Entry<Ball>>),
-    /// Between known positions, of doubles.
+    /// Between known positions or of a plain wall, of doubles.
     Quick(Box<Addend>),
     /// Decided by exact numbers, and summed up on the grid: so that the denominators of sums stay
     /// short.
@@ -179,11 +180,11 @@ impl Computed {
 
     fn defined(task: &Task<'_>, interval: &Logged, h: usize) -> Option<Self> {
         let quick = || {
-            let force = match &interval.force {
-                Some(force) => Some(known(force)?),
-                None => None,
+            let force = known_force(interval)?;
+            let addend = match Known::of_interval(task.ledger, interval) {
+                Some(known) => known.addend(force)?,
+                None => counted::Figures::of_interval(task.ledger, interval)?.addend(),
             };
-            let addend = Known::of_interval(task.ledger, interval)?.addend(force)?;
             Self::of_row(task, interval, Accounted::Quick(Box::new(addend)))
         };
         let near = || {

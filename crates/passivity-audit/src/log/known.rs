@@ -159,8 +159,17 @@ impl Known {
 
 /// What is known of a number that is no count.
 #[inline(always)]
-pub(crate) fn known(reading: &Reading) -> Option<Ball> {
+fn known(reading: &Reading) -> Option<Ball> {
     reading.to_near().exact().copied()
+}
+
+/// The force of an interval in the log, where it has one; `None` where that is no number.
+#[inline(always)]
+pub(crate) fn known_force(interval: &Logged) -> Option<Option<Ball>> {
+    match &interval.force {
+        Some(force) => Some(Some(known(force)?)),
+        None => Some(None),
+    }
 }
 
 /// Whether what is taken is at least as much as what is generated; `None` where that is open.

@@ -1,7 +1,8 @@
 //! Rows of one linear wall several at a time: the kernel's text on balls, without a branch on what they are,
 //! so that processors compute several rows with each instruction.
 //!
-//! Each row is what [`Known`] makes of it, to the last bit: a row of which not all is decided here is for that.
+//! Each row is what [`Known`] makes of it, or of counts a [`Row`](crate::log::counted::Row) of its own, to the last bit:
+//! one of positions of which not all is decided here is for the former.
 
 #![expect(
     clippy::indexing_slicing,
@@ -13,6 +14,7 @@ use std::ops::Range;
 use passivity_core::{Scalar as _, Truth};
 
 pub(crate) use compute::commanded;
+pub(crate) use counted::Counted;
 pub(crate) use sums::Sums;
 pub(crate) use written::write;
 
@@ -21,11 +23,12 @@ use crate::figure::not;
 use crate::ledger::Truths;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::known::Known;
+use crate::log::layout::Layout;
 use crate::log::motion::Addend;
 use crate::log::numbers::{Balls, Readings};
 use crate::log::step::periods;
 use crate::log::task::Task;
-use compute::Wall;
+use crate::log::wall::Wall;
 use sums::Totals;
 
 /// How many rows are computed at once.
@@ -161,6 +164,12 @@ pub(crate) struct Length(pub(crate) i64, pub(crate) i64);
 impl Length {
     const OPEN: Self = Self(0, 0);
 
+    /// Of the interval that starts at sample `i` of a chunk.
+    #[inline]
+    pub(crate) fn of(layout: &Layout, chunk: &Chunk, i: usize) -> Self {
+        periods(layout, chunk, i).map_or(Self::OPEN, |(n, d)| Self(n, d))
+    }
+
     #[inline]
     fn near(self) -> Ball {
         match self.1 {
@@ -187,7 +196,7 @@ impl Tile {
     }
 
     /// Computes the rows of some intervals.
-    fn fill(&mut self, wall: &Wall, of: &Intervals, applied: bool) {
+    fn fill(&mut self, wall: &Wall<false>, of: &Intervals, applied: bool) {
         compute::compute(self, wall, of, applied);
         self.len = of.len;
         let open = self.open.iter().flatten().fold(0, |all, open| all | open);
@@ -236,7 +245,7 @@ impl Tile {
 pub(crate) struct Tiles {
     pub(crate) tiles: Vec<Tile>,
     pub(crate) lengths: Vec<Length>,
-    wall: Option<Wall>,
+    wall: Option<Wall<false>>,
 }
 
 impl Tiles {
@@ -244,14 +253,13 @@ impl Tiles {
     /// walls.
     pub(crate) fn fill(&mut self, task: &Task<'_>, chunk: &Chunk) {
         self.lengths.clear();
-        self.wall = Wall::of(task.ledger);
+        self.wall = Wall::of(task.ledger).map(|wall| wall.lanes());
         let (Some(wall), Samples::Any(samples)) = (&self.wall, &chunk.samples) else {
             self.tiles.clear();
             return;
         };
         let intervals = samples.len().saturating_sub(1);
-        let lengths = (0..intervals)
-            .map(|i| periods(task.layout, chunk, i).map_or(Length::OPEN, |(n, d)| Length(n, d)));
+        let lengths = (0..intervals).map(|i| Length::of(task.layout, chunk, i));
         self.lengths.extend(lengths);
         let forces = task.applied.then_some(&chunk.forces.values);
         self.tiles.resize(intervals.div_ceil(TILE), Tile::new());
@@ -265,6 +273,7 @@ impl Tiles {
 }
 
 mod compute;
+mod counted;
 mod sums;
 #[cfg(test)]
 mod tests;

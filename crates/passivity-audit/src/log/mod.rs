@@ -8,6 +8,7 @@ mod chunk;
 mod columns;
 mod comparison;
 mod computed;
+mod counted;
 mod csv;
 mod error;
 mod exact;
@@ -52,6 +53,7 @@ mod timing;
 mod typed;
 mod velocity;
 mod walk;
+mod wall;
 mod worker;
 
 pub(crate) use running::near as near_rational;

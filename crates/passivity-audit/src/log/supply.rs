@@ -22,6 +22,7 @@ use crate::entry::Entry;
 use crate::figure::Figure;
 use crate::ledger::{Ledger, Logged, Row, on_entry};
 use crate::log::computed::Accounted;
+use crate::log::counted;
 use crate::log::motion::WIDEST;
 use crate::number::{Reduced, Written};
 use crate::reading::Reading;
@@ -88,8 +89,11 @@ impl Contribution {
     /// The contribution of an interval with this row; `None` when a number is undefined.
     pub(crate) fn of(ledger: &Ledger, interval: &Logged, row: &Accounted) -> Option<Self> {
         let row = match row {
-            Accounted::Near(entry) => return contribution(ledger.near(), entry, None),
+            Accounted::Near(entry) => return contribution(ledger.near(), entry),
             Accounted::Quick(addend) => {
+                if let Some(figures) = counted::Figures::of_interval(ledger, interval) {
+                    return Some(figures.contribution());
+                }
                 let [_, _, _, net, _] = addend.sums;
                 return Some(Self::known(net, addend.potential));
             }
@@ -116,15 +120,34 @@ impl Contribution {
         }
     }
 
+    /// Of an interval between two counts, with this net energy under the wall's own force and this excess over it, in
+    /// units of the grid.
+    pub(crate) fn counted(
+        net: [i128; 2],
+        excess: [i128; 2],
+        advance: Reduced,
+        end: [i128; 2],
+    ) -> Self {
+        let on_grid = |ends: [i128; 2]| ends.map(|n| Reduced::Small(n, ONE));
+        Self {
+            net: on_grid(net),
+            excess: on_grid(excess),
+            advance,
+            room: Reduced::Small(1, 1),
+            end: on_grid(end),
+            near: true,
+        }
+    }
+
     fn of_exact(ledger: &Ledger, interval: &Logged, row: &Row) -> Option<Self> {
         if let (Row::Fixed(entry), Some(ends)) = (row, ledger.fixed())
-            && let Some(found) = contribution(ends, entry, None)
+            && let Some(found) = contribution(ends, entry)
         {
             return Some(found);
         }
         match row {
-            Row::Wide(entry) => contribution(ledger.wide(), entry, None),
-            Row::Fixed(_) => contribution(ledger.wide(), &ledger.wide_entry(interval)?, None),
+            Row::Wide(entry) => contribution(ledger.wide(), entry),
+            Row::Fixed(_) => contribution(ledger.wide(), &ledger.wide_entry(interval)?),
         }
     }
 
@@ -150,9 +173,31 @@ impl Contribution {
         if self.excess == NO_FORCE && *before == NO_FORCE {
             return Some(self.net.clone());
         }
-        let near = self.near.then(|| self.step_in::<Ball>(before)).flatten();
+        let on_grid = || self.step_on_grid(before);
+        let in_doubles = || self.step_in::<Ball>(before);
+        let near = self.near.then(|| on_grid().or_else(in_doubles)).flatten();
         near.or_else(|| self.step_in::<passivity_core::Fixed>(before))
             .or_else(|| self.step_in::<passivity_core::Wide>(before))
+    }
+
+    /// The same of numbers on the grid and whole ticks, exactly.
+    fn step_on_grid(&self, before: &Bounds) -> Option<Bounds> {
+        let both = |[lo, hi]: &Bounds| units(lo).zip(units(hi));
+        let whole = |x: &Reduced| match x {
+            Reduced::Small(n, 1) => Some(*n),
+            _ => None,
+        };
+        let (excess, before, net) = (both(&self.excess)?, both(before)?, both(&self.net)?);
+        let (advance, room) = (whole(&self.advance)?, whole(&self.room)?);
+        let (a, b) = (
+            excess.0.checked_mul(advance)?,
+            excess.1.checked_mul(advance)?,
+        );
+        let change = |from: i128, to: i128| to.checked_sub(from)?.checked_mul(room);
+        let (fall, rise) = (change(before.1, excess.0)?, change(before.0, excess.1)?);
+        let least = net.0.checked_sub(a.max(b))?.checked_add(fall.min(0))?;
+        let most = net.1.checked_sub(a.min(b))?.checked_add(rise.max(0))?;
+        Some([Reduced::Small(least, ONE), Reduced::Small(most, ONE)])
     }
 
     fn step_in<S: Written>(&self, before: &Bounds) -> Option<Bounds> {
@@ -171,13 +216,8 @@ impl Contribution {
     }
 }
 
-/// The contribution of a row; `own_net` is its net energy under the wall's own force at the middle of the tick,
-/// where that is known in units of the grid.
-pub(crate) fn contribution<S: Written>(
-    ends: &Ends<S>,
-    entry: &Entry<S>,
-    own_net: Option<[i128; 2]>,
-) -> Option<Contribution> {
+/// The contribution of a row.
+pub(crate) fn contribution<S: Written>(ends: &Ends<S>, entry: &Entry<S>) -> Option<Contribution> {
     let (start, end) = (&entry.xi0, &entry.xi1);
     let law = ends.least.law();
     let bounds = |of: &Figure<S>| Some([of.lo().below()?, of.hi().above()?]);
@@ -216,10 +256,7 @@ pub(crate) fn contribution<S: Written>(
     let [first, second, third] = least;
     let [fourth, fifth] = most;
     Some(Contribution {
-        net: match own_net {
-            Some(ends) => ends.map(|end| Reduced::Small(end, ONE)),
-            None => bounds(&rectangle.net_linear()?)?,
-        },
+        net: bounds(&rectangle.net_linear()?)?,
         excess: bounds(&excess)?,
         advance: (end.lo().clone() - start.lo().clone()).to_reduced()?,
         room: (start.hi().clone() - start.lo().clone()).above()?,

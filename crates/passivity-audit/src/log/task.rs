@@ -73,11 +73,15 @@ impl<'a> Task<'a> {
     /// Whether the row that starts at sample `i` is one of counts that may come again, to be looked up.
     #[inline]
     pub(crate) fn looks_up(&self, chunk: &Chunk, i: usize, dtau: &Number) -> bool {
-        let force = chunk.forces.get(i).filter(|_| self.applied);
-        let is_few = force.is_none_or(|force| {
-            *dtau == UNIT && matches!(force, Reading::Exact(Number::Small(..)))
-        });
-        matches!(chunk.samples, Samples::Counts(_)) && is_few
+        if !matches!(chunk.samples, Samples::Counts(_)) {
+            return false;
+        }
+        let unit = *dtau == UNIT;
+        match self.applied {
+            true => unit && matches!(chunk.forces.get(i), Some(Reading::Exact(Number::Small(..)))),
+            // Those of a plain wall take no longer to compute.
+            false => unit || !self.ledger.is_plain(),
+        }
     }
 
     /// How many samples before an interval's own a chunk must have for it to be accounted for.

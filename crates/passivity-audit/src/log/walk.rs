@@ -12,20 +12,19 @@ use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::{Computed, EXACT_ROWS, Text, UNIT, is_exact, note_stored};
 use crate::log::error::TraceError;
 use crate::log::known::{Known, Starts};
-use crate::log::lanes::{TILE, Tiles, write};
+use crate::log::lanes::{Counted, Length, TILE, Tiles, write};
 use crate::log::motion::Addend;
 use crate::log::step::{check_jump, duration, interval, jump, undefined};
 use crate::log::supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
+use crate::log::wall::Wall;
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 
 /// The way through a chunk.
 pub(super) struct Walk<'a> {
     pub(super) task: &'a Task<'a>,
-    /// Those of the chunk, where they are known.
-    pub(super) motions: &'a [Option<Addend>],
     pub(super) from: usize,
     /// The sample at which it ends.
     pub(super) until: usize,
@@ -44,6 +43,9 @@ pub(super) struct Walk<'a> {
     pub(super) starts: Starts,
     /// The rows that were computed several at a time.
     pub(super) tiles: &'a Tiles,
+    /// Those of counts, of the wall.
+    pub(super) wall: Option<Wall<false>>,
+    pub(super) counted: &'a mut Counted,
 }
 
 impl Walk<'_> {
@@ -69,7 +71,7 @@ impl Walk<'_> {
             }
             let dtau = duration(self.task.layout, chunk, self.at)?;
             let lasts = dtau.clone().unwrap_or(UNIT);
-            if !self.looks_up(chunk, &lasts) && self.batch(chunk, account)? {
+            if !self.task.looks_up(chunk, self.at, &lasts) && self.batch(chunk, account)? {
                 continue;
             }
             jump(&chunk.samples, self.at)?;
@@ -144,7 +146,7 @@ impl Walk<'_> {
                 };
                 let unit = UNIT;
                 let lasts = dtau.as_ref().unwrap_or(&unit);
-                if self.looks_up(chunk, lasts) {
+                if task.looks_up(chunk, self.at, lasts) {
                     break;
                 }
                 let known = self.known(&mut batch, chunk, lasts);
@@ -226,12 +228,13 @@ impl Walk<'_> {
         self.at > start
     }
 
-    /// One of them: adds the next interval, which lasts so long; `None` where doubles leave
+    /// One of them, or one of counts: adds the next interval, which lasts so long; `None` where doubles leave
     /// something open, or its row is an exact one.
     fn known(&mut self, batch: &mut Batch, chunk: &Chunk, dtau: &Number) -> Option<()> {
         let (task, i) = (self.task, self.at);
-        let Samples::Any(samples) = &chunk.samples else {
-            return None;
+        let samples = match &chunk.samples {
+            Samples::Any(samples) => samples,
+            Samples::Counts(counts) => return self.counted(batch, (chunk, counts), dtau),
         };
         if task.ledger.has_memory() || (self.h(i) < EXACT_ROWS && !samples.is_enclosed(i + 1)) {
             return None;
@@ -250,11 +253,34 @@ impl Walk<'_> {
         batch.add_known(&known.addend(force)?, task.running)
     }
 
-    /// Whether the next row is one to be looked up.
-    fn looks_up(&self, chunk: &Chunk, dtau: &Number) -> bool {
-        // What is known already need not be.
-        let known = matches!(self.motions.get(self.at), Some(Some(_)));
-        !known && self.task.looks_up(chunk, self.at, dtau)
+    /// The same of counts, of which several are computed at a time.
+    fn counted(
+        &mut self,
+        batch: &mut Batch,
+        (chunk, counts): (&Chunk, &[i64]),
+        dtau: &Number,
+    ) -> Option<()> {
+        let (task, i) = (self.task, self.at);
+        let (from, to) = (*counts.get(i)?, *counts.get(i + 1)?);
+        check_jump(from, to).ok()?;
+        if is_exact(task, &Reading::Count(to), dtau, self.h(i)) {
+            return None;
+        }
+        if !self.counted.has(i) {
+            let lengths = (i..).map(|i| Length::of(task.layout, chunk, i));
+            let forces = task.applied.then_some(&chunk.forces.values);
+            let wall = self.wall.as_ref()?;
+            self.counted.fill(wall, (counts, forces), i, lengths);
+        }
+        let figures = self.counted.get(i, to - from)?;
+        let supply = match task.running {
+            true => Some(figures.contribution().supplied(batch.excess())?),
+            false => None,
+        };
+        if supply.as_ref().is_some_and(|supply| !supply.fits()) {
+            return None;
+        }
+        batch.add(&figures.addend(), supply)
     }
 
     /// Adds the next interval; `None` where doubles leave something open, or its row is an exact one.
@@ -273,13 +299,6 @@ impl Walk<'_> {
         if let (Reading::Count(from), Reading::Count(to)) = (&start, &end) {
             check_jump(*from, *to).ok()?;
         }
-        let own = match self.motions.get(i) {
-            Some(Some(counted)) => match force {
-                None => return batch.add(counted, None),
-                Some(_) => Some(counted.sums[3]),
-            },
-            Some(None) | None => None,
-        };
         let earlier;
         let read = Read {
             samples: match ledger.window() {
@@ -296,7 +315,7 @@ impl Walk<'_> {
         let addend = Addend::of_entry(ledger.near(), &row)?;
         let supply = match before {
             Some(before) => {
-                let contribution = supply::contribution(ledger.near(), &row, own)?;
+                let contribution = supply::contribution(ledger.near(), &row)?;
                 let supply = contribution.supplied(before)?;
                 supply.fits().then_some(Some(supply))?
             }

@@ -4,12 +4,12 @@ use crate::log::account::Account;
 use crate::log::chunk::Chunk;
 use crate::log::computed::EXACT_ROWS;
 use crate::log::known::Starts;
-use crate::log::lanes::Tiles;
-use crate::log::motion::{Addend, Motions};
+use crate::log::lanes::{Counted, Tiles};
 use crate::log::supply::Supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
 use crate::log::walk::Walk;
+use crate::log::wall::Wall;
 
 /// About how many points of a chunk are plotted.
 const POINTS: usize = 512;
@@ -18,7 +18,8 @@ const POINTS: usize = 512;
 #[derive(Default)]
 pub(crate) struct Worker {
     table: Table,
-    motions: Motions,
+    /// The room of rows of counts.
+    counted: Option<Box<Counted>>,
     /// The room of what was computed of the last chunk.
     room: Shared,
     /// That of net energy, to which the rows of the last chunk led.
@@ -28,8 +29,6 @@ pub(crate) struct Worker {
 /// What is computed of a chunk once, for an account and another one beside it.
 #[derive(Default)]
 pub(crate) struct Shared {
-    /// Of counts: what intervals add under the force of the wall.
-    counted: Vec<Option<Addend>>,
     /// Of positions.
     tiles: Tiles,
 }
@@ -39,11 +38,6 @@ impl Worker {
     pub(crate) fn shared(&mut self, task: &Task<'_>, chunk: &Chunk) -> Shared {
         let mut shared = std::mem::take(&mut self.room);
         shared.tiles.fill(task, chunk);
-        shared.counted = self
-            .motions
-            .all(task.ledger, task.layout, chunk, |i, dtau| {
-                !task.looks_up(chunk, i, dtau)
-            });
         shared
     }
 
@@ -98,7 +92,6 @@ impl Worker {
         let timed = !chunk.times.is_empty() || !chunk.dtaus.is_empty();
         let mut walk = Walk {
             task,
-            motions: &shared.counted,
             from,
             until,
             before: chunk.place.before,
@@ -110,6 +103,8 @@ impl Worker {
             key: Vec::new(),
             starts: Starts::default(),
             tiles: &shared.tiles,
+            wall: Wall::of(task.ledger).map(|wall| wall.lanes()),
+            counted: self.counted.get_or_insert_with(Counted::new).after(),
         };
         let mut goes_on = true;
         if let Err(error) = walk.run(&mut self.table, chunk, &mut account) {

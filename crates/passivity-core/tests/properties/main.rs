@@ -13,6 +13,7 @@ mod circle;
 mod common;
 mod control_loop;
 mod controller;
+mod counted;
 mod course;
 mod criterion;
 mod decision;

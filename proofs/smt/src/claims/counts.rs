@@ -37,7 +37,7 @@ fn generated(from: &Term, to: &Term) -> [Term; 2] {
 }
 
 /// That x is in the tick from `tick` on, whose upper end belongs to it, and is counted as it is.
-fn in_tick(x: &Term, tick: &Term) -> Formula {
+pub(super) fn in_tick(x: &Term, tick: &Term) -> Formula {
     let next = tick.clone() + n(1);
     let inside = all([le(tick, x), lt(x, &next), eq(&x.floor(), tick)]);
     any([inside, all([eq(x, &next), eq(&x.floor(), &next)])])

@@ -4,6 +4,7 @@ use crate::Query;
 
 mod boxes;
 mod controller;
+mod counted;
 mod counts;
 mod criterion;
 mod effects;
@@ -28,6 +29,7 @@ pub fn all() -> Vec<Query> {
         controller::queries(),
         extremes::queries(),
         counts::queries(),
+        counted::queries(),
         lti::queries(),
         boxes::queries(),
         joints::queries(),

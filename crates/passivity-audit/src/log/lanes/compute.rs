@@ -2,47 +2,13 @@
 
 use multiversion::multiversion;
 use passivity_core::ledger;
-use passivity_core::{Criterion, Friction, Law, Scalar as _, Step, dissipation, quantizer};
+use passivity_core::{Law, Scalar as _, Step, dissipation, quantizer};
 
 use super::{Intervals, TILE, Tile};
 use crate::ball::{Ball, Lane, split, unless};
 use crate::ledger::Ledger;
 use crate::log::chunk::{Chunk, Samples};
-
-/// A loop whose force is that of its linear wall, quantized and nothing else.
-#[derive(Clone, Debug)]
-pub(super) struct Wall {
-    /// The least friction and the most.
-    pub(super) frictions: [Friction<Lane>; 2],
-    pub(super) criteria: [Criterion<Lane>; 2],
-    pub(super) friction_is_exact: bool,
-}
-
-impl Wall {
-    /// `None` for other loops.
-    pub(super) fn of(ledger: &Ledger) -> Option<Self> {
-        let ends = ledger.near();
-        let controller = &ends.controller;
-        let is_plain = controller.encoder
-            && controller.memory() == 0
-            && controller.filter.ends()
-            && controller.filter.sum == Ball::one()
-            && !controller.unilateral
-            && controller.force_step.is_none()
-            && controller.max_force.is_none();
-        let friction = |of: &passivity_core::Loop<Ball>| {
-            Friction::new(of.viscous_friction().lane(), of.coulomb_friction().lane())
-        };
-        (is_plain && ends.least.has_encoder() && ends.least.law().is_linear()).then(|| Self {
-            frictions: [friction(&ends.least), friction(&ends.most)],
-            criteria: ends.criteria.map(|of| Criterion {
-                viscous: of.viscous.lane(),
-                coulomb: of.coulomb.lane(),
-            }),
-            friction_is_exact: ends.friction_is_exact(),
-        })
-    }
-}
+use crate::log::wall::Wall;
 
 /// Zero where a number is surely not negative, else one; and the same of whether it surely is.
 #[inline(always)]
@@ -91,7 +57,11 @@ fn answers<const EXACT: bool>(
 
 impl Tile {
     #[inline(always)]
-    fn compute<const EXACT: bool, const APPLIED: bool>(&mut self, wall: &Wall, of: &Intervals) {
+    fn compute<const EXACT: bool, const APPLIED: bool>(
+        &mut self,
+        wall: &Wall<false>,
+        of: &Intervals,
+    ) {
         let [least_criterion, most_criterion] = &wall.criteria;
         for i in 0..TILE {
             let [start, end, lasts] =
@@ -156,7 +126,7 @@ pub(super) fn whole(x: f64) -> u64 {
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-pub(super) fn compute(tile: &mut Tile, wall: &Wall, of: &Intervals, applied: bool) {
+pub(super) fn compute(tile: &mut Tile, wall: &Wall<false>, of: &Intervals, applied: bool) {
     match (wall.friction_is_exact, applied) {
         (true, true) => tile.compute::<true, true>(wall, of),
         (true, false) => tile.compute::<true, false>(wall, of),

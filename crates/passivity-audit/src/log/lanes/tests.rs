@@ -7,7 +7,10 @@ use super::*;
 use crate::entry::{Entry, Recorded, entry};
 use crate::figure::Figure;
 use crate::ledger::Ledger;
+use crate::log::counted;
 use crate::log::known::Starts;
+use crate::log::numbers::Kind;
+use crate::log::scale::Scale;
 use crate::number::Number;
 use crate::rows::Form;
 
@@ -116,7 +119,7 @@ proptest! {
         rows in prop::collection::vec(row(), 1..TILE + 1), exact: bool,
     ) {
         let ledger = ledger(if exact { EXACT } else { BETWEEN });
-        let wall = Wall::of(&ledger).unwrap();
+        let wall = Wall::of(&ledger).unwrap().lanes();
         prop_assert_eq!(wall.friction_is_exact, exact);
         let mut tile = Tile::new();
         tile.fill(&wall, &intervals(&rows), true);
@@ -165,7 +168,7 @@ fn written(ledger: &Ledger, rows: &[Row], form: Form) -> Result<usize, TestCaseE
     let mut found = Rows::new();
     compute(
         &mut found,
-        &Wall::of(ledger).unwrap(),
+        &Wall::of(ledger).unwrap().lanes(),
         &intervals(rows),
         form.force,
     );
@@ -190,7 +193,7 @@ fn written(ledger: &Ledger, rows: &[Row], form: Form) -> Result<usize, TestCaseE
         let mut after = Rows::new();
         compute(
             &mut after,
-            &Wall::of(ledger).unwrap(),
+            &Wall::of(ledger).unwrap().lanes(),
             &intervals(&[next]),
             form.force,
         );
@@ -240,7 +243,7 @@ fn check_sums(tile: &Tile, rows: &Range<usize>, applied: bool) -> Result<(), Tes
 #[test]
 fn most_rows_of_a_log_are_decided() {
     let ledger = ledger(BETWEEN);
-    let wall = Wall::of(&ledger).unwrap();
+    let wall = Wall::of(&ledger).unwrap().lanes();
     let rows: Vec<Row> = (0..TILE)
         .map(|i| {
             let at = |i: usize| {
@@ -266,5 +269,80 @@ fn most_rows_of_a_log_are_decided() {
             force: applied,
         };
         assert_eq!(written(&ledger, &rows, form).unwrap(), TILE);
+    }
+}
+
+/// The same of counts.
+fn alone_and_in_a_tile(
+    ledger: &Ledger,
+    counts: &[i64],
+    lengths: &[(i64, i64)],
+    forces: Option<&Readings>,
+) -> Vec<[Option<counted::Figures>; 2]> {
+    let wall = Wall::of(ledger).unwrap();
+    let mut tile = Counted::new();
+    let lasts = lengths.iter().map(|(n, d)| Length(*n, *d));
+    tile.fill(&wall.lanes(), (counts, forces), 0, lasts);
+    let rows = counts.windows(2).zip(lengths).take(TILE).enumerate();
+    rows.map(|(i, (pair, (n, d)))| {
+        let of = counted::Interval {
+            start: Ball::whole(pair[0]),
+            end: Ball::whole(pair[1]),
+            lasts: Ball::ratio(*n, *d),
+            force: forces.map_or(Ball::zero(), |forces| forces.ball(i).unwrap()),
+        };
+        let alone = counted::Row::of(&wall, &of, wall.friction_is_exact, forces.is_some());
+        let crossed = pair[1] - pair[0];
+        [counted::Figures::of(&alone, crossed), tile.get(i, crossed)]
+    })
+    .collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn rows_of_counts_are_those_that_are_computed_alone(
+        start in prop_oneof![3 => -40..40_i64, 1 => -1_000_000_000..1_000_000_000_i64, 1 => any::<i32>().prop_map(i64::from)],
+        steps in prop::collection::vec(prop_oneof![4 => -3..4_i64, 1 => -3000..3000_i64], 1..TILE + 9),
+        lengths in prop::collection::vec((1..5000_i64, 1..5000_i64), TILE + 9),
+        forces in prop::collection::vec(ball(), TILE + 9),
+        exact: bool,
+        applied: bool,
+    ) {
+        let ledger = ledger(if exact { EXACT } else { BETWEEN });
+        let steps = steps.iter().scan(start, |at, step| {
+            *at += step;
+            Some(*at)
+        });
+        let counts: Vec<i64> = std::iter::once(start).chain(steps).collect();
+        let mut readings = Readings::new(Kind::Force, &Scale::One);
+        forces.iter().for_each(|force| readings.near.push(*force));
+        let forces = applied.then_some(&readings);
+        for [alone, found] in alone_and_in_a_tile(&ledger, &counts, &lengths, forces) {
+            prop_assert_eq!(alone, found);
+        }
+    }
+}
+
+#[test]
+fn all_rows_of_a_log_of_counts_are_decided() {
+    for text in [EXACT, BETWEEN] {
+        let counts: Vec<i64> = (0..=TILE as i64).map(|i| (i * 7 % 23) / 3 - 4).collect();
+        let lengths: Vec<_> = (0..TILE as i64).map(|i| (900 + i * 3, 1000)).collect();
+        let mut forces = Readings::new(Kind::Force, &Scale::One);
+        let held = counts
+            .iter()
+            .map(|n| quantizer::held_force(&Ball::whole(*n)));
+        held.for_each(|force| {
+            forces
+                .near
+                .push(force + Ball::from_parts(0.013, f64::EPSILON))
+        });
+        for forces in [None, Some(&forces)] {
+            let rows = alone_and_in_a_tile(&ledger(text), &counts, &lengths, forces);
+            assert_eq!(rows.len(), TILE);
+            assert!(rows.iter().flatten().all(Option::is_some));
+        }
     }
 }

@@ -9,12 +9,13 @@ use std::ops::Range;
 use multiversion::multiversion;
 use passivity_core::{Scalar as _, Step, dissipation, generation, ledger, quantizer};
 
-use super::compute::{Wall, is_nonnegative, whole};
+use super::compute::{is_nonnegative, whole};
 use super::{Column, Intervals, Length, TILE, Tiles, truths};
 use crate::ball::{Ball, Lane, on_grid, unless};
 use crate::entry::margin_of;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::error::TraceError;
+use crate::log::wall::Wall;
 use crate::number::{Fraction, Number, Reduced};
 use crate::rows::{Figures, Form};
 
@@ -83,7 +84,7 @@ struct Ends {
 
 impl Ends {
     #[inline(always)]
-    fn of(wall: &Wall, end: usize, generated: [Lane; 2], [d, speed]: [&Lane; 2]) -> Self {
+    fn of(wall: &Wall<false>, end: usize, generated: [Lane; 2], [d, speed]: [&Lane; 2]) -> Self {
         let criterion = &wall.criteria[end];
         let taken = wall.frictions[end].dissipated_lower(d, speed);
         let [linear, quantized] = generated.map(|generated| taken - generated);
@@ -110,7 +111,11 @@ impl Rows {
     }
 
     #[inline(always)]
-    fn compute<const EXACT: bool, const APPLIED: bool>(&mut self, wall: &Wall, of: &Intervals) {
+    fn compute<const EXACT: bool, const APPLIED: bool>(
+        &mut self,
+        wall: &Wall<false>,
+        of: &Intervals,
+    ) {
         for i in 0..TILE {
             let [start, end, lasts] =
                 [&of.start, &of.end, &of.lasts].map(|column| column.get(i).lane());
@@ -221,7 +226,7 @@ impl Rows {
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-pub(super) fn compute(rows: &mut Rows, wall: &Wall, of: &Intervals, applied: bool) {
+pub(super) fn compute(rows: &mut Rows, wall: &Wall<false>, of: &Intervals, applied: bool) {
     match (wall.friction_is_exact, applied) {
         (true, true) => rows.compute::<true, true>(wall, of),
         (true, false) => rows.compute::<true, false>(wall, of),

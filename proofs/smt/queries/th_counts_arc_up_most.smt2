@@ -1,0 +1,28 @@
+; TH-COUNTS, arc up most: no value on a part of a parabola is beyond those at its ends and where it turns
+; no value on a part of a parabola is beyond those at its ends and where it turns
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const from Real)
+(declare-const d Real)
+(declare-const to Real)
+(declare-const alpha Real)
+(declare-const T Real)
+(declare-const gamma Real)
+(declare-const kappa Real)
+(define-fun def1 () Real (- (* gamma T)))
+(define-fun def2 () Real (ite (>= def1 from) def1 from))
+(define-fun def3 () Real (ite (<= def2 to) def2 to))
+(define-fun def4 () Real (+ (* def3 (+ (* alpha def3) gamma)) kappa))
+(define-fun def5 () Real (+ (* from (+ (* alpha from) gamma)) kappa))
+(define-fun def6 () Real (ite (>= def4 def5) def4 def5))
+(define-fun def7 () Real (+ (* to (+ (* alpha to) gamma)) kappa))
+(define-fun def8 () Real (ite (>= def6 def7) def6 def7))
+(assert (<= from d))
+(assert (<= d to))
+(assert (> alpha 0))
+(assert (= (* (+ alpha alpha) T) 1))
+; what would contradict the goal
+(assert (not (<= (+ (+ (* d (+ (* alpha d) gamma)) kappa) 0) def8)))
+(check-sat)

@@ -1,0 +1,27 @@
+; TH-COUNTS, chord before a tick: where friction is not negative net energy against the quantized wall is not above the chord from one corner of the two ticks to the next
+; where friction is not negative net energy against the quantized wall is not above the chord from one corner of the two ticks to the next
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const x Real)
+(declare-const y Real)
+(declare-const k Real)
+(declare-const beta Real)
+(declare-const sigma Real)
+(declare-const f Real)
+(define-fun def1 () Real (- (+ k y) x))
+(define-fun def2 () Real (ite (>= def1 0) def1 (- def1)))
+(define-fun def3 () Real (ite (>= k 0) k (- k)))
+(define-fun def4 () Real (ite (<= k 0) k 0))
+(define-fun def5 () Real (- k 1))
+(define-fun def6 () Real (ite (>= def5 0) def5 (- def5)))
+(assert (and (<= 0 x) (<= x 1)))
+(assert (and (<= 0 y) (<= y 1)))
+(assert (= k 0))
+(assert (<= (- y x) 0))
+(assert (<= 0 beta))
+(assert (<= 0 sigma))
+; what would contradict the goal
+(assert (not (<= (- (+ (* beta (* (- (+ k y) x) (- (+ k y) x))) (* sigma def2)) (- (+ (* k (+ f (/ (- k 1) 2))) (* (+ f k) y)) (* f x))) (+ (- (- (* def3 (+ (* beta def3) sigma)) (* k (+ f (/ (- k 1) 2)))) def4) (* (- (- y x)) (- (- (* def6 (+ (* beta def6) sigma)) (* def5 (+ f (/ k 2)))) (- (- (* def3 (+ (* beta def3) sigma)) (* k (+ f (/ def5 2)))) def4)))))))
+(check-sat)

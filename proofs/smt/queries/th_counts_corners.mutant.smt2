@@ -1,0 +1,26 @@
+; TH-COUNTS, corners: net energy at the corners of the two ticks is what the code has there
+; ahead and back are not the same
+; printed from the kernel's code; expected answer: sat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status sat)
+(declare-const beta Real)
+(declare-const k Real)
+(declare-const sigma Real)
+(declare-const f Real)
+(define-fun def1 () Real (- (+ k 0) 1))
+(define-fun def2 () Real (ite (>= def1 0) def1 (- def1)))
+(define-fun def3 () Real (- k 1))
+(define-fun def4 () Real (ite (>= def3 0) def3 (- def3)))
+(define-fun def5 () Real (- (+ k 1) 0))
+(define-fun def6 () Real (ite (>= def5 0) def5 (- def5)))
+(define-fun def7 () Real (ite (>= k 0) k (- k)))
+(define-fun def8 () Real (ite (>= k 0) k 0))
+(define-fun def9 () Real (- (+ k 0) 0))
+(define-fun def10 () Real (ite (>= def9 0) def9 (- def9)))
+(define-fun def11 () Real (ite (<= k 0) k 0))
+(define-fun def12 () Real (- (+ k 1) 1))
+(define-fun def13 () Real (ite (>= def12 0) def12 (- def12)))
+; what would contradict the goal
+(assert (not (and (and (= (- (+ (* beta (* (- (+ k 0) 1) (- (+ k 0) 1))) (* sigma def2)) (- (* (+ k 0) (+ f (/ def1 2))) (* 1 (+ f (/ (- 1 1) 2))))) (- (* def4 (+ (* beta def4) sigma)) (* def3 (+ f (/ k 2))))) (= (- (+ (* beta (* def1 def1)) (* sigma def2)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 0)) (* f 1))) (- (* def4 (+ (* beta def4) sigma)) (* def3 (+ f (/ k 2)))))) (and (= (- (+ (* beta (* (- (+ k 1) 0) (- (+ k 1) 0))) (* sigma def6)) (- (* (+ k 1) (+ f (/ (- (+ k 1) 1) 2))) (* 0 (+ f (/ (- 0 1) 2))))) (- (* def4 (+ (* beta def4) sigma)) (* def3 (+ f (/ k 2))))) (= (- (+ (* beta (* def5 def5)) (* sigma def6)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 1)) (* f 0))) (- (* def4 (+ (* beta def4) sigma)) (* def3 (+ f (/ k 2)))))) (and (and (<= (- (- (* def7 (+ (* beta def7) sigma)) (* k (+ f (/ def3 2)))) def8) (- (+ (* beta (* (- (+ k 0) 0) (- (+ k 0) 0))) (* sigma def10)) (- (* (+ k 0) (+ f (/ def1 2))) (* 0 (+ f (/ (- 0 1) 2)))))) (<= (- (+ (* beta (* def9 def9)) (* sigma def10)) (- (* (+ k 0) (+ f (/ def1 2))) (* 0 (+ f (/ (- 0 1) 2))))) (- (- (* def7 (+ (* beta def7) sigma)) (* k (+ f (/ def3 2)))) def11))) (and (<= (- (- (* def7 (+ (* beta def7) sigma)) (* k (+ f (/ def3 2)))) def8) (- (+ (* beta (* def9 def9)) (* sigma def10)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 0)) (* f 0)))) (<= (- (+ (* beta (* def9 def9)) (* sigma def10)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 0)) (* f 0))) (- (- (* def7 (+ (* beta def7) sigma)) (* k (+ f (/ def3 2)))) def11)))) (and (and (<= (- (- (* def7 (+ (* beta def7) sigma)) (* k (+ f (/ def3 2)))) def8) (- (+ (* beta (* (- (+ k 1) 1) (- (+ k 1) 1))) (* sigma def13)) (- (* (+ k 1) (+ f (/ def12 2))) (* 1 (+ f (/ (- 1 1) 2)))))) (<= (- (+ (* beta (* def12 def12)) (* sigma def13)) (- (* (+ k 1) (+ f (/ def12 2))) (* 1 (+ f (/ (- 1 1) 2))))) (- (- (* def7 (+ (* beta def7) sigma)) (* k (+ f (/ def3 2)))) def11))) (and (<= (- (- (* def7 (+ (* beta def7) sigma)) (* k (+ f (/ def3 2)))) def8) (- (+ (* beta (* def12 def12)) (* sigma def13)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 1)) (* f 1)))) (<= (- (+ (* beta (* def12 def12)) (* sigma def13)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 1)) (* f 1))) (- (- (* def7 (+ (* beta def7) sigma)) (* k (+ f (/ def3 2)))) def11)))))))
+(check-sat)

@@ -1,0 +1,28 @@
+; TH-COUNTS, corners: net energy at the corners of the two ticks is what the code has there
+; net energy at the corners of the two ticks is what the code has there
+; printed from the kernel's code; expected answer: unsat
+(set-option :produce-models true)
+(set-logic QF_NRA)
+(set-info :status unsat)
+(declare-const beta Real)
+(declare-const k Real)
+(declare-const sigma Real)
+(declare-const f Real)
+(define-fun def1 () Real (- (+ k 0) 1))
+(define-fun def2 () Real (ite (>= def1 0) def1 (- def1)))
+(define-fun def3 () Real (- k 1))
+(define-fun def4 () Real (ite (>= def3 0) def3 (- def3)))
+(define-fun def5 () Real (- (+ k 1) 0))
+(define-fun def6 () Real (ite (>= def5 0) def5 (- def5)))
+(define-fun def7 () Real (+ k 1))
+(define-fun def8 () Real (ite (>= def7 0) def7 (- def7)))
+(define-fun def9 () Real (ite (>= k 0) k (- k)))
+(define-fun def10 () Real (ite (>= k 0) k 0))
+(define-fun def11 () Real (- (+ k 0) 0))
+(define-fun def12 () Real (ite (>= def11 0) def11 (- def11)))
+(define-fun def13 () Real (ite (<= k 0) k 0))
+(define-fun def14 () Real (- def7 1))
+(define-fun def15 () Real (ite (>= def14 0) def14 (- def14)))
+; what would contradict the goal
+(assert (not (and (and (and (= (- (+ (* beta (* (- (+ k 0) 1) (- (+ k 0) 1))) (* sigma def2)) (- (* (+ k 0) (+ f (/ def1 2))) (* 1 (+ f (/ (- 1 1) 2))))) (- (* def4 (+ (* beta def4) sigma)) (* def3 (+ f (/ k 2))))) (= (- (+ (* beta (* def1 def1)) (* sigma def2)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 0)) (* f 1))) (- (* def4 (+ (* beta def4) sigma)) (* def3 (+ f (/ k 2)))))) (and (= (- (+ (* beta (* (- (+ k 1) 0) (- (+ k 1) 0))) (* sigma def6)) (- (* (+ k 1) (+ f (/ (- (+ k 1) 1) 2))) (* 0 (+ f (/ (- 0 1) 2))))) (- (* def8 (+ (* beta def8) sigma)) (* def7 (+ f (/ k 2))))) (= (- (+ (* beta (* def5 def5)) (* sigma def6)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 1)) (* f 0))) (- (* def8 (+ (* beta def8) sigma)) (* def7 (+ f (/ k 2)))))) (and (and (<= (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def10) (- (+ (* beta (* (- (+ k 0) 0) (- (+ k 0) 0))) (* sigma def12)) (- (* (+ k 0) (+ f (/ def1 2))) (* 0 (+ f (/ (- 0 1) 2)))))) (<= (- (+ (* beta (* def11 def11)) (* sigma def12)) (- (* (+ k 0) (+ f (/ def1 2))) (* 0 (+ f (/ (- 0 1) 2))))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def13))) (and (<= (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def10) (- (+ (* beta (* def11 def11)) (* sigma def12)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 0)) (* f 0)))) (<= (- (+ (* beta (* def11 def11)) (* sigma def12)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 0)) (* f 0))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def13)))) (and (and (<= (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def10) (- (+ (* beta (* (- def7 1) (- def7 1))) (* sigma def15)) (- (* def7 (+ f (/ def14 2))) (* 1 (+ f (/ (- 1 1) 2)))))) (<= (- (+ (* beta (* def14 def14)) (* sigma def15)) (- (* def7 (+ f (/ def14 2))) (* 1 (+ f (/ (- 1 1) 2))))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def13))) (and (<= (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def10) (- (+ (* beta (* def14 def14)) (* sigma def15)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 1)) (* f 1)))) (<= (- (+ (* beta (* def14 def14)) (* sigma def15)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 1)) (* f 1))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def13))))) (or (and (and (= (- (+ (* beta (* def11 def11)) (* sigma def12)) (- (* (+ k 0) (+ f (/ def1 2))) (* 0 (+ f (/ (- 0 1) 2))))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def13)) (= (- (+ (* beta (* def11 def11)) (* sigma def12)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 0)) (* f 0))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def13))) (and (= (- (+ (* beta (* def14 def14)) (* sigma def15)) (- (* def7 (+ f (/ def14 2))) (* 1 (+ f (/ (- 1 1) 2))))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def10)) (= (- (+ (* beta (* def14 def14)) (* sigma def15)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 1)) (* f 1))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def10)))) (and (and (= (- (+ (* beta (* def11 def11)) (* sigma def12)) (- (* (+ k 0) (+ f (/ def1 2))) (* 0 (+ f (/ (- 0 1) 2))))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def10)) (= (- (+ (* beta (* def11 def11)) (* sigma def12)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 0)) (* f 0))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def10))) (and (= (- (+ (* beta (* def14 def14)) (* sigma def15)) (- (* def7 (+ f (/ def14 2))) (* 1 (+ f (/ (- 1 1) 2))))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def13)) (= (- (+ (* beta (* def14 def14)) (* sigma def15)) (- (+ (* k (+ f (/ def3 2))) (* (+ f k) 1)) (* f 1))) (- (- (* def9 (+ (* beta def9) sigma)) (* k (+ f (/ def3 2)))) def13))))))))
+(check-sat)
