@@ -313,3 +313,38 @@ fn a_long_log_of_positions_is_plotted_as_closely_as_one_of_counts() {
         assert!(longest <= 2 * (6000 / 512), "{header}: {longest}");
     }
 }
+
+/// Of large counts the potential is too large for the units in which rows are summed up; a row that is looked up may be
+/// that of a small count, and a block may end anywhere.
+#[test]
+fn rows_of_large_counts_are_defined_wherever_a_block_ends() {
+    let scene = Scene::from_toml("s", ROTARY).unwrap();
+    let mut text = "t [s],count,f [N m]\n".to_owned();
+    let (mut t, mut x) = (0.0, 0.0);
+    for i in 0..3000_u32 {
+        if i % 50 > 15 {
+            // Some 200 rad to each side.
+            let at = f64::from(i);
+            x = 260_000.0 * (0.0082 * at).sin() + 17_000.0 * (0.1413 * at).sin();
+        }
+        let force = -2e-4 * f64::max(x, 0.0);
+        writeln!(text, "{t:.4},{x:.0},{force:.6}").unwrap();
+        t += 1e-3 + 1e-4 * f64::from(i * 7 % 3);
+    }
+    let report = |block| {
+        let options = Options {
+            block,
+            law: true,
+            ..Options::default()
+        };
+        let input = Box::new(std::io::Cursor::new(text.as_bytes().to_vec()));
+        let audit = audit_csv(input, &scene, options).unwrap();
+        assert!(audit.error().is_none(), "{:?}", audit.error());
+        serde_json::to_string(audit.report()).unwrap()
+    };
+    let whole = report(0);
+    assert!(whole.contains("\"intervals\":2999"), "{whole}");
+    for block in [300, 4096] {
+        assert_eq!(report(block), whole, "block {block}");
+    }
+}

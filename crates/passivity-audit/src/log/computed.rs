@@ -282,11 +282,13 @@ pub(crate) fn note_stored(
         return Ok(());
     }
     let ledger = task.ledger;
+    // A row may be that of another interval, as long and elsewhere: its potential is not taken from there.
+    let near = || potential_on(ledger.near(), &sample.to_near());
+    let decided = || potential(ledger, sample).map(outward);
     let potential = match row {
-        Accounted::Near(_) => potential_on(ledger.near(), &sample.to_near()),
-        Accounted::Quick(addend) => Some(addend.potential.map(|end| Reduced::Small(end, ONE))),
+        Accounted::Near(_) | Accounted::Quick(_) => near().or_else(decided),
         Accounted::Exact(_) => potential(ledger, sample),
-        Accounted::Decided(_) => potential(ledger, sample).map(outward),
+        Accounted::Decided(_) => decided(),
     };
     let [least, _] = potential.ok_or_else(undefined)?;
     Lowest::keep_sum(&mut account.stored, &account.net, &least, account.intervals);
