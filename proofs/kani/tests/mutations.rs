@@ -10,7 +10,7 @@ use std::process::Command;
 use std::sync::Mutex;
 use std::thread::available_parallelism;
 
-use passivity_standin::copy::{copy, without_what_is_gone, workspace, write};
+use passivity_standin::copy::{copy, workspace, write};
 use passivity_standin::list::{self, List};
 use passivity_standin::mutate::{Edit, SWITCH, VARIABLE, with_switches};
 
@@ -68,6 +68,7 @@ fn copied(list: &List) -> PathBuf {
         copy(
             &root.join(member),
             &copy_of.join(member),
+            &["mutation.rs"],
             &mut |path, text| match listed(&root, path).as_deref() {
                 Some("lib.rs" | "monitor/lib.rs") => format!("{text}\nmod mutation;\n"),
                 Some(file) => {
@@ -77,7 +78,6 @@ fn copied(list: &List) -> PathBuf {
                 None => text,
             },
         );
-        without_what_is_gone(&root.join(member), &copy_of.join(member), &["mutation.rs"]);
     }
     for (folder, _) in CHANGED {
         let switch = copy_of.join(folder).join("src/mutation.rs");

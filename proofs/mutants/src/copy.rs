@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use passivity_standin::copy::{copy, without_what_is_gone, workspace, write};
+use passivity_standin::copy::{copy, workspace, write};
 use passivity_standin::mutate::{AS_IT_WAS, MUTANT, Place, SWITCH, with_places};
 
 use crate::SUBJECTS;
@@ -101,6 +101,7 @@ fn written(root: &Path, to: &Path, changes: &[Change]) -> Result<BTreeMap<String
         copy(
             &root.join(folder),
             &to.join(folder),
+            &["mutation.rs"],
             &mut |path, mut text| {
                 let Ok(within) = path.strip_prefix(&sources) else {
                     return text;
@@ -124,13 +125,14 @@ fn written(root: &Path, to: &Path, changes: &[Change]) -> Result<BTreeMap<String
         if let Some(fault) = fault {
             return Err(fault);
         }
-        without_what_is_gone(&root.join(folder), &to.join(folder), &["mutation.rs"]);
         let switch = to.join(folder).join("src/mutation.rs");
         write(&switch, SWITCH.as_bytes());
     }
     // What tests read beside their crate.
     for folder in ["scenes", "docs"] {
-        copy(&root.join(folder), &to.join(folder), &mut |_, text| text);
+        copy(&root.join(folder), &to.join(folder), &[], &mut |_, text| {
+            text
+        });
     }
     workspace(root, to, &SUBJECTS.map(|subject| subject.folder));
     Ok(texts)

@@ -17,17 +17,24 @@ pub fn write(path: &Path, text: &[u8]) {
     fs::write(path, text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
 }
 
-/// Copies the manifests, the sources and the pages of a folder; `change` may change one.
+/// Copies the manifests, the sources and the pages of a folder; `change` may change one. Removes from the copy what is
+/// gone from the folder, but for the files that were `added` to the copy.
 ///
 /// # Panics
 ///
 /// When the folder cannot be read, or the copy not be written.
-pub fn copy(from: &Path, to: &Path, change: &mut dyn FnMut(&Path, String) -> String) {
+pub fn copy(
+    from: &Path,
+    to: &Path,
+    added: &[&str],
+    change: &mut dyn FnMut(&Path, String) -> String,
+) {
+    fs::create_dir_all(to).expect("folders can be made");
     for entry in fs::read_dir(from).expect("the folder can be read") {
         let path = entry.expect("the folder can be read").path();
         let name = path.file_name().expect("a name");
         if path.is_dir() {
-            copy(&path, &to.join(name), change);
+            copy(&path, &to.join(name), added, change);
         } else if ["rs", "toml", "md"]
             .map(OsStr::new)
             .contains(&path.extension().unwrap_or_default())
@@ -36,24 +43,17 @@ pub fn copy(from: &Path, to: &Path, change: &mut dyn FnMut(&Path, String) -> Str
             write(&to.join(name), change(&path, text).as_bytes());
         }
     }
-}
-
-/// Removes the files of a copied folder that are gone from the folder itself, but for those that were
-/// `added` to it.
-///
-/// # Panics
-///
-/// When the copy cannot be read, or a file of it not be removed.
-pub fn without_what_is_gone(from: &Path, to: &Path, added: &[&str]) {
     for entry in fs::read_dir(to).expect("the copy can be read") {
         let path = entry.expect("the copy can be read").path();
         let name = path.file_name().expect("a name");
-        let original = from.join(name);
-        if path.is_dir() {
-            without_what_is_gone(&original, &path, added);
-        } else if !original.exists() && !added.iter().any(|added| name == *added) {
-            fs::remove_file(&path).expect("files can be removed");
+        if from.join(name).exists() || added.iter().any(|added| name == *added) {
+            continue;
         }
+        let removed = match path.is_dir() {
+            true => fs::remove_dir_all(&path),
+            false => fs::remove_file(&path),
+        };
+        removed.expect("what is gone can be removed");
     }
 }
 

@@ -51,7 +51,7 @@ impl Random {
 
     /// A number in `range`, more often than not near an end of it, near zero or of few bits.
     pub(crate) fn number(&mut self, (lo, hi): (i128, i128)) -> i128 {
-        let near = (self.0.bits() % 3) as i128;
+        let near = self.below(3) as i128;
         match self.below(6) {
             0 => lo + near,
             1 => hi - near,
