@@ -19,6 +19,9 @@ const LISTED_UP_TO: i128 = 1 << 16;
 /// Panics, each of which prints its own message, after which a harness is left.
 const PANICS: u64 = 4;
 
+/// Failures of an assertion that is to hold after which a harness is left: more would only be counted.
+const FAILURES: u64 = 100;
+
 /// Values tried before a sampled predicate counts as one that nothing meets.
 const TRIES: usize = 4096;
 
@@ -44,6 +47,10 @@ pub(crate) struct Seen {
     pub(crate) hits: BTreeMap<&'static str, u64>,
     /// Inputs on which something other than an assertion failed.
     panics: u64,
+    /// Inputs on which an assertion failed that is to hold.
+    failed: u64,
+    /// The message of the one that is to fail.
+    must_fail: Option<String>,
 }
 
 /// One point on the way to an input: the values a draw may take, and which is taken.
@@ -157,13 +164,14 @@ fn sampled<T: Arbitrary, F: Fn(&T) -> bool>(accept: &F, random: &mut Random) -> 
         .find(|&n| accept(&T::from_number(n)))
 }
 
-/// Runs the harness on every input, or on samples where these are too many.
-pub(crate) fn explore(name: &str, body: fn()) -> Seen {
-    every(body).unwrap_or_else(|| samples(body, Random::named(name)))
+/// Runs the harness on every input, or on samples where these are too many; one assertion may be to fail.
+pub(crate) fn explore(name: &str, must_fail: Option<&str>, body: fn()) -> Seen {
+    let seen = |mode| Seen::new(mode, must_fail);
+    every(seen(Mode::Exhausted), body)
+        .unwrap_or_else(|| samples(seen(Mode::Sampled), body, Random::named(name)))
 }
 
-fn every(body: fn()) -> Option<Seen> {
-    let mut seen = Seen::new(Mode::Exhausted);
+fn every(mut seen: Seen, body: fn()) -> Option<Seen> {
     let mut choices = Vec::new();
     let mut hits = BTreeMap::new();
     loop {
@@ -184,7 +192,7 @@ fn every(body: fn()) -> Option<Seen> {
         }
         seen.note(left, &input.drawn);
         hits = input.hits;
-        if seen.panics == PANICS {
+        if seen.is_left() {
             seen.hits = hits;
             return Some(seen);
         }
@@ -204,8 +212,7 @@ fn every(body: fn()) -> Option<Seen> {
     }
 }
 
-fn samples(body: fn(), random: Random) -> Seen {
-    let mut seen = Seen::new(Mode::Sampled);
+fn samples(mut seen: Seen, body: fn(), random: Random) -> Seen {
     let mut source = Source::Samples(random);
     let mut hits = BTreeMap::new();
     for _ in 0..SAMPLES {
@@ -213,7 +220,7 @@ fn samples(body: fn(), random: Random) -> Seen {
         seen.note(left, &input.drawn);
         source = input.source;
         hits = input.hits;
-        if seen.panics == PANICS {
+        if seen.is_left() {
             break;
         }
     }
@@ -236,7 +243,7 @@ fn run(body: fn(), source: Source, hits: BTreeMap<&'static str, u64>) -> (Left, 
 }
 
 impl Seen {
-    fn new(mode: Mode) -> Self {
+    fn new(mode: Mode, must_fail: Option<&str>) -> Self {
         Self {
             mode,
             inputs: 0,
@@ -244,7 +251,14 @@ impl Seen {
             failures: BTreeMap::new(),
             hits: BTreeMap::new(),
             panics: 0,
+            failed: 0,
+            must_fail: must_fail.map(str::to_owned),
         }
+    }
+
+    /// Whether enough has failed that no more is run.
+    pub(crate) const fn is_left(&self) -> bool {
+        self.panics >= PANICS || self.failed >= FAILURES
     }
 
     fn note(&mut self, left: Left, drawn: &[(i128, &'static Location<'static>)]) {
@@ -255,7 +269,10 @@ impl Seen {
         };
         let (message, place) = match why.downcast_ref() {
             Some(Leave::Cut | Leave::TooLarge) => return,
-            Some(Leave::Failed(message, at)) => ((*message).to_string(), format!(" at {at}")),
+            Some(Leave::Failed(message, at)) => {
+                self.failed += u64::from(self.must_fail.as_deref() != Some(message));
+                ((*message).to_string(), format!(" at {at}"))
+            }
             None => {
                 self.panics += 1;
                 (panic_message(&*why), String::new())

@@ -60,6 +60,24 @@ fn an_assertion_that_fails_is_reported_with_its_input() {
 }
 
 #[test]
+fn a_harness_is_left_when_much_has_failed() {
+    let said = fault(HOLDS, || {
+        let x = any::<u16>();
+        claim(x < 4, "TH-LIN: x is below 4");
+        cover!(x == 3, "x is 3");
+    });
+    let found = "100 and more inputs fail \"TH-LIN: x is below 4\"";
+    assert!(said.contains(found) && !said.contains("cover"), "{said}");
+    // What is to fail is run to its end.
+    let said = fault(FAILS, || {
+        let x = any::<u16>();
+        cover!(x == u16::MAX, "x is 3");
+        claim(x < 3, "ERR-27: x is below 3");
+    });
+    assert_eq!(said, "");
+}
+
+#[test]
 fn assumptions_that_nothing_meets_are_reported() {
     let vacuous = "no input meets its assumptions";
     let said = fault(HOLDS, || {
