@@ -282,13 +282,16 @@ pub(crate) fn note_stored(
         return Ok(());
     }
     let ledger = task.ledger;
-    // A row may be that of another interval, as long and elsewhere: its potential is not taken from there.
     let near = || potential_on(ledger.near(), &sample.to_near());
     let decided = || potential(ledger, sample).map(outward);
-    let potential = match row {
-        Accounted::Near(_) | Accounted::Quick(_) => near().or_else(decided),
-        Accounted::Exact(_) => potential(ledger, sample),
-        Accounted::Decided(_) => decided(),
+    let potential = match (row, sample) {
+        // The row of counts may be that of another interval, as long and elsewhere.
+        (Accounted::Near(_), _) | (Accounted::Quick(_), Reading::Count(_)) => {
+            near().or_else(decided)
+        }
+        (Accounted::Quick(addend), _) => Some(addend.potential.map(|end| Reduced::Small(end, ONE))),
+        (Accounted::Exact(_), _) => potential(ledger, sample),
+        (Accounted::Decided(_), _) => decided(),
     };
     let [least, _] = potential.ok_or_else(undefined)?;
     Lowest::keep_sum(&mut account.stored, &account.net, &least, account.intervals);
