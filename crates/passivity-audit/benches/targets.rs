@@ -264,7 +264,7 @@ fn main() {
     reached &= report(
         "counts, uneven clock and forces, from CSV",
         timed(&|| from_csv_of(&log)),
-        1e5,
+        4e5,
         "intervals/s",
     );
     // 24 hours at 1 kHz: 86.4 million samples.
