@@ -11,14 +11,14 @@
 
 use std::ops::Range;
 
-use passivity_core::{Scalar as _, Truth};
+use passivity_core::{Scalar as _, Step, Truth};
 
 pub(crate) use compute::commanded;
 pub(crate) use counted::Counted;
 pub(crate) use sums::Sums;
 pub(crate) use written::write;
 
-use crate::ball::Ball;
+use crate::ball::{Ball, Lane};
 use crate::figure::not;
 use crate::ledger::Truths;
 use crate::log::chunk::{Chunk, Samples};
@@ -155,6 +155,19 @@ impl Intervals {
         self.lasts.cut(self.len);
         self.lasts.middles[self.len..].fill(1.0);
     }
+
+    /// Where interval `i` starts and ends and how long it lasts, and its step.
+    #[inline(always)]
+    fn lanes(&self, i: usize) -> ([Lane; 3], Step<Lane>) {
+        let [start, end, lasts] =
+            [&self.start, &self.end, &self.lasts].map(|column| column.get(i).lane());
+        // Of what stands still, any position that it may have stands for all.
+        let step = match self.still[i] != 0 {
+            true => Step::new(start.one_of(), start.one_of()),
+            false => Step::new(start, end),
+        };
+        ([start, end, lasts], step)
+    }
 }
 
 /// How long an interval is, in periods, as a fraction; nothing where that is left open.
@@ -245,7 +258,7 @@ impl Tile {
 pub(crate) struct Tiles {
     pub(crate) tiles: Vec<Tile>,
     pub(crate) lengths: Vec<Length>,
-    wall: Option<Wall<false>>,
+    pub(crate) wall: Option<Wall<false>>,
 }
 
 impl Tiles {

@@ -193,9 +193,7 @@ impl Table {
         }
         i
     }
-}
 
-impl Table {
     /// Where the row of a small step is, when it is known.
     #[inline]
     fn small(&self, step: i64) -> Option<usize> {

@@ -18,7 +18,6 @@ use crate::log::step::{check_jump, duration, interval, jump, undefined};
 use crate::log::supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
-use crate::log::wall::Wall;
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 
@@ -43,8 +42,7 @@ pub(super) struct Walk<'a> {
     pub(super) starts: Starts,
     /// The rows that were computed several at a time.
     pub(super) tiles: &'a Tiles,
-    /// Those of counts, of the wall.
-    pub(super) wall: Option<Wall<false>>,
+    /// Those of counts.
     pub(super) counted: &'a mut Counted,
 }
 
@@ -269,7 +267,7 @@ impl Walk<'_> {
         if !self.counted.has(i) {
             let lengths = (i..).map(|i| Length::of(task.layout, chunk, i));
             let forces = task.applied.then_some(&chunk.forces.values);
-            let wall = self.wall.as_ref()?;
+            let wall = self.tiles.wall.as_ref()?;
             self.counted.fill(wall, (counts, forces), i, lengths);
         }
         let figures = self.counted.get(i, to - from)?;

@@ -9,7 +9,6 @@ use crate::log::supply::Supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
 use crate::log::walk::Walk;
-use crate::log::wall::Wall;
 
 /// About how many points of a chunk are plotted.
 const POINTS: usize = 512;
@@ -103,8 +102,7 @@ impl Worker {
             key: Vec::new(),
             starts: Starts::default(),
             tiles: &shared.tiles,
-            wall: Wall::of(task.ledger).map(|wall| wall.lanes()),
-            counted: self.counted.get_or_insert_with(Counted::new).after(),
+            counted: self.counted.get_or_insert_with(Counted::new).cleared(),
         };
         let mut goes_on = true;
         if let Err(error) = walk.run(&mut self.table, chunk, &mut account) {

@@ -2,7 +2,7 @@
 
 use multiversion::multiversion;
 use passivity_core::ledger;
-use passivity_core::{Law, Scalar as _, Step, dissipation, quantizer};
+use passivity_core::{Law, Scalar as _, dissipation, quantizer};
 
 use super::{Intervals, TILE, Tile};
 use crate::ball::{Ball, Lane, split, unless};
@@ -64,13 +64,7 @@ impl Tile {
     ) {
         let [least_criterion, most_criterion] = &wall.criteria;
         for i in 0..TILE {
-            let [start, end, lasts] =
-                [&of.start, &of.end, &of.lasts].map(|column| column.get(i).lane());
-            // Of what stands still, any position that it may have stands for all.
-            let step = match of.still[i] != 0 {
-                true => Step::new(start.one_of(), start.one_of()),
-                false => Step::new(start, end),
-            };
+            let ([start, end, lasts], step) = of.lanes(i);
             let d = step.displacement();
             let speed = dissipation::mean_speed(&d, &lasts);
             let commanded = quantizer::held_force(&start);

@@ -55,8 +55,8 @@ impl Counted {
         })
     }
 
-    /// The room of it, with no rows.
-    pub(crate) const fn after(&mut self) -> &mut Self {
+    /// The same room, without rows.
+    pub(crate) const fn cleared(&mut self) -> &mut Self {
         self.len = 0;
         self
     }

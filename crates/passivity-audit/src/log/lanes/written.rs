@@ -7,7 +7,7 @@
 use std::ops::Range;
 
 use multiversion::multiversion;
-use passivity_core::{Scalar as _, Step, dissipation, generation, ledger, quantizer};
+use passivity_core::{Scalar as _, dissipation, generation, ledger, quantizer};
 
 use super::compute::{is_nonnegative, whole};
 use super::{Column, Intervals, Length, TILE, Tiles, truths};
@@ -117,13 +117,7 @@ impl Rows {
         of: &Intervals,
     ) {
         for i in 0..TILE {
-            let [start, end, lasts] =
-                [&of.start, &of.end, &of.lasts].map(|column| column.get(i).lane());
-            // Of what stands still, any position that it may have stands for all.
-            let step = match of.still[i] != 0 {
-                true => Step::new(start.one_of(), start.one_of()),
-                false => Step::new(start, end),
-            };
+            let ([start, _, lasts], step) = of.lanes(i);
             let d = step.displacement();
             let speed = dissipation::mean_speed(&d, &lasts);
             let force = match APPLIED {
