@@ -13,6 +13,7 @@ use num_integer::Integer as _;
 use num_traits::{One, Signed, Zero};
 
 use crate::scalar::{Ordered, Scalar};
+use crate::whole;
 
 /// An integer type that fractions can be made of: every operation that may overflow is checked.
 pub trait Integer: Clone + PartialEq {
@@ -105,7 +106,7 @@ impl Integer for BigInt {
             .then(|| num_integer::Integer::div_floor(self, &Self::from(2)))
     }
     fn shortened(numerator: Self, denominator: Self) -> (Self, Self) {
-        let divisor = numerator.gcd(&denominator);
+        let divisor = whole::gcd(&numerator, &denominator);
         if divisor.is_zero() || divisor.is_one() {
             return (numerator, denominator);
         }
@@ -318,7 +319,7 @@ impl Wide {
     #[must_use]
     pub fn reduced(&self) -> Option<(BigInt, BigInt)> {
         let (n, d) = self.parts()?;
-        let divisor = n.gcd(d);
+        let divisor = whole::gcd(n, d);
         if divisor.is_one() {
             return Some((n.clone(), d.clone()));
         }

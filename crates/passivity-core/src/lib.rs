@@ -94,6 +94,7 @@ pub mod sturm;
 pub mod transfer;
 pub mod verdict;
 pub mod wave;
+pub mod whole;
 pub mod witness;
 
 pub use control_loop::Cost;

@@ -10,12 +10,12 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use num_bigint::{BigInt, Sign};
-use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, Zero as _};
 
 use crate::fraction::{Fraction, Integer, Wide};
 use crate::interval::Interval;
+use crate::whole;
 
 /// An exact number that may have π in it: a quotient of two polynomials in π.
 ///
@@ -193,7 +193,7 @@ impl Integer for Polynomial {
                 .iter()
                 .chain(&denominator.coefficients)
         };
-        let divisor = both().fold(BigInt::ZERO, |divisor, c| divisor.gcd(c));
+        let divisor = both().fold(BigInt::ZERO, |divisor, c| whole::gcd(&divisor, c));
         if divisor.is_zero() {
             return (numerator, denominator);
         }

@@ -9,9 +9,10 @@ use core::cmp::Ordering;
 use core::ops::{Add, Mul, Sub};
 
 use num_bigint::BigInt;
-use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, Zero as _};
+
+use crate::whole;
 
 /// A polynomial a₀ + a₁x + a₂x² + … with exact rational coefficients.
 ///
@@ -27,19 +28,39 @@ use num_traits::{One as _, Signed as _, Zero as _};
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Polynomial {
-    /// Of x⁰, x¹, …; the last one is not zero.
-    coefficients: Vec<BigRational>,
+    /// Of x⁰, x¹, …, times the denominator; the last one is not zero.
+    numerators: Vec<BigInt>,
+    /// Above zero, and without a divisor that all numerators have; one of the polynomial that is zero.
+    denominator: BigInt,
 }
 
 impl Polynomial {
     /// The polynomial with these coefficients of x⁰, x¹, …
     #[must_use]
     pub fn new(coefficients: impl IntoIterator<Item = BigRational>) -> Self {
-        let mut coefficients: Vec<_> = coefficients.into_iter().collect();
-        while coefficients.last().is_some_and(|c| c.is_zero()) {
-            coefficients.pop();
+        let coefficients: Vec<_> = coefficients.into_iter().collect();
+        let denominators = coefficients.iter().map(BigRational::denom);
+        let common = denominators.fold(BigInt::one(), |common, d| least_multiple(&common, d));
+        let numerators = coefficients
+            .iter()
+            .map(|a| a.numer() * (&common / a.denom()));
+        Self::over(numerators.collect(), common)
+    }
+
+    /// The polynomial with these coefficients over a denominator, which must be above zero.
+    fn over(mut numerators: Vec<BigInt>, mut denominator: BigInt) -> Self {
+        while numerators.last().is_some_and(|c| c.is_zero()) {
+            numerators.pop();
         }
-        Self { coefficients }
+        let divisor = common_factor(denominator.clone(), &numerators);
+        if !divisor.is_one() {
+            divide(&mut numerators, &divisor);
+            denominator /= divisor;
+        }
+        Self {
+            numerators,
+            denominator,
+        }
     }
 
     /// A number, as a polynomial.
@@ -80,122 +101,89 @@ impl Polynomial {
 
     /// The coefficients of x⁰, x¹, …, the last of which is not zero.
     #[must_use]
-    pub fn coefficients(&self) -> &[BigRational] {
-        &self.coefficients
+    pub fn coefficients(&self) -> Vec<BigRational> {
+        let numerators = self.numerators.iter().cloned();
+        let coefficients = numerators.map(|a| whole::fraction(a, self.denominator.clone()));
+        coefficients.collect()
     }
 
     /// The degree; `None` of the polynomial that is zero.
     #[must_use]
     pub fn degree(&self) -> Option<usize> {
-        self.coefficients.len().checked_sub(1)
+        self.numerators.len().checked_sub(1)
     }
 
     /// Whether the polynomial is zero everywhere.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        self.coefficients.is_empty()
+        self.numerators.is_empty()
     }
 
     /// The value at x.
     #[must_use]
     pub fn at(&self, x: &BigRational) -> BigRational {
-        let [numerator, denominator] = self.fraction_at(x);
-        BigRational::new(numerator, denominator)
+        let [numerator, power] = self.numerator_at(x);
+        whole::fraction(numerator, power * &self.denominator)
     }
 
     /// How the value at x compares with zero, without the value in lowest terms.
     #[must_use]
     pub fn sign_at(&self, x: &BigRational) -> Ordering {
-        let [numerator, _] = self.fraction_at(x);
+        let [numerator, _] = self.numerator_at(x);
         numerator.cmp(&BigInt::ZERO)
     }
 
-    /// Numerator and denominator of the value at x; the denominator is above zero.
-    fn fraction_at(&self, x: &BigRational) -> [BigInt; 2] {
-        // Whole numbers only, over the common denominator: Σ aₖnᵏdᵐ⁻ᵏ / dᵐ at x = n/d.
-        let common = self.common_denominator();
+    /// Σ aₖnᵏdᵐ⁻ᵏ and dᵐ, of the numerators aₖ and x = n/d: the value at x times the denominator, as a quotient.
+    fn numerator_at(&self, x: &BigRational) -> [BigInt; 2] {
         let (mut sum, mut power) = (BigInt::zero(), BigInt::one());
-        for (k, a) in self.coefficients.iter().rev().enumerate() {
+        for (k, a) in self.numerators.iter().rev().enumerate() {
             if k > 0 {
                 power *= x.denom();
             }
-            let whole = a.numer() * (&common / a.denom());
-            sum = sum * x.numer() + whole * &power;
+            sum = sum * x.numer() + a * &power;
         }
-        [sum, common * power]
+        [sum, power]
     }
 
     /// The derivative.
     #[must_use]
     pub fn derivative(&self) -> Self {
-        let powers = (0_u32..).map(|k| BigRational::from_integer(BigInt::from(k)));
-        Self::new(
-            self.coefficients
-                .iter()
-                .zip(powers)
-                .map(|(a, k)| a * k)
-                .skip(1),
+        let terms = self.numerators.iter().zip(0_u32..).skip(1);
+        Self::over(
+            terms.map(|(a, k)| a * k).collect(),
+            self.denominator.clone(),
         )
     }
 
     /// The polynomial times a number.
     #[must_use]
     pub fn scaled(&self, factor: &BigRational) -> Self {
-        Self::new(self.coefficients.iter().map(|a| a * factor))
+        Self::over(
+            self.numerators.iter().map(|a| a * factor.numer()).collect(),
+            &self.denominator * factor.denom(),
+        )
     }
 
     /// Quotient and remainder of a division; `None` when the divisor is zero.
     #[must_use]
     pub fn divided_by(&self, divisor: &Self) -> Option<(Self, Self)> {
-        let (leading, others) = divisor.coefficients.split_last()?;
-        let mut rest = self.coefficients.clone();
-        let mut quotient = Vec::new();
-        while rest.len() > others.len() {
-            let factor = rest.pop()? / leading;
-            let from = rest.len().saturating_sub(others.len());
-            for (slot, a) in rest.iter_mut().skip(from).zip(others) {
-                *slot -= &factor * a;
-            }
-            quotient.push(factor);
-        }
-        quotient.reverse();
-        Some((Self::new(quotient), Self::new(rest)))
+        let ([quotient, rest], scale) = pseudo_division(&self.numerators, &divisor.numerators)?;
+        let denominator = scale * &self.denominator;
+        let quotient = quotient.iter().map(|a| a * &divisor.denominator);
+        Some((
+            Self::over(quotient.collect(), denominator.clone()),
+            Self::over(rest, denominator),
+        ))
     }
 
     /// A positive multiple of the remainder of a division, with whole coprime coefficients; zero of
     /// a division by zero.
-    ///
-    /// Computed in whole numbers, which a quotient is not made of.
     #[must_use]
     pub fn remainder(&self, divisor: &Self) -> Self {
-        let [mut rest, divisor] = [self, divisor].map(Self::whole);
-        let Some((leading, others)) = divisor.split_last() else {
-            return Self::new([]);
-        };
-        let scale = leading.abs();
-        while let Some(from) = rest.len().checked_sub(divisor.len()) {
-            let Some(mut factor) = rest.pop() else { break };
-            if leading.is_negative() {
-                factor = -factor;
-            }
-            for slot in &mut rest {
-                *slot *= &scale;
-            }
-            for (slot, a) in rest.iter_mut().skip(from).zip(others) {
-                *slot -= &factor * a;
-            }
+        match pseudo_division(&self.numerators, &divisor.numerators) {
+            Some(([_, rest], _)) => Self::over(rest, BigInt::one()).primitive(),
+            None => Self::new([]),
         }
-        Self::new(rest.into_iter().map(BigRational::from_integer)).primitive()
-    }
-
-    /// The coefficients of the primitive multiple.
-    fn whole(&self) -> Vec<BigInt> {
-        let primitive = self.primitive();
-        primitive
-            .coefficients
-            .iter()
-            .map(BigRational::to_integer)
-            .collect()
     }
 
     /// The positive multiple whose coefficients are whole and have no common divisor.
@@ -203,22 +191,14 @@ impl Polynomial {
     /// Two polynomials have the same one exactly when one is a positive multiple of the other.
     #[must_use]
     pub fn primitive(&self) -> Self {
-        let common = self.common_denominator();
-        let divisor = self
-            .coefficients
-            .iter()
-            .fold(BigInt::zero(), |divisor, a| divisor.gcd(a.numer()));
-        if divisor.is_zero() {
-            return self.clone();
+        let mut numerators = self.numerators.clone();
+        let divisor = common_factor(BigInt::ZERO, &numerators);
+        if !divisor.is_zero() && !divisor.is_one() {
+            divide(&mut numerators, &divisor);
         }
-        // The numerators are divided, then the common denominator is put on: one product each.
-        let whole = |a: &BigRational| a.numer() / &divisor * (&common / a.denom());
         Self {
-            coefficients: self
-                .coefficients
-                .iter()
-                .map(|a| BigRational::from_integer(whole(a)))
-                .collect(),
+            numerators,
+            denominator: BigInt::one(),
         }
     }
 
@@ -238,10 +218,9 @@ impl Polynomial {
     /// ```
     #[must_use]
     pub fn is_plainly_positive(&self) -> bool {
-        let whole = self.whole();
         let mut power = vec![BigInt::one()]; // (1 + s)^(n − i)
         let mut sum: Vec<BigInt> = Vec::new();
-        for a in whole.iter().rev() {
+        for a in self.numerators.iter().rev() {
             // sum·(1 − s) + a·power
             let mut next: Vec<BigInt> = power.iter().map(|p| a * p).collect();
             for (i, c) in sum.iter().enumerate() {
@@ -272,22 +251,68 @@ impl Polynomial {
         a
     }
 
-    fn common_denominator(&self) -> BigInt {
-        let one = BigInt::one();
-        let denominators = self.coefficients.iter().map(BigRational::denom);
-        denominators.fold(one, |common, d| common.lcm(d)).abs()
+    fn zip_with(&self, other: &Self, f: impl Fn(BigInt, BigInt) -> BigInt) -> Self {
+        let common = least_multiple(&self.denominator, &other.denominator);
+        let length = self.numerators.len().max(other.numerators.len());
+        let over = |of: &Self| {
+            let factor = &common / &of.denominator;
+            let mut numerators: Vec<_> = of.numerators.iter().map(|a| a * &factor).collect();
+            numerators.resize(length, BigInt::ZERO);
+            numerators
+        };
+        let terms = over(self).into_iter().zip(over(other));
+        Self::over(terms.map(|(a, b)| f(a, b)).collect(), common)
     }
+}
 
-    fn zip_with(
-        &self,
-        other: &Self,
-        f: impl Fn(&BigRational, &BigRational) -> BigRational,
-    ) -> Self {
-        let zero = BigRational::zero();
-        let length = self.coefficients.len().max(other.coefficients.len());
-        let at = |of: &Self, k: usize| of.coefficients.get(k).unwrap_or(&zero).clone();
-        Self::new((0..length).map(|k| f(&at(self, k), &at(other, k))))
+/// Quotient and remainder of the division of one polynomial by another, both times the same positive number, and
+/// that number: so that all coefficients are whole. `None` when the divisor is zero.
+fn pseudo_division(dividend: &[BigInt], divisor: &[BigInt]) -> Option<([Vec<BigInt>; 2], BigInt)> {
+    let (leading, others) = divisor.split_last()?;
+    let mut rest = dividend.to_vec();
+    let mut quotient: Vec<BigInt> = Vec::new();
+    let mut scale = BigInt::one();
+    let size = leading.abs();
+    while let Some(from) = rest.len().checked_sub(divisor.len()) {
+        let Some(mut factor) = rest.pop() else { break };
+        if leading.is_negative() {
+            factor = -factor;
+        }
+        for slot in rest.iter_mut().chain(&mut quotient) {
+            *slot *= &size;
+        }
+        for (slot, a) in rest.iter_mut().skip(from).zip(others) {
+            *slot -= &factor * a;
+        }
+        quotient.push(factor);
+        scale *= &size;
     }
+    quotient.reverse();
+    Some(([quotient, rest], scale))
+}
+
+/// The greatest common divisor of a number and of the numbers of a list.
+fn common_factor(number: BigInt, list: &[BigInt]) -> BigInt {
+    let mut divisor = number;
+    for a in list {
+        if divisor.is_one() {
+            break;
+        }
+        divisor = whole::gcd(&divisor, a);
+    }
+    divisor
+}
+
+/// Divides the numbers of a list by a common divisor.
+fn divide(list: &mut [BigInt], divisor: &BigInt) {
+    for a in list {
+        *a /= divisor;
+    }
+}
+
+/// The least common multiple of two numbers above zero.
+fn least_multiple(a: &BigInt, b: &BigInt) -> BigInt {
+    a / whole::gcd(a, b) * b
 }
 
 impl Add for &Polynomial {
@@ -307,13 +332,12 @@ impl Sub for &Polynomial {
 impl Mul for &Polynomial {
     type Output = Polynomial;
     fn mul(self, other: Self) -> Polynomial {
-        let mut product =
-            vec![BigRational::zero(); self.coefficients.len() + other.coefficients.len()];
-        for (i, a) in self.coefficients.iter().enumerate() {
-            for (slot, b) in product.iter_mut().skip(i).zip(&other.coefficients) {
+        let mut product = vec![BigInt::ZERO; self.numerators.len() + other.numerators.len()];
+        for (i, a) in self.numerators.iter().enumerate() {
+            for (slot, b) in product.iter_mut().skip(i).zip(&other.numerators) {
                 *slot += a * b;
             }
         }
-        Polynomial::new(product)
+        Polynomial::over(product, &self.denominator * &other.denominator)
     }
 }

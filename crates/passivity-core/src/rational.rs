@@ -22,7 +22,11 @@ impl Scalar for BigRational {
     }
 
     fn half(self) -> Self {
-        self * Self::new_raw(BigInt::from(1), BigInt::from(2))
+        let (numerator, denominator) = self.into_raw();
+        match numerator.is_even() {
+            true => Self::new_raw(numerator / 2, denominator),
+            false => Self::new_raw(numerator, denominator * 2),
+        }
     }
 
     fn floor(&self) -> Self {

@@ -57,5 +57,6 @@ pub const SOURCES: &[(&str, &str)] = sources! {
     "transfer.rs"
     "verdict.rs"
     "wave.rs"
+    "whole.rs"
     "witness.rs"
 };

@@ -54,4 +54,5 @@ mod sturm;
 mod transfer;
 mod verdict;
 mod walk;
+mod whole;
 mod witness;

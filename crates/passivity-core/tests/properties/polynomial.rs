@@ -75,7 +75,7 @@ fn num_exact_polynomials_divide_without_a_rest_what_they_multiplied() {
     for a in &factors {
         for b in &factors {
             let product = a * b;
-            let expected = times(a.coefficients(), b.coefficients());
+            let expected = times(&a.coefficients(), &b.coefficients());
             assert_eq!(product.coefficients(), expected);
             let (quotient, rest) = product.divided_by(b).unwrap();
             assert_eq!((&quotient, rest.is_zero()), (a, true));

@@ -62,7 +62,7 @@ sampled! {
             SignOver::NegativeAt(x) => {
                 prop_assert!(negative);
                 prop_assert!(magnitude(&x) <= q(1, 1));
-                prop_assert!(value(polynomial.coefficients(), &x) < zero());
+                prop_assert!(value(&polynomial.coefficients(), &x) < zero());
             }
         }
     }

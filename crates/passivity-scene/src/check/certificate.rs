@@ -253,20 +253,16 @@ impl Decision {
     fn of(cost: &ViscousCost, beta: &BigRational) -> Self {
         let polynomial = cost.spare(beta);
         let decided = cost.decide(beta);
+        let of = |polynomial: &Polynomial| texts(&polynomial.coefficients());
         Self {
             beta: beta.to_string(),
             enough: decided.is_nonnegative(),
             because: match decided {
                 SignOver::Nonnegative(found) => Because::Sturm {
                     simple_at_zero: found.simple.at(&BigRational::zero()).to_string(),
-                    simple: texts(found.simple.coefficients()),
-                    repeated: texts(found.repeated.coefficients()),
-                    sequence: found
-                        .sequence
-                        .iter()
-                        .map(Polynomial::coefficients)
-                        .map(texts)
-                        .collect(),
+                    simple: of(&found.simple),
+                    repeated: of(&found.repeated),
+                    sequence: found.sequence.iter().map(of).collect(),
                     sign_changes: found.sign_changes,
                 },
                 SignOver::NegativeAt(x) => Because::Negative {
@@ -274,7 +270,7 @@ impl Decision {
                     at: x.to_string(),
                 },
             },
-            polynomial: texts(polynomial.coefficients()),
+            polynomial: of(&polynomial),
         }
     }
 }

@@ -1,0 +1,90 @@
+//! Whole numbers of any size: their greatest common divisor, and fractions in lowest terms.
+
+use num_bigint::BigInt;
+use num_integer::Integer as _;
+use num_rational::BigRational;
+use num_traits::{Signed as _, ToPrimitive as _};
+
+/// The greatest common divisor, not negative; of zero and a number its absolute value.
+///
+/// By Lehmer's method: the leading digits of both numbers tell several steps of Euclid's algorithm, which are
+/// then made at once. Each is a change of both numbers that can be undone in whole numbers, so that no common divisor
+/// is gained or lost whatever the leading digits said. Source: D. E. Knuth, *The Art of Computer Programming*,
+/// vol. 2, 4.5.2, algorithm L.
+///
+/// # Example
+///
+/// ```
+/// use num_bigint::BigInt;
+/// use passivity_core::whole::gcd;
+///
+/// let [a, b] = [5_u32, 3].map(|n| BigInt::from(n).pow(100));
+/// let both = BigInt::from(7).pow(80);
+/// assert_eq!(gcd(&(a * &both), &-(b * &both)), both);
+/// ```
+#[must_use]
+pub fn gcd(a: &BigInt, b: &BigInt) -> BigInt {
+    let (mut a, mut b) = (a.abs(), b.abs());
+    if a < b {
+        core::mem::swap(&mut a, &mut b);
+    }
+    loop {
+        if let Some(small) = b.to_u64() {
+            let rest = match small {
+                0 => return a,
+                _ => (&a % small).to_u64().unwrap_or_default(),
+            };
+            return small.gcd(&rest).into();
+        }
+        let shift = a.bits().saturating_sub(LEADING);
+        let leading = [&a, &b].map(|x| (x >> shift).to_i64().unwrap_or_default());
+        (a, b) = match steps(leading) {
+            Some([[p, q], [r, s]]) => (&a * p + &b * q, &a * r + &b * s),
+            None => {
+                let rest = &a % &b;
+                (b, rest)
+            }
+        };
+    }
+}
+
+/// How many leading binary digits tell the steps of Euclid's algorithm.
+const LEADING: u64 = 62;
+
+/// The steps of Euclid's algorithm that two numbers a ≥ b with these leading digits surely make, as what they
+/// make of a and of b: the numbers that a and b are to be multiplied with. `None` where that is no step.
+fn steps([mut x, mut y]: [i64; 2]) -> Option<[[i64; 2]; 2]> {
+    let [mut of_a, mut of_b] = [[1_i64, 0], [0, 1]];
+    loop {
+        // The quotient for the largest and for the smallest numbers with these digits.
+        let ([p, q], [r, s]) = (of_a, of_b);
+        let quotient = |p: i64, r: i64| x.checked_add(p)?.checked_div(y.checked_add(r)?);
+        let next = quotient(p, r).filter(|n| quotient(q, s) == Some(*n));
+        let less = |a: i64, b: i64| a.checked_sub(next?.checked_mul(b)?);
+        let Some(((t, u), rest)) = less(p, r).zip(less(q, s)).zip(less(x, y)) else {
+            return (q != 0).then_some([of_a, of_b]);
+        };
+        (of_a, of_b) = (of_b, [t, u]);
+        (x, y) = (y, rest);
+    }
+}
+
+/// The fraction with this numerator and this denominator, which must be above zero, in lowest terms.
+///
+/// # Example
+///
+/// ```
+/// use num_bigint::BigInt;
+/// use passivity_core::{BigRational, Scalar, whole::fraction};
+///
+/// let [three, four] = [3, 4].map(BigRational::integer);
+/// assert_eq!(fraction(BigInt::from(30), BigInt::from(40)), three.over(four));
+/// ```
+#[must_use]
+pub fn fraction(numerator: BigInt, denominator: BigInt) -> BigRational {
+    let divisor = gcd(&numerator, &denominator);
+    if divisor == BigInt::from(1) {
+        return BigRational::new_raw(numerator, denominator);
+    }
+    BigRational::new_raw(numerator / &divisor, denominator / divisor)
+}
