@@ -144,6 +144,7 @@ pub fn bound_21<S: Scalar>(ticks: &S) -> S {
 /// False as a bound of E_g against the quantized spring (ERR-21/22); true and tight against the
 /// linear spring (TH-LIN).
 #[must_use]
+#[inline(always)]
 pub fn bound_22<S: Scalar>(displacement: &S) -> S {
     let d = displacement.abs();
     (d.clone() * (d + S::one())).half()
@@ -162,6 +163,7 @@ pub fn bound_22<S: Scalar>(displacement: &S) -> S {
 /// assert_eq!(bound_quantized(&Fixed::new(-1, 2)), Fixed::new(1, 2));
 /// ```
 #[must_use]
+#[inline(always)]
 pub fn bound_quantized<S: Scalar>(displacement: &S) -> S {
     bound_22(displacement) + crate::spring::quantization_potential(&displacement.abs())
 }

@@ -193,7 +193,7 @@ impl Polynomial {
     pub fn primitive(&self) -> Self {
         let mut numerators = self.numerators.clone();
         let divisor = common_factor(BigInt::ZERO, &numerators);
-        if !divisor.is_zero() && !divisor.is_one() {
+        if !divisor.is_one() {
             divide(&mut numerators, &divisor);
         }
         Self {

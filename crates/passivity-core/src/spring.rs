@@ -23,6 +23,7 @@ pub fn linear_potential<S: Scalar>(xi: &S) -> S {
 /// assert_eq!(quantization_potential(&Fixed::new(5, 2)), Fixed::new(1, 8));
 /// ```
 #[must_use]
+#[inline(always)]
 pub fn quantization_potential<S: Scalar>(xi: &S) -> S {
     let rho = Quantized::of(xi).residue;
     (rho.clone() * (S::one() - rho)).half()

@@ -8,8 +8,8 @@ use num_traits::{Signed as _, ToPrimitive as _};
 /// The greatest common divisor, not negative; of zero and a number its absolute value.
 ///
 /// By Lehmer's method: the leading digits of both numbers tell several steps of Euclid's algorithm, which are
-/// then made at once. Each is a change of both numbers that can be undone in whole numbers, so that no common divisor
-/// is gained or lost whatever the leading digits said. Source: D. E. Knuth, *The Art of Computer Programming*,
+/// then made at once. Each must be a change of both numbers that can be undone in whole numbers, so that no common
+/// divisor is gained or lost whatever the leading digits said. Source: D. E. Knuth, *The Art of Computer Programming*,
 /// vol. 2, 4.5.2, algorithm L.
 ///
 /// # Example
@@ -25,9 +25,6 @@ use num_traits::{Signed as _, ToPrimitive as _};
 #[must_use]
 pub fn gcd(a: &BigInt, b: &BigInt) -> BigInt {
     let (mut a, mut b) = (a.abs(), b.abs());
-    if a < b {
-        core::mem::swap(&mut a, &mut b);
-    }
     loop {
         if let Some(small) = b.to_u64() {
             let rest = match small {
@@ -38,7 +35,7 @@ pub fn gcd(a: &BigInt, b: &BigInt) -> BigInt {
         }
         let shift = a.bits().saturating_sub(LEADING);
         let leading = [&a, &b].map(|x| (x >> shift).to_i64().unwrap_or_default());
-        (a, b) = match steps(leading) {
+        (a, b) = match steps(leading).filter(can_be_undone) {
             Some([[p, q], [r, s]]) => (&a * p + &b * q, &a * r + &b * s),
             None => {
                 let rest = &a % &b;
@@ -48,11 +45,19 @@ pub fn gcd(a: &BigInt, b: &BigInt) -> BigInt {
     }
 }
 
+/// Whether two numbers that are made of two others with these factors give those back in whole numbers: whether the
+/// determinant is one, of either sign.
+fn can_be_undone([[p, q], [r, s]]: &[[i64; 2]; 2]) -> bool {
+    let [p, q, r, s] = [p, q, r, s].map(|factor| i128::from(*factor));
+    let products = p.checked_mul(s).zip(q.checked_mul(r));
+    products.is_some_and(|(a, b)| a.abs_diff(b) == 1)
+}
+
 /// How many leading binary digits tell the steps of Euclid's algorithm.
 const LEADING: u64 = 62;
 
-/// The steps of Euclid's algorithm that two numbers a ≥ b with these leading digits surely make, as what they
-/// make of a and of b: the numbers that a and b are to be multiplied with. `None` where that is no step.
+/// The steps of Euclid's algorithm that two numbers a and b with these leading digits surely make, as what they
+/// make of both: the numbers that a and b are to be multiplied with. `None` where that is no step.
 fn steps([mut x, mut y]: [i64; 2]) -> Option<[[i64; 2]; 2]> {
     let [mut of_a, mut of_b] = [[1_i64, 0], [0, 1]];
     loop {

@@ -51,20 +51,10 @@ pub struct Totals {
 impl Totals {
     /// Adds an interval, with Neumaier's compensation: the sums are good for 10⁸ intervals.
     pub(crate) fn add(&mut self, entry: &Entry) {
-        let terms = [
-            (&mut self.generated_linear, entry.generated_linear),
-            (&mut self.generated_quantized, entry.generated_quantized),
-            (&mut self.dissipated, entry.dissipated),
-        ];
-        for ((sum, term), lost) in terms.into_iter().zip(&mut self.lost) {
-            let next = *sum + term;
-            *lost += if sum.abs() >= term.abs() {
-                (*sum - next) + term
-            } else {
-                (term - next) + *sum
-            };
-            *sum = next;
-        }
+        let [linear, quantized, dissipated] = &mut self.lost;
+        *linear += added(&mut self.generated_linear, entry.generated_linear);
+        *quantized += added(&mut self.generated_quantized, entry.generated_quantized);
+        *dissipated += added(&mut self.dissipated, entry.dissipated);
         let residual = entry.residual.abs();
         // The library's maximum passes over NaN, which here must stay.
         if residual.is_nan() || self.residual_max < residual {
@@ -90,6 +80,18 @@ impl Totals {
             residual_max,
             lost: [0.0; 3],
         }
+    }
+}
+
+/// Adds a term to a sum: what rounding lost of it.
+#[inline]
+fn added(sum: &mut f64, term: f64) -> f64 {
+    let before = *sum;
+    *sum += term;
+    if before.abs() >= term.abs() {
+        (before - *sum) + term
+    } else {
+        (term - *sum) + before
     }
 }
 

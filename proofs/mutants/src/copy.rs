@@ -49,7 +49,7 @@ pub(crate) fn built(root: &Path, changes: &mut Vec<Change>) -> Result<Built, Str
     };
     let mut programs = Vec::new();
     for (number, subject) in SUBJECTS.iter().enumerate() {
-        let mut arguments = vec!["test", "--no-run", "-p", subject.package];
+        let mut arguments = vec!["test", "--no-run", "-p", subject.tests_of];
         arguments.extend(subject.tests);
         let said = cargo(&to, &arguments)?;
         let lines = said.lines();

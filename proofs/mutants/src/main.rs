@@ -28,7 +28,8 @@ use runs::{CASES, Outcome};
 
 /// A crate that is changed.
 pub(crate) struct Subject {
-    pub(crate) package: &'static str,
+    /// The package of its tests.
+    pub(crate) tests_of: &'static str,
     /// From the root of the workspace.
     pub(crate) folder: &'static str,
     /// Which of its tests must notice, whoever of both crates is changed.
@@ -37,12 +38,12 @@ pub(crate) struct Subject {
 
 pub(crate) const SUBJECTS: [Subject; 2] = [
     Subject {
-        package: "passivity-core",
+        tests_of: "passivity-properties",
         folder: "crates/passivity-core",
         tests: &["--test=properties"],
     },
     Subject {
-        package: "passivity-scene",
+        tests_of: "passivity-scene",
         folder: "crates/passivity-scene",
         tests: &[
             "--lib",

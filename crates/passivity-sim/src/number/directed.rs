@@ -43,8 +43,7 @@ fn product_error(a: f64, b: f64, product: f64) -> f64 {
 
 /// Whether the magnitude is one at which [`product_error`] is exact.
 fn ordinary(x: f64) -> bool {
-    let x = x.abs();
-    (1e-140..1e140).contains(&x)
+    matches!(x.abs(), 1e-140..1e140)
 }
 
 impl Directed for Double {

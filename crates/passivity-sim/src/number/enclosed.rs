@@ -127,12 +127,12 @@ impl<T: Directed> Mul for Enclosed<T> {
     fn mul(self, other: Self) -> Self {
         // By signs: which ends meet for the least and the largest product.
         let ((a, b), (c, d)) = ((self.lo(), self.hi()), (other.lo(), other.hi()));
-        let [Some(a_sign), Some(b_sign), Some(c_sign), Some(d_sign)] = [a, b, c, d].map(T::sign)
-        else {
+        let signs = (a.sign(), b.sign(), c.sign(), d.sign());
+        let (Some(a_sign), Some(b_sign), Some(c_sign), Some(d_sign)) = signs else {
             return Self::undefined();
         };
-        let below = [a_sign, c_sign].map(Ordering::is_lt);
-        let above = [b_sign, d_sign].map(Ordering::is_gt);
+        let below = [a_sign.is_lt(), c_sign.is_lt()];
+        let above = [b_sign.is_gt(), d_sign.is_gt()];
         let ([p, q], [r, s]) = match (below, above) {
             ([false, false], _) => ([a, c], [b, d]),
             (_, [false, false]) => ([b, d], [a, c]),
@@ -196,9 +196,9 @@ impl<T: Directed> Scalar for Enclosed<T> {
     }
 
     fn over(self, divisor: Self) -> Self {
-        match [divisor.lo(), divisor.hi()].map(T::sign) {
-            [Some(Ordering::Greater), Some(_)] => {}
-            [Some(_), Some(Ordering::Less)] => return (-self).over(-divisor),
+        match (divisor.lo().sign(), divisor.hi().sign()) {
+            (Some(Ordering::Greater), Some(_)) => {}
+            (Some(_), Some(Ordering::Less)) => return (-self).over(-divisor),
             _ => return Self::undefined(),
         }
         if self.is_thin() && divisor.is_thin() {

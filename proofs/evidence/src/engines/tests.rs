@@ -26,7 +26,10 @@ const PROGRAMS: [Program; 4] = [
     Program {
         said: "properties.txt",
         tests: "crates/passivity-core/tests/properties",
-        shared: &["crates/passivity-core/tests/properties/main.rs"],
+        shared: &[
+            "crates/passivity-core/tests/Cargo.toml",
+            "crates/passivity-core/tests/properties/main.rs",
+        ],
     },
     Program {
         said: "verdicts.txt",
