@@ -134,7 +134,9 @@ fn written(root: &Path, to: &Path, changes: &[Change]) -> Result<BTreeMap<String
             text
         });
     }
-    workspace(root, to, &SUBJECTS.map(|subject| subject.folder));
+    let mut members = SUBJECTS.map(|subject| subject.folder).to_vec();
+    members.extend(SUBJECTS.iter().filter_map(|subject| subject.tests_in));
+    workspace(root, to, &members);
     Ok(texts)
 }
 

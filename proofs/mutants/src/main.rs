@@ -32,6 +32,8 @@ pub(crate) struct Subject {
     pub(crate) tests_of: &'static str,
     /// From the root of the workspace.
     pub(crate) folder: &'static str,
+    /// The folder of its tests, where they are a package of their own.
+    pub(crate) tests_in: Option<&'static str>,
     /// Which of its tests must notice, whoever of both crates is changed.
     pub(crate) tests: &'static [&'static str],
 }
@@ -40,11 +42,13 @@ pub(crate) const SUBJECTS: [Subject; 2] = [
     Subject {
         tests_of: "passivity-properties",
         folder: "crates/passivity-core",
+        tests_in: Some("crates/passivity-core/tests"),
         tests: &["--test=properties"],
     },
     Subject {
         tests_of: "passivity-scene",
         folder: "crates/passivity-scene",
+        tests_in: None,
         tests: &[
             "--lib",
             "--test=constants",
