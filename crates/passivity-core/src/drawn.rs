@@ -25,6 +25,7 @@ use crate::scalar::{Ordered as _, Scalar};
 use crate::smoothed::{Smoothed, unit};
 use crate::transfer::TransferFunction;
 use crate::wave::{Wave, harmonic};
+use crate::whole::{fraction, over_common};
 
 /// A loop in which such a motion is looked for; dimensionless.
 #[derive(Clone, Debug)]
@@ -75,14 +76,16 @@ impl Response {
             }
         }
         // The fall of each sample from the one before: of sample h it stands at h − 1.
-        let falls: Vec<BigRational> = steps(measured).map(|(q, next)| q - next).collect();
+        let (whole, common) = over_common(measured);
+        let falls: Vec<BigInt> = steps(&whole).map(|(q, next)| q - next).collect();
         let at = |(h, q): (usize, &BigRational)| {
             // gⱼ goes with the fall from the sample j − 1 before to the one j before.
             let before = falls.iter().rev().cycle().skip(period - 1 - h);
             let terms = folded.iter().zip(before);
             let remembered = terms
-                .filter(|(_, fall)| **fall != BigRational::zero())
-                .fold(BigRational::zero(), |sum, (tail, fall)| sum + fall * tail);
+                .filter(|(_, fall)| **fall != BigInt::ZERO)
+                .fold(BigInt::ZERO, |sum, (tail, fall)| sum + fall * tail);
+            let remembered = fraction(remembered, common.clone());
             -(&self.sum * q + remembered * &self.tails.unit)
         };
         measured.iter().enumerate().map(at).collect()
@@ -199,10 +202,13 @@ impl Search<'_> {
 
 /// A response that ends, applied to a period of commands.
 fn filtered(response: &[BigRational], commands: &[BigRational]) -> Vec<BigRational> {
+    let [(response, of_response), (commands, of_commands)] = [response, commands].map(over_common);
+    let common = of_response * of_commands;
     let at = |later: usize| {
         let before = commands.iter().rev().cycle().skip(later);
         let terms = response.iter().zip(before);
-        terms.fold(BigRational::zero(), |sum, (k, u)| sum + k * u)
+        let sum = terms.fold(BigInt::ZERO, |sum, (k, u)| sum + k * u);
+        fraction(sum, common.clone())
     };
     (0..commands.len()).rev().map(at).collect()
 }

@@ -39,12 +39,8 @@ impl Polynomial {
     #[must_use]
     pub fn new(coefficients: impl IntoIterator<Item = BigRational>) -> Self {
         let coefficients: Vec<_> = coefficients.into_iter().collect();
-        let denominators = coefficients.iter().map(BigRational::denom);
-        let common = denominators.fold(BigInt::one(), |common, d| least_multiple(&common, d));
-        let numerators = coefficients
-            .iter()
-            .map(|a| a.numer() * (&common / a.denom()));
-        Self::over(numerators.collect(), common)
+        let (numerators, denominator) = whole::over_common(&coefficients);
+        Self::over(numerators, denominator)
     }
 
     /// The polynomial with these coefficients over a denominator, which must be above zero.
@@ -252,7 +248,7 @@ impl Polynomial {
     }
 
     fn zip_with(&self, other: &Self, f: impl Fn(BigInt, BigInt) -> BigInt) -> Self {
-        let common = least_multiple(&self.denominator, &other.denominator);
+        let common = whole::least_multiple(&self.denominator, &other.denominator);
         let length = self.numerators.len().max(other.numerators.len());
         let over = |of: &Self| {
             let factor = &common / &of.denominator;
@@ -308,11 +304,6 @@ fn divide(list: &mut [BigInt], divisor: &BigInt) {
     for a in list {
         *a /= divisor;
     }
-}
-
-/// The least common multiple of two numbers above zero.
-fn least_multiple(a: &BigInt, b: &BigInt) -> BigInt {
-    a / whole::gcd(a, b) * b
 }
 
 impl Add for &Polynomial {

@@ -1,9 +1,11 @@
 //! Whole numbers of any size: their greatest common divisor, and fractions in lowest terms.
 
+use alloc::vec::Vec;
+
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_rational::BigRational;
-use num_traits::{Signed as _, ToPrimitive as _};
+use num_traits::{One as _, Signed as _, ToPrimitive as _};
 
 /// The greatest common divisor, not negative; of zero and a number its absolute value.
 ///
@@ -88,8 +90,32 @@ fn steps([mut x, mut y]: [i64; 2]) -> Option<[[i64; 2]; 2]> {
 #[must_use]
 pub fn fraction(numerator: BigInt, denominator: BigInt) -> BigRational {
     let divisor = gcd(&numerator, &denominator);
-    if divisor == BigInt::from(1) {
+    if divisor.is_one() {
         return BigRational::new_raw(numerator, denominator);
     }
     BigRational::new_raw(numerator / &divisor, denominator / divisor)
+}
+
+/// Fractions over their least common denominator: the numerators, and the denominator, which is above zero.
+///
+/// # Example
+///
+/// ```
+/// use num_bigint::BigInt;
+/// use passivity_core::{BigRational, Scalar, whole::over_common};
+///
+/// let [half, sixth] = [2, 6].map(|n| BigRational::integer(1).over(BigRational::integer(n)));
+/// assert_eq!(over_common(&[half, -sixth]), ([3, -1].map(BigInt::from).to_vec(), BigInt::from(6)));
+/// ```
+#[must_use]
+pub fn over_common(fractions: &[BigRational]) -> (Vec<BigInt>, BigInt) {
+    let denominators = fractions.iter().map(BigRational::denom);
+    let common = denominators.fold(BigInt::one(), |common, d| least_multiple(&common, d));
+    let numerators = fractions.iter().map(|x| x.numer() * (&common / x.denom()));
+    (numerators.collect(), common)
+}
+
+/// The least common multiple of two numbers above zero.
+pub(crate) fn least_multiple(a: &BigInt, b: &BigInt) -> BigInt {
+    a / gcd(a, b) * b
 }
