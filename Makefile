@@ -5,6 +5,7 @@ CARGO ?= cargo
 PYTHON ?= python3
 SCENE ?= scenes/re35.toml
 FLAGS ?= --locked
+TIMES ?= 20
 SOLVERS = target/smt
 BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
 # What `check` and `explain` need, built in a hurry: no pictures, no Parquet, no safety case.
@@ -15,7 +16,7 @@ LEAN = "passivity-cli" "passivity-cli --features simulate" "passivity-cli --feat
 # The crates that are published, each after those that it needs.
 PUBLISHED = core scene audit oracle vectors plot sim identify capi monitor monitor-capi
 
-.PHONY: help setup run test check fmt clippy doc features package bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate test-python fuzz
+.PHONY: help setup run test check fmt clippy doc features package bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate test-python soak fuzz
 
 help: ## list the targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -115,6 +116,10 @@ mutate: ## change what decides a verdict in one place after the other; a test mu
 test-python: ## build the Python wheel and test it from a fresh virtual environment
 	@echo "== the Python wheel"
 	@crates/passivity-python/test.sh
+
+soak: ## the tests again, on TIMES as many random inputs: 20 unless given
+	@echo "== cargo test --workspace, on $(TIMES) times as many random inputs"
+	PASSIVITY_TIMES=$(TIMES) $(CARGO) test $(FLAGS) --workspace
 
 fuzz: ## ten minutes of libFuzzer on each of six readers; needs cargo-fuzz and a nightly
 	@echo "== fuzz/run 600"

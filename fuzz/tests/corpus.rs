@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use passivity_fuzz::{Random, TARGETS};
 
 /// Mutated inputs of each reader; together they take some seconds.
-const MUTATIONS: usize = 2500;
+const MUTATIONS: u32 = 1000;
 
 /// Pieces that change what a reader does.
 const WORDS: [&[u8]; 28] = [
@@ -98,7 +98,7 @@ fn replay(name: &str) {
     }
     holds(target.run, b"", name);
     let mut random = Random::new(name.len() as u64);
-    for i in 0..MUTATIONS {
+    for i in 0..passivity_random::draws(MUTATIONS) {
         holds(
             target.run,
             &mutated(&inputs, &mut random),

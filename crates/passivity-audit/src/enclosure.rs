@@ -327,6 +327,7 @@ fn through<S: Written>(values: [S; 3], [from, to]: [S; 2]) -> Option<[S; 3]> {
 #[cfg(test)]
 mod tests {
     use passivity_core::{BigRational, Loop, Scalar};
+    use passivity_random::draws;
     use proptest::prelude::*;
 
     use super::*;
@@ -358,7 +359,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #![proptest_config(ProptestConfig::with_cases(draws(500)))]
 
         /// On exact fractions the closed form is what the edges of the rectangle give; on balls it is around that.
         #[test]

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use num_traits::{Signed as _, Zero as _};
 use passivity_audit::{Audit, Judged, Options, Verdict, audit_csv};
 use passivity_core::BigRational;
+use passivity_random::draws;
 use passivity_scene::Scene;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -257,7 +258,7 @@ fn potential(wall: &str, xi: &BigRational) -> BigRational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(draws(75)))]
 
     /// T = V(ξ₀) + Σ(βd² + σ|d| − F·d), by its own means, of positions that a trace of counts leaves
     /// room for: within what the audit says, and exactly that for a trace of positions.

@@ -5,6 +5,7 @@ use passivity_audit::number::Written;
 use passivity_audit::{Ends, Entry, Figure, Recorded, entry};
 use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::{BigRational, Fixed, Friction, Interval, Loop, Scalar, Step, Truth, Wide};
+use passivity_random::draws;
 use proptest::prelude::*;
 
 /// Residues are multiples of 1/GRID, the upper end of a tick left out.
@@ -126,7 +127,7 @@ fn of_kernel(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(draws(500)))]
 
     #[test]
     fn holds_every_row_of_the_kernel_that_the_counts_allow(

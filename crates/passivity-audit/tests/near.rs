@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use num_traits::{Signed as _, Zero as _};
 use passivity_audit::{Ledger, Logged, Number, Options, Reading, Verdict, audit_csv, rows::Form};
 use passivity_core::{BigRational, Truth};
+use passivity_random::draws;
 use passivity_scene::Scene;
 use proptest::prelude::*;
 
@@ -272,7 +273,7 @@ fn a_device_that_rests_generates_nothing_however_little_is_known_of_where() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(draws(8)))]
 
     /// Numbers that fit nothing of fixed width are accounted for all the same.
     #[test]

@@ -5,6 +5,7 @@ mod scratch;
 use std::path::Path;
 
 use passivity_audit::{Options, Partial, Stretch, TraceError, audit, audit_part, merge_parts};
+use passivity_random::draws;
 use passivity_scene::Scene;
 use proptest::prelude::*;
 
@@ -113,7 +114,7 @@ fn text(kind: usize, walk: &[(i32, u32)], mistake: Option<usize>, ending: usize)
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(draws(75)))]
 
     #[test]
     fn merged_pieces_are_the_report_of_the_whole(
@@ -221,7 +222,7 @@ fn a_changed_account_ends_in_a_report_or_an_error() {
     let json = first.to_json().unwrap();
     let (mut refused, mut read) = (0, 0);
     let digits = json.char_indices().filter(|(_, c)| c.is_ascii_digit());
-    for (at, _) in digits.step_by(211) {
+    for (at, _) in digits.step_by(844_usize.div_ceil(draws(1) as usize)) {
         for new in [
             "",
             "-",

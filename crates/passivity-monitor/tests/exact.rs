@@ -3,6 +3,7 @@
 use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::{BigRational, Friction, Loop, Scalar, Step};
 use passivity_monitor::{Answer, Config, Given, Monitor, Width};
+use passivity_random::draws;
 use proptest::prelude::*;
 
 fn whole(n: i64) -> BigRational {
@@ -97,7 +98,7 @@ fn config(device: &Device) -> Config {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(ProptestConfig::with_cases(draws(100)))]
 
     /// TH-MONITOR: whatever was between the ticks, the exact account lies within the bounds, and no
     /// answer contradicts it; both widths say the same.

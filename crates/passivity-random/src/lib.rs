@@ -1,6 +1,21 @@
 //! Pseudo-random numbers of a seed, the same on every machine and in every version, so that what is
 //! recorded of them stays what it is. For tests, fuzzing and comparisons; no product draws them.
 
+/// How many inputs a test draws: its usual number, times what the environment variable `PASSIVITY_TIMES` says.
+///
+/// # Panics
+///
+/// When the variable is no whole number above zero, or the product is beyond 32 bits.
+#[must_use]
+pub fn draws(usual: u32) -> u32 {
+    let times = std::env::var("PASSIVITY_TIMES").map_or(1, |times| match times.parse() {
+        Ok(times) if times > 0 => times,
+        _ => panic!("PASSIVITY_TIMES is {times:?}: expected a whole number above zero"),
+    });
+    let draws: Option<u32> = usual.checked_mul(times);
+    draws.unwrap_or_else(|| panic!("PASSIVITY_TIMES: {times} times {usual} inputs are too many"))
+}
+
 /// A generator of pseudo-random numbers (Steele, Lea and Flood's SplitMix64).
 #[derive(Clone, Debug)]
 pub struct Random(u64);

@@ -4,9 +4,16 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::LazyLock;
 
-use passivity_vectors::{Group, Outcome, PATIENCE, SCHEMA, Test, against, all};
+use passivity_vectors::{Group, Outcome, PATIENCE, SCHEMA, Test, against};
 use serde_json::Value;
+
+/// All vectors: making them takes seconds.
+fn all() -> &'static [Group] {
+    static ALL: LazyLock<Vec<Group>> = LazyLock::new(passivity_vectors::all);
+    &ALL
+}
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -19,7 +26,7 @@ fn committed_vectors_are_the_generated_ones() {
     let mut files = vec!["schema.json".to_owned()];
     let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
     assert_eq!(read("schema.json"), SCHEMA);
-    for group in &groups {
+    for group in groups {
         let name = format!("{}.json", group.name);
         assert!(
             read(&name) == group.to_json(),
@@ -57,7 +64,7 @@ fn vectors_have_the_form_of_their_schema_and_flags_have_notes() {
         }
     }
     // The check can fail: a field too many, one too few, one of the wrong form.
-    let file: Value = serde_json::from_str(&all()[0].to_json()).unwrap();
+    let file: Value = serde_json::from_str(all()[0].to_json()).unwrap();
     for change in [
         |file: &mut Value| file["more"] = Value::Null,
         |file: &mut Value| drop(file.as_object_mut().unwrap().remove("claims")),
@@ -212,7 +219,7 @@ fn notices(folder: &Path, file: &str, [sound, mistake]: [&str; 2], groups: &[Gro
 fn second_implementation_passes_and_broken_copies_do_not() {
     let path = root().join("tests/conformance/passivity_ref.py");
     let groups = all();
-    let outcome = python(path.to_str().unwrap(), &groups);
+    let outcome = python(path.to_str().unwrap(), groups);
     let first = &outcome.differences[..outcome.differences.len().min(5)];
     assert!(outcome.differences.is_empty(), "{first:#?}");
     assert!(outcome.tests >= 2000);
@@ -428,6 +435,6 @@ fn second_implementation_computes_every_witness_again() {
 
 #[test]
 fn an_implementation_that_says_nothing_fails_every_test() {
-    let outcome = against("true", &all(), PATIENCE).unwrap();
+    let outcome = against("true", all(), PATIENCE).unwrap();
     assert_eq!(outcome.differences.len(), outcome.tests);
 }

@@ -7,6 +7,7 @@ use std::fmt::Write as _;
 
 use passivity_audit::{Audit, Options, Verdict, audit_csv};
 use passivity_audit::{Ledger, Number, Reading, rows::Form, run::Run};
+use passivity_random::draws;
 use passivity_scene::Scene;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -86,7 +87,7 @@ fn scenes() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(draws(75)))]
 
     #[test]
     fn counts_are_accounted_for_as_by_the_ledger(

@@ -13,6 +13,7 @@ use mcap::{Compression, WriteOptions};
 use passivity_audit::{
     Audit, Columns, Dialect, Options, TraceError, audit, audit_csv, audit_files, samples,
 };
+use passivity_random::draws;
 use passivity_scene::Scene;
 use proptest::prelude::*;
 
@@ -280,7 +281,7 @@ fn rows_before_the_first_force_are_left_out_and_said() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(draws(75)))]
 
     /// A report or an error, whatever the file.
     #[test]

@@ -13,8 +13,8 @@ use passivity_core::{BigRational, Friction, Loop};
 use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, TestRunner};
 
-/// Inputs that each sampled test is run on, unless `PROPTEST_CASES` says otherwise.
-const CASES: u32 = 256;
+/// Inputs that each sampled test is run on, times what `PASSIVITY_TIMES` says, unless `PROPTEST_CASES` says otherwise.
+const CASES: u32 = 64;
 
 /// The fraction n/d.
 pub(crate) fn q(n: i64, d: i64) -> BigRational {
@@ -219,7 +219,7 @@ fn run_on(
     let shrink = asked("PROPTEST_MAX_SHRINK_ITERS").unwrap_or(20_000);
     let kept = Box::new(FileFailurePersistence::WithSource("regressions"));
     let config = ProptestConfig {
-        cases: asked("PROPTEST_CASES").unwrap_or(CASES),
+        cases: asked("PROPTEST_CASES").unwrap_or(CASES * asked("PASSIVITY_TIMES").unwrap_or(1)),
         failure_persistence: (shrink > 0).then_some(kept as _),
         source_file: Some(file),
         test_name: Some(Box::leak(name.to_owned().into_boxed_str())),

@@ -1,5 +1,6 @@
 //! The account of a trace is that of its pieces, in whatever order they are joined.
 
+use passivity_random::draws;
 use passivity_scene::Scene;
 use proptest::prelude::*;
 
@@ -72,7 +73,7 @@ fn reading(kind: Kind, x: i64) -> Reading {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(256))]
+    #![proptest_config(ProptestConfig::with_cases(draws(64)))]
     #[test]
     fn th_merge_pieces_joined_in_any_order_are_the_whole(
         path in prop::collection::vec((-6..7_i64, -9..10_i64, 1..5_i64), 2..24),

@@ -1,4 +1,5 @@
 use passivity_core::quantizer;
+use passivity_random::draws;
 use passivity_scene::Scene;
 use proptest::prelude::*;
 
@@ -112,7 +113,7 @@ fn same(a: &Addend, b: &Addend) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(draws(250)))]
 
     #[test]
     fn rows_are_those_that_are_computed_alone(
@@ -210,7 +211,7 @@ fn written(ledger: &Ledger, rows: &[Row], form: Form) -> Result<usize, TestCaseE
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(draws(75)))]
 
     #[test]
     fn rows_are_written_as_they_are_alone(
@@ -299,7 +300,7 @@ fn alone_and_in_a_tile(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(draws(250)))]
 
     #[test]
     fn rows_of_counts_are_those_that_are_computed_alone(
