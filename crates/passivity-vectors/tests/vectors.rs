@@ -64,7 +64,7 @@ fn vectors_have_the_form_of_their_schema_and_flags_have_notes() {
         }
     }
     // The check can fail: a field too many, one too few, one of the wrong form.
-    let file: Value = serde_json::from_str(all()[0].to_json()).unwrap();
+    let file: Value = serde_json::from_str(&all()[0].to_json()).unwrap();
     for change in [
         |file: &mut Value| file["more"] = Value::Null,
         |file: &mut Value| drop(file.as_object_mut().unwrap().remove("claims")),
