@@ -71,11 +71,11 @@ pub struct Group {
     pub tests: Vec<Test>,
 }
 
-/// Every group, with tests numbered from 1.
+/// Every group, with tests numbered from 1. It takes seconds to make them.
 ///
 /// # Example
 ///
-/// ```
+/// ```no_run
 /// let groups = passivity_vectors::all();
 /// let tests: usize = groups.iter().map(|group| group.tests.len()).sum();
 /// assert!(tests >= 2000);

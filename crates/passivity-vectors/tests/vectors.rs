@@ -4,16 +4,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::LazyLock;
 
-use passivity_vectors::{Group, Outcome, PATIENCE, SCHEMA, Test, against};
+use passivity_vectors::{Group, Outcome, PATIENCE, SCHEMA, Test, against, all};
 use serde_json::Value;
-
-/// All vectors: making them takes seconds.
-fn all() -> &'static [Group] {
-    static ALL: LazyLock<Vec<Group>> = LazyLock::new(passivity_vectors::all);
-    &ALL
-}
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -26,7 +19,7 @@ fn committed_vectors_are_the_generated_ones() {
     let mut files = vec!["schema.json".to_owned()];
     let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
     assert_eq!(read("schema.json"), SCHEMA);
-    for group in groups {
+    for group in &groups {
         let name = format!("{}.json", group.name);
         assert!(
             read(&name) == group.to_json(),
@@ -219,7 +212,7 @@ fn notices(folder: &Path, file: &str, [sound, mistake]: [&str; 2], groups: &[Gro
 fn second_implementation_passes_and_broken_copies_do_not() {
     let path = root().join("tests/conformance/passivity_ref.py");
     let groups = all();
-    let outcome = python(path.to_str().unwrap(), groups);
+    let outcome = python(path.to_str().unwrap(), &groups);
     let first = &outcome.differences[..outcome.differences.len().min(5)];
     assert!(outcome.differences.is_empty(), "{first:#?}");
     assert!(outcome.tests >= 2000);
@@ -435,6 +428,6 @@ fn second_implementation_computes_every_witness_again() {
 
 #[test]
 fn an_implementation_that_says_nothing_fails_every_test() {
-    let outcome = against("true", all(), PATIENCE).unwrap();
+    let outcome = against("true", &all(), PATIENCE).unwrap();
     assert_eq!(outcome.differences.len(), outcome.tests);
 }
