@@ -117,7 +117,7 @@ test-python: ## build the Python wheel and test it from a fresh virtual environm
 	@echo "== the Python wheel"
 	@crates/passivity-python/test.sh
 
-soak: ## the tests again, on TIMES as many random inputs: 20 unless given
+soak: ## the tests again, on TIMES times as many random inputs (20 unless given)
 	@echo "== cargo test --workspace, on $(TIMES) times as many random inputs"
 	PASSIVITY_TIMES=$(TIMES) $(CARGO) test $(FLAGS) --workspace
 
