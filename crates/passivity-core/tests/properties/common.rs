@@ -213,7 +213,13 @@ fn run_on(
     test: &dyn Fn(Box<dyn Input>) -> Result<(), TestCaseError>,
 ) {
     let started = Instant::now();
-    let asked = |name: &str| std::env::var(name).ok()?.parse().ok();
+    let asked = |name: &str| {
+        let number = |text: String| {
+            text.parse::<u32>()
+                .unwrap_or_else(|e| panic!("{name}: {e}"))
+        };
+        std::env::var(name).ok().map(number)
+    };
     // Who asks for no shrinking wants to know whether a test fails, not the input on which it does:
     // nothing is kept then.
     let shrink = asked("PROPTEST_MAX_SHRINK_ITERS").unwrap_or(20_000);
