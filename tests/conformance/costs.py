@@ -57,7 +57,7 @@ def exactly(a, b):
 
 
 def at(p, x):
-    value = F(0)
+    value = 0 * x
     for c in reversed(p):
         value = value * x + c
     return value
@@ -256,8 +256,9 @@ class Frequencies:
         if self.enough(lo):
             return lo, lo
         # A guess from a grid, proved before it is used.
-        value = lambda i: float(self.at(F(cos(pi * i / 2000))))
-        guess = F(max(value(i) for i in range(2001)))
+        r, q = ([float(c) for c in p] for p in (self.r, self.q))
+        value = lambda x: at(r, x) / at(q, x)
+        guess = F(max(value(cos(pi * i / 2000)) for i in range(2001)))
         step = F(1, 1000)
         while not self.enough(guess + step):
             step *= 2

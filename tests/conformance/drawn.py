@@ -170,14 +170,19 @@ def there_and_back(loop, bound):
     return None
 
 
+@cache
+def in_doubles(loop):
+    """Numerator, denominator and the actuator's shares, for `spare_at`."""
+    shares = [lo for lo, _ in loop.mean_response()[0]] if loop.actuator else [1]
+    return [[float(x) for x in c] for c in (*loop.law, shares)]
+
+
 def spare_at(loop, q, p):
     """lambda(2 pi q/p) - beta of the whole loop, in doubles; to choose an angle with."""
     theta = 2 * pi * q / p
-    wave = lambda c: sum(float(x) * complex(cos(j * theta), -sin(j * theta)) for j, x in enumerate(c))
-    h = wave(loop.law[0]) / wave(loop.law[1]) * complex(cos(loop.delay * theta), -sin(loop.delay * theta))
-    if loop.actuator:
-        shares, _ = loop.mean_response()
-        h *= wave([lo for lo, _ in shares])
+    wave = lambda c: sum(x * complex(cos(j * theta), -sin(j * theta)) for j, x in enumerate(c))
+    n, d, shares = map(wave, in_doubles(loop))
+    h = n / d * shares * complex(cos(loop.delay * theta), -sin(loop.delay * theta))
     return ((1 - complex(cos(theta), -sin(theta))) * h).real / (2 - 2 * cos(theta)) - float(loop.beta)
 
 
@@ -241,15 +246,30 @@ def cosine(turns, bits):
     if exact is not None:
         return exact, exact
     middle = sum(pi_between(bits)) * turns  # an angle below 1.6
+    # In whole multiples of 1/unit; each of the terms, fewer than 2^8, is off by less than 4/unit.
     unit = 2 ** (bits + 16)
-    x, total, term, k = F(round(middle * unit), unit) ** 2, F(0), F(1), 0
-    while term > F(1, unit):
+    x, total, term, k = round(middle * unit) ** 2 // unit, 0, unit, 0
+    while term:
         total += term if k % 2 == 0 else -term
-        term, k = term * x / ((2 * k + 1) * (2 * k + 2)), k + 1
-        term = F(round(term * unit * 2**16), unit * 2**16)
+        term, k = term * x // ((2 * k + 1) * (2 * k + 2) * unit), k + 1
     # What is left out is below the last term, and the angle is off by less than 2^-bits.
     error = F(1, 2 ** (bits - 4))
-    return total - error, total + error
+    return F(total, unit) - error, F(total, unit) + error
+
+
+@cache
+def whole_law(loop):
+    """The law with its delay and the actuator's shares, its cost at each frequency, and the most that
+    |lambda - beta| is; None where no formula is known."""
+    n, d = loop.law
+    taps = [F(1)]
+    if loop.actuator:
+        if loop.actuator[1]:
+            return None  # a lag's response does not end
+        taps = [lo for lo, _ in loop.mean_response()[0]]
+    whole = [F(0)] * loop.delay + times(n, taps), d
+    g, after = settled(tails(whole))
+    return Frequencies(whole, 0), sum(map(abs, g)) + after + sum(whole[0]) / sum(d) / 2 + loop.beta
 
 
 def wave_gain(loop, q, p, amplitude):
@@ -261,29 +281,21 @@ def wave_gain(loop, q, p, amplitude):
     at +-theta |D^| >= A p/2 - p, which makes at least s p (A - 2)^2/2 there, and at all the other
     frequencies it is r^ alone, whose squares sum to p^2 at most. Coulomb friction and force steps take
     (sigma + step/2)(A + 1) a sample at most."""
-    if not loop.linear() or amplitude < 4 or not 0 < 2 * q <= p:
+    if not loop.linear() or amplitude < 4 or not 0 < 2 * q <= p or not whole_law(loop):
         return None
-    n, d = loop.law
-    taps = [F(1)]
-    if loop.actuator:
-        if loop.actuator[1]:
-            return None  # a lag's response does not end
-        shares, _ = loop.mean_response()
-        taps = [lo for lo, _ in shares]
-    whole = [F(0)] * loop.delay + times(n, taps), d
-    g, after = settled(tails(whole))
-    most = sum(map(abs, g)) + after + sum(whole[0]) / sum(d) / 2 + loop.beta
-    least = least_spare(whole, loop.beta, cosine(F(q, p), 64 + 6 * p.bit_length()))
+    most = whole_law(loop)[1]
+    least = least_spare(loop, q, p)
     if least <= 0:
         return None
     sigma = loop.sigma + (loop.step / 2 if loop.step is not None else 0)
     return p * (least * F(amplitude - 2) ** 2 / 2 - most - sigma * (amplitude + 1))
 
 
-def least_spare(law, beta, x):
-    """A lower bound of lambda - beta where cos theta is between the ends of x."""
-    cost = Frequencies(law, 0)
-    over = [-c for c in cost.spare(beta)]
+@cache
+def least_spare(loop, q, p):
+    """A lower bound of lambda - beta at theta = 2 pi q/p."""
+    cost, x = whole_law(loop)[0], cosine(F(q, p), 64 + 6 * p.bit_length())
+    over = [-c for c in cost.spare(loop.beta)]
     middle, radius = (x[0] + x[1]) / 2, (x[1] - x[0]) / 2
     # By the mean value, with |x| <= 1: the derivative is at most the sum of its coefficients.
     above = at(over, middle) - radius * sum(map(abs, derivative(over)), F(0))
