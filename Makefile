@@ -10,6 +10,8 @@ SOLVERS = target/smt
 BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
 # What `check` and `explain` need, built in a hurry: no pictures, no Parquet, no safety case.
 QUICK = $(CARGO) run --quiet --profile quick $(FLAGS) -p passivity-cli --no-default-features --features simulate --
+# What only the benches need.
+BENCH = --features passivity-bench/criterion
 # Builds that leave something out.
 LEAN = "passivity-cli" "passivity-cli --features simulate" "passivity-cli --features identify" "passivity-cli --features audit,oracle,vectors" \
     "passivity-cli --features audit,plot,simulate" passivity-capi passivity-audit "passivity-audit --features mcap" passivity-monitor passivity-plot passivity-sim
@@ -43,7 +45,7 @@ fmt:
 
 clippy:
 	@echo "== cargo clippy, warnings denied"
-	$(CARGO) clippy $(FLAGS) --workspace --all-targets -- -D warnings
+	$(CARGO) clippy $(FLAGS) --workspace --all-targets $(BENCH) -- -D warnings
 
 doc:
 	@echo "== cargo doc, warnings denied"
@@ -63,7 +65,7 @@ package: ## pack every crate that is published, and build each from its package
 
 bench: ## measure: verdicts, ledger, motion, sweep
 	@echo "== cargo bench"
-	$(CARGO) bench $(FLAGS) --workspace
+	$(CARGO) bench $(FLAGS) --workspace $(BENCH)
 
 figures: ## draw every figure of the documentation into target/figures
 	@mkdir -p target/figures

@@ -87,9 +87,10 @@ fn copied(list: &List) -> PathBuf {
     copy_of
 }
 
-/// Builds the tests of the copied harnesses and finds the binary. The copy has a target folder of
-/// its own: cargo takes its members for those of the tree.
+/// Builds the tests of the copied harnesses and finds the binary. The target folder is that of this test,
+/// where the libraries are that both need.
 fn build(copy_of: &Path) -> PathBuf {
+    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("..");
     let output = Command::new(env!("CARGO"))
         .args([
             "test",
@@ -100,7 +101,7 @@ fn build(copy_of: &Path) -> PathBuf {
             "--no-run",
         ])
         .current_dir(copy_of)
-        .env("CARGO_TARGET_DIR", "target")
+        .env("CARGO_TARGET_DIR", target)
         .output()
         .expect("cargo runs");
     let said = String::from_utf8_lossy(&output.stderr);

@@ -4,6 +4,9 @@ use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
 
+/// The version of every crate of the tree.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
 /// Writes a file, unless it says that already: what stays the same is not built again.
 ///
 /// # Panics
@@ -57,7 +60,8 @@ pub fn copy(
     }
 }
 
-/// Makes a workspace of the copied `members`, with the versions of the one at `root`.
+/// Makes a workspace of the copied `members`, with the versions of the one at `root`. The members have a version of
+/// their own, by which cargo tells them from those of the tree in a target folder that both share.
 ///
 /// # Panics
 ///
@@ -71,6 +75,7 @@ pub fn workspace(root: &Path, copy_of: &Path, members: &[&str]) {
     let members: Vec<String> = members.iter().map(|member| format!("{member:?}")).collect();
     let members = members.join(", ");
     let workspace = format!("{head}members = [{members}]\n[workspace.package]{tail}");
+    let workspace = workspace.replace(VERSION, &format!("{VERSION}-changed"));
     write(&copy_of.join("Cargo.toml"), workspace.as_bytes());
     // Cargo takes out of the lock file what the copy does not have, so what was copied is kept aside.
     let lock = fs::read(root.join("Cargo.lock")).expect("the lock file");

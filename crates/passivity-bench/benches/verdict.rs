@@ -1,4 +1,5 @@
-//! What a verdict costs: on numbers of data-sheet size, and on ever larger ones.
+//! What a verdict costs: on numbers of data-sheet size, and on ever larger ones:
+//! `cargo bench -p passivity-bench --features criterion --bench verdict`.
 #![allow(missing_docs)] // criterion's macros define undocumented functions
 
 use std::hint::black_box;

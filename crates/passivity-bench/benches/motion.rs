@@ -1,4 +1,4 @@
-//! Time per interval of the inner loops: `cargo bench -p passivity-sim --bench motion`.
+//! Time per interval of the inner loops: `cargo bench -p passivity-bench --features criterion --bench motion`.
 
 use std::hint::black_box;
 
