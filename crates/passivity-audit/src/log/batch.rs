@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
+use passivity_core::Truth;
 use passivity_core::course::{Course, Least};
 
 use crate::ledger::Truths;
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
-use crate::log::lanes::{Sums, Tile};
+use crate::log::lanes::{Energies, Sums, TileRows};
 use crate::log::motion::Addend;
 use crate::log::running::{Lowest, RunningSum};
 use crate::log::supply::{Bounds, NO_FORCE, Supplied, Supply};
@@ -23,6 +24,27 @@ const MOST: u64 = 1 << 20;
 fn lowest(least: Least<i128>) -> Option<Lowest> {
     let (value, h) = least.0?;
     Some(Lowest::new(on_grid(value), h))
+}
+
+/// How a question may be answered, in the order of [`place_of`].
+const ANSWERS: [Truth; 3] = [Truth::Holds, Truth::Fails, Truth::Depends];
+
+/// How many combinations of answers to three questions there are.
+const COMBINATIONS: usize = 27;
+
+/// The place of a combination of answers.
+#[inline]
+const fn place_of(truths: Truths) -> usize {
+    const fn digit(truth: Truth) -> usize {
+        match truth {
+            Truth::Holds => 0,
+            Truth::Fails => 1,
+            Truth::Depends => 2,
+        }
+    }
+    digit(truths.criterion_holds)
+        + 3 * digit(truths.violates_linear)
+        + 9 * digit(truths.violates_quantized)
 }
 
 /// Sums over consecutive intervals.
@@ -41,8 +63,8 @@ pub(crate) struct Batch {
     lowest: [Least<i128>; 2],
     /// The excess force of the last interval, where it had any.
     excess: Option<Bounds>,
-    /// All but the latest intervals that are alike: how, from which one on, and how many.
-    tallies: Tallies,
+    /// Of all but the latest intervals that are alike, by what they answer: the first one and how many; and the latest.
+    tallies: [(u64, u64); COMBINATIONS],
     alike: (Option<Truths>, u64, u64),
     /// The first interval of each kind, and the one with the least net energy.
     firsts: [Option<u64>; 5],
@@ -71,25 +93,18 @@ impl Batch {
         if h > MOST {
             return None;
         }
-        if let Some(supply) = supply {
-            let sums = self.supply.iter_mut().zip(&mut self.lowest);
-            for ((sum, lowest), (step, end)) in sums.zip(supply.step.into_iter().zip(supply.end)) {
-                sum.step(step, h);
-                lowest.keep(sum.sum + end, h);
-            }
-            self.excess = supply.excess;
-        }
         self.intervals = h;
         for ([lo, hi], [least, most]) in self.sums.iter_mut().zip(addend.sums) {
             *lo += least;
             *hi += most;
         }
-        let [_, _, _, [least_net, _], _] = addend.sums;
-        self.net.step(least_net, h);
+        let ([_, _, _, [net, _], _], [potential, _]) = (addend.sums, addend.potential);
+        let steps = supply.as_ref().map(|supply| [supply.step, supply.end]);
+        self.step((net, potential), steps, h);
+        if let Some(supply) = supply {
+            self.excess = supply.excess;
+        }
         self.observer.step(addend.observed, h);
-        let [least_potential, _] = addend.potential;
-        self.stored.keep(self.net.sum + least_potential, h);
-        self.worst.keep(least_net, h - 1);
         self.alike(addend.truths, h - 1, 1);
         Some(())
     }
@@ -105,79 +120,93 @@ impl Batch {
         self.add(addend, supply)
     }
 
-    /// Adds decided rows of a tile, as [`add`](Self::add) does one after the other, for intervals without excess
-    /// force: under the force in the log where that is `applied`. `None`, and nothing added, where the batch has no
-    /// room for them.
+    /// Adds decided rows of a tile, as [`add`](Self::add) does one after the other: how many.
     pub(crate) fn add_tile(
         &mut self,
-        (tile, rows): (&Tile, Range<usize>),
-        applied: bool,
+        (tile, rows): (&impl TileRows, Range<usize>),
         running: bool,
-    ) -> Option<()> {
+    ) -> usize {
         let before = self.intervals;
-        let len = rows.len() as u64;
-        if before + len > MOST || self.excess.is_some() {
-            return None;
+        if rows.is_empty() || before + rows.len() as u64 > MOST {
+            return 0;
         }
-        let sums = tile.sums(&rows, applied);
-        if !self.is_quiet(&sums, running) {
-            return self.add_rows((tile, rows), applied, running);
+        let Some(steps) = tile.steps(&rows, running, self.excess()) else {
+            return 0;
+        };
+        let sums = tile.sums(&rows, &steps);
+        if self.is_quiet(&sums, running) {
+            let [_, _, _, [net, _], _] = sums.sums;
+            self.net.sum += net;
+            if running {
+                for (sum, step) in self.supply.iter_mut().zip(sums.supply) {
+                    sum.sum += step;
+                }
+            }
+        } else {
+            for (i, h) in rows.clone().zip(before + 1..) {
+                let Energies { net, step, end } = tile.energies(i, &steps);
+                self.step((net, end[0]), running.then_some([step, end]), h);
+            }
         }
-        let [_, _, _, net, _] = sums.sums;
+        if running {
+            self.excess = sums.excess;
+        }
         for ([lo, hi], [least, most]) in self.sums.iter_mut().zip(sums.sums) {
             *lo += least;
             *hi += most;
         }
-        self.net.sum += net[0];
         match self.observer.sum + sums.least_observed >= self.observer.least {
             true => self.observer.sum += sums.observed,
             false => {
-                let observed = tile.observed(applied);
-                for (observed, h) in observed.get(rows.clone())?.iter().zip(before + 1..) {
+                let observed = tile.observed();
+                let observed = observed.iter().take(rows.end).skip(rows.start);
+                for (observed, h) in observed.zip(before + 1..) {
                     self.observer.step(*observed, h);
                 }
             }
         }
-        if running {
-            for (sum, step) in self.supply.iter_mut().zip(net) {
-                sum.sum += step;
-            }
-        }
-        self.intervals += len;
+        self.intervals += rows.len() as u64;
         let mut at = rows.start;
         while at < rows.end {
-            let times = tile.alike(at..rows.end, applied);
+            let times = tile.alike(at..rows.end);
             let h = before + (at - rows.start) as u64;
-            self.alike(tile.truths(at, applied), h, times as u64);
+            self.alike(tile.truths(at), h, times as u64);
             at += times;
         }
-        Some(())
+        rows.len()
     }
 
     /// Whether no energy gets below the least that it was so far with the rows of these sums.
     fn is_quiet(&self, sums: &Sums, running: bool) -> bool {
         let stays =
             |least: &Least<i128>, found: i128| least.0.is_some_and(|(least, _)| found >= least);
-        let supplied = |(sum, lowest): (&Course<i128>, &Least<i128>)| {
-            sum.sum + sums.least_net >= sum.least && stays(lowest, sum.sum + sums.least_stored)
+        let least = sums.least_supply.iter().zip(&sums.least_supplied);
+        let mut supplies = self.supply.iter().zip(&self.lowest).zip(least);
+        let mut supplied = || {
+            supplies.all(|((sum, lowest), (alone, with_end))| {
+                sum.sum + alone >= sum.least && stays(lowest, sum.sum + with_end)
+            })
         };
         self.net.sum + sums.least_net >= self.net.least
             && stays(&self.stored, self.net.sum + sums.least_stored)
             && stays(&self.worst, sums.least_row)
-            && (!running || self.supply.iter().zip(&self.lowest).all(supplied))
+            && (!running || supplied())
     }
 
-    /// Adds decided rows of a tile one by one.
-    fn add_rows(
-        &mut self,
-        (tile, rows): (&Tile, Range<usize>),
-        applied: bool,
-        running: bool,
-    ) -> Option<()> {
-        for i in rows {
-            self.add_known(&tile.addend(i, applied)?, running)?;
+    /// Goes on with the sums of which the least is kept: by net energy and the potential after it, and by what is added
+    /// to T and what that has beside, of the interval `h`, from 1.
+    #[inline(always)]
+    fn step(&mut self, (net, potential): (i128, i128), supply: Option<[[i128; 2]; 2]>, h: u64) {
+        if let Some([steps, ends]) = supply {
+            let sums = self.supply.iter_mut().zip(&mut self.lowest);
+            for ((sum, lowest), (step, end)) in sums.zip(steps.into_iter().zip(ends)) {
+                sum.step(step, h);
+                lowest.keep(sum.sum + end, h);
+            }
         }
-        Some(())
+        self.net.step(net, h);
+        self.stored.keep(self.net.sum + potential, h);
+        self.worst.keep(net, h - 1);
     }
 
     /// Takes note of so many intervals with the same answers, the first of them `h`.
@@ -187,20 +216,48 @@ impl Batch {
         if self.alike.0 != Some(truths) {
             self.settle();
             self.alike = (Some(truths), h, 0);
-            for (first, is) in self.firsts.iter_mut().zip(kinds(truths)) {
-                if is {
-                    first.get_or_insert(h);
-                }
-            }
         }
         self.alike.2 += times;
     }
 
     /// Counts the intervals that are alike.
     fn settle(&mut self) {
-        if let (Some(truths), first, times) = self.alike {
-            self.tallies.add_times(truths, first, times);
+        if let (Some(truths), h, times) = self.alike
+            && let Some((first, count)) = self.tallies.get_mut(place_of(truths))
+        {
+            if *count == 0 {
+                *first = h;
+                for (first, is) in self.firsts.iter_mut().zip(kinds(truths)) {
+                    if is {
+                        first.get_or_insert(h);
+                    }
+                }
+            }
+            *count += times;
         }
+    }
+
+    /// How often the criterion held and the accounts were violated.
+    fn tallies(&self) -> Tallies {
+        let mut tallies = Tallies::default();
+        for criterion in ANSWERS {
+            for linear in ANSWERS {
+                for quantized in ANSWERS {
+                    let truths = Truths {
+                        criterion_holds: criterion,
+                        violates_linear: linear,
+                        violates_quantized: quantized,
+                    };
+                    match self.tallies.get(place_of(truths)) {
+                        Some((first, times)) if *times > 0 => {
+                            tallies.add_times(truths, *first, *times);
+                        }
+                        _ => {}
+                    }
+                }
+            }
+        }
+        tallies
     }
 
     /// The account of the intervals; `running` where the verdict is about what the operator has drawn.
@@ -216,7 +273,7 @@ impl Batch {
             sums: self.sums.map(FigureSum::of_grid),
             net: RunningSum::of_grid(self.net, self.intervals),
             observer: RunningSum::of_grid(self.observer, self.intervals),
-            tallies: self.tallies,
+            tallies: self.tallies(),
             ..Account::default()
         };
         if running {

@@ -75,7 +75,14 @@ impl<const BRANCHES: bool> Row<Ball<BRANCHES>> {
         ];
         let [low, high] = &wall.criteria;
         let ([a, b], [c, d]) = (crossing.net_at_least(&least), crossing.net_at_most(&most));
-        let ([lo, _], [hi, _]) = (own.net_at_least(&least), own.net_at_most(&most));
+        // Under the wall's own force that is the same.
+        let [lo, hi] = match applied {
+            true => {
+                let ([lo, _], [hi, _]) = (own.net_at_least(&least), own.net_at_most(&most));
+                [lo, hi]
+            }
+            false => [a, c],
+        };
         Self {
             taken: [least.taken(&near), most.taken(&far)],
             margin: [

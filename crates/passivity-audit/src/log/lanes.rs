@@ -1,7 +1,7 @@
 //! Rows of one linear wall several at a time: the kernel's text on balls, without a branch on what they are,
 //! so that processors compute several rows with each instruction.
 //!
-//! Each row is what [`Known`] makes of it, or of counts a [`Row`](crate::log::counted::Row) of its own, to the last bit:
+//! Each row is what [`Known`](crate::log::known::Known) makes of it, or of counts a [`Row`](crate::log::counted::Row) of its own, to the last bit:
 //! one of positions of which not all is decided here is for the former.
 
 #![expect(
@@ -11,20 +11,18 @@
 
 use std::ops::Range;
 
-use passivity_core::{Scalar as _, Step, Truth};
+use passivity_core::{Step, Truth};
 
 pub(crate) use compute::commanded;
 pub(crate) use counted::Counted;
-pub(crate) use sums::Sums;
+pub(crate) use sums::{Energies, Sums, TileRows, Under};
 pub(crate) use written::write;
 
 use crate::ball::{Ball, Lane};
 use crate::figure::not;
 use crate::ledger::Truths;
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::known::Known;
 use crate::log::layout::Layout;
-use crate::log::motion::Addend;
 use crate::log::numbers::{Balls, Readings};
 use crate::log::step::periods;
 use crate::log::task::Task;
@@ -236,21 +234,6 @@ impl Tile {
             .take_while(|bits| rows.first() == Some(bits))
             .count()
     }
-
-    /// What a row adds.
-    pub(crate) fn addend(&self, i: usize, applied: bool) -> Option<Addend> {
-        let at = |column: &Column| column.get(i).on_grid();
-        let known = Known {
-            displacement: Ball::zero(),
-            commanded: Ball::zero(),
-            generated: [at(&self.linear)?, at(&self.quantized)?],
-            observed: at(&self.observed)?,
-            dissipated: [at(&self.taken[0])?, at(&self.taken[1])?],
-            criterion_holds: self.truths(i, applied).criterion_holds,
-            potential: at(&self.potential)?,
-        };
-        known.with_work(if applied { at(&self.more)? } else { [0, 0] })
-    }
 }
 
 /// The rows of a chunk, computed several at a time: [`TILE`] in each tile.
@@ -267,13 +250,16 @@ impl Tiles {
     pub(crate) fn fill(&mut self, task: &Task<'_>, chunk: &Chunk) {
         self.lengths.clear();
         self.wall = Wall::of(task.ledger).map(|wall| wall.lanes());
+        let intervals = chunk.samples.len().saturating_sub(1);
+        // Most logs of counts have no times or even ones, and need none of this.
+        if self.wall.is_some() && (task.applied || matches!(chunk.samples, Samples::Any(_))) {
+            let lengths = (0..intervals).map(|i| Length::of(task.layout, chunk, i));
+            self.lengths.extend(lengths);
+        }
         let (Some(wall), Samples::Any(samples)) = (&self.wall, &chunk.samples) else {
             self.tiles.clear();
             return;
         };
-        let intervals = samples.len().saturating_sub(1);
-        let lengths = (0..intervals).map(|i| Length::of(task.layout, chunk, i));
-        self.lengths.extend(lengths);
         let forces = task.applied.then_some(&chunk.forces.values);
         self.tiles.resize(intervals.div_ceil(TILE), Tile::new());
         let mut of = Intervals::new();
@@ -287,6 +273,7 @@ impl Tiles {
 
 mod compute;
 mod counted;
+mod counted_sums;
 mod sums;
 #[cfg(test)]
 mod tests;

@@ -12,7 +12,7 @@ use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::{Computed, EXACT_ROWS, Text, UNIT, is_exact, note_stored};
 use crate::log::error::TraceError;
 use crate::log::known::{Known, Starts};
-use crate::log::lanes::{Counted, Length, TILE, Tiles, write};
+use crate::log::lanes::{Counted, Length, TILE, Tiles, Under, write};
 use crate::log::motion::Addend;
 use crate::log::step::{check_jump, duration, interval, jump, undefined};
 use crate::log::supply;
@@ -134,7 +134,7 @@ impl Walk<'_> {
         let mut batch = Batch::after(account.supply.excess.clone());
         let mut came = Ok(());
         while self.at < self.until {
-            if !self.tiles(&mut batch, account) {
+            if !self.tiles(&mut batch, chunk, account) {
                 let dtau = match duration(task.layout, chunk, self.at) {
                     Ok(dtau) => dtau,
                     Err(error) => {
@@ -193,37 +193,69 @@ impl Walk<'_> {
         self.task.points && came > 0 && came.is_multiple_of(self.stride)
     }
 
-    /// Most other traces: positions. Adds intervals that were computed several at a time, as far as doubles decide
-    /// and no point is plotted; whether there is any.
-    fn tiles(&mut self, batch: &mut Batch, account: &mut Account) -> bool {
-        let task = self.task;
-        if self.h(self.at) < EXACT_ROWS {
+    /// Most other traces: positions, and counts under the forces in the log with the account beside that. Adds intervals
+    /// that were computed several at a time, as far as doubles decide and no point is plotted; whether there is any.
+    fn tiles(&mut self, batch: &mut Batch, chunk: &Chunk, account: &mut Account) -> bool {
+        let (task, start) = (self.task, self.at);
+        if self.h(start) < EXACT_ROWS {
             return false;
         }
-        let start = self.at;
-        while let Some(tile) = self.tiles.tiles.get(self.at / TILE) {
-            let from = self.at % TILE;
-            let mut until = from + self.until.saturating_sub(self.at);
+        while self.at < self.until {
+            let mut most = self.until - self.at;
             if task.points {
-                until = until.min(from + self.stride - (self.at - self.from) % self.stride);
+                most = most.min(self.stride - (self.at - self.from) % self.stride);
             }
-            let rows = from..tile.decided(from, until, task.applied);
-            let len = rows.len();
             let h = account.intervals + batch.intervals;
-            let added = batch.add_tile((tile, rows), task.applied, task.running);
-            if len == 0 || added.is_none() {
+            let Some(added) = self.tile(batch, chunk, most).filter(|added| *added > 0) else {
                 break;
-            }
+            };
             if self.noted {
-                let lengths = self.tiles.lengths.get(self.at..self.at + len);
+                let lengths = self.tiles.lengths.get(self.at..self.at + added);
                 account.timing.add_all(lengths.unwrap_or_default(), h);
             }
-            self.at += len;
+            self.at += added;
             if self.is_point() {
                 break;
             }
         }
         self.at > start
+    }
+
+    /// Adds what is decided in the tile of the next interval, as many as are asked for: how many; `None` where there
+    /// is no tile.
+    fn tile(&mut self, batch: &mut Batch, chunk: &Chunk, most: usize) -> Option<usize> {
+        let (task, at) = (self.task, self.at);
+        let applied = task.applied;
+        match &chunk.samples {
+            Samples::Any(_) => {
+                let (tile, from) = (self.tiles.tiles.get(at / TILE)?, at % TILE);
+                let rows = from..tile.decided(from, from + most, applied);
+                Some(batch.add_tile((&Under { tile, applied }, rows), task.running))
+            }
+            // Other rows of counts are looked up.
+            Samples::Counts(_) if !applied && !task.ledger.is_plain() => None,
+            Samples::Counts(counts) => {
+                self.tiles.lengths.get(at)?;
+                self.compute_counts(chunk, counts)?;
+                let rows = self.counted.decided(at, most);
+                Some(batch.add_tile((&*self.counted, rows), task.running))
+            }
+        }
+    }
+
+    /// Computes the rows from here on, where that was not done yet; `None` of loops that are no plain walls.
+    fn compute_counts(&mut self, chunk: &Chunk, counts: &[i64]) -> Option<()> {
+        let (task, i) = (self.task, self.at);
+        if !self.counted.has(i) {
+            let known = &self.tiles.lengths;
+            let length = |i: usize| known.get(i).copied();
+            let lengths =
+                (i..).map(|i| length(i).unwrap_or_else(|| Length::of(task.layout, chunk, i)));
+            let forces = task.applied.then_some(&chunk.forces.values);
+            let wall = self.tiles.wall.as_ref()?;
+            self.counted.fill(wall, (counts, forces), i, lengths);
+        }
+        Some(())
     }
 
     /// One of them, or one of counts: adds the next interval, which lasts so long; `None` where doubles leave
@@ -264,13 +296,8 @@ impl Walk<'_> {
         if is_exact(task, &Reading::Count(to), dtau, self.h(i)) {
             return None;
         }
-        if !self.counted.has(i) {
-            let lengths = (i..).map(|i| Length::of(task.layout, chunk, i));
-            let forces = task.applied.then_some(&chunk.forces.values);
-            let wall = self.tiles.wall.as_ref()?;
-            self.counted.fill(wall, (counts, forces), i, lengths);
-        }
-        let figures = self.counted.get(i, to - from)?;
+        self.compute_counts(chunk, counts)?;
+        let figures = self.counted.get(i)?;
         let supply = match task.running {
             true => Some(figures.contribution().supplied(batch.excess())?),
             false => None,

@@ -132,13 +132,25 @@ pub(super) fn compute(tile: &mut Tile, wall: &Wall<false>, of: &Intervals, appli
 /// The force of the law from each sample of a chunk, near by, as far as that is known; nothing of loops that
 /// are no plain walls.
 pub(crate) fn commanded(ledger: &Ledger, chunk: &Chunk) -> Vec<f64> {
-    match (Wall::of(ledger), &chunk.samples) {
-        (Some(_), Samples::Any(samples)) => {
-            let mut forces = vec![f64::NAN; samples.len()];
+    if Wall::of(ledger).is_none() {
+        return Vec::new();
+    }
+    let mut forces = vec![f64::NAN; chunk.samples.len()];
+    match &chunk.samples {
+        Samples::Any(samples) => {
             held(&samples.near.middles, &samples.near.radii, &mut forces);
-            forces
         }
-        _ => Vec::new(),
+        Samples::Counts(counts) => held_at(counts, &mut forces),
+    }
+    forces
+}
+
+/// The same of counts.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+fn held_at(counts: &[i64], forces: &mut [f64]) {
+    for (count, force) in counts.iter().zip(forces) {
+        let (held, radius) = quantizer::held_force(&Ball::whole(*count).lane()).parts();
+        *force = if radius == 0.0 { held } else { f64::NAN };
     }
 }
 

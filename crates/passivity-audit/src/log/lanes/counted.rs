@@ -1,32 +1,46 @@
 //! Rows of counts several at a time.
 
+use std::ops::Range;
+
 use multiversion::multiversion;
 
 use super::compute::{is_nonnegative, whole};
 use super::{Column, Length, TILE};
 use crate::ball::{Ball, Lane, on_grid};
+use crate::ledger::Truths;
 use crate::log::counted::{Figures, Interval, Row, truths};
 use crate::log::numbers::Readings;
 use crate::log::wall::Wall;
 
 /// The lower or the upper ends of numbers, in layers of 1, 2⁻³² and 2⁻⁶⁴.
-type Ends = [[i64; TILE]; 3];
+pub(super) type Ends = [[i64; TILE]; 3];
 
-const NONE: Ends = [[0; TILE]; 3];
+pub(super) const NONE: Ends = [[0; TILE]; 3];
+
+/// From so many ticks on, products with excess forces have no room in sums of 64 bits: layers are below 2^51, and there
+/// are 2^6 of them.
+const MANY: u64 = 1 << 5;
+
+/// From this excess force on, products with ticks have no room in [sums](crate::log::supply::Supplied::fits).
+const LARGE: u64 = 1 << 30;
 
 /// What some consecutive intervals between counts come to.
 #[derive(Clone, Debug)]
 pub(crate) struct Counted {
     of: Interval<Column>,
     /// As [`Figures`] has it.
-    sums: [[Ends; 2]; 5],
-    observed: Ends,
-    own: [Ends; 2],
-    excess: [Ends; 2],
-    stored: [Ends; 2],
+    pub(super) sums: [[Ends; 2]; 5],
+    pub(super) observed: Ends,
+    pub(super) own: [Ends; 2],
+    pub(super) excess: [Ends; 2],
+    pub(super) stored: [Ends; 2],
+    /// How many ticks each crosses.
+    pub(super) crossed: [i64; TILE],
+    /// Whether each is for sums of its own: it crosses many ticks, lasts one period, or its force is large.
+    apart: [bool; TILE],
     /// What is not negative, as bits: the margin of the criterion, net energy, and that against the quantized wall, each
     /// at the least and at the most.
-    covers: [u64; TILE],
+    pub(super) covers: [u64; TILE],
     /// Not zero for the rows that are left open.
     open: [u64; TILE],
     /// The first of them, and how many there are.
@@ -48,6 +62,8 @@ impl Counted {
             own: [NONE; 2],
             excess: [NONE; 2],
             stored: [NONE; 2],
+            crossed: [0; TILE],
+            apart: [false; TILE],
             covers: [0; TILE],
             open: [0; TILE],
             at: 0,
@@ -67,16 +83,36 @@ impl Counted {
         self.at <= i && i - self.at < self.len
     }
 
-    /// What interval `i` comes to, which crosses so many ticks; `None` where doubles leave something open.
+    /// The rows from interval `i` on whose sums can be taken at a time, of as many as are asked for.
+    pub(crate) fn decided(&self, i: usize, most: usize) -> Range<usize> {
+        let from = i.saturating_sub(self.at).min(self.len);
+        let until = self.len.min(from.saturating_add(most));
+        let stays = |i: &usize| self.open[*i] == 0 && !self.apart[*i];
+        from..from + (from..until).take_while(stays).count()
+    }
+
+    /// What interval `i` comes to; `None` where doubles leave something open.
     #[inline]
-    pub(crate) fn get(&self, i: usize, crossed: i64) -> Option<Figures> {
+    pub(crate) fn get(&self, i: usize) -> Option<Figures> {
         let i = i.checked_sub(self.at).filter(|i| *i < self.len)?;
+        self.figures(i)
+    }
+
+    /// What a row answers.
+    pub(super) fn answers(&self, i: usize) -> Truths {
+        let is = |place: u32| self.covers[i] >> place & 1 == 1;
+        let covers = [[is(0), is(1)], [is(2), is(3)], [is(4), is(5)]];
+        truths(covers, self.crossed[i])
+    }
+
+    /// What a row comes to; `None` where doubles leave something open.
+    #[inline]
+    pub(super) fn figures(&self, i: usize) -> Option<Figures> {
         if self.open[i] != 0 {
             return None;
         }
+        let crossed = self.crossed[i];
         let [linear, quantized, taken, net, net_quantized] = &self.sums;
-        let is = |place: u32| self.covers[i] >> place & 1 == 1;
-        let covers = [[is(0), is(1)], [is(2), is(3)], [is(4), is(5)]];
         Some(Figures {
             sums: [
                 both(linear, i),
@@ -89,7 +125,7 @@ impl Counted {
             own: both(&self.own, i),
             excess: both(&self.excess, i),
             stored: both(&self.stored, i),
-            truths: truths(covers, crossed),
+            truths: self.answers(i),
             crossed,
         })
     }
@@ -108,6 +144,12 @@ impl Counted {
         self.len = 0;
         for ((pair, lasts), i) in pairs.zip(lengths).zip(0..TILE) {
             let [from, to] = pair else { break };
+            let Some(crossed) = to.checked_sub(*from) else {
+                break;
+            };
+            let Length(n, d) = lasts;
+            self.crossed[i] = crossed;
+            self.apart[i] = crossed.unsigned_abs() >= MANY || n == d;
             self.of.start.set(i, Ball::whole(*from));
             self.of.end.set(i, Ball::whole(*to));
             self.of.lasts.set(i, lasts.near());
@@ -117,6 +159,9 @@ impl Counted {
             self.len = self.of.force.copy(&forces.near, at, self.len);
         }
         compute(self, wall, forces.is_some());
+        for (apart, whole) in self.apart.iter_mut().zip(&self.excess[0][0]) {
+            *apart |= whole.unsigned_abs() >= LARGE;
+        }
     }
 
     #[inline(always)]
@@ -152,6 +197,16 @@ impl Counted {
     }
 }
 
+/// The one number where that is so, else the other.
+#[inline(always)]
+pub(super) fn choose(is: bool, [a, b, c]: [i64; 3], [d, e, f]: [i64; 3]) -> [i64; 3] {
+    [
+        if is { a } else { d },
+        if is { b } else { e },
+        if is { c } else { f },
+    ]
+}
+
 /// An end in units of the grid.
 #[inline(always)]
 fn one(ends: &Ends, i: usize) -> i128 {
@@ -160,7 +215,7 @@ fn one(ends: &Ends, i: usize) -> i128 {
 
 /// Both of them.
 #[inline(always)]
-fn both([lo, hi]: &[Ends; 2], i: usize) -> [i128; 2] {
+pub(super) fn both([lo, hi]: &[Ends; 2], i: usize) -> [i128; 2] {
     [one(lo, i), one(hi, i)]
 }
 

@@ -7,7 +7,9 @@ use passivity_core::Scalar as _;
 
 use super::{Column, TILE, Tile};
 use crate::ball::{Ball, on_grid};
+use crate::ledger::Truths;
 use crate::log::motion::figures;
+use crate::log::supply::Bounds;
 
 /// The sums of the lower and of the upper ends of the columns of a tile.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +21,7 @@ pub(super) struct Totals {
 }
 
 /// Sums of some rows of a tile, in units of the grid.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Sums {
     /// As [`Addend::sums`].
     pub(crate) sums: [[i128; 2]; 5],
@@ -31,6 +33,100 @@ pub(crate) struct Sums {
     pub(crate) least_observed: i128,
     /// No net energy of a row is less than this.
     pub(crate) least_row: i128,
+    /// What is added to T at the least and at the most, and what no sum of the first few rows of it is less than: alone,
+    /// and with what T has beside after them.
+    pub(crate) supply: [i128; 2],
+    pub(crate) least_supply: [i128; 2],
+    pub(crate) least_supplied: [i128; 2],
+    /// The excess force of the last row, where it has any.
+    pub(crate) excess: Option<Bounds>,
+}
+
+/// What a row adds to the sums of which the least is kept, in units of the grid.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Energies {
+    /// Net energy at the least.
+    pub(crate) net: i128,
+    /// To T, at the least and at the most,
+    pub(crate) step: [i128; 2],
+    /// and what T has beside after it.
+    pub(crate) end: [i128; 2],
+}
+
+/// Rows that were computed several at a time, all of them decided.
+pub(crate) trait TileRows {
+    /// What each adds to T.
+    type Steps;
+
+    /// Of some rows, where the verdict is about T, after one with this excess force; `None` where they are for one row
+    /// after the other.
+    fn steps(
+        &self,
+        rows: &Range<usize>,
+        running: bool,
+        excess: Option<&Bounds>,
+    ) -> Option<Self::Steps>;
+
+    /// Their sums.
+    fn sums(&self, rows: &Range<usize>, steps: &Self::Steps) -> Sums;
+
+    /// What a row adds to those of which the least is kept.
+    fn energies(&self, i: usize, steps: &Self::Steps) -> Energies;
+
+    /// What the observer adds for each of the rows of a tile.
+    fn observed(&self) -> [i128; TILE];
+
+    /// What a row answers.
+    fn truths(&self, i: usize) -> Truths;
+
+    /// How many of some rows, from the first one on, answer the same.
+    fn alike(&self, rows: Range<usize>) -> usize;
+}
+
+/// The rows of a tile under the force in the log where that is `applied`, else under that of the wall.
+pub(crate) struct Under<'a> {
+    pub(crate) tile: &'a Tile,
+    pub(crate) applied: bool,
+}
+
+impl TileRows for Under<'_> {
+    type Steps = ();
+
+    fn steps(&self, _: &Range<usize>, _: bool, excess: Option<&Bounds>) -> Option<()> {
+        excess.is_none().then_some(())
+    }
+
+    fn sums(&self, rows: &Range<usize>, (): &()) -> Sums {
+        self.tile.sums(rows, self.applied)
+    }
+
+    fn energies(&self, i: usize, (): &()) -> Energies {
+        let at = |column: &Column| grid(column, i);
+        let more = match self.applied {
+            true => at(&self.tile.more),
+            false => [0, 0],
+        };
+        let [least, most] = self.tile.taken.each_ref().map(at);
+        let [linear, quantized] = [&self.tile.linear, &self.tile.quantized].map(at);
+        let [_, _, _, net, _] = figures([linear, quantized], more, [least[0], most[1]]);
+        Energies {
+            net: net[0],
+            step: net,
+            end: at(&self.tile.potential),
+        }
+    }
+
+    fn observed(&self) -> [i128; TILE] {
+        observed(self.tile, self.applied).map(on_grid)
+    }
+
+    fn truths(&self, i: usize) -> Truths {
+        self.tile.truths(i, self.applied)
+    }
+
+    fn alike(&self, rows: Range<usize>) -> usize {
+        self.tile.alike(rows, self.applied)
+    }
 }
 
 impl Tile {
@@ -48,19 +144,20 @@ impl Tile {
         } = totals;
         let more = if applied { more } else { [0, 0] };
         let [least_net, least_stored, least_observed, least_row] = least(self, rows, applied);
+        let sums = figures(generated, more, taken);
+        let [_, _, _, net, _] = sums;
         Sums {
-            sums: figures(generated, more, taken),
+            sums,
             observed: observed[0] - more[1],
             least_net,
             least_stored,
             least_observed,
             least_row,
+            supply: net,
+            least_supply: [least_net; 2],
+            least_supplied: [least_stored; 2],
+            excess: None,
         }
-    }
-
-    /// What the observer adds for each of the rows that are decided.
-    pub(crate) fn observed(&self, applied: bool) -> [i128; TILE] {
-        observed(self, applied).map(on_grid)
     }
 
     fn totals_of(&self, rows: &Range<usize>) -> Totals {
@@ -89,9 +186,6 @@ impl Tile {
     /// Bounds from below, in units of the grid: see [`Sums`].
     #[inline(always)]
     fn least(&self, rows: &Range<usize>, applied: bool) -> [i128; 4] {
-        // Each number is off by a few roundings of what it is made of, and rounded to the grid by a few units.
-        const ROUNDING: f64 = 1.0 / (1_u64 << 42) as f64;
-        const UNITS: f64 = 1.0 / (1_u64 << 50) as f64;
         // Of each row: what it adds to net energy and to what the observer sums, the potential after it, and the
         // size of all of them.
         let mut found = [[0.0; TILE]; 4];
@@ -118,8 +212,7 @@ impl Tile {
                 *least = if found < *least { found } else { *least };
             }
         }
-        let slack = size * ROUNDING + UNITS;
-        least.map(|x| below(x - slack))
+        least.map(|x| lowest(x, size))
     }
 }
 
@@ -149,6 +242,22 @@ fn observed(tile: &Tile, applied: bool) -> [[i64; 3]; TILE] {
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
 fn least(tile: &Tile, rows: &Range<usize>, applied: bool) -> [i128; 4] {
     tile.least(rows, applied)
+}
+
+/// Both ends of a number that is decided.
+fn grid(column: &Column, i: usize) -> [i128; 2] {
+    let [whole, upper, lower, radius] = column.get(i).layers();
+    let (middle, radius) = (on_grid([whole, upper, lower]), i128::from(radius));
+    [middle - radius, middle + radius]
+}
+
+/// In units of the grid, what a sum of some rows is not below that doubles make this: of numbers of this size, together.
+#[inline(always)]
+pub(super) fn lowest(x: f64, size: f64) -> i128 {
+    // Each number is off by a few roundings of what it is made of, and rounded to the grid by a few units.
+    const ROUNDING: f64 = 1.0 / (1_u64 << 42) as f64;
+    const UNITS: f64 = 1.0 / (1_u64 << 50) as f64;
+    below(x - (size * ROUNDING + UNITS))
 }
 
 /// A double as a number of units of the grid, rounded down, as far as 128 bits go.

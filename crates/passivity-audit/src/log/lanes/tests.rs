@@ -1,4 +1,4 @@
-use passivity_core::quantizer;
+use passivity_core::{Scalar as _, quantizer};
 use passivity_random::draws;
 use passivity_scene::Scene;
 use proptest::prelude::*;
@@ -8,11 +8,14 @@ use super::*;
 use crate::entry::{Entry, Recorded, entry};
 use crate::figure::Figure;
 use crate::ledger::Ledger;
+use crate::log::batch::Batch;
 use crate::log::counted;
-use crate::log::known::Starts;
+use crate::log::known::{Known, Starts};
+use crate::log::motion::Addend;
 use crate::log::numbers::Kind;
 use crate::log::scale::Scale;
-use crate::number::Number;
+use crate::log::supply::Supplied;
+use crate::number::{Number, Reduced};
 use crate::rows::Form;
 
 const EXACT: &str = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"7/10\"";
@@ -80,6 +83,23 @@ fn row() -> impl Strategy<Value = Row> {
             }
         },
     )
+}
+
+impl Tile {
+    /// What a row adds.
+    pub(crate) fn addend(&self, i: usize, applied: bool) -> Option<Addend> {
+        let at = |column: &Column| column.get(i).on_grid();
+        let known = Known {
+            displacement: Ball::zero(),
+            commanded: Ball::zero(),
+            generated: [at(&self.linear)?, at(&self.quantized)?],
+            observed: at(&self.observed)?,
+            dissipated: [at(&self.taken[0])?, at(&self.taken[1])?],
+            criterion_holds: self.truths(i, applied).criterion_holds,
+            potential: at(&self.potential)?,
+        };
+        known.with_work(if applied { at(&self.more)? } else { [0, 0] })
+    }
 }
 
 /// The row as it is computed on its own.
@@ -294,7 +314,7 @@ fn alone_and_in_a_tile(
         };
         let alone = counted::Row::of(&wall, &of, wall.friction_is_exact, forces.is_some());
         let crossed = pair[1] - pair[0];
-        [counted::Figures::of(&alone, crossed), tile.get(i, crossed)]
+        [counted::Figures::of(&alone, crossed), tile.get(i)]
     })
     .collect()
 }
@@ -322,6 +342,79 @@ proptest! {
         let forces = applied.then_some(&readings);
         for [alone, found] in alone_and_in_a_tile(&ledger, &counts, &lengths, forces) {
             prop_assert_eq!(alone, found);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(draws(250)))]
+
+    #[test]
+    fn sums_of_counts_are_those_of_one_row_after_the_other(
+        start in prop_oneof![3 => -40..40_i64, 1 => -1_000_000_000..1_000_000_000_i64],
+        steps in prop::collection::vec(prop_oneof![8 => -3..4_i64, 1 => -31..32_i64, 1 => -40..40_i64], TILE),
+        lengths in prop::collection::vec((1..5000_i64, 1..5000_i64), TILE),
+        forces in prop::collection::vec((-1e9..1e9_f64, 0..6, 0.0..1e-12), TILE),
+        [exact, applied, running] in any::<[bool; 3]>(),
+        ends in (0..TILE, 0..TILE),
+        before in (-1_000_000..1_000_000_i128, 0..3_i128),
+        room in (60..76_u32).prop_map(|bits| 1_i128 << bits),
+    ) {
+        let ledger = ledger(if exact { EXACT } else { BETWEEN });
+        let mut counts = vec![start];
+        counts.extend(steps.iter().scan(start, |at, step| {
+            *at += step;
+            Some(*at)
+        }));
+        let mut readings = Readings::new(Kind::Force, &Scale::One);
+        for (count, (more, size, radius)) in counts.iter().zip(&forces) {
+            // From far off to nearly, and just, the wall's own.
+            let more = if *size == 0 { 0.0 } else { more / 1e3_f64.powi(*size) };
+            let force = quantizer::held_force(&Ball::whole(*count)) + Ball::from_parts(more, radius * more.abs());
+            readings.near.push(force);
+        }
+        let forces = applied.then_some(&readings);
+        let mut tile = Counted::new();
+        let lasts = lengths.iter().map(|(n, d)| Length(*n, *d));
+        let wall = Wall::of(&ledger).unwrap();
+        tile.fill(&wall.lanes(), (&counts, forces), 0, lasts);
+        let unit = crate::span::ONE;
+        let before = [before.0, before.0 + before.1].map(|n| Reduced::Small(n << 40, unit));
+        let rows = tile.decided(ends.0.min(ends.1), ends.0.abs_diff(ends.1));
+        let mut alone = Batch::after(Some(before));
+        if !rows.is_empty() {
+            let steps = tile.steps(&rows, running, alone.excess()).unwrap();
+            let sums = tile.sums(&rows, &steps);
+            let (mut net, mut observed, mut supply) = (0, 0, [0; 2]);
+            for i in rows.clone() {
+                let found = tile.energies(i, &steps);
+                net += found.net;
+                observed += tile.observed()[i];
+                prop_assert!(sums.least_row <= found.net && sums.least_net <= net);
+                prop_assert!(sums.least_stored <= net + found.end[0] && sums.least_observed <= observed);
+                for end in 0..2 {
+                    supply[end] += found.step[end];
+                    prop_assert!(sums.least_supply[end] <= supply[end]);
+                    prop_assert!(sums.least_supplied[end] <= supply[end] + found.end[end]);
+                }
+            }
+            prop_assert_eq!((sums.sums[3][0], sums.observed, sums.supply), (net, observed, supply));
+        }
+        for _ in 0..3 {
+            // Again and again: what the energies fall below the first time, they may not the next.
+            let mut together = alone.clone();
+            prop_assert_eq!(together.add_tile((&*tile, rows.clone()), running), rows.len());
+            for i in rows.clone() {
+                let figures = tile.figures(i).unwrap();
+                let supply = running.then(|| figures.contribution().supplied(alone.excess()).unwrap());
+                prop_assert!(supply.as_ref().is_none_or(Supplied::fits));
+                alone.add(&figures.addend(), supply).unwrap();
+            }
+            prop_assert_eq!(format!("{alone:?}"), format!("{together:?}"));
+            // Room for sums that get just below what they were, or far from it.
+            let added = Addend { sums: [[room; 2]; 5], observed: room, potential: [0; 2], truths: tile.truths(0) };
+            let supply = Supplied { step: [room; 2], end: [0; 2], excess: alone.excess().cloned() };
+            alone.add(&added, running.then_some(supply)).unwrap();
         }
     }
 }
