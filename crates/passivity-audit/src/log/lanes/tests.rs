@@ -392,10 +392,11 @@ proptest! {
                 observed += tile.observed()[i];
                 prop_assert!(sums.least_row <= found.net && sums.least_net <= net);
                 prop_assert!(sums.least_stored <= net + found.end[0] && sums.least_observed <= observed);
-                for end in 0..2 {
-                    supply[end] += found.step[end];
-                    prop_assert!(sums.least_supply[end] <= supply[end]);
-                    prop_assert!(sums.least_supplied[end] <= supply[end] + found.end[end]);
+                let least = sums.least_supply.iter().zip(sums.least_supplied);
+                let added = found.step.iter().zip(found.end);
+                for ((sum, (step, end)), (alone, with_end)) in supply.iter_mut().zip(added).zip(least) {
+                    *sum += step;
+                    prop_assert!(*alone <= *sum && with_end <= *sum + end);
                 }
             }
             prop_assert_eq!((sums.sums[3][0], sums.observed, sums.supply), (net, observed, supply));
