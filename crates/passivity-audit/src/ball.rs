@@ -307,9 +307,15 @@ impl Ball {
     /// The ends in units of the grid, rounded outward; `None` as for [`units`](Self::units).
     #[inline(always)]
     pub(crate) fn on_grid(self) -> Option<[i128; 2]> {
-        let (middle, radius) = self.units()?;
-        let radius = i128::from(radius);
-        Some([middle - radius, middle + radius])
+        self.fits().then(|| self.ends_on_grid())
+    }
+
+    /// The same of a number that is known to [fit](Self::fits).
+    #[inline(always)]
+    pub(crate) fn ends_on_grid(self) -> [i128; 2] {
+        let [whole, upper, lower, radius] = self.layers();
+        let (middle, radius) = (on_grid([whole, upper, lower]), i128::from(radius));
+        [middle - radius, middle + radius]
     }
 
     /// The double in the middle, where the number is defined.

@@ -2,7 +2,6 @@
 
 use std::ops::Range;
 
-use passivity_core::Truth;
 use passivity_core::course::{Course, Least};
 
 use crate::ledger::Truths;
@@ -26,27 +25,6 @@ fn lowest(least: Least<i128>) -> Option<Lowest> {
     Some(Lowest::new(on_grid(value), h))
 }
 
-/// How a question may be answered, in the order of [`place_of`].
-const ANSWERS: [Truth; 3] = [Truth::Holds, Truth::Fails, Truth::Depends];
-
-/// How many combinations of answers to three questions there are.
-const COMBINATIONS: usize = 27;
-
-/// The place of a combination of answers.
-#[inline]
-const fn place_of(truths: Truths) -> usize {
-    const fn digit(truth: Truth) -> usize {
-        match truth {
-            Truth::Holds => 0,
-            Truth::Fails => 1,
-            Truth::Depends => 2,
-        }
-    }
-    digit(truths.criterion_holds)
-        + 3 * digit(truths.violates_linear)
-        + 9 * digit(truths.violates_quantized)
-}
-
 /// Sums over consecutive intervals.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Batch {
@@ -63,8 +41,8 @@ pub(crate) struct Batch {
     lowest: [Least<i128>; 2],
     /// The excess force of the last interval, where it had any.
     excess: Option<Bounds>,
-    /// Of all but the latest intervals that are alike, by what they answer: the first one and how many; and the latest.
-    tallies: [(u64, u64); COMBINATIONS],
+    /// What intervals answer, the first of those that are alike and how many, but for the latest of them; and these.
+    tallied: Vec<(Truths, u64, u64)>,
     alike: (Option<Truths>, u64, u64),
     /// The first interval of each kind, and the one with the least net energy.
     firsts: [Option<u64>; 5],
@@ -222,42 +200,19 @@ impl Batch {
 
     /// Counts the intervals that are alike.
     fn settle(&mut self) {
-        if let (Some(truths), h, times) = self.alike
-            && let Some((first, count)) = self.tallies.get_mut(place_of(truths))
-        {
-            if *count == 0 {
-                *first = h;
-                for (first, is) in self.firsts.iter_mut().zip(kinds(truths)) {
-                    if is {
-                        first.get_or_insert(h);
-                    }
-                }
-            }
+        let (Some(truths), h, times) = self.alike else {
+            return;
+        };
+        if let Some((_, _, count)) = self.tallied.iter_mut().find(|(of, ..)| *of == truths) {
             *count += times;
+            return;
         }
-    }
-
-    /// How often the criterion held and the accounts were violated.
-    fn tallies(&self) -> Tallies {
-        let mut tallies = Tallies::default();
-        for criterion in ANSWERS {
-            for linear in ANSWERS {
-                for quantized in ANSWERS {
-                    let truths = Truths {
-                        criterion_holds: criterion,
-                        violates_linear: linear,
-                        violates_quantized: quantized,
-                    };
-                    match self.tallies.get(place_of(truths)) {
-                        Some((first, times)) if *times > 0 => {
-                            tallies.add_times(truths, *first, *times);
-                        }
-                        _ => {}
-                    }
-                }
+        self.tallied.push((truths, h, times));
+        for (first, is) in self.firsts.iter_mut().zip(kinds(truths)) {
+            if is {
+                first.get_or_insert(h);
             }
         }
-        tallies
     }
 
     /// The account of the intervals; `running` where the verdict is about what the operator has drawn.
@@ -268,12 +223,16 @@ impl Batch {
         place: impl Fn(u64) -> Result<Place, TraceError>,
     ) -> Result<Account, TraceError> {
         self.settle();
+        let mut tallies = Tallies::default();
+        for (truths, first, times) in self.tallied {
+            tallies.add_times(truths, first, times);
+        }
         let mut account = Account {
             intervals: self.intervals,
             sums: self.sums.map(FigureSum::of_grid),
             net: RunningSum::of_grid(self.net, self.intervals),
             observer: RunningSum::of_grid(self.observer, self.intervals),
-            tallies: self.tallies(),
+            tallies,
             ..Account::default()
         };
         if running {

@@ -250,16 +250,13 @@ impl Tiles {
     pub(crate) fn fill(&mut self, task: &Task<'_>, chunk: &Chunk) {
         self.lengths.clear();
         self.wall = Wall::of(task.ledger).map(|wall| wall.lanes());
-        let intervals = chunk.samples.len().saturating_sub(1);
-        // Most logs of counts have no times or even ones, and need none of this.
-        if self.wall.is_some() && (task.applied || matches!(chunk.samples, Samples::Any(_))) {
-            let lengths = (0..intervals).map(|i| Length::of(task.layout, chunk, i));
-            self.lengths.extend(lengths);
-        }
         let (Some(wall), Samples::Any(samples)) = (&self.wall, &chunk.samples) else {
             self.tiles.clear();
             return;
         };
+        let intervals = samples.len().saturating_sub(1);
+        let lengths = (0..intervals).map(|i| Length::of(task.layout, chunk, i));
+        self.lengths.extend(lengths);
         let forces = task.applied.then_some(&chunk.forces.values);
         self.tiles.resize(intervals.div_ceil(TILE), Tile::new());
         let mut of = Intervals::new();

@@ -193,8 +193,7 @@ impl Walk<'_> {
         self.task.points && came > 0 && came.is_multiple_of(self.stride)
     }
 
-    /// Most other traces: positions, and counts under the forces in the log with the account beside that. Adds intervals
-    /// that were computed several at a time, as far as doubles decide and no point is plotted; whether there is any.
+    /// Most other traces: positions, and counts that no table has. Adds intervals that were computed several at a time, as far as doubles decide and no point is plotted; whether there is any.
     fn tiles(&mut self, batch: &mut Batch, chunk: &Chunk, account: &mut Account) -> bool {
         let (task, start) = (self.task, self.at);
         if self.h(start) < EXACT_ROWS {
@@ -206,12 +205,13 @@ impl Walk<'_> {
                 most = most.min(self.stride - (self.at - self.from) % self.stride);
             }
             let h = account.intervals + batch.intervals;
-            let Some(added) = self.tile(batch, chunk, most).filter(|added| *added > 0) else {
+            let noted = self.noted;
+            let Some(lengths) = self.tile(batch, chunk, most).filter(|of| !of.is_empty()) else {
                 break;
             };
-            if self.noted {
-                let lengths = self.tiles.lengths.get(self.at..self.at + added);
-                account.timing.add_all(lengths.unwrap_or_default(), h);
+            let added = lengths.len();
+            if noted {
+                account.timing.add_all(lengths, h);
             }
             self.at += added;
             if self.is_point() {
@@ -221,24 +221,26 @@ impl Walk<'_> {
         self.at > start
     }
 
-    /// Adds what is decided in the tile of the next interval, as many as are asked for: how many; `None` where there
-    /// is no tile.
-    fn tile(&mut self, batch: &mut Batch, chunk: &Chunk, most: usize) -> Option<usize> {
+    /// Adds what is decided in the tile of the next interval, as many as are asked for: how long they are; `None` where
+    /// there is no tile.
+    fn tile(&mut self, batch: &mut Batch, chunk: &Chunk, most: usize) -> Option<&[Length]> {
         let (task, at) = (self.task, self.at);
         let applied = task.applied;
         match &chunk.samples {
             Samples::Any(_) => {
                 let (tile, from) = (self.tiles.tiles.get(at / TILE)?, at % TILE);
                 let rows = from..tile.decided(from, from + most, applied);
-                Some(batch.add_tile((&Under { tile, applied }, rows), task.running))
+                let added = batch.add_tile((&Under { tile, applied }, rows), task.running);
+                self.tiles.lengths.get(at..at + added)
             }
             // Other rows of counts are looked up.
             Samples::Counts(_) if !applied && !task.ledger.is_plain() => None,
             Samples::Counts(counts) => {
-                self.tiles.lengths.get(at)?;
                 self.compute_counts(chunk, counts)?;
                 let rows = self.counted.decided(at, most);
-                Some(batch.add_tile((&*self.counted, rows), task.running))
+                let from = rows.start;
+                let added = batch.add_tile((&*self.counted, rows), task.running);
+                Some(self.counted.lengths(from..from + added))
             }
         }
     }
@@ -247,10 +249,7 @@ impl Walk<'_> {
     fn compute_counts(&mut self, chunk: &Chunk, counts: &[i64]) -> Option<()> {
         let (task, i) = (self.task, self.at);
         if !self.counted.has(i) {
-            let known = &self.tiles.lengths;
-            let length = |i: usize| known.get(i).copied();
-            let lengths =
-                (i..).map(|i| length(i).unwrap_or_else(|| Length::of(task.layout, chunk, i)));
+            let lengths = (i..).map(|i| Length::of(task.layout, chunk, i));
             let forces = task.applied.then_some(&chunk.forces.values);
             let wall = self.tiles.wall.as_ref()?;
             self.counted.fill(wall, (counts, forces), i, lengths);

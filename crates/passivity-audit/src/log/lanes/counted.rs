@@ -34,7 +34,8 @@ pub(crate) struct Counted {
     pub(super) own: [Ends; 2],
     pub(super) excess: [Ends; 2],
     pub(super) stored: [Ends; 2],
-    /// How many ticks each crosses.
+    /// How long each is, and how many ticks it crosses.
+    lengths: [Length; TILE],
     pub(super) crossed: [i64; TILE],
     /// Whether each is for sums of its own: it crosses many ticks, lasts one period, or its force is large.
     apart: [bool; TILE],
@@ -62,6 +63,7 @@ impl Counted {
             own: [NONE; 2],
             excess: [NONE; 2],
             stored: [NONE; 2],
+            lengths: [Length::OPEN; TILE],
             crossed: [0; TILE],
             apart: [false; TILE],
             covers: [0; TILE],
@@ -89,6 +91,11 @@ impl Counted {
         let until = self.len.min(from.saturating_add(most));
         let stays = |i: &usize| self.open[*i] == 0 && !self.apart[*i];
         from..from + (from..until).take_while(stays).count()
+    }
+
+    /// How long some rows are.
+    pub(crate) fn lengths(&self, rows: Range<usize>) -> &[Length] {
+        &self.lengths[rows]
     }
 
     /// What interval `i` comes to; `None` where doubles leave something open.
@@ -148,7 +155,7 @@ impl Counted {
                 break;
             };
             let Length(n, d) = lasts;
-            self.crossed[i] = crossed;
+            (self.lengths[i], self.crossed[i]) = (lasts, crossed);
             self.apart[i] = crossed.unsigned_abs() >= MANY || n == d;
             self.of.start.set(i, Ball::whole(*from));
             self.of.end.set(i, Ball::whole(*to));

@@ -101,7 +101,7 @@ impl TileRows for Under<'_> {
     }
 
     fn energies(&self, i: usize, (): &()) -> Energies {
-        let at = |column: &Column| grid(column, i);
+        let at = |column: &Column| column.get(i).ends_on_grid();
         let more = match self.applied {
             true => at(&self.tile.more),
             false => [0, 0],
@@ -242,13 +242,6 @@ fn observed(tile: &Tile, applied: bool) -> [[i64; 3]; TILE] {
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
 fn least(tile: &Tile, rows: &Range<usize>, applied: bool) -> [i128; 4] {
     tile.least(rows, applied)
-}
-
-/// Both ends of a number that is decided.
-fn grid(column: &Column, i: usize) -> [i128; 2] {
-    let [whole, upper, lower, radius] = column.get(i).layers();
-    let (middle, radius) = (on_grid([whole, upper, lower]), i128::from(radius));
-    [middle - radius, middle + radius]
 }
 
 /// In units of the grid, what a sum of some rows is not below that doubles make this: of numbers of this size, together.
