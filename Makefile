@@ -88,7 +88,9 @@ case: ## write the safety case of the default scene into target/case
 prove-smt: ## z3 and cvc5 on every claim, for all real numbers
 	@echo "== z3 and cvc5 on proofs/smt/queries"
 	@proofs/smt/install $(SOLVERS)
-	$(CARGO) run --quiet $(FLAGS) -p passivity-smt -- check $(SOLVERS)
+	@# With the features of the whole workspace nothing is built again that the tests have built.
+	$(CARGO) build --quiet $(FLAGS) --workspace --bin passivity-smt
+	$${CARGO_TARGET_DIR:-target}/debug/passivity-smt check $(SOLVERS)
 
 # REPORT=FILE COMMIT=HASH takes a report made elsewhere, of the sources of that commit, into the
 # evidence; CBMC=VERSION and SOLVER=NAME say what the report does not.

@@ -10,7 +10,7 @@ use std::process::Command;
 use std::sync::Mutex;
 use std::thread::available_parallelism;
 
-use passivity_standin::copy::{copy, workspace, write};
+use passivity_standin::copy::{copy, share_libraries, workspace, write};
 use passivity_standin::list::{self, List};
 use passivity_standin::mutate::{Edit, SWITCH, VARIABLE, with_switches};
 
@@ -19,6 +19,10 @@ const CHANGED: [(&str, &str); 2] = [
     ("crates/passivity-core", ""),
     ("crates/passivity-monitor", "monitor/"),
 ];
+
+/// The package of the harnesses, and the one that asks for libraries as the tree has them.
+const HARNESSES: &str = "passivity-kani";
+const LIBRARIES: &str = "libraries";
 
 /// The members of the copy.
 const MEMBERS: [&str; 6] = [
@@ -84,6 +88,7 @@ fn copied(list: &List) -> PathBuf {
         write(&switch, SWITCH.as_bytes());
     }
     workspace(&root, &copy_of, &MEMBERS);
+    share_libraries(&root, &copy_of, HARNESSES, LIBRARIES);
     copy_of
 }
 
@@ -96,7 +101,9 @@ fn build(copy_of: &Path) -> PathBuf {
             "test",
             "--offline",
             "-p",
-            "passivity-kani",
+            HARNESSES,
+            "-p",
+            LIBRARIES,
             "--lib",
             "--no-run",
         ])
@@ -109,11 +116,11 @@ fn build(copy_of: &Path) -> PathBuf {
         output.status.success(),
         "the copy does not compile:\n{said}"
     );
-    let line = said
+    let mut executables = said
         .lines()
-        .find_map(|line| line.trim().strip_prefix("Executable "));
-    let (_, binary) = line
-        .and_then(|line| line.split_once('('))
+        .filter_map(|line| line.trim().strip_prefix("Executable ")?.split_once('('));
+    let (_, binary) = executables
+        .find(|(_, path)| path.contains("passivity_kani"))
         .expect("a binary");
     copy_of.join(binary.trim_end_matches(')'))
 }

@@ -1,8 +1,10 @@
 //! Copies of crates, in which changes can be tried.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 /// The version of every crate of the tree.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -84,4 +86,75 @@ pub fn workspace(root: &Path, copy_of: &Path, members: &[&str]) {
         write(&copy_of.join("Cargo.lock"), &lock);
         write(&kept, &lock);
     }
+}
+
+/// Adds a member to the copied workspace that asks of each library which a member needs for what the tree at `root` has
+/// of it: built with both, the copy needs no library again that is in the target folder of the tree.
+///
+/// # Panics
+///
+/// When cargo does not say what a workspace needs, or the member not be written.
+pub fn share_libraries(root: &Path, copy_of: &Path, member: &str, name: &str) {
+    let all = libraries(root, &["--workspace"]);
+    let mut asked = String::new();
+    let needed = libraries(copy_of, &["--package", member, "--edges", "normal,build"]);
+    for (i, (library, version)) in needed.keys().enumerate() {
+        let Some(features) = all.get(&(library.clone(), version.clone())) else {
+            continue;
+        };
+        let features: Vec<&String> = features.iter().collect();
+        asked += &format!(
+            "l{i} = {{ package = {library:?}, version = \"={version}\", default-features = false, features = {features:?} }}\n"
+        );
+    }
+    let manifest = format!(
+        "[package]\nname = {name:?}\nedition = \"2021\"\n[dependencies]\n{asked}[build-dependencies]\n{asked}"
+    );
+    let folder = copy_of.join(name);
+    write(&folder.join("Cargo.toml"), manifest.as_bytes());
+    write(&folder.join("src/lib.rs"), b"");
+    // Macros are built for the compiler: what they need is asked for where a build script would.
+    write(&folder.join("build.rs"), b"fn main() {}\n");
+    let workspace = copy_of.join("Cargo.toml");
+    let text = fs::read_to_string(&workspace).expect("the copied workspace");
+    let members = format!("members = [{name:?}, ");
+    write(
+        &workspace,
+        text.replacen("members = [", &members, 1).as_bytes(),
+    );
+}
+
+/// The libraries of a workspace that are from elsewhere, by name and version, and their features.
+fn libraries(workspace: &Path, of: &[&str]) -> BTreeMap<(String, String), BTreeSet<String>> {
+    let output = Command::new(env!("CARGO"))
+        .args([
+            "tree",
+            "--offline",
+            "--prefix",
+            "none",
+            "--format",
+            "{p}|{f}",
+        ])
+        .args(of)
+        .current_dir(workspace)
+        .output()
+        .expect("cargo runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "cargo tree: {said}");
+    let mut libraries: BTreeMap<_, BTreeSet<String>> = BTreeMap::new();
+    for line in String::from_utf8_lossy(&output.stdout).lines() {
+        let Some((package, features)) = line.trim_end_matches(" (*)").split_once('|') else {
+            continue;
+        };
+        // A member's folder comes after its version.
+        let package = package.trim_end_matches(" (proc-macro)");
+        let Some((name, version)) = package.split_once(" v").filter(|(_, v)| !v.contains(' '))
+        else {
+            continue;
+        };
+        let features = features.split(',').filter(|feature| !feature.is_empty());
+        let known = libraries.entry((name.to_owned(), version.to_owned()));
+        known.or_default().extend(features.map(str::to_owned));
+    }
+    libraries
 }
