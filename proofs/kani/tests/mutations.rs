@@ -25,13 +25,14 @@ const HARNESSES: &str = "passivity-kani";
 const LIBRARIES: &str = "libraries";
 
 /// The members of the copy.
-const MEMBERS: [&str; 6] = [
+const MEMBERS: [&str; 7] = [
     CHANGED[0].0,
     CHANGED[1].0,
     "crates/passivity-random",
     "proofs/kani",
     "proofs/standin",
     "proofs/standin/macros",
+    LIBRARIES,
 ];
 
 fn root() -> PathBuf {
@@ -68,7 +69,7 @@ fn copied(list: &List) -> PathBuf {
     for ([file, old, new], (number, _)) in mutations(list) {
         edits.entry(file).or_default().push((number, old, new));
     }
-    for member in MEMBERS {
+    for member in MEMBERS.iter().filter(|member| **member != LIBRARIES) {
         copy(
             &root.join(member),
             &copy_of.join(member),
@@ -87,8 +88,8 @@ fn copied(list: &List) -> PathBuf {
         let switch = copy_of.join(folder).join("src/mutation.rs");
         write(&switch, SWITCH.as_bytes());
     }
+    share_libraries(&root, &copy_of.join(LIBRARIES), HARNESSES);
     workspace(&root, &copy_of, &MEMBERS);
-    share_libraries(&root, &copy_of, HARNESSES, LIBRARIES);
     copy_of
 }
 

@@ -88,40 +88,32 @@ pub fn workspace(root: &Path, copy_of: &Path, members: &[&str]) {
     }
 }
 
-/// Adds a member to the copied workspace that asks of each library which a member needs for what the tree at `root` has
-/// of it: built with both, the copy needs no library again that is in the target folder of the tree.
+/// Writes a package into a folder of a copy that asks of each library which a `member` of the tree at `root` needs for
+/// what the whole tree has of it: built with both, the copy needs no library again that is in the target folder of the
+/// tree.
 ///
 /// # Panics
 ///
-/// When cargo does not say what a workspace needs, or the member not be written.
-pub fn share_libraries(root: &Path, copy_of: &Path, member: &str, name: &str) {
+/// When cargo does not say what the tree needs, or the package not be written.
+pub fn share_libraries(root: &Path, folder: &Path, member: &str) {
     let all = libraries(root, &["--workspace"]);
+    let needed = libraries(root, &["--package", member, "--edges", "normal,build"]);
     let mut asked = String::new();
-    let needed = libraries(copy_of, &["--package", member, "--edges", "normal,build"]);
     for (i, (library, version)) in needed.keys().enumerate() {
-        let Some(features) = all.get(&(library.clone(), version.clone())) else {
-            continue;
-        };
-        let features: Vec<&String> = features.iter().collect();
+        let features = all.get(&(library.clone(), version.clone()));
+        let features: Vec<&String> = features.into_iter().flatten().collect();
         asked += &format!(
             "l{i} = {{ package = {library:?}, version = \"={version}\", default-features = false, features = {features:?} }}\n"
         );
     }
+    let name = folder.file_name().expect("a name");
     let manifest = format!(
         "[package]\nname = {name:?}\nedition = \"2021\"\n[dependencies]\n{asked}[build-dependencies]\n{asked}"
     );
-    let folder = copy_of.join(name);
     write(&folder.join("Cargo.toml"), manifest.as_bytes());
     write(&folder.join("src/lib.rs"), b"");
     // Macros are built for the compiler: what they need is asked for where a build script would.
     write(&folder.join("build.rs"), b"fn main() {}\n");
-    let workspace = copy_of.join("Cargo.toml");
-    let text = fs::read_to_string(&workspace).expect("the copied workspace");
-    let members = format!("members = [{name:?}, ");
-    write(
-        &workspace,
-        text.replacen("members = [", &members, 1).as_bytes(),
-    );
 }
 
 /// The libraries of a workspace that are from elsewhere, by name and version, and their features.

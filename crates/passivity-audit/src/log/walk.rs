@@ -193,7 +193,8 @@ impl Walk<'_> {
         self.task.points && came > 0 && came.is_multiple_of(self.stride)
     }
 
-    /// Most other traces: positions, and counts that no table has. Adds intervals that were computed several at a time, as far as doubles decide and no point is plotted; whether there is any.
+    /// Most other traces: positions, and counts that no table has. Adds intervals that were computed several at a
+    /// time, as far as doubles decide and no point is plotted; whether there is any.
     fn tiles(&mut self, batch: &mut Batch, chunk: &Chunk, account: &mut Account) -> bool {
         let (task, start) = (self.task, self.at);
         if self.h(start) < EXACT_ROWS {
