@@ -18,6 +18,10 @@ LEAN = "passivity-cli" "passivity-cli --features simulate" "passivity-cli --feat
 # The crates that are published, each after those that it needs.
 PUBLISHED = core scene audit oracle vectors plot sim identify capi monitor monitor-capi
 
+# Nothing is built twice here that was not changed: no traces of what was built are kept, nor lines for debuggers.
+export CARGO_INCREMENTAL ?= 0
+export CARGO_PROFILE_DEV_DEBUG ?= 0
+
 .PHONY: help setup run test check fmt clippy doc features package bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate test-python soak fuzz
 
 help: ## list the targets

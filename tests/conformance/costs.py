@@ -5,7 +5,7 @@ w = 1/z. A polynomial is a list of fractions, the constant first. An enclosure i
 """
 
 from fractions import Fraction as F
-from math import cos, isqrt, pi
+from math import cos, isqrt, lcm, pi
 
 HALF = F(1, 2)
 WIDTH = F(1, 2**64)  # of an enclosure that is printed
@@ -56,7 +56,18 @@ def exactly(a, b):
     return quotient
 
 
+def over_one(xs):
+    """The numerators of fractions over their least common denominator, and that."""
+    whole = lcm(*(x.denominator for x in xs))
+    return [x.numerator * (whole // x.denominator) for x in xs], whole
+
+
 def at(p, x):
+    if isinstance(x, F):
+        (numerators, whole), value, power = over_one(p), 0, 1
+        for c in reversed(numerators):
+            value, power = value * x.numerator + c * power, power * x.denominator
+        return F(value * x.denominator, power * whole)
     value = 0 * x
     for c in reversed(p):
         value = value * x + c

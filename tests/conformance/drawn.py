@@ -9,7 +9,7 @@ from functools import cache
 from itertools import product
 from math import cos, floor, gcd, pi, sin
 
-from costs import HALF, Frequencies, Refused, at, decay, derivative, rounded, settled, tails, times
+from costs import HALF, Frequencies, Refused, at, decay, derivative, over_one, rounded, settled, tails, times
 
 SMALL = F(1, 2**96)  # what a response that does not end is cut at
 
@@ -64,8 +64,9 @@ class Loop:
         if self.unilateral and min(measured) < 0 and len(self.response) > 1:
             return None  # a law with memory that is switched off and on is not in this implementation
         forces = []
+        (folded, a), (shown, b) = over_one(folded), over_one(measured)
         for h in range(p):
-            u = -sum(folded[i] * measured[h - i] for i in range(p))
+            u = F(-sum(folded[i] * shown[h - i] for i in range(p)), a * b)
             if self.unilateral and measured[h] < 0:
                 u = F(0)
             lo, hi = u - error, u + error
@@ -93,12 +94,16 @@ class Loop:
             for j, share in enumerate(shares):
                 old = folded[j % p]
                 folded[j % p] = old[0] + share[0], old[1] + share[1]
+            known, a = over_one([k for share in folded for k in share])
+            off, b = over_one([u - middle for force in forces for u in force])
+            known, off = (list(zip(ends[::2], ends[1::2])) for ends in (known, off))
             mixed = []
             for h in range(p):
-                lo = hi = middle
-                for i, (least, share) in enumerate(folded):
-                    ends = [k * (u - middle) for k in (least, share) for u in forces[h - i]]
+                lo = hi = 0
+                for i, share in enumerate(known):
+                    ends = [k * u for k in share for u in off[h - i]]
                     lo, hi = lo + min(ends), hi + max(ends)
+                lo, hi = middle + F(lo, a * b), middle + F(hi, a * b)
                 mixed.append((lo - after * most, hi + after * most))
             forces = mixed
         return [forces[(h - self.delay) % p] for h in range(p)]

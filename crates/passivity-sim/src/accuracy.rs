@@ -122,7 +122,11 @@ fn timed(point: &Point, plan: &Plan, method: &Method) -> Result<(Simulated, f64)
     Ok((run, nanoseconds))
 }
 
-/// A run and the least time that it took, repeated for some seconds.
+/// How many runs are enough to know the least time of one, where they are short.
+const RUNS: u32 = 50;
+
+/// A run and the least time that it took, repeated for some seconds; where many fit into them, for a sixth of
+/// that.
 fn least(
     point: &Point,
     plan: &Plan,
@@ -130,12 +134,14 @@ fn least(
     enough: f64,
 ) -> Result<(Simulated, f64), SimError> {
     let begin = Instant::now();
-    let mut least = f64::INFINITY;
+    let (mut least, mut runs) = (f64::INFINITY, 0);
     loop {
+        runs += 1;
         let start = Instant::now();
         let run = planned(point, plan, method, None)?;
         least = least.min(start.elapsed().as_secs_f64());
-        if begin.elapsed().as_secs_f64() > enough {
+        let spent = begin.elapsed().as_secs_f64();
+        if spent > enough || (runs >= RUNS && spent > enough / 6.0) {
             return Ok((run, least));
         }
     }
