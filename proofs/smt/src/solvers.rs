@@ -1,5 +1,7 @@
 //! Runs z3 and cvc5 on every script and compares their answers with the expected ones.
 
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdout, Command, Stdio};
@@ -37,33 +39,25 @@ impl Solver {
     /// The solvers of the folder that `proofs/smt/install` makes; `None` when it has not.
     #[must_use]
     pub fn installed(folder: &Path) -> Option<[Self; 2]> {
-        let z3 = folder.join("bin/z3");
         let python = folder.join("bin/python");
-        let runner = Path::new(env!("CARGO_MANIFEST_DIR")).join("run_cvc5.py");
-        let version = |command: &[&Path]| {
-            let (program, rest) = command.split_first()?;
-            let output = Command::new(program)
-                .args(rest)
-                .arg("--version")
-                .output()
-                .ok()?;
+        let runner = Path::new(env!("CARGO_MANIFEST_DIR")).join("run_solver.py");
+        let solver = |name| {
+            let mut of = Self {
+                name,
+                version: String::new(),
+                command: [python.as_path(), &runner, Path::new(name)]
+                    .map(PathBuf::from)
+                    .to_vec(),
+            };
+            let output = of.command().ok()?.arg("--version").output().ok()?;
             let text = String::from_utf8(output.stdout).ok()?;
             let version = text
                 .split_whitespace()
                 .find(|word| word.starts_with(|c: char| c.is_ascii_digit()))?;
-            output.status.success().then(|| version.to_owned())
+            version.clone_into(&mut of.version);
+            output.status.success().then_some(of)
         };
-        let z3 = Self {
-            name: "z3",
-            version: version(&[&z3])?,
-            command: vec![z3],
-        };
-        let cvc5 = Self {
-            name: "cvc5",
-            version: version(&[&python, &runner])?,
-            command: vec![python, runner],
-        };
-        Some([z3, cvc5])
+        Some([solver("z3")?, solver("cvc5")?])
     }
 
     fn command(&self) -> std::io::Result<Command> {
@@ -77,11 +71,11 @@ impl Solver {
     }
 }
 
-/// One worker's way to the solvers. z3 is started for each script; cvc5 once, for to load it takes
-/// longer than most answers do.
+/// One worker's way to the solvers, each of which is started once: to load them takes longer than most
+/// answers do.
 #[derive(Default)]
 pub struct Worker {
-    cvc5: Option<Server>,
+    servers: HashMap<&'static str, Server>,
 }
 
 impl Worker {
@@ -98,6 +92,7 @@ impl Worker {
         scratch: &Path,
     ) -> std::io::Result<Outcome> {
         let mut text = script.text.clone();
+        let values = values && !script.variables.is_empty();
         if values {
             text.push_str(&format!("(get-value ({}))\n", script.variables.join(" ")));
         }
@@ -105,17 +100,14 @@ impl Worker {
         let file = scratch.join(format!("{}.{}.smt2", script.name, solver.name));
         std::fs::write(&file, text)?;
         let started = Instant::now();
-        let said = match solver.name {
-            "z3" => {
-                let mut command = solver.command()?;
-                let output = command.arg(format!("-T:{LIMIT}")).arg(&file).output()?;
-                String::from_utf8_lossy(&output.stdout).into_owned()
-            }
-            _ => match &mut self.cvc5 {
-                Some(server) => server.ask(&file)?,
-                none => none.insert(Server::start(solver)?).ask(&file)?,
-            },
+        let server = match self.servers.entry(solver.name) {
+            Entry::Occupied(server) => server.into_mut(),
+            Entry::Vacant(none) => none.insert(Server::start(solver)?),
         };
+        let said = server.ask(&file)?.unwrap_or_else(|| {
+            self.servers.remove(solver.name);
+            format!("it ended, or took more than {LIMIT} s")
+        });
         let seconds = started.elapsed().as_secs_f64();
         let (first, rest) = said.split_once('\n').unwrap_or((&said, ""));
         let answer = match first.trim() {
@@ -133,7 +125,7 @@ impl Worker {
     }
 }
 
-/// `run_cvc5.py`, to which names of files are written and which says what cvc5 said to each.
+/// `run_solver.py`, to which names of files are written and which says what the solver said to each.
 struct Server {
     child: Child,
     said: BufReader<ChildStdout>,
@@ -152,8 +144,8 @@ impl Server {
         Ok(Self { child, said })
     }
 
-    /// All that cvc5 says to a file.
-    fn ask(&mut self, file: &Path) -> std::io::Result<String> {
+    /// All that the solver says to a file; `None` where it ends before it has said it.
+    fn ask(&mut self, file: &Path) -> std::io::Result<Option<String>> {
         let to = self.child.stdin.as_mut();
         writeln!(
             to.ok_or(std::io::ErrorKind::BrokenPipe)?,
@@ -164,11 +156,11 @@ impl Server {
         loop {
             let from = all.len();
             if self.said.read_line(&mut all)? == 0 {
-                return Err(std::io::ErrorKind::UnexpectedEof.into());
+                return Ok(None);
             }
             if all[from..].trim_end() == "end" {
                 all.truncate(from);
-                return Ok(all);
+                return Ok(Some(all));
             }
         }
     }
