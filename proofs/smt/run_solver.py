@@ -33,9 +33,9 @@ def serve(says, seconds):
         try:
             said = says(line.rstrip("\n"))
         except Exception as error:
-            said = f"error: {error}\n"
+            said = f"error: {error}"
         signal.alarm(0)
-        print(said + "end", flush=True)
+        print(said.removesuffix("\n"), "end", sep="\n", flush=True)
 
 
 name, what = sys.argv[1:]

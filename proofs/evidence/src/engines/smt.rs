@@ -18,7 +18,7 @@ const SHARED: [&str; 12] = [
     "proofs/smt/Cargo.toml",
     "proofs/smt/install",
     "proofs/smt/requirements.txt",
-    "proofs/smt/run_cvc5.py",
+    "proofs/smt/run_solver.py",
     "proofs/smt/src/formula.rs",
     "proofs/smt/src/query.rs",
     "proofs/smt/src/replay.rs",
