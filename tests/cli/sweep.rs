@@ -70,8 +70,8 @@ fn a_table_has_every_point_in_order() {
 #[test]
 fn a_killed_sweep_goes_on_where_it_was() {
     let dir = Dir::new();
-    // Points that keep moving: a second or more of work.
-    let scene = scene(&dir, 20_000);
+    // Points that keep moving: half a second or more of work.
+    let scene = scene(&dir, 5_000);
     for name in ["part.csv", "part.parquet"] {
         let mut all = args(&scene, "0.6:1:24", "0:0.4:24");
         all.extend(["--out", name]);
