@@ -85,7 +85,7 @@ impl<W: Width> Account<W> {
         // Products of ticks and parameters fit in 64 bits for either width.
         let ahead: W = net(config, ticks.signed_by(mask));
         let turned = W::from_i64(config.stiffness.times(ticks));
-        let slope = twice.plus(W::from_i64(config.stiffness));
+        let slope = twice.plus(W::of_size(config.stiffness));
         let held = self.slope.max(slope).minus(slope);
         let slanted = slope.minus(turned);
         let moved = slanted.times(W::from_i64(ticks));
@@ -104,7 +104,7 @@ impl<W: Width> Account<W> {
             let stays = pull.times(W::from_i64(ticks));
             (stays, pull.minus(W::from_i64(dragged)), viscous)
         };
-        let taken = W::from_i64(taken);
+        let taken = W::of_size(taken);
         let rose = further.minus(taken);
         let fell = W::ZERO.minus(further).minus(taken);
         let [lower, upper] = self.least;
@@ -146,14 +146,18 @@ impl<W: Width> Account<W> {
         if self.most > W::ZERO {
             return true;
         }
-        let stiffness = W::from_i64(config.stiffness);
+        let stiffness = W::of_size(config.stiffness);
         if !self.slope.is_below(stiffness.plus(stiffness)) {
             // From 2K on the rise is s − K. Of a slope below zero there is none, and `most` is not above −s either.
             return self.most > stiffness.minus(self.slope);
         }
-        let four = W::from_i64(4).times(stiffness);
-        self.most.plus(stiffness) > W::ZERO
-            && four.times(self.most).plus(self.slope.times(self.slope)) > W::ZERO
+        if self.most.plus(stiffness) <= W::ZERO {
+            return false;
+        }
+        // K and what is within it of zero: s² + 4K·most fits in 64 bits for either width.
+        let (most, slope) = (self.most.low(), self.slope.low());
+        let four = config.stiffness.times(4);
+        four.times(most).plus(slope.times(slope)) > 0
     }
 
     /// The least that U can be.

@@ -105,7 +105,8 @@
 //! workspace builds it, with 64-bit sums it takes 76 to 99 instructions in the ways that `cargo bench -p
 //! passivity-monitor` counts under valgrind: at rest, at a few and at many ticks a sample, outside of the wall,
 //! open, surely active, and as the answer changes. That last one is the longest way through the machine code, and
-//! is taken at most once. With 128-bit sums a sample takes 161 to 191 instructions, and 226 as the answer changes.
+//! is taken at most once. With 128-bit sums a sample takes 156 to 185 instructions, and 200 as the answer changes:
+//! forces of 64 bits leave nothing of a sum that fits in one word.
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(

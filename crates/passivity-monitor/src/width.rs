@@ -26,6 +26,14 @@ pub trait Width: Copy + Ord + core::fmt::Debug + sealed::Sealed {
     #[must_use]
     fn from_i64(n: i64) -> Self;
 
+    /// The same number, which is not below zero: nothing is spent on its sign.
+    #[must_use]
+    fn of_size(n: i64) -> Self;
+
+    /// The same number, where the inputs are such that it fits in 64 bits.
+    #[must_use]
+    fn low(self) -> i64;
+
     /// The sum, where the inputs are such that it fits.
     #[must_use]
     fn plus(self, other: Self) -> Self;
@@ -86,6 +94,18 @@ macro_rules! width {
             #[inline]
             fn from_i64(n: i64) -> Self {
                 n.into()
+            }
+
+            #[inline]
+            fn of_size(n: i64) -> Self {
+                debug_assert!(n >= 0);
+                n as u64 as $int
+            }
+
+            #[inline]
+            fn low(self) -> i64 {
+                debug_assert!(i64::try_from(self).is_ok());
+                self as i64
             }
 
             // A build that checks, such as that of the proofs, looks whether the result fits, as it

@@ -155,8 +155,8 @@ impl Account {
             }
         }
         self.timing.append(other.timing, before);
-        // What is long is moved rather than copied.
-        match self.rows.is_empty() {
+        // What is long is moved rather than copied; room is kept where there is nothing to move.
+        match self.rows.is_empty() && !other.rows.is_empty() {
             true => self.rows = other.rows,
             false => self.rows.append(&mut other.rows),
         }

@@ -36,6 +36,8 @@ pub(crate) struct Merge<'a, 'w> {
     task: &'a Task<'a>,
     out: Option<&'w mut (dyn Write + 'w)>,
     written: u64,
+    /// The room of the rows that were written last.
+    room: Vec<u8>,
     account: Account,
     /// How many intervals of the log came before, counted as far as it matters.
     before: usize,
@@ -91,6 +93,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             task,
             out,
             written: 0,
+            room: Vec::new(),
             account: Account::default(),
             before: 0,
             samples: 0,
@@ -171,6 +174,8 @@ impl<'a, 'w> Merge<'a, 'w> {
         }
         if whole > lead + 1 {
             self.keep_head(chunk, lead)?;
+            // The rows of a chunk are many: with none before them they are not copied.
+            self.flush()?;
             self.account.append(account);
             let window = self.task.ledger.window();
             self.recent = chunk.samples.back_from(whole - 1, window);
@@ -285,7 +290,7 @@ impl<'a, 'w> Merge<'a, 'w> {
 
     /// Writes the rows that are ready, with their numbers.
     fn flush(&mut self) -> Result<(), TraceError> {
-        let rows = std::mem::take(&mut self.account.rows);
+        let mut rows = std::mem::take(&mut self.account.rows);
         let Some(out) = &mut self.out else {
             return Ok(());
         };
@@ -299,7 +304,14 @@ impl<'a, 'w> Merge<'a, 'w> {
             self.written += 1;
             start = end + 1;
         }
+        rows.clear();
+        self.room = rows;
         Ok(())
+    }
+
+    /// Gives away the room of the rows that were written last.
+    pub(crate) fn room(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.room)
     }
 
     /// How many samples were taken.

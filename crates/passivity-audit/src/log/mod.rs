@@ -253,11 +253,13 @@ fn account<'a>(
             return Err(TraceError::new("stopped", "the audit was stopped"));
         }
         let mut goes_on = !ended;
-        for (chunk, [account, other]) in at_once(task, law, work, &mut workers) {
+        let accounts = at_once(task, law, work, &mut workers);
+        for ((chunk, [account, other]), [worker, _]) in accounts.into_iter().zip(&mut workers) {
             if let Some(beside) = &mut beside {
                 beside.take(&chunk, other)?;
             }
             goes_on = merge.take(&chunk, account)?;
+            worker.rows = merge.room();
             if !goes_on {
                 break;
             }

@@ -23,6 +23,8 @@ pub(crate) struct Worker {
     room: Shared,
     /// That of net energy, to which the rows of the last chunk led.
     denominator: Option<i128>,
+    /// The room of written rows: there are many of them, and new memory takes longer than to write them.
+    pub(crate) rows: Vec<u8>,
 }
 
 /// What is computed of a chunk once, for an account and another one beside it.
@@ -68,6 +70,7 @@ impl Worker {
         if goes_on && exact < last {
             let rest = Account {
                 supply: Supply::after(account.supply.excess.clone()),
+                rows: std::mem::take(&mut self.rows),
                 ..Account::default()
             };
             account.append(self.between(task, (chunk, shared), [exact, last], rest).0);

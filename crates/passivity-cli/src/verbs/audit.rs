@@ -141,7 +141,8 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         return reported(args, &merged(args, &scene)?);
     }
     let mut rows = match &args.out {
-        Some(path) => Some(BufWriter::new(
+        Some(path) => Some(BufWriter::with_capacity(
+            1 << 16,
             File::create(path).map_err(|error| Failure::io(place(path), &error))?,
         )),
         None => None,
