@@ -55,10 +55,9 @@ pub(super) fn digits(x: f64) -> u32 {
     f64::MANTISSA_DIGITS - x.to_bits().trailing_zeros().min(f64::MANTISSA_DIGITS - 1)
 }
 
-/// Zero where a product is a double, and above that where it is none, or where one of the numbers is near the least
-/// or the largest doubles.
+/// What rounding takes off a product, exactly, where neither number is near the least or the largest doubles.
 #[inline(always)]
-pub(super) fn off_product(a: f64, b: f64) -> f64 {
+pub(super) fn rest_of_product(a: f64, b: f64) -> f64 {
     /// Takes the upper half of the digits apart.
     const UPPER: f64 = ((1_u64 << 27) + 1) as f64;
     let halves = |x: f64| {
@@ -67,8 +66,13 @@ pub(super) fn off_product(a: f64, b: f64) -> f64 {
         [upper, x - upper]
     };
     let ([a1, a2], [b1, b2]) = (halves(a), halves(b));
-    // What rounding takes off, exactly.
-    let rest = ((a1 * b1 - a * b) + a1 * b2 + a2 * b1) + a2 * b2;
+    ((a1 * b1 - a * b) + a1 * b2 + a2 * b1) + a2 * b2
+}
+
+/// Zero where a product is a double, of which rounding takes off that much, and above that where it is none, or where
+/// one of the numbers is near the least or the largest doubles.
+#[inline(always)]
+pub(super) fn off_product(a: f64, b: f64, rest: f64) -> f64 {
     let (a, b) = (a.abs(), b.abs());
     let (least, most) = if a < b { (a, b) } else { (b, a) };
     rest.abs() + (unless(least > 1e-100) + unless(most < 1e100))

@@ -119,7 +119,7 @@ pub(super) fn whole(x: f64) -> u64 {
     split(x).0.cast_unsigned()
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 pub(super) fn compute(tile: &mut Tile, wall: &Wall<false>, of: &Intervals, applied: bool) {
     match (wall.friction_is_exact, applied) {
         (true, true) => tile.compute::<true, true>(wall, of),
@@ -146,7 +146,7 @@ pub(crate) fn commanded(ledger: &Ledger, chunk: &Chunk) -> Vec<f64> {
 }
 
 /// The same of counts.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 fn held_at(counts: &[i64], forces: &mut [f64]) {
     for (count, force) in counts.iter().zip(forces) {
         let (held, radius) = quantizer::held_force(&Ball::whole(*count).lane()).parts();
@@ -154,7 +154,7 @@ fn held_at(counts: &[i64], forces: &mut [f64]) {
     }
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 fn held(middles: &[f64], radii: &[f64], forces: &mut [f64]) {
     for ((middle, radius), force) in middles.iter().zip(radii).zip(forces) {
         let (held, radius) =

@@ -257,7 +257,7 @@ fn covers([lo, hi]: [Lane; 2]) -> (f64, f64) {
     (3.0 - (a + 2.0 * c), a * b + c * d)
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 fn compute(tile: &mut Counted, wall: &Wall<false>, applied: bool) {
     match (wall.friction_is_exact, applied) {
         (true, true) => tile.compute(wall, true, true),

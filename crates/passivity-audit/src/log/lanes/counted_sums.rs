@@ -13,12 +13,8 @@ use crate::log::supply::{Bounds, NO_FORCE};
 use crate::number::Reduced;
 use crate::span::{ONE, units};
 
-/// What rows add to T, at the least and at the most.
-pub(crate) struct Steps([Ends; 2]);
-
-impl Steps {
-    const NONE: Self = Self([NONE; 2]);
-}
+/// What rows add to T, at the least and at the most, where the verdict is about that.
+pub(crate) struct Steps(Option<[Ends; 2]>);
 
 /// One number in layers of 1, 2⁻³² and 2⁻⁶⁴.
 type Layers = [i64; 3];
@@ -66,160 +62,155 @@ fn layers(n: i128) -> Option<Layers> {
 }
 
 impl Counted {
-    /// What each row adds to T, after rows with these excess forces: as [`Contribution::supplied`] has it.
+    /// What each row adds to T, as [`Contribution::supplied`] has it: the first of them after one with this excess force.
     ///
     /// [`Contribution::supplied`]: crate::log::supply::Contribution::supplied
     #[inline(always)]
-    fn steps(&self, before: &[Ends; 2]) -> Steps {
+    fn steps(&self, first: usize, excess: [Layers; 2]) -> [Ends; 2] {
         let mut steps = [NONE; 2];
+        for i in 1..TILE {
+            let before = self.excess.each_ref().map(|end| at(end, i - 1));
+            self.step(&mut steps, i, before);
+        }
+        self.step(&mut steps, first, excess);
+        steps
+    }
+
+    /// The same of a row, after one with this excess force.
+    #[inline(always)]
+    fn step(&self, steps: &mut [Ends; 2], i: usize, before: [Layers; 2]) {
+        let [least, most] = self.excess.each_ref().map(|end| at(end, i));
+        let ticks = self.crossed[i];
+        let is_ahead = ticks >= 0;
+        let (high, low) = (choose(is_ahead, most, least), choose(is_ahead, least, most));
+        let fall = difference(least, before[1]);
+        let rise = difference(most, before[0]);
+        let (falls, rises) = (below_zero(fall), !below_zero(rise));
+        for layer in 0..3 {
+            let own = [&self.own[0], &self.own[1]].map(|own| own[layer][i]);
+            steps[0][layer][i] = own[0]
+                .wrapping_sub(high[layer].wrapping_mul(ticks))
+                .wrapping_add(fall[layer] & falls);
+            steps[1][layer][i] = own[1]
+                .wrapping_sub(low[layer].wrapping_mul(ticks))
+                .wrapping_add(rise[layer] & rises);
+        }
+    }
+}
+
+/// The sum of some rows of a column.
+#[inline(always)]
+fn sum(ends: &Ends, rows: &Range<usize>) -> i128 {
+    let mut sums = [0_i64; 3];
+    for (sum, layer) in sums.iter_mut().zip(ends) {
+        // A tile of numbers below 2^57.
+        for n in &layer[rows.clone()] {
+            *sum = sum.wrapping_add(*n);
+        }
+    }
+    on_grid(sums)
+}
+
+/// The same of the lower and of the upper ends.
+#[inline(always)]
+fn sum_both([lo, hi]: &[Ends; 2], rows: &Range<usize>) -> [i128; 2] {
+    [sum(lo, rows), sum(hi, rows)]
+}
+
+/// The least that some numbers become from row to row, which are made of the sums of columns up to a row and of the
+/// row: bounds from below of them, in units of the grid.
+#[inline(always)]
+fn least_of<const N: usize>(
+    rows: &Range<usize>,
+    columns: [&Ends; N],
+    of: impl Fn([f64; N], [f64; N]) -> [f64; 4],
+) -> [i128; 4] {
+    let mut found = [[0.0; N]; TILE];
+    let mut sizes = [0.0; TILE];
+    for (n, column) in columns.into_iter().enumerate() {
         for i in 0..TILE {
-            let [least, most] = [0, 1].map(|end| at(&self.excess[end], i));
-            let ticks = self.crossed[i];
-            let is_ahead = ticks >= 0;
-            let (high, low) = (choose(is_ahead, most, least), choose(is_ahead, least, most));
-            let fall = difference(least, at(&before[1], i));
-            let rise = difference(most, at(&before[0], i));
-            let (falls, rises) = (below_zero(fall), !below_zero(rise));
-            for layer in 0..3 {
-                let own = [&self.own[0], &self.own[1]].map(|own| own[layer][i]);
-                steps[0][layer][i] = own[0]
-                    .wrapping_sub(high[layer].wrapping_mul(ticks))
-                    .wrapping_add(fall[layer] & falls);
-                steps[1][layer][i] = own[1]
-                    .wrapping_sub(low[layer].wrapping_mul(ticks))
-                    .wrapping_add(rise[layer] & rises);
-            }
+            let [value, size] = near(at(column, i));
+            found[i][n] = value;
+            sizes[i] += size;
         }
-        Steps(steps)
     }
-
-    /// The excess forces of the rows before each of some rows; `None` where that before the first is not on the grid.
-    fn before(&self, rows: &Range<usize>, excess: &Bounds) -> Option<[Ends; 2]> {
-        let mut before = [NONE; 2];
-        for (end, before) in before.iter_mut().enumerate() {
-            let first = layers(units(&excess[end])?)?;
-            for (layer, before) in before.iter_mut().enumerate() {
-                let of = &self.excess[end][layer];
-                before[1..].copy_from_slice(&of[..TILE - 1]);
-                before[rows.start] = first[layer];
-            }
+    let (mut sums, mut size) = ([0.0; N], 0.0);
+    let mut lows = [f64::INFINITY; 4];
+    for i in rows.clone() {
+        for (sum, value) in sums.iter_mut().zip(found[i]) {
+            *sum += value;
         }
-        Some(before)
-    }
-
-    #[inline(always)]
-    fn totals(
-        &self,
-        rows: &Range<usize>,
-        Steps(steps): &Steps,
-    ) -> ([[i128; 2]; 5], i128, [i128; 2]) {
-        let sum = |ends: &Ends| {
-            on_grid([0, 1, 2].map(|layer| {
-                let rows = &ends[layer][rows.clone()];
-                // A tile of numbers below 2^57.
-                rows.iter().fold(0_i64, |sum, n| sum.wrapping_add(*n))
-            }))
-        };
-        let figures = self.sums.each_ref();
-        (
-            figures.map(|ends| ends.each_ref().map(sum)),
-            sum(&self.observed),
-            steps.each_ref().map(sum),
-        )
-    }
-
-    /// Bounds from below of the sums of the first few rows, in units of the grid: see [`Sums`].
-    #[inline(always)]
-    fn least(&self, rows: &Range<usize>, Steps(steps): &Steps) -> [i128; 8] {
-        let mut found = [[0.0; TILE]; 6];
-        let mut sizes = [0.0; TILE];
-        let net = &self.sums[3][0];
-        let columns = [
-            net,
-            &self.observed,
-            &steps[0],
-            &steps[1],
-            &self.stored[0],
-            &self.stored[1],
-        ];
-        for (found, column) in found.iter_mut().zip(columns) {
-            for i in 0..TILE {
-                let [value, size] = near(at(column, i));
-                found[i] = value;
-                sizes[i] += size;
-            }
+        size += sizes[i];
+        for (low, found) in lows.iter_mut().zip(of(sums, found[i])) {
+            *low = if found < *low { found } else { *low };
         }
-        let [
-            nets,
-            observations,
-            least_steps,
-            most_steps,
-            least_ends,
-            most_ends,
-        ] = &found;
-        let [mut net, mut observed, mut least, mut most, mut size] = [0.0; 5];
-        let mut lows = [f64::INFINITY; 8];
-        for i in rows.clone() {
-            net += nets[i];
-            observed += observations[i];
-            least += least_steps[i];
-            most += most_steps[i];
-            size += sizes[i];
-            let found = [
-                net,
-                net + least_ends[i],
-                observed,
-                nets[i],
-                least,
-                most,
-                least + least_ends[i],
-                most + most_ends[i],
-            ];
-            for (low, found) in lows.iter_mut().zip(found) {
-                *low = if found < *low { found } else { *low };
-            }
-        }
-        lows.map(|low| lowest(low, size))
     }
+    lows.map(|low| lowest(low, size))
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn steps(tile: &Counted, before: &[Ends; 2]) -> Steps {
-    tile.steps(before)
+fn steps(tile: &Counted, first: usize, excess: [Layers; 2]) -> [Ends; 2] {
+    tile.steps(first, excess)
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn totals(tile: &Counted, rows: &Range<usize>, steps: &Steps) -> ([[i128; 2]; 5], i128, [i128; 2]) {
-    tile.totals(rows, steps)
+fn totals(
+    tile: &Counted,
+    rows: &Range<usize>,
+    steps: Option<&[Ends; 2]>,
+) -> ([[i128; 2]; 5], i128, [i128; 2]) {
+    // A closure within a `map` would be compiled for any processor.
+    let mut sums = [[0; 2]; 5];
+    for (sum, ends) in sums.iter_mut().zip(&tile.sums) {
+        *sum = sum_both(ends, rows);
+    }
+    let supply = match steps {
+        Some(steps) => sum_both(steps, rows),
+        None => [0; 2],
+    };
+    (sums, sum(&tile.observed, rows), supply)
 }
 
+/// Of net energy, of that and what is stored after it, of what the observer adds, and of the net energy of a row alone.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn least(tile: &Counted, rows: &Range<usize>, steps: &Steps) -> [i128; 8] {
-    tile.least(rows, steps)
+fn least(tile: &Counted, rows: &Range<usize>) -> [i128; 4] {
+    let columns = [&tile.sums[3][0], &tile.observed, &tile.stored[0]];
+    least_of(rows, columns, |[net, observed, _], [row, _, stored]| {
+        [net, net + stored, observed, row]
+    })
+}
+
+/// Of what is added to T at the least and at the most, and of that with what T has beside.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+fn least_supply(tile: &Counted, rows: &Range<usize>, steps: &[Ends; 2]) -> [i128; 4] {
+    let ([least, most], [low, high]) = (steps, &tile.stored);
+    least_of(
+        rows,
+        [least, most, low, high],
+        |[least, most, ..], [.., low, high]| [least, most, least + low, most + high],
+    )
 }
 
 impl TileRows for Counted {
     type Steps = Steps;
 
     fn steps(&self, rows: &Range<usize>, running: bool, excess: Option<&Bounds>) -> Option<Steps> {
-        match running {
-            true => Some(steps(self, &self.before(rows, excess?)?)),
-            false => Some(Steps::NONE),
+        if !running {
+            return Some(Steps(None));
         }
+        let [least, most] = excess?;
+        let before = [layers(units(least)?)?, layers(units(most)?)?];
+        Some(Steps(Some(steps(self, rows.start, before))))
     }
 
-    fn sums(&self, rows: &Range<usize>, steps: &Steps) -> Sums {
-        let (sums, observed, supply) = totals(self, rows, steps);
-        let [
-            least_net,
-            least_stored,
-            least_observed,
-            least_row,
-            least,
-            most,
-            least_end,
-            most_end,
-        ] = least(self, rows, steps);
+    fn sums(&self, rows: &Range<usize>, Steps(steps): &Steps) -> Sums {
+        let (sums, observed, supply) = totals(self, rows, steps.as_ref());
+        let [least_net, least_stored, least_observed, least_row] = least(self, rows);
+        let [least, most, least_end, most_end] = match steps {
+            Some(steps) => least_supply(self, rows, steps),
+            // Nothing is added to it, and no one asks what it has beside.
+            None => [0, 0, i128::MIN, i128::MIN],
+        };
         let last = both(&self.excess, rows.end - 1).map(|n| Reduced::Small(n, ONE));
         Sums {
             sums,
@@ -238,7 +229,7 @@ impl TileRows for Counted {
     fn energies(&self, i: usize, Steps(steps): &Steps) -> Energies {
         Energies {
             net: on_grid(at(&self.sums[3][0], i)),
-            step: both(steps, i),
+            step: steps.as_ref().map_or([0; 2], |steps| both(steps, i)),
             end: both(&self.stored, i),
         }
     }

@@ -219,7 +219,7 @@ impl Rows {
     }
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 pub(super) fn compute(rows: &mut Rows, wall: &Wall<false>, of: &Intervals, applied: bool) {
     match (wall.friction_is_exact, applied) {
         (true, true) => rows.compute::<true, true>(wall, of),
