@@ -28,8 +28,11 @@ use num_integer::Integer as _;
 use num_rational::BigRational;
 use num_traits::{One as _, Signed as _, Zero as _};
 
+use crate::fraction::Wide;
 use crate::interval::Interval;
+use crate::rational::{from_wide, to_wide};
 use crate::transfer::TransferFunction;
+use crate::whole::{dyadic, fraction, over_common};
 
 /// How many terms of a response are summed up at most before it is given up.
 ///
@@ -154,12 +157,13 @@ impl Terms {
         let steps: BigInt = &whole_growth * &whole_growth * BigInt::from(MOST_TERMS) * 4;
         let bits = steps.bits() + width.recip().ceil().to_integer().bits();
         let one = BigInt::one() << bits;
-        let unit = BigRational::new(BigInt::one(), one.clone());
-        let error_of_a_term = &growth * &unit;
+        let unit = dyadic(BigInt::one(), bits);
         // Where the state is as small as this what comes after it is below a quarter of the width.
-        let quarter = width / BigInt::from(4);
-        let enough = (quarter / (&growth * &unit)).floor().to_integer();
-        let after = growth - BigRational::one();
+        let quarter = width.numer() * growth.denom() * &one;
+        let enough = quarter.div_floor(&(width.denom() * growth.numer() * 4));
+        let growth = to_wide(&growth);
+        let error_of_a_term = growth.clone() * to_wide(&unit);
+        let after = growth - Wide::new(BigInt::one(), BigInt::one());
 
         let mut state: VecDeque<BigInt> = others.iter().map(|_| BigInt::zero()).collect();
         let (mut terms, mut size) = (Vec::new(), BigInt::zero());
@@ -173,10 +177,10 @@ impl Terms {
             state.push_front(c);
             size -= state.pop_back()?.abs();
             if j + 1 >= numerator.len() && size <= enough {
-                let count = BigRational::from_integer(BigInt::from(j) + 1);
-                let rounding = &error_of_a_term * count;
-                let state = BigRational::from_integer(size) * &unit + &error_of_a_term;
-                let error = rounding + after * state;
+                let count = Wide::new(BigInt::from(j) + 1, BigInt::one());
+                let rounding = error_of_a_term.clone() * count;
+                let state = Wide::new(size, one) + error_of_a_term;
+                let error = from_wide(&(rounding + after * state))?;
                 return Some(Self { terms, unit, error });
             }
         }
@@ -186,21 +190,15 @@ impl Terms {
 
 /// Numerator and denominator with whole coefficients, d₀ > 0.
 fn whole(controller: &TransferFunction<BigRational>) -> [Vec<BigInt>; 2] {
-    let both = [controller.numerator(), controller.denominator()];
-    let denominators = both.iter().copied().flatten().map(BigRational::denom);
-    let mut common = denominators.fold(BigInt::one(), |common, d| common.lcm(d));
-    if controller
-        .denominator()
-        .first()
-        .is_some_and(|d| d.is_negative())
-    {
-        common = -common;
+    let both = [controller.numerator(), controller.denominator()].concat();
+    let (mut numerator, _) = over_common(&both);
+    let mut denominator = numerator.split_off(controller.numerator().len());
+    if denominator.first().is_some_and(|d| d.is_negative()) {
+        for c in numerator.iter_mut().chain(&mut denominator) {
+            *c = -&*c;
+        }
     }
-    both.map(|side| {
-        side.iter()
-            .map(|c| c.numer() * (&common / c.denom()))
-            .collect()
-    })
+    [numerator, denominator]
 }
 
 /// G of the derivation; `None` when a pole is so near to the unit circle that no power of the
@@ -213,7 +211,6 @@ fn growth(leading: &BigInt, others: &[BigInt]) -> Option<BigRational> {
 /// The same with powers computed to so many bits after the point.
 fn growth_to(bits: u64, leading: &BigInt, others: &[BigInt]) -> Option<BigRational> {
     let one = BigInt::one() << bits;
-    let unit = BigRational::new(BigInt::one(), one.clone());
     let order = others.len();
     let mut power: Vec<Vec<BigInt>> = Vec::new();
     power.push(
@@ -235,33 +232,24 @@ fn growth_to(bits: u64, leading: &BigInt, others: &[BigInt]) -> Option<BigRation
                 .collect(),
         );
     }
-    // One entry of each column is rounded.
-    let mut error = unit.clone();
-    let mut growth = BigRational::one();
-    let rows = BigRational::from_integer(BigInt::from(order));
+    // All in units of the last bit, rounded up. One entry of each column is rounded.
+    let mut error = BigInt::one();
+    let mut growth = one.clone();
     for _ in 0..MOST_DOUBLINGS {
-        let computed = BigRational::from_integer(norm(&power)) * &unit;
+        let computed = norm(&power);
         let bound = &computed + &error;
-        if &bound + &bound <= BigRational::one() {
-            return Some(growth / (BigRational::one() - bound));
+        if &bound + &bound <= one {
+            return Some(fraction(growth, one - bound));
         }
-        if &error + &error > BigRational::one() {
+        if &error + &error > one {
             return None;
         }
         // (A + E)² = A² + AE + E(A + E), and each entry of a column is rounded once.
-        error = &error * (computed + &bound) + &rows * &unit;
-        growth *= BigRational::one() + bound;
-        error = round_up(&error, bits);
-        growth = round_up(&growth, bits);
+        error = (&error * (computed + &bound)).div_ceil(&one) + order;
+        growth = (&growth * (&one + bound)).div_ceil(&one);
         power = product(&power, bits);
     }
     None
-}
-
-/// The next number of `bits` bits after the point, so that bounds do not grow long.
-fn round_up(x: &BigRational, bits: u64) -> BigRational {
-    let one = BigInt::one() << bits;
-    BigRational::new((x.numer() * &one).div_ceil(x.denom()), one)
 }
 
 /// The largest sum of magnitudes in a column.

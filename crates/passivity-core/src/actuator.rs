@@ -16,7 +16,9 @@
 use num_rational::BigRational;
 
 use crate::exponential::{decay, root};
+use crate::fraction::Wide;
 use crate::interval::Interval;
+use crate::rational::{from_wide, to_wide};
 use crate::scalar::{Ordered as _, Scalar};
 
 /// A computing time before the output changes, and a first-order lag after it, in sampling periods.
@@ -139,24 +141,26 @@ impl Actuator<BigRational> {
         let one = BigRational::one();
         let e = decay(&theta.recip(), bits);
         let most = self.variance_bound();
-        if *e.hi() >= one {
-            // So slow a lag that more bits are needed.
-            return Interval::hull(BigRational::zero(), most);
-        }
         // The variance of the lag grows with e; what the two have in common, for f > 0, grows with the
         // power and falls with e.
-        let of_lag = |e: &BigRational| lag_variance(theta, e);
         let fraction = self.fraction();
-        let power = decay(&((&one - &fraction) / theta), bits);
-        let common = |power: &BigRational, e: &BigRational| {
-            if fraction == BigRational::zero() {
-                return BigRational::zero();
+        let power = decay(&(one - &fraction).over(theta.clone()), bits);
+        let [of_latency, theta, fraction] = [&of_latency, theta, &fraction].map(to_wide);
+        let [e, power] = [e, power].map(|enclosed| enclosed.map(to_wide));
+        let of_lag = |e: &Wide| lag_variance(&theta, e);
+        let common = |power: &Wide, e: &Wide| {
+            if fraction == Wide::zero() {
+                return Wide::zero();
             }
-            shared_variance(theta, &fraction, power, e)
+            shared_variance(&theta, &fraction, power, e)
         };
-        let lo = &of_latency + of_lag(e.lo()) + common(power.lo(), e.hi());
+        let lo = of_latency.clone() + of_lag(e.lo()) + common(power.lo(), e.hi());
         let hi = of_latency + of_lag(e.hi()) + common(power.hi(), e.lo());
-        Interval::hull(Scalar::max(lo, BigRational::zero()), Scalar::min(hi, most))
+        let lo = from_wide(&lo.max(Wide::zero()));
+        let hi = from_wide(&hi.min(to_wide(&most)));
+        // Undefined where e may be 1: so slow a lag that more bits are needed.
+        let (lo, hi) = lo.zip(hi).unwrap_or((BigRational::zero(), most));
+        Interval::hull(lo, hi)
     }
 
     /// Whether β ≥ κ, exactly; `None` where no enclosure within bounds tells.
@@ -164,9 +168,9 @@ impl Actuator<BigRational> {
     /// With a lag Var is transcendental, so that β = κ cannot be, and some enclosure tells.
     #[must_use]
     pub fn decide(&self, beta: &BigRational) -> Option<bool> {
-        let mean_delay = self.mean_delay();
+        let [beta, mean_delay] = [beta, &self.mean_delay()].map(to_wide);
         let holds = |variance: &BigRational| {
-            let spares = spare(beta, &mean_delay, variance);
+            let spares = spare(&beta, &mean_delay, &to_wide(variance));
             spares
                 .iter()
                 .all(|spare| spare.is_nonnegative() == Some(true))
@@ -212,10 +216,11 @@ impl Actuator<BigRational> {
         WIDTHS.into_iter().find_map(|bits| {
             let variance = self.variance(bits);
             let [below, above] = [variance.lo(), variance.hi()].map(|v| {
-                let off = Scalar::max(v + error, BigRational::zero());
-                root(&(half.square() + off), bits)
+                let off = (to_wide(v) + to_wide(error)).max(Wide::zero());
+                let square = from_wide(&(to_wide(&half).square() + off))?;
+                Some(root(&square, bits))
             });
-            let cost = Interval::hull(of(below.lo()), of(above.hi()));
+            let cost = Interval::hull(of(below?.lo()), of(above?.hi()));
             (cost.hi() - cost.lo() <= *width).then_some(cost)
         })
     }

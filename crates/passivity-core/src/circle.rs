@@ -7,6 +7,7 @@ use num_rational::BigRational;
 use crate::interval::Interval;
 use crate::pi;
 use crate::scalar::Scalar;
+use crate::whole::dyadic;
 
 /// Sines to so many bits after the point, up to 4000, off by less than one unit of the last place.
 ///
@@ -50,12 +51,11 @@ impl Circle {
     /// and the cosine one of ½. An end may be outside of [−1, 1].
     #[must_use]
     pub fn cosine(&self, turns: &BigRational) -> Interval<BigRational> {
-        let one = BigInt::from(1) << self.bits;
         let close = self.sine(&(turns + BigRational::one().half().half()));
         let is_rational = [BigInt::from(4), BigInt::from(6)]
             .iter()
             .any(|n| (n * turns.numer()).is_multiple_of(turns.denom()));
-        let end = |n: BigInt| BigRational::new(n, one.clone());
+        let end = |n: BigInt| dyadic(n, self.bits);
         if is_rational {
             return Interval::point(end(close).double().round().half());
         }

@@ -78,17 +78,19 @@ impl Response {
         // The fall of each sample from the one before: of sample h it stands at h − 1.
         let (whole, common) = over_common(measured);
         let falls: Vec<BigInt> = steps(&whole).map(|(q, next)| q - next).collect();
-        let at = |(h, q): (usize, &BigRational)| {
+        let [sum, unit] = [&self.sum, &self.tails.unit];
+        let [of_sum, of_tails] = [sum.numer() * unit.denom(), unit.numer() * sum.denom()];
+        let common = common * sum.denom() * unit.denom();
+        let at = |(h, q): (usize, &BigInt)| {
             // gⱼ goes with the fall from the sample j − 1 before to the one j before.
             let before = falls.iter().rev().cycle().skip(period - 1 - h);
             let terms = folded.iter().zip(before);
             let remembered = terms
                 .filter(|(_, fall)| **fall != BigInt::ZERO)
                 .fold(BigInt::ZERO, |sum, (tail, fall)| sum + fall * tail);
-            let remembered = fraction(remembered, common.clone());
-            -(&self.sum * q + remembered * &self.tails.unit)
+            fraction(-(&of_sum * q + &of_tails * remembered), common.clone())
         };
-        measured.iter().enumerate().map(at).collect()
+        whole.iter().enumerate().map(at).collect()
     }
 }
 
@@ -225,14 +227,17 @@ fn product(
     second: &TransferFunction<BigRational>,
 ) -> Option<TransferFunction<BigRational>> {
     let convolved = |a: &[BigRational], b: &[BigRational]| {
-        let mut out: Vec<BigRational> = Vec::new();
-        out.resize((a.len() + b.len()).saturating_sub(1), BigRational::zero());
+        let [(a, of_a), (b, of_b)] = [a, b].map(over_common);
+        let common = of_a * of_b;
+        let mut out: Vec<BigInt> = Vec::new();
+        out.resize((a.len() + b.len()).saturating_sub(1), BigInt::ZERO);
         for (i, x) in a.iter().enumerate() {
-            for (slot, y) in out.iter_mut().skip(i).zip(b) {
+            for (slot, y) in out.iter_mut().skip(i).zip(&b) {
                 *slot += x * y;
             }
         }
-        out
+        let fractions = out.into_iter().map(|c| fraction(c, common.clone()));
+        fractions.collect::<Vec<_>>()
     };
     TransferFunction::new(
         convolved(first.numerator(), second.numerator()),

@@ -6,6 +6,8 @@ use num_rational::BigRational;
 use num_traits::{One as _, Zero as _};
 
 use crate::interval::Interval;
+use crate::scalar::Scalar as _;
+use crate::whole::dyadic;
 
 /// An enclosure of e⁻ʸ for y ≥ 0, at most 2^−`bits` wide, within [0, 1].
 ///
@@ -23,22 +25,16 @@ use crate::interval::Interval;
 /// ```
 #[must_use]
 pub fn decay(y: &BigRational, bits: u32) -> Interval<BigRational> {
-    let unit = |bits: u32| BigRational::new(BigInt::one(), BigInt::one() << bits);
     if *y >= BigRational::from_integer(BigInt::from(bits)) {
         // e > 2.
-        return Interval::hull(BigRational::zero(), unit(bits));
+        return Interval::hull(dyadic(BigInt::zero(), bits), dyadic(BigInt::one(), bits));
     }
     let mut spare = 32;
     loop {
         let working = bits + spare;
         let [lo, hi] = decay_in_units(y, working);
-        let scale = unit(working);
-        let enclosure = Interval::hull(
-            BigRational::from_integer(lo) * &scale,
-            BigRational::from_integer(hi) * &scale,
-        );
-        if enclosure.hi() - enclosure.lo() <= unit(bits) {
-            return enclosure;
+        if &hi - &lo <= BigInt::one() << spare {
+            return Interval::hull(dyadic(lo, working), dyadic(hi, working));
         }
         spare *= 2;
     }
@@ -49,9 +45,9 @@ fn decay_in_units(y: &BigRational, bits: u32) -> [BigInt; 2] {
     let one = BigInt::one() << bits;
     let mut squares = 0_u32;
     let mut small = y.clone();
-    let half = BigRational::new(BigInt::one(), BigInt::from(2));
+    let half = dyadic(BigInt::one(), 1_u32);
     while small > half {
-        small *= &half;
+        small = small.half();
         squares += 1;
     }
     let [below, above] = [
@@ -97,8 +93,5 @@ pub fn root(x: &BigRational, bits: u32) -> Interval<BigRational> {
     let below = squared.div_floor(x.denom()).max(BigInt::zero()).sqrt();
     let exact = &below * &below * x.denom() == squared;
     let above = if exact { below.clone() } else { &below + 1 };
-    Interval::hull(
-        BigRational::new(below, one.clone()),
-        BigRational::new(above, one),
-    )
+    Interval::hull(dyadic(below, bits), dyadic(above, bits))
 }

@@ -12,6 +12,7 @@
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
+use num_bigint::BigInt;
 use num_rational::BigRational;
 
 use crate::interval::Interval;
@@ -20,6 +21,7 @@ use crate::rational;
 use crate::scalar::{Ordered as _, Scalar};
 use crate::sturm::{self, SignOver};
 use crate::transfer::TransferFunction;
+use crate::whole::{fraction, over_common};
 
 /// λ(θ) = R(x)/Q(x) with x = cos θ, dimensionless as β is.
 ///
@@ -71,7 +73,9 @@ impl ViscousCost {
     /// λ(θ) at x = cos θ in [−1, 1].
     #[must_use]
     pub fn at(&self, cosine: &BigRational) -> BigRational {
-        self.numerator.at(cosine).over(self.denominator.at(cosine))
+        self.numerator
+            .written_at(cosine)
+            .over(self.denominator.written_at(cosine))
     }
 
     /// P = βQ − R, not negative at x = cos θ exactly when β ≥ λ(θ).
@@ -207,9 +211,10 @@ fn cosines() -> Interval<BigRational> {
 
 /// Re[a(w)·b(w̄)] at w = e^(−iθ), as a polynomial in cos θ; from the coefficients of w⁰, w¹, ….
 fn real_part_of_product(a: &[BigRational], b: &[BigRational]) -> Polynomial {
+    let [(a, of_a), (b, of_b)] = [a, b].map(over_common);
     let length = a.len().max(b.len());
-    let mut series: Vec<BigRational> = Vec::new();
-    series.resize(length, BigRational::zero());
+    let mut series: Vec<BigInt> = Vec::new();
+    series.resize(length, BigInt::ZERO);
     for (i, left) in a.iter().enumerate() {
         for (j, right) in b.iter().enumerate() {
             // wⁱ·w̄ʲ has the real part cos((i − j)θ).
@@ -218,5 +223,6 @@ fn real_part_of_product(a: &[BigRational], b: &[BigRational]) -> Polynomial {
             }
         }
     }
-    Polynomial::of_cosines(&series)
+    let series: Vec<_> = series.into_iter().map(BigRational::from_integer).collect();
+    Polynomial::of_cosines(&series).scaled(&fraction(1.into(), of_a * of_b))
 }

@@ -23,6 +23,7 @@ use crate::actuator::Actuator;
 use crate::control_loop::Cost;
 use crate::frequency::ViscousCost;
 use crate::interval::Interval;
+use crate::rational::{from_wide, to_wide};
 use crate::scalar::{Ordered as _, Scalar};
 use crate::transfer::TransferFunction;
 
@@ -126,18 +127,18 @@ impl LinearPart {
         if at_one == BigRational::zero() {
             return rest.is_nonnegative();
         }
-        exact.decide(&(rest / at_one))
+        exact.decide(&rest.over(at_one))
     }
 
     /// ½‖c‖₁: a delay does not change it.
     pub(crate) fn coulomb_cost(&self, width: &BigRational) -> Option<Interval<BigRational>> {
         match &self.command {
             Command::Spring { damping, pole } => {
-                let of = |b: &BigRational, a: &BigRational| filtered_cost(b, a).coulomb;
-                Some(Interval::hull(
-                    of(damping.lo(), pole.hi()),
-                    of(damping.hi(), pole.lo()),
-                ))
+                let of = |b: &BigRational, a: &BigRational| {
+                    from_wide(&filtered_cost(&to_wide(b), &to_wide(a)).coulomb)
+                };
+                let lo = of(damping.lo(), pole.hi())?;
+                Some(Interval::hull(lo, of(damping.hi(), pole.lo())?))
             }
             Command::Controller(controller) => {
                 let whole = absolute_sum::enclosure(controller, width)?;
@@ -176,11 +177,11 @@ impl LinearPart {
         let Command::Spring { damping, pole } = &self.command else {
             return self.crude(width);
         };
-        let of = |b: &BigRational, a: &BigRational| filtered_cost(b, a).viscous;
-        Some(Interval::hull(
-            of(damping.lo(), pole.hi()),
-            of(damping.hi(), pole.lo()),
-        ))
+        let of = |b: &BigRational, a: &BigRational| {
+            from_wide(&filtered_cost(&to_wide(b), &to_wide(a)).viscous)
+        };
+        let lo = of(damping.lo(), pole.hi())?;
+        Some(Interval::hull(lo, of(damping.hi(), pole.lo())?))
     }
 
     /// λ(θ) at the middle of the parameters; `None` behind an actuator or a law that is not linear, or

@@ -184,11 +184,12 @@ fn solved<S: Ordered>(mut rows: Vec<Vec<S>>) -> Option<Vec<S>> {
 /// ```
 #[must_use]
 pub fn gain<S: Scalar>(forces: &[S], positions: &[S], friction: &Friction<S>) -> S {
-    let moved = forces.iter().zip(steps(positions));
-    moved.fold(S::zero(), |sum, (force, (from, to))| {
-        let d = to.clone() - from.clone();
-        sum + force.clone() * d.clone() - friction.dissipated_lower(&d, &d.abs())
-    })
+    let moved = steps(positions).map(|(from, to)| to.clone() - from.clone());
+    let moved: Vec<S> = moved.take(forces.len()).collect();
+    let spent = moved.iter().fold(S::zero(), |sum, d| {
+        sum + friction.dissipated_lower(d, &d.abs())
+    });
+    S::sum_of_products(forces, &moved) - spent
 }
 
 /// Each position with the next, and the last with the first.

@@ -112,11 +112,8 @@ impl Polynomial {
         }
         let [least, most] = self.bounds(bits);
         let degree = u32::try_from(self.degree()).unwrap_or(u32::MAX);
-        let scale = BigInt::one() << (bits * degree);
-        Interval::hull(
-            BigRational::new(least, scale.clone()),
-            BigRational::new(most, scale),
-        )
+        let bits = bits * degree;
+        Interval::hull(whole::dyadic(least, bits), whole::dyadic(most, bits))
     }
 }
 

@@ -118,19 +118,18 @@ impl Polynomial {
     /// The value at x.
     #[must_use]
     pub fn at(&self, x: &BigRational) -> BigRational {
-        let [numerator, power] = self.numerator_at(x);
-        whole::fraction(numerator, power * &self.denominator)
+        let (numerator, denominator) = self.written_at(x).into_raw();
+        whole::fraction(numerator, denominator)
     }
 
     /// How the value at x compares with zero, without the value in lowest terms.
     #[must_use]
     pub fn sign_at(&self, x: &BigRational) -> Ordering {
-        let [numerator, _] = self.numerator_at(x);
-        numerator.cmp(&BigInt::ZERO)
+        self.written_at(x).numer().cmp(&BigInt::ZERO)
     }
 
-    /// Σ aₖnᵏdᵐ⁻ᵏ and dᵐ, of the numerators aₖ and x = n/d: the value at x times the denominator, as a quotient.
-    fn numerator_at(&self, x: &BigRational) -> [BigInt; 2] {
+    /// The value at x, not in lowest terms: Σ aₖnᵏdᵐ⁻ᵏ over dᵐ times the denominator, of the numerators aₖ and x = n/d.
+    pub(crate) fn written_at(&self, x: &BigRational) -> BigRational {
         let (mut sum, mut power) = (BigInt::zero(), BigInt::one());
         for (k, a) in self.numerators.iter().rev().enumerate() {
             if k > 0 {
@@ -138,7 +137,7 @@ impl Polynomial {
             }
             sum = sum * x.numer() + a * &power;
         }
-        [sum, power]
+        BigRational::new_raw(sum, power * &self.denominator)
     }
 
     /// The derivative.

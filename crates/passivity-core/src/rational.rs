@@ -10,6 +10,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use crate::fraction::{Fixed, Wide};
 use crate::scalar::{Ordered, Scalar};
+use crate::whole::{fraction, over_common};
 
 /// Big rationals in lowest terms: exact on any size, and the slowest instance.
 ///
@@ -54,7 +55,27 @@ impl Scalar for BigRational {
     }
 
     fn over(self, divisor: Self) -> Self {
-        self / divisor
+        let factor = divisor.recip();
+        fraction(self.numer() * factor.numer(), self.denom() * factor.denom())
+    }
+
+    fn sum_of_products(a: &[Self], b: &[Self]) -> Self {
+        let [(a, of_a), (b, of_b)] = [a, b].map(over_common);
+        let products = a.iter().zip(&b).map(|(a, b)| a * b);
+        fraction(products.sum(), of_a * of_b)
+    }
+
+    fn square(&self) -> Self {
+        // What has no common factor has none squared.
+        Self::new_raw(self.numer() * self.numer(), self.denom() * self.denom())
+    }
+
+    fn double(&self) -> Self {
+        let (numerator, denominator) = (self.numer(), self.denom());
+        match denominator.is_even() {
+            true => Self::new_raw(numerator.clone(), denominator / 2),
+            false => Self::new_raw(numerator * 2, denominator.clone()),
+        }
     }
 }
 

@@ -61,6 +61,13 @@ pub trait Scalar:
         self
     }
 
+    /// Σ aᵢbᵢ of two lists, up to the end of the shorter.
+    #[must_use]
+    fn sum_of_products(a: &[Self], b: &[Self]) -> Self {
+        let products = a.iter().zip(b).map(|(a, b)| a.clone() * b.clone());
+        products.fold(Self::zero(), |sum, product| sum + product)
+    }
+
     /// Zero.
     #[inline(always)]
     #[must_use]

@@ -83,14 +83,13 @@ fn best_angle(cost: &ViscousCost, beta: &BigRational) -> Option<(u32, u32, BigRa
             if turns == 0 || 2 * turns > period || turns.gcd(&period) > 1 {
                 continue;
             }
-            let spare = cost.at(circle.cosine(&fraction(turns, period)).lo()) - beta;
-            let more = best.as_ref().is_none_or(|(_, _, most)| spare > *most);
-            if more && spare.is_positive()? {
-                best = Some((turns, period, spare));
+            let cost = cost.at(circle.cosine(&fraction(turns, period)).lo());
+            if cost > *best.as_ref().map_or(beta, |(_, _, most)| most) {
+                best = Some((turns, period, cost));
             }
         }
     }
-    best
+    best.map(|(turns, period, cost)| (turns, period, cost - beta))
 }
 
 /// The angles, in turns, in the middle of each band where β is short, from bands enclosed to so many

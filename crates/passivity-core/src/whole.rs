@@ -96,6 +96,23 @@ pub fn fraction(numerator: BigInt, denominator: BigInt) -> BigRational {
     BigRational::new_raw(numerator / &divisor, denominator / divisor)
 }
 
+/// The number n/2^`bits` in lowest terms.
+///
+/// # Example
+///
+/// ```
+/// use num_bigint::BigInt;
+/// use passivity_core::{BigRational, Scalar, whole::dyadic};
+///
+/// assert_eq!(dyadic(BigInt::from(-12), 3), BigRational::integer(-3).half());
+/// ```
+#[must_use]
+pub fn dyadic(n: BigInt, bits: impl Into<u64>) -> BigRational {
+    let bits = bits.into();
+    let common = n.trailing_zeros().unwrap_or(bits).min(bits);
+    BigRational::new_raw(n >> common, BigInt::one() << (bits - common))
+}
+
 /// Fractions over their least common denominator: the numerators, and the denominator, which is above zero.
 ///
 /// # Example

@@ -103,10 +103,11 @@ impl Written {
     #[must_use]
     pub fn of(&self, si: &Interval<BigRational>) -> Option<Interval<BigRational>> {
         let one = enclosure(&Interval::point(self.one.clone()))?;
+        let over = |a: &BigRational, b: &BigRational| a.clone().over(b.clone());
         let ends = |x: &BigRational| match self.form {
-            Form::Value => Some([x / one.lo(), x / one.hi()]),
+            Form::Value => Some([over(x, one.lo()), over(x, one.hi())]),
             _ if !x.is_positive() => None,
-            _ => Some([one.lo() / x, one.hi() / x]),
+            _ => Some([over(one.lo(), x), over(one.hi(), x)]),
         };
         let [a, b] = ends(si.lo())?;
         let [c, d] = ends(si.hi())?;

@@ -1,5 +1,7 @@
 //! TH-LTI, TH-LATENCY: motions that draw energy, with what is not known of the forces taken from their gain.
 
+use std::sync::Arc;
+
 use passivity_core::actuator::Actuator;
 use passivity_core::drawn::{Drawn, Search};
 use passivity_core::linear_part::{Command, LinearPart};
@@ -150,4 +152,26 @@ fn th_lti_drawn_waves_are_of_exact_forces() {
     for part in [&damped(about(q(1, 100), &q(1, 100)), 1), &late(q(1, 1000))] {
         assert_eq!(search(part, &friction).find(), None);
     }
+}
+
+/// Of a law with fractions: H(1) = 5/12 and g₁ = −1/3.
+#[test]
+fn th_lti_drawn_gain_of_a_controller_by_hand() {
+    let law = Controller::new([q(3, 4), q(-1, 3)], [q(1, 1)]).unwrap();
+    let friction = Friction::new(q(1, 10), q(1, 1000));
+    let part = LinearPart {
+        command: Command::Controller(Arc::new(law)),
+        ..damped(Interval::point(zero()), 0)
+    };
+    let found = motion(&search(&part, &friction)).unwrap();
+    let positions = &found.positions;
+    let n = positions.len();
+    let gained = (0..n).map(|h| {
+        let before = &positions[(h + n - 1) % n];
+        let force = q(1, 3) * before - q(3, 4) * &positions[h];
+        let way = &positions[(h + 1) % n] - &positions[h];
+        force * &way - &friction.beta * &way * &way - &friction.sigma * magnitude(&way)
+    });
+    assert_eq!(found.gain, gained.fold(zero(), |sum, gain| sum + gain));
+    assert!(found.gain > zero());
 }

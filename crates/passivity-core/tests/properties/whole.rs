@@ -4,7 +4,7 @@ use num_bigint::{BigInt, BigUint};
 use num_integer::Integer as _;
 use num_traits::Pow as _;
 use passivity_core::BigRational;
-use passivity_core::whole::{fraction, gcd};
+use passivity_core::whole::{dyadic, fraction, gcd};
 use proptest::prelude::*;
 
 use crate::common::sampled;
@@ -29,6 +29,14 @@ sampled! {
             prop_assert_eq!(found.numer(), lowest.numer());
             prop_assert_eq!(found.denom(), lowest.denom());
         }
+    }
+}
+
+sampled! {
+    fn num_exact_halves_of_halves_are_in_lowest_terms(n in whole(), shift in 0u32..99, bits in 0u32..99) {
+        let n = n << shift;
+        let lowest = BigRational::new(n.clone(), BigInt::from(2).pow(bits));
+        prop_assert_eq!(dyadic(n, bits).into_raw(), lowest.into_raw());
     }
 }
 
