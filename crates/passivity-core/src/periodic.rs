@@ -169,7 +169,8 @@ fn solved<S: Ordered>(mut rows: Vec<Vec<S>>) -> Option<Vec<S>> {
     done.into_iter().map(|mut row| row.pop()).collect()
 }
 
-/// What the operator gains each time round: work of the held forces less friction (23), in KΔ².
+/// What the operator gains each time round, in KΔ²: work of the held forces less friction (23), which at constant
+/// speed from sample to sample takes β·Σd² + σ·Σ|d|.
 ///
 /// # Example
 ///
@@ -186,9 +187,9 @@ fn solved<S: Ordered>(mut rows: Vec<Vec<S>>) -> Option<Vec<S>> {
 pub fn gain<S: Scalar>(forces: &[S], positions: &[S], friction: &Friction<S>) -> S {
     let moved = steps(positions).map(|(from, to)| to.clone() - from.clone());
     let moved: Vec<S> = moved.take(forces.len()).collect();
-    let spent = moved.iter().fold(S::zero(), |sum, d| {
-        sum + friction.dissipated_lower(d, &d.abs())
-    });
+    let way = moved.iter().fold(S::zero(), |sum, d| sum + d.abs());
+    let viscous = friction.beta.clone() * S::sum_of_products(&moved, &moved);
+    let spent = viscous + friction.sigma.clone() * way;
     S::sum_of_products(forces, &moved) - spent
 }
 

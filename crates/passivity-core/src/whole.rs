@@ -104,7 +104,7 @@ pub fn fraction(numerator: BigInt, denominator: BigInt) -> BigRational {
 /// use num_bigint::BigInt;
 /// use passivity_core::{BigRational, Scalar, whole::dyadic};
 ///
-/// assert_eq!(dyadic(BigInt::from(-12), 3), BigRational::integer(-3).half());
+/// assert_eq!(dyadic(BigInt::from(-12), 3_u32), BigRational::integer(-3).half());
 /// ```
 #[must_use]
 pub fn dyadic(n: BigInt, bits: impl Into<u64>) -> BigRational {
