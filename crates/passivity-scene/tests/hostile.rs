@@ -1,4 +1,6 @@
 //! Input that is meant to hurt: bounded work, one clear error, never a panic.
+//!
+//! A program of its own: it measures by the clock, beside nothing else.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -49,19 +49,7 @@ pub(crate) const SUBJECTS: [Subject; 2] = [
         tests_of: "passivity-scene",
         folder: "crates/passivity-scene",
         tests_in: None,
-        tests: &[
-            "--lib",
-            "--test=constants",
-            "--test=joint_reports",
-            "--test=joints",
-            "--test=limits",
-            "--test=linear",
-            "--test=reports",
-            "--test=scenes",
-            "--test=unforced",
-            "--test=verdicts",
-            "--test=witnesses",
-        ],
+        tests: &["--lib", "--test=decisions"],
     },
 ];
 

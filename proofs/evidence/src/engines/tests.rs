@@ -33,17 +33,18 @@ const PROGRAMS: [Program; 4] = [
     },
     Program {
         said: "verdicts.txt",
-        tests: "crates/passivity-scene/tests/verdicts.rs",
+        tests: "crates/passivity-scene/tests/decisions",
         shared: &[
             "crates/passivity-scene/Cargo.toml",
-            "crates/passivity-scene/tests/verdicts/examples.rs",
+            "crates/passivity-scene/tests/decisions/main.rs",
         ],
     },
     Program {
         said: "certificates.txt",
-        tests: "crates/passivity-scene/tests/certificates.rs",
+        tests: "crates/passivity-scene/tests/files",
         shared: &[
             "crates/passivity-scene/Cargo.toml",
+            "crates/passivity-scene/tests/files/main.rs",
             "tests/conformance/certificate.py",
             "tests/conformance/costs.py",
             "tests/conformance/drawn.py",

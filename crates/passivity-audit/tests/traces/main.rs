@@ -1,0 +1,12 @@
+//! Audits of traces: in exact numbers and in doubles, in pieces, and from files of every form.
+
+mod applied;
+mod audit;
+mod enclosure;
+#[cfg(feature = "mcap")]
+mod mcap;
+mod near;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod partial;
+mod scratch;

@@ -1,0 +1,261 @@
+//! Parquet traces: as CSV ones, and an error for every file that is cut short or corrupt.
+
+mod types;
+
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use parquet::basic::Compression;
+use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::parser::parse_message_type;
+use passivity_audit::{
+    Audit, Options, Stretch, TraceError, Verdict, audit, audit_csv, audit_part, merge_parts,
+};
+use passivity_scene::Scene;
+
+use crate::scratch::Scratch;
+
+fn scene() -> Scene {
+    Scene::from_toml("test", "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"").unwrap()
+}
+
+enum Column {
+    Whole(Vec<i64>),
+    Double(Vec<f64>),
+    Text(Vec<&'static str>),
+    /// Doubles with gaps.
+    Sparse(Vec<Option<f64>>),
+}
+
+/// Writes a file with groups of two rows each.
+fn write(columns: &[(&str, Column)], compression: Compression) -> Scratch {
+    let field = |(name, column): &(&str, Column)| match column {
+        Column::Whole(_) => format!("required int64 {name};"),
+        Column::Double(_) => format!("required double {name};"),
+        Column::Text(_) => format!("required binary {name} (UTF8);"),
+        Column::Sparse(_) => format!("optional double {name};"),
+    };
+    let fields: String = columns.iter().map(field).collect();
+    let schema = Arc::new(parse_message_type(&format!("message trace {{ {fields} }}")).unwrap());
+    let properties = WriterProperties::builder()
+        .set_compression(compression)
+        .build();
+    let mut writer = SerializedFileWriter::new(Vec::new(), schema, Arc::new(properties)).unwrap();
+    let rows = columns
+        .iter()
+        .map(|(_, column)| match column {
+            Column::Whole(values) => values.len(),
+            Column::Double(values) => values.len(),
+            Column::Text(values) => values.len(),
+            Column::Sparse(values) => values.len(),
+        })
+        .max()
+        .unwrap();
+    for start in (0..rows).step_by(2) {
+        let mut group = writer.next_row_group().unwrap();
+        let range = start..rows.min(start + 2);
+        for (_, column) in columns {
+            let mut writer = group.next_column().unwrap().unwrap();
+            match column {
+                Column::Whole(values) => {
+                    writer
+                        .typed::<Int64Type>()
+                        .write_batch(&values[range.clone()], None, None)
+                        .unwrap();
+                }
+                Column::Double(values) => {
+                    writer
+                        .typed::<DoubleType>()
+                        .write_batch(&values[range.clone()], None, None)
+                        .unwrap();
+                }
+                Column::Text(values) => {
+                    let texts: Vec<ByteArray> =
+                        values[range.clone()].iter().map(|t| (*t).into()).collect();
+                    writer
+                        .typed::<ByteArrayType>()
+                        .write_batch(&texts, None, None)
+                        .unwrap();
+                }
+                Column::Sparse(values) => {
+                    let levels: Vec<i16> = values[range.clone()]
+                        .iter()
+                        .map(|v| i16::from(v.is_some()))
+                        .collect();
+                    let there: Vec<f64> = values[range.clone()].iter().copied().flatten().collect();
+                    writer
+                        .typed::<DoubleType>()
+                        .write_batch(&there, Some(&levels), None)
+                        .unwrap();
+                }
+            }
+            writer.close().unwrap();
+        }
+        group.close().unwrap();
+    }
+    Scratch::new("parquet", &writer.into_inner().unwrap())
+}
+
+fn read(path: &Path) -> Result<Audit, TraceError> {
+    audit(
+        path,
+        &scene(),
+        Options {
+            threads: 2,
+            ..Options::default()
+        },
+    )
+}
+
+fn csv(text: &str) -> Audit {
+    audit_csv(
+        Box::new(std::io::Cursor::new(text.to_owned())),
+        &scene(),
+        Options::default(),
+    )
+    .unwrap()
+}
+
+#[test]
+fn parquet_and_csv_agree() {
+    let counts = || Column::Whole(vec![0, 1, 3, 2, -1]);
+    let times = || Column::Double(vec![0.0, 1.0, 2.5, 3.0, 4.0]);
+    for compression in [
+        Compression::UNCOMPRESSED,
+        Compression::SNAPPY,
+        Compression::LZ4_RAW,
+        Compression::ZSTD(Default::default()),
+        Compression::GZIP(Default::default()),
+        Compression::BROTLI(Default::default()),
+    ] {
+        let path = write(&[("count", counts()), ("tau", times())], compression);
+        let table = read(&path).unwrap().to_json();
+        let text = csv("count,tau\n0,0\n1,1\n3,2.5\n2,3\n-1,4\n").to_json();
+        assert_eq!(table, text, "{compression}");
+    }
+    let path = write(
+        &[("xi", Column::Text(vec!["1/3", "-0.5", "2e1"]))],
+        Compression::SNAPPY,
+    );
+    assert_eq!(
+        read(&path).unwrap().to_json(),
+        csv("xi\n1/3\n-1/2\n20\n").to_json()
+    );
+    let path = write(
+        &[("xi", Column::Double(vec![0.1, 0.5]))],
+        Compression::SNAPPY,
+    );
+    // The dyadic rational that the double is, not 1/10.
+    let json = read(&path).unwrap().to_json();
+    assert_eq!(json["rows"][0]["xi0"], "3602879701896397/36028797018963968");
+}
+
+#[test]
+fn a_wrong_value_has_its_row() {
+    for (name, column, kind, row) in [
+        (
+            "nan",
+            Column::Double(vec![0.0, 1.0, 2.0, f64::NAN, 4.0]),
+            "not_finite",
+            4,
+        ),
+        (
+            "inf",
+            Column::Double(vec![f64::INFINITY, 1.0]),
+            "not_finite",
+            1,
+        ),
+        (
+            "null",
+            Column::Sparse(vec![Some(0.0), Some(1.0), None, Some(1.0)]),
+            "missing",
+            3,
+        ),
+        (
+            "word",
+            Column::Text(vec!["0", "one"]),
+            "malformed_number",
+            2,
+        ),
+    ] {
+        let path = write(&[("xi", column)], Compression::SNAPPY);
+        let audit = read(&path).unwrap();
+        let error = audit.error().unwrap();
+        assert_eq!(
+            (error.kind, error.row),
+            (kind, Some(row)),
+            "{name}: {error}"
+        );
+        assert_eq!(audit.totals().intervals, u64::saturating_sub(row, 2));
+        assert_eq!(audit.verdict(), Verdict::Broken);
+    }
+}
+
+#[test]
+fn every_prefix_and_every_flipped_byte_ends_in_a_report_or_an_error() {
+    // Six groups of rows: every byte of the file is tried, so it is kept short.
+    let counts: Vec<i64> = (0..12).map(|i| i * i % 17).collect();
+    let path = write(&[("count", Column::Whole(counts))], Compression::SNAPPY);
+    let whole = fs::read(&*path).unwrap();
+    let hostile = Scratch::new("hostile", &whole);
+    let mut refused = 0;
+    for end in (0..whole.len()).step_by(7) {
+        fs::write(&*hostile, &whole[..end]).unwrap();
+        // A file cut short has no footer.
+        assert!(read(&hostile).is_err(), "{end} of {} bytes", whole.len());
+    }
+    for at in 0..whole.len() {
+        let mut bytes = whole.clone();
+        bytes[at] ^= 0x55;
+        fs::write(&*hostile, &bytes).unwrap();
+        match read(&hostile) {
+            Err(_) => refused += 1,
+            Ok(audit) => assert!(audit.to_json().is_object()),
+        }
+    }
+    assert!(refused > 0);
+}
+
+#[test]
+fn merged_pieces_are_the_report_of_the_whole() {
+    let scene = scene();
+    let counts: Vec<i64> = (0..41).map(|i| (i * i) % 7).collect();
+    let mut forces: Vec<Option<f64>> = counts.iter().map(|n| Some(-(*n as f64))).collect();
+    let whole_file = write(
+        &[
+            ("count", Column::Whole(counts.clone())),
+            ("f", Column::Sparse(forces.clone())),
+        ],
+        Compression::UNCOMPRESSED,
+    );
+    forces[29] = None;
+    let broken_file = write(
+        &[
+            ("count", Column::Whole(counts)),
+            ("f", Column::Sparse(forces)),
+        ],
+        Compression::SNAPPY,
+    );
+    for path in [whole_file, broken_file] {
+        let whole = audit(&path, &scene, Options::default()).unwrap().to_json();
+        let merged = |stretches: &[Stretch]| {
+            let part = |stretch: &Stretch| {
+                let part = audit_part(&path, &scene, *stretch, Options::default()).unwrap();
+                (format!("{stretch:?}"), part)
+            };
+            let parts: Vec<_> = stretches.iter().map(part).collect();
+            merge_parts(&parts, &scene).unwrap().to_json()
+        };
+        for n in [1, 2, 3, 7, 20, 60] {
+            let shards: Vec<Stretch> = (1..=n).map(|i| Stretch::Shard(i, n)).collect();
+            assert_eq!(merged(&shards), whole, "{n}");
+        }
+        for cut in 0..44 {
+            let stretches = [Stretch::Samples(0, Some(cut)), Stretch::Samples(cut, None)];
+            assert_eq!(merged(&stretches), whole, "{cut}");
+        }
+    }
+}

@@ -1,0 +1,234 @@
+//! What stored values mean by their types: numbers of all widths, decimals, clocks.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use parquet::data_type::{
+    BoolType, ByteArray, ByteArrayType, FixedLenByteArray, FixedLenByteArrayType, Int32Type,
+    Int64Type,
+};
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::parser::parse_message_type;
+use passivity_audit::{Audit, Options, audit};
+use passivity_scene::Scene;
+
+use super::read;
+use crate::scratch::Scratch;
+
+/// A value as it is stored, whatever its type says that it means.
+enum Stored {
+    Short(i32),
+    Long(i64),
+    Bytes(&'static [u8]),
+}
+
+/// Writes columns of stored values, each with its field of the schema.
+fn store(columns: &[(&str, Vec<Stored>)]) -> Scratch {
+    let fields: String = columns
+        .iter()
+        .map(|(field, _)| format!("required {field};"))
+        .collect();
+    let schema = Arc::new(parse_message_type(&format!("message trace {{ {fields} }}")).unwrap());
+    let properties = Arc::new(WriterProperties::builder().build());
+    let mut writer = SerializedFileWriter::new(Vec::new(), schema, properties).unwrap();
+    let mut group = writer.next_row_group().unwrap();
+    for (field, values) in columns {
+        let mut column = group.next_column().unwrap().unwrap();
+        for value in values {
+            match value {
+                Stored::Short(n) if field.starts_with("int32") => {
+                    column
+                        .typed::<Int32Type>()
+                        .write_batch(&[*n], None, None)
+                        .unwrap();
+                }
+                Stored::Short(n) => {
+                    column
+                        .typed::<BoolType>()
+                        .write_batch(&[*n != 0], None, None)
+                        .unwrap();
+                }
+                Stored::Long(n) => {
+                    column
+                        .typed::<Int64Type>()
+                        .write_batch(&[*n], None, None)
+                        .unwrap();
+                }
+                Stored::Bytes(bytes) if field.starts_with("binary") => {
+                    let value = ByteArray::from(bytes.to_vec());
+                    column
+                        .typed::<ByteArrayType>()
+                        .write_batch(&[value], None, None)
+                        .unwrap();
+                }
+                Stored::Bytes(bytes) => {
+                    let value = FixedLenByteArray::from(ByteArray::from(bytes.to_vec()));
+                    column
+                        .typed::<FixedLenByteArrayType>()
+                        .write_batch(&[value], None, None)
+                        .unwrap();
+                }
+            };
+        }
+        column.close().unwrap();
+    }
+    group.close().unwrap();
+    Scratch::new("parquet", &writer.into_inner().unwrap())
+}
+
+#[test]
+fn types_mean_what_they_say() {
+    use Stored::{Bytes, Long, Short};
+    let positions = |audit: &Audit| {
+        let rows = audit.to_json()["rows"].clone();
+        let row = |name: &str| match &rows[0][name] {
+            serde_json::Value::String(text) => text.clone(),
+            range => range["lo"].as_str().unwrap().to_owned(),
+        };
+        [row("xi0"), row("xi1")]
+    };
+    let cases: [(&str, Vec<Stored>, [&str; 2]); 11] = [
+        (
+            "int32 count (INTEGER(32,false))",
+            vec![Short(-1), Short(-2)],
+            ["4294967295", "4294967294"],
+        ),
+        (
+            "int32 count (UINT_8)",
+            vec![Short(255), Short(3)],
+            ["255", "3"],
+        ),
+        (
+            "int32 count (INTEGER(8,true))",
+            vec![Short(-5), Short(3)],
+            ["-5", "3"],
+        ),
+        (
+            "int64 xi (INTEGER(64,false))",
+            vec![Long(-1), Long(7)],
+            ["18446744073709551615", "7"],
+        ),
+        (
+            "int32 xi (DECIMAL(9,3))",
+            vec![Short(1250), Short(-500)],
+            ["5/4", "-1/2"],
+        ),
+        (
+            "int64 count (DECIMAL(18,2))",
+            vec![Long(300), Long(-200)],
+            ["3", "-2"],
+        ),
+        (
+            "int64 xi (DECIMAL(18,2))",
+            vec![Long(301), Long(-200)],
+            ["301/100", "-2"],
+        ),
+        (
+            "fixed_len_byte_array(3) xi (DECIMAL(6,1))",
+            vec![Bytes(&[0xff, 0xff, 0xfb]), Bytes(&[0, 1, 0])],
+            ["-1/2", "128/5"],
+        ),
+        (
+            "binary xi (DECIMAL(30,2))",
+            vec![Bytes(&[0x19]), Bytes(&[0xff, 0x38])],
+            ["1/4", "-2"],
+        ),
+        (
+            "binary xi (STRING)",
+            vec![Bytes(b"1/3"), Bytes(b"2")],
+            ["1/3", "2"],
+        ),
+        ("binary xi", vec![Bytes(b"1/3"), Bytes(b"2")], ["1/3", "2"]),
+    ];
+    for (field, values, expected) in cases {
+        let path = store(&[(field, values)]);
+        let audit = read(&path).unwrap();
+        assert_eq!(audit.error(), None, "{field}");
+        assert_eq!(positions(&audit), expected, "{field}");
+    }
+    for (field, values) in [
+        ("int32 xi (DATE)", vec![Short(1), Short(2)]),
+        ("boolean xi", vec![Short(1), Short(0)]),
+        (
+            "fixed_len_byte_array(2) xi (FLOAT16)",
+            vec![Bytes(&[0, 0x3c])],
+        ),
+        ("fixed_len_byte_array(2) xi", vec![Bytes(&[0, 0x3c])]),
+        ("binary xi (JSON)", vec![Bytes(b"1")]),
+        ("int64 xi (TIMESTAMP(MICROS,true))", vec![Long(1), Long(2)]),
+    ] {
+        let path = store(&[(field, values)]);
+        let error = match read(&path) {
+            Err(error) => error,
+            Ok(audit) => audit
+                .error()
+                .unwrap_or_else(|| panic!("{field}: it is read"))
+                .clone(),
+        };
+        assert_eq!(
+            (error.kind, error.column.as_deref()),
+            ("type", Some("xi")),
+            "{field}: {error}"
+        );
+    }
+    // A count past 63 bits is none.
+    let path = store(&[("int64 count (INTEGER(64,false))", vec![Long(-1), Long(0)])]);
+    assert_eq!(read(&path).unwrap().error().unwrap().kind, "count");
+}
+
+#[test]
+fn a_clock_has_the_unit_of_its_type() {
+    use Stored::{Long, Short};
+    let scene = Scene::from_toml(
+        "test",
+        "[device]\nviscous = \"1 N s/m\"\n[sampling]\nperiod = \"1 ms\"\n[wall]\nstiffness = \"1 N/mm\"",
+    );
+    let scene = scene.unwrap();
+    let audited = |path: &Path, columns: Option<&str>| {
+        let mut options = Options::default();
+        options.dialect.columns = columns.map(|text| text.parse().unwrap());
+        audit(path, &scene, options)
+    };
+    let epoch = 1_700_000_000_000_000_i64;
+    for (unit, times) in [
+        (
+            "TIMESTAMP(MILLIS,true)",
+            [epoch / 1000, epoch / 1000 + 1, epoch / 1000 + 3],
+        ),
+        (
+            "TIMESTAMP(MICROS,true)",
+            [epoch, epoch + 1000, epoch + 3000],
+        ),
+        (
+            "TIMESTAMP(NANOS,false)",
+            [
+                epoch * 1000,
+                epoch * 1000 + 1_000_000,
+                epoch * 1000 + 3_000_000,
+            ],
+        ),
+        ("TIMESTAMP_MICROS", [epoch, epoch + 1000, epoch + 3000]),
+    ] {
+        let positions = || vec![Short(0), Short(1), Short(3)];
+        let clock = times.map(Long).into_iter().collect();
+        let fields = [
+            format!("int64 t ({unit})"),
+            "int32 pos (DECIMAL(9,4))".to_owned(),
+        ];
+        let path = store(&[(&fields[0], clock), (&fields[1], positions())]);
+        // The name of the position is not understood; the proposal is.
+        let error = audited(&path, None).unwrap_err();
+        let proposal = error.proposal.unwrap();
+        assert_eq!(proposal.columns, "t=t, x=pos [m]", "{unit}");
+        let audit = audited(&path, Some(&proposal.columns)).unwrap();
+        let timing = audit.report().timing.clone().unwrap();
+        assert_eq!((timing.uneven, timing.missed_samples), (1, 1), "{unit}");
+        // A header may repeat the unit, not contradict it.
+        let error = audited(&path, Some("t=t [s], x=pos [m]")).unwrap_err();
+        assert_eq!(error.kind, "unit", "{error}");
+        // And a clock is no torque.
+        let error = audited(&path, Some("f=t [N], x=pos [m]")).unwrap_err();
+        assert_eq!(error.kind, "type", "{error}");
+    }
+}

@@ -1,0 +1,247 @@
+//! Audits in pieces: merged, they are the report of the whole, to the last byte.
+
+use std::path::Path;
+
+use passivity_audit::{Options, Partial, Stretch, TraceError, audit, audit_part, merge_parts};
+use passivity_random::draws;
+use passivity_scene::Scene;
+use proptest::prelude::*;
+
+use crate::scratch::Scratch;
+
+fn options<'a>(law: bool, block: usize) -> Options<'a> {
+    Options {
+        law,
+        block,
+        threads: 2,
+        ..Options::default()
+    }
+}
+
+/// The account of a stretch as it comes out of a file.
+fn part(
+    path: &Path,
+    scene: &Scene,
+    stretch: Stretch,
+    law: bool,
+) -> Result<(String, Partial), TraceError> {
+    let part = audit_part(path, scene, stretch, options(law, 64))?;
+    let part = Partial::from_json(&part.to_json()?)?;
+    Ok((format!("{stretch:?}"), part))
+}
+
+/// A stretch for each gap between cuts.
+fn stretches(cuts: &[u64]) -> Vec<Stretch> {
+    let mut cuts = cuts.to_vec();
+    cuts.sort_unstable();
+    let starts = std::iter::once(0).chain(cuts.iter().copied());
+    let ends = cuts.iter().copied().map(Some).chain([None]);
+    starts
+        .zip(ends)
+        .map(|(a, b)| Stretch::Samples(a, b))
+        .collect()
+}
+
+fn scene(text: &str) -> Scene {
+    Scene::from_toml("s", text).unwrap()
+}
+
+const ROTARY: &str = "[device]\ninertia = \"6.28e-6 kg m^2\"\nviscous = \"9e-6 N m s/rad ± 10%\"\n\
+                      coulomb = \"2e-3 N m\"\n[sampling]\nperiod = \"1 ms\"\n[encoder]\n\
+                      counts_per_revolution = 8192\n[wall]\nstiffness = \"2 N m/rad\"\n";
+
+fn scenes() -> Vec<Scene> {
+    let plain = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"1/5\"\n";
+    vec![
+        scene(plain),
+        scene(&format!("{plain}[sampling]\ndelay = 2\n")),
+        scene(&format!("{plain}[wall]\nunilateral = true\n")),
+        scene(ROTARY),
+        scene(&format!("{ROTARY}damping = \"1e-4 N m s/rad\"\n")),
+    ]
+}
+
+/// The text of a log of a kind from a walk: its columns, mistakes and line breaks.
+fn text(kind: usize, walk: &[(i32, u32)], mistake: Option<usize>, ending: usize) -> Vec<u8> {
+    let header = [
+        "count\n",
+        "xi\n",
+        "tau,count\n",
+        "tau,xi\n",
+        "t [ms],count,f [N m]\n",
+        "t [ms],x [rad],v [rad/s],f [N m]\n",
+        "xi0,xi1,dtau\n",
+        "tau,count,f\n",
+    ];
+    let header = header[kind];
+    let mut text = header.to_owned();
+    let (mut at, mut time) = (0, 0.0);
+    for (row, (step, late)) in walk.iter().enumerate() {
+        let from = at;
+        at += step;
+        time += 1.0 + 0.25 * f64::from(*late);
+        let quarter = f64::from(at) / 4.0;
+        let force = f64::from(*late) * 1e-3 - f64::from(at) * 7.669_904e-4;
+        if mistake == Some(row) {
+            text.push_str(if row % 2 == 0 { "oops\n" } else { "\n" });
+            continue;
+        }
+        match kind {
+            0 => text.push_str(&format!("{at}\n")),
+            1 => text.push_str(&format!("{quarter}\n")),
+            2 => text.push_str(&format!("{time},{at}\n")),
+            3 => text.push_str(&format!("{time},{quarter}\n")),
+            4 => text.push_str(&format!("{time},{at},{force:.6}\n")),
+            5 => text.push_str(&format!(
+                "{time},{},{},{force:.6}\n",
+                quarter / 100.0,
+                step * 10
+            )),
+            6 => text.push_str(&format!("{from}/3,{at}/3,1\n")),
+            _ => text.push_str(&format!("{time},{at},{}\n", -at)),
+        }
+    }
+    match ending {
+        0 => {}
+        1 => text.push_str("\n\n"),
+        // A torn last line that is whole as it stands, and one that is not.
+        2 => text.truncate(text.trim_end().len()),
+        _ => text.push_str("7,"),
+    }
+    text.into_bytes()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(draws(75)))]
+
+    #[test]
+    fn merged_pieces_are_the_report_of_the_whole(
+        kind in 0..8_usize,
+        which in 0..5_usize,
+        walk in prop::collection::vec((-3..4_i32, prop_oneof![4 => Just(0_u32), 1 => 0..3_u32]), 0..60),
+        mistake in prop::option::weighted(0.2, 0..60_usize),
+        ending in 0..4_usize,
+        cuts in prop::collection::vec(0..64_u64, 0..6),
+        shards in 1..9_u64,
+        law: bool,
+    ) {
+        let scenes = scenes();
+        let scene = &scenes[which];
+        let log = Scratch::new("csv", &text(kind, &walk, mistake, ending));
+        let whole = match audit(&log, scene, options(law, 100)) {
+            Ok(whole) => whole,
+            Err(error) => {
+                // What cannot be audited cannot be audited in pieces, for the same reason.
+                let refused = part(&log, scene, Stretch::Shard(1, 1), law).unwrap_err();
+                prop_assert_eq!(refused.to_string(), error.to_string());
+                return Ok(());
+            }
+        };
+        let shards = (1..=shards).map(|i| Stretch::Shard(i, shards));
+        for all in [stretches(&cuts), shards.collect()] {
+            let parts = all.iter().rev().map(|stretch| part(&log, scene, *stretch, law));
+            let parts = parts.collect::<Result<Vec<_>, _>>().unwrap();
+            let merged = merge_parts(&parts, scene).unwrap();
+            prop_assert_eq!(merged.to_json().to_string(), whole.to_json().to_string(), "{:?}", all);
+            prop_assert_eq!(merged.to_text(), whole.to_text());
+            prop_assert_eq!(merged.certificate(), whole.certificate());
+        }
+    }
+}
+
+/// A log with ever new durations: the common denominator of the energies of its first, exact rows outgrows
+/// what is kept exactly.
+fn of_many_durations(rows: u64, more_decimals: usize) -> Scratch {
+    let mut text = "tau,xi\n".to_owned();
+    let mut time = 0_u64;
+    for i in 0..rows {
+        time += 1_000_003 + 2 * i * i;
+        let (whole, decimals) = (time / 1_000_000, time % 1_000_000);
+        let more = "0".repeat(more_decimals);
+        text.push_str(&format!("{whole}.{decimals:06}{more}{},{}\n", i % 7, i % 3));
+    }
+    Scratch::new("csv", text.as_bytes())
+}
+
+#[test]
+fn pieces_whose_sums_would_be_rounded_are_refused() {
+    let log = of_many_durations(300, 150);
+    let scene = &scenes()[0];
+    let error = part(&log, scene, Stretch::Samples(0, Some(290)), false).unwrap_err();
+    assert_eq!(error.kind, "denominator");
+    assert!(
+        error
+            .to_string()
+            .contains("do not cut the log before sample 1000"),
+        "{error}"
+    );
+    // One piece alone may be exact where all of them together are not.
+    let parts = (1..=8).map(|i| part(&log, scene, Stretch::Shard(i, 8), false));
+    let parts = parts.collect::<Result<Vec<_>, _>>().unwrap();
+    let error = merge_parts(&parts, scene).unwrap_err();
+    assert_eq!(error.kind, "denominator");
+}
+
+#[test]
+fn pieces_after_the_exact_rows_are_summed_up_whatever_their_durations() {
+    let log = of_many_durations(1600, 0);
+    for scene in scenes().iter().take(1) {
+        let whole = audit(&log, scene, Options::default()).unwrap();
+        let part = |stretch: Stretch| {
+            let part = audit_part(&log, scene, stretch, Options::default()).unwrap();
+            let part = Partial::from_json(&part.to_json().unwrap()).unwrap();
+            (format!("{stretch:?}"), part)
+        };
+        let parts: Vec<_> = stretches(&[1200, 1201]).into_iter().map(part).collect();
+        let merged = merge_parts(&parts, scene).unwrap();
+        assert_eq!(merged.to_json(), whole.to_json());
+    }
+}
+
+#[test]
+fn compressed_logs_and_streams_are_refused() {
+    let scene = &scenes()[0];
+    let log = Scratch::new("csv.gz", &[0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 3]);
+    let error = part(&log, scene, Stretch::Shard(1, 2), false).unwrap_err();
+    assert!(error.to_string().contains("decompress"), "{error}");
+    let error = part(Path::new("-"), scene, Stretch::Shard(1, 2), false).unwrap_err();
+    assert!(error.to_string().contains("standard input"), "{error}");
+}
+
+#[test]
+fn a_changed_account_ends_in_a_report_or_an_error() {
+    let scene = &scenes()[4];
+    let walk: Vec<(i32, u32)> = (0..40_i32)
+        .map(|i| (i % 5 - 2, u32::from(i % 7 == 0)))
+        .collect();
+    let log = Scratch::new("csv", &text(5, &walk, None, 0));
+    let (name, first) = part(&log, scene, Stretch::Shard(1, 2), false).unwrap();
+    let second = part(&log, scene, Stretch::Shard(2, 2), false).unwrap();
+    let json = first.to_json().unwrap();
+    let (mut refused, mut read) = (0, 0);
+    let digits = json.char_indices().filter(|(_, c)| c.is_ascii_digit());
+    for (at, _) in digits.step_by(844_usize.div_ceil(draws(1) as usize)) {
+        for new in [
+            "",
+            "-",
+            "0",
+            "99999999999999999999",
+            "18446744073709551615",
+            "null",
+            "/0",
+        ] {
+            let changed = format!("{}{new}{}", &json[..at], &json[at + 1..]);
+            let merged = Partial::from_json(&changed)
+                .and_then(|part| merge_parts(&[(name.clone(), part), second.clone()], scene));
+            match merged {
+                Ok(audit) => {
+                    read += 1;
+                    // Whatever it says, it can be said.
+                    assert!(!audit.to_text().is_empty() && audit.to_json().is_object());
+                }
+                Err(_) => refused += 1,
+            }
+        }
+    }
+    assert!(refused > 20 && read > 5, "{refused} {read}");
+}

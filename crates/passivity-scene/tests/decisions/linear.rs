@@ -1,0 +1,168 @@
+//! Loops with any linear controller, filter, delay, latency and lag: what they cost, decided exactly,
+//! and the motions that draw energy below it, computed again from the encoder and the difference
+//! equation alone (TH-LTI, TH-LATENCY, TH-LAG).
+
+use num_traits::{Signed as _, Zero as _};
+use passivity_core::{BigRational, Interval};
+use passivity_scene::Scene;
+use passivity_scene::check::{Report, Verdict};
+
+use crate::dimensionless::{approx, q, report};
+
+/// Verdicts at β, and 10⁻³⁰ below.
+fn beside(beta: &str, sections: &str) -> [Report; 2] {
+    let least = q("1e-30");
+    [q(beta), q(beta) - least].map(|beta| report(&beta, "10", sections))
+}
+
+#[test]
+fn a_delay_and_damping_partly_cancel() {
+    let [at, below] = beside("5/4", "[sampling]\ndelay = 1\n[wall]\ndamping = \"1/2\"\n");
+    assert_eq!(at.cost.viscous, Interval::point(q("5/4")));
+    assert_eq!(
+        (at.verdict, below.verdict),
+        (Verdict::Passive, Verdict::NotPassive)
+    );
+    // THEORY's motion of period 6: D = 1, ½, −½, −1, −½, ½ times an amplitude.
+    assert_eq!(below.witness.unwrap().positions.len(), 6);
+    let [at, below] = beside("41/16", "[sampling]\ndelay = 1\n[wall]\ndamping = \"2\"\n");
+    assert_eq!(at.cost.viscous, Interval::point(q("41/16")));
+    assert_eq!(
+        (at.verdict, below.verdict),
+        (Verdict::Passive, Verdict::NotPassive)
+    );
+    assert!(at.because.contains(&"TH-LTI"));
+}
+
+#[test]
+fn a_one_sided_wall_pays_for_delay_and_damping_one_by_one() {
+    let sections = "[sampling]\ndelay = 1\n[wall]\nunilateral = true\ndamping = \"1/2\"\n";
+    let [at, below] = beside("2", sections);
+    assert_eq!(at.cost.viscous, Interval::point(q("2")));
+    assert_eq!(
+        (at.verdict, below.verdict),
+        (Verdict::Passive, Verdict::NotGuaranteed)
+    );
+    // Far enough below, a motion inside the wall draws energy.
+    assert_eq!(
+        report(&q("6/5"), "10", sections).verdict,
+        Verdict::NotPassive
+    );
+}
+
+#[test]
+fn filtered_damping_costs_what_the_filter_leaves() {
+    // a = τ/(T + τ) = ½ for τ = T: ½ + B/3 and ½ + B/2.
+    let sections = "[wall]\ndamping = \"1\"\ndamping_time_constant = \"1\"\n";
+    let at = report(&q("5/6"), "1", sections);
+    assert_eq!(at.cost.viscous, Interval::point(q("5/6")));
+    assert_eq!(at.cost.coulomb, Interval::point(q("1")));
+    assert_eq!(at.verdict, Verdict::Passive);
+    // B = 10, a = 0.95: 0.756 instead of 10.5.
+    let slow = "[wall]\ndamping = \"10\"\ndamping_time_constant = \"19\"\n";
+    let cost = report(&q("1"), "3", slow).cost;
+    assert_eq!(cost.viscous, Interval::point(q("1/2") + q("10/39")));
+    assert_eq!(cost.coulomb, Interval::point(q("1")));
+    // A cutoff f is the time constant 1/(2πf), which has a π in it.
+    let cutoff =
+        "[wall]\ndamping = \"1\"\ndamping_cutoff = \"0.1591549430918953357688837633725144\"\n";
+    let cost = report(&q("1"), "2", cutoff).cost;
+    assert!((approx(cost.viscous.lo()) - 5.0 / 6.0).abs() < 1e-15);
+    assert!(cost.viscous.hi() - cost.viscous.lo() < q("1e-50"));
+}
+
+#[test]
+fn latency_and_lag_cost_their_kappa() {
+    // κ = ½(0.8 + √0.85) for 0.3 samples, and 1.51354… for a lag of one sample.
+    let late = report(&q("1"), "10", "[sampling]\nlatency = \"0.3\"\n")
+        .cost
+        .viscous;
+    let root = |x: &BigRational| (x.clone() + x.clone() - q("0.8")).pow(2);
+    assert!(root(late.lo()) <= q("0.85") && root(late.hi()) >= q("0.85"));
+    assert!(late.hi() - late.lo() < q("1e-50"));
+    let lag = report(&q("2"), "10", "[amplifier]\ntime_constant = \"1\"\n")
+        .cost
+        .viscous;
+    assert!((approx(lag.lo()) - 1.51354).abs() < 5e-6);
+    // A whole sample of latency is a sample of delay.
+    let whole = report(&q("3/2"), "1/2", "[sampling]\nlatency = \"1\"\n");
+    assert_eq!(whole.cost.viscous, Interval::point(q("3/2")));
+    assert_eq!(whole.verdict, Verdict::Passive);
+    let short = report(&q("3/2"), "1/2", "[sampling]\nlatency = \"1.01\"\n");
+    assert_eq!(short.verdict, Verdict::NotPassive);
+}
+
+#[test]
+fn latency_draws_what_its_witness_says() {
+    let late = report(&q("0.7"), "10", "[sampling]\nlatency = \"0.3\"\n");
+    assert_eq!(late.verdict, Verdict::NotPassive);
+    let witness = late.witness.unwrap();
+    // The command of the sample before acts for the first 0.3 of an interval.
+    let positions = &witness.positions;
+    let n = positions.len();
+    let mut gain = BigRational::zero();
+    for h in 0..n {
+        let held = |i: usize| -(positions[(i + n) % n].floor() + q("1/2"));
+        let d = &positions[(h + 1) % n] - &positions[h];
+        let mean = held(h + n - 1) * q("0.3") + held(h) * q("0.7");
+        gain += mean * &d - q("0.7") * &d * &d - q("10") * d.abs();
+    }
+    assert_eq!(gain, witness.gain_per_cycle);
+    assert!(gain.is_positive());
+}
+
+#[test]
+fn between_mean_delay_and_kappa_nothing_is_promised() {
+    // ½ + m = 0.8 < κ = 0.86098: constant speeds draw nothing here.
+    let late = report(&q("0.83"), "10", "[sampling]\nlatency = \"0.3\"\n");
+    assert_eq!(late.verdict, Verdict::NotGuaranteed);
+}
+
+#[test]
+fn the_best_pattern_across_an_edge_is_the_witness_of_coulomb_friction() {
+    // c = (½, −1, 1.2, 0.4): s* = 1.15 < ½‖c‖₁ = 1.55, λ = 3.15 by THEORY 7.
+    let sections = "[controller]\nnumerator = [\"0.5\", \"-1\", \"1.2\", \"0.4\"]\n";
+    let verdict = |sigma: &str| report(&q("4"), sigma, sections).verdict;
+    assert_eq!(verdict("1.55"), Verdict::Passive);
+    assert_eq!(verdict("1.549"), Verdict::NotGuaranteed);
+    assert_eq!(verdict("1.15"), Verdict::NotGuaranteed);
+    assert_eq!(verdict("1.149"), Verdict::NotPassive);
+}
+
+#[test]
+fn controllers_that_no_loop_can_have_are_refused() {
+    let refused = |lists: &str| {
+        let text = format!("[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n[controller]\n{lists}\n");
+        Scene::from_toml("scene", &text).unwrap_err().to_string()
+    };
+    for (lists, says) in [
+        (
+            "numerator = [\"1\"]\ndenominator = [\"1\", \"-1\"]",
+            "not stable",
+        ),
+        (
+            "numerator = [\"1\"]\ndenominator = [\"1\", \"-2\"]",
+            "not stable",
+        ),
+        (
+            "numerator = [\"1\"]\ndenominator = [\"0\", \"1\"]",
+            "not proper",
+        ),
+        ("numerator = [\"-1\"]", "pushes away from the wall"),
+        ("numerator = []", "has 0 entries"),
+        ("numerator = [\"x\"]", "no exact number"),
+        ("numerator = [true]", "a boolean"),
+        ("denominator = [\"1\"]", "[controller] has no `numerator`"),
+        ("numerator = \"1\"", "is text"),
+        (
+            "numerator = [\"1\"]\ndenominator = [\"1\", \"0\", \"-0.9999999999\"]",
+            "forgets too slowly",
+        ),
+    ] {
+        let error = refused(lists);
+        assert!(error.contains(says), "{lists}: {error}");
+    }
+    let both = "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n[wall]\ndamping = \"1\"\n[controller]\nnumerator = [\"1\"]\n";
+    let error = Scene::from_toml("scene", both).unwrap_err().to_string();
+    assert!(error.contains("cannot both be given"), "{error}");
+}

@@ -1,0 +1,15 @@
+//! What `check` decides and prints: the tests that must notice a change of what decides.
+
+mod constants;
+mod dimensionless;
+mod joint_reports;
+mod joints;
+mod limits;
+mod linear;
+mod ranges;
+mod reports;
+mod scenes;
+mod unforced;
+mod verdicts;
+mod wall;
+mod witnesses;
