@@ -24,6 +24,7 @@ use crate::ledger::Truths;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::layout::Layout;
 use crate::log::numbers::{Balls, Readings};
+use crate::log::quick::Quick;
 use crate::log::step::periods;
 use crate::log::task::Task;
 use crate::log::wall::Wall;
@@ -57,12 +58,7 @@ impl Column {
 
     /// Takes the balls from `at` on, as many as there are and are asked for: how many that is.
     fn copy(&mut self, balls: &Balls, at: usize, most: usize) -> usize {
-        let middles = balls.middles.get(at..).unwrap_or_default();
-        let radii = balls.radii.get(at..).unwrap_or_default();
-        let len = most.min(middles.len()).min(radii.len());
-        self.middles[..len].copy_from_slice(&middles[..len]);
-        self.radii[..len].copy_from_slice(&radii[..len]);
-        len
+        balls.copy_to([&mut self.middles, &mut self.radii], at, most)
     }
 
     /// Makes all behind the first `len` zero.
@@ -173,7 +169,7 @@ impl Intervals {
 pub(crate) struct Length(pub(crate) i64, pub(crate) i64);
 
 impl Length {
-    const OPEN: Self = Self(0, 0);
+    pub(crate) const OPEN: Self = Self(0, 0);
 
     /// Of the interval that starts at sample `i` of a chunk.
     #[inline]
@@ -187,6 +183,20 @@ impl Length {
             0 => Ball::UNDEFINED,
             _ => Ball::ratio(self.0, self.1),
         }
+    }
+
+    /// The nearest double, where both numbers in lowest terms are doubles.
+    #[inline(always)]
+    #[allow(clippy::cast_precision_loss)] // nothing is lost
+    pub(crate) fn nearest(self) -> Option<f64> {
+        const MOST: i64 = 1 << f64::MANTISSA_DIGITS;
+        let Self(mut n, mut d) = self;
+        if n >= MOST || d >= MOST {
+            let divisor = num_integer::gcd(n, d);
+            (n, d) = (n / divisor, d / divisor);
+        }
+        let is_known = n > 0 && d > 0 && n < MOST && d < MOST;
+        is_known.then(|| n as f64 / d as f64)
     }
 }
 
@@ -242,6 +252,8 @@ pub(crate) struct Tiles {
     pub(crate) tiles: Vec<Tile>,
     pub(crate) lengths: Vec<Length>,
     pub(crate) wall: Option<Wall<false>>,
+    /// For counts.
+    pub(crate) quick: Option<Quick>,
 }
 
 impl Tiles {
@@ -249,7 +261,9 @@ impl Tiles {
     /// walls.
     pub(crate) fn fill(&mut self, task: &Task<'_>, chunk: &Chunk) {
         self.lengths.clear();
-        self.wall = Wall::of(task.ledger).map(|wall| wall.lanes());
+        let wall = Wall::of(task.ledger);
+        self.quick = wall.as_ref().map(Quick::of);
+        self.wall = wall.map(|wall| wall.lanes());
         let (Some(wall), Samples::Any(samples)) = (&self.wall, &chunk.samples) else {
             self.tiles.clear();
             return;

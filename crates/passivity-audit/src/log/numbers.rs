@@ -217,6 +217,23 @@ impl Balls {
         self.truncate(known);
     }
 
+    /// Copies those from `at` on, as many as there are and are asked for: how many that is.
+    pub(crate) fn copy_to(
+        &self,
+        [middles, radii]: [&mut [f64]; 2],
+        at: usize,
+        most: usize,
+    ) -> usize {
+        let (from, off) = (self.middles.get(at..), self.radii.get(at..));
+        let (from, off) = (from.unwrap_or_default(), off.unwrap_or_default());
+        let len = most.min(from.len()).min(off.len());
+        let parts = middles.iter_mut().zip(radii).zip(from.iter().zip(off));
+        for ((middle, radius), (from, off)) in parts.take(len) {
+            (*middle, *radius) = (*from, *off);
+        }
+        len
+    }
+
     fn truncate(&mut self, len: usize) {
         self.middles.truncate(len);
         self.radii.truncate(len);

@@ -1,0 +1,390 @@
+//! What an interval between two counts comes to, in doubles that are off by no more than a bound that is known
+//! beforehand: the fastest that most rows of counts are computed.
+//!
+//! [`Row::of`] is computed with plain doubles, and what all of its roundings together come to is bounded by one number
+//! for each row. With u = 2⁻⁵³, what a rounding is off by at most; K = |k| + 1 for the k ticks from one count to the
+//! other; r = β/Δτ, σ and f as in [`passivity_core::counted`], whose β, σ and f are known but for δβ, δσ and ρ; that bound
+//! is
+//!
+//! e = 2⁻⁴⁶·s + K·(K·δβ/Δτ + δσ + ρ), s = K·(K·(r + 1) + σ + |f|).
+//!
+//! * Counts are whole and exact, as are k, the force of the wall at the middle of a tick and whatever is made of them
+//!   and of halves alone. An energy changes with r by at most K², with σ and f by at most K, and so do the least and the
+//!   largest of such energies. That is the second part of e, and of the first one 2u·K²·r + u·K·|f|, as r is a double
+//!   that is off by two roundings of its own and f by one. From here on both are these doubles.
+//! * Each energy is a sum of at most six terms whose sizes are together at most 2s, each a product of at most three
+//!   factors: rounding takes at most 20u of 2s.
+//! * The place where a parabola of bend α and slope γ turns is off too: by δ ≤ |d|·(2δα/α + 3u) + δγ/α with
+//!   δα ≤ u·(r + ½) and δγ ≤ 3u·(σ + K + |f|). The value there is off by at most 3αδ: next to its turn a parabola is flat,
+//!   and a turn that is beyond an end of the arc, or is taken to be, is no further from it than δ. As d is K at most that
+//!   is at most 6u·K·(r + ½) + 9u·K·α + 9u·(σ + K + |f|). Where α is not told from zero, or is of the other sign, the
+//!   parabola is off its chord by at most ¼·|α| ≤ δα.
+//!
+//! Together that is less than 70u·s, and 2⁻⁴⁶ is 128u.
+//!
+//! A figure that is surely zero is not widened: what standing still draws, and nothing else, decides many a trace. Where
+//! the device may have stood still, |k| ≤ 1, the least net energy is zero or below, and which of both is told by what
+//! each parabola rises with from there.
+
+use passivity_core::counted::{Arc, Crossing, Resistance};
+use passivity_core::{Criterion, Friction, Scalar as _, dissipation, quantizer};
+
+use crate::ball::{Ball, unless};
+use crate::log::counted::{Figures, Interval, Row, truths};
+use crate::log::lanes::Length;
+use crate::log::wall::Wall;
+use crate::plain::Plain;
+use crate::span::BITS;
+
+/// An end of a number: a multiple of 2⁻¹¹ and, of the rest, one of 2⁻⁵⁸. Sums of as many as a tile has rows are exact.
+pub(crate) type End = [f64; 2];
+
+/// Binary digits after the point of both.
+const UPPER: i32 = 11;
+const LOWER: i32 = 58;
+
+/// 2⁻ⁿ.
+const fn power(n: i32) -> f64 {
+    f64::from_bits(((1023 - n) as u64) << 52)
+}
+
+/// What a [`Quick::row`] may be off by at most, of its size.
+const ROUNDING: f64 = power(46);
+
+/// Sizes have room for sums.
+const LARGEST: f64 = power(-33);
+const WIDEST: f64 = power(14);
+
+/// The friction and the criteria of a wall, in plain doubles.
+#[derive(Clone, Debug)]
+pub(crate) struct Quick {
+    frictions: [Friction<Plain>; 2],
+    criteria: [Criterion<Plain>; 2],
+    /// What both frictions are off by at most: viscous and Coulomb friction.
+    off: [f64; 2],
+    /// What the numbers of each criterion are.
+    off_criteria: [[f64; 2]; 2],
+    pub(crate) friction_is_exact: bool,
+}
+
+/// What an interval comes to, on the grid: as [`Row`]. Pairs are at the least and at the most.
+pub(crate) struct Near {
+    /// As [`Figures`] has it.
+    pub(crate) sums: [[End; 2]; 5],
+    pub(crate) observed: End,
+    pub(crate) own: [End; 2],
+    pub(crate) excess: [End; 2],
+    pub(crate) stored: [End; 2],
+    /// What is not negative, as bits: the margin of the criterion, net energy, and that against the quantized wall, each
+    /// at the least and at the most.
+    pub(crate) covers: f64,
+    /// Zero where all is decided, else above that.
+    pub(crate) open: f64,
+}
+
+/// What is told of a number: zero where it is surely not negative, else one; and the same of whether it surely is.
+type Sign = [f64; 2];
+
+/// The sign of a number that is off by so much at most.
+#[inline(always)]
+fn sign(x: f64, off: f64) -> Sign {
+    [unless(x >= off), unless(-x > off)]
+}
+
+/// Whether numbers at the least and at the most are not negative, as two bits; and zero where that is decided, else above
+/// that.
+#[inline(always)]
+fn covers([least, most]: [Sign; 2]) -> (f64, f64) {
+    let ([a, b], [c, d]) = (least, most);
+    (3.0 - (a + 2.0 * c), a * b + c * d)
+}
+
+/// The nearest multiple of 2⁻ⁿ, of a number that is below 2⁵⁰⁻ⁿ.
+#[inline(always)]
+fn nearest<const N: i32>(x: f64) -> f64 {
+    let middle = 1.5 * power(N - 52);
+    (x + middle) - middle
+}
+
+/// How far an end is moved for a number that is off by so much at most, and is rounded to the grid: on the grid too.
+#[inline(always)]
+fn outward(off: f64) -> f64 {
+    let moved = nearest::<LOWER>(off + 1.5 * power(LOWER));
+    if off == 0.0 { 0.0 } else { moved }
+}
+
+/// The end that is so far from a number.
+#[inline(always)]
+fn end(x: f64, moved: f64) -> End {
+    let upper = nearest::<UPPER>(x);
+    [upper, nearest::<LOWER>(x - upper) + moved]
+}
+
+/// The ends of a number that is between two which are off by so much.
+#[inline(always)]
+fn ends([least, most]: [f64; 2], [below, above]: [f64; 2]) -> [End; 2] {
+    [end(least, -below), end(most, above)]
+}
+
+/// The same of a number that is off by so much.
+#[inline(always)]
+fn around(x: f64, off: f64) -> [End; 2] {
+    ends([x, x], [off, off])
+}
+
+/// An end in units of the grid.
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation)] // both are whole numbers below 2⁶³
+pub(crate) fn units([upper, lower]: End) -> i128 {
+    let (upper, lower) = (upper * power(-UPPER), lower * power(-LOWER));
+    (i128::from(upper as i64) << (BITS as i32 - UPPER))
+        + (i128::from(lower as i64) << (BITS as i32 - LOWER))
+}
+
+/// A number in units of the grid as an end; `None` where it has no room, or is on a finer grid.
+#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // nothing is lost
+pub(crate) fn parts(n: i128) -> Option<End> {
+    const FINER: i128 = (1 << (BITS as i32 - LOWER)) - 1;
+    let upper = n >> (BITS as i32 - UPPER);
+    let lower = (n - (upper << (BITS as i32 - UPPER))) as i64;
+    let has_room = upper.unsigned_abs() < 1 << (UPPER + 35) && n & FINER == 0;
+    has_room.then(|| [upper as f64 * power(UPPER), lower as f64 * power(BITS as i32)])
+}
+
+/// The same end, with what is too large for the lower part in the upper one.
+#[inline(always)]
+pub(crate) fn carried([upper, lower]: End) -> End {
+    let more = nearest::<UPPER>(lower);
+    [upper + more, lower - more]
+}
+
+#[inline(always)]
+fn both([lo, hi]: [End; 2]) -> [i128; 2] {
+    [units(lo), units(hi)]
+}
+
+/// A whole number as a double, where nothing that is made of it is rounded.
+#[inline(always)]
+#[allow(clippy::cast_precision_loss)] // it has fewer digits
+pub(crate) fn whole(n: i64) -> Option<f64> {
+    (n.unsigned_abs() < 1 << 40).then_some(n as f64)
+}
+
+/// What a parabola rises with from zero to one, at the least.
+#[inline(always)]
+fn rise(of: &Arc<Plain>) -> Plain {
+    of.slope.min(of.bend.square + of.slope)
+}
+
+/// The least net energy against the wall and against its quantized form; where the device may have stood still, a number
+/// that is not negative exactly where they are not.
+#[inline(always)]
+fn lowest(
+    crossing: &Crossing<Plain>,
+    least: &Resistance<Plain>,
+    [linear, quantized]: [Plain; 2],
+) -> [f64; 2] {
+    let ticks = crossing.ticks;
+    let ([same, _], [first, last]) = crossing.net_at_corners(least);
+    let far = if ticks.0 >= 0.0 { last } else { first };
+    let of = |[before, behind]: [Arc<Plain>; 2], least: Plain| {
+        let still = rise(&before).min(rise(&behind));
+        let one = rise(&before).min(same).min(far).min(behind.turn());
+        match ticks.abs().0 {
+            0.0 => still.0,
+            1.0 => one.0,
+            _ => least.0,
+        }
+    };
+    [
+        of(crossing.least_linear(least), linear),
+        of(crossing.least_quantized(least), quantized),
+    ]
+}
+
+impl Quick {
+    pub(crate) fn of(wall: &Wall) -> Self {
+        let plain = |ball: &Ball| Plain(ball.parts().0);
+        let off = |ball: &Ball| ball.parts().1;
+        let larger = |of: [&Ball; 2]| off(of[0]).max(off(of[1]));
+        let [least, most] = &wall.frictions;
+        let criteria = wall.criteria.each_ref();
+        Self {
+            frictions: [least, most].map(|of| Friction::new(plain(&of.beta), plain(&of.sigma))),
+            criteria: criteria.map(|of| Criterion {
+                viscous: plain(&of.viscous),
+                coulomb: plain(&of.coulomb),
+            }),
+            off: [
+                larger([&least.beta, &most.beta]),
+                larger([&least.sigma, &most.sigma]),
+            ],
+            off_criteria: criteria.map(|of| [off(&of.viscous), off(&of.coulomb)]),
+            friction_is_exact: wall.friction_is_exact,
+        }
+    }
+
+    /// The signs of the margin of one of the criteria at two speeds.
+    #[inline(always)]
+    fn margins(&self, which: usize, speeds: [Plain; 2]) -> [Sign; 2] {
+        const MARGIN: f64 = power(50);
+        let (criterion, [viscous, coulomb]) = (&self.criteria[which], self.off_criteria[which]);
+        speeds.map(|speed| {
+            let moves = if speed.0 > 0.0 { 1.0 } else { 0.0 };
+            let size = criterion.viscous.0.abs() * speed.0 + criterion.coulomb.0.abs() * moves;
+            let off = size * MARGIN + viscous * speed.0 + coulomb;
+            sign(criterion.margin(&speed).0, off)
+        })
+    }
+
+    /// What an interval comes to, whose force is off by so much at most, under the force in the log where that is
+    /// `applied`, else under that of the wall; `is_exact` says whether friction has one value.
+    #[inline(always)]
+    pub(crate) fn row(
+        &self,
+        of: &Interval<Plain>,
+        off: f64,
+        is_exact: bool,
+        applied: bool,
+    ) -> Near {
+        let row = Row::of((&self.frictions, &self.criteria), of, is_exact, applied);
+        let ticks = of.end - of.start;
+        let crossing = Crossing {
+            ticks,
+            excess: row.excess,
+        };
+        let own = Crossing::own(ticks);
+        let least = Resistance::new(&self.frictions[0], &of.lasts);
+        let most = &self.frictions[if is_exact { 0 } else { 1 }];
+
+        // The bounds.
+        let (k, f) = (ticks.0.abs(), row.excess.0.abs());
+        let off = if applied { off } else { 0.0 };
+        // Nothing but halves is computed with.
+        let is_own = f + off == 0.0;
+        let reach = k + 1.0;
+        let steady = reach * (reach * (most.beta.over(of.lasts).0 + 1.0) + most.sigma.0);
+        let size = steady + reach * f;
+        let [viscous, coulomb] = self.off;
+        let known = reach * (reach * (viscous / of.lasts.0) + coulomb);
+        let e = size * ROUNDING + (known + reach * off);
+        let of_own = steady * ROUNDING + known;
+        let force = if applied {
+            of.force.0
+        } else {
+            quantizer::held_force(&of.start).0
+        };
+        let stored = (0.5 * (of.end.0 * of.end.0) + of.end.0.abs()) + (f + 1.0);
+        let of_work = k * (off + force.abs() * power(51));
+        let of_stored = stored * power(50) + off;
+        let unless_own = |off: f64| if is_own { 0.0 } else { off };
+        let [of_generated, of_work, of_stored] = [e, of_work, of_stored].map(unless_own);
+        let of_excess = off + f * power(52);
+        let mut open = unless(size < LARGEST) + unless(stored < 4.0 * LARGEST);
+        open += unless(k * force.abs() < LARGEST) + unless(e + of_stored + of_work < WIDEST);
+
+        // The answers.
+        let may_stand = k <= 1.0;
+        let [near, far] = own
+            .distances()
+            .map(|d| dissipation::mean_speed(&d, &of.lasts));
+        let [[a, b], [c, d]] = self.margins(0, [near, far]);
+        let margin_least = [unless(a + c == 0.0), b * d];
+        let [[a, b], [c, d]] = self.margins(if is_exact { 0 } else { 1 }, [near, far]);
+        let margin_most = [a * c, unless(b + d == 0.0)];
+        let [[linear, most_linear], [quantized, most_quantized]] = row.net;
+        let signs = lowest(&crossing, &least, [linear, quantized]).map(|x| sign(x, e));
+        // Zero is among what it may be.
+        let signs_most = [most_linear, most_quantized].map(|x| match may_stand {
+            true => [0.0, 1.0],
+            false => sign(x.0, e),
+        });
+        let (holds, of_margin) = covers([margin_least, margin_most]);
+        let (of_linear, linear_open) = covers([signs[0], signs_most[0]]);
+        let (of_quantized, quantized_open) = covers([signs[1], signs_most[1]]);
+        open += of_margin + linear_open + quantized_open;
+
+        // The ends.
+        let zero_where = |is: bool, x: f64, moved: f64| if is { (0.0, 0.0) } else { (x, moved) };
+        let moved = outward(e);
+        let net = |[least, most]: [Plain; 2], [yes, _]: Sign| {
+            let (least, below) = zero_where(may_stand && yes == 0.0, least.0, moved);
+            ends([least, most.0], [below, moved])
+        };
+        let generated = |[lo, hi]: [Plain; 2]| {
+            let moved = outward(of_generated);
+            ends([lo.0, hi.0], [moved, moved])
+        };
+        let (taken, below) = zero_where(may_stand, row.taken[0].0, moved);
+        let [own_least, own_most] = row.own;
+        let [own_sign, _] = match applied {
+            true => lowest(&own, &least, [own_least, own_least]).map(|x| sign(x, of_own)),
+            false => signs,
+        };
+        let own_moved = outward(of_own);
+        let (own_least, own_below) =
+            zero_where(may_stand && own_sign[0] == 0.0, own_least.0, own_moved);
+        let excess = outward(of_excess);
+        let stored = outward(of_stored);
+        Near {
+            sums: [
+                generated(row.generated[0]),
+                generated(row.generated[1]),
+                ends([taken, row.taken[1].0], [below, moved]),
+                net(row.net[0], signs[0]),
+                net(row.net[1], signs[1]),
+            ],
+            observed: end(-row.work.0, -outward(of_work)),
+            own: ends([own_least, own_most.0], [own_below, own_moved]),
+            excess: around(row.excess.0, excess),
+            stored: ends(row.stored.map(|x| x.0), [stored, stored]),
+            covers: holds + 4.0 * of_linear + 16.0 * of_quantized,
+            open,
+        }
+    }
+
+    /// The figures of an interval between these counts that lasts so long, under the force in the log where there is any;
+    /// `None` where these doubles leave something open.
+    pub(crate) fn figures(
+        &self,
+        [from, to]: [i64; 2],
+        lasts: Length,
+        force: Option<Ball>,
+    ) -> Option<Figures> {
+        let applied = force.is_some();
+        let (force, off) = force.map_or((0.0, 0.0), Ball::parts);
+        let of = Interval {
+            start: Plain(whole(from)?),
+            end: Plain(whole(to)?),
+            lasts: Plain(lasts.nearest()?),
+            force: Plain(force),
+        };
+        let near = self.row(&of, off, self.friction_is_exact, applied);
+        (near.open == 0.0).then(|| near.figures(to - from))
+    }
+}
+
+/// What a row answers that crosses so many ticks, by its [`Near::covers`].
+#[inline(always)]
+pub(crate) fn answers(covers: u64, crossed: i64) -> crate::ledger::Truths {
+    let is = |place: u32| covers >> place & 1 == 1;
+    truths([[is(0), is(1)], [is(2), is(3)], [is(4), is(5)]], crossed)
+}
+
+impl Near {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // six bits
+    fn figures(&self, crossed: i64) -> Figures {
+        Figures {
+            sums: self.sums.map(both),
+            observed: units(self.observed),
+            own: both(self.own),
+            excess: both(self.excess),
+            stored: both(self.stored),
+            truths: answers(self.covers as u64, crossed),
+            crossed,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
