@@ -22,7 +22,8 @@
 //!
 //! Together that is less than 70u·s, and 2⁻⁴⁶ is 128u.
 //!
-//! A figure that is surely zero is not widened: what standing still draws, and nothing else, decides many a trace. Where
+//! A figure that is surely zero, or surely not rounded, is not widened: what standing still draws decides many a trace, and
+//! where the least of it stays the same the first such row is told. Where
 //! the device may have stood still, |k| ≤ 1, the least net energy is zero or below, and which of both is told by what
 //! each parabola rises with from there.
 
@@ -260,8 +261,9 @@ impl Quick {
         // The bounds.
         let (k, f) = (ticks.0.abs(), row.excess.0.abs());
         let off = if applied { off } else { 0.0 };
-        // Nothing but halves is computed with.
-        let is_own = f + off == 0.0;
+        // Sixteenths are: no product of them and of whole numbers is rounded. Most devices are outside of any wall, where
+        // no force is held, for a good part of their time, and under the wall's own force there is no excess.
+        let is_short = off == 0.0 && nearest::<4>(f) == f;
         let reach = k + 1.0;
         let steady = reach * (reach * (most.beta.over(of.lasts).0 + 1.0) + most.sigma.0);
         let size = steady + reach * f;
@@ -277,9 +279,10 @@ impl Quick {
         let stored = (0.5 * (of.end.0 * of.end.0) + of.end.0.abs()) + (f + 1.0);
         let of_work = k * (off + force.abs() * power(51));
         let of_stored = stored * power(50) + off;
-        let unless_own = |off: f64| if is_own { 0.0 } else { off };
-        let [of_generated, of_work, of_stored] = [e, of_work, of_stored].map(unless_own);
         let of_excess = off + f * power(52);
+        let unless_short = |off: f64| if is_short { 0.0 } else { off };
+        let [of_generated, of_work, of_stored, of_excess] =
+            [e, of_work, of_stored, of_excess].map(unless_short);
         let mut open = unless(size < LARGEST) + unless(stored < 4.0 * LARGEST);
         open += unless(k * force.abs() < LARGEST) + unless(e + of_stored + of_work < WIDEST);
 

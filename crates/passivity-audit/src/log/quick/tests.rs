@@ -165,6 +165,30 @@ fn standing_still_draws_exactly_nothing() {
     }
 }
 
+/// Outside of a wall no force is held, and what is added to T is exact: nothing.
+#[test]
+fn no_force_draws_exactly_nothing() {
+    let ledger = ledger(WALLS[0]);
+    let quick = Quick::of(&Wall::of(&ledger).unwrap());
+    for (from, ticks) in [(-300, 1), (-299, 0), (-299, -1)] {
+        let none = Ball::from_parts(0.0, 0.0);
+        let figures = quick.figures([from, from + ticks], Length(997, 1000), Some(none));
+        let figures = figures.unwrap();
+        let excess = i128::from(2 * from + 1) << (BITS - 1);
+        assert_eq!(figures.excess, [excess; 2]);
+        assert_eq!((figures.own[0], figures.observed), (0, 0));
+        let at = i128::from(from + ticks);
+        let [least, most] = figures.stored.map(in_units);
+        let [low, high] = [0, 1].map(|y| {
+            // ½ξ² − fy at both ends of the tick: it is a line, but for ½y².
+            let xi = at + y;
+            BigRational::new((xi * xi - i128::from(2 * from + 1) * y).into(), 2.into())
+        });
+        assert!(least <= low && least <= high);
+        assert_eq!(most, std::cmp::max(low, high));
+    }
+}
+
 #[test]
 fn ends_are_moved_outward() {
     for off in [1e-300, power(59), power(58), 1e-15, 1e-5] {
