@@ -59,7 +59,11 @@ impl<S: Ordered> Row<S> {
         let ticks = of.end.clone() - of.start.clone();
         let own = Crossing::own(ticks.clone());
         let held = quantizer::held_force(&of.start);
-        let force = if applied { of.force.clone() } else { held.clone() };
+        let force = if applied {
+            of.force.clone()
+        } else {
+            held.clone()
+        };
         let crossing = Crossing {
             ticks: ticks.clone(),
             excess: match applied {

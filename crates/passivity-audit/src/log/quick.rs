@@ -28,7 +28,7 @@
 //! each parabola rises with from there.
 
 use passivity_core::counted::{Arc, Crossing, Resistance};
-use passivity_core::{Criterion, Friction, Scalar as _, dissipation, quantizer};
+use passivity_core::{Criterion, Friction, Scalar as _, dissipation};
 
 use crate::ball::{Ball, unless};
 use crate::log::counted::{Figures, Interval, Row, truths};
@@ -121,16 +121,10 @@ fn end(x: f64, moved: f64) -> End {
     [upper, nearest::<LOWER>(x - upper) + moved]
 }
 
-/// The ends of a number that is between two which are off by so much.
+/// The ends of a number that is between two, each moved outward by so much.
 #[inline(always)]
-fn ends([least, most]: [f64; 2], [below, above]: [f64; 2]) -> [End; 2] {
-    [end(least, -below), end(most, above)]
-}
-
-/// The same of a number that is off by so much.
-#[inline(always)]
-fn around(x: f64, off: f64) -> [End; 2] {
-    ends([x, x], [off, off])
+fn around([least, most]: [Plain; 2], moved: f64) -> [End; 2] {
+    [end(least.0, -moved), end(most.0, moved)]
 }
 
 /// An end in units of the grid.
@@ -149,7 +143,12 @@ pub(crate) fn parts(n: i128) -> Option<End> {
     let upper = n >> (BITS as i32 - UPPER);
     let lower = (n - (upper << (BITS as i32 - UPPER))) as i64;
     let has_room = upper.unsigned_abs() < 1 << (UPPER + 35) && n & FINER == 0;
-    has_room.then(|| [upper as f64 * power(UPPER), lower as f64 * power(BITS as i32)])
+    has_room.then(|| {
+        [
+            upper as f64 * power(UPPER),
+            lower as f64 * power(BITS as i32),
+        ]
+    })
 }
 
 /// The same end, with what is too large for the lower part in the upper one.
@@ -203,6 +202,38 @@ fn lowest(
     ]
 }
 
+/// The signs of the margin of a criterion at two speeds, whose viscous and Coulomb parts are off by so much.
+#[inline(always)]
+fn margins(
+    criterion: &Criterion<Plain>,
+    [viscous, coulomb]: [f64; 2],
+    speeds: [Plain; 2],
+) -> [Sign; 2] {
+    const MARGIN: f64 = power(50);
+    speeds.map(|speed| {
+        // At rest nothing is rounded.
+        let moves = if speed.0 > 0.0 { 1.0 } else { 0.0 };
+        let size = criterion.viscous.0.abs() * speed.0 + criterion.coulomb.0.abs() * moves;
+        let off = size * MARGIN + viscous * speed.0 + coulomb;
+        sign(criterion.margin(&speed).0, off)
+    })
+}
+
+/// What the figures of a row are off by at most.
+struct Bounds {
+    /// e, of net energy and of what friction takes,
+    energy: f64,
+    /// the same of the wall's own force,
+    own: f64,
+    /// and what is made of ticks and of the force alone.
+    generated: f64,
+    work: f64,
+    stored: f64,
+    excess: f64,
+    /// Zero where all of it has room in sums, else above that.
+    too_large: f64,
+}
+
 impl Quick {
     pub(crate) fn of(wall: &Wall) -> Self {
         let plain = |ball: &Ball| Plain(ball.parts().0);
@@ -225,19 +256,6 @@ impl Quick {
         }
     }
 
-    /// The signs of the margin of one of the criteria at two speeds.
-    #[inline(always)]
-    fn margins(&self, which: usize, speeds: [Plain; 2]) -> [Sign; 2] {
-        const MARGIN: f64 = power(50);
-        let (criterion, [viscous, coulomb]) = (&self.criteria[which], self.off_criteria[which]);
-        speeds.map(|speed| {
-            let moves = if speed.0 > 0.0 { 1.0 } else { 0.0 };
-            let size = criterion.viscous.0.abs() * speed.0 + criterion.coulomb.0.abs() * moves;
-            let off = size * MARGIN + viscous * speed.0 + coulomb;
-            sign(criterion.margin(&speed).0, off)
-        })
-    }
-
     /// What an interval comes to, whose force is off by so much at most, under the force in the log where that is
     /// `applied`, else under that of the wall; `is_exact` says whether friction has one value.
     #[inline(always)]
@@ -249,101 +267,125 @@ impl Quick {
         applied: bool,
     ) -> Near {
         let row = Row::of((&self.frictions, &self.criteria), of, is_exact, applied);
+        let off = if applied { off } else { 0.0 };
+        let bounds = self.bounds(of, &row, off);
+        let [least, _] = &self.frictions;
+        let least = Resistance::new(least, &of.lasts);
         let ticks = of.end - of.start;
+        let may_stand = ticks.0.abs() <= 1.0;
         let crossing = Crossing {
             ticks,
             excess: row.excess,
         };
-        let own = Crossing::own(ticks);
-        let least = Resistance::new(&self.frictions[0], &of.lasts);
-        let most = &self.frictions[if is_exact { 0 } else { 1 }];
+        let ([[linear, _], [quantized, _]], own) = (row.net, row.own);
+        let signs = lowest(&crossing, &least, [linear, quantized]).map(|x| sign(x, bounds.energy));
+        let own_signs = match applied {
+            true => lowest(&Crossing::own(ticks), &least, [own[0]; 2]).map(|x| sign(x, bounds.own)),
+            false => signs,
+        };
+        let (covers, open) = self.answers(of, &row, (signs, bounds.energy), is_exact);
 
-        // The bounds.
-        let (k, f) = (ticks.0.abs(), row.excess.0.abs());
-        let off = if applied { off } else { 0.0 };
+        let moved = outward(bounds.energy);
+        let least_of = |is_zero: bool, x: Plain, moved: f64| match is_zero {
+            true => [0.0; 2],
+            false => end(x.0, -moved),
+        };
+        let net = |[least, most]: [Plain; 2], [yes, _]: Sign, moved: f64| {
+            let is_zero = may_stand && yes == 0.0;
+            [least_of(is_zero, least, moved), end(most.0, moved)]
+        };
+        let generated = outward(bounds.generated);
+        let [taken, taken_at_most] = row.taken;
+        Near {
+            sums: [
+                around(row.generated[0], generated),
+                around(row.generated[1], generated),
+                [
+                    least_of(may_stand, taken, moved),
+                    end(taken_at_most.0, moved),
+                ],
+                net(row.net[0], signs[0], moved),
+                net(row.net[1], signs[1], moved),
+            ],
+            observed: end(-row.work.0, -outward(bounds.work)),
+            own: net(own, own_signs[0], outward(bounds.own)),
+            excess: around([row.excess; 2], outward(bounds.excess)),
+            stored: around(row.stored, outward(bounds.stored)),
+            covers,
+            open: open + bounds.too_large,
+        }
+    }
+
+    /// What the figures of a row are off by, whose force is off by so much.
+    #[inline(always)]
+    fn bounds(&self, of: &Interval<Plain>, row: &Row<Plain>, off: f64) -> Bounds {
+        let ([_, most], [viscous, coulomb]) = (&self.frictions, self.off);
+        let (k, f) = ((of.end - of.start).0.abs(), row.excess.0.abs());
         // Sixteenths are: no product of them and of whole numbers is rounded. Most devices are outside of any wall, where
         // no force is held, for a good part of their time, and under the wall's own force there is no excess.
         let is_short = off == 0.0 && nearest::<4>(f) == f;
+        let unless_short = |off: f64| if is_short { 0.0 } else { off };
         let reach = k + 1.0;
         let steady = reach * (reach * (most.beta.over(of.lasts).0 + 1.0) + most.sigma.0);
         let size = steady + reach * f;
-        let [viscous, coulomb] = self.off;
         let known = reach * (reach * (viscous / of.lasts.0) + coulomb);
-        let e = size * ROUNDING + (known + reach * off);
-        let of_own = steady * ROUNDING + known;
-        let force = if applied {
-            of.force.0
-        } else {
-            quantizer::held_force(&of.start).0
-        };
+        let energy = size * ROUNDING + (known + reach * off);
         let stored = (0.5 * (of.end.0 * of.end.0) + of.end.0.abs()) + (f + 1.0);
-        let of_work = k * (off + force.abs() * power(51));
-        let of_stored = stored * power(50) + off;
-        let of_excess = off + f * power(52);
-        let unless_short = |off: f64| if is_short { 0.0 } else { off };
-        let [of_generated, of_work, of_stored, of_excess] =
-            [e, of_work, of_stored, of_excess].map(unless_short);
-        let mut open = unless(size < LARGEST) + unless(stored < 4.0 * LARGEST);
-        open += unless(k * force.abs() < LARGEST) + unless(e + of_stored + of_work < WIDEST);
+        let work = row.work.0.abs();
+        let bounds = Bounds {
+            energy,
+            own: steady * ROUNDING + known,
+            generated: unless_short(energy),
+            work: unless_short(k * off + work * power(50)),
+            stored: unless_short(stored * power(50) + off),
+            excess: unless_short(off + f * power(52)),
+            too_large: 0.0,
+        };
+        let all = energy + bounds.stored + bounds.work;
+        let is_small = [size, 0.25 * stored, work].map(|size| unless(size < LARGEST));
+        Bounds {
+            too_large: is_small[0] + is_small[1] + is_small[2] + unless(all < WIDEST),
+            ..bounds
+        }
+    }
 
-        // The answers.
-        let may_stand = k <= 1.0;
-        let [near, far] = own
+    /// What a row answers, as [`Near::covers`], and zero where it is decided, else above that: given the signs of what
+    /// [`lowest`] says, and what net energy is off by.
+    #[inline(always)]
+    fn answers(
+        &self,
+        of: &Interval<Plain>,
+        row: &Row<Plain>,
+        (signs, off): ([Sign; 2], f64),
+        is_exact: bool,
+    ) -> (f64, f64) {
+        let ticks = of.end - of.start;
+        let speeds = Crossing::own(ticks)
             .distances()
             .map(|d| dissipation::mean_speed(&d, &of.lasts));
-        let [[a, b], [c, d]] = self.margins(0, [near, far]);
-        let margin_least = [unless(a + c == 0.0), b * d];
-        let [[a, b], [c, d]] = self.margins(if is_exact { 0 } else { 1 }, [near, far]);
-        let margin_most = [a * c, unless(b + d == 0.0)];
-        let [[linear, most_linear], [quantized, most_quantized]] = row.net;
-        let signs = lowest(&crossing, &least, [linear, quantized]).map(|x| sign(x, e));
-        // Zero is among what it may be.
-        let signs_most = [most_linear, most_quantized].map(|x| match may_stand {
+        let [low, high] = &self.criteria;
+        let [of_low, of_high] = self.off_criteria;
+        let least = margins(low, of_low, speeds);
+        let most = match is_exact {
+            true => least,
+            false => margins(high, of_high, speeds),
+        };
+        // The least margin is not negative where both are, and the largest where one is.
+        let ([[a, b], [c, d]], [[e, f], [g, h]]) = (least, most);
+        let margin = [[unless(a + c == 0.0), b * d], [e * g, unless(f + h == 0.0)]];
+        let most_of = |x: Plain| match ticks.0.abs() <= 1.0 {
+            // Zero is among what it may be.
             true => [0.0, 1.0],
-            false => sign(x.0, e),
-        });
-        let (holds, of_margin) = covers([margin_least, margin_most]);
-        let (of_linear, linear_open) = covers([signs[0], signs_most[0]]);
-        let (of_quantized, quantized_open) = covers([signs[1], signs_most[1]]);
-        open += of_margin + linear_open + quantized_open;
-
-        // The ends.
-        let zero_where = |is: bool, x: f64, moved: f64| if is { (0.0, 0.0) } else { (x, moved) };
-        let moved = outward(e);
-        let net = |[least, most]: [Plain; 2], [yes, _]: Sign| {
-            let (least, below) = zero_where(may_stand && yes == 0.0, least.0, moved);
-            ends([least, most.0], [below, moved])
+            false => sign(x.0, off),
         };
-        let generated = |[lo, hi]: [Plain; 2]| {
-            let moved = outward(of_generated);
-            ends([lo.0, hi.0], [moved, moved])
-        };
-        let (taken, below) = zero_where(may_stand, row.taken[0].0, moved);
-        let [own_least, own_most] = row.own;
-        let [own_sign, _] = match applied {
-            true => lowest(&own, &least, [own_least, own_least]).map(|x| sign(x, of_own)),
-            false => signs,
-        };
-        let own_moved = outward(of_own);
-        let (own_least, own_below) =
-            zero_where(may_stand && own_sign[0] == 0.0, own_least.0, own_moved);
-        let excess = outward(of_excess);
-        let stored = outward(of_stored);
-        Near {
-            sums: [
-                generated(row.generated[0]),
-                generated(row.generated[1]),
-                ends([taken, row.taken[1].0], [below, moved]),
-                net(row.net[0], signs[0]),
-                net(row.net[1], signs[1]),
-            ],
-            observed: end(-row.work.0, -outward(of_work)),
-            own: ends([own_least, own_most.0], [own_below, own_moved]),
-            excess: around(row.excess.0, excess),
-            stored: ends(row.stored.map(|x| x.0), [stored, stored]),
-            covers: holds + 4.0 * of_linear + 16.0 * of_quantized,
-            open,
-        }
+        let [[_, linear], [_, quantized]] = row.net;
+        let (holds, of_margin) = covers(margin);
+        let (linear, of_linear) = covers([signs[0], most_of(linear)]);
+        let (quantized, of_quantized) = covers([signs[1], most_of(quantized)]);
+        (
+            holds + 4.0 * linear + 16.0 * quantized,
+            of_margin + of_linear + of_quantized,
+        )
     }
 
     /// The figures of an interval between these counts that lasts so long, under the force in the log where there is any;

@@ -52,14 +52,19 @@ impl Counted {
     fn step(&self, steps: &mut [Ends; 2], i: usize, before: [End; 2]) {
         let [least, most] = self.excess.each_ref().map(|end| at(end, i));
         let ticks = whole(self.crossed[i]).unwrap_or(0.0);
-        let (high, low) = if ticks < 0.0 { (least, most) } else { (most, least) };
+        let (high, low) = if ticks < 0.0 {
+            (least, most)
+        } else {
+            (most, least)
+        };
         let [fall, _] = difference(least, before[1]);
         let [_, rise] = difference(most, before[0]);
         let own = self.own.each_ref().map(|end| at(end, i));
         let added = [(own[0], high, fall), (own[1], low, rise)];
         for (steps, (own, force, change)) in steps.iter_mut().zip(added) {
             // Nothing is rounded: forces are below 2^30, ticks below 2^5 and the rest below that.
-            let [upper, lower] = [0, 1].map(|part| (own[part] - force[part] * ticks) + change[part]);
+            let [upper, lower] =
+                [0, 1].map(|part| (own[part] - force[part] * ticks) + change[part]);
             [steps[0][i], steps[1][i]] = carried([upper, lower]);
         }
     }

@@ -154,11 +154,20 @@ proptest! {
 fn standing_still_draws_exactly_nothing() {
     let ledger = ledger(WALLS[0]);
     let quick = Quick::of(&Wall::of(&ledger).unwrap());
-    for (ticks, force) in [(0, None), (0, Some(-7.6)), (1, Some(-7.5)), (-1, Some(-7.4))] {
+    for (ticks, force) in [
+        (0, None),
+        (0, Some(-7.6)),
+        (1, Some(-7.5)),
+        (-1, Some(-7.4)),
+    ] {
         let ball = force.map(|force| Ball::from_parts(force, 0.0));
         let found = quick.figures([7, 7 + ticks], Length(997, 1000), ball);
         let figures = found.unwrap();
-        assert_eq!(figures.truths.violates_linear, Truth::Fails, "{ticks} {force:?}");
+        assert_eq!(
+            figures.truths.violates_linear,
+            Truth::Fails,
+            "{ticks} {force:?}"
+        );
         assert_eq!(figures.sums[3][0], 0);
         assert_eq!(figures.own[0], 0);
         assert_eq!(figures.sums[2][0], 0);
@@ -197,7 +206,9 @@ fn ends_are_moved_outward() {
     }
     assert_eq!(outward(0.0), 0.0);
     for x in [0.0, 0.125, -3.0, 1e9 / 3.0, -1e-9] {
-        let [below, above] = around(x, outward(1e-12)).map(units).map(in_units);
+        let [below, above] = around([Plain(x); 2], outward(1e-12))
+            .map(units)
+            .map(in_units);
         let (x, off) = (exactly(x), exactly(1e-12));
         assert!(below <= &x - &off && x + off <= above);
     }
