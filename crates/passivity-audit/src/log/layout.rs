@@ -12,7 +12,7 @@ use crate::log::names::{by_name, is_no_clock};
 use crate::log::numbers::Numbers;
 use crate::log::preview::Preview;
 use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
-use crate::number::{Number, difference, is_positive, quotient};
+use crate::number::{Number, difference, is_positive, power_of_ten, quotient};
 
 /// The most columns of a trace.
 pub(crate) const MAX_COLUMNS: usize = 4096;
@@ -334,9 +334,14 @@ impl Layout {
             };
             Some(numerator.checked_mul(d)? == n.checked_mul(denominator)?)
         };
-        let mut even = 0;
-        let mut before = times.get(from);
-        for i in from + 1..times.len() {
+        let mut even = match times {
+            Numbers::Decimals(numerators, powers) => {
+                even_decimals((numerators, powers), from, (n, d)).unwrap_or(0)
+            }
+            Numbers::Doubles(_) | Numbers::Any(_) => 0,
+        };
+        let mut before = times.get(from + even);
+        for i in from + even + 1..times.len() {
             let next = times.get(i);
             let pair = before.as_ref().zip(next.as_ref());
             if pair.and_then(|(from, to)| is_period(from, to)) != Some(true) {
@@ -356,6 +361,25 @@ impl Layout {
     pub(crate) const fn per_force(&self) -> &Scale {
         &self.per_force
     }
+}
+
+/// How many of the intervals between these times over powers of ten, from one on, last n/d, as long as times have one
+/// power; `None` where machine integers do not tell.
+fn even_decimals(
+    (numerators, powers): (&[i64], &[u8]),
+    from: usize,
+    (n, d): (i128, i128),
+) -> Option<usize> {
+    let power = powers.get(from)?;
+    let period = n.checked_mul(power_of_ten((*power).into())?.into())?;
+    // No whole number of units is a fraction of one.
+    let period = (period % d == 0).then(|| i64::try_from(period / d).ok())??;
+    let pairs = numerators.get(from..)?.windows(2);
+    let is_even = |(pair, own): &(&[i64], &u8)| {
+        matches!(pair, [from, to] if to.checked_sub(*from) == Some(period)) && *own == power
+    };
+    let powers = powers.get(from + 1..)?;
+    Some(pairs.zip(powers).take_while(is_even).count())
 }
 
 pub(crate) fn header(message: impl Into<String>) -> TraceError {

@@ -217,6 +217,21 @@ impl Balls {
         self.truncate(known);
     }
 
+    /// The same of doubles.
+    #[inline]
+    pub(crate) fn complete_doubles(&mut self, values: &[f64], ball: impl Fn(f64) -> Option<Ball>) {
+        let mut known = self.len();
+        self.middles.resize(values.len(), 0.0);
+        self.radii.resize(values.len(), 0.0);
+        let parts = self.middles.iter_mut().zip(&mut self.radii).skip(known);
+        for (x, (middle, radius)) in values.iter().skip(known).zip(parts) {
+            let Some(ball) = ball(*x) else { break };
+            (*middle, *radius) = ball.parts();
+            known += 1;
+        }
+        self.truncate(known);
+    }
+
     fn truncate(&mut self, len: usize) {
         self.middles.truncate(len);
         self.radii.truncate(len);
@@ -316,8 +331,12 @@ impl Readings {
                 kind,
                 scale,
             } = self;
-            if let Numbers::Decimals(numerators, powers) = written {
-                near.complete(numerators, powers, |n, k| scale.near(*kind, n, k));
+            match written {
+                Numbers::Decimals(numerators, powers) => {
+                    near.complete(numerators, powers, |n, k| scale.near(*kind, n, k));
+                }
+                Numbers::Doubles(values) => scale.complete(*kind, values, near),
+                Numbers::Any(_) => {}
             }
             // One that takes longer, if any is left.
             let at = self.near.len();
@@ -343,31 +362,17 @@ impl Readings {
 
     /// Appends numbers up to the first that cannot be read.
     pub(crate) fn push_all(&mut self, numbers: Numbers) -> Result<(), TraceError> {
+        if self.len() == 0 {
+            self.written = numbers;
+            return self.complete().map_err(|(row, error)| {
+                self.truncate(row);
+                error
+            });
+        }
         self.reserve(numbers.len());
-        match numbers {
-            Numbers::Doubles(values) if self.len() == 0 => {
-                for (i, x) in values.iter().enumerate() {
-                    let near = match self.scale.near_double(self.kind, *x) {
-                        Some(near) => Ok(near),
-                        None => double(*x).and_then(|x| Ok(self.known(x)?.1)),
-                    };
-                    match near {
-                        Ok(near) => self.near.push(near),
-                        Err(error) => {
-                            let read = values.into_iter().take(i).collect();
-                            self.written = Numbers::Doubles(read);
-                            return Err(error);
-                        }
-                    }
-                }
-                self.written = Numbers::Doubles(values);
-            }
-            numbers => {
-                for x in (0..numbers.len()).filter_map(|i| numbers.get(i)) {
-                    let known = self.known(x)?;
-                    self.push(known);
-                }
-            }
+        for x in (0..numbers.len()).filter_map(|i| numbers.get(i)) {
+            let known = self.known(x)?;
+            self.push(known);
         }
         Ok(())
     }

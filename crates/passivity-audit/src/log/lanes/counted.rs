@@ -37,7 +37,8 @@ pub(crate) struct Counted {
     /// How long each is, and how many ticks it crosses.
     lengths: [Length; TILE],
     pub(super) crossed: [i64; TILE],
-    /// Whether each is for sums of its own: it crosses many ticks, lasts one period, or its force is large.
+    /// Whether each is for sums of its own: it crosses many ticks, its force is large, or it lasts one
+    /// period under the force of the wall.
     apart: [bool; TILE],
     /// What is not negative, as bits: the margin of the criterion, net energy, and that against the quantized wall, each
     /// at the least and at the most.
@@ -156,7 +157,7 @@ impl Counted {
             };
             let Length(n, d) = lasts;
             (self.lengths[i], self.crossed[i]) = (lasts, crossed);
-            self.apart[i] = crossed.unsigned_abs() >= MANY || n == d;
+            self.apart[i] = crossed.unsigned_abs() >= MANY || n == d && forces.is_none();
             self.of.start.set(i, Ball::whole(*from));
             self.of.end.set(i, Ball::whole(*to));
             self.of.lasts.set(i, lasts.near());
