@@ -35,7 +35,13 @@ impl Numbers {
 
     /// Doubles up to the first that is no number.
     pub(crate) fn doubles(mut values: Vec<f64>) -> (Self, Option<TraceError>) {
-        let wrong = values.iter().find(|x| !x.is_finite());
+        // Of several at a time it is asked whether all of them are numbers.
+        let all = values.iter().fold(true, |all, x| all & x.is_finite());
+        let wrong = if all {
+            None
+        } else {
+            values.iter().find(|x| !x.is_finite())
+        };
         let error = wrong.and_then(|x| double(*x).err());
         if error.is_some() {
             let whole = values.iter().take_while(|x| x.is_finite()).count();
@@ -75,6 +81,20 @@ impl Numbers {
             }
             Self::Doubles(values) => values.get(i) == values.get(j),
             Self::Decimals(..) | Self::Any(_) => self.get(i) == self.get(j),
+        }
+    }
+
+    /// Marks which numbers from one on are the same as the next, by what is not zero.
+    pub(crate) fn mark_same(&self, from: usize, marks: &mut [u64]) {
+        if let Self::Doubles(values) = self {
+            let pairs = values.get(from..).unwrap_or_default().windows(2);
+            for (pair, mark) in pairs.zip(marks) {
+                *mark = u64::from(matches!(pair, [x, next] if x == next));
+            }
+            return;
+        }
+        for (mark, i) in marks.iter_mut().zip(from..) {
+            *mark = u64::from(self.is_same(i, i + 1));
         }
     }
 

@@ -43,36 +43,48 @@ impl Timing {
     }
 
     /// Counts intervals of these lengths, as fractions of two positive numbers, from the interval `h` on.
-    pub(crate) fn add_all(&mut self, lengths: &[Length], mut h: u64) {
-        // Decimals with as many digits have one denominator.
-        for run in lengths.chunk_by(|Length(_, d), Length(_, e)| d == e) {
-            let Some(Length(first, d)) = run.first() else {
-                continue;
-            };
-            let (mut shortest, mut longest) = (first, first);
-            let [mut uneven, mut late] = [0_u64; 2];
-            for Length(n, _) in run {
-                shortest = shortest.min(n);
-                longest = longest.max(n);
+    pub(crate) fn add_all(&mut self, lengths: &[Length], h: u64) {
+        let Some(first) = lengths.first() else {
+            return;
+        };
+        let (mut shortest, mut longest) = (*first, *first);
+        let [mut uneven, mut late] = [0_u64; 2];
+        // Decimals with as many digits have one denominator, and are compared by their numerators.
+        if lengths.iter().fold(true, |all, of| all & (of.1 == first.1)) {
+            for Length(n, d) in lengths {
+                shortest.0 = shortest.0.min(*n);
+                longest.0 = longest.0.max(*n);
                 uneven += u64::from(n != d);
                 late += u64::from(n > d);
             }
-            if i128::from(*longest) * 2 >= i128::from(*d) * 3 {
-                // A sample is missing.
-                for (Length(n, d), h) in run.iter().zip(h..) {
-                    self.add(&Number::Small(*n, *d), h);
-                }
-            } else {
-                self.uneven += uneven;
-                self.late += late;
-                self.widen(
-                    [shortest, longest]
-                        .map(|n| Number::Small(*n, *d))
-                        .each_ref(),
-                );
+        } else {
+            for length in lengths {
+                let Length(n, d) = length;
+                shortest = if is_shorter(length, &shortest) {
+                    *length
+                } else {
+                    shortest
+                };
+                longest = if is_shorter(&longest, length) {
+                    *length
+                } else {
+                    longest
+                };
+                uneven += u64::from(n != d);
+                late += u64::from(n > d);
             }
-            h += run.len() as u64;
         }
+        if i128::from(longest.0) * 2 >= i128::from(longest.1) * 3 {
+            // A sample is missing.
+            for (Length(n, d), h) in lengths.iter().zip(h..) {
+                self.add(&Number::Small(*n, *d), h);
+            }
+            return;
+        }
+        self.uneven += uneven;
+        self.late += late;
+        let range = [shortest, longest].map(|Length(n, d)| Number::Small(n, d));
+        self.widen(range.each_ref());
     }
 
     fn widen(&mut self, [shortest, longest]: [&Number; 2]) {
@@ -101,6 +113,12 @@ impl Timing {
             self.widen([shortest, longest]);
         }
     }
+}
+
+/// Whether one length is less than another.
+#[inline(always)]
+fn is_shorter(Length(n, d): &Length, Length(m, e): &Length) -> bool {
+    i128::from(*n) * i128::from(*e) < i128::from(*m) * i128::from(*d)
 }
 
 /// The nearest whole number, at least 0 and at most the largest of 64 bits.
