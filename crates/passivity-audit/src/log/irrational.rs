@@ -165,6 +165,9 @@ impl Irrational {
         let is_negative = self.negative;
         move |x| {
             let by = whole?;
+            if x == 0.0 {
+                return Some(Ball::whole(0));
+            }
             let bits = x.to_bits();
             let exponent = (bits >> FRACTION & 0x7ff) as u32;
             // Of normal numbers that are no longer than 64 bits as fractions of whole ones.
@@ -264,6 +267,25 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
+        #[test]
+        fn a_double_is_known_sooner_as_it_is_known_later(
+            x in prop_oneof![prop::num::f64::ANY, -1e3..1e3, (-1000..1000_i32).prop_map(|n| f64::from(n) / 8.0)],
+            counts in 1..100_000_i32, reversed: bool,
+        ) {
+            let sign = if reversed { -1 } else { 1 };
+            let factor = Exact::of(&BigRational::new((sign * counts).into(), 2.into())).over(pi::pi());
+            let range = factor.enclosure(256).unwrap();
+            let by = Irrational::new(factor, range);
+            for kind in [Kind::Position, Kind::Force] {
+                if let Some(sooner) = by.of_doubles(kind)(x) {
+                    prop_assert_eq!(Some(sooner), by.near_double(kind, x));
+                } else {
+                    // Below the grid, and from 2⁵³ on or so.
+                    prop_assert!(!(1e-3..1e6).contains(&x.abs()));
+                }
+            }
+        }
+
         #[test]
         fn a_short_decimal_is_enclosed_as_closely_as_by_big_numbers(
             n: i64, decimals in 0..19_u32, counts in 1..100_000_i32, reversed: bool,

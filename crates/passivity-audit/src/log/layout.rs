@@ -9,10 +9,9 @@ use crate::log::findings::Finding;
 use crate::log::guess;
 use crate::log::header::Heading;
 use crate::log::names::{by_name, is_no_clock};
-use crate::log::numbers::Numbers;
 use crate::log::preview::Preview;
 use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
-use crate::number::{Number, difference, is_positive, power_of_ten, quotient};
+use crate::number::{Number, difference, is_positive, quotient};
 
 /// The most columns of a trace.
 pub(crate) const MAX_COLUMNS: usize = 4096;
@@ -316,42 +315,6 @@ impl Layout {
         Some(Some(periods))
     }
 
-    /// How many of the intervals between these times, from one on, last exactly one period.
-    pub(crate) fn even(&self, times: &Numbers, from: usize) -> usize {
-        let Number::Small(n, d) = &self.per_period else {
-            return 0;
-        };
-        let (n, d) = (i128::from(*n), i128::from(*d));
-        let is_period = |from: &Number, to: &Number| {
-            let (Number::Small(a, b), Number::Small(p, q)) = (from, to) else {
-                return None;
-            };
-            let [a, b, p, q] = [*a, *b, *p, *q].map(i128::from);
-            // p/q − a/b = n/d
-            let (numerator, denominator): (i128, i128) = match b == q {
-                true => (p - a, b),
-                false => (p * b - a * q, b * q),
-            };
-            Some(numerator.checked_mul(d)? == n.checked_mul(denominator)?)
-        };
-        let mut even = match times {
-            Numbers::Decimals(numerators, powers) => {
-                even_decimals((numerators, powers), from, (n, d)).unwrap_or(0)
-            }
-            Numbers::Doubles(_) | Numbers::Any(_) => 0,
-        };
-        let mut before = times.get(from + even);
-        for i in from + even + 1..times.len() {
-            let next = times.get(i);
-            let pair = before.as_ref().zip(next.as_ref());
-            if pair.and_then(|(from, to)| is_period(from, to)) != Some(true) {
-                break;
-            }
-            (before, even) = (next, even + 1);
-        }
-        even
-    }
-
     /// How positions become ticks.
     pub(crate) const fn scale(&self) -> &Scale {
         &self.scale
@@ -361,25 +324,6 @@ impl Layout {
     pub(crate) const fn per_force(&self) -> &Scale {
         &self.per_force
     }
-}
-
-/// How many of the intervals between these times over powers of ten, from one on, last n/d, as long as times have one
-/// power; `None` where machine integers do not tell.
-fn even_decimals(
-    (numerators, powers): (&[i64], &[u8]),
-    from: usize,
-    (n, d): (i128, i128),
-) -> Option<usize> {
-    let power = powers.get(from)?;
-    let period = n.checked_mul(power_of_ten((*power).into())?.into())?;
-    // No whole number of units is a fraction of one.
-    let period = (period % d == 0).then(|| i64::try_from(period / d).ok())??;
-    let pairs = numerators.get(from..)?.windows(2);
-    let is_even = |(pair, own): &(&[i64], &u8)| {
-        matches!(pair, [from, to] if to.checked_sub(*from) == Some(period)) && *own == power
-    };
-    let powers = powers.get(from + 1..)?;
-    Some(pairs.zip(powers).take_while(is_even).count())
 }
 
 pub(crate) fn header(message: impl Into<String>) -> TraceError {
@@ -470,3 +414,5 @@ fn proposal(
     Layout::of(&found, headings, scene).ok()?;
     Some(Box::new(proposal))
 }
+
+mod even;

@@ -136,3 +136,27 @@ fn nearest(x: &Number) -> u64 {
         None => 0,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn lengths_are_counted_together_as_one_by_one(
+            lengths in prop::collection::vec((1..40_i64, 0..4_u32), 0..40), same: bool, h: u32,
+        ) {
+            // About a period, over powers of two or over one denominator.
+            let length = |(n, k): &(i64, u32)| Length(n + 10, if same { 20 } else { 8 << k });
+            let lengths: Vec<Length> = lengths.iter().map(length).collect();
+            let (mut one, mut all) = (Timing::default(), Timing::default());
+            for (Length(n, d), h) in lengths.iter().zip(u64::from(h)..) {
+                one.add(&Number::Small(*n, *d), h);
+            }
+            all.add_all(&lengths, h.into());
+            prop_assert_eq!((one.uneven, one.late, one.missed), (all.uneven, all.late, all.missed));
+            prop_assert_eq!((one.first_missed, one.range), (all.first_missed, all.range));
+        }
+    }
+}
