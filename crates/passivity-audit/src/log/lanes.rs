@@ -96,6 +96,8 @@ pub(crate) struct Tile {
     truths: [[u64; TILE]; 2],
     /// Not zero for the rows that are left open.
     open: [[u64; TILE]; 2],
+    /// Whether all rows answer the same.
+    alike: [bool; 2],
     len: usize,
     /// Sums of all columns, where no row is left open.
     whole: Option<Totals>,
@@ -140,8 +142,8 @@ impl Intervals {
         }
         for (i, length) in lengths.iter().enumerate().take(self.len) {
             self.lasts.set(i, length.near());
-            self.still[i] = u64::from(samples.written.is_same(at + i, at + i + 1));
         }
+        samples.written.mark_same(at, &mut self.still[..self.len]);
         // Nothing comes of nothing.
         for column in [&mut self.start, &mut self.end, &mut self.force] {
             column.cut(self.len);
@@ -211,6 +213,7 @@ impl Tile {
             potential: Column::ZERO,
             truths: [[0; TILE]; 2],
             open: [[0; TILE]; 2],
+            alike: [false; 2],
             len: 0,
             whole: None,
         }
@@ -221,12 +224,19 @@ impl Tile {
         compute::compute(self, wall, of, applied);
         self.len = of.len;
         let open = self.open.iter().flatten().fold(0, |all, open| all | open);
+        self.alike = self.truths.each_ref().map(|truths| {
+            let [first, ..] = truths;
+            truths[..self.len].iter().all(|bits| bits == first)
+        });
         self.whole = (self.len == TILE && open == 0).then(|| sums::totals(self));
     }
 
     /// Up to which row all are decided, from one of them on.
     pub(crate) fn decided(&self, from: usize, until: usize, applied: bool) -> usize {
         let until = until.min(self.len);
+        if self.whole.is_some() {
+            return until;
+        }
         let rows = self.open[usize::from(applied)].get(from..until);
         let open = rows.unwrap_or_default().iter().position(|open| *open != 0);
         open.map_or(until, |rows| from + rows)
@@ -239,6 +249,9 @@ impl Tile {
 
     /// How many of some rows, from the first one on, answer the same.
     pub(crate) fn alike(&self, rows: Range<usize>, applied: bool) -> usize {
+        if self.alike[usize::from(applied)] {
+            return rows.len();
+        }
         let rows = &self.truths[usize::from(applied)][rows];
         rows.iter()
             .take_while(|bits| rows.first() == Some(bits))

@@ -37,7 +37,8 @@ pub(crate) struct Counted {
     /// How long each is, and how many ticks it crosses.
     lengths: [Length; TILE],
     pub(super) crossed: [i64; TILE],
-    /// Whether each is for sums of its own: it crosses many ticks, lasts one period, or its force is large.
+    /// Whether each is for sums of its own: it crosses many ticks, its force is large, or it lasts one
+    /// period under the force of the wall.
     apart: [bool; TILE],
     /// What is not negative, as bits: the margin of the criterion, net energy, and that against the quantized wall, each
     /// at the least and at the most.
@@ -150,7 +151,8 @@ impl Counted {
                 break;
             };
             (self.lengths[i], self.crossed[i]) = (lasts, crossed);
-            self.apart[i] = crossed.unsigned_abs() >= MANY || lasts.0 == lasts.1;
+            let is_period = lasts.0 == lasts.1;
+            self.apart[i] = crossed.unsigned_abs() >= MANY || is_period && forces.is_none();
             match (quick::whole(*from), quick::whole(*to), lasts.nearest()) {
                 (Some(from), Some(to), Some(lasts)) => {
                     (starts[i], ends[i], durations[i]) = (from, to, lasts);
