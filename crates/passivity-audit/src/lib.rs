@@ -22,6 +22,7 @@ pub mod json;
 pub mod ledger;
 mod log;
 pub mod number;
+mod plain;
 pub mod reading;
 pub mod rows;
 pub mod run;

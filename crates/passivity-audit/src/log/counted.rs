@@ -1,16 +1,18 @@
 //! What an interval between two counts comes to, in doubles, where a linear wall on both sides is all there is.
 
 use passivity_core::counted::{Crossing, Resistance};
-use passivity_core::{Ordered as _, Scalar as _, Truth, dissipation, quantizer};
+use passivity_core::{Criterion, Friction, Ordered, Scalar as _, Truth, dissipation, quantizer};
 
 use crate::ball::Ball;
 use crate::figure::not;
 use crate::ledger::{Ledger, Logged, Truths};
 use crate::log::known::known_force;
+use crate::log::lanes::Length;
 use crate::log::motion::{Addend, between};
+use crate::log::quick::Quick;
 use crate::log::supply::Contribution;
 use crate::log::wall::Wall;
-use crate::number::Reduced;
+use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 
 /// What is known of an interval between two counts.
@@ -44,25 +46,32 @@ pub(crate) struct Row<T> {
     pub(crate) stored: [T; 2],
 }
 
-impl<const BRANCHES: bool> Row<Ball<BRANCHES>> {
-    /// Of an interval under the force in the log where that is `applied`, else under that of the wall; `is_exact` says
-    /// whether friction is.
+impl<S: Ordered> Row<S> {
+    /// Of an interval under the force in the log where that is `applied`, else under that of the wall, given the least
+    /// friction and the most, and the criteria of both; `is_exact` says whether friction has one value.
     #[inline(always)]
     pub(crate) fn of(
-        wall: &Wall<BRANCHES>,
-        of: &Interval<Ball<BRANCHES>>,
+        (frictions, criteria): (&[Friction<S>; 2], &[Criterion<S>; 2]),
+        of: &Interval<S>,
         is_exact: bool,
         applied: bool,
     ) -> Self {
-        let ticks = of.end - of.start;
-        let own = Crossing::own(ticks);
+        let ticks = of.end.clone() - of.start.clone();
+        let own = Crossing::own(ticks.clone());
         let held = quantizer::held_force(&of.start);
-        let force = if applied { of.force } else { held };
-        let crossing = Crossing {
-            ticks,
-            excess: if applied { force - held } else { Ball::zero() },
+        let force = if applied {
+            of.force.clone()
+        } else {
+            held.clone()
         };
-        let [least, most] = &wall.frictions;
+        let crossing = Crossing {
+            ticks: ticks.clone(),
+            excess: match applied {
+                true => force.clone() - held,
+                false => S::zero(),
+            },
+        };
+        let [least, most] = frictions;
         let least = Resistance::new(least, &of.lasts);
         let most = match is_exact {
             true => least.clone(),
@@ -73,7 +82,7 @@ impl<const BRANCHES: bool> Row<Ball<BRANCHES>> {
             dissipation::mean_speed(&near, &of.lasts),
             dissipation::mean_speed(&far, &of.lasts),
         ];
-        let [low, high] = &wall.criteria;
+        let [low, high] = criteria;
         let ([a, b], [c, d]) = (crossing.net_at_least(&least), crossing.net_at_most(&most));
         // Under the wall's own force that is the same.
         let [lo, hi] = match applied {
@@ -81,7 +90,7 @@ impl<const BRANCHES: bool> Row<Ball<BRANCHES>> {
                 let ([lo, _], [hi, _]) = (own.net_at_least(&least), own.net_at_most(&most));
                 [lo, hi]
             }
-            false => [a, c],
+            false => [a.clone(), c.clone()],
         };
         Self {
             taken: [least.taken(&near), most.taken(&far)],
@@ -93,8 +102,8 @@ impl<const BRANCHES: bool> Row<Ball<BRANCHES>> {
             net: [[a, c], [b, d]],
             work: force * ticks,
             own: [lo, hi],
-            excess: crossing.excess,
             stored: crossing.stored(&of.end),
+            excess: crossing.excess,
         }
     }
 }
@@ -126,14 +135,31 @@ impl Figures {
         };
         let force = known_force(interval)?;
         let wall = Wall::of(ledger)?;
+        let lasts = match interval.dtau {
+            Number::Small(n, d) => Length(n, d),
+            Number::Tiny(..) | Number::Big(_) => Length::OPEN,
+        };
+        let quick = Quick::of(&wall).figures([*from, *to], lasts, force);
+        quick.or_else(|| Self::in_balls(&wall, [*from, *to], Ball::of(&interval.dtau), force))
+    }
+
+    /// Of one between these counts that lasts so long, under the force in the log where there is any: with doubles that
+    /// tell how far off they are.
+    pub(crate) fn in_balls(
+        wall: &Wall,
+        [from, to]: [i64; 2],
+        lasts: Ball,
+        force: Option<Ball>,
+    ) -> Option<Self> {
         let of = Interval {
-            start: Ball::whole(*from),
-            end: Ball::whole(*to),
-            lasts: Ball::of(&interval.dtau),
+            start: Ball::whole(from),
+            end: Ball::whole(to),
+            lasts,
             force: force.unwrap_or(Ball::zero()),
         };
-        let row = Row::of(&wall, &of, wall.friction_is_exact, force.is_some());
-        Self::of(&row, to.checked_sub(*from)?)
+        let friction = (&wall.frictions, &wall.criteria);
+        let row = Row::of(friction, &of, wall.friction_is_exact, force.is_some());
+        Self::of(&row, to.checked_sub(from)?)
     }
 
     /// Of a row that crosses so many ticks; `None` where doubles leave something open.

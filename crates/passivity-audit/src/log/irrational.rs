@@ -149,6 +149,52 @@ impl Irrational {
         (kind == Kind::Force || span.is_within_a_tick()).then(|| Ball::of_span(span))
     }
 
+    /// What [`near_double`](Self::near_double) finds, sooner: of most doubles.
+    ///
+    /// A double is its digits over a power of two, which the product with the mantissa is cut off at. So none of it
+    /// is to be brought to lowest terms first, and what is cut off is less than one unit of the grid.
+    #[inline]
+    pub(crate) fn of_doubles(&self, kind: Kind) -> impl Fn(f64) -> Option<Ball> {
+        const FRACTION: u32 = f64::MANTISSA_DIGITS - 1;
+        /// The exponent, as it is stored, of doubles whose digits are those of a whole number.
+        const WHOLE: u32 = 1023 + FRACTION;
+        const WORD: u32 = 64;
+        /// Within so many units of a tick, it is asked more closely which one it is in.
+        const EDGE: u64 = 4;
+        let whole = self.by_decimals.first().copied().flatten();
+        let is_negative = self.negative;
+        move |x| {
+            let by = whole?;
+            if x == 0.0 {
+                return Some(Ball::whole(0));
+            }
+            let bits = x.to_bits();
+            let exponent = (bits >> FRACTION & 0x7ff) as u32;
+            // Of normal numbers that are no longer than 64 bits as fractions of whole ones.
+            if !(1..=WHOLE).contains(&exponent) {
+                return None;
+            }
+            let shift = (by.shift - span::BITS + WHOLE) - exponent;
+            // Digits and mantissa are below 2⁵³ and 2¹²⁰: cut off here, the product has room.
+            if !(WORD..2 * WORD).contains(&shift) {
+                return None;
+            }
+            let digits = bits & ((1 << FRACTION) - 1) | 1 << FRACTION;
+            let [upper, lower] = [by.mantissa >> WORD, by.mantissa & u128::from(u64::MAX)];
+            let low = u128::from(digits) * lower;
+            let high = u128::from(digits) * upper + (low >> WORD);
+            let product = high >> (shift - WORD);
+            let within = (product as u64).wrapping_add(EDGE);
+            if kind == Kind::Position && within < 2 * EDGE {
+                return None;
+            }
+            // What was cut off, and less than a unit for that of the mantissa.
+            let size = Span::centred(product.cast_signed(), 2);
+            let is_below = x.is_sign_negative() != is_negative;
+            Some(Ball::of_span(if is_below { -size } else { size }))
+        }
+    }
+
     /// A position in ticks, enclosed within one of them.
     pub(crate) fn position(&self, x: Number) -> Result<Reading, TraceError> {
         if let Some(span) = self.short(&x)
@@ -221,6 +267,25 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
+        #[test]
+        fn a_double_is_known_sooner_as_it_is_known_later(
+            x in prop_oneof![prop::num::f64::ANY, -1e3..1e3, (-1000..1000_i32).prop_map(|n| f64::from(n) / 8.0)],
+            counts in 1..100_000_i32, reversed: bool,
+        ) {
+            let sign = if reversed { -1 } else { 1 };
+            let factor = Exact::of(&BigRational::new((sign * counts).into(), 2.into())).over(pi::pi());
+            let range = factor.enclosure(256).unwrap();
+            let by = Irrational::new(factor, range);
+            for kind in [Kind::Position, Kind::Force] {
+                if let Some(sooner) = by.of_doubles(kind)(x) {
+                    prop_assert_eq!(Some(sooner), by.near_double(kind, x));
+                } else {
+                    // Below the grid, and from 2⁵³ on or so.
+                    prop_assert!(!(1e-3..1e6).contains(&x.abs()));
+                }
+            }
+        }
+
         #[test]
         fn a_short_decimal_is_enclosed_as_closely_as_by_big_numbers(
             n: i64, decimals in 0..19_u32, counts in 1..100_000_i32, reversed: bool,

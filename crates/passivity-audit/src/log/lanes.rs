@@ -24,6 +24,7 @@ use crate::ledger::Truths;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::layout::Layout;
 use crate::log::numbers::{Balls, Readings};
+use crate::log::quick::Quick;
 use crate::log::step::periods;
 use crate::log::task::Task;
 use crate::log::wall::Wall;
@@ -57,12 +58,7 @@ impl Column {
 
     /// Takes the balls from `at` on, as many as there are and are asked for: how many that is.
     fn copy(&mut self, balls: &Balls, at: usize, most: usize) -> usize {
-        let middles = balls.middles.get(at..).unwrap_or_default();
-        let radii = balls.radii.get(at..).unwrap_or_default();
-        let len = most.min(middles.len()).min(radii.len());
-        self.middles[..len].copy_from_slice(&middles[..len]);
-        self.radii[..len].copy_from_slice(&radii[..len]);
-        len
+        balls.copy_to([&mut self.middles, &mut self.radii], at, most)
     }
 
     /// Makes all behind the first `len` zero.
@@ -100,6 +96,8 @@ pub(crate) struct Tile {
     truths: [[u64; TILE]; 2],
     /// Not zero for the rows that are left open.
     open: [[u64; TILE]; 2],
+    /// Whether all rows answer the same.
+    alike: [bool; 2],
     len: usize,
     /// Sums of all columns, where no row is left open.
     whole: Option<Totals>,
@@ -144,8 +142,8 @@ impl Intervals {
         }
         for (i, length) in lengths.iter().enumerate().take(self.len) {
             self.lasts.set(i, length.near());
-            self.still[i] = u64::from(samples.written.is_same(at + i, at + i + 1));
         }
+        samples.written.mark_same(at, &mut self.still[..self.len]);
         // Nothing comes of nothing.
         for column in [&mut self.start, &mut self.end, &mut self.force] {
             column.cut(self.len);
@@ -173,7 +171,7 @@ impl Intervals {
 pub(crate) struct Length(pub(crate) i64, pub(crate) i64);
 
 impl Length {
-    const OPEN: Self = Self(0, 0);
+    pub(crate) const OPEN: Self = Self(0, 0);
 
     /// Of the interval that starts at sample `i` of a chunk.
     #[inline]
@@ -188,6 +186,20 @@ impl Length {
             _ => Ball::ratio(self.0, self.1),
         }
     }
+
+    /// The nearest double, where both numbers in lowest terms are doubles.
+    #[inline(always)]
+    #[allow(clippy::cast_precision_loss)] // nothing is lost
+    pub(crate) fn nearest(self) -> Option<f64> {
+        const MOST: i64 = 1 << f64::MANTISSA_DIGITS;
+        let Self(mut n, mut d) = self;
+        if n >= MOST || d >= MOST {
+            let divisor = num_integer::gcd(n, d);
+            (n, d) = (n / divisor, d / divisor);
+        }
+        let is_known = n > 0 && d > 0 && n < MOST && d < MOST;
+        is_known.then(|| n as f64 / d as f64)
+    }
 }
 
 impl Tile {
@@ -201,6 +213,7 @@ impl Tile {
             potential: Column::ZERO,
             truths: [[0; TILE]; 2],
             open: [[0; TILE]; 2],
+            alike: [false; 2],
             len: 0,
             whole: None,
         }
@@ -211,12 +224,19 @@ impl Tile {
         compute::compute(self, wall, of, applied);
         self.len = of.len;
         let open = self.open.iter().flatten().fold(0, |all, open| all | open);
+        self.alike = self.truths.each_ref().map(|truths| {
+            let [first, ..] = truths;
+            truths[..self.len].iter().all(|bits| bits == first)
+        });
         self.whole = (self.len == TILE && open == 0).then(|| sums::totals(self));
     }
 
     /// Up to which row all are decided, from one of them on.
     pub(crate) fn decided(&self, from: usize, until: usize, applied: bool) -> usize {
         let until = until.min(self.len);
+        if self.whole.is_some() {
+            return until;
+        }
         let rows = self.open[usize::from(applied)].get(from..until);
         let open = rows.unwrap_or_default().iter().position(|open| *open != 0);
         open.map_or(until, |rows| from + rows)
@@ -229,6 +249,9 @@ impl Tile {
 
     /// How many of some rows, from the first one on, answer the same.
     pub(crate) fn alike(&self, rows: Range<usize>, applied: bool) -> usize {
+        if self.alike[usize::from(applied)] {
+            return rows.len();
+        }
         let rows = &self.truths[usize::from(applied)][rows];
         rows.iter()
             .take_while(|bits| rows.first() == Some(bits))
@@ -242,6 +265,8 @@ pub(crate) struct Tiles {
     pub(crate) tiles: Vec<Tile>,
     pub(crate) lengths: Vec<Length>,
     pub(crate) wall: Option<Wall<false>>,
+    /// For counts.
+    pub(crate) quick: Option<Quick>,
 }
 
 impl Tiles {
@@ -249,7 +274,9 @@ impl Tiles {
     /// walls.
     pub(crate) fn fill(&mut self, task: &Task<'_>, chunk: &Chunk) {
         self.lengths.clear();
-        self.wall = Wall::of(task.ledger).map(|wall| wall.lanes());
+        let wall = Wall::of(task.ledger);
+        self.quick = wall.as_ref().map(Quick::of);
+        self.wall = wall.map(|wall| wall.lanes());
         let (Some(wall), Samples::Any(samples)) = (&self.wall, &chunk.samples) else {
             self.tiles.clear();
             return;

@@ -9,7 +9,6 @@ use crate::log::findings::Finding;
 use crate::log::guess;
 use crate::log::header::Heading;
 use crate::log::names::{by_name, is_no_clock};
-use crate::log::numbers::Numbers;
 use crate::log::preview::Preview;
 use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
 use crate::number::{Number, difference, is_positive, quotient};
@@ -316,37 +315,6 @@ impl Layout {
         Some(Some(periods))
     }
 
-    /// How many of the intervals between these times, from one on, last exactly one period.
-    pub(crate) fn even(&self, times: &Numbers, from: usize) -> usize {
-        let Number::Small(n, d) = &self.per_period else {
-            return 0;
-        };
-        let (n, d) = (i128::from(*n), i128::from(*d));
-        let is_period = |from: &Number, to: &Number| {
-            let (Number::Small(a, b), Number::Small(p, q)) = (from, to) else {
-                return None;
-            };
-            let [a, b, p, q] = [*a, *b, *p, *q].map(i128::from);
-            // p/q − a/b = n/d
-            let (numerator, denominator): (i128, i128) = match b == q {
-                true => (p - a, b),
-                false => (p * b - a * q, b * q),
-            };
-            Some(numerator.checked_mul(d)? == n.checked_mul(denominator)?)
-        };
-        let mut even = 0;
-        let mut before = times.get(from);
-        for i in from + 1..times.len() {
-            let next = times.get(i);
-            let pair = before.as_ref().zip(next.as_ref());
-            if pair.and_then(|(from, to)| is_period(from, to)) != Some(true) {
-                break;
-            }
-            (before, even) = (next, even + 1);
-        }
-        even
-    }
-
     /// How positions become ticks.
     pub(crate) const fn scale(&self) -> &Scale {
         &self.scale
@@ -446,3 +414,5 @@ fn proposal(
     Layout::of(&found, headings, scene).ok()?;
     Some(Box::new(proposal))
 }
+
+mod even;

@@ -34,6 +34,7 @@ mod parquet;
 mod partial;
 mod piece;
 mod preview;
+mod quick;
 mod report;
 mod running;
 mod samples;

@@ -35,7 +35,13 @@ impl Numbers {
 
     /// Doubles up to the first that is no number.
     pub(crate) fn doubles(mut values: Vec<f64>) -> (Self, Option<TraceError>) {
-        let wrong = values.iter().find(|x| !x.is_finite());
+        // Of several at a time it is asked whether all of them are numbers.
+        let all = values.iter().fold(true, |all, x| all & x.is_finite());
+        let wrong = if all {
+            None
+        } else {
+            values.iter().find(|x| !x.is_finite())
+        };
         let error = wrong.and_then(|x| double(*x).err());
         if error.is_some() {
             let whole = values.iter().take_while(|x| x.is_finite()).count();
@@ -75,6 +81,20 @@ impl Numbers {
             }
             Self::Doubles(values) => values.get(i) == values.get(j),
             Self::Decimals(..) | Self::Any(_) => self.get(i) == self.get(j),
+        }
+    }
+
+    /// Marks which numbers from one on are the same as the next, by what is not zero.
+    pub(crate) fn mark_same(&self, from: usize, marks: &mut [u64]) {
+        if let Self::Doubles(values) = self {
+            let pairs = values.get(from..).unwrap_or_default().windows(2);
+            for (pair, mark) in pairs.zip(marks) {
+                *mark = u64::from(matches!(pair, [x, next] if x == next));
+            }
+            return;
+        }
+        for (mark, i) in marks.iter_mut().zip(from..) {
+            *mark = u64::from(self.is_same(i, i + 1));
         }
     }
 
@@ -217,6 +237,38 @@ impl Balls {
         self.truncate(known);
     }
 
+    /// Copies those from `at` on, as many as there are and are asked for: how many that is.
+    pub(crate) fn copy_to(
+        &self,
+        [middles, radii]: [&mut [f64]; 2],
+        at: usize,
+        most: usize,
+    ) -> usize {
+        let (from, off) = (self.middles.get(at..), self.radii.get(at..));
+        let (from, off) = (from.unwrap_or_default(), off.unwrap_or_default());
+        let len = most.min(from.len()).min(off.len());
+        let parts = middles.iter_mut().zip(radii).zip(from.iter().zip(off));
+        for ((middle, radius), (from, off)) in parts.take(len) {
+            (*middle, *radius) = (*from, *off);
+        }
+        len
+    }
+
+    /// The same of doubles.
+    #[inline]
+    pub(crate) fn complete_doubles(&mut self, values: &[f64], ball: impl Fn(f64) -> Option<Ball>) {
+        let mut known = self.len();
+        self.middles.resize(values.len(), 0.0);
+        self.radii.resize(values.len(), 0.0);
+        let parts = self.middles.iter_mut().zip(&mut self.radii).skip(known);
+        for (x, (middle, radius)) in values.iter().skip(known).zip(parts) {
+            let Some(ball) = ball(*x) else { break };
+            (*middle, *radius) = ball.parts();
+            known += 1;
+        }
+        self.truncate(known);
+    }
+
     fn truncate(&mut self, len: usize) {
         self.middles.truncate(len);
         self.radii.truncate(len);
@@ -316,8 +368,12 @@ impl Readings {
                 kind,
                 scale,
             } = self;
-            if let Numbers::Decimals(numerators, powers) = written {
-                near.complete(numerators, powers, |n, k| scale.near(*kind, n, k));
+            match written {
+                Numbers::Decimals(numerators, powers) => {
+                    near.complete(numerators, powers, |n, k| scale.near(*kind, n, k));
+                }
+                Numbers::Doubles(values) => scale.complete(*kind, values, near),
+                Numbers::Any(_) => {}
             }
             // One that takes longer, if any is left.
             let at = self.near.len();
@@ -343,31 +399,17 @@ impl Readings {
 
     /// Appends numbers up to the first that cannot be read.
     pub(crate) fn push_all(&mut self, numbers: Numbers) -> Result<(), TraceError> {
+        if self.len() == 0 {
+            self.written = numbers;
+            return self.complete().map_err(|(row, error)| {
+                self.truncate(row);
+                error
+            });
+        }
         self.reserve(numbers.len());
-        match numbers {
-            Numbers::Doubles(values) if self.len() == 0 => {
-                for (i, x) in values.iter().enumerate() {
-                    let near = match self.scale.near_double(self.kind, *x) {
-                        Some(near) => Ok(near),
-                        None => double(*x).and_then(|x| Ok(self.known(x)?.1)),
-                    };
-                    match near {
-                        Ok(near) => self.near.push(near),
-                        Err(error) => {
-                            let read = values.into_iter().take(i).collect();
-                            self.written = Numbers::Doubles(read);
-                            return Err(error);
-                        }
-                    }
-                }
-                self.written = Numbers::Doubles(values);
-            }
-            numbers => {
-                for x in (0..numbers.len()).filter_map(|i| numbers.get(i)) {
-                    let known = self.known(x)?;
-                    self.push(known);
-                }
-            }
+        for x in (0..numbers.len()).filter_map(|i| numbers.get(i)) {
+            let known = self.known(x)?;
+            self.push(known);
         }
         Ok(())
     }

@@ -22,8 +22,11 @@ use crate::log::running::near_number;
 use crate::log::typed::{self, Meaning, broken, counts};
 use crate::reading::Reading;
 
-/// How many rows are decoded at once.
-const ROWS: usize = 1 << 19;
+/// How many rows are decoded at once: of counts alone, of which there is little to keep;
+const COUNTS: usize = 1 << 19;
+
+/// and of others, so that what is computed of them does not have to leave the cache.
+const ROWS: usize = 1 << 15;
 
 /// A column that is read.
 struct Wanted {
@@ -186,7 +189,11 @@ impl Table {
             self.group += 1;
         }
         let left = self.left.min(self.most);
-        let rows = ROWS.min(usize::try_from(left).unwrap_or(usize::MAX));
+        let most = match (layout.form, layout.force) {
+            (Form::Count, None) => COUNTS,
+            _ => ROWS,
+        };
+        let rows = most.min(usize::try_from(left).unwrap_or(usize::MAX));
         let mut chunk = Chunk::new(layout);
         let mut starts = Numbers::default();
         // How many rows are whole, and what is wrong with the next.

@@ -11,7 +11,7 @@ use crate::ball::Ball;
 use crate::log::error::TraceError;
 use crate::log::header::read_unit;
 use crate::log::irrational::Irrational;
-use crate::log::numbers::Kind;
+use crate::log::numbers::{Balls, Kind};
 use crate::log::running::near;
 use crate::number::{Number, power_of_ten, product};
 use crate::reading::Reading;
@@ -91,9 +91,22 @@ impl Scale {
         }
     }
 
+    /// Appends what is known of doubles, from the first of which nothing is known on, up to one of which that takes
+    /// longer to find out.
+    pub(crate) fn complete(&self, kind: Kind, values: &[f64], near: &mut Balls) {
+        let slower = |x: f64| self.near_double(kind, x);
+        match self {
+            Self::One | Self::Factor(_) => near.complete_doubles(values, slower),
+            Self::Irrational(by) => {
+                let quick = by.of_doubles(kind);
+                near.complete_doubles(values, |x| quick(x).or_else(|| slower(x)));
+            }
+        }
+    }
+
     /// The same of a double.
     #[inline]
-    pub(crate) fn near_double(&self, kind: Kind, x: f64) -> Option<Ball> {
+    fn near_double(&self, kind: Kind, x: f64) -> Option<Ball> {
         match self {
             Self::One => Ball::of_double(x),
             Self::Factor(factor) => near_product(factor, x),

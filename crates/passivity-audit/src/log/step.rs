@@ -45,7 +45,7 @@ pub(crate) fn periods(layout: &Layout, chunk: &Chunk, i: usize) -> Option<(i64, 
     }
     if let Numbers::Doubles(times) = &chunk.times
         && let Some([from, to]) = times.get(i..i + 2)
-        && let Some(Number::Small(n, d)) = difference_of_doubles(*from, *to)
+        && let Some((n, d)) = difference_of_doubles(*from, *to)
     {
         return layout.periods(0, n, d);
     }
@@ -55,12 +55,24 @@ pub(crate) fn periods(layout: &Layout, chunk: &Chunk, i: usize) -> Option<(i64, 
     }
 }
 
-/// The second double less the first one, where that is a double.
-#[inline]
-fn difference_of_doubles(from: f64, to: f64) -> Option<Number> {
-    is_exact_sum(to, -from)
-        .then(|| Number::from_f64(to - from))
-        .flatten()
+/// The second double less the first one in lowest terms, where that is a double above zero and as short a fraction as
+/// most are.
+#[inline(always)]
+fn difference_of_doubles(from: f64, to: f64) -> Option<(i64, i64)> {
+    const FRACTION: u32 = f64::MANTISSA_DIGITS - 1;
+    /// The exponent, as it is stored, of doubles whose digits are those of a whole number.
+    const WHOLE: u64 = 1023 + FRACTION as u64;
+    let difference = to - from;
+    let bits = difference.to_bits();
+    let exponent = bits >> FRACTION;
+    // With a sign the exponent is larger, and without one zero for zero.
+    if exponent == 0 || exponent > WHOLE || !is_exact_sum(to, -from) {
+        return None;
+    }
+    let digits = (bits & ((1 << FRACTION) - 1) | 1 << FRACTION).cast_signed();
+    let zeros = digits.trailing_zeros();
+    let twos = u32::try_from(WHOLE - exponent).ok()?.checked_sub(zeros)?;
+    (twos < i64::BITS - 1).then(|| (digits >> zeros, 1 << twos))
 }
 
 /// Δτ between two times.

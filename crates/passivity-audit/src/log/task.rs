@@ -78,7 +78,11 @@ impl<'a> Task<'a> {
         }
         let unit = *dtau == UNIT;
         match self.applied {
-            true => unit && matches!(chunk.forces.get(i), Some(Reading::Exact(Number::Small(..)))),
+            // Of forces scaled by π none but zero is exact, too few to come again.
+            true => {
+                unit && !self.layout.per_force().is_irrational()
+                    && matches!(chunk.forces.get(i), Some(Reading::Exact(Number::Small(..))))
+            }
             // Those of a plain wall take no longer to compute.
             false => unit || !self.ledger.is_plain(),
         }

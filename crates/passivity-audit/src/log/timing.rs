@@ -43,36 +43,48 @@ impl Timing {
     }
 
     /// Counts intervals of these lengths, as fractions of two positive numbers, from the interval `h` on.
-    pub(crate) fn add_all(&mut self, lengths: &[Length], mut h: u64) {
-        // Decimals with as many digits have one denominator.
-        for run in lengths.chunk_by(|Length(_, d), Length(_, e)| d == e) {
-            let Some(Length(first, d)) = run.first() else {
-                continue;
-            };
-            let (mut shortest, mut longest) = (first, first);
-            let [mut uneven, mut late] = [0_u64; 2];
-            for Length(n, _) in run {
-                shortest = shortest.min(n);
-                longest = longest.max(n);
+    pub(crate) fn add_all(&mut self, lengths: &[Length], h: u64) {
+        let Some(first) = lengths.first() else {
+            return;
+        };
+        let (mut shortest, mut longest) = (*first, *first);
+        let [mut uneven, mut late] = [0_u64; 2];
+        // Decimals with as many digits have one denominator, and are compared by their numerators.
+        if lengths.iter().fold(true, |all, of| all & (of.1 == first.1)) {
+            for Length(n, d) in lengths {
+                shortest.0 = shortest.0.min(*n);
+                longest.0 = longest.0.max(*n);
                 uneven += u64::from(n != d);
                 late += u64::from(n > d);
             }
-            if i128::from(*longest) * 2 >= i128::from(*d) * 3 {
-                // A sample is missing.
-                for (Length(n, d), h) in run.iter().zip(h..) {
-                    self.add(&Number::Small(*n, *d), h);
-                }
-            } else {
-                self.uneven += uneven;
-                self.late += late;
-                self.widen(
-                    [shortest, longest]
-                        .map(|n| Number::Small(*n, *d))
-                        .each_ref(),
-                );
+        } else {
+            for length in lengths {
+                let Length(n, d) = length;
+                shortest = if is_shorter(length, &shortest) {
+                    *length
+                } else {
+                    shortest
+                };
+                longest = if is_shorter(&longest, length) {
+                    *length
+                } else {
+                    longest
+                };
+                uneven += u64::from(n != d);
+                late += u64::from(n > d);
             }
-            h += run.len() as u64;
         }
+        if i128::from(longest.0) * 2 >= i128::from(longest.1) * 3 {
+            // A sample is missing.
+            for (Length(n, d), h) in lengths.iter().zip(h..) {
+                self.add(&Number::Small(*n, *d), h);
+            }
+            return;
+        }
+        self.uneven += uneven;
+        self.late += late;
+        let range = [shortest, longest].map(|Length(n, d)| Number::Small(n, d));
+        self.widen(range.each_ref());
     }
 
     fn widen(&mut self, [shortest, longest]: [&Number; 2]) {
@@ -103,6 +115,12 @@ impl Timing {
     }
 }
 
+/// Whether one length is less than another.
+#[inline(always)]
+fn is_shorter(Length(n, d): &Length, Length(m, e): &Length) -> bool {
+    i128::from(*n) * i128::from(*e) < i128::from(*m) * i128::from(*d)
+}
+
 /// The nearest whole number, at least 0 and at most the largest of 64 bits.
 fn nearest(x: &Number) -> u64 {
     let rounded = match x {
@@ -116,5 +134,29 @@ fn nearest(x: &Number) -> u64 {
         Some(n) => n,
         None if is_positive(x) => u64::MAX,
         None => 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn lengths_are_counted_together_as_one_by_one(
+            lengths in prop::collection::vec((1..40_i64, 0..4_u32), 0..40), same: bool, h: u32,
+        ) {
+            // About a period, over powers of two or over one denominator.
+            let length = |(n, k): &(i64, u32)| Length(n + 10, if same { 20 } else { 8 << k });
+            let lengths: Vec<Length> = lengths.iter().map(length).collect();
+            let (mut one, mut all) = (Timing::default(), Timing::default());
+            for (Length(n, d), h) in lengths.iter().zip(u64::from(h)..) {
+                one.add(&Number::Small(*n, *d), h);
+            }
+            all.add_all(&lengths, h.into());
+            prop_assert_eq!((one.uneven, one.late, one.missed), (all.uneven, all.late, all.missed));
+            prop_assert_eq!((one.first_missed, one.range), (all.first_missed, all.range));
+        }
     }
 }

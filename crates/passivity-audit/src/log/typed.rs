@@ -254,13 +254,32 @@ pub(crate) fn column(
     reader: &mut ColumnReader,
     rows: usize,
 ) -> (Numbers, Option<TraceError>) {
-    if let (ColumnReader::DoubleColumnReader(reader), Meaning::Plain) = (&mut *reader, meaning) {
-        let read = values(reader, rows);
-        let (numbers, error) = Numbers::doubles(read.values);
-        return (numbers, error.or(read.error));
+    match (&mut *reader, meaning) {
+        (ColumnReader::DoubleColumnReader(reader), Meaning::Plain) => {
+            let read = values(reader, rows);
+            let (numbers, error) = Numbers::doubles(read.values);
+            (numbers, error.or(read.error))
+        }
+        (ColumnReader::FloatColumnReader(reader), Meaning::Plain) => {
+            let read = values(reader, rows);
+            let doubles = read.values.into_iter().map(f64::from);
+            let (numbers, error) = Numbers::doubles(doubles.collect());
+            (numbers, error.or(read.error))
+        }
+        (ColumnReader::Int64ColumnReader(reader), Meaning::Plain | Meaning::Time(_)) => {
+            let read = values(reader, rows);
+            (Numbers::whole(read.values), read.error)
+        }
+        (ColumnReader::Int32ColumnReader(reader), Meaning::Plain | Meaning::Time(_)) => {
+            let read = values(reader, rows);
+            let wide = read.values.into_iter().map(i64::from);
+            (Numbers::whole(wide.collect()), read.error)
+        }
+        (reader, meaning) => {
+            let read = numbers(meaning, reader, rows);
+            (read.values.into(), read.error)
+        }
     }
-    let read = numbers(meaning, reader, rows);
-    (read.values.into(), read.error)
 }
 
 /// The numbers of a column.

@@ -10,6 +10,7 @@ use crate::log::account::{Account, Place};
 use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::{Computed, EXACT_ROWS, Text, UNIT, is_exact, note_stored};
+use crate::log::counted::Figures;
 use crate::log::error::TraceError;
 use crate::log::known::{Known, Starts};
 use crate::log::lanes::{Counted, Length, TILE, Tiles, Under, write};
@@ -18,6 +19,7 @@ use crate::log::step::{check_jump, duration, interval, jump, undefined};
 use crate::log::supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
+use crate::log::wall::Wall;
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 
@@ -252,8 +254,8 @@ impl Walk<'_> {
         if !self.counted.has(i) {
             let lengths = (i..).map(|i| Length::of(task.layout, chunk, i));
             let forces = task.applied.then_some(&chunk.forces.values);
-            let wall = self.tiles.wall.as_ref()?;
-            self.counted.fill(wall, (counts, forces), i, lengths);
+            let quick = self.tiles.quick.as_ref()?;
+            self.counted.fill(quick, (counts, forces), i, lengths);
         }
         Some(())
     }
@@ -297,7 +299,15 @@ impl Walk<'_> {
             return None;
         }
         self.compute_counts(chunk, counts)?;
-        let figures = self.counted.get(i)?;
+        let closer = || {
+            let wall = Wall::of(task.ledger)?;
+            let force = match task.applied {
+                true => Some(chunk.forces.values.ball(i)?),
+                false => None,
+            };
+            Figures::in_balls(&wall, [from, to], Ball::of(dtau), force)
+        };
+        let figures = self.counted.get(i).or_else(closer)?;
         let supply = match task.running {
             true => Some(figures.contribution().supplied(batch.excess())?),
             false => None,

@@ -4,30 +4,30 @@ use std::ops::Range;
 
 use multiversion::multiversion;
 
-use super::compute::{is_nonnegative, whole};
-use super::{Column, Length, TILE};
-use crate::ball::{Ball, Lane, on_grid};
+use super::compute::whole;
+use super::{Length, TILE};
 use crate::ledger::Truths;
-use crate::log::counted::{Figures, Interval, Row, truths};
+use crate::log::counted::{Figures, Interval};
 use crate::log::numbers::Readings;
-use crate::log::wall::Wall;
+use crate::log::quick::{self, End, Quick, answers, units};
+use crate::plain::Plain;
 
-/// The lower or the upper ends of numbers, in layers of 1, 2⁻³² and 2⁻⁶⁴.
-pub(super) type Ends = [[i64; TILE]; 3];
+/// The lower or the upper ends of numbers, both parts of each.
+pub(super) type Ends = [[f64; TILE]; 2];
 
-pub(super) const NONE: Ends = [[0; TILE]; 3];
+pub(super) const NONE: Ends = [[0.0; TILE]; 2];
 
-/// From so many ticks on, products with excess forces have no room in sums of 64 bits: layers are below 2^51, and there
-/// are 2^6 of them.
+/// From so many ticks on, products with excess forces have no room in sums.
 const MANY: u64 = 1 << 5;
 
 /// From this excess force on, products with ticks have no room in [sums](crate::log::supply::Supplied::fits).
-const LARGE: u64 = 1 << 30;
+const LARGE: f64 = (1_u64 << 30) as f64;
 
 /// What some consecutive intervals between counts come to.
 #[derive(Clone, Debug)]
 pub(crate) struct Counted {
-    of: Interval<Column>,
+    /// Where each starts and ends, how long it lasts, its force and what that is off by at most.
+    of: [[f64; TILE]; 5],
     /// As [`Figures`] has it.
     pub(super) sums: [[Ends; 2]; 5],
     pub(super) observed: Ends,
@@ -37,7 +37,8 @@ pub(crate) struct Counted {
     /// How long each is, and how many ticks it crosses.
     lengths: [Length; TILE],
     pub(super) crossed: [i64; TILE],
-    /// Whether each is for sums of its own: it crosses many ticks, lasts one period, or its force is large.
+    /// Whether each is for sums of its own: it crosses many ticks, its force is large, or it lasts one
+    /// period under the force of the wall.
     apart: [bool; TILE],
     /// What is not negative, as bits: the margin of the criterion, net energy, and that against the quantized wall, each
     /// at the least and at the most.
@@ -52,12 +53,7 @@ pub(crate) struct Counted {
 impl Counted {
     pub(crate) fn new() -> Box<Self> {
         Box::new(Self {
-            of: Interval {
-                start: Column::ZERO,
-                end: Column::ZERO,
-                lasts: Column::ZERO,
-                force: Column::ZERO,
-            },
+            of: [[0.0; TILE]; 5],
             sums: [[NONE; 2]; 5],
             observed: NONE,
             own: [NONE; 2],
@@ -107,9 +103,7 @@ impl Counted {
 
     /// What a row answers.
     pub(super) fn answers(&self, i: usize) -> Truths {
-        let is = |place: u32| self.covers[i] >> place & 1 == 1;
-        let covers = [[is(0), is(1)], [is(2), is(3)], [is(4), is(5)]];
-        truths(covers, self.crossed[i])
+        answers(self.covers[i], self.crossed[i])
     }
 
     /// What a row comes to; `None` where doubles leave something open.
@@ -141,7 +135,7 @@ impl Counted {
     /// there are any.
     pub(crate) fn fill(
         &mut self,
-        wall: &Wall<false>,
+        quick: &Quick,
         (counts, forces): (&[i64], Option<&Readings>),
         at: usize,
         lengths: impl Iterator<Item = Length>,
@@ -149,75 +143,72 @@ impl Counted {
         let pairs = counts.get(at..).unwrap_or_default().windows(2);
         self.at = at;
         self.len = 0;
+        let mut open = [0.0; TILE];
+        let [starts, ends, durations, force, off] = &mut self.of;
         for ((pair, lasts), i) in pairs.zip(lengths).zip(0..TILE) {
             let [from, to] = pair else { break };
             let Some(crossed) = to.checked_sub(*from) else {
                 break;
             };
-            let Length(n, d) = lasts;
             (self.lengths[i], self.crossed[i]) = (lasts, crossed);
-            self.apart[i] = crossed.unsigned_abs() >= MANY || n == d;
-            self.of.start.set(i, Ball::whole(*from));
-            self.of.end.set(i, Ball::whole(*to));
-            self.of.lasts.set(i, lasts.near());
+            let is_period = lasts.0 == lasts.1;
+            self.apart[i] = crossed.unsigned_abs() >= MANY || is_period && forces.is_none();
+            match (quick::whole(*from), quick::whole(*to), lasts.nearest()) {
+                (Some(from), Some(to), Some(lasts)) => {
+                    (starts[i], ends[i], durations[i]) = (from, to, lasts);
+                }
+                _ => {
+                    // Any motion: it is left open.
+                    (starts[i], ends[i], durations[i]) = (0.0, 0.0, 1.0);
+                    open[i] = 1.0;
+                }
+            }
             self.len = i + 1;
         }
         if let Some(forces) = forces {
-            self.len = self.of.force.copy(&forces.near, at, self.len);
+            self.len = forces.near.copy_to([force, off], at, self.len);
         }
-        compute(self, wall, forces.is_some());
-        for (apart, whole) in self.apart.iter_mut().zip(&self.excess[0][0]) {
-            *apart |= whole.unsigned_abs() >= LARGE;
+        compute(self, quick, &open, forces.is_some());
+        for (apart, upper) in self.apart.iter_mut().zip(&self.excess[0][0]) {
+            *apart |= upper.abs() >= LARGE;
         }
     }
 
     #[inline(always)]
-    fn compute(&mut self, wall: &Wall<false>, is_exact: bool, applied: bool) {
+    fn compute(&mut self, quick: &Quick, open: &[f64; TILE], is_exact: bool, applied: bool) {
+        let [starts, ends, durations, forces, off] = &self.of;
         for i in 0..TILE {
             let of = Interval {
-                start: self.of.start.get(i).lane(),
-                end: self.of.end.get(i).lane(),
-                lasts: self.of.lasts.get(i).lane(),
-                force: self.of.force.get(i).lane(),
+                start: Plain(starts[i]),
+                end: Plain(ends[i]),
+                lasts: Plain(durations[i]),
+                force: Plain(forces[i]),
             };
-            let row = Row::of(wall, &of, is_exact, applied);
-            let ([linear, quantized], [net, net_quantized]) = (row.generated, row.net);
-            let mut open = 0.0;
-            let [generated, stairs, taken, left, stairs_left] = &mut self.sums;
-            open += set(generated, i, linear);
-            open += set(stairs, i, quantized);
-            open += set(taken, i, row.taken);
-            open += set(left, i, net);
-            open += set(stairs_left, i, net_quantized);
-            open += set(&mut self.own, i, row.own);
-            open += set(&mut self.excess, i, [row.excess, row.excess]);
-            open += set(&mut self.stored, i, row.stored);
-            let observed = -row.work;
-            open += observed.excess();
-            put(&mut self.observed, i, lower(observed));
-            let (holds, margin) = covers(row.margin);
-            let (linear, of_linear) = covers(net);
-            let (quantized, of_quantized) = covers(net_quantized);
-            self.covers[i] = whole(holds + 4.0 * linear + 16.0 * quantized);
-            self.open[i] = whole(open + margin + of_linear + of_quantized);
+            let row = quick.row(&of, off[i], is_exact, applied);
+            for (sums, both) in self.sums.iter_mut().zip(row.sums) {
+                put(sums, i, both);
+            }
+            put(&mut self.own, i, row.own);
+            put(&mut self.excess, i, row.excess);
+            put(&mut self.stored, i, row.stored);
+            [self.observed[0][i], self.observed[1][i]] = row.observed;
+            self.covers[i] = whole(row.covers);
+            self.open[i] = whole(row.open + open[i]);
         }
     }
 }
 
-/// The one number where that is so, else the other.
 #[inline(always)]
-pub(super) fn choose(is: bool, [a, b, c]: [i64; 3], [d, e, f]: [i64; 3]) -> [i64; 3] {
-    [
-        if is { a } else { d },
-        if is { b } else { e },
-        if is { c } else { f },
-    ]
+fn put(ends: &mut [Ends; 2], i: usize, both: [End; 2]) {
+    for (ends, [upper, lower]) in ends.iter_mut().zip(both) {
+        (ends[0][i], ends[1][i]) = (upper, lower);
+    }
 }
 
 /// An end in units of the grid.
 #[inline(always)]
-fn one(ends: &Ends, i: usize) -> i128 {
-    on_grid([ends[0][i], ends[1][i], ends[2][i]])
+pub(super) fn one(ends: &Ends, i: usize) -> i128 {
+    units([ends[0][i], ends[1][i]])
 }
 
 /// Both of them.
@@ -226,43 +217,12 @@ pub(super) fn both([lo, hi]: &[Ends; 2], i: usize) -> [i128; 2] {
     [one(lo, i), one(hi, i)]
 }
 
-/// Sets the lower end of one number and the upper end of another; zero where both are on the grid, else above that.
-#[inline(always)]
-fn set([lo, hi]: &mut [Ends; 2], i: usize, [least, most]: [Lane; 2]) -> f64 {
-    put(lo, i, lower(least));
-    let [whole, upper, lower, off] = most.layers();
-    put(hi, i, [whole, upper, lower.wrapping_add(off)]);
-    least.excess() + most.excess()
-}
-
-/// The layers of the lower end.
-#[inline(always)]
-fn lower(of: Lane) -> [i64; 3] {
-    let [whole, upper, lower, off] = of.layers();
-    [whole, upper, lower.wrapping_sub(off)]
-}
-
-#[inline(always)]
-fn put(ends: &mut Ends, i: usize, [whole, upper, lower]: [i64; 3]) {
-    ends[0][i] = whole;
-    ends[1][i] = upper;
-    ends[2][i] = lower;
-}
-
-/// Whether a number is not negative at the least and at the most, as two bits; and zero where that is decided, else above
-/// that.
-#[inline(always)]
-fn covers([lo, hi]: [Lane; 2]) -> (f64, f64) {
-    let ([a, b], [c, d]) = (is_nonnegative(lo), is_nonnegative(hi));
-    (3.0 - (a + 2.0 * c), a * b + c * d)
-}
-
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
-fn compute(tile: &mut Counted, wall: &Wall<false>, applied: bool) {
-    match (wall.friction_is_exact, applied) {
-        (true, true) => tile.compute(wall, true, true),
-        (true, false) => tile.compute(wall, true, false),
-        (false, true) => tile.compute(wall, false, true),
-        (false, false) => tile.compute(wall, false, false),
+fn compute(tile: &mut Counted, quick: &Quick, open: &[f64; TILE], applied: bool) {
+    match (quick.friction_is_exact, applied) {
+        (true, true) => tile.compute(quick, open, true, true),
+        (true, false) => tile.compute(quick, open, true, false),
+        (false, true) => tile.compute(quick, open, false, true),
+        (false, false) => tile.compute(quick, open, false, false),
     }
 }

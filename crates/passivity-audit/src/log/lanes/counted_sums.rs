@@ -5,60 +5,31 @@ use std::ops::Range;
 use multiversion::multiversion;
 
 use super::TILE;
-use super::counted::{Counted, Ends, NONE, both, choose};
+use super::counted::{Counted, Ends, NONE, both, one};
 use super::sums::{Energies, Sums, TileRows, lowest};
-use crate::ball::on_grid;
 use crate::ledger::Truths;
+use crate::log::quick::{End, carried, parts, units, whole};
 use crate::log::supply::{Bounds, NO_FORCE};
 use crate::number::Reduced;
-use crate::span::{ONE, units};
+use crate::span::{ONE, units as below};
 
 /// What rows add to T, at the least and at the most, where the verdict is about that.
 pub(crate) struct Steps(Option<[Ends; 2]>);
 
-/// One number in layers of 1, 2⁻³² and 2⁻⁶⁴.
-type Layers = [i64; 3];
-
 #[inline(always)]
-fn at(ends: &Ends, i: usize) -> Layers {
-    [ends[0][i], ends[1][i], ends[2][i]]
+fn at(ends: &Ends, i: usize) -> End {
+    [ends[0][i], ends[1][i]]
 }
 
+/// Nothing less than zero of a difference of two ends, and nothing more: exactly.
 #[inline(always)]
-fn difference(a: Layers, b: Layers) -> Layers {
-    [
-        a[0].wrapping_sub(b[0]),
-        a[1].wrapping_sub(b[1]),
-        a[2].wrapping_sub(b[2]),
-    ]
-}
-
-/// All bits where a number is below zero, else none.
-#[inline(always)]
-fn below_zero([whole, upper, lower]: Layers) -> i64 {
-    // What is left of each layer, once it has given to the next what is too large for it, is not negative.
-    let upper = upper.wrapping_add(lower >> 32);
-    whole.wrapping_add(upper >> 32) >> 63
-}
-
-/// A number as a double, and the size of its layers.
-#[inline(always)]
-#[allow(clippy::cast_precision_loss)] // the slack has room for it
-fn near([whole, upper, lower]: Layers) -> [f64; 2] {
-    const HALF: f64 = 1.0 / (1_u64 << 32) as f64;
-    let [a, b, c] = [
-        whole as f64,
-        upper as f64 * HALF,
-        lower as f64 * (HALF * HALF),
-    ];
-    [a + b + c, a.abs() + b.abs() + c.abs()]
-}
-
-/// A number in units of the grid in layers; `None` where it is too large.
-fn layers(n: i128) -> Option<Layers> {
-    let low = |n: i128| i64::from((n & 0xffff_ffff) as u32);
-    let whole = i64::try_from(n >> 64).ok()?;
-    (whole.unsigned_abs() < 1 << 50).then(|| [whole, low(n >> 32), low(n)])
+fn difference([upper, lower]: End, [upper_less, lower_less]: End) -> [End; 2] {
+    let parts = [upper - upper_less, lower - lower_less];
+    // Of what is on the grid a sum has the right sign.
+    match parts[0] + parts[1] < 0.0 {
+        true => [parts, [0.0; 2]],
+        false => [[0.0; 2], parts],
+    }
 }
 
 impl Counted {
@@ -66,7 +37,7 @@ impl Counted {
     ///
     /// [`Contribution::supplied`]: crate::log::supply::Contribution::supplied
     #[inline(always)]
-    fn steps(&self, first: usize, excess: [Layers; 2]) -> [Ends; 2] {
+    fn steps(&self, first: usize, excess: [End; 2]) -> [Ends; 2] {
         let mut steps = [NONE; 2];
         for i in 1..TILE {
             let before = self.excess.each_ref().map(|end| at(end, i - 1));
@@ -78,37 +49,42 @@ impl Counted {
 
     /// The same of a row, after one with this excess force.
     #[inline(always)]
-    fn step(&self, steps: &mut [Ends; 2], i: usize, before: [Layers; 2]) {
+    fn step(&self, steps: &mut [Ends; 2], i: usize, before: [End; 2]) {
         let [least, most] = self.excess.each_ref().map(|end| at(end, i));
-        let ticks = self.crossed[i];
-        let is_ahead = ticks >= 0;
-        let (high, low) = (choose(is_ahead, most, least), choose(is_ahead, least, most));
-        let fall = difference(least, before[1]);
-        let rise = difference(most, before[0]);
-        let (falls, rises) = (below_zero(fall), !below_zero(rise));
-        for layer in 0..3 {
-            let own = [&self.own[0], &self.own[1]].map(|own| own[layer][i]);
-            steps[0][layer][i] = own[0]
-                .wrapping_sub(high[layer].wrapping_mul(ticks))
-                .wrapping_add(fall[layer] & falls);
-            steps[1][layer][i] = own[1]
-                .wrapping_sub(low[layer].wrapping_mul(ticks))
-                .wrapping_add(rise[layer] & rises);
+        let ticks = whole(self.crossed[i]).unwrap_or(0.0);
+        let (high, low) = if ticks < 0.0 {
+            (least, most)
+        } else {
+            (most, least)
+        };
+        let [fall, _] = difference(least, before[1]);
+        let [_, rise] = difference(most, before[0]);
+        let own = self.own.each_ref().map(|end| at(end, i));
+        let added = [(own[0], high, fall), (own[1], low, rise)];
+        for (steps, (own, force, change)) in steps.iter_mut().zip(added) {
+            // Nothing is rounded: forces are below 2^30, ticks below 2^5 and the rest below that.
+            let [upper, lower] =
+                [0, 1].map(|part| (own[part] - force[part] * ticks) + change[part]);
+            [steps[0][i], steps[1][i]] = carried([upper, lower]);
         }
     }
 }
 
-/// The sum of some rows of a column.
+/// The sum of some rows of a column: exactly.
 #[inline(always)]
 fn sum(ends: &Ends, rows: &Range<usize>) -> i128 {
-    let mut sums = [0_i64; 3];
-    for (sum, layer) in sums.iter_mut().zip(ends) {
-        // A tile of numbers below 2^57.
-        for n in &layer[rows.clone()] {
-            *sum = sum.wrapping_add(*n);
+    const LANES: usize = 8;
+    // Several sums at a time: in which order what is not rounded is added does not matter.
+    units(ends.each_ref().map(|part| {
+        let (several, rest) = part[rows.clone()].as_chunks::<LANES>();
+        let mut sums = [0.0; LANES];
+        for several in several {
+            for (sum, x) in sums.iter_mut().zip(several) {
+                *sum += x;
+            }
         }
-    }
-    on_grid(sums)
+        sums.iter().chain(rest).sum()
+    }))
 }
 
 /// The same of the lower and of the upper ends.
@@ -129,9 +105,9 @@ fn least_of<const N: usize>(
     let mut sizes = [0.0; TILE];
     for (n, column) in columns.into_iter().enumerate() {
         for i in 0..TILE {
-            let [value, size] = near(at(column, i));
-            found[i][n] = value;
-            sizes[i] += size;
+            let [upper, lower] = at(column, i);
+            found[i][n] = upper + lower;
+            sizes[i] += upper.abs() + lower.abs();
         }
     }
     let (mut sums, mut size) = ([0.0; N], 0.0);
@@ -149,7 +125,7 @@ fn least_of<const N: usize>(
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn steps(tile: &Counted, first: usize, excess: [Layers; 2]) -> [Ends; 2] {
+fn steps(tile: &Counted, first: usize, excess: [End; 2]) -> [Ends; 2] {
     tile.steps(first, excess)
 }
 
@@ -199,7 +175,7 @@ impl TileRows for Counted {
             return Some(Steps(None));
         }
         let [least, most] = excess?;
-        let before = [layers(units(least)?)?, layers(units(most)?)?];
+        let before = [parts(below(least)?)?, parts(below(most)?)?];
         Some(Steps(Some(steps(self, rows.start, before))))
     }
 
@@ -228,14 +204,14 @@ impl TileRows for Counted {
 
     fn energies(&self, i: usize, Steps(steps): &Steps) -> Energies {
         Energies {
-            net: on_grid(at(&self.sums[3][0], i)),
+            net: one(&self.sums[3][0], i),
             step: steps.as_ref().map_or([0; 2], |steps| both(steps, i)),
             end: both(&self.stored, i),
         }
     }
 
     fn observed(&self) -> [i128; TILE] {
-        std::array::from_fn(|i| on_grid(at(&self.observed, i)))
+        std::array::from_fn(|i| one(&self.observed, i))
     }
 
     fn truths(&self, i: usize) -> Truths {

@@ -300,21 +300,15 @@ fn alone_and_in_a_tile(
     lengths: &[(i64, i64)],
     forces: Option<&Readings>,
 ) -> Vec<[Option<counted::Figures>; 2]> {
-    let wall = Wall::of(ledger).unwrap();
+    let quick = Quick::of(&Wall::of(ledger).unwrap());
     let mut tile = Counted::new();
     let lasts = lengths.iter().map(|(n, d)| Length(*n, *d));
-    tile.fill(&wall.lanes(), (counts, forces), 0, lasts);
+    tile.fill(&quick, (counts, forces), 0, lasts);
     let rows = counts.windows(2).zip(lengths).take(TILE).enumerate();
     rows.map(|(i, (pair, (n, d)))| {
-        let of = counted::Interval {
-            start: Ball::whole(pair[0]),
-            end: Ball::whole(pair[1]),
-            lasts: Ball::ratio(*n, *d),
-            force: forces.map_or(Ball::zero(), |forces| forces.ball(i).unwrap()),
-        };
-        let alone = counted::Row::of(&wall, &of, wall.friction_is_exact, forces.is_some());
-        let crossed = pair[1] - pair[0];
-        [counted::Figures::of(&alone, crossed), tile.get(i)]
+        let force = forces.map(|forces| forces.ball(i).unwrap());
+        let alone = quick.figures([pair[0], pair[1]], Length(*n, *d), force);
+        [alone, tile.get(i)]
     })
     .collect()
 }
@@ -376,8 +370,8 @@ proptest! {
         let forces = applied.then_some(&readings);
         let mut tile = Counted::new();
         let lasts = lengths.iter().map(|(n, d)| Length(*n, *d));
-        let wall = Wall::of(&ledger).unwrap();
-        tile.fill(&wall.lanes(), (&counts, forces), 0, lasts);
+        let quick = Quick::of(&Wall::of(&ledger).unwrap());
+        tile.fill(&quick, (&counts, forces), 0, lasts);
         let unit = crate::span::ONE;
         let before = [before.0, before.0 + before.1].map(|n| Reduced::Small(n << 40, unit));
         let rows = tile.decided(ends.0.min(ends.1), ends.0.abs_diff(ends.1));
