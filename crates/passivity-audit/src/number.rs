@@ -10,7 +10,7 @@ use passivity_core::{BigRational, Fixed, Ordered, Wide, rational};
 use passivity_scene::number::{NumberError, nearest_f64, parse};
 
 pub use arithmetic::is_positive;
-pub(crate) use arithmetic::{difference, is_less, product, quotient};
+pub(crate) use arithmetic::{Denominator, difference, is_less, product, quotient};
 pub(crate) use decimal::{decimal, leading_decimal, power_of_ten, short};
 pub(crate) use digits::{Fraction, Fractions, Line, SEVERAL};
 

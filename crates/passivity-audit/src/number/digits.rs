@@ -8,6 +8,9 @@ pub(crate) const SEVERAL: usize = 16;
 /// Sixteen times the character of zero.
 const ZEROS: u128 = u128::from_ne_bytes([b'0'; 16]);
 
+/// Eight times the same.
+const EIGHT_ZEROS: u64 = u64::from_ne_bytes([b'0'; 8]);
+
 /// As many characters are copied at a time.
 const WIDTH: usize = 32;
 
@@ -104,20 +107,17 @@ impl<'a> Line<'a> {
 pub(crate) struct Fractions {
     /// The characters of the numerators, with zeros before them; behind the last one there is room to copy from.
     digits: [[[u8; 8]; 4]; SEVERAL + 1],
-    /// How many characters are not zeros before them: at least one.
-    lengths: [u64; SEVERAL],
-    /// Not zero of negative ones.
-    signs: [u64; SEVERAL],
-    /// The logarithms of what denominators and 2⁶⁴ have in common with the numerators.
-    twos: [u64; SEVERAL],
+    /// How many characters come before those: a comma, and the sign of negative ones.
+    before: [u64; SEVERAL],
+    /// The logarithms of the denominators.
+    denominators: [u64; SEVERAL],
 }
 
 impl Fractions {
     pub(crate) const ZERO: Self = Self {
         digits: [[[b'0'; 8]; 4]; SEVERAL + 1],
-        lengths: [1; SEVERAL],
-        signs: [0; SEVERAL],
-        twos: [BITS as u64; SEVERAL],
+        before: [1; SEVERAL],
+        denominators: [0; SEVERAL],
     };
 
     /// Takes numbers that are so many times 1, 2⁻³² and 2⁻⁶⁴, and that many radii of 2⁻⁶⁴ off.
@@ -133,21 +133,20 @@ impl Fractions {
         let mut eights = [[0; SEVERAL]; 4];
         let [a, b, c, d] = &mut eights;
         let layers = wholes.iter().zip(uppers).zip(lowers).zip(radii);
-        let results = self.signs.iter_mut().zip(&mut self.twos);
+        let results = self.before.iter_mut().zip(&mut self.denominators);
         let results = results.zip(a).zip(b).zip(c).zip(d);
-        for ((((whole, upper), lower), off), (((((sign, twos), a), b), c), d)) in
+        for ((((whole, upper), lower), off), (((((before, denominator), a), b), c), d)) in
             layers.zip(results)
         {
             let lower = lower.wrapping_add(radius.wrapping_mul(*off));
-            let number;
-            (*sign, *twos, number) = in_lowest_terms([*whole, *upper, lower]);
+            let (sign, twos, number) = in_lowest_terms([*whole, *upper, lower]);
+            *before = 1_u64.wrapping_sub(sign);
+            *denominator = u64::from(BITS).wrapping_sub(twos);
             [*a, *b, *c, *d] = in_eights(number);
         }
         let [a, b, c, d] = &eights;
         let eights = a.iter().zip(b).zip(c).zip(d);
-        let digits = self.digits.iter_mut().zip(&mut self.lengths);
-        for ((((a, b), c), d), (digits, length)) in eights.zip(digits) {
-            *length = length_of([*a, *b, *c, *d]);
+        for ((((a, b), c), d), digits) in eights.zip(&mut self.digits) {
             *digits = [a, b, c, d].map(|n| fours(*n).to_le_bytes());
         }
         let digits = self.digits.as_flattened_mut().as_flattened_mut();
@@ -167,18 +166,25 @@ impl Fraction<'_> {
     pub(crate) fn write(self, line: &mut Line<'_>) -> Option<()> {
         /// Room for a comma, a sign, a numerator and a denominator, and for what is copied behind them.
         const ROOM: usize = 2 + 4 * WIDTH;
+        const Z: u64 = EIGHT_ZEROS;
         let Self(all, i) = self;
         let text: &mut [u8; ROOM] = line.text.get_mut(line.length..)?.first_chunk_mut()?;
         *text.first_chunk_mut()? = *b",-";
-        let at = 1 + usize::from(*all.signs.get(i)? != 0);
+        // Zeros on the left are left out, but for the last one of zero.
+        let [a, b, c, d] = all.digits.get(i)?.map(u64::from_le_bytes);
+        let zeros = match [a, b, c, d] {
+            [Z, Z, Z, Z] => WIDTH - 1,
+            [Z, Z, ..] => 16 + leading(c, d),
+            _ => leading(a, b),
+        };
         // That it is no more than this the compiler does not know.
-        let length = usize::try_from(*all.lengths.get(i)?).ok()? & (2 * WIDTH - 1);
+        let at = usize::try_from(*all.before.get(i)?).ok()? & 3;
         let digits = all.digits.as_flattened().as_flattened();
-        let start = (i + 1).wrapping_mul(WIDTH).wrapping_sub(length);
+        let start = i.wrapping_mul(WIDTH).wrapping_add(zeros);
         *text.get_mut(at..)?.first_chunk_mut()? = *digits.get(start..)?.first_chunk::<WIDTH>()?;
-        let at = at + length;
-        let denominator = u64::from(BITS).wrapping_sub(*all.twos.get(i)?);
-        let denominator = DENOMINATORS.get(usize::try_from(denominator).ok()?)?;
+        let at = at + (WIDTH - (zeros & (WIDTH - 1)));
+        let denominator = usize::try_from(*all.denominators.get(i)?).ok()?;
+        let denominator = DENOMINATORS.get(denominator)?;
         *text.get_mut(at..)?.first_chunk_mut()? = *denominator;
         let [.., length] = *denominator;
         line.length = line.length.wrapping_add(at + usize::from(length));
@@ -186,22 +192,14 @@ impl Fraction<'_> {
     }
 }
 
-/// How many digits a number in base 10⁸ has without zeros before them; one of zero.
+/// How many zeros there are before the first of sixteen characters that is none.
 #[inline(always)]
-fn length_of([a, b, c, d]: [u64; 4]) -> u64 {
-    let (upper, before) = if b == 0 { (c, 8) } else { (b, 16) };
-    let (upper, before) = if a == 0 { (upper, before) } else { (a, 24) };
-    let (upper, before) = if a | b | c == 0 {
-        (d, 0)
-    } else {
-        (upper, before)
+const fn leading(upper: u64, lower: u64) -> usize {
+    let zeros = match upper {
+        EIGHT_ZEROS => u64::BITS + (lower ^ EIGHT_ZEROS).trailing_zeros(),
+        _ => (upper ^ EIGHT_ZEROS).trailing_zeros(),
     };
-    let powers = [10_i64, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000];
-    let more = powers.map(|power| u64::from(upper.cast_signed() >= power));
-    let length = more
-        .iter()
-        .fold(before, |sum: u64, more| sum.wrapping_add(*more));
-    length.wrapping_add(1)
+    (zeros / 8) as usize
 }
 
 /// The lower half of 64 bits.
@@ -239,8 +237,8 @@ fn corrected(quotient: u64, rest: u64, divisor: u64) -> [u64; 2] {
     ]
 }
 
-/// Whether a number that is so many times 1, 2⁻³² and 2⁻⁶⁴ is negative, the logarithm of what it has in common with
-/// 2⁶⁴, and its magnitude divided by that as two words, the lower one first.
+/// The sign of a number that is so many times 1, 2⁻³² and 2⁻⁶⁴, as 64 bits of one or of zero, the logarithm of what it
+/// has in common with 2⁶⁴, and its magnitude divided by that as two words, the lower one first.
 #[inline(always)]
 fn in_lowest_terms([whole, upper, lower]: [i64; 3]) -> (u64, u64, [u64; 2]) {
     let upper = upper.wrapping_add(lower >> 32);
@@ -338,7 +336,7 @@ mod tests {
     #[test]
     fn every_power_is_written_and_what_is_next_to_it() {
         let tens = (0..31).map(|k| 10_i128.pow(k));
-        let sixteens = (1..2000).map(|k| k * 10_i128.pow(16) << (k % 35));
+        let sixteens = (1..2000).map(|k| (k * 10_i128.pow(16)) << (k % 35));
         let twos = (0..=100).map(|k| 1_i128 << k);
         for n in tens.chain(twos).chain(sixteens) {
             let mut numbers = [0; SEVERAL];
@@ -377,6 +375,22 @@ mod tests {
         assert!(line.append(b"yes").is_some());
         assert_eq!(line.text().trim_ascii(), b"yes");
         assert!(line.append(b",").is_none());
+    }
+
+    #[test]
+    fn whole_numbers_are_written_as_they_are() {
+        let tens = (0..20).map(|k| 10_u64.pow(k));
+        let twos = (0..64).map(|k| 1 << k);
+        for n in tens
+            .chain(twos)
+            .flat_map(|n: u64| [n - 1, n, n.saturating_mul(7)])
+        {
+            let mut room = [0; Line::ROOM];
+            let mut line = Line::new(&mut room, 0);
+            line.append_whole(n).unwrap();
+            line.append(b",").unwrap();
+            assert_eq!(line.text(), format!("{n},").as_bytes());
+        }
     }
 
     fn number() -> impl Strategy<Value = i128> {

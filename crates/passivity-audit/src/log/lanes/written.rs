@@ -16,7 +16,7 @@ use crate::entry::margin_of;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::error::TraceError;
 use crate::log::wall::Wall;
-use crate::number::{Fraction, Fractions, Line, Number, Reduced, SEVERAL};
+use crate::number::{Denominator, Fraction, Fractions, Line, Number, Reduced, SEVERAL};
 use crate::rows::{Figures, Form};
 
 /// Balls on the grid, as [`layers`](Ball::layers).
@@ -247,49 +247,7 @@ pub(super) struct Before {
     /// Where in the text the position at its end is, with its comma: nowhere before the first row.
     end: Range<usize>,
     /// What the denominator of its length is made of.
-    parts: Parts,
-}
-
-/// A denominator as 2^twos·5^fives, as those of decimals are, or nothing.
-#[derive(Default)]
-struct Parts {
-    of: i64,
-    twos: u32,
-    fives: u32,
-    is_decimal: bool,
-}
-
-impl Parts {
-    fn new(of: i64) -> Self {
-        let twos = of.trailing_zeros();
-        let (mut rest, mut fives) = (of.checked_shr(twos).unwrap_or_default(), 0);
-        while rest > 1 && rest % 5 == 0 {
-            (rest, fives) = (rest / 5, fives + 1);
-        }
-        Self {
-            of,
-            twos,
-            fives,
-            is_decimal: rest == 1,
-        }
-    }
-
-    /// A fraction with this denominator in lowest terms, n > 0; `None` where that takes a common divisor.
-    #[inline(always)]
-    fn reduced(&self, n: i64) -> Option<[u64; 2]> {
-        if !self.is_decimal || n <= 0 {
-            return None;
-        }
-        let twos = n.trailing_zeros().min(self.twos);
-        let [mut n, mut d] = [n, self.of].map(|x| x.cast_unsigned() >> twos);
-        for _ in 0..self.fives {
-            if n % 5 != 0 {
-                break;
-            }
-            (n, d) = (n / 5, d / 5);
-        }
-        Some([n, d])
-    }
+    denominator: Denominator,
 }
 
 /// Writes some rows of a chunk that doubles decide; those that are not decided here are `left` to be written one by
@@ -370,7 +328,7 @@ impl Before {
         Self {
             text: [0; Line::ROOM],
             end: 0..0,
-            parts: Parts::default(),
+            denominator: Denominator::default(),
         }
     }
 
@@ -397,10 +355,10 @@ impl Before {
         form.position(end, &mut line)?;
         self.end = known..line.len();
         let Length(n, d) = length;
-        if self.parts.of != d {
-            self.parts = Parts::new(d);
+        if self.denominator.of != d {
+            self.denominator = Denominator::new(d);
         }
-        match self.parts.reduced(n) {
+        match self.denominator.reduced(n) {
             Some([n, d]) => {
                 line.append(b",")?;
                 line.append_whole(n)?;
