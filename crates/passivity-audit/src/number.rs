@@ -10,9 +10,9 @@ use passivity_core::{BigRational, Fixed, Ordered, Wide, rational};
 use passivity_scene::number::{NumberError, nearest_f64, parse};
 
 pub use arithmetic::is_positive;
-pub(crate) use arithmetic::{difference, is_less, product, quotient};
+pub(crate) use arithmetic::{Denominator, difference, is_less, product, quotient};
 pub(crate) use decimal::{decimal, leading_decimal, power_of_ten, short};
-pub(crate) use digits::Fraction;
+pub(crate) use digits::{Fraction, Fractions, Line, SEVERAL};
 
 /// The widest numerator or denominator that is read from a trace or a request, in bits. Exact
 /// motions have at most as many, doubles need 1075; past it, arithmetic would take seconds a row.

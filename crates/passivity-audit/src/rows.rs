@@ -9,7 +9,7 @@ use crate::ball::Ball;
 use crate::entry::{Entry, Margin};
 use crate::figure::Figure;
 use crate::ledger::{Row, Truths, on_entry};
-use crate::number::{Fraction, Number, Reduced, Written};
+use crate::number::{Fraction, Line, Number, Reduced, Written};
 
 /// The columns of a row, in the order of the interface.
 const COLUMNS: [(&str, Column); 15] = [
@@ -37,51 +37,74 @@ enum Column {
     Figure,
 }
 
-/// What is written of a number.
-pub(crate) trait Shown {
-    /// Appends the number, or one close below it; `None` when it is undefined.
-    fn write_below(&self, out: &mut Vec<u8>) -> Option<()>;
-
-    /// Appends the number, or one close above it; `None` when it is undefined.
-    fn write_above(&self, out: &mut Vec<u8>) -> Option<()>;
+/// Where a row is written to.
+pub(crate) trait Out {
+    /// Appends some characters; `None` where there is no room.
+    fn append(&mut self, text: &[u8]) -> Option<()>;
 }
 
-impl<S: Written> Shown for S {
-    fn write_below(&self, out: &mut Vec<u8>) -> Option<()> {
+impl Out for Vec<u8> {
+    #[inline(always)]
+    fn append(&mut self, text: &[u8]) -> Option<()> {
+        self.extend_from_slice(text);
+        Some(())
+    }
+}
+
+impl Out for Line<'_> {
+    #[inline(always)]
+    fn append(&mut self, text: &[u8]) -> Option<()> {
+        Line::append(self, text)
+    }
+}
+
+/// What is written of a number.
+pub(crate) trait Shown<O>: Copy {
+    /// Appends a comma and the number, or one close below it; `None` when it is undefined.
+    fn write_below(self, out: &mut O) -> Option<()>;
+
+    /// Appends a comma and the number, or one close above it; `None` when it is undefined.
+    fn write_above(self, out: &mut O) -> Option<()>;
+}
+
+impl<S: Written> Shown<Vec<u8>> for &S {
+    fn write_below(self, out: &mut Vec<u8>) -> Option<()> {
+        out.push(b',');
         self.below()?.write(out);
         Some(())
     }
 
-    fn write_above(&self, out: &mut Vec<u8>) -> Option<()> {
+    fn write_above(self, out: &mut Vec<u8>) -> Option<()> {
+        out.push(b',');
         self.above()?.write(out);
         Some(())
     }
 }
 
 /// A number that was rounded already.
-impl Shown for Fraction {
-    #[inline]
-    fn write_below(&self, out: &mut Vec<u8>) -> Option<()> {
+impl Shown<Line<'_>> for Fraction<'_> {
+    #[inline(always)]
+    fn write_below(self, out: &mut Line<'_>) -> Option<()> {
         self.write(out)
     }
 
-    #[inline]
-    fn write_above(&self, out: &mut Vec<u8>) -> Option<()> {
+    #[inline(always)]
+    fn write_above(self, out: &mut Line<'_>) -> Option<()> {
         self.write(out)
     }
 }
 
 /// What a row says behind its positions and how long it lasts: numbers at the least and at the most.
-pub(crate) struct Figures<'a, S> {
+pub(crate) struct Figures<S> {
     /// The energies, in the order of their columns.
-    pub(crate) energies: [[&'a S; 2]; 7],
-    pub(crate) margin: [Option<&'a S>; 2],
+    pub(crate) energies: [[S; 2]; 7],
+    pub(crate) margin: [Option<S>; 2],
     pub(crate) truths: Truths,
     /// The force that was given, where there is any.
-    pub(crate) force: [Option<&'a S>; 2],
+    pub(crate) force: [Option<S>; 2],
 }
 
-impl<'a, S: Ordered> Figures<'a, S> {
+impl<'a, S: Ordered> Figures<&'a S> {
     fn of(entry: &'a Entry<S>) -> Self {
         let account = &entry.account;
         let energies = [
@@ -160,7 +183,8 @@ impl Form {
     }
 
     /// Appends a position, after a comma.
-    pub(crate) fn position<S: Shown>(self, [lo, hi]: [&S; 2], out: &mut Vec<u8>) -> Option<()> {
+    #[inline(always)]
+    pub(crate) fn position<S: Shown<O>, O: Out>(self, [lo, hi]: [S; 2], out: &mut O) -> Option<()> {
         self.ends([Some(lo), Some(hi)], out)
     }
 
@@ -171,10 +195,11 @@ impl Form {
     }
 
     /// Appends the figures of a row, from a comma to the line break.
-    pub(crate) fn account<S: Shown>(
+    #[inline(always)]
+    pub(crate) fn account<S: Shown<O>, O: Out>(
         self,
-        figures: &Figures<'_, S>,
-        out: &mut Vec<u8>,
+        figures: &Figures<S>,
+        out: &mut O,
     ) -> Option<()> {
         for [lo, hi] in figures.energies {
             self.ends([Some(lo), Some(hi)], out)?;
@@ -186,29 +211,28 @@ impl Form {
             truths.violates_linear,
             truths.violates_quantized,
         ] {
-            out.extend_from_slice(match truth {
-                Truth::Holds => b",true",
-                Truth::Fails => b",false",
-                Truth::Depends => b",",
-            });
+            match truth {
+                Truth::Holds => out.append(b",true"),
+                Truth::Fails => out.append(b",false"),
+                Truth::Depends => out.append(b","),
+            }?;
         }
         if self.force {
             self.ends(figures.force, out)?;
         }
-        out.push(b'\n');
-        Some(())
+        out.append(b"\n")
     }
 
-    #[inline]
-    fn ends<S: Shown>(self, [lo, hi]: [Option<&S>; 2], out: &mut Vec<u8>) -> Option<()> {
-        out.push(b',');
-        if let Some(x) = lo {
-            x.write_below(out)?;
+    #[inline(always)]
+    fn ends<S: Shown<O>, O: Out>(self, [lo, hi]: [Option<S>; 2], out: &mut O) -> Option<()> {
+        match lo {
+            Some(x) => x.write_below(out)?,
+            None => out.append(b",")?,
         }
         if self.enclosures {
-            out.push(b',');
-            if let Some(x) = hi {
-                x.write_above(out)?;
+            match hi {
+                Some(x) => x.write_above(out)?,
+                None => out.append(b",")?,
             }
         }
         Some(())

@@ -1,34 +1,36 @@
-//! Multiples of 2⁻⁶⁴ as fractions in decimal digits: an audit may write a thousand million of them.
-
-use multiversion::multiversion;
+//! Multiples of 2⁻⁶⁴ as fractions in decimal digits, several at a time: an audit may write a thousand million of them.
 
 use crate::span::BITS;
 
-/// Numerators below this are written here: they have 31 digits at most, and room for a sign before them.
-const MOST: u128 = 1 << 102;
+/// As many fractions are made at a time.
+pub(crate) const SEVERAL: usize = 16;
 
-/// Eight times the character of zero.
-const ZEROS: u64 = u64::from_ne_bytes([b'0'; 8]);
+/// Sixteen times the character of zero.
+const ZEROS: u128 = u128::from_ne_bytes([b'0'; 16]);
+
+/// Eight times the same.
+const EIGHT_ZEROS: u64 = u64::from_ne_bytes([b'0'; 8]);
 
 /// As many characters are copied at a time.
 const WIDTH: usize = 32;
 
-/// "/2", "/4" and so on up to "/18446744073709551616" by their logarithm, nothing for one; and how long each is.
-static DENOMINATORS: [([u8; WIDTH], usize); BITS as usize + 1] = denominators();
+/// "/2", "/4" and so on up to "/18446744073709551616" by their logarithm, nothing for one; and behind each how long it
+/// is.
+static DENOMINATORS: [[u8; WIDTH]; BITS as usize + 1] = denominators();
 
 #[expect(
     clippy::indexing_slicing,
     reason = "the compiler, which computes this, refuses an index that is out of bounds"
 )]
-const fn denominators() -> [([u8; WIDTH], usize); BITS as usize + 1] {
-    let mut all = [([0; WIDTH], 0); BITS as usize + 1];
+const fn denominators() -> [[u8; WIDTH]; BITS as usize + 1] {
+    let mut all = [[0; WIDTH]; BITS as usize + 1];
     let mut k = 1;
     while k < all.len() {
-        let (text, length) = &mut all[k];
+        let text = &mut all[k];
         text[0] = b'/';
         let mut rest = 1_u128 << k;
-        *length = 2 + rest.ilog10() as usize;
-        let mut place = *length;
+        let mut place = 2 + rest.ilog10() as usize;
+        text[WIDTH - 1] = place as u8;
         while rest > 0 {
             place -= 1;
             text[place] = b'0' + (rest % 10) as u8;
@@ -39,109 +41,248 @@ const fn denominators() -> [([u8; WIDTH], usize); BITS as usize + 1] {
     all
 }
 
-/// In place of the denominator of a numerator that is not below [`MOST`].
-const TOO_LONG: u32 = u32::MAX;
-
-/// A multiple of 2⁻⁶⁴ in lowest terms, as it is written.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Fraction {
-    /// The characters of the numerator, with zeros before them.
-    digits: [[u8; 8]; 4],
-    is_negative: bool,
-    /// The logarithm of the denominator, or [`TOO_LONG`].
-    denominator: u32,
+/// Room for what is written of a row, and where it ends.
+#[derive(Debug)]
+pub(crate) struct Line<'a> {
+    text: &'a mut [u8; Line::ROOM],
+    length: usize,
 }
 
-impl Fraction {
-    const ZERO: Self = Self {
-        digits: [[0; 8]; 4],
-        is_negative: false,
-        denominator: 0,
-    };
+impl<'a> Line<'a> {
+    /// No row is as long.
+    pub(crate) const ROOM: usize = 2048;
 
-    /// The fractions that are so many units of 2⁻⁶⁴.
+    /// A line that has so many characters already.
     #[inline(always)]
-    pub(crate) fn all<const N: usize>(units: &[i128; N]) -> [Self; N] {
-        let mut eights = [[0; 4]; N];
-        let mut digits = [[[0; 8]; 4]; N];
-        let mut fractions = [Self::ZERO; N];
-        for ((fraction, eights), n) in fractions.iter_mut().zip(&mut eights).zip(units) {
-            let size = n.unsigned_abs();
-            let twos = size.trailing_zeros().min(BITS);
-            *eights = in_eights(size >> twos);
-            fraction.is_negative = *n < 0;
-            fraction.denominator = if size < MOST { BITS - twos } else { TOO_LONG };
-        }
-        write_eights(eights.as_flattened(), digits.as_flattened_mut());
-        for (fraction, digits) in fractions.iter_mut().zip(digits) {
-            fraction.digits = digits;
-        }
-        fractions
+    pub(crate) const fn new(text: &'a mut [u8; Line::ROOM], length: usize) -> Self {
+        Self { text, length }
     }
 
-    /// Appends the fraction: `3/8`, `-2`, `0`; `None`, and nothing, where it is past 2³⁸.
+    /// How long it is.
+    #[inline(always)]
+    pub(crate) const fn len(&self) -> usize {
+        self.length
+    }
+
+    /// What is written.
+    #[inline(always)]
+    pub(crate) fn text(&self) -> &[u8] {
+        self.text.get(..self.length).unwrap_or_default()
+    }
+
+    /// Appends some characters; `None`, and nothing, where there is no room.
+    #[inline(always)]
+    pub(crate) fn append(&mut self, text: &[u8]) -> Option<()> {
+        let end = self.length.wrapping_add(text.len());
+        self.text.get_mut(self.length..end)?.copy_from_slice(text);
+        self.length = end;
+        Some(())
+    }
+
+    /// Appends a whole number.
     #[inline]
-    pub(crate) fn write(&self, out: &mut Vec<u8>) -> Option<()> {
-        let (denominator, length) = DENOMINATORS.get(self.denominator as usize)?;
-        let [a, b, c, d] = self.digits;
-        let [a, b, c, d] = [word(a), word(b), word(c), word(d)];
-        // Zeros on the left are left out, but for the last one of zero.
-        let zeros = match [a, b, c, d] {
-            [ZEROS, ZEROS, ZEROS, ZEROS] => WIDTH - 1,
-            [ZEROS, ZEROS, ..] => 16 + leading(c, d),
-            _ => leading(a, b),
-        };
-        let mut text = [[0; 8]; 8];
-        *text.first_chunk_mut()? = self.digits;
-        let text = text.as_flattened_mut();
-        *text.get_mut(zeros.checked_sub(1)?)? = b'-';
-        let start = zeros - usize::from(self.is_negative);
-        append(out, text.get(start..)?.first_chunk()?, WIDTH - start);
-        append(out, denominator, *length);
+    pub(crate) fn append_whole(&mut self, n: u64) -> Option<()> {
+        if n >= SIXTEEN {
+            return self.append(itoa::Buffer::new().format(n).as_bytes());
+        }
+        let digits = [n / EIGHT, n % EIGHT].map(|n| {
+            let fours = fours(n);
+            let [upper, lower] = [fours, fours >> 32].map(|n| u64::from(four((n & HALF) as u32)));
+            upper | lower << 32
+        });
+        let digits = u128::from(digits[0]) | u128::from(digits[1]) << u64::BITS;
+        // Zeros on the left are shifted out, but for the last one of zero.
+        let zeros = (digits ^ ZEROS).trailing_zeros() / 8;
+        let zeros = zeros.min(15);
+        let digits = digits >> (8 * zeros);
+        let length = 16 - zeros;
+        *self.text.get_mut(self.length..)?.first_chunk_mut()? = digits.to_le_bytes();
+        self.length = self.length.wrapping_add(length as usize);
         Some(())
     }
 }
 
-/// Eight characters as a machine word, the first one in its lowest byte.
-#[inline(always)]
-const fn word(eight: [u8; 8]) -> u64 {
-    u64::from_le_bytes(eight)
+/// Multiples of 2⁻⁶⁴ below 2³⁷ in lowest terms, as they are written.
+#[derive(Clone, Debug)]
+pub(crate) struct Fractions {
+    /// The characters of the numerators, with zeros before them; behind the last one there is room to copy from.
+    digits: [[[u8; 8]; 4]; SEVERAL + 1],
+    /// How many characters come before those: a comma, and the sign of negative ones.
+    before: [u64; SEVERAL],
+    /// The logarithms of the denominators.
+    denominators: [u64; SEVERAL],
+}
+
+impl Fractions {
+    pub(crate) const ZERO: Self = Self {
+        digits: [[[b'0'; 8]; 4]; SEVERAL + 1],
+        before: [1; SEVERAL],
+        denominators: [0; SEVERAL],
+    };
+
+    /// Takes numbers that are so many times 1, 2⁻³² and 2⁻⁶⁴, and that many radii of 2⁻⁶⁴ off.
+    ///
+    /// Without a branch, so that processors make several fractions with each instruction: to be inlined where these
+    /// are chosen.
+    #[inline(always)]
+    pub(crate) fn take(
+        &mut self,
+        [wholes, uppers, lowers, radii]: [&[i64; SEVERAL]; 4],
+        radius: i64,
+    ) {
+        let mut eights = [[0; SEVERAL]; 4];
+        let [a, b, c, d] = &mut eights;
+        let layers = wholes.iter().zip(uppers).zip(lowers).zip(radii);
+        let results = self.before.iter_mut().zip(&mut self.denominators);
+        let results = results.zip(a).zip(b).zip(c).zip(d);
+        for ((((whole, upper), lower), off), (((((before, denominator), a), b), c), d)) in
+            layers.zip(results)
+        {
+            let lower = lower.wrapping_add(radius.wrapping_mul(*off));
+            let (sign, twos, number) = in_lowest_terms([*whole, *upper, lower]);
+            *before = 1_u64.wrapping_sub(sign);
+            *denominator = u64::from(BITS).wrapping_sub(twos);
+            [*a, *b, *c, *d] = in_eights(number);
+        }
+        let [a, b, c, d] = &eights;
+        let eights = a.iter().zip(b).zip(c).zip(d);
+        for ((((a, b), c), d), digits) in eights.zip(&mut self.digits) {
+            *digits = [a, b, c, d].map(|n| fours(*n).to_le_bytes());
+        }
+        let digits = self.digits.as_flattened_mut().as_flattened_mut();
+        for digits in digits.as_chunks_mut().0 {
+            *digits = four(u32::from_le_bytes(*digits)).to_le_bytes();
+        }
+    }
+}
+
+/// One of several.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fraction<'a>(pub(crate) &'a Fractions, pub(crate) usize);
+
+impl Fraction<'_> {
+    /// Appends the fraction after a comma: `,3/8`, `,-2`, `,0`; `None` where there is no room.
+    #[inline(always)]
+    pub(crate) fn write(self, line: &mut Line<'_>) -> Option<()> {
+        /// Room for a comma, a sign, a numerator and a denominator, and for what is copied behind them.
+        const ROOM: usize = 2 + 4 * WIDTH;
+        const Z: u64 = EIGHT_ZEROS;
+        let Self(all, i) = self;
+        let text: &mut [u8; ROOM] = line.text.get_mut(line.length..)?.first_chunk_mut()?;
+        *text.first_chunk_mut()? = *b",-";
+        // Zeros on the left are left out, but for the last one of zero.
+        let [a, b, c, d] = all.digits.get(i)?.map(u64::from_le_bytes);
+        let zeros = match [a, b, c, d] {
+            [Z, Z, Z, Z] => WIDTH - 1,
+            [Z, Z, ..] => 16 + leading(c, d),
+            _ => leading(a, b),
+        };
+        // That it is no more than this the compiler does not know.
+        let at = usize::try_from(*all.before.get(i)?).ok()? & 3;
+        let digits = all.digits.as_flattened().as_flattened();
+        let start = i.wrapping_mul(WIDTH).wrapping_add(zeros);
+        *text.get_mut(at..)?.first_chunk_mut()? = *digits.get(start..)?.first_chunk::<WIDTH>()?;
+        let at = at + (WIDTH - (zeros & (WIDTH - 1)));
+        let denominator = usize::try_from(*all.denominators.get(i)?).ok()?;
+        let denominator = DENOMINATORS.get(denominator)?;
+        *text.get_mut(at..)?.first_chunk_mut()? = *denominator;
+        let [.., length] = *denominator;
+        line.length = line.length.wrapping_add(at + usize::from(length));
+        Some(())
+    }
 }
 
 /// How many zeros there are before the first of sixteen characters that is none.
 #[inline(always)]
 const fn leading(upper: u64, lower: u64) -> usize {
     let zeros = match upper {
-        ZEROS => u64::BITS + (lower ^ ZEROS).trailing_zeros(),
-        _ => (upper ^ ZEROS).trailing_zeros(),
+        EIGHT_ZEROS => u64::BITS + (lower ^ EIGHT_ZEROS).trailing_zeros(),
+        _ => (upper ^ EIGHT_ZEROS).trailing_zeros(),
     };
     (zeros / 8) as usize
 }
 
-/// Appends the first `length` of some characters: all of them are copied, which is faster than so many.
+/// The lower half of 64 bits.
+const HALF: u64 = (1 << 32) - 1;
+
+/// Two to 32.
+const UPPER: f64 = (1_u64 << 32) as f64;
+
+const EIGHT: u64 = 10_u64.pow(8);
+
+const SIXTEEN: u64 = 10_u64.pow(16);
+
+/// From here to the next power of two doubles are whole numbers, and their lower bits what they are more than this.
+const WHOLE: f64 = (1_u64 << 52) as f64;
+
+/// A number below 2⁵² as a double.
 #[inline(always)]
-fn append(out: &mut Vec<u8>, text: &[u8; WIDTH], length: usize) {
-    let end = out.len() + length;
-    out.extend_from_slice(text);
-    out.truncate(end);
+fn double(n: u64) -> f64 {
+    f64::from_bits(n | WHOLE.to_bits()) - WHOLE
 }
 
-/// A number below [`MOST`] in base 10⁸.
+/// The whole number that is nearest to a double below 2⁵¹.
 #[inline(always)]
-#[allow(clippy::cast_possible_truncation)] // first quotients are below 10¹⁶, and so is what their division leaves
-fn in_eights(n: u128) -> [u32; 4] {
-    const SIXTEEN: u64 = 10_u64.pow(16);
-    const EIGHT: u64 = 10_u64.pow(8);
-    // Most are machine words: they have four digits more than sixteen, and products take the place of divisions.
-    let (upper, [a, b]) = match u64::try_from(n) {
-        Ok(n) => (n / SIXTEEN, [0, (n / SIXTEEN) as u32]),
-        Err(_) => {
-            let upper = (n / u128::from(SIXTEEN)) as u64;
-            (upper, [(upper / EIGHT) as u32, (upper % EIGHT) as u32])
-        }
-    };
-    let rest = (n as u64).wrapping_sub(upper.wrapping_mul(SIXTEEN));
-    [a, b, (rest / EIGHT) as u32, (rest % EIGHT) as u32]
+fn nearest(x: f64) -> u64 {
+    (x + WHOLE).to_bits() ^ WHOLE.to_bits()
+}
+
+/// A quotient that may be one too large, and a rest that is then below zero, as they are.
+#[inline(always)]
+fn corrected(quotient: u64, rest: u64, divisor: u64) -> [u64; 2] {
+    let less = (rest.cast_signed() >> (u64::BITS - 1)).cast_unsigned();
+    [
+        quotient.wrapping_add(less),
+        rest.wrapping_add(less & divisor),
+    ]
+}
+
+/// The sign of a number that is so many times 1, 2⁻³² and 2⁻⁶⁴, as 64 bits of one or of zero, the logarithm of what it
+/// has in common with 2⁶⁴, and its magnitude divided by that as two words, the lower one first.
+#[inline(always)]
+fn in_lowest_terms([whole, upper, lower]: [i64; 3]) -> (u64, u64, [u64; 2]) {
+    let upper = upper.wrapping_add(lower >> 32);
+    let high = whole.wrapping_add(upper >> 32);
+    let low = (upper.cast_unsigned() << 32) | (lower.cast_unsigned() & HALF);
+    let sign = (high >> (u64::BITS - 1)).cast_unsigned();
+    let low = (low ^ sign).wrapping_sub(sign);
+    let carry = if low == 0 { sign } else { 0 };
+    let high = (high.cast_unsigned() ^ sign).wrapping_sub(carry);
+    let twos = u64::from(low.trailing_zeros());
+    // All 64 are in common where only the upper word is left.
+    let [low, high] = if low == 0 { [high, 0] } else { [low, high] };
+    let shift = twos & 63;
+    let low = (low >> shift) | ((high << 1) << (63 ^ shift));
+    (sign, twos, [low, high >> shift])
+}
+
+/// A number below 2¹⁰¹ in base 10⁸: quotients are those of doubles, which are off by so little that the nearest whole
+/// number is the quotient or one more.
+#[inline(always)]
+fn in_eights([low, high]: [u64; 2]) -> [u64; 4] {
+    const SHORT: f64 = 1.0 / EIGHT as f64;
+    const OF_HIGH: f64 = UPPER * UPPER / SIXTEEN as f64;
+    const OF_LOW: f64 = UPPER / SIXTEEN as f64;
+    let quotient = nearest(double(high) * OF_HIGH + double(low >> 32) * OF_LOW);
+    let rest = low.wrapping_sub(quotient.wrapping_mul(SIXTEEN));
+    let [upper, lower] = corrected(quotient, rest, SIXTEEN);
+    // Below 2⁴⁸ and below 2⁵⁴.
+    let a = nearest(double(upper) * SHORT);
+    let c = nearest(double(lower >> 32) * (UPPER * SHORT) + double(lower & HALF) * SHORT);
+    let [[a, b], [c, d]] = [(a, upper), (c, lower)].map(|(quotient, n)| {
+        let rest = n.wrapping_sub((quotient & HALF).wrapping_mul(EIGHT));
+        corrected(quotient, rest, EIGHT)
+    });
+    [a, b, c, d]
+}
+
+/// A number below 10⁸ as two of four digits, each in half of the bits.
+#[inline(always)]
+const fn fours(n: u64) -> u64 {
+    // 109951163/2⁴⁰ is above 10⁻⁴ by less than 10⁻¹²: the quotients of such numbers are these.
+    let upper = (n & HALF).wrapping_mul(109_951_163) >> 40;
+    let lower = n.wrapping_sub(upper.wrapping_mul(10_000));
+    upper | (lower << 32)
 }
 
 /// The characters of a number below 10⁴: pairs of digits, then digits.
@@ -149,24 +290,10 @@ fn in_eights(n: u128) -> [u32; 4] {
 const fn four(n: u32) -> u32 {
     // 5243/2¹⁹ is so little above 1/100, and 103/2¹⁰ above 1/10, that the quotients of such numbers are these.
     let hundreds = n.wrapping_mul(5243) >> 19;
-    let pairs = hundreds | (n.wrapping_sub(hundreds.wrapping_mul(100)) << 16);
+    // What is left of n goes 16 bits further up, and of each pair 8.
+    let pairs = (n << 16).wrapping_sub(hundreds.wrapping_mul((100 << 16) - 1));
     let tens = (pairs.wrapping_mul(103) >> 10) & 0x000f_000f;
-    (tens | (pairs.wrapping_sub(tens.wrapping_mul(10)) << 8)) | 0x3030_3030
-}
-
-/// Writes numbers below 10⁸, as many at once as there is room for.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn write_eights(numbers: &[u32], digits: &mut [[u8; 8]]) {
-    for (n, digits) in numbers.iter().zip(&mut *digits) {
-        // 109951163/2⁴⁰ is above 10⁻⁴ by less than 10⁻¹²: the quotients of such numbers are these.
-        let n = u64::from(*n);
-        let upper = n.wrapping_mul(109_951_163) >> 40;
-        let lower = n.wrapping_sub(upper.wrapping_mul(10_000));
-        *digits = (upper | (lower << 32)).to_le_bytes();
-    }
-    for digits in digits.as_flattened_mut().as_chunks_mut().0 {
-        *digits = four(u32::from_le_bytes(*digits)).to_le_bytes();
-    }
+    (pairs << 8).wrapping_sub(tens.wrapping_mul((10 << 8) - 1)) | 0x3030_3030
 }
 
 #[cfg(test)]
@@ -176,14 +303,30 @@ mod tests {
 
     use super::*;
 
-    fn written(n: i128) -> Option<String> {
-        let mut out = b"before,".to_vec();
-        let [fraction] = Fraction::all(&[n]);
-        let is_written = fraction.write(&mut out).is_some();
-        let text = String::from_utf8(out).unwrap();
-        let own = text.strip_prefix("before,").unwrap();
-        assert_eq!(is_written, !own.is_empty());
-        is_written.then(|| own.to_owned())
+    /// What is written of numbers, and read from layers that overlap by so much.
+    fn written(numbers: &[i128; SEVERAL], overlap: i64, off: i64, radius: i64) -> Vec<String> {
+        let mut layers = [[0; SEVERAL]; 4];
+        for (i, n) in numbers.iter().enumerate() {
+            let n = n - i128::from(off * radius);
+            let lower = i64::try_from(n & i128::from(HALF)).unwrap() + (overlap << 32);
+            let n = (n >> 32) - i128::from(overlap);
+            let upper = i64::try_from(n & i128::from(HALF)).unwrap();
+            let whole = i64::try_from(n >> 32).unwrap();
+            for (column, layer) in layers.iter_mut().zip([whole, upper, lower, off]) {
+                column[i] = layer;
+            }
+        }
+        let mut fractions = Fractions::ZERO;
+        fractions.take(layers.each_ref(), radius);
+        let mut room = [0; Line::ROOM];
+        let all = (0..SEVERAL).map(|i| {
+            let mut line = Line::new(&mut room, 0);
+            line.append(b"before,").unwrap();
+            Fraction(&fractions, i).write(&mut line).unwrap();
+            let text = str::from_utf8(line.text()).unwrap();
+            text.strip_prefix("before,,").unwrap().to_owned()
+        });
+        all.collect()
     }
 
     fn by_big_numbers(n: i128) -> String {
@@ -193,11 +336,16 @@ mod tests {
     #[test]
     fn every_power_is_written_and_what_is_next_to_it() {
         let tens = (0..31).map(|k| 10_i128.pow(k));
-        let twos = (0..=102).map(|k| 1_i128 << k);
-        for n in tens.chain(twos).flat_map(|n| [n - 1, n, n + 1]) {
-            for n in [n, -n] {
-                let fits = n.unsigned_abs() < MOST;
-                assert_eq!(written(n), fits.then(|| by_big_numbers(n)), "{n}");
+        let sixteens = (1..2000).map(|k| (k * 10_i128.pow(16)) << (k % 35));
+        let twos = (0..=100).map(|k| 1_i128 << k);
+        for n in tens.chain(twos).chain(sixteens) {
+            let mut numbers = [0; SEVERAL];
+            for (slot, n) in numbers.iter_mut().zip([n - 1, n, n + 1, 3 * n, 7 * n]) {
+                *slot = if n < 1 << 101 { n } else { n >> 4 };
+            }
+            for numbers in [numbers, numbers.map(|n| -n)] {
+                let expected = numbers.map(by_big_numbers);
+                assert_eq!(written(&numbers, 0, 0, 1), expected, "{n}");
             }
         }
     }
@@ -206,20 +354,60 @@ mod tests {
     fn all_groups_of_four_digits_are_written_before_and_behind_others() {
         for n in 0..10_000 {
             for n in [n * 10_000, n * 10_000 + 9_999, n, 99_990_000 + n] {
-                let mut digits = [[0; 8]];
-                write_eights(&[n], &mut digits);
-                let text = format!("{n:08}");
-                assert_eq!(digits[0].as_slice(), text.as_bytes());
+                let fours = fours(n).to_le_bytes();
+                let digits = fours
+                    .as_chunks()
+                    .0
+                    .iter()
+                    .flat_map(|digits| four(u32::from_le_bytes(*digits)).to_le_bytes());
+                assert_eq!(digits.collect::<Vec<_>>(), format!("{n:08}").as_bytes());
             }
         }
     }
 
+    #[test]
+    fn a_line_takes_no_more_than_it_has_room_for() {
+        let mut room = [b' '; Line::ROOM];
+        let mut line = Line::new(&mut room, Line::ROOM - 3);
+        assert!(line.append(b"true").is_none());
+        assert!(Fraction(&Fractions::ZERO, 0).write(&mut line).is_none());
+        assert_eq!(line.len(), Line::ROOM - 3);
+        assert!(line.append(b"yes").is_some());
+        assert_eq!(line.text().trim_ascii(), b"yes");
+        assert!(line.append(b",").is_none());
+    }
+
+    #[test]
+    fn whole_numbers_are_written_as_they_are() {
+        let tens = (0..20).map(|k| 10_u64.pow(k));
+        let twos = (0..64).map(|k| 1 << k);
+        for n in tens
+            .chain(twos)
+            .flat_map(|n: u64| [n - 1, n, n.saturating_mul(7)])
+        {
+            let mut room = [0; Line::ROOM];
+            let mut line = Line::new(&mut room, 0);
+            line.append_whole(n).unwrap();
+            line.append(b",").unwrap();
+            assert_eq!(line.text(), format!("{n},").as_bytes());
+        }
+    }
+
+    fn number() -> impl Strategy<Value = i128> {
+        let parts = (any::<i128>(), 27..128_u32, 0..80_u32);
+        parts.prop_map(|(n, shift, zeros)| n >> shift >> zeros << zeros)
+    }
+
     proptest! {
         #[test]
-        fn a_number_is_written_as_big_numbers_are(n in any::<i128>(), shift in 0..128_u32, zeros in 0..80_u32) {
-            let n = n >> shift >> zeros << zeros;
-            let fits = n.unsigned_abs() < MOST;
-            prop_assert_eq!(written(n), fits.then(|| by_big_numbers(n)));
+        fn numbers_are_written_as_big_numbers_are(
+            numbers in prop::array::uniform16(number()),
+            overlap in -1000..1000_i64,
+            off in 0..1_i64 << 50,
+            radius in prop_oneof![Just(-1_i64), Just(1)],
+        ) {
+            let expected = numbers.map(by_big_numbers);
+            prop_assert_eq!(written(&numbers, overlap, off, radius), expected);
         }
     }
 }

@@ -196,7 +196,7 @@ fn written(ledger: &Ledger, rows: &[Row], form: Form) -> Result<usize, TestCaseE
     let mut several = 0;
     for (i, row) in rows.iter().enumerate() {
         let (start, length) = (row.ends[0], Length(1, 1));
-        let (mut before, mut out) = (Before::default(), Vec::new());
+        let (mut before, mut out) = (Before::new(), Vec::new());
         let is_written = found.write(i, (start, length), &mut before, form, &mut out);
         if is_written.is_none() {
             continue;

@@ -11,12 +11,12 @@ use passivity_core::{Scalar as _, dissipation, generation, ledger, quantizer};
 
 use super::compute::{is_nonnegative, whole};
 use super::{Column, Intervals, Length, TILE, Tiles, truths};
-use crate::ball::{Ball, Lane, on_grid, unless};
+use crate::ball::{Ball, Lane, unless};
 use crate::entry::margin_of;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::error::TraceError;
 use crate::log::wall::Wall;
-use crate::number::{Fraction, Number, Reduced};
+use crate::number::{Denominator, Fraction, Fractions, Line, Number, Reduced, SEVERAL};
 use crate::rows::{Figures, Form};
 
 /// Balls on the grid, as [`layers`](Ball::layers).
@@ -37,13 +37,14 @@ impl OnGrid {
         }
     }
 
-    /// The ends, in units of the grid.
+    /// The layers of some rows: of the part with this number.
     #[inline(always)]
-    fn ends(&self, i: usize) -> [i128; 2] {
-        let [wholes, uppers, lowers, radii] = &self.0;
-        let middle = on_grid([wholes[i], uppers[i], lowers[i]]);
-        let radius = i128::from(radii[i]);
-        [middle - radius, middle + radius]
+    fn part(&self, part: usize) -> Option<[&[i64; SEVERAL]; 4]> {
+        let [wholes, uppers, lowers, radii] = self
+            .0
+            .each_ref()
+            .map(|column| column.as_chunks().0.get(part));
+        Some([wholes?, uppers?, lowers?, radii?])
     }
 }
 
@@ -56,6 +57,10 @@ pub(super) struct Rows {
     /// Where they end, and the force of each.
     end: OnGrid,
     force: OnGrid,
+    /// Of one part of the rows, and which one: the position at the end, the figures and the force, at the least and at
+    /// the most.
+    fractions: [[Fractions; 2]; 10],
+    part: Option<usize>,
     /// What they answer, as bits.
     truths: [u64; TILE],
     /// Not zero where nothing moves.
@@ -103,6 +108,8 @@ impl Rows {
             figures: [[OnGrid::ZERO; 2]; 8],
             end: OnGrid::ZERO,
             force: OnGrid::ZERO,
+            fractions: [const { [Fractions::ZERO; 2] }; 10],
+            part: None,
             most: 0,
             truths: [0; TILE],
             rests: [0; TILE],
@@ -187,6 +194,7 @@ impl Rows {
             self.open[i] = open;
         }
         self.most = usize::from(!EXACT);
+        self.part = None;
         let open = &mut self.open;
         for (figures, balls) in self.figures.iter_mut().zip(&self.balls) {
             for (figure, balls) in figures.iter_mut().zip(balls).take(1 + self.most) {
@@ -199,24 +207,28 @@ impl Rows {
         }
     }
 
-    /// The numbers of row `i`, which is decided, at the least and at the most: the position at its end, its figures and
-    /// the force.
+    /// Makes the fractions of a part of the rows.
     #[inline(always)]
-    fn numbers(&self, i: usize) -> [Fraction; 20] {
-        let mut all = [0; 20];
-        if let [end, figures @ .., force] = all.as_chunks_mut().0 {
-            *end = self.end.ends(i);
-            for (figure, columns) in figures.iter_mut().zip(&self.figures) {
-                let [lo, hi] = columns[0].ends(i);
-                *figure = match self.most {
-                    0 => [lo, hi],
-                    most => [lo, columns[most].ends(i)[1]],
-                };
-            }
-            *force = self.force.ends(i);
+    fn make(&mut self, part: usize) -> Option<()> {
+        let [end, figures @ .., force] = &mut self.fractions;
+        let of_one = [(end, &self.end), (force, &self.force)];
+        let of_one = of_one.map(|(fractions, layers)| (fractions, [layers; 2]));
+        let of_two = figures.iter_mut().zip(&self.figures);
+        let of_two =
+            of_two.map(|(fractions, columns)| (fractions, [&columns[0], &columns[self.most]]));
+        for ([lo, hi], [least, most]) in of_one.into_iter().chain(of_two) {
+            lo.take(least.part(part)?, -1);
+            hi.take(most.part(part)?, 1);
         }
-        Fraction::all(&all)
+        self.part = Some(part);
+        Some(())
     }
+}
+
+/// [`Rows::make`], in the widest instructions that there are.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+fn make(rows: &mut Rows, part: usize) -> Option<()> {
+    rows.make(part)
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
@@ -229,14 +241,13 @@ pub(super) fn compute(rows: &mut Rows, wall: &Wall<false>, of: &Intervals, appli
     }
 }
 
-/// What is written again in most rows: where it stands.
-#[derive(Default)]
+/// The last row that was written, and what is written again in most rows.
 pub(super) struct Before {
-    /// The position at the end of the row before, with its comma.
+    text: [u8; Line::ROOM],
+    /// Where in the text the position at its end is, with its comma: nowhere before the first row.
     end: Range<usize>,
-    /// How long a row lasts, with its comma.
-    duration: Range<usize>,
-    length: Length,
+    /// What the denominator of its length is made of.
+    denominator: Denominator,
 }
 
 /// Writes some rows of a chunk that doubles decide; those that are not decided here are `left` to be written one by
@@ -256,7 +267,7 @@ pub(crate) fn write(
     };
     let forces = form.force.then_some(&chunk.forces.values);
     let (mut of, mut found) = (Intervals::new(), Rows::new());
-    let mut before = Before::default();
+    let mut before = Before::new();
     for at in rows.clone().step_by(TILE) {
         let lengths = tiles.lengths.get(at..rows.end).unwrap_or_default();
         of.read(samples, forces, at, lengths);
@@ -272,7 +283,7 @@ pub(crate) fn write(
             }
             if written.is_none() {
                 out.truncate(from);
-                before = Before::default();
+                before.forget();
                 left(row, out)?;
             }
         }
@@ -283,7 +294,7 @@ pub(crate) fn write(
 impl Rows {
     /// Writes row `i`, of an interval that starts there and lasts so long.
     pub(super) fn write(
-        &self,
+        &mut self,
         i: usize,
         (start, length): (Ball, Length),
         before: &mut Before,
@@ -293,46 +304,77 @@ impl Rows {
         if self.open[i] > 0.0 {
             return None;
         }
-        let numbers = self.numbers(i);
-        let [end, a, b, c, d, e, f, g, margin, force] = numbers.as_chunks().0 else {
-            return None;
-        };
-        before.write(start, end.each_ref(), length, form, out)?;
+        if self.part != Some(i / SEVERAL) {
+            make(self, i / SEVERAL)?;
+        }
+        let all = &self.fractions;
+        let all = all
+            .each_ref()
+            .map(|ends| ends.each_ref().map(|of| Fraction(of, i % SEVERAL)));
+        let [end, energies @ .., margin, force] = all;
         let moves = self.rests[i] == 0;
         let figures = Figures {
-            energies: [a, b, c, d, e, f, g].map(<[_; 2]>::each_ref),
-            margin: margin.each_ref().map(|end| moves.then_some(end)),
+            energies,
+            margin: margin.map(|end| moves.then_some(end)),
             truths: truths(self.truths[i]),
-            force: force.each_ref().map(|end| form.force.then_some(end)),
+            force: force.map(|end| form.force.then_some(end)),
         };
-        form.account(&figures, out)
+        before.write((start, end, length), &figures, form, out)
     }
 }
 
 impl Before {
-    /// Writes the positions of a row and how long it lasts.
+    pub(super) fn new() -> Self {
+        Self {
+            text: [0; Line::ROOM],
+            end: 0..0,
+            denominator: Denominator::default(),
+        }
+    }
+
+    /// Has no row before the next one.
+    fn forget(&mut self) {
+        self.end = 0..0;
+    }
+
+    /// Writes a row that starts and ends there and lasts so long.
+    #[inline(always)]
     fn write(
         &mut self,
-        start: Ball,
-        end: [&Fraction; 2],
-        length: Length,
+        (start, end, length): (Ball, [Fraction<'_>; 2], Length),
+        figures: &Figures<Fraction<'_>>,
         form: Form,
         out: &mut Vec<u8>,
     ) -> Option<()> {
-        match self.end.is_empty() {
-            true => form.position([&start; 2], out)?,
-            false => out.extend_from_within(self.end.clone()),
+        if self.end.is_empty() {
+            form.position([&start; 2], out)?;
         }
-        let from = out.len();
-        form.position(end, out)?;
-        self.end = from..out.len();
-        if self.length == length {
-            out.extend_from_within(self.duration.clone());
-        } else {
-            let lasts = Number::Small(length.0, length.1);
-            form.duration(&Reduced::from(&lasts), out);
-            (self.length, self.duration) = (length, self.end.end..out.len());
+        let known = self.end.len();
+        self.text.copy_within(self.end.clone(), 0);
+        let mut line = Line::new(&mut self.text, known);
+        form.position(end, &mut line)?;
+        self.end = known..line.len();
+        let Length(n, d) = length;
+        if self.denominator.of != d {
+            self.denominator = Denominator::new(d);
         }
+        match self.denominator.reduced(n) {
+            Some([n, d]) => {
+                line.append(b",")?;
+                line.append_whole(n)?;
+                if d != 1 {
+                    line.append(b"/")?;
+                    line.append_whole(d)?;
+                }
+            }
+            None => {
+                let mut duration = Vec::new();
+                form.duration(&Reduced::from(&Number::Small(n, d)), &mut duration);
+                line.append(&duration)?;
+            }
+        }
+        form.account(figures, &mut line)?;
+        out.extend_from_slice(line.text());
         Some(())
     }
 }
