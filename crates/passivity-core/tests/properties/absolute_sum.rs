@@ -152,6 +152,19 @@ fn th_lti_growth_is_that_of_the_powers() {
     }
 }
 
+/// G to the last unit of 2⁻¹²⁸, all of them rounded up: A has the norm 1 and is taken to be off by one unit, so A² by
+/// 1·(1 + 1) of them and a part, and by one more for each of its two rows: by 3 + 2. Its norm is 1/16.
+#[test]
+fn th_lti_what_is_rounded_in_a_power_is_counted() {
+    let one = (0..128).fold(q(1, 1), |one, _| one * q(2, 1));
+    let growth = (&one * q(2, 1) + q(1, 1)) / (&one * q(15, 16) - q(5, 1));
+    let mut unit = errors_alone(&[q(1, 1), zero(), q(1, 16)]) / squared(&growth);
+    while unit < q(1, 1) {
+        unit *= q(2, 1);
+    }
+    assert_eq!(unit, q(1, 1));
+}
+
 /// A pole in the other half, a leading coefficient other than 1, and a width above 1.
 #[test]
 fn th_lti_sums_by_hand() {
