@@ -7,7 +7,7 @@ use passivity_core::course::{Course, Least};
 use crate::ledger::Truths;
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
-use crate::log::lanes::{Energies, Sums, TileRows};
+use crate::log::lanes::{Courses, Sums, TileRows};
 use crate::log::motion::Addend;
 use crate::log::running::{Lowest, RunningSum};
 use crate::log::supply::{Bounds, NO_FORCE, Supplied, Supply};
@@ -121,10 +121,7 @@ impl Batch {
                 }
             }
         } else {
-            for (i, h) in rows.clone().zip(before + 1..) {
-                let Energies { net, step, end } = tile.energies(i, &steps);
-                self.step((net, end[0]), running.then_some([step, end]), h);
-            }
+            self.append(&tile.courses(&rows, &steps), running);
         }
         if running {
             self.excess = sums.excess;
@@ -136,11 +133,7 @@ impl Batch {
         match self.observer.sum + sums.least_observed >= self.observer.least {
             true => self.observer.sum += sums.observed,
             false => {
-                let observed = tile.observed();
-                let observed = observed.iter().take(rows.end).skip(rows.start);
-                for (observed, h) in observed.zip(before + 1..) {
-                    self.observer.step(*observed, h);
-                }
+                self.observer.append(&tile.observer(&rows), before);
             }
         }
         self.intervals += rows.len() as u64;
@@ -169,6 +162,25 @@ impl Batch {
             && stays(&self.stored, self.net.sum + sums.least_stored)
             && stays(&self.worst, sums.least_row)
             && (!running || supplied())
+    }
+
+    /// Goes on with what the rows after those before make of the sums of which the least is kept.
+    fn append(&mut self, courses: &Courses, running: bool) {
+        let before = self.intervals;
+        if running {
+            let ours = self.supply.iter_mut().zip(&mut self.lowest);
+            let theirs = courses.supply.iter().zip(&courses.lowest);
+            for ((sum, lowest), (added, found)) in ours.zip(theirs) {
+                lowest.append(found, &sum.sum, before);
+                sum.append(added, before);
+            }
+        }
+        self.stored.append(&courses.stored, &self.net.sum, before);
+        self.net.append(&courses.net, before);
+        // Rows are counted from zero there.
+        if let Some((net, h)) = courses.worst.0 {
+            self.worst.keep(net, before + h - 1);
+        }
     }
 
     /// Goes on with the sums of which the least is kept: by net energy and the potential after it, and by what is added

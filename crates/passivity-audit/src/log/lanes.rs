@@ -15,7 +15,7 @@ use passivity_core::{Step, Truth};
 
 pub(crate) use compute::commanded;
 pub(crate) use counted::Counted;
-pub(crate) use sums::{Energies, Sums, TileRows, Under};
+pub(crate) use sums::{Courses, Sums, TileRows, Under};
 pub(crate) use written::write;
 
 use crate::ball::{Ball, Lane};

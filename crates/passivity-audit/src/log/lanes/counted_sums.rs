@@ -3,10 +3,11 @@
 use std::ops::Range;
 
 use multiversion::multiversion;
+use passivity_core::course::{Course, Least};
 
 use super::TILE;
-use super::counted::{Counted, Ends, NONE, both, one};
-use super::sums::{Energies, Sums, TileRows, lowest};
+use super::counted::{Counted, Ends, NONE, both};
+use super::sums::{Courses, Sums, TileRows, lowest};
 use crate::ledger::Truths;
 use crate::log::quick::{End, carried, parts, units, whole};
 use crate::log::supply::{Bounds, NO_FORCE};
@@ -29,6 +30,64 @@ fn difference([upper, lower]: End, [upper_less, lower_less]: End) -> [End; 2] {
     match parts[0] + parts[1] < 0.0 {
         true => [parts, [0.0; 2]],
         false => [[0.0; 2], parts],
+    }
+}
+
+/// Whether one end is below another: exactly, as is the sign of a sum of two parts.
+#[inline(always)]
+fn is_below([upper, lower]: End, [upper_than, lower_than]: End) -> bool {
+    (upper - upper_than) + (lower - lower_than) < 0.0
+}
+
+/// [`Course`] of ends: from row to row nothing is rounded.
+#[derive(Clone, Copy, Default)]
+struct Way {
+    sum: End,
+    least: End,
+    at: u64,
+}
+
+impl Way {
+    #[inline(always)]
+    fn step(&mut self, [upper, lower]: End, h: u64) {
+        self.sum = [self.sum[0] + upper, self.sum[1] + lower];
+        if is_below(self.sum, self.least) {
+            (self.least, self.at) = (self.sum, h);
+        }
+    }
+
+    fn course(self) -> Course<i128> {
+        Course {
+            sum: units(self.sum),
+            least: units(self.least),
+            at: self.at,
+        }
+    }
+}
+
+/// [`Least`] of ends, of which there are some.
+#[derive(Clone, Copy)]
+struct Low {
+    least: End,
+    at: u64,
+}
+
+impl Low {
+    const NONE: Self = Self {
+        least: [f64::INFINITY, 0.0],
+        at: 0,
+    };
+
+    #[inline(always)]
+    fn keep(&mut self, [upper, lower]: End, [more_upper, more_lower]: End, h: u64) {
+        let value = [upper + more_upper, lower + more_lower];
+        if is_below(value, self.least) {
+            (self.least, self.at) = (value, h);
+        }
+    }
+
+    fn least(self) -> Least<i128> {
+        Least(Some((units(self.least), self.at)))
     }
 }
 
@@ -202,16 +261,41 @@ impl TileRows for Counted {
         }
     }
 
-    fn energies(&self, i: usize, Steps(steps): &Steps) -> Energies {
-        Energies {
-            net: one(&self.sums[3][0], i),
-            step: steps.as_ref().map_or([0; 2], |steps| both(steps, i)),
-            end: both(&self.stored, i),
+    fn courses(&self, rows: &Range<usize>, Steps(steps): &Steps) -> Courses {
+        let (mut net, mut stored, mut worst) = (Way::default(), Low::NONE, Low::NONE);
+        let (mut supply, mut lowest) = ([Way::default(); 2], [Low::NONE; 2]);
+        for (i, h) in rows.clone().zip(1..) {
+            let row = at(&self.sums[3][0], i);
+            let ends = self.stored.each_ref().map(|end| at(end, i));
+            net.step(row, h);
+            stored.keep(net.sum, ends[0], h);
+            worst.keep(row, [0.0; 2], h);
+            if let Some(steps) = steps {
+                for (n, (sum, lowest)) in supply.iter_mut().zip(&mut lowest).enumerate() {
+                    sum.step(at(&steps[n], i), h);
+                    lowest.keep(sum.sum, ends[n], h);
+                }
+            }
+        }
+        let lowest = match steps {
+            Some(_) => lowest.map(Low::least),
+            None => [Least(None); 2],
+        };
+        Courses {
+            net: net.course(),
+            stored: stored.least(),
+            worst: worst.least(),
+            supply: supply.map(Way::course),
+            lowest,
         }
     }
 
-    fn observed(&self) -> [i128; TILE] {
-        std::array::from_fn(|i| one(&self.observed, i))
+    fn observer(&self, rows: &Range<usize>) -> Course<i128> {
+        let mut way = Way::default();
+        for (i, h) in rows.clone().zip(1..) {
+            way.step(at(&self.observed, i), h);
+        }
+        way.course()
     }
 
     fn truths(&self, i: usize) -> Truths {

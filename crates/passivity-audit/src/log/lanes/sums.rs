@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use multiversion::multiversion;
 use passivity_core::Scalar as _;
+use passivity_core::course::{Course, Least};
 
 use super::{Column, TILE, Tile};
 use crate::ball::{Ball, on_grid};
@@ -42,15 +43,18 @@ pub(crate) struct Sums {
     pub(crate) excess: Option<Bounds>,
 }
 
-/// What a row adds to the sums of which the least is kept, in units of the grid.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Energies {
-    /// Net energy at the least.
-    pub(crate) net: i128,
-    /// To T, at the least and at the most,
-    pub(crate) step: [i128; 2],
-    /// and what T has beside after it.
-    pub(crate) end: [i128; 2],
+/// What rows make of the sums of which the least is kept, in units of the grid, from zero at the first of them. Rows are
+/// counted from 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Courses {
+    /// Net energy at the least, and where that and the potential were least.
+    pub(crate) net: Course<i128>,
+    pub(crate) stored: Least<i128>,
+    /// The least net energy of a row alone.
+    pub(crate) worst: Least<i128>,
+    /// What is added to T at the least and at the most, and where that and what T has beside were least.
+    pub(crate) supply: [Course<i128>; 2],
+    pub(crate) lowest: [Least<i128>; 2],
 }
 
 /// Rows that were computed several at a time, all of them decided.
@@ -70,11 +74,11 @@ pub(crate) trait TileRows {
     /// Their sums.
     fn sums(&self, rows: &Range<usize>, steps: &Self::Steps) -> Sums;
 
-    /// What a row adds to those of which the least is kept.
-    fn energies(&self, i: usize, steps: &Self::Steps) -> Energies;
+    /// What some rows make of the sums of which the least is kept.
+    fn courses(&self, rows: &Range<usize>, steps: &Self::Steps) -> Courses;
 
-    /// What the observer adds for each of the rows of a tile.
-    fn observed(&self) -> [i128; TILE];
+    /// What some rows make of what the observer sums up.
+    fn observer(&self, rows: &Range<usize>) -> Course<i128>;
 
     /// What a row answers.
     fn truths(&self, i: usize) -> Truths;
@@ -89,6 +93,21 @@ pub(crate) struct Under<'a> {
     pub(crate) applied: bool,
 }
 
+impl Under<'_> {
+    /// Net energy of a row, and the potential after it, both at the least and at the most, in units of the grid.
+    fn energies(&self, i: usize) -> ([i128; 2], [i128; 2]) {
+        let at = |column: &Column| column.get(i).ends_on_grid();
+        let more = match self.applied {
+            true => at(&self.tile.more),
+            false => [0, 0],
+        };
+        let [least, most] = self.tile.taken.each_ref().map(at);
+        let [linear, quantized] = [&self.tile.linear, &self.tile.quantized].map(at);
+        let [_, _, _, net, _] = figures([linear, quantized], more, [least[0], most[1]]);
+        (net, at(&self.tile.potential))
+    }
+}
+
 impl TileRows for Under<'_> {
     type Steps = ();
 
@@ -100,24 +119,29 @@ impl TileRows for Under<'_> {
         self.tile.sums(rows, self.applied)
     }
 
-    fn energies(&self, i: usize, (): &()) -> Energies {
-        let at = |column: &Column| column.get(i).ends_on_grid();
-        let more = match self.applied {
-            true => at(&self.tile.more),
-            false => [0, 0],
-        };
-        let [least, most] = self.tile.taken.each_ref().map(at);
-        let [linear, quantized] = [&self.tile.linear, &self.tile.quantized].map(at);
-        let [_, _, _, net, _] = figures([linear, quantized], more, [least[0], most[1]]);
-        Energies {
-            net: net[0],
-            step: net,
-            end: at(&self.tile.potential),
+    fn courses(&self, rows: &Range<usize>, (): &()) -> Courses {
+        let mut courses = Courses::default();
+        for (i, h) in rows.clone().zip(1..) {
+            let (net, potential) = self.energies(i);
+            let supply = courses.supply.iter_mut().zip(&mut courses.lowest);
+            for ((sum, lowest), (step, end)) in supply.zip(net.into_iter().zip(potential)) {
+                sum.step(step, h);
+                lowest.keep(sum.sum + end, h);
+            }
+            courses.net.step(net[0], h);
+            courses.stored.keep(courses.net.sum + potential[0], h);
+            courses.worst.keep(net[0], h);
         }
+        courses
     }
 
-    fn observed(&self) -> [i128; TILE] {
-        observed(self.tile, self.applied).map(on_grid)
+    fn observer(&self, rows: &Range<usize>) -> Course<i128> {
+        let mut course = Course::default();
+        let observed = observed(self.tile, self.applied);
+        for (layers, h) in observed[rows.clone()].iter().zip(1..) {
+            course.step(on_grid(*layers), h);
+        }
+        course
     }
 
     fn truths(&self, i: usize) -> Truths {

@@ -379,21 +379,22 @@ proptest! {
         if !rows.is_empty() {
             let steps = tile.steps(&rows, running, alone.excess()).unwrap();
             let sums = tile.sums(&rows, &steps);
-            let (mut net, mut observed, mut supply) = (0, 0, [0; 2]);
+            let mut observed = 0;
             for i in rows.clone() {
-                let found = tile.energies(i, &steps);
-                net += found.net;
-                observed += tile.observed()[i];
-                prop_assert!(sums.least_row <= found.net && sums.least_net <= net);
-                prop_assert!(sums.least_stored <= net + found.end[0] && sums.least_observed <= observed);
+                let (found, figures) = (tile.courses(&(rows.start..i + 1), &steps), tile.figures(i).unwrap());
+                let net = found.net.sum;
+                observed += figures.observed;
+                prop_assert!(sums.least_row <= figures.sums[3][0] && sums.least_net <= net);
+                prop_assert!(sums.least_stored <= net + figures.stored[0] && sums.least_observed <= observed);
                 let least = sums.least_supply.iter().zip(sums.least_supplied);
-                let added = found.step.iter().zip(found.end);
-                for ((sum, (step, end)), (alone, with_end)) in supply.iter_mut().zip(added).zip(least) {
-                    *sum += step;
-                    prop_assert!(*alone <= *sum && with_end <= *sum + end);
+                let added = found.supply.iter().zip(figures.stored);
+                for ((sum, end), (alone, with_end)) in added.zip(least) {
+                    prop_assert!(*alone <= sum.sum && (with_end <= sum.sum + end || !running));
                 }
             }
-            prop_assert_eq!((sums.sums[3][0], sums.observed, sums.supply), (net, observed, supply));
+            let all = tile.courses(&rows, &steps);
+            prop_assert_eq!((sums.sums[3][0], sums.observed), (all.net.sum, observed));
+            prop_assert_eq!(sums.supply, all.supply.map(|sum| sum.sum));
         }
         for _ in 0..3 {
             // Again and again: what the energies fall below the first time, they may not the next.
