@@ -332,16 +332,16 @@ fn main() {
     reached &= report(
         "counts, even clock and forces, from Parquet",
         from_parquet_of(&even),
-        2e6,
+        3e6,
         "intervals/s",
     );
     let _ = std::fs::remove_file(&path);
     drop((arrays, even));
-    let log = uneven_csv(true, 200_000);
+    let log = uneven_csv(true, 2_000_000);
     reached &= report(
         "counts, uneven clock and forces, from CSV",
         timed(&|| from_csv_of(&log)),
-        4e5,
+        2e6,
         "intervals/s",
     );
     // 24 hours at 1 kHz: 86.4 million samples.
