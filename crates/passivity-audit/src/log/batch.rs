@@ -31,22 +31,15 @@ pub(crate) struct Batch {
     pub(crate) intervals: u64,
     /// The five figures that totals are kept of, at the least and at the most.
     sums: [[i128; 2]; 5],
-    net: Course<i128>,
+    courses: Courses<i128>,
     observer: Course<i128>,
-    /// Where net energy plus potential was least.
-    stored: Least<i128>,
-    /// What is left of what was stored at the start, where the verdict is about it, at the least and at the
-    /// most; and where it was least with the potential.
-    supply: [Course<i128>; 2],
-    lowest: [Least<i128>; 2],
     /// The excess force of the last interval, where it had any.
     excess: Option<Bounds>,
     /// What intervals answer, the first of those that are alike and how many, but for the latest of them; and these.
     tallied: Vec<(Truths, u64, u64)>,
     alike: (Option<Truths>, u64, u64),
-    /// The first interval of each kind, and the one with the least net energy.
+    /// The first interval of each kind.
     firsts: [Option<u64>; 5],
-    worst: Least<i128>,
 }
 
 impl Batch {
@@ -78,7 +71,7 @@ impl Batch {
         }
         let ([_, _, _, [net, _], _], [potential, _]) = (addend.sums, addend.potential);
         let steps = supply.as_ref().map(|supply| [supply.step, supply.end]);
-        self.step((net, potential), steps, h);
+        self.courses.step((net, potential), steps, h);
         if let Some(supply) = supply {
             self.excess = supply.excess;
         }
@@ -114,14 +107,14 @@ impl Batch {
         let sums = tile.sums(&rows, &steps);
         if self.is_quiet(&sums, running) {
             let [_, _, _, [net, _], _] = sums.sums;
-            self.net.sum += net;
+            self.courses.net.sum += net;
             if running {
-                for (sum, step) in self.supply.iter_mut().zip(sums.supply) {
+                for (sum, step) in self.courses.supply.iter_mut().zip(sums.supply) {
                     sum.sum += step;
                 }
             }
         } else {
-            self.append(&tile.courses(&rows, &steps), running);
+            self.courses.append(&tile.courses(&rows, &steps), before);
         }
         if running {
             self.excess = sums.excess;
@@ -152,51 +145,17 @@ impl Batch {
         let stays =
             |least: &Least<i128>, found: i128| least.0.is_some_and(|(least, _)| found >= least);
         let least = sums.least_supply.iter().zip(&sums.least_supplied);
-        let mut supplies = self.supply.iter().zip(&self.lowest).zip(least);
+        let courses = &self.courses;
+        let mut supplies = courses.supply.iter().zip(&courses.lowest).zip(least);
         let mut supplied = || {
             supplies.all(|((sum, lowest), (alone, with_end))| {
                 sum.sum + alone >= sum.least && stays(lowest, sum.sum + with_end)
             })
         };
-        self.net.sum + sums.least_net >= self.net.least
-            && stays(&self.stored, self.net.sum + sums.least_stored)
-            && stays(&self.worst, sums.least_row)
+        courses.net.sum + sums.least_net >= courses.net.least
+            && stays(&courses.stored, courses.net.sum + sums.least_stored)
+            && stays(&courses.worst, sums.least_row)
             && (!running || supplied())
-    }
-
-    /// Goes on with what the rows after those before make of the sums of which the least is kept.
-    fn append(&mut self, courses: &Courses, running: bool) {
-        let before = self.intervals;
-        if running {
-            let ours = self.supply.iter_mut().zip(&mut self.lowest);
-            let theirs = courses.supply.iter().zip(&courses.lowest);
-            for ((sum, lowest), (added, found)) in ours.zip(theirs) {
-                lowest.append(found, &sum.sum, before);
-                sum.append(added, before);
-            }
-        }
-        self.stored.append(&courses.stored, &self.net.sum, before);
-        self.net.append(&courses.net, before);
-        // Rows are counted from zero there.
-        if let Some((net, h)) = courses.worst.0 {
-            self.worst.keep(net, before + h - 1);
-        }
-    }
-
-    /// Goes on with the sums of which the least is kept: by net energy and the potential after it, and by what is added
-    /// to T and what that has beside, of the interval `h`, from 1.
-    #[inline(always)]
-    fn step(&mut self, (net, potential): (i128, i128), supply: Option<[[i128; 2]; 2]>, h: u64) {
-        if let Some([steps, ends]) = supply {
-            let sums = self.supply.iter_mut().zip(&mut self.lowest);
-            for ((sum, lowest), (step, end)) in sums.zip(steps.into_iter().zip(ends)) {
-                sum.step(step, h);
-                lowest.keep(sum.sum + end, h);
-            }
-        }
-        self.net.step(net, h);
-        self.stored.keep(self.net.sum + potential, h);
-        self.worst.keep(net, h - 1);
     }
 
     /// Takes note of so many intervals with the same answers, the first of them `h`.
@@ -242,26 +201,27 @@ impl Batch {
         let mut account = Account {
             intervals: self.intervals,
             sums: self.sums.map(FigureSum::of_grid),
-            net: RunningSum::of_grid(self.net, self.intervals),
+            net: RunningSum::of_grid(self.courses.net, self.intervals),
             observer: RunningSum::of_grid(self.observer, self.intervals),
             tallies,
             ..Account::default()
         };
         if running {
             let sums = self
+                .courses
                 .supply
                 .map(|sum| RunningSum::of_grid(sum, self.intervals));
-            let lowest = self.lowest.map(lowest);
+            let lowest = self.courses.lowest.map(lowest);
             account.supply =
                 Supply::from_parts(sums, lowest, Some(self.excess.unwrap_or(NO_FORCE)));
         } else {
-            account.stored = lowest(self.stored);
+            account.stored = lowest(self.courses.stored);
         }
         for (slot, first) in account.firsts.iter_mut().zip(self.firsts) {
             *slot = first.map(&place).transpose()?;
         }
-        if let Some((least, h)) = self.worst.0 {
-            account.worst = Some((on_grid(least), place(h)?));
+        if let Some((least, h)) = self.courses.worst.0 {
+            account.worst = Some((on_grid(least), place(h - 1)?));
         }
         Ok(account)
     }

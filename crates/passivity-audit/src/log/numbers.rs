@@ -216,21 +216,19 @@ impl Balls {
         self.middles.len()
     }
 
-    /// Appends the balls of decimals, from the first that has none on, up to one that has none.
+    /// Appends the balls of numbers, from the first that has none on, up to one that has none.
     #[inline]
-    fn complete(
+    pub(crate) fn complete<T>(
         &mut self,
-        numerators: &[i64],
-        powers: &[u8],
-        ball: impl Fn(i64, u8) -> Option<Ball>,
+        numbers: impl ExactSizeIterator<Item = T>,
+        ball: impl Fn(T) -> Option<Ball>,
     ) {
         let mut known = self.len();
-        let decimals = numerators.iter().zip(powers).skip(known);
-        self.middles.resize(numerators.len(), 0.0);
-        self.radii.resize(numerators.len(), 0.0);
+        self.middles.resize(numbers.len(), 0.0);
+        self.radii.resize(numbers.len(), 0.0);
         let parts = self.middles.iter_mut().zip(&mut self.radii).skip(known);
-        for ((n, k), (middle, radius)) in decimals.zip(parts) {
-            let Some(ball) = ball(*n, *k) else { break };
+        for (x, (middle, radius)) in numbers.skip(known).zip(parts) {
+            let Some(ball) = ball(x) else { break };
             (*middle, *radius) = ball.parts();
             known += 1;
         }
@@ -252,21 +250,6 @@ impl Balls {
             (*middle, *radius) = (*from, *off);
         }
         len
-    }
-
-    /// The same of doubles.
-    #[inline]
-    pub(crate) fn complete_doubles(&mut self, values: &[f64], ball: impl Fn(f64) -> Option<Ball>) {
-        let mut known = self.len();
-        self.middles.resize(values.len(), 0.0);
-        self.radii.resize(values.len(), 0.0);
-        let parts = self.middles.iter_mut().zip(&mut self.radii).skip(known);
-        for (x, (middle, radius)) in values.iter().skip(known).zip(parts) {
-            let Some(ball) = ball(*x) else { break };
-            (*middle, *radius) = ball.parts();
-            known += 1;
-        }
-        self.truncate(known);
     }
 
     fn truncate(&mut self, len: usize) {
@@ -370,7 +353,8 @@ impl Readings {
             } = self;
             match written {
                 Numbers::Decimals(numerators, powers) => {
-                    near.complete(numerators, powers, |n, k| scale.near(*kind, n, k));
+                    let decimals = numerators.iter().zip(powers.iter());
+                    near.complete(decimals, |(n, k)| scale.near(*kind, *n, *k));
                 }
                 Numbers::Doubles(values) => scale.complete(*kind, values, near),
                 Numbers::Any(_) => {}

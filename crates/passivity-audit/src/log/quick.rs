@@ -23,9 +23,8 @@
 //! Together that is less than 70u·s, and 2⁻⁴⁶ is 128u.
 //!
 //! A figure that is surely zero, or surely not rounded, is not widened: what standing still draws decides many a trace, and
-//! where the least of it stays the same the first such row is told. Where
-//! the device may have stood still, |k| ≤ 1, the least net energy is zero or below, and which of both is told by what
-//! each parabola rises with from there.
+//! where the least of it stays the same the first such row is told. Where the device may have stood still, |k| ≤ 1, the
+//! least net energy is zero or below, and which of both is told by what each parabola rises with from there.
 
 use passivity_core::counted::{Arc, Crossing, Resistance};
 use passivity_core::{Criterion, Friction, Scalar as _, dissipation};
@@ -63,7 +62,7 @@ pub(crate) struct Quick {
     criteria: [Criterion<Plain>; 2],
     /// What both frictions are off by at most: viscous and Coulomb friction.
     off: [f64; 2],
-    /// What the numbers of each criterion are.
+    /// What the numbers of each criterion are off by.
     off_criteria: [[f64; 2]; 2],
     pub(crate) friction_is_exact: bool,
 }

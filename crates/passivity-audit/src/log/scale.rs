@@ -96,10 +96,10 @@ impl Scale {
     pub(crate) fn complete(&self, kind: Kind, values: &[f64], near: &mut Balls) {
         let slower = |x: f64| self.near_double(kind, x);
         match self {
-            Self::One | Self::Factor(_) => near.complete_doubles(values, slower),
+            Self::One | Self::Factor(_) => near.complete(values.iter(), |x| slower(*x)),
             Self::Irrational(by) => {
                 let quick = by.of_doubles(kind);
-                near.complete_doubles(values, |x| quick(x).or_else(|| slower(x)));
+                near.complete(values.iter(), |x| quick(*x).or_else(|| slower(*x)));
             }
         }
     }

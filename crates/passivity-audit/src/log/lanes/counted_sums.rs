@@ -1,13 +1,14 @@
 //! Sums over rows of counts, and how low they may get on the way.
 
-use std::ops::Range;
+use std::cmp::Ordering;
+use std::ops::{Add, Range};
 
 use multiversion::multiversion;
-use passivity_core::course::{Course, Least};
+use passivity_core::course::Course;
 
 use super::TILE;
 use super::counted::{Counted, Ends, NONE, both};
-use super::sums::{Courses, Sums, TileRows, lowest};
+use super::sums::{Courses, Sums, TileRows, course, lowest};
 use crate::ledger::Truths;
 use crate::log::quick::{End, carried, parts, units, whole};
 use crate::log::supply::{Bounds, NO_FORCE};
@@ -33,61 +34,30 @@ fn difference([upper, lower]: End, [upper_less, lower_less]: End) -> [End; 2] {
     }
 }
 
-/// Whether one end is below another: exactly, as is the sign of a sum of two parts.
-#[inline(always)]
-fn is_below([upper, lower]: End, [upper_than, lower_than]: End) -> bool {
-    (upper - upper_than) + (lower - lower_than) < 0.0
-}
-
-/// [`Course`] of ends: from row to row nothing is rounded.
+/// An end, in order and added up exactly, as far as a tile goes.
 #[derive(Clone, Copy, Default)]
-struct Way {
-    sum: End,
-    least: End,
-    at: u64,
-}
+struct Exact(End);
 
-impl Way {
-    #[inline(always)]
-    fn step(&mut self, [upper, lower]: End, h: u64) {
-        self.sum = [self.sum[0] + upper, self.sum[1] + lower];
-        if is_below(self.sum, self.least) {
-            (self.least, self.at) = (self.sum, h);
-        }
-    }
-
-    fn course(self) -> Course<i128> {
-        Course {
-            sum: units(self.sum),
-            least: units(self.least),
-            at: self.at,
-        }
-    }
-}
-
-/// [`Least`] of ends, of which there are some.
-#[derive(Clone, Copy)]
-struct Low {
-    least: End,
-    at: u64,
-}
-
-impl Low {
-    const NONE: Self = Self {
-        least: [f64::INFINITY, 0.0],
-        at: 0,
-    };
+impl Add for Exact {
+    type Output = Self;
 
     #[inline(always)]
-    fn keep(&mut self, [upper, lower]: End, [more_upper, more_lower]: End, h: u64) {
-        let value = [upper + more_upper, lower + more_lower];
-        if is_below(value, self.least) {
-            (self.least, self.at) = (value, h);
-        }
+    fn add(self, Self([upper, lower]): Self) -> Self {
+        Self([self.0[0] + upper, self.0[1] + lower])
     }
+}
 
-    fn least(self) -> Least<i128> {
-        Least(Some((units(self.least), self.at)))
+impl PartialEq for Exact {
+    fn eq(&self, other: &Self) -> bool {
+        self.partial_cmp(other) == Some(Ordering::Equal)
+    }
+}
+
+impl PartialOrd for Exact {
+    #[inline(always)]
+    fn partial_cmp(&self, Self([upper, lower]): &Self) -> Option<Ordering> {
+        // The sign of a sum of two doubles is not rounded.
+        ((self.0[0] - upper) + (self.0[1] - lower)).partial_cmp(&0.0)
     }
 }
 
@@ -261,41 +231,25 @@ impl TileRows for Counted {
         }
     }
 
-    fn courses(&self, rows: &Range<usize>, Steps(steps): &Steps) -> Courses {
-        let (mut net, mut stored, mut worst) = (Way::default(), Low::NONE, Low::NONE);
-        let (mut supply, mut lowest) = ([Way::default(); 2], [Low::NONE; 2]);
+    fn courses(&self, rows: &Range<usize>, Steps(steps): &Steps) -> Courses<i128> {
+        let mut courses = Courses::default();
         for (i, h) in rows.clone().zip(1..) {
-            let row = at(&self.sums[3][0], i);
-            let ends = self.stored.each_ref().map(|end| at(end, i));
-            net.step(row, h);
-            stored.keep(net.sum, ends[0], h);
-            worst.keep(row, [0.0; 2], h);
-            if let Some(steps) = steps {
-                for (n, (sum, lowest)) in supply.iter_mut().zip(&mut lowest).enumerate() {
-                    sum.step(at(&steps[n], i), h);
-                    lowest.keep(sum.sum, ends[n], h);
-                }
-            }
+            let end = |ends: &Ends| Exact(at(ends, i));
+            let stored = self.stored.each_ref().map(end);
+            let supply = steps
+                .as_ref()
+                .map(|steps| [steps.each_ref().map(end), stored]);
+            courses.step((end(&self.sums[3][0]), stored[0]), supply, h);
         }
-        let lowest = match steps {
-            Some(_) => lowest.map(Low::least),
-            None => [Least(None); 2],
-        };
-        Courses {
-            net: net.course(),
-            stored: stored.least(),
-            worst: worst.least(),
-            supply: supply.map(Way::course),
-            lowest,
-        }
+        courses.map(|Exact(end)| units(end))
     }
 
     fn observer(&self, rows: &Range<usize>) -> Course<i128> {
-        let mut way = Way::default();
+        let mut observed = Course::default();
         for (i, h) in rows.clone().zip(1..) {
-            way.step(at(&self.observed, i), h);
+            observed.step(Exact(at(&self.observed, i)), h);
         }
-        way.course()
+        course(observed, |Exact(end)| units(end))
     }
 
     fn truths(&self, i: usize) -> Truths {

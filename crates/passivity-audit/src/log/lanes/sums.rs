@@ -1,6 +1,6 @@
 //! Sums over the rows of a tile, and how low they may get on the way.
 
-use std::ops::Range;
+use std::ops::{Add, Range};
 
 use multiversion::multiversion;
 use passivity_core::Scalar as _;
@@ -43,18 +43,69 @@ pub(crate) struct Sums {
     pub(crate) excess: Option<Bounds>,
 }
 
-/// What rows make of the sums of which the least is kept, in units of the grid, from zero at the first of them. Rows are
-/// counted from 1.
+/// What rows make of the sums of which the least is kept, from zero at the first of them. Rows are counted from 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Courses {
+pub(crate) struct Courses<T> {
     /// Net energy at the least, and where that and the potential were least.
-    pub(crate) net: Course<i128>,
-    pub(crate) stored: Least<i128>,
+    pub(crate) net: Course<T>,
+    pub(crate) stored: Least<T>,
     /// The least net energy of a row alone.
-    pub(crate) worst: Least<i128>,
-    /// What is added to T at the least and at the most, and where that and what T has beside were least.
-    pub(crate) supply: [Course<i128>; 2],
-    pub(crate) lowest: [Least<i128>; 2],
+    pub(crate) worst: Least<T>,
+    /// What is left of what was stored at the start, where the verdict is about it, at the least and at the most; and
+    /// where it was least with the potential.
+    pub(crate) supply: [Course<T>; 2],
+    pub(crate) lowest: [Least<T>; 2],
+}
+
+impl<T: Copy + Default + PartialOrd + Add<Output = T>> Courses<T> {
+    /// Goes on with row `h`: by net energy and the potential after it, and by what is added to T and what that has
+    /// beside.
+    #[inline(always)]
+    pub(crate) fn step(&mut self, (net, potential): (T, T), supply: Option<[[T; 2]; 2]>, h: u64) {
+        if let Some([steps, ends]) = supply {
+            let sums = self.supply.iter_mut().zip(&mut self.lowest);
+            for ((sum, lowest), (step, end)) in sums.zip(steps.into_iter().zip(ends)) {
+                sum.step(step, h);
+                lowest.keep(sum.sum + end, h);
+            }
+        }
+        self.net.step(net, h);
+        self.stored.keep(self.net.sum + potential, h);
+        self.worst.keep(net, h);
+    }
+
+    /// Goes on with the rows that follow these `rows`.
+    pub(crate) fn append(&mut self, other: &Self, rows: u64) {
+        let ours = self.supply.iter_mut().zip(&mut self.lowest);
+        for ((sum, lowest), (added, found)) in ours.zip(other.supply.iter().zip(&other.lowest)) {
+            lowest.append(found, &sum.sum, rows);
+            sum.append(added, rows);
+        }
+        self.stored.append(&other.stored, &self.net.sum, rows);
+        self.net.append(&other.net, rows);
+        self.worst.append(&other.worst, &T::default(), rows);
+    }
+
+    /// The same in other numbers.
+    pub(crate) fn map<U>(self, of: impl Fn(T) -> U + Copy) -> Courses<U> {
+        let least = |Least(found): Least<T>| Least(found.map(|(value, h)| (of(value), h)));
+        Courses {
+            net: course(self.net, of),
+            stored: least(self.stored),
+            worst: least(self.worst),
+            supply: self.supply.map(|sum| course(sum, of)),
+            lowest: self.lowest.map(least),
+        }
+    }
+}
+
+/// A sum in other numbers.
+pub(super) fn course<T, U>(sums: Course<T>, of: impl Fn(T) -> U) -> Course<U> {
+    Course {
+        sum: of(sums.sum),
+        least: of(sums.least),
+        at: sums.at,
+    }
 }
 
 /// Rows that were computed several at a time, all of them decided.
@@ -74,8 +125,8 @@ pub(crate) trait TileRows {
     /// Their sums.
     fn sums(&self, rows: &Range<usize>, steps: &Self::Steps) -> Sums;
 
-    /// What some rows make of the sums of which the least is kept.
-    fn courses(&self, rows: &Range<usize>, steps: &Self::Steps) -> Courses;
+    /// What some rows make of the sums of which the least is kept, in units of the grid.
+    fn courses(&self, rows: &Range<usize>, steps: &Self::Steps) -> Courses<i128>;
 
     /// What some rows make of what the observer sums up.
     fn observer(&self, rows: &Range<usize>) -> Course<i128>;
@@ -119,18 +170,11 @@ impl TileRows for Under<'_> {
         self.tile.sums(rows, self.applied)
     }
 
-    fn courses(&self, rows: &Range<usize>, (): &()) -> Courses {
+    fn courses(&self, rows: &Range<usize>, (): &()) -> Courses<i128> {
         let mut courses = Courses::default();
         for (i, h) in rows.clone().zip(1..) {
             let (net, potential) = self.energies(i);
-            let supply = courses.supply.iter_mut().zip(&mut courses.lowest);
-            for ((sum, lowest), (step, end)) in supply.zip(net.into_iter().zip(potential)) {
-                sum.step(step, h);
-                lowest.keep(sum.sum + end, h);
-            }
-            courses.net.step(net[0], h);
-            courses.stored.keep(courses.net.sum + potential[0], h);
-            courses.worst.keep(net[0], h);
+            courses.step((net[0], potential[0]), Some([net, potential]), h);
         }
         courses
     }
