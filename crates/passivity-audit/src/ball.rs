@@ -4,7 +4,7 @@
 use passivity_core::{BigRational, Scalar as _};
 
 use bits::{digits, is_double};
-pub(crate) use bits::{is_exact_sum, split, unless};
+pub(crate) use bits::{is_exact_sum, over_power_of_two, split, unless};
 
 use crate::log::near_rational;
 use crate::number::Number;

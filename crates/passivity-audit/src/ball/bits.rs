@@ -55,6 +55,21 @@ pub(super) fn digits(x: f64) -> u32 {
     f64::MANTISSA_DIGITS - x.to_bits().trailing_zeros().min(f64::MANTISSA_DIGITS - 1)
 }
 
+/// The digits of a double and how many of them, in binary, are behind its point: of normal numbers below 2⁵³ in size that
+/// are no zero; whatever its sign.
+#[inline(always)]
+pub(crate) fn over_power_of_two(x: f64) -> Option<(u64, u32)> {
+    const FRACTION: u32 = f64::MANTISSA_DIGITS - 1;
+    /// The exponent, as it is stored, of doubles whose digits are those of a whole number.
+    const WHOLE: u32 = 1023 + FRACTION;
+    let bits = x.to_bits();
+    let exponent = (bits >> FRACTION & 0x7ff) as u32;
+    let digits = bits & ((1 << FRACTION) - 1) | 1 << FRACTION;
+    (1..=WHOLE)
+        .contains(&exponent)
+        .then(|| (digits, WHOLE - exponent))
+}
+
 /// What rounding takes off a product, exactly, where neither number is near the least or the largest doubles.
 #[inline(always)]
 pub(super) fn rest_of_product(a: f64, b: f64) -> f64 {

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
 use passivity_core::{BigRational, Exact, Interval, Scalar};
 
-use crate::ball::Ball;
+use crate::ball::{Ball, over_power_of_two};
 use crate::log::error::TraceError;
 use crate::log::numbers::Kind;
 use crate::number::{Number, power_of_ten};
@@ -155,9 +155,6 @@ impl Irrational {
     /// is to be brought to lowest terms first, and what is cut off is less than one unit of the grid.
     #[inline]
     pub(crate) fn of_doubles(&self, kind: Kind) -> impl Fn(f64) -> Option<Ball> {
-        const FRACTION: u32 = f64::MANTISSA_DIGITS - 1;
-        /// The exponent, as it is stored, of doubles whose digits are those of a whole number.
-        const WHOLE: u32 = 1023 + FRACTION;
         const WORD: u32 = 64;
         /// Within so many units of a tick, it is asked more closely which one it is in.
         const EDGE: u64 = 4;
@@ -168,18 +165,12 @@ impl Irrational {
             if x == 0.0 {
                 return Some(Ball::whole(0));
             }
-            let bits = x.to_bits();
-            let exponent = (bits >> FRACTION & 0x7ff) as u32;
-            // Of normal numbers that are no longer than 64 bits as fractions of whole ones.
-            if !(1..=WHOLE).contains(&exponent) {
-                return None;
-            }
-            let shift = (by.shift - span::BITS + WHOLE) - exponent;
+            let (digits, behind) = over_power_of_two(x)?;
+            let shift = by.shift - span::BITS + behind;
             // Digits and mantissa are below 2⁵³ and 2¹²⁰: cut off here, the product has room.
             if !(WORD..2 * WORD).contains(&shift) {
                 return None;
             }
-            let digits = bits & ((1 << FRACTION) - 1) | 1 << FRACTION;
             let [upper, lower] = [by.mantissa >> WORD, by.mantissa & u128::from(u64::MAX)];
             let low = u128::from(digits) * lower;
             let high = u128::from(digits) * upper + (low >> WORD);

@@ -5,7 +5,7 @@ use super::computed::UNIT;
 use super::error::TraceError;
 use super::layout::Layout;
 use super::numbers::Numbers;
-use crate::ball::is_exact_sum;
+use crate::ball::{is_exact_sum, over_power_of_two};
 use crate::ledger::Logged;
 use crate::number::{Number, power_of_ten};
 
@@ -59,20 +59,14 @@ pub(crate) fn periods(layout: &Layout, chunk: &Chunk, i: usize) -> Option<(i64, 
 /// most are.
 #[inline(always)]
 fn difference_of_doubles(from: f64, to: f64) -> Option<(i64, i64)> {
-    const FRACTION: u32 = f64::MANTISSA_DIGITS - 1;
-    /// The exponent, as it is stored, of doubles whose digits are those of a whole number.
-    const WHOLE: u64 = 1023 + FRACTION as u64;
     let difference = to - from;
-    let bits = difference.to_bits();
-    let exponent = bits >> FRACTION;
-    // With a sign the exponent is larger, and without one zero for zero.
-    if exponent == 0 || exponent > WHOLE || !is_exact_sum(to, -from) {
+    if !(difference > 0.0 && is_exact_sum(to, -from)) {
         return None;
     }
-    let digits = (bits & ((1 << FRACTION) - 1) | 1 << FRACTION).cast_signed();
+    let (digits, twos) = over_power_of_two(difference)?;
     let zeros = digits.trailing_zeros();
-    let twos = u32::try_from(WHOLE - exponent).ok()?.checked_sub(zeros)?;
-    (twos < i64::BITS - 1).then(|| (digits >> zeros, 1 << twos))
+    let twos = twos.checked_sub(zeros)?;
+    (twos < i64::BITS - 1).then(|| ((digits >> zeros).cast_signed(), 1 << twos))
 }
 
 /// Δτ between two times.
