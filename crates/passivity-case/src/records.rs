@@ -4,7 +4,6 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use passivity_core::sources::SOURCES;
 use passivity_evidence as evidence;
 use passivity_evidence::{
     Assessed, Change, Claim, Claims, Engine, Evidence, EvidenceError, Freshness, Now, Sha256,
@@ -93,8 +92,10 @@ impl Records {
             }
             None => {
                 let claims = Text::of_build(Claims::PATH, evidence::CLAIMS);
-                let evidence =
-                    given.unwrap_or_else(|| Text::of_build("evidence", evidence::EVIDENCE));
+                let evidence = match given {
+                    Some(evidence) => evidence,
+                    None => Text::of_build("evidence", &evidence::recorded()?),
+                };
                 Self::of_texts(&claims, &evidence, Origin::Build, |path| Ok(in_build(path)))
             }
         }
@@ -256,9 +257,14 @@ fn recorded_in(root: &Path) -> Result<PathBuf, CaseError> {
 /// A source file as this build has it: of the kernel every file, and no other.
 fn in_build(path: &str) -> Now {
     let kernel = |path: &str| Path::new(path).parent().map(Path::to_owned);
-    match SOURCES.iter().find(|(name, _)| *name == path) {
-        Some((_, text)) => Now::Is(Sha256::of(text.as_bytes())),
-        None if SOURCES.iter().any(|(name, _)| kernel(name) == kernel(path)) => Now::Gone,
+    match evidence::KERNEL.iter().find(|(name, _)| *name == path) {
+        Some((_, sum)) => Now::Is(*sum),
+        None if evidence::KERNEL
+            .iter()
+            .any(|(name, _)| kernel(name) == kernel(path)) =>
+        {
+            Now::Gone
+        }
         None => Now::NotAtHand,
     }
 }
@@ -277,14 +283,12 @@ mod tests {
             assert_eq!(matches!(in_build(&file), Now::Is(_)), of_kernel, "{file}");
             assert!(of_kernel || in_build(&file) == Now::NotAtHand, "{file}");
         }
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../passivity-core/src");
-        for entry in std::fs::read_dir(folder).unwrap() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let kernel = root.join("crates/passivity-core/src");
+        for entry in std::fs::read_dir(kernel).unwrap() {
             let name = entry.unwrap().file_name().into_string().unwrap();
             let path = format!("crates/passivity-core/src/{name}");
-            assert!(
-                matches!(in_build(&path), Now::Is(_)),
-                "{path}: add it to sources.rs"
-            );
+            assert_eq!(in_build(&path), in_tree(&root, &path).unwrap());
         }
         assert_eq!(in_build("crates/passivity-core/src/gone.rs"), Now::Gone);
         assert_eq!(in_build("proofs/smt/queries/th_lin.smt2"), Now::NotAtHand);

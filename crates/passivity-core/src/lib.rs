@@ -86,7 +86,6 @@ pub mod rational;
 pub mod region;
 pub mod scalar;
 pub mod smoothed;
-pub mod sources;
 pub mod spring;
 pub mod start;
 pub mod stiffness;

@@ -16,6 +16,8 @@
     )
 )]
 
+use std::io::Read as _;
+
 mod claims;
 mod engine;
 mod error;
@@ -35,8 +37,24 @@ pub use sha256::Sha256;
 /// The claims that this crate was built with: the text of `claims.toml`.
 pub const CLAIMS: &str = include_str!("../data/claims.toml");
 
+/// The files of the kernel that this crate was built with: their paths from the root of the
+/// workspace, in order, and their sums. A program that runs where the sources are not can so still
+/// say which evidence speaks of the kernel that it was built from.
+pub const KERNEL: &[(&str, Sha256)] = include!(concat!(env!("OUT_DIR"), "/kernel.rs"));
+
 /// The evidence that this crate was built with: the text of `evidence.json`.
-pub const EVIDENCE: &str = include_str!("../data/evidence.json");
+///
+/// # Errors
+///
+/// A build whose copy, which is kept compressed, was damaged.
+pub fn recorded() -> Result<String, EvidenceError> {
+    const COMPRESSED: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/evidence"));
+    let mut text = String::new();
+    let read = flate2::read::DeflateDecoder::new(COMPRESSED).read_to_string(&mut text);
+    let name = std::path::Path::new("the evidence of this build");
+    read.map_err(|error| EvidenceError::io(name, &error))?;
+    Ok(text)
+}
 
 /// Reads a text file.
 ///

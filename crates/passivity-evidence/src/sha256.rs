@@ -8,7 +8,7 @@ use sha2::Digest as _;
 /// A SHA-256 sum; in files it is 64 hexadecimal digits.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, Serialize)]
 #[serde(try_from = "String", into = "String")]
-pub struct Sha256([u8; 32]);
+pub struct Sha256(pub(crate) [u8; 32]);
 
 impl Sha256 {
     /// The sum of some bytes.
