@@ -9,7 +9,7 @@ TIMES ?= 20
 SOLVERS = target/smt
 BIN = $(CARGO) run --quiet --release $(FLAGS) -p passivity-cli --
 # What `check` and `explain` need, built in a hurry: no pictures, no Parquet, no safety case.
-QUICK = $(CARGO) run --quiet --profile quick $(FLAGS) -p passivity-cli --no-default-features --features simulate --
+QUICK = $(CARGO) run --quiet $(FLAGS) -p passivity-cli --no-default-features --features simulate --
 # What only the benches need.
 BENCH = --features passivity-bench/criterion
 # Builds that leave something out.
@@ -22,7 +22,7 @@ PUBLISHED = core scene audit oracle vectors plot sim identify capi monitor monit
 export CARGO_INCREMENTAL ?= 0
 export CARGO_PROFILE_DEV_DEBUG ?= 0
 
-.PHONY: help setup run test check fmt clippy doc features package bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate test-python soak fuzz
+.PHONY: help setup run test size check fmt clippy doc features package bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate test-python soak fuzz
 
 help: ## list the targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -40,6 +40,12 @@ test: setup ## run all tests, and ask the solvers every claim
 	@echo "== cargo test --workspace"
 	$(CARGO) test $(FLAGS) --workspace
 	@$(MAKE) --no-print-directory prove-smt
+
+size: setup ## build the program as it is released, and show that it is under 20 MB
+	@echo "== cargo build --release -p passivity-cli"
+	$(CARGO) build --release $(FLAGS) -p passivity-cli
+	@bytes=$$(wc -c < $${CARGO_TARGET_DIR:-target}/release/passivity); \
+	    echo "the program has $$bytes bytes; fewer than 20000000 are wanted"; test $$bytes -lt 20000000
 
 check: fmt clippy doc test ## format, lints, documentation and all tests
 

@@ -1,10 +1,16 @@
 //! A picture as PNG, with a font that is part of the program.
 
+use std::io::Read as _;
 use std::sync::Arc;
 
+use flate2::read::DeflateDecoder;
 use resvg::{tiny_skia, usvg};
 
 use crate::PlotError;
+
+/// DejaVu Sans, compressed by this crate's `build.rs`.
+const REGULAR: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/regular"));
+const BOLD: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/bold"));
 
 /// The picture as the bytes of a PNG file, at twice the size, with the font DejaVu Sans.
 ///
@@ -14,8 +20,12 @@ use crate::PlotError;
 pub fn to_png(svg: &str) -> Result<Vec<u8>, PlotError> {
     const SCALE: f32 = 2.0;
     let mut fonts = usvg::fontdb::Database::new();
-    fonts.load_font_data(dejavu::sans::regular().to_vec());
-    fonts.load_font_data(dejavu::sans::bold().to_vec());
+    for weight in [REGULAR, BOLD] {
+        let mut font = Vec::new();
+        let read = DeflateDecoder::new(weight).read_to_end(&mut font);
+        read.map_err(|error| PlotError::new(format!("the font of this build: {error}")))?;
+        fonts.load_font_data(font);
+    }
     fonts.set_sans_serif_family("DejaVu Sans");
     let options = usvg::Options {
         font_family: "DejaVu Sans".to_owned(),
