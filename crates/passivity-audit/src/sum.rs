@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::{One as _, Zero as _};
-use passivity_core::{BigRational, Interval};
+use passivity_core::{BigRational, Interval, whole};
 
 use crate::figure::Figure;
 use crate::number::{Reduced, Written};
@@ -124,7 +124,7 @@ impl Sum {
             return;
         }
         // Perhaps it only looks that wide.
-        let reduced = BigRational::new(std::mem::take(n), std::mem::take(d));
+        let reduced = whole::fraction(std::mem::take(n), std::mem::take(d));
         self.big = if reduced.denom().bits() <= self.most_bits / 2 {
             reduced.into_raw()
         } else {
@@ -139,7 +139,7 @@ impl Sum {
         self.add_small(other.small.0, other.small.1);
         let (n, d) = &other.big;
         if !n.is_zero() {
-            self.add_rational(&BigRational::new(n.clone(), d.clone()));
+            self.add_rational(&whole::fraction(n.clone(), d.clone()));
         }
         if !other.slack.is_zero() {
             self.slack += &other.slack;
@@ -178,9 +178,8 @@ impl Sum {
     /// The sum: exact, or enclosed once its denominator grew past [`MAX_DENOMINATOR_BITS`].
     #[must_use]
     pub fn value(&self) -> Figure<BigRational> {
-        let (n, d) = self.small;
-        let (big_n, big_d) = self.big.clone();
-        let lo = BigRational::new(big_n, big_d) + BigRational::new(n.into(), d.into());
+        let ((n, d), (big_n, big_d)) = (self.small, &self.big);
+        let lo = whole::fraction(big_n * d + big_d * n, big_d * d);
         if self.slack.is_zero() {
             return Figure::Exact(lo);
         }
