@@ -1,5 +1,6 @@
 //! Rows on machine integers where they fit, on big integers where they do not: the same answers.
 
+use num_integer::Integer as _;
 use passivity_core::verdict::End;
 use passivity_core::{BigRational, Effect, Exact, Fixed, Interval, Loop, Truth, Wide, rational};
 use passivity_scene::Scene;
@@ -154,9 +155,13 @@ impl Ledger {
     pub fn row(&self, interval: &Logged) -> Option<Row> {
         let dtau = interval.dtau.to_fixed();
         let fixed = self.fixed.as_ref().zip(dtau).and_then(|(ends, dtau)| {
-            interval
-                .read()
-                .row(ends, self.window(), &dtau, Reading::to_fixed)
+            let row = |known: &dyn Fn(&Reading) -> Option<Figure<Fixed>>| {
+                interval.read().row(ends, self.window(), &dtau, known)
+            };
+            // Over one denominator sums of positions and forces are no longer fractions than these.
+            let common = interval.denominator();
+            let over_common = common.and_then(|common| row(&|reading| reading.over(common)));
+            over_common.or_else(|| row(&Reading::to_fixed))
         });
         match fixed {
             Some(entry) => Some(Row::Fixed(Box::new(entry))),
@@ -197,6 +202,20 @@ pub(crate) struct Read<'r, R> {
 }
 
 impl Logged {
+    /// The least denominator of all short fractions among positions and force, where 64 bits hold it.
+    fn denominator(&self) -> Option<i64> {
+        let readings = self.samples.iter().chain([&self.end]).chain(&self.force);
+        let mut denominators = readings.filter_map(|reading| match reading {
+            Reading::Exact(Number::Small(_, d)) => Some(*d),
+            _ => None,
+        });
+        let first = denominators.next()?;
+        denominators.try_fold(first, |all, d| match all % d {
+            0 => Some(all),
+            _ => all.checked_mul(d / all.gcd(&d)),
+        })
+    }
+
     pub(crate) fn read(&self) -> Read<'_, std::slice::Iter<'_, Reading>> {
         Read {
             samples: self.samples.iter(),
@@ -324,5 +343,58 @@ impl Row {
     /// Adds the five figures that totals are kept of, `times` over; `None` when one is undefined.
     pub(crate) fn add_to(&self, sums: &mut [FigureSum; 5], times: u64) -> Option<()> {
         on_entry!(self, entry => entry.add_to(sums, times))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use passivity_core::Friction;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn number() -> impl Strategy<Value = Number> {
+        let denominator = prop_oneof![
+            Just(1_i64),
+            1..40_i64,
+            (0..10_u32).prop_map(|k| 10_i64.pow(k)),
+            Just(i64::MAX),
+        ];
+        let numerator = prop_oneof![-50..50_i64, -1_000_000_000..1_000_000_000_i64, any::<i64>()];
+        (numerator, denominator).prop_map(|(n, d)| Number::Small(n, d))
+    }
+
+    proptest! {
+        #[test]
+        fn rows_over_one_denominator_are_those_of_big_integers(
+            [start, end, force] in prop::array::uniform3(number()),
+            (is_counted, is_forced) in any::<(bool, bool)>(),
+            (n, d) in (1..2000_i64, 1..2000_i64),
+        ) {
+            let friction = |n, d| Number::Small(n, d).to_rational();
+            let plain = Loop::plain(Friction::new(friction(3, 7), friction(5, 11)));
+            let ledger = Ledger::new(&plain.map(|_, x| Interval::point(x.clone()))).unwrap();
+            let at = |x: Number, n: i64| match is_counted {
+                true => Reading::Count(n),
+                false => Reading::Exact(x),
+            };
+            let interval = Logged {
+                samples: vec![at(start, n)],
+                end: at(end, d),
+                dtau: Number::Small(n, d),
+                force: is_forced.then_some(Reading::Exact(force)),
+            };
+            let (row, wide) = (ledger.row(&interval), ledger.wide_entry(&interval));
+            let (row, wide) = (row.unwrap(), Row::Wide(Box::new(wide.unwrap())));
+            let form = crate::rows::Form { enclosures: true, force: true };
+            let written = |row: &Row| {
+                let mut text = Vec::new();
+                form.write_positions(row, &mut text)?;
+                form.write_account(row, &mut text)?;
+                Some(text)
+            };
+            prop_assert_eq!(row.truths(), wide.truths());
+            prop_assert_eq!(written(&row), written(&wide));
+        }
     }
 }

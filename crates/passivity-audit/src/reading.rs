@@ -80,6 +80,17 @@ impl Reading {
         }
     }
 
+    /// The same, a short fraction over a multiple of its denominator.
+    pub(crate) fn over(&self, common: i64) -> Option<Figure<Fixed>> {
+        match self {
+            Self::Exact(Number::Small(n, d)) => {
+                let n = i128::from(*n) * i128::from(common / d);
+                Some(Figure::Exact(Fixed::new(n, common.into())))
+            }
+            other => other.to_fixed(),
+        }
+    }
+
     /// Whether it is known to be the same number as another, which a count never is: what stands still
     /// generates nothing, however little is known of where.
     #[must_use]
