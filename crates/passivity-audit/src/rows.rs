@@ -81,6 +81,23 @@ impl<S: Written> Shown<Vec<u8>> for &S {
     }
 }
 
+/// A whole number.
+#[derive(Clone, Copy)]
+pub(crate) struct Whole(pub(crate) i64);
+
+impl<O: Out> Shown<O> for Whole {
+    #[inline(always)]
+    fn write_below(self, out: &mut O) -> Option<()> {
+        out.append(b",")?;
+        out.append(itoa::Buffer::new().format(self.0).as_bytes())
+    }
+
+    #[inline(always)]
+    fn write_above(self, out: &mut O) -> Option<()> {
+        self.write_below(out)
+    }
+}
+
 /// A number that was rounded already.
 impl Shown<Line<'_>> for Fraction<'_> {
     #[inline(always)]

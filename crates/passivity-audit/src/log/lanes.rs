@@ -152,6 +152,28 @@ impl Intervals {
         self.lasts.middles[self.len..].fill(1.0);
     }
 
+    /// The same between counts, of which the ticks are told.
+    fn read_counts(
+        &mut self,
+        counts: &[i64],
+        forces: Option<&Readings>,
+        at: usize,
+        lengths: &[Length],
+    ) {
+        let pairs = counts.get(at..).unwrap_or_default().windows(2);
+        self.len = 0;
+        for ((pair, length), i) in pairs.zip(lengths).zip(0..TILE) {
+            let [from, to] = pair else { break };
+            self.start.set(i, Ball::whole(*from));
+            self.end.set(i, Ball::whole(*to));
+            self.lasts.set(i, length.near());
+            self.len = i + 1;
+        }
+        if let Some(forces) = forces {
+            self.len = self.len.min(self.force.copy(&forces.near, at, self.len));
+        }
+    }
+
     /// Where interval `i` starts and ends and how long it lasts, and its step.
     #[inline(always)]
     fn lanes(&self, i: usize) -> ([Lane; 3], Step<Lane>) {
@@ -298,6 +320,7 @@ impl Tiles {
 mod compute;
 mod counted;
 mod counted_sums;
+mod crossed;
 mod sums;
 #[cfg(test)]
 mod tests;

@@ -324,9 +324,14 @@ impl Readings {
         Some(Ball::from_parts(*middle, *radius))
     }
 
-    /// Whether [`get`](Self::get) gives an enclosure.
+    /// Whether [`get`](Self::get) gives enclosures.
+    pub(crate) const fn encloses(&self) -> bool {
+        self.scale.is_irrational()
+    }
+
+    /// Whether that is one.
     pub(crate) fn is_enclosed(&self, i: usize) -> bool {
-        self.scale.is_irrational() && self.ball(i).is_some_and(|ball| !ball.is_zero())
+        self.encloses() && self.ball(i).is_some_and(|ball| !ball.is_zero())
     }
 
     pub(crate) fn reserve(&mut self, rows: usize) {

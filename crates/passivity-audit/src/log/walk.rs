@@ -180,7 +180,13 @@ impl Walk<'_> {
                     text.ok_or_else(undefined).map(|text| text.append_to(rows))
                 };
                 let rows = start..self.at;
-                write((self.tiles, chunk), rows, form, &mut account.rows, alone)?;
+                write(
+                    (self.tiles, task.layout, chunk),
+                    rows,
+                    form,
+                    &mut account.rows,
+                    alone,
+                )?;
             }
             if self.is_point() {
                 account.plot();

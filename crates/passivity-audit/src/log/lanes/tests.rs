@@ -18,13 +18,13 @@ use crate::log::supply::Supplied;
 use crate::number::{Number, Reduced};
 use crate::rows::Form;
 
-const EXACT: &str = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"7/10\"";
+pub(super) const EXACT: &str = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"7/10\"";
 
 /// Friction between two ends that are far apart.
-const BETWEEN: &str = "[device]\nviscous = \"9e-6 N m s/rad ± 20%\"\ncoulomb = \"2e-3 N m ± 30%\"\n[sampling]\n\
+pub(super) const BETWEEN: &str = "[device]\nviscous = \"9e-6 N m s/rad ± 20%\"\ncoulomb = \"2e-3 N m ± 30%\"\n[sampling]\n\
     period = \"1 ms\"\n[encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"1 N m/rad\"\n";
 
-fn ledger(text: &str) -> Ledger {
+pub(super) fn ledger(text: &str) -> Ledger {
     Ledger::of_scene(&Scene::from_toml("s", text).unwrap())
 }
 
@@ -40,7 +40,7 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
-fn ball() -> impl Strategy<Value = Ball> {
+pub(super) fn ball() -> impl Strategy<Value = Ball> {
     let radius =
         prop_oneof![3 => Just(0.0), 3 => 0.0..1e-12, 1 => 0.0..0.3, 1 => Just(f64::INFINITY)];
     (number(), radius).prop_map(|(middle, radius)| match radius < 1.0 {

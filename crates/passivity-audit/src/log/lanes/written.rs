@@ -10,14 +10,16 @@ use multiversion::multiversion;
 use passivity_core::{Scalar as _, dissipation, generation, ledger, quantizer};
 
 use super::compute::{is_nonnegative, whole};
-use super::{Column, Intervals, Length, TILE, Tiles, truths};
+use super::{Column, Intervals, Length, TILE, Tiles, crossed, truths};
 use crate::ball::{Ball, Lane, unless};
 use crate::entry::margin_of;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::error::TraceError;
+use crate::log::layout::Layout;
+use crate::log::numbers::Readings;
 use crate::log::wall::Wall;
 use crate::number::{Denominator, Fraction, Fractions, Line, Number, Reduced, SEVERAL};
-use crate::rows::{Figures, Form};
+use crate::rows::{Figures, Form, Shown, Whole};
 
 /// Balls on the grid, as [`layers`](Ball::layers).
 #[derive(Clone, Copy)]
@@ -52,7 +54,7 @@ impl OnGrid {
 pub(super) struct Rows {
     /// The energies in the order of a row's columns and then the margin: at the least and at the most friction, which
     /// are the same column where friction is known.
-    balls: [[Column; 2]; 8],
+    pub(super) balls: [[Column; 2]; 8],
     figures: [[OnGrid; 2]; 8],
     /// Where they end, and the force of each.
     end: OnGrid,
@@ -62,18 +64,18 @@ pub(super) struct Rows {
     fractions: [[Fractions; 2]; 10],
     part: Option<usize>,
     /// What they answer, as bits.
-    truths: [u64; TILE],
-    /// Not zero where nothing moves.
-    rests: [u64; TILE],
+    pub(super) truths: [u64; TILE],
+    /// Which ends of the margin there are, as bits: at the least and at the most.
+    pub(super) margins: [u64; TILE],
     /// Above zero for the rows that are left open.
-    open: [f64; TILE],
+    pub(super) open: [f64; TILE],
     /// Where the column at the most friction is.
     most: usize,
 }
 
 /// Zero where two ends are in order, else one.
 #[inline(always)]
-fn in_order(least: Lane, most: Lane) -> f64 {
+pub(super) fn in_order(least: Lane, most: Lane) -> f64 {
     let ((least, _), (most, _)) = (least.parts(), most.parts());
     unless(least <= most)
 }
@@ -112,7 +114,7 @@ impl Rows {
             part: None,
             most: 0,
             truths: [0; TILE],
-            rests: [0; TILE],
+            margins: [0; TILE],
             open: [0.0; TILE],
         }
     }
@@ -190,19 +192,25 @@ impl Rows {
             }
             open += start.excess() + force.excess();
             self.truths[i] = whole(truths);
-            self.rests[i] = whole(1.0 - rests);
+            self.margins[i] = whole(3.0 * rests);
             self.open[i] = open;
         }
-        self.most = usize::from(!EXACT);
+        self.take(of, usize::from(!EXACT), APPLIED);
+    }
+
+    /// Takes what was computed to the grid, where the column at the most friction is this one.
+    #[inline(always)]
+    pub(super) fn take(&mut self, of: &Intervals, most: usize, applied: bool) {
+        self.most = most;
         self.part = None;
         let open = &mut self.open;
         for (figures, balls) in self.figures.iter_mut().zip(&self.balls) {
-            for (figure, balls) in figures.iter_mut().zip(balls).take(1 + self.most) {
+            for (figure, balls) in figures.iter_mut().zip(balls).take(1 + most) {
                 figure.take(balls, open);
             }
         }
         self.end.take(&of.end, open);
-        if APPLIED {
+        if applied {
             self.force.take(&of.force, open);
         }
     }
@@ -253,7 +261,7 @@ pub(super) struct Before {
 /// Writes some rows of a chunk that doubles decide; those that are not decided here are `left` to be written one by
 /// one.
 pub(crate) fn write(
-    (tiles, chunk): (&Tiles, &Chunk),
+    (tiles, layout, chunk): (&Tiles, &Layout, &Chunk),
     rows: Range<usize>,
     form: Form,
     out: &mut Vec<u8>,
@@ -261,25 +269,51 @@ pub(crate) fn write(
 ) -> Result<(), TraceError> {
     /// Fewer rows are written faster one by one.
     const FEW: usize = 8;
-    let (Some(wall), Samples::Any(samples), FEW..) = (&tiles.wall, &chunk.samples, rows.len())
-    else {
+    let forces = form.force.then_some(&chunk.forces.values);
+    let encloses = forces.is_some_and(Readings::encloses)
+        || matches!(&chunk.samples, Samples::Any(samples) if samples.encloses());
+    let (Some(wall), FEW.., true) = (&tiles.wall, rows.len(), encloses) else {
         return rows.into_iter().try_for_each(|i| left(i, out));
     };
-    let forces = form.force.then_some(&chunk.forces.values);
     let (mut of, mut found) = (Intervals::new(), Rows::new());
     let mut before = Before::new();
+    let mut own = [Length::OPEN; TILE];
     for at in rows.clone().step_by(TILE) {
-        let lengths = tiles.lengths.get(at..rows.end).unwrap_or_default();
-        of.read(samples, forces, at, lengths);
-        compute(&mut found, wall, &of, form.force);
+        let lengths = match &chunk.samples {
+            Samples::Any(samples) => {
+                let lengths = tiles.lengths.get(at..rows.end).unwrap_or_default();
+                of.read(samples, forces, at, lengths);
+                compute(&mut found, wall, &of, form.force);
+                lengths
+            }
+            Samples::Counts(counts) => {
+                for (length, i) in own.iter_mut().zip(at..rows.end) {
+                    *length = Length::of(layout, chunk, i);
+                }
+                of.read_counts(counts, forces, at, &own);
+                crossed::compute(&mut found, wall, &of);
+                &own[..]
+            }
+        };
         for (i, row) in (at..rows.end).take(TILE).enumerate() {
-            let is_enclosed = samples.is_enclosed(row + 1)
-                || forces.is_some_and(|forces| forces.is_enclosed(row));
+            let is_enclosed = forces.is_some_and(|forces| forces.is_enclosed(row))
+                || match &chunk.samples {
+                    Samples::Any(samples) => samples.is_enclosed(row + 1),
+                    Samples::Counts(_) => false,
+                };
             let from = out.len();
             let mut written = None;
             if is_enclosed && i < of.len {
-                let interval = (of.start.get(i), lengths[i]);
-                written = found.write(i, interval, &mut before, form, out);
+                written = match &chunk.samples {
+                    Samples::Any(_) => {
+                        let start = of.start.get(i);
+                        found.write(i, (start, lengths[i]), &mut before, form, out)
+                    }
+                    Samples::Counts(counts) => {
+                        let ends = [counts[row], counts[row + 1]];
+                        found.write_counts(i, (ends, lengths[i]), &mut before, form, out)
+                    }
+                };
             }
             if written.is_none() {
                 out.truncate(from);
@@ -301,6 +335,27 @@ impl Rows {
         form: Form,
         out: &mut Vec<u8>,
     ) -> Option<()> {
+        let (end, figures) = self.row(i, form)?;
+        before.write(([&start; 2], end, length), &figures, form, out)
+    }
+
+    /// The same of an interval between two counts.
+    pub(super) fn write_counts(
+        &mut self,
+        i: usize,
+        (counts, length): ([i64; 2], Length),
+        before: &mut Before,
+        form: Form,
+        out: &mut Vec<u8>,
+    ) -> Option<()> {
+        let (_, figures) = self.row(i, form)?;
+        // The ends of a tick; what is past the last one of 64 bits is left open.
+        let [start, end] = counts.map(|n| [Whole(n), Whole(n.wrapping_add(1))]);
+        before.write((start, end, length), &figures, form, out)
+    }
+
+    /// The position at the end of row `i`, and its figures; `None` where something is left open.
+    fn row(&mut self, i: usize, form: Form) -> Option<([Fraction<'_>; 2], Figures<Fraction<'_>>)> {
         if self.open[i] > 0.0 {
             return None;
         }
@@ -311,15 +366,15 @@ impl Rows {
         let all = all
             .each_ref()
             .map(|ends| ends.each_ref().map(|of| Fraction(of, i % SEVERAL)));
-        let [end, energies @ .., margin, force] = all;
-        let moves = self.rests[i] == 0;
+        let [end, energies @ .., [margin_lo, margin_hi], force] = all;
+        let has = |end: u64| self.margins[i] & end != 0;
         let figures = Figures {
             energies,
-            margin: margin.map(|end| moves.then_some(end)),
+            margin: [has(1).then_some(margin_lo), has(2).then_some(margin_hi)],
             truths: truths(self.truths[i]),
             force: force.map(|end| form.force.then_some(end)),
         };
-        before.write((start, end, length), &figures, form, out)
+        Some((end, figures))
     }
 }
 
@@ -333,7 +388,7 @@ impl Before {
     }
 
     /// Has no row before the next one.
-    fn forget(&mut self) {
+    pub(super) fn forget(&mut self) {
         self.end = 0..0;
     }
 
@@ -341,13 +396,17 @@ impl Before {
     #[inline(always)]
     fn write(
         &mut self,
-        (start, end, length): (Ball, [Fraction<'_>; 2], Length),
+        (start, end, length): (
+            [impl Shown<Vec<u8>>; 2],
+            [impl for<'a> Shown<Line<'a>>; 2],
+            Length,
+        ),
         figures: &Figures<Fraction<'_>>,
         form: Form,
         out: &mut Vec<u8>,
     ) -> Option<()> {
         if self.end.is_empty() {
-            form.position([&start; 2], out)?;
+            form.position(start, out)?;
         }
         let known = self.end.len();
         self.text.copy_within(self.end.clone(), 0);
