@@ -333,8 +333,15 @@ impl Written for Fixed {
         if d == 1 {
             return Some(Reduced::Small(n, d));
         }
+        // The machine's word is divided faster.
+        if let (Ok(n), Ok(d)) = (i64::try_from(n), i64::try_from(d))
+            && let Number::Small(n, d) = Number::Small(n, d).reduced()
+        {
+            return Some(Reduced::Small(n.into(), d.into()));
+        }
         let divisor = divisor(n.unsigned_abs(), d.unsigned_abs());
         Some(match i128::try_from(divisor) {
+            Ok(1) => Reduced::Small(n, d),
             Ok(divisor) => Reduced::Small(n / divisor, d / divisor),
             // Only |n| = 2¹²⁷ has such a divisor.
             Err(_) => BigRational::new(n.into(), d.into()).into(),
@@ -372,10 +379,15 @@ impl Written for BigRational {
     }
 }
 
-/// The greatest common divisor, by the machine's word where it fits.
+/// The greatest common divisor of two numbers, the second above zero: by the machine's word where that holds one of them.
 fn divisor(n: u128, d: u128) -> u128 {
+    let of_words = |small: u64, rest: u128| match u64::try_from(rest) {
+        Ok(rest) => small.gcd(&rest).into(),
+        Err(_) => u128::from(small).gcd(&rest),
+    };
     match (u64::try_from(n), u64::try_from(d)) {
-        (Ok(n), Ok(d)) => n.gcd(&d).into(),
+        (_, Ok(small)) => of_words(small, n % d),
+        (Ok(small), _) => of_words(small, d.checked_rem(n).unwrap_or(d)),
         _ => n.gcd(&d),
     }
 }
