@@ -116,38 +116,37 @@ pub(crate) struct Text {
 }
 
 impl Text {
-    /// The row of an interval that doubles decide.
-    pub(crate) fn of(task: &Task<'_>, interval: &Logged, form: Form) -> Option<Self> {
-        let near = Self::near(task.ledger, interval, form);
-        near.or_else(|| Self::exact(&task.ledger.row(interval)?, form))
+    /// Becomes the row of an interval that doubles decide, in the room of the one before.
+    pub(crate) fn fill(&mut self, task: &Task<'_>, interval: &Logged, form: Form) -> Option<()> {
+        self.clear();
+        if self.near(task.ledger, interval, form).is_some() {
+            return Some(());
+        }
+        self.clear();
+        self.exact(&task.ledger.row(interval)?, form)
+    }
+
+    fn clear(&mut self) {
+        self.positions.clear();
+        self.account.clear();
     }
 
     /// A row enclosed by doubles: of positions or a force that a factor with π in it leaves enclosed in any
     /// case, and where doubles leave nothing open.
-    fn near(ledger: &Ledger, interval: &Logged, form: Form) -> Option<Self> {
+    fn near(&mut self, ledger: &Ledger, interval: &Logged, form: Form) -> Option<()> {
         let is_scaled = |reading: &Reading| matches!(reading, Reading::Within(_));
         if !(is_scaled(&interval.end) || interval.force.as_ref().is_some_and(is_scaled)) {
             return None;
         }
         let entry = ledger.near_entry(interval.read(), &interval.dtau)?;
         let entry = entry.with_margin(ledger.near())?;
-        let mut text = Self {
-            positions: Vec::with_capacity(256),
-            account: Vec::with_capacity(1024),
-        };
-        form.write_near(
-            &entry,
-            &interval.dtau,
-            [&mut text.positions, &mut text.account],
-        )?;
-        Some(text)
+        let text = [&mut self.positions, &mut self.account];
+        form.write_near(&entry, &interval.dtau, text)
     }
 
-    fn exact(row: &Row, form: Form) -> Option<Self> {
-        let mut text = Self::default();
-        form.write_positions(row, &mut text.positions)?;
-        form.write_account(row, &mut text.account)?;
-        Some(text)
+    fn exact(&mut self, row: &Row, form: Form) -> Option<()> {
+        form.write_positions(row, &mut self.positions)?;
+        form.write_account(row, &mut self.account)
     }
 
     /// Appends the row of an interval between two other counts.
@@ -197,14 +196,14 @@ impl Computed {
         let computed = match near {
             Some(near) => {
                 if let Some(form) = task.rows {
-                    written = Text::of(task, interval, form)?;
+                    written.fill(task, interval, form)?;
                 }
                 near
             }
             None => {
                 let row = task.ledger.row(interval)?;
                 if let Some(form) = task.rows {
-                    written = Text::exact(&row, form)?;
+                    written.exact(&row, form)?;
                 }
                 let row = match exact {
                     true => Accounted::Exact(row),

@@ -175,9 +175,12 @@ impl Walk<'_> {
             };
             account.append(batch.account(task.running, place)?);
             if let Some(form) = task.rows {
+                let mut text = Text::default();
                 let alone = |i: usize, rows: &mut Vec<u8>| {
-                    let text = Text::of(task, &task.logged(chunk, i)?, form);
-                    text.ok_or_else(undefined).map(|text| text.append_to(rows))
+                    let filled = text.fill(task, &task.logged(chunk, i)?, form);
+                    filled.ok_or_else(undefined)?;
+                    text.append_to(rows);
+                    Ok(())
                 };
                 let rows = start..self.at;
                 write(

@@ -265,7 +265,7 @@ pub(crate) fn write(
     rows: Range<usize>,
     form: Form,
     out: &mut Vec<u8>,
-    left: impl Fn(usize, &mut Vec<u8>) -> Result<(), TraceError>,
+    mut left: impl FnMut(usize, &mut Vec<u8>) -> Result<(), TraceError>,
 ) -> Result<(), TraceError> {
     /// Fewer rows are written faster one by one.
     const FEW: usize = 8;
