@@ -65,13 +65,15 @@ impl<S: Written> Rectangle<'_, S> {
             most.dissipated_lower,
             still && self.ends.friction_is_exact(),
         )?;
-        let [generated_linear, generated_quantized] = self.generated()?;
+        let crossings = self.crossings();
+        let crossings = crossings.as_deref();
+        let [generated_linear, generated_quantized] = self.generated(crossings)?;
         let [mut net_linear, mut net_quantized] = [&generated_linear, &generated_quantized]
             .map(|generated| dissipated_lower.minus(generated));
         if !still {
             // The figures of a row belong to the same two positions. Where the law is bent, only
             // the quantized potential is a parabola all along an edge.
-            let [against_law, against_steps] = self.net()?;
+            let [against_law, against_steps] = self.net(crossings)?;
             net_quantized = Some(against_steps);
             if self.ends.least.law().is_linear() {
                 net_linear = Some(against_law);
@@ -98,8 +100,10 @@ impl<S: Written> Rectangle<'_, S> {
         }
     }
 
-    fn row_at(&self, of: &Loop<S>, positions: [&S; 2]) -> Row<S> {
-        ledger::row(of, &self.held(positions, self.force.lo()))
+    /// What the row of a pair of positions says of the distance alone: as where nothing is generated.
+    fn row_at(&self, of: &Loop<S>, [from, to]: [&S; 2]) -> Row<S> {
+        let step = Step::new(from.clone(), to.clone());
+        ledger::row_of(of, &step, self.dtau, [S::zero(), S::zero()])
     }
 
     /// Margin of the criterion times the mean speed: linear in it, so extreme at an end.
@@ -155,20 +159,24 @@ impl<S: Written> Rectangle<'_, S> {
     }
 
     /// Generated energy at its extremes.
-    fn generated(&self) -> Option<[Figure<S>; 2]> {
-        match self.crossings() {
+    fn generated(&self, crossings: Option<&[Crossing<S>]>) -> Option<[Figure<S>; 2]> {
+        match crossings {
             Some(crossings) => self.joined(crossings.iter().map(Crossing::generated)),
             None => self.generated_between(),
         }
     }
 
     /// `dissipated_lower` less generated energy, at its extremes.
-    fn net(&self) -> Option<[Figure<S>; 2]> {
-        let Some(crossings) = self.crossings() else {
+    fn net(&self, crossings: Option<&[Crossing<S>]>) -> Option<[Figure<S>; 2]> {
+        let Some(crossings) = crossings else {
             return self.net_on_edges();
         };
-        let [least, most] = [&self.ends.least, &self.ends.most]
-            .map(|of| Resistance::new(&of.friction(), self.dtau));
+        let resistance = |of: &Loop<S>| Resistance::new(&of.friction(), self.dtau);
+        let least = resistance(&self.ends.least);
+        let most = match self.ends.friction_is_exact() {
+            true => least.clone(),
+            false => resistance(&self.ends.most),
+        };
         self.joined(crossings.iter().map(|crossing| {
             let ([a, b], [c, d]) = (crossing.net_at_least(&least), crossing.net_at_most(&most));
             [[a, c], [b, d]]
@@ -215,7 +223,7 @@ impl<S: Written> Rectangle<'_, S> {
         if still || !self.ends.least.law().is_linear() {
             return Some(self.row()?.net_linear);
         }
-        let [linear, _] = self.net()?;
+        let [linear, _] = self.net(self.crossings().as_deref())?;
         Some(linear)
     }
 
@@ -386,16 +394,18 @@ mod tests {
             };
             let (start, end) = (count(from), count(from + ticks));
             let exact = Rectangle { ends: &ends, start: &start, end: &end, force: &force, dtau: &ratio(n, d) };
-            let (generated, net) = (exact.generated().unwrap(), exact.net().unwrap());
-            prop_assert!(exact.crossings().is_some());
+            let crossings = exact.crossings();
+            prop_assert!(crossings.is_some());
+            let (generated, net) = (exact.generated(crossings.as_deref()).unwrap(), exact.net(crossings.as_deref()).unwrap());
             prop_assert_eq!(&generated, &exact.generated_between().unwrap());
             prop_assert_eq!(&net, &exact.net_on_edges().unwrap());
             if let Figure::Exact(force) = &force {
                 let (ends, start, end) = (ends.try_map(|x| Some(Ball::of_rational(x))).unwrap(), count(from), count(from + ticks));
                 let force = Figure::Exact(Ball::of_rational(force));
                 let near = Rectangle { ends: &ends, start: &start, end: &end, force: &force, dtau: &Ball::of(&Number::Small(n, d)) };
-                prop_assert!(is_around(near.generated(), &generated));
-                prop_assert!(is_around(near.net(), &net));
+                let crossings = near.crossings();
+                prop_assert!(is_around(near.generated(crossings.as_deref()), &generated));
+                prop_assert!(is_around(near.net(crossings.as_deref()), &net));
             }
         }
     }
