@@ -1,9 +1,12 @@
 //! Exact sums over any number of rows, in bounded memory.
 
+use std::cmp::Ordering;
+
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::{One as _, Zero as _};
 use passivity_core::{BigRational, Interval, whole};
+use passivity_scene::number::nearest_f64;
 
 use crate::figure::Figure;
 use crate::number::{Reduced, Written};
@@ -40,10 +43,46 @@ pub struct Sum {
     small: (i128, i128),
     /// The rest, as numerator and denominator: not reduced, so that adding takes no big gcd.
     big: (BigInt, BigInt),
+    /// Near the rest.
+    near: Near,
     /// How far above it the sum may lie.
     slack: BigRational,
     /// How many bits the denominator may have.
     most_bits: u64,
+}
+
+/// A double, and what it is off by at most.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Near {
+    pub(crate) middle: f64,
+    off: f64,
+}
+
+impl Near {
+    /// Near n/d.
+    #[allow(clippy::cast_precision_loss)]
+    pub(crate) fn ratio(n: i128, d: i128) -> Self {
+        Self::default().plus(n as f64 / d as f64)
+    }
+
+    /// With a number that this double is near, by three roundings.
+    pub(crate) fn plus(self, x: f64) -> Self {
+        const ROUNDING: f64 = 1.0 / (1_u64 << 50) as f64;
+        let middle = self.middle + x;
+        // What the sum is rounded by, and this one, are within that too.
+        let off = self.off + (middle.abs() + x.abs()) * ROUNDING;
+        Self {
+            middle,
+            off: off * (1.0 + ROUNDING) + f64::MIN_POSITIVE,
+        }
+    }
+
+    /// How both numbers compare, where these doubles tell.
+    pub(crate) fn compare(self, other: Self) -> Option<Ordering> {
+        let difference = self.middle - other.middle;
+        let is_told = difference.abs() > 2.0 * (self.off + other.off);
+        difference.partial_cmp(&0.0).filter(|_| is_told)
+    }
 }
 
 impl Default for Sum {
@@ -51,6 +90,7 @@ impl Default for Sum {
         Self {
             small: (0, 1),
             big: (BigInt::ZERO, BigInt::one()),
+            near: Near::default(),
             slack: BigRational::zero(),
             most_bits: MAX_DENOMINATOR_BITS,
         }
@@ -63,6 +103,14 @@ impl Sum {
         Self {
             most_bits: MAX_DENOMINATOR_BITS_OF_LOG,
             ..Self::default()
+        }
+    }
+
+    /// A sum that is n/d so far, d > 0.
+    pub(crate) fn of_ratio(n: i128, d: i128) -> Self {
+        Self {
+            small: (n, d),
+            ..Self::of_log()
         }
     }
 
@@ -107,6 +155,26 @@ impl Sum {
         Some(())
     }
 
+    /// Near the lower end.
+    pub(crate) fn near(&self) -> Near {
+        let (n, d) = self.small;
+        self.near.plus(Near::ratio(n, d).middle)
+    }
+
+    /// How the lower end compares with that of another sum: told by doubles where they tell, for to reduce long
+    /// fractions takes long.
+    pub(crate) fn compare(&self, other: &Self) -> Ordering {
+        let exactly = || match self.big == other.big {
+            true => {
+                let [own, other] =
+                    [self.small, other.small].map(|(n, d)| BigRational::new(n.into(), d.into()));
+                own.cmp(&other)
+            }
+            false => self.value().lo().cmp(other.value().lo()),
+        };
+        self.near().compare(other.near()).unwrap_or_else(exactly)
+    }
+
     fn spill(&mut self) {
         let (n, d) = std::mem::replace(&mut self.small, (0, 1));
         self.add_rational(&BigRational::new(n.into(), d.into()));
@@ -114,6 +182,7 @@ impl Sum {
 
     /// Adds a big number.
     pub fn add_rational(&mut self, x: &BigRational) {
+        self.near = self.near.plus(nearest_f64(x));
         let (n, d) = &mut self.big;
         // The least common denominator, by a gcd of numbers no longer than that of x.
         let divisor = (&*d % x.denom()).gcd(x.denom());
@@ -137,9 +206,14 @@ impl Sum {
     /// Adds another sum.
     pub fn add_sum(&mut self, other: &Self) {
         self.add_small(other.small.0, other.small.1);
-        let (n, d) = &other.big;
-        if !n.is_zero() {
-            self.add_rational(&whole::fraction(n.clone(), d.clone()));
+        if !other.big.0.is_zero() {
+            let (mut big, mut near) = (other.big.clone(), other.near);
+            // The shorter one is reduced, and added to the longer one.
+            if big.1.bits() > self.big.1.bits() {
+                std::mem::swap(&mut self.big, &mut big);
+                std::mem::swap(&mut self.near, &mut near);
+            }
+            self.add_rational(&whole::fraction(big.0, big.1));
         }
         if !other.slack.is_zero() {
             self.slack += &other.slack;
@@ -207,10 +281,7 @@ impl FigureSum {
 
     /// A sum between two numbers in units of the grid.
     pub(crate) fn of_grid(ends: [i128; 2]) -> Self {
-        let [lo, hi] = ends.map(|n| Sum {
-            small: (n, ONE),
-            ..Sum::of_log()
-        });
+        let [lo, hi] = ends.map(|n| Sum::of_ratio(n, ONE));
         Self { lo, hi: Some(hi) }
     }
 

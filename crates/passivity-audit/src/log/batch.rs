@@ -22,7 +22,7 @@ const MOST: u64 = 1 << 20;
 /// The least energy, in units of the grid.
 fn lowest(least: Least<i128>) -> Option<Lowest> {
     let (value, h) = least.0?;
-    Some(Lowest::new(on_grid(value), h))
+    Some(Lowest::of_grid(value, h))
 }
 
 /// Sums over consecutive intervals.

@@ -260,16 +260,17 @@ impl Supplied {
     fn new([least, most]: [Option<&Lowest>; 2], stored: &BigRational) -> Self {
         use num_traits::{Signed as _, Zero as _};
         // At the start it is zero.
-        let supplied = least.map(|lowest| (&lowest.value - stored, lowest.h));
+        let supplied = least.map(|lowest| (lowest.value() - stored, lowest.h));
         let below = supplied.filter(|(value, _)| value.is_negative());
         let (least, after) = below.unwrap_or_else(|| (BigRational::zero(), 0));
-        let surely = most.filter(|most| most.value.is_negative());
+        let surely = most.map(|most| (most.value(), most.h));
+        let surely = surely.filter(|(value, _)| value.is_negative());
         Self {
             least,
             after,
             floor: -stored,
-            surely_drawn: surely.map(|most| -&most.value),
-            surely_drawn_after: surely.map(|most| most.h),
+            surely_drawn: surely.as_ref().map(|(value, _)| -value),
+            surely_drawn_after: surely.map(|(_, h)| h),
         }
     }
 }

@@ -1,33 +1,70 @@
 //! A running sum and its least value so far.
 
+use std::cmp::Ordering;
+use std::ops::Add;
+
 use num_bigint::BigInt;
 use num_integer::Integer as _;
+use passivity_core::BigRational;
 use passivity_core::course::{Course, Least};
-use passivity_core::{BigRational, Scalar};
 
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 use crate::span::ONE;
-use crate::sum::Sum;
+use crate::sum::{Near, Sum};
 
 /// A running sum that starts at zero, and the least value it had, the start included.
 #[derive(Clone, Debug)]
 pub(crate) struct RunningSum {
-    /// Over the common denominator; where that is given up, `at` goes on here, and the rest in `big`.
+    /// Over the common denominator.
     course: Course<i128>,
     denominator: i128,
     steps: u64,
     /// Takes over, from what it holds, when machine integers no longer do.
-    big: Option<Box<Big>>,
+    wide: Option<Box<Course<Total>>>,
 }
 
+/// A sum over the rows of a log, as the number at its lower end.
 #[derive(Clone, Debug)]
-struct Big {
-    now: Sum,
-    /// Near `now`, to tell cheaply when it is far above the least value.
-    near: f64,
-    least: BigRational,
-    least_near: f64,
+struct Total(Sum);
+
+impl Total {
+    fn ratio(n: i128, d: i128) -> Self {
+        Self(Sum::of_ratio(n, d))
+    }
+
+    fn value(&self) -> BigRational {
+        self.0.value().lo().clone()
+    }
+}
+
+impl From<&Reduced> for Total {
+    fn from(x: &Reduced) -> Self {
+        let mut sum = Sum::of_log();
+        sum.add_reduced(x);
+        Self(sum)
+    }
+}
+
+impl Add for Total {
+    type Output = Self;
+
+    fn add(mut self, other: Self) -> Self {
+        self.0.add_sum(&other.0);
+        self
+    }
+}
+
+impl PartialEq for Total {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.compare(&other.0) == Ordering::Equal
+    }
+}
+
+impl PartialOrd for Total {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.0.compare(&other.0))
+    }
 }
 
 impl Default for RunningSum {
@@ -36,7 +73,7 @@ impl Default for RunningSum {
             course: Course::default(),
             denominator: 1,
             steps: 0,
-            big: None,
+            wide: None,
         }
     }
 }
@@ -54,7 +91,7 @@ impl RunningSum {
 
     /// The common denominator, as long as machine integers hold the sum.
     pub(crate) const fn denominator(&self) -> Option<i128> {
-        match self.big {
+        match self.wide {
             None => Some(self.denominator),
             Some(_) => None,
         }
@@ -67,7 +104,7 @@ impl RunningSum {
 
     /// n/d over the common denominator, which grows to hold it; `None` when it cannot.
     pub(crate) fn scaled(&mut self, n: i128, d: i128) -> Option<i128> {
-        if self.big.is_some() {
+        if self.wide.is_some() {
             return None;
         }
         if self.denominator == d {
@@ -107,47 +144,40 @@ impl RunningSum {
         {
             return;
         }
-        self.add_big(&step.to_rational());
+        self.steps += 1;
+        let h = self.steps;
+        self.widened().step(Total::from(step), h);
     }
 
-    fn add_big(&mut self, step: &BigRational) {
-        let (
-            Course {
-                sum: now, least, ..
-            },
-            denominator,
-        ) = (self.course, self.denominator);
-        let big = self.big.get_or_insert_with(|| {
-            let ratio = |n: i128| BigRational::new(n.into(), denominator.into());
-            let mut sum = Sum::of_log();
-            sum.add_rational(&ratio(now));
-            Box::new(Big {
-                near: near(&ratio(now)),
-                now: sum,
-                least_near: near(&ratio(least)),
-                least: ratio(least),
-            })
-        });
-        self.steps += 1;
-        big.now.add_rational(step);
-        big.near += near(step);
-        if big.near < big.least_near + slack(big.near, big.least_near) {
-            let now = big.now.value().lo().clone();
-            big.near = near(&now);
-            if now < big.least {
-                big.least_near = big.near;
-                big.least = now;
-                self.course.at = self.steps;
-            }
+    /// The course in numbers that hold any fraction.
+    fn course(&self) -> Course<Total> {
+        let total = |n: i128| Total::ratio(n, self.denominator);
+        let course = &self.course;
+        let narrow = || Course {
+            sum: total(course.sum),
+            least: total(course.least),
+            at: course.at,
+        };
+        self.wide.as_deref().cloned().unwrap_or_else(narrow)
+    }
+
+    /// The same, from now on.
+    fn widened(&mut self) -> &mut Course<Total> {
+        let course = self.wide.take().unwrap_or_else(|| Box::new(self.course()));
+        self.wide.insert(course)
+    }
+
+    /// The sum as it is.
+    fn sum(&self) -> Total {
+        match &self.wide {
+            None => Total::ratio(self.course.sum, self.denominator),
+            Some(wide) => wide.sum.clone(),
         }
     }
 
     /// The sum.
     pub(crate) fn total(&self) -> BigRational {
-        match &self.big {
-            None => BigRational::new(self.course.sum.into(), self.denominator.into()),
-            Some(big) => big.now.value().lo().clone(),
-        }
+        self.sum().value()
     }
 
     /// How many steps there were.
@@ -156,106 +186,87 @@ impl RunningSum {
     }
 
     /// A sum that was kept elsewhere: its total, its least value and after how many steps it was there.
-    pub(crate) fn from_parts(total: &BigRational, least: (BigRational, u64), steps: u64) -> Self {
+    pub(crate) fn from_parts(total: BigRational, least: (BigRational, u64), steps: u64) -> Self {
         let mut sum = Self::default();
-        sum.add(&Reduced::from(total.clone()));
-        sum.course.least = 0;
-        sum.set_least(least.0);
-        (sum.course.at, sum.steps) = (least.1, steps);
+        let (total, lowest) = (Reduced::from(total), Reduced::from(least.0));
+        let course = sum.narrow([&total, &lowest], least.1);
+        match course {
+            Some(course) => sum.course = course,
+            None => {
+                *sum.widened() = Course {
+                    sum: Total::from(&total),
+                    least: Total::from(&lowest),
+                    at: least.1,
+                }
+            }
+        }
+        sum.steps = steps;
         sum
+    }
+
+    /// A course with this sum and its least value over the common denominator, which grows to hold both; `None` when
+    /// it cannot.
+    fn narrow(&mut self, ends: [&Reduced; 2], at: u64) -> Option<Course<i128>> {
+        let [Reduced::Small(n, d), Reduced::Small(m, e)] = ends else {
+            return None;
+        };
+        self.scaled(0, *d)?;
+        let (least, sum) = (self.scaled(*m, *e)?, self.scaled(*n, *d)?);
+        Some(Course { sum, least, at })
     }
 
     /// A denominator of all steps.
     pub(crate) fn common(&self) -> BigInt {
-        match &self.big {
+        match &self.wide {
             None => self.denominator.into(),
-            Some(big) => big.now.denominator(),
+            Some(wide) => wide.sum.0.denominator(),
         }
     }
 
     /// A double near the sum.
     pub(crate) fn near(&self) -> f64 {
-        match &self.big {
-            #[allow(clippy::cast_precision_loss)]
-            None => self.course.sum as f64 / self.denominator as f64,
-            Some(big) => big.near,
+        self.bounds().middle
+    }
+
+    fn bounds(&self) -> Near {
+        match &self.wide {
+            None => Near::ratio(self.course.sum, self.denominator),
+            Some(wide) => wide.sum.0.near(),
         }
     }
 
     /// The least value, and after how many steps it was there.
     pub(crate) fn least(&self) -> (BigRational, u64) {
-        let least = match &self.big {
-            None => BigRational::new(self.course.least.into(), self.denominator.into()),
-            Some(big) => big.least.clone(),
-        };
-        (least, self.course.at)
-    }
-
-    /// The course in exact fractions.
-    fn exact(&self) -> Course<BigRational> {
-        let ((least, at), sum) = (self.least(), self.total());
-        Course { sum, least, at }
+        let Course { least, at, .. } = self.course();
+        (least.value(), at)
     }
 
     /// Goes on with another sum, which started at zero where this one ends.
     pub(crate) fn append(&mut self, other: &Self) {
-        if self.stays_above(other) {
-            let before = self.steps;
-            self.add_big(&other.total());
-            self.steps = before + other.steps;
-            return;
-        }
-        let (mut both, before) = (self.exact(), self.steps);
-        let (other, steps) = (other.exact(), other.steps);
-        let is_lower = both.append(&other, before);
-        self.add(&other.sum.into());
-        if is_lower {
-            self.course.at = both.at;
-            match &mut self.big {
-                Some(big) => {
-                    big.least_near = near(&both.least);
-                    big.least = both.least;
-                }
-                None => self.set_least(both.least),
-            }
-        }
-        self.steps = before + steps;
-    }
-
-    /// Whether this sum of long fractions surely does not get to its least value by going on with another one:
-    /// told by doubles, for reducing long fractions takes long.
-    fn stays_above(&self, other: &Self) -> bool {
-        let (Some(big), None) = (&self.big, &other.big) else {
-            return false;
-        };
-        #[allow(clippy::cast_precision_loss)]
-        let [least, total] =
-            [other.course.least, other.course.sum].map(|n| n as f64 / other.denominator as f64);
-        let lowest = big.near + f64::min(least, total);
-        lowest > big.least_near + slack(big.near, big.least_near)
-    }
-
-    fn set_least(&mut self, lowest: BigRational) {
-        let scaled = match Reduced::from(lowest.clone()) {
-            Reduced::Small(n, d) => self.scaled(n, d),
-            Reduced::Big(_) => None,
-        };
-        match scaled {
-            Some(least) => self.course.least = least,
+        match self.next(other) {
+            Some(course) => self.course = course,
             None => {
-                self.add_big(&BigRational::integer(0));
-                if let Some(big) = &mut self.big {
-                    big.least_near = near(&lowest);
-                    big.least = lowest;
-                }
+                let before = self.steps;
+                self.widened().append(&other.course(), before);
             }
         }
+        self.steps += other.steps;
     }
-}
 
-/// More than doubles near these sums are off: by 2⁻⁵³ a step, of which a billion are within this.
-fn slack(a: f64, b: f64) -> f64 {
-    1e-6 * (1.0 + a.abs().max(b.abs()))
+    /// The course with another sum that follows, where machine integers hold it.
+    fn next(&mut self, other: &Self) -> Option<Course<i128>> {
+        let (None, None, d) = (&self.wide, &other.wide, other.denominator) else {
+            return None;
+        };
+        let reduced = |n: i128| Reduced::from(BigRational::new(n.into(), d.into()));
+        let ends = [reduced(other.course.sum), reduced(other.course.least)];
+        let next = self.narrow(ends.each_ref(), other.course.at)?;
+        let mut course = self.course;
+        course.sum.checked_add(next.sum)?;
+        course.sum.checked_add(next.least)?;
+        course.append(&next, self.steps);
+        Some(course)
+    }
 }
 
 /// The nearest double.
@@ -293,16 +304,25 @@ pub(crate) fn near_reading(x: &Reading) -> f64 {
 /// Where an energy was lowest.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Lowest {
-    pub(crate) value: BigRational,
+    value: Total,
     /// After how many intervals.
     pub(crate) h: u64,
-    near: f64,
 }
 
 impl Lowest {
     pub(crate) fn new(value: BigRational, h: u64) -> Self {
-        let near = near(&value);
-        Self { value, h, near }
+        let value = Total::from(&Reduced::from(value));
+        Self { value, h }
+    }
+
+    /// In units of the grid.
+    pub(crate) fn of_grid(n: i128, h: u64) -> Self {
+        let value = Total::ratio(n, ONE);
+        Self { value, h }
+    }
+
+    pub(crate) fn value(&self) -> BigRational {
+        self.value.value()
     }
 
     /// Keeps the lower one of two, the earlier where they agree.
@@ -316,24 +336,21 @@ impl Lowest {
     /// Goes on with what follows so many steps and counts from their sum.
     pub(crate) fn append(slot: &mut Option<Self>, found: Option<Self>, sum: &RunningSum) {
         let of = |lowest: Self| (lowest.value, lowest.h);
-        let mut least = Least(slot.clone().map(of));
-        if found.is_some() && least.append(&Least(found.map(of)), &sum.total(), sum.steps()) {
-            *slot = least.0.map(|(value, h)| Self::new(value, h));
-        }
+        let mut least = Least(slot.take().map(of));
+        least.append(&Least(found.map(of)), &sum.sum(), sum.steps());
+        *slot = least.0.map(|(value, h)| Self { value, h });
     }
 
     /// Keeps the sum and what stands beside it after `h` intervals, if that is lower; compared in
     /// doubles first.
     pub(crate) fn keep_sum(slot: &mut Option<Self>, sum: &RunningSum, beside: &Reduced, h: u64) {
-        let now = sum.near() + beside.near();
-        let slack = 1e-6 * (1.0 + now.abs() + sum.near().abs());
-        if slot
-            .as_ref()
-            .is_some_and(|lowest| now > lowest.near + slack)
-        {
-            return;
+        let now = sum.bounds().plus(beside.near());
+        let is_above =
+            |lowest: &Self| now.compare(lowest.value.0.near()) == Some(Ordering::Greater);
+        if !slot.as_ref().is_some_and(is_above) {
+            let value = sum.sum() + Total::from(beside);
+            Self::keep(slot, Self { value, h });
         }
-        Self::keep(slot, Self::new(sum.total() + beside.to_rational(), h));
     }
 }
 

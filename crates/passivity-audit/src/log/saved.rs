@@ -181,7 +181,7 @@ impl SavedRunning {
     fn value(&self) -> Result<RunningSum, TraceError> {
         let least = (self.least.value()?, self.at);
         Ok(RunningSum::from_parts(
-            &self.total.value()?,
+            self.total.value()?,
             least,
             self.steps,
         ))
@@ -197,7 +197,7 @@ struct SavedLowest {
 impl SavedLowest {
     fn of(x: &Lowest) -> Self {
         Self {
-            value: Ratio::of(&x.value),
+            value: Ratio::of(&x.value()),
             h: x.h,
         }
     }

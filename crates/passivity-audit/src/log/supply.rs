@@ -377,5 +377,6 @@ pub(crate) fn observed(row: &Accounted) -> Option<Reduced> {
 
 /// Whether that is below zero.
 pub(crate) fn is_below_zero(lowest: Option<&Lowest>) -> bool {
-    lowest.is_some_and(|lowest| BigRational::sign(&lowest.value) == Some(std::cmp::Ordering::Less))
+    lowest
+        .is_some_and(|lowest| BigRational::sign(&lowest.value()) == Some(std::cmp::Ordering::Less))
 }

@@ -221,6 +221,6 @@ fn twice_lowest(account: &Account, denominator: i128) -> Option<(i128, u64)> {
     use num_traits::ToPrimitive as _;
     let lowest = account.stored.as_ref()?;
     let scale = BigRational::from_integer((2 * denominator).into());
-    let twice = (&lowest.value * scale).ceil().to_integer().to_i128()?;
+    let twice = (lowest.value() * scale).ceil().to_integer().to_i128()?;
     Some((twice, lowest.h))
 }

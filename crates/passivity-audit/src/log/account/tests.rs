@@ -19,7 +19,7 @@ use crate::reading::Reading;
 /// All that an account has, in a form that can be compared: numbers as fractions.
 fn figures(account: &Account) -> String {
     let course = |sum: &RunningSum| (sum.total(), sum.least(), sum.steps());
-    let lowest = |lowest: Option<&Lowest>| lowest.map(|lowest| (lowest.value.clone(), lowest.h));
+    let lowest = |lowest: Option<&Lowest>| lowest.map(|lowest| (lowest.value(), lowest.h));
     let supply = &account.supply;
     let [first, second] = supply.sums();
     let [least, most] = supply.lowest();
