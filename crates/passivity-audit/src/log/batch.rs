@@ -7,7 +7,7 @@ use passivity_core::course::{Course, Least};
 use crate::ledger::Truths;
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
-use crate::log::lanes::{Courses, Sums, TileRows};
+use crate::log::lanes::{Asked, Courses, Sums, TileRows};
 use crate::log::motion::Addend;
 use crate::log::running::{Lowest, RunningSum};
 use crate::log::supply::{Bounds, NO_FORCE, Supplied, Supply};
@@ -105,17 +105,19 @@ impl Batch {
             return 0;
         };
         let sums = tile.sums(&rows, &steps);
-        if self.is_quiet(&sums, running) {
-            let [_, _, _, [net, _], _] = sums.sums;
-            self.courses.net.sum += net;
-            if running {
-                for (sum, step) in self.courses.supply.iter_mut().zip(sums.supply) {
-                    sum.sum += step;
-                }
+        let asked = self.asked(&sums, running);
+        let mut courses = match asked == Asked::default() {
+            true => Courses::default(),
+            false => tile.courses(&rows, &steps, (asked, sums.off)),
+        };
+        let [_, _, _, [net, _], _] = sums.sums;
+        courses.net.sum = net;
+        if running {
+            for (course, sum) in courses.supply.iter_mut().zip(sums.supply) {
+                course.sum = sum;
             }
-        } else {
-            self.courses.append(&tile.courses(&rows, &steps), before);
         }
+        self.courses.append(&courses, before);
         if running {
             self.excess = sums.excess;
         }
@@ -123,12 +125,12 @@ impl Batch {
             *lo += least;
             *hi += most;
         }
-        match self.observer.sum + sums.least_observed >= self.observer.least {
-            true => self.observer.sum += sums.observed,
-            false => {
-                self.observer.append(&tile.observer(&rows), before);
-            }
-        }
+        let mut observer = match self.observer.sum + sums.least_observed >= self.observer.least {
+            true => Course::default(),
+            false => tile.observer(&rows, sums.off),
+        };
+        observer.sum = sums.observed;
+        self.observer.append(&observer, before);
         self.intervals += rows.len() as u64;
         let mut at = rows.start;
         while at < rows.end {
@@ -140,22 +142,30 @@ impl Batch {
         rows.len()
     }
 
-    /// Whether no energy gets below the least that it was so far with the rows of these sums.
-    fn is_quiet(&self, sums: &Sums, running: bool) -> bool {
-        let stays =
-            |least: &Least<i128>, found: i128| least.0.is_some_and(|(least, _)| found >= least);
-        let least = sums.least_supply.iter().zip(&sums.least_supplied);
+    /// Which energies may get below the least that they were so far, with the rows of these sums.
+    fn asked(&self, sums: &Sums, running: bool) -> Asked {
+        let falls = |sum: &Course<i128>, by: i128| sum.sum + by < sum.least;
+        let gets_below =
+            |least: &Least<i128>, found: i128| least.0.is_none_or(|(least, _)| found < least);
         let courses = &self.courses;
-        let mut supplies = courses.supply.iter().zip(&courses.lowest).zip(least);
-        let mut supplied = || {
-            supplies.all(|((sum, lowest), (alone, with_end))| {
-                sum.sum + alone >= sum.least && stays(lowest, sum.sum + with_end)
-            })
-        };
-        courses.net.sum + sums.least_net >= courses.net.least
-            && stays(&courses.stored, courses.net.sum + sums.least_stored)
-            && stays(&courses.worst, sums.least_row)
-            && (!running || supplied())
+        let falls_with =
+            |sum: &Course<i128>, lowest: &Least<i128>, [alone, with_end]: [i128; 2]| {
+                falls(sum, alone) || gets_below(lowest, sum.sum + with_end)
+            };
+        let net = [sums.least_net, sums.least_stored];
+        let ([low, high], [lowest, highest]) = (&courses.supply, &courses.lowest);
+        let ([a, b], [c, d]) = (sums.least_supply, sums.least_supplied);
+        Asked {
+            net: match running {
+                true => falls(&courses.net, sums.least_net),
+                false => falls_with(&courses.net, &courses.stored, net),
+            },
+            worst: gets_below(&courses.worst, sums.least_row),
+            supply: [
+                running && falls_with(low, lowest, [a, c]),
+                running && falls_with(high, highest, [b, d]),
+            ],
+        }
     }
 
     /// Takes note of so many intervals with the same answers, the first of them `h`.

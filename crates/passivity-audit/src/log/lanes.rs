@@ -15,7 +15,7 @@ use passivity_core::{Step, Truth};
 
 pub(crate) use compute::commanded;
 pub(crate) use counted::Counted;
-pub(crate) use sums::{Courses, Sums, TileRows, Under};
+pub(crate) use sums::{Asked, Courses, Sums, TileRows, Under};
 pub(crate) use written::write;
 
 use crate::ball::{Ball, Lane};
@@ -321,6 +321,7 @@ mod compute;
 mod counted;
 mod counted_sums;
 mod crossed;
+mod least;
 mod sums;
 #[cfg(test)]
 mod tests;

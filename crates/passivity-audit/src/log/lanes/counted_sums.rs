@@ -1,14 +1,14 @@
 //! Sums over rows of counts, and how low they may get on the way.
 
-use std::cmp::Ordering;
-use std::ops::{Add, Range};
+use std::ops::Range;
 
 use multiversion::multiversion;
 use passivity_core::course::Course;
 
 use super::TILE;
-use super::counted::{Counted, Ends, NONE, both};
-use super::sums::{Courses, Sums, TileRows, course, lowest};
+use super::counted::{Counted, Ends, NONE, both, one};
+use super::least::{OnGrid, Way};
+use super::sums::{Asked, Courses, Sums, TileRows, lowest, off};
 use crate::ledger::Truths;
 use crate::log::quick::{End, carried, parts, units, whole};
 use crate::log::supply::{Bounds, NO_FORCE};
@@ -31,33 +31,6 @@ fn difference([upper, lower]: End, [upper_less, lower_less]: End) -> [End; 2] {
     match parts[0] + parts[1] < 0.0 {
         true => [parts, [0.0; 2]],
         false => [[0.0; 2], parts],
-    }
-}
-
-/// An end, in order and added up exactly, as far as a tile goes.
-#[derive(Clone, Copy, Default)]
-struct Exact(End);
-
-impl Add for Exact {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, Self([upper, lower]): Self) -> Self {
-        Self([self.0[0] + upper, self.0[1] + lower])
-    }
-}
-
-impl PartialEq for Exact {
-    fn eq(&self, other: &Self) -> bool {
-        self.partial_cmp(other) == Some(Ordering::Equal)
-    }
-}
-
-impl PartialOrd for Exact {
-    #[inline(always)]
-    fn partial_cmp(&self, Self([upper, lower]): &Self) -> Option<Ordering> {
-        // The sign of a sum of two doubles is not rounded.
-        ((self.0[0] - upper) + (self.0[1] - lower)).partial_cmp(&0.0)
     }
 }
 
@@ -99,27 +72,45 @@ impl Counted {
     }
 }
 
-/// The sum of some rows of a column: exactly.
+/// Doubles near the numbers of a column.
 #[inline(always)]
-fn sum(ends: &Ends, rows: &Range<usize>) -> i128 {
-    const LANES: usize = 8;
-    // Several sums at a time: in which order what is not rounded is added does not matter.
-    units(ends.each_ref().map(|part| {
-        let (several, rest) = part[rows.clone()].as_chunks::<LANES>();
-        let mut sums = [0.0; LANES];
-        for several in several {
-            for (sum, x) in sums.iter_mut().zip(several) {
-                *sum += x;
+fn near([upper, lower]: &Ends) -> [f64; TILE] {
+    let mut near = *upper;
+    for (near, lower) in near.iter_mut().zip(lower) {
+        *near += lower;
+    }
+    near
+}
+
+impl OnGrid for Ends {
+    #[inline(always)]
+    fn at(&self, i: usize) -> i128 {
+        units(at(self, i))
+    }
+
+    #[inline(always)]
+    fn sum(&self, rows: Range<usize>) -> i128 {
+        // Several sums at a time: in which order what is not rounded is added does not matter.
+        const LANES: usize = 8;
+        let mut both = [0.0; 2];
+        for (sum, part) in both.iter_mut().zip(self) {
+            let (several, rest) = part[rows.clone()].as_chunks::<LANES>();
+            let mut sums = [0.0; LANES];
+            for several in several {
+                for (sum, x) in sums.iter_mut().zip(several) {
+                    *sum += x;
+                }
             }
+            *sum = sums.iter().chain(rest).sum();
         }
-        sums.iter().chain(rest).sum()
-    }))
+        units(both)
+    }
 }
 
 /// The same of the lower and of the upper ends.
 #[inline(always)]
 fn sum_both([lo, hi]: &[Ends; 2], rows: &Range<usize>) -> [i128; 2] {
-    [sum(lo, rows), sum(hi, rows)]
+    [lo.sum(rows.clone()), hi.sum(rows.clone())]
 }
 
 /// The least that some numbers become from row to row, which are made of the sums of columns up to a row and of the
@@ -129,7 +120,7 @@ fn least_of<const N: usize>(
     rows: &Range<usize>,
     columns: [&Ends; N],
     of: impl Fn([f64; N], [f64; N]) -> [f64; 4],
-) -> [i128; 4] {
+) -> ([i128; 4], f64) {
     let mut found = [[0.0; N]; TILE];
     let mut sizes = [0.0; TILE];
     for (n, column) in columns.into_iter().enumerate() {
@@ -150,7 +141,7 @@ fn least_of<const N: usize>(
             *low = if found < *low { found } else { *low };
         }
     }
-    lows.map(|low| lowest(low, size))
+    (lows.map(|low| lowest(low, size)), off(size))
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
@@ -173,12 +164,12 @@ fn totals(
         Some(steps) => sum_both(steps, rows),
         None => [0; 2],
     };
-    (sums, sum(&tile.observed, rows), supply)
+    (sums, tile.observed.sum(rows.clone()), supply)
 }
 
 /// Of net energy, of that and what is stored after it, of what the observer adds, and of the net energy of a row alone.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn least(tile: &Counted, rows: &Range<usize>) -> [i128; 4] {
+fn least(tile: &Counted, rows: &Range<usize>) -> ([i128; 4], f64) {
     let columns = [&tile.sums[3][0], &tile.observed, &tile.stored[0]];
     least_of(rows, columns, |[net, observed, _], [row, _, stored]| {
         [net, net + stored, observed, row]
@@ -187,13 +178,66 @@ fn least(tile: &Counted, rows: &Range<usize>) -> [i128; 4] {
 
 /// Of what is added to T at the least and at the most, and of that with what T has beside.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn least_supply(tile: &Counted, rows: &Range<usize>, steps: &[Ends; 2]) -> [i128; 4] {
+fn least_supply(tile: &Counted, rows: &Range<usize>, steps: &[Ends; 2]) -> ([i128; 4], f64) {
     let ([least, most], [low, high]) = (steps, &tile.stored);
     least_of(
         rows,
         [least, most, low, high],
         |[least, most, ..], [.., low, high]| [least, most, least + low, most + high],
     )
+}
+
+/// As [`TileRows::courses`].
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+fn courses(
+    tile: &Counted,
+    rows: &Range<usize>,
+    steps: Option<&[Ends; 2]>,
+    (asked, off): (Asked, f64),
+) -> Courses<i128> {
+    let mut courses = Courses::default();
+    if asked.net || asked.worst {
+        let net = &tile.sums[3][0];
+        let way = Way {
+            rows,
+            steps: &near(net),
+            exactly: net,
+            off,
+        };
+        courses.net = way.least();
+        if steps.is_none() {
+            courses.stored = way.with(&near(&tile.stored[0]), |i| one(&tile.stored[0], i));
+        }
+        if asked.worst {
+            courses.worst = way.worst();
+        }
+    }
+    for (end, steps) in steps.into_iter().flatten().enumerate() {
+        if asked.supply[end] {
+            let way = Way {
+                rows,
+                steps: &near(steps),
+                exactly: steps,
+                off,
+            };
+            let stored = &tile.stored[end];
+            courses.supply[end] = way.least();
+            courses.lowest[end] = way.with(&near(stored), |i| one(stored, i));
+        }
+    }
+    courses
+}
+
+/// As [`TileRows::observer`].
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+fn observer(observed: &Ends, rows: &Range<usize>, off: f64) -> Course<i128> {
+    Way {
+        rows,
+        steps: &near(observed),
+        exactly: observed,
+        off,
+    }
+    .least()
 }
 
 impl TileRows for Counted {
@@ -210,11 +254,11 @@ impl TileRows for Counted {
 
     fn sums(&self, rows: &Range<usize>, Steps(steps): &Steps) -> Sums {
         let (sums, observed, supply) = totals(self, rows, steps.as_ref());
-        let [least_net, least_stored, least_observed, least_row] = least(self, rows);
-        let [least, most, least_end, most_end] = match steps {
+        let ([least_net, least_stored, least_observed, least_row], off) = least(self, rows);
+        let ([least, most, least_end, most_end], off_supply) = match steps {
             Some(steps) => least_supply(self, rows, steps),
             // Nothing is added to it, and no one asks what it has beside.
-            None => [0, 0, i128::MIN, i128::MIN],
+            None => ([0, 0, i128::MIN, i128::MIN], 0.0),
         };
         let last = both(&self.excess, rows.end - 1).map(|n| Reduced::Small(n, ONE));
         Sums {
@@ -228,28 +272,21 @@ impl TileRows for Counted {
             least_supply: [least, most],
             least_supplied: [least_end, most_end],
             excess: (last != NO_FORCE).then_some(last),
+            off: off.max(off_supply),
         }
     }
 
-    fn courses(&self, rows: &Range<usize>, Steps(steps): &Steps) -> Courses<i128> {
-        let mut courses = Courses::default();
-        for (i, h) in rows.clone().zip(1..) {
-            let end = |ends: &Ends| Exact(at(ends, i));
-            let stored = self.stored.each_ref().map(end);
-            let supply = steps
-                .as_ref()
-                .map(|steps| [steps.each_ref().map(end), stored]);
-            courses.step((end(&self.sums[3][0]), stored[0]), supply, h);
-        }
-        courses.map(|Exact(end)| units(end))
+    fn courses(
+        &self,
+        rows: &Range<usize>,
+        Steps(steps): &Steps,
+        of: (Asked, f64),
+    ) -> Courses<i128> {
+        courses(self, rows, steps.as_ref(), of)
     }
 
-    fn observer(&self, rows: &Range<usize>) -> Course<i128> {
-        let mut observed = Course::default();
-        for (i, h) in rows.clone().zip(1..) {
-            observed.step(Exact(at(&self.observed, i)), h);
-        }
-        course(observed, |Exact(end)| units(end))
+    fn observer(&self, rows: &Range<usize>, off: f64) -> Course<i128> {
+        observer(&self.observed, rows, off)
     }
 
     fn truths(&self, i: usize) -> Truths {

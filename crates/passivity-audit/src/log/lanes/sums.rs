@@ -3,9 +3,9 @@
 use std::ops::{Add, Range};
 
 use multiversion::multiversion;
-use passivity_core::Scalar as _;
 use passivity_core::course::{Course, Least};
 
+use super::least::{courses, observer};
 use super::{Column, TILE, Tile};
 use crate::ball::{Ball, on_grid};
 use crate::ledger::Truths;
@@ -41,18 +41,29 @@ pub(crate) struct Sums {
     pub(crate) least_supplied: [i128; 2],
     /// The excess force of the last row, where it has any.
     pub(crate) excess: Option<Bounds>,
+    /// What doubles near sums of some of the rows are off by at most.
+    pub(crate) off: f64,
+}
+
+/// Of which sums it is asked where they are least.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Asked {
+    pub(crate) net: bool,
+    pub(crate) worst: bool,
+    /// What is left of what was stored at the start, at the least and at the most.
+    pub(crate) supply: [bool; 2],
 }
 
 /// What rows make of the sums of which the least is kept, from zero at the first of them. Rows are counted from 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Courses<T> {
-    /// Net energy at the least, and where that and the potential were least.
+    /// Net energy at the least; and where that and the potential were least, where the verdict is about that.
     pub(crate) net: Course<T>,
     pub(crate) stored: Least<T>,
     /// The least net energy of a row alone.
     pub(crate) worst: Least<T>,
-    /// What is left of what was stored at the start, where the verdict is about it, at the least and at the most; and
-    /// where it was least with the potential.
+    /// What is left of what was stored at the start, where the verdict is about it instead, at the least and at the most;
+    /// and where it was least with the potential.
     pub(crate) supply: [Course<T>; 2],
     pub(crate) lowest: [Least<T>; 2],
 }
@@ -70,7 +81,9 @@ impl<T: Copy + Default + PartialOrd + Add<Output = T>> Courses<T> {
             }
         }
         self.net.step(net, h);
-        self.stored.keep(self.net.sum + potential, h);
+        if supply.is_none() {
+            self.stored.keep(self.net.sum + potential, h);
+        }
         self.worst.keep(net, h);
     }
 
@@ -84,27 +97,6 @@ impl<T: Copy + Default + PartialOrd + Add<Output = T>> Courses<T> {
         self.stored.append(&other.stored, &self.net.sum, rows);
         self.net.append(&other.net, rows);
         self.worst.append(&other.worst, &T::default(), rows);
-    }
-
-    /// The same in other numbers.
-    pub(crate) fn map<U>(self, of: impl Fn(T) -> U + Copy) -> Courses<U> {
-        let least = |Least(found): Least<T>| Least(found.map(|(value, h)| (of(value), h)));
-        Courses {
-            net: course(self.net, of),
-            stored: least(self.stored),
-            worst: least(self.worst),
-            supply: self.supply.map(|sum| course(sum, of)),
-            lowest: self.lowest.map(least),
-        }
-    }
-}
-
-/// A sum in other numbers.
-pub(super) fn course<T, U>(sums: Course<T>, of: impl Fn(T) -> U) -> Course<U> {
-    Course {
-        sum: of(sums.sum),
-        least: of(sums.least),
-        at: sums.at,
     }
 }
 
@@ -125,11 +117,11 @@ pub(crate) trait TileRows {
     /// Their sums.
     fn sums(&self, rows: &Range<usize>, steps: &Self::Steps) -> Sums;
 
-    /// What some rows make of the sums of which the least is kept, in units of the grid.
-    fn courses(&self, rows: &Range<usize>, steps: &Self::Steps) -> Courses<i128>;
+    /// Where the sums that it is asked of are least, in units of the grid: without the sums of all rows.
+    fn courses(&self, rows: &Range<usize>, steps: &Self::Steps, of: (Asked, f64)) -> Courses<i128>;
 
-    /// What some rows make of what the observer sums up.
-    fn observer(&self, rows: &Range<usize>) -> Course<i128>;
+    /// The same of what the observer sums up.
+    fn observer(&self, rows: &Range<usize>, off: f64) -> Course<i128>;
 
     /// What a row answers.
     fn truths(&self, i: usize) -> Truths;
@@ -144,48 +136,24 @@ pub(crate) struct Under<'a> {
     pub(crate) applied: bool,
 }
 
-impl Under<'_> {
-    /// Net energy of a row, and the potential after it, both at the least and at the most, in units of the grid.
-    fn energies(&self, i: usize) -> ([i128; 2], [i128; 2]) {
-        let at = |column: &Column| column.get(i).ends_on_grid();
-        let more = match self.applied {
-            true => at(&self.tile.more),
-            false => [0, 0],
-        };
-        let [least, most] = self.tile.taken.each_ref().map(at);
-        let [linear, quantized] = [&self.tile.linear, &self.tile.quantized].map(at);
-        let [_, _, _, net, _] = figures([linear, quantized], more, [least[0], most[1]]);
-        (net, at(&self.tile.potential))
-    }
-}
-
 impl TileRows for Under<'_> {
-    type Steps = ();
+    /// Whether there are any.
+    type Steps = bool;
 
-    fn steps(&self, _: &Range<usize>, _: bool, excess: Option<&Bounds>) -> Option<()> {
-        excess.is_none().then_some(())
+    fn steps(&self, _: &Range<usize>, running: bool, excess: Option<&Bounds>) -> Option<bool> {
+        excess.is_none().then_some(running)
     }
 
-    fn sums(&self, rows: &Range<usize>, (): &()) -> Sums {
+    fn sums(&self, rows: &Range<usize>, _: &bool) -> Sums {
         self.tile.sums(rows, self.applied)
     }
 
-    fn courses(&self, rows: &Range<usize>, (): &()) -> Courses<i128> {
-        let mut courses = Courses::default();
-        for (i, h) in rows.clone().zip(1..) {
-            let (net, potential) = self.energies(i);
-            courses.step((net[0], potential[0]), Some([net, potential]), h);
-        }
-        courses
+    fn courses(&self, rows: &Range<usize>, running: &bool, of: (Asked, f64)) -> Courses<i128> {
+        courses(self, rows, *running, of)
     }
 
-    fn observer(&self, rows: &Range<usize>) -> Course<i128> {
-        let mut course = Course::default();
-        let observed = observed(self.tile, self.applied);
-        for (layers, h) in observed[rows.clone()].iter().zip(1..) {
-            course.step(on_grid(*layers), h);
-        }
-        course
+    fn observer(&self, rows: &Range<usize>, off: f64) -> Course<i128> {
+        observer(self, rows, off)
     }
 
     fn truths(&self, i: usize) -> Truths {
@@ -211,7 +179,8 @@ impl Tile {
             observed,
         } = totals;
         let more = if applied { more } else { [0, 0] };
-        let [least_net, least_stored, least_observed, least_row] = least(self, rows, applied);
+        let ([least_net, least_stored, least_observed, least_row], off) =
+            least(self, rows, applied);
         let sums = figures(generated, more, taken);
         let [_, _, _, net, _] = sums;
         Sums {
@@ -225,6 +194,7 @@ impl Tile {
             least_supply: [least_net; 2],
             least_supplied: [least_stored; 2],
             excess: None,
+            off,
         }
     }
 
@@ -251,9 +221,9 @@ impl Tile {
         }
     }
 
-    /// Bounds from below, in units of the grid: see [`Sums`].
+    /// Bounds from below, in units of the grid, and what doubles near them are off by at most: see [`Sums`].
     #[inline(always)]
-    fn least(&self, rows: &Range<usize>, applied: bool) -> [i128; 4] {
+    fn least(&self, rows: &Range<usize>, applied: bool) -> ([i128; 4], f64) {
         // Of each row: what it adds to net energy and to what the observer sums, the potential after it, and the
         // size of all of them.
         let mut found = [[0.0; TILE]; 4];
@@ -284,14 +254,14 @@ impl Tile {
                 *least = if found < *least { found } else { *least };
             }
         }
-        least.map(|x| lowest(x, size))
+        (least.map(|x| lowest(x, size)), off(size))
     }
 }
 
 /// [`Tile::least`] of all rows, a part of the tile at a time: in it, no sum of the first few rows is less than that of all
 /// rows of the part that are below zero. So no sum has to wait for that of the row before.
 #[inline(always)]
-fn least_of_parts([nets, observations, potentials, sizes]: &[[f64; TILE]; 4]) -> [i128; 4] {
+fn least_of_parts([nets, observations, potentials, sizes]: &[[f64; TILE]; 4]) -> ([i128; 4], f64) {
     let below_zero = |x: f64| if x < 0.0 { x } else { 0.0 };
     let [mut net, mut observed, mut size] = [0.0; 3];
     let mut least = [f64::INFINITY; 4];
@@ -310,7 +280,7 @@ fn least_of_parts([nets, observations, potentials, sizes]: &[[f64; TILE]; 4]) ->
         observed += added(observations, part, |x| x);
         size += added(sizes, part, |x| x);
     }
-    least.map(|x| lowest(x, size))
+    (least.map(|x| lowest(x, size)), off(size))
 }
 
 /// How many rows a part has.
@@ -320,7 +290,7 @@ const PART: usize = 16;
 const LANES: usize = 8;
 
 #[inline(always)]
-fn less(a: f64, b: f64) -> f64 {
+pub(super) fn less(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
@@ -355,41 +325,25 @@ fn joined([a, b, c, d, e, f, g, h]: [f64; LANES], pair: impl Fn(f64, f64) -> f64
     pair(pair(a, c), pair(e, g))
 }
 
-/// What the observer adds for each row, at the least, as whole numbers of 1, 2⁻³² and 2⁻⁶⁴.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn observed(tile: &Tile, applied: bool) -> [[i64; 3]; TILE] {
-    let mut all = [[0; 3]; TILE];
-    for (i, layers) in all.iter_mut().enumerate() {
-        let more = match applied {
-            true => tile.more.get(i),
-            false => Ball::zero(),
-        };
-        let [whole, upper, lower, off] = tile.observed.get(i).layers();
-        let [more_whole, more_upper, more_lower, more_off] = more.layers();
-        // Of rows that are decided each layer is below 2^51.
-        let lowest = lower.wrapping_sub(off).wrapping_sub(more_lower);
-        *layers = [
-            whole.wrapping_sub(more_whole),
-            upper.wrapping_sub(more_upper),
-            lowest.wrapping_sub(more_off),
-        ];
-    }
-    all
-}
-
 /// [`Tile::least`], in the widest instructions that there are.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn least(tile: &Tile, rows: &Range<usize>, applied: bool) -> [i128; 4] {
+fn least(tile: &Tile, rows: &Range<usize>, applied: bool) -> ([i128; 4], f64) {
     tile.least(rows, applied)
 }
 
 /// In units of the grid, what a sum of some rows is not below that doubles make this: of numbers of this size, together.
 #[inline(always)]
 pub(super) fn lowest(x: f64, size: f64) -> i128 {
+    below(x - off(size))
+}
+
+/// What a double near a sum of some rows is off by at most: of numbers of this size, together.
+#[inline(always)]
+pub(super) fn off(size: f64) -> f64 {
     // Each number is off by a few roundings of what it is made of, and rounded to the grid by a few units.
     const ROUNDING: f64 = 1.0 / (1_u64 << 42) as f64;
     const UNITS: f64 = 1.0 / (1_u64 << 50) as f64;
-    below(x - (size * ROUNDING + UNITS))
+    size * ROUNDING + UNITS
 }
 
 /// A double as a number of units of the grid, rounded down, as far as 128 bits go.

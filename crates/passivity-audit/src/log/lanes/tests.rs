@@ -1,3 +1,4 @@
+use passivity_core::course::Course;
 use passivity_core::{Scalar as _, quantizer};
 use passivity_random::draws;
 use passivity_scene::Scene;
@@ -245,19 +246,41 @@ proptest! {
 fn check_sums(tile: &Tile, rows: &Range<usize>, applied: bool) -> Result<(), TestCaseError> {
     let sums = tile.sums(rows, applied);
     let mut all = [[0, 0]; 5];
-    let mut observed = 0;
-    for i in rows.clone() {
+    let (mut courses, mut observer) = (Courses::default(), Course::default());
+    for (i, h) in rows.clone().zip(1..) {
         let addend = tile.addend(i, applied).unwrap();
         for (sum, figure) in all.iter_mut().zip(addend.sums) {
             *sum = [sum[0] + figure[0], sum[1] + figure[1]];
         }
-        observed += addend.observed;
+        let (net, potential) = (addend.sums[3], addend.potential);
+        courses.step((net[0], potential[0]), Some([net, potential]), h);
+        observer.step(addend.observed, h);
         prop_assert!(sums.least_row <= addend.sums[3][0]);
         prop_assert!(sums.least_net <= all[3][0]);
         prop_assert!(sums.least_stored <= all[3][0] + addend.potential[0]);
-        prop_assert!(sums.least_observed <= observed);
+        prop_assert!(sums.least_observed <= observer.sum);
     }
-    prop_assert_eq!((sums.sums, sums.observed), (all, observed));
+    prop_assert_eq!((sums.sums, sums.observed), (all, observer.sum));
+    // Where they are least, without the sums of all rows.
+    let asked = Asked {
+        net: true,
+        worst: true,
+        supply: [true; 2],
+    };
+    let tile = Under { tile, applied };
+    let mut found = tile.courses(rows, &true, (asked, sums.off));
+    for (found, course) in found.supply.iter_mut().zip(courses.supply) {
+        found.sum = course.sum;
+    }
+    found.net.sum = courses.net.sum;
+    prop_assert_eq!(found, courses);
+    found = tile.courses(rows, &false, (asked, sums.off));
+    prop_assert_eq!(
+        (found.stored, found.net.at),
+        (courses.lowest[0], courses.net.at)
+    );
+    let found = tile.observer(rows, sums.off);
+    prop_assert_eq!((found.least, found.at), (observer.least, observer.at));
     Ok(())
 }
 
@@ -379,22 +402,20 @@ proptest! {
         if !rows.is_empty() {
             let steps = tile.steps(&rows, running, alone.excess()).unwrap();
             let sums = tile.sums(&rows, &steps);
-            let mut observed = 0;
+            let (mut net, mut observed) = (0, 0);
             for i in rows.clone() {
-                let (found, figures) = (tile.courses(&(rows.start..i + 1), &steps), tile.figures(i).unwrap());
-                let net = found.net.sum;
+                let (found, figures) = (tile.sums(&(rows.start..i + 1), &steps), tile.figures(i).unwrap());
+                net += figures.sums[3][0];
                 observed += figures.observed;
                 prop_assert!(sums.least_row <= figures.sums[3][0] && sums.least_net <= net);
                 prop_assert!(sums.least_stored <= net + figures.stored[0] && sums.least_observed <= observed);
                 let least = sums.least_supply.iter().zip(sums.least_supplied);
                 let added = found.supply.iter().zip(figures.stored);
                 for ((sum, end), (alone, with_end)) in added.zip(least) {
-                    prop_assert!(*alone <= sum.sum && (with_end <= sum.sum + end || !running));
+                    prop_assert!(alone <= sum && (with_end <= sum + end || !running));
                 }
             }
-            let all = tile.courses(&rows, &steps);
-            prop_assert_eq!((sums.sums[3][0], sums.observed), (all.net.sum, observed));
-            prop_assert_eq!(sums.supply, all.supply.map(|sum| sum.sum));
+            prop_assert_eq!((sums.sums[3][0], sums.observed), (net, observed));
         }
         for _ in 0..3 {
             // Again and again: what the energies fall below the first time, they may not the next.
