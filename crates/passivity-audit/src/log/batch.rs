@@ -35,9 +35,8 @@ pub(crate) struct Batch {
     observer: Course<i128>,
     /// The excess force of the last interval, where it had any.
     excess: Option<Bounds>,
-    /// What intervals answer, the first of those that are alike and how many, but for the latest of them; and these.
+    /// What intervals answer, the first of those that are alike and how many.
     tallied: Vec<(Truths, u64, u64)>,
-    alike: (Option<Truths>, u64, u64),
     /// The first interval of each kind.
     firsts: [Option<u64>; 5],
 }
@@ -76,7 +75,7 @@ impl Batch {
             self.excess = supply.excess;
         }
         self.observer.step(addend.observed, h);
-        self.alike(addend.truths, h - 1, 1);
+        self.tally(addend.truths, h - 1, 1);
         Some(())
     }
 
@@ -132,13 +131,9 @@ impl Batch {
         observer.sum = sums.observed;
         self.observer.append(&observer, before);
         self.intervals += rows.len() as u64;
-        let mut at = rows.start;
-        while at < rows.end {
-            let times = tile.alike(at..rows.end);
-            let h = before + (at - rows.start) as u64;
-            self.alike(tile.truths(at), h, times as u64);
-            at += times;
-        }
+        tile.answers(&rows, |truths, first, times| {
+            self.tally(truths, before + first as u64, times as u64);
+        });
         rows.len()
     }
 
@@ -170,20 +165,7 @@ impl Batch {
 
     /// Takes note of so many intervals with the same answers, the first of them `h`.
     #[inline(always)]
-    fn alike(&mut self, truths: Truths, h: u64, times: u64) {
-        // Most intervals come after one like them.
-        if self.alike.0 != Some(truths) {
-            self.settle();
-            self.alike = (Some(truths), h, 0);
-        }
-        self.alike.2 += times;
-    }
-
-    /// Counts the intervals that are alike.
-    fn settle(&mut self) {
-        let (Some(truths), h, times) = self.alike else {
-            return;
-        };
+    fn tally(&mut self, truths: Truths, h: u64, times: u64) {
         if let Some((_, _, count)) = self.tallied.iter_mut().find(|(of, ..)| *of == truths) {
             *count += times;
             return;
@@ -199,11 +181,10 @@ impl Batch {
     /// The account of the intervals; `running` where the verdict is about what the operator has drawn.
     /// `place` gives an interval worth showing, by how many came before it.
     pub(crate) fn account(
-        mut self,
+        self,
         running: bool,
         place: impl Fn(u64) -> Result<Place, TraceError>,
     ) -> Result<Account, TraceError> {
-        self.settle();
         let mut tallies = Tallies::default();
         for (truths, first, times) in self.tallied {
             tallies.add_times(truths, first, times);

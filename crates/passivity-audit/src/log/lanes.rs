@@ -9,8 +9,6 @@
     reason = "every index is that of a row of a tile, below the length of every column"
 )]
 
-use std::ops::Range;
-
 use passivity_core::{Step, Truth};
 
 pub(crate) use compute::commanded;
@@ -96,15 +94,13 @@ pub(crate) struct Tile {
     truths: [[u64; TILE]; 2],
     /// Not zero for the rows that are left open.
     open: [[u64; TILE]; 2],
-    /// Whether all rows answer the same.
-    alike: [bool; 2],
     len: usize,
     /// Sums of all columns, where no row is left open.
     whole: Option<Totals>,
 }
 
 /// What a row answers, of what is at least, and at most, true of the criterion and of both accounts, as bits.
-fn truths(bits: u64) -> Truths {
+pub(crate) fn truths(bits: u64) -> Truths {
     let truth = |place: u32| Truth::over(bits >> place & 1 == 1, bits >> (place + 1) & 1 == 1);
     Truths {
         criterion_holds: truth(0),
@@ -235,7 +231,6 @@ impl Tile {
             potential: Column::ZERO,
             truths: [[0; TILE]; 2],
             open: [[0; TILE]; 2],
-            alike: [false; 2],
             len: 0,
             whole: None,
         }
@@ -246,10 +241,6 @@ impl Tile {
         compute::compute(self, wall, of, applied);
         self.len = of.len;
         let open = self.open.iter().flatten().fold(0, |all, open| all | open);
-        self.alike = self.truths.each_ref().map(|truths| {
-            let [first, ..] = truths;
-            truths[..self.len].iter().all(|bits| bits == first)
-        });
         self.whole = (self.len == TILE && open == 0).then(|| sums::totals(self));
     }
 
@@ -262,22 +253,6 @@ impl Tile {
         let rows = self.open[usize::from(applied)].get(from..until);
         let open = rows.unwrap_or_default().iter().position(|open| *open != 0);
         open.map_or(until, |rows| from + rows)
-    }
-
-    /// What a row answers.
-    pub(crate) fn truths(&self, i: usize, applied: bool) -> Truths {
-        truths(self.truths[usize::from(applied)][i])
-    }
-
-    /// How many of some rows, from the first one on, answer the same.
-    pub(crate) fn alike(&self, rows: Range<usize>, applied: bool) -> usize {
-        if self.alike[usize::from(applied)] {
-            return rows.len();
-        }
-        let rows = &self.truths[usize::from(applied)][rows];
-        rows.iter()
-            .take_while(|bits| rows.first() == Some(bits))
-            .count()
     }
 }
 

@@ -30,8 +30,8 @@ use passivity_core::counted::{Arc, Crossing, Resistance};
 use passivity_core::{Criterion, Friction, Scalar as _, dissipation};
 
 use crate::ball::{Ball, unless};
-use crate::log::counted::{Figures, Interval, Row, truths};
-use crate::log::lanes::Length;
+use crate::log::counted::{Figures, Interval, Row};
+use crate::log::lanes::{Length, truths};
 use crate::log::wall::Wall;
 use crate::plain::Plain;
 use crate::span::BITS;
@@ -379,6 +379,9 @@ impl Quick {
         };
         let [[_, linear], [_, quantized]] = row.net;
         let (holds, of_margin) = covers(margin);
+        // Had nothing moved, it would hold.
+        let may_hold = holds == 0.0 && ticks.0.abs() <= 1.0;
+        let holds = if may_hold { 2.0 } else { holds };
         let (linear, of_linear) = covers([signs[0], most_of(linear)]);
         let (quantized, of_quantized) = covers([signs[1], most_of(quantized)]);
         (
@@ -408,13 +411,6 @@ impl Quick {
     }
 }
 
-/// What a row answers that crosses so many ticks, by its [`Near::covers`].
-#[inline(always)]
-pub(crate) fn answers(covers: u64, crossed: i64) -> crate::ledger::Truths {
-    let is = |place: u32| covers >> place & 1 == 1;
-    truths([[is(0), is(1)], [is(2), is(3)], [is(4), is(5)]], crossed)
-}
-
 impl Near {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // six bits
     fn figures(&self, crossed: i64) -> Figures {
@@ -424,7 +420,7 @@ impl Near {
             own: both(self.own),
             excess: both(self.excess),
             stored: both(self.stored),
-            truths: answers(self.covers as u64, crossed),
+            truths: truths(self.covers as u64),
             crossed,
         }
     }

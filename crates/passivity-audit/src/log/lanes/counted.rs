@@ -5,11 +5,10 @@ use std::ops::Range;
 use multiversion::multiversion;
 
 use super::compute::whole;
-use super::{Length, TILE};
-use crate::ledger::Truths;
+use super::{Length, TILE, truths};
 use crate::log::counted::{Figures, Interval};
 use crate::log::numbers::Readings;
-use crate::log::quick::{self, End, Quick, answers, units};
+use crate::log::quick::{self, End, Quick, units};
 use crate::plain::Plain;
 
 /// The lower or the upper ends of numbers, both parts of each.
@@ -101,11 +100,6 @@ impl Counted {
         self.figures(i)
     }
 
-    /// What a row answers.
-    pub(super) fn answers(&self, i: usize) -> Truths {
-        answers(self.covers[i], self.crossed[i])
-    }
-
     /// What a row comes to; `None` where doubles leave something open.
     #[inline]
     pub(super) fn figures(&self, i: usize) -> Option<Figures> {
@@ -126,7 +120,7 @@ impl Counted {
             own: both(&self.own, i),
             excess: both(&self.excess, i),
             stored: both(&self.stored, i),
-            truths: self.answers(i),
+            truths: truths(self.covers[i]),
             crossed,
         })
     }

@@ -9,7 +9,6 @@ use super::TILE;
 use super::counted::{Counted, Ends, NONE, both, one};
 use super::least::{OnGrid, Way};
 use super::sums::{Asked, Courses, Sums, TileRows, lowest, off};
-use crate::ledger::Truths;
 use crate::log::quick::{End, carried, parts, units, whole};
 use crate::log::supply::{Bounds, NO_FORCE};
 use crate::number::Reduced;
@@ -289,13 +288,7 @@ impl TileRows for Counted {
         observer(&self.observed, rows, off)
     }
 
-    fn truths(&self, i: usize) -> Truths {
-        self.answers(i)
-    }
-
-    fn alike(&self, rows: Range<usize>) -> usize {
-        let kind = |i: usize| (self.covers[i], self.crossed[i].unsigned_abs() <= 1);
-        let first = kind(rows.start);
-        rows.take_while(|i| kind(*i) == first).count()
+    fn covers(&self) -> &[u64; TILE] {
+        &self.covers
     }
 }

@@ -6,7 +6,7 @@ use multiversion::multiversion;
 use passivity_core::course::{Course, Least};
 
 use super::least::{courses, observer};
-use super::{Column, TILE, Tile};
+use super::{Column, TILE, Tile, truths};
 use crate::ball::{Ball, on_grid};
 use crate::ledger::Truths;
 use crate::log::motion::figures;
@@ -123,11 +123,26 @@ pub(crate) trait TileRows {
     /// The same of what the observer sums up.
     fn observer(&self, rows: &Range<usize>, off: f64) -> Course<i128>;
 
-    /// What a row answers.
-    fn truths(&self, i: usize) -> Truths;
+    /// What each row answers, as bits.
+    fn covers(&self) -> &[u64; TILE];
 
-    /// How many of some rows, from the first one on, answer the same.
-    fn alike(&self, rows: Range<usize>) -> usize;
+    /// Takes what some rows answer: the first of those that answer the same, counted from zero, and how many.
+    #[inline(always)]
+    fn answers(&self, rows: &Range<usize>, mut take: impl FnMut(Truths, usize, usize)) {
+        let rows = &self.covers()[rows.clone()];
+        let (mut left, mut seen) = (rows.len(), 0_u64);
+        for (i, bits) in rows.iter().enumerate() {
+            if seen >> bits & 1 == 0 {
+                seen |= 1 << bits;
+                let alike: u64 = rows.iter().map(|other| u64::from(other == bits)).sum();
+                take(truths(*bits), i, alike as usize);
+                left -= alike as usize;
+            }
+            if left == 0 {
+                break;
+            }
+        }
+    }
 }
 
 /// The rows of a tile under the force in the log where that is `applied`, else under that of the wall.
@@ -156,12 +171,8 @@ impl TileRows for Under<'_> {
         observer(self, rows, off)
     }
 
-    fn truths(&self, i: usize) -> Truths {
-        self.tile.truths(i, self.applied)
-    }
-
-    fn alike(&self, rows: Range<usize>) -> usize {
-        self.tile.alike(rows, self.applied)
+    fn covers(&self) -> &[u64; TILE] {
+        &self.tile.truths[usize::from(self.applied)]
     }
 }
 

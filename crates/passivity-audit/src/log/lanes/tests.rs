@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use passivity_core::course::Course;
 use passivity_core::{Scalar as _, quantizer};
 use passivity_random::draws;
@@ -88,6 +90,10 @@ fn row() -> impl Strategy<Value = Row> {
 
 impl Tile {
     /// What a row adds.
+    fn truths(&self, i: usize, applied: bool) -> Truths {
+        truths(self.truths[usize::from(applied)][i])
+    }
+
     pub(crate) fn addend(&self, i: usize, applied: bool) -> Option<Addend> {
         let at = |column: &Column| column.get(i).on_grid();
         let known = Known {
@@ -429,7 +435,7 @@ proptest! {
             }
             prop_assert_eq!(format!("{alone:?}"), format!("{together:?}"));
             // Room for sums that get just below what they were, or far from it.
-            let added = Addend { sums: [[room; 2]; 5], observed: room, potential: [0; 2], truths: tile.truths(0) };
+            let added = Addend { sums: [[room; 2]; 5], observed: room, potential: [0; 2], truths: truths(tile.covers[0]) };
             let supply = Supplied { step: [room; 2], end: [0; 2], excess: alone.excess().cloned() };
             alone.add(&added, running.then_some(supply)).unwrap();
         }

@@ -69,7 +69,7 @@ fn figures(of: &Row<BigRational>, crossed: i64) -> (crate::ledger::Truths, Vec<[
     let [generated, quantized] = of.generated.clone();
     let [net, net_quantized] = of.net.clone();
     (
-        truths(
+        crate::log::counted::truths(
             [covers(&of.margin), covers(&net), covers(&net_quantized)],
             crossed,
         ),
