@@ -23,7 +23,7 @@ use crate::log::chunk::{Chunk, Samples};
 use crate::log::layout::Layout;
 use crate::log::numbers::{Balls, Readings};
 use crate::log::quick::Quick;
-use crate::log::step::periods;
+use crate::log::step::{all_periods, periods};
 use crate::log::task::Task;
 use crate::log::wall::Wall;
 use sums::Totals;
@@ -194,7 +194,12 @@ impl Length {
     /// Of the interval that starts at sample `i` of a chunk.
     #[inline]
     pub(crate) fn of(layout: &Layout, chunk: &Chunk, i: usize) -> Self {
-        periods(layout, chunk, i).map_or(Self::OPEN, |(n, d)| Self(n, d))
+        Self::of_periods(periods(layout, chunk, i))
+    }
+
+    #[inline(always)]
+    fn of_periods(periods: Option<(i64, i64)>) -> Self {
+        periods.map_or(Self::OPEN, |(n, d)| Self(n, d))
     }
 
     #[inline]
@@ -274,13 +279,20 @@ impl Tiles {
         let wall = Wall::of(task.ledger);
         self.quick = wall.as_ref().map(Quick::of);
         self.wall = wall.map(|wall| wall.lanes());
+        let intervals = chunk.samples.len().saturating_sub(1);
+        // Of counts without forces few are asked for, or by one account.
+        let is_asked = matches!(chunk.samples, Samples::Any(_)) || task.applied;
+        if let (Some(_), true) = (&self.wall, is_asked) {
+            let known = all_periods(task.layout, chunk).map(Length::of_periods);
+            self.lengths.extend(known.take(intervals));
+            let rest = self.lengths.len()..intervals;
+            self.lengths
+                .extend(rest.map(|i| Length::of(task.layout, chunk, i)));
+        }
         let (Some(wall), Samples::Any(samples)) = (&self.wall, &chunk.samples) else {
             self.tiles.clear();
             return;
         };
-        let intervals = samples.len().saturating_sub(1);
-        let lengths = (0..intervals).map(|i| Length::of(task.layout, chunk, i));
-        self.lengths.extend(lengths);
         let forces = task.applied.then_some(&chunk.forces.values);
         self.tiles.resize(intervals.div_ceil(TILE), Tile::new());
         let mut of = Intervals::new();
