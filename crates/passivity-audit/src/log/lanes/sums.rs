@@ -134,15 +134,25 @@ pub(crate) trait TileRows {
         for (i, bits) in rows.iter().enumerate() {
             if seen >> bits & 1 == 0 {
                 seen |= 1 << bits;
-                let alike: u64 = rows.iter().map(|other| u64::from(other == bits)).sum();
-                take(truths(*bits), i, alike as usize);
-                left -= alike as usize;
+                let alike = alike(rows, *bits);
+                take(truths(*bits), i, alike);
+                left -= alike;
             }
             if left == 0 {
                 break;
             }
         }
     }
+}
+
+/// How many of some rows answer this.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+fn alike(rows: &[u64], bits: u64) -> usize {
+    let mut alike = 0_u64;
+    for other in rows {
+        alike = alike.wrapping_add(u64::from(*other == bits));
+    }
+    alike as usize
 }
 
 /// The rows of a tile under the force in the log where that is `applied`, else under that of the wall.
