@@ -133,8 +133,8 @@ impl<const BRANCHES: bool> Ball<BRANCHES> {
 
 impl Ball {
     /// Around a double that is the nearest but for `roundings` roundings.
-    #[inline]
-    fn rounded(middle: f64, roundings: f64) -> Self {
+    #[inline(always)]
+    pub(crate) fn rounded(middle: f64, roundings: f64) -> Self {
         Self {
             middle,
             radius: roundings * ROUNDING * middle.abs(),

@@ -9,6 +9,7 @@
     reason = "every index is that of a row of a tile, below the length of every column"
 )]
 
+use multiversion::multiversion;
 use passivity_core::{Step, Truth};
 
 pub(crate) use compute::commanded;
@@ -136,8 +137,11 @@ impl Intervals {
         if let Some(forces) = forces {
             self.len = self.len.min(self.force.copy(&forces.near, at, most));
         }
-        for (i, length) in lengths.iter().enumerate().take(self.len) {
-            self.lasts.set(i, length.near());
+        let lengths = &lengths[..self.len];
+        if !near(lengths, &mut self.lasts) {
+            for (i, length) in lengths.iter().enumerate() {
+                self.lasts.set(i, length.near());
+            }
         }
         samples.written.mark_same(at, &mut self.still[..self.len]);
         // Nothing comes of nothing.
@@ -223,6 +227,29 @@ impl Length {
         let is_known = n > 0 && d > 0 && n < MOST && d < MOST;
         is_known.then(|| n as f64 / d as f64)
     }
+}
+
+/// [`Length::near`] of lengths over one denominator, of which none may be a double; whether that is all of them.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+#[allow(clippy::cast_precision_loss)] // nothing is lost
+fn near(lengths: &[Length], lasts: &mut Column) -> bool {
+    let Some(Length(_, d @ 1..)) = lengths.first() else {
+        return false;
+    };
+    let odd = d >> d.trailing_zeros();
+    let bits = i64::BITS - odd.leading_zeros();
+    if odd == 1 || bits >= f64::MANTISSA_DIGITS || *d >> f64::MANTISSA_DIGITS != 0 {
+        return false;
+    }
+    // A quotient that is a double has as many digits less as there are in what is odd of the denominator.
+    let behind = (1_u64 << (bits - 1)) - 1;
+    let mut open = false;
+    for (i, Length(n, own)) in lengths.iter().enumerate() {
+        let middle = *n as f64 / *d as f64;
+        lasts.set(i, Ball::rounded(middle, 2.0));
+        open |= (own != d) | (n >> f64::MANTISSA_DIGITS != 0) | (middle.to_bits() & behind == 0);
+    }
+    !open
 }
 
 impl Tile {
