@@ -9,11 +9,11 @@
     reason = "every index is that of a row of a tile, below the length of every column"
 )]
 
-use multiversion::multiversion;
 use passivity_core::{Step, Truth};
 
 pub(crate) use compute::commanded;
 pub(crate) use counted::Counted;
+pub(crate) use lengths::Length;
 pub(crate) use sums::{Asked, Courses, Sums, TileRows, Under};
 pub(crate) use written::write;
 
@@ -21,10 +21,9 @@ use crate::ball::{Ball, Lane};
 use crate::figure::not;
 use crate::ledger::Truths;
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::layout::Layout;
 use crate::log::numbers::{Balls, Readings};
 use crate::log::quick::Quick;
-use crate::log::step::{all_periods, periods};
+use crate::log::step::all_periods;
 use crate::log::task::Task;
 use crate::log::wall::Wall;
 use sums::Totals;
@@ -138,7 +137,7 @@ impl Intervals {
             self.len = self.len.min(self.force.copy(&forces.near, at, most));
         }
         let lengths = &lengths[..self.len];
-        if !near(lengths, &mut self.lasts) {
+        if !lengths::near(lengths, &mut self.lasts) {
             for (i, length) in lengths.iter().enumerate() {
                 self.lasts.set(i, length.near());
             }
@@ -186,70 +185,6 @@ impl Intervals {
         };
         ([start, end, lasts], step)
     }
-}
-
-/// How long an interval is, in periods, as a fraction; nothing where that is left open.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Length(pub(crate) i64, pub(crate) i64);
-
-impl Length {
-    pub(crate) const OPEN: Self = Self(0, 0);
-
-    /// Of the interval that starts at sample `i` of a chunk.
-    #[inline]
-    pub(crate) fn of(layout: &Layout, chunk: &Chunk, i: usize) -> Self {
-        Self::of_periods(periods(layout, chunk, i))
-    }
-
-    #[inline(always)]
-    fn of_periods(periods: Option<(i64, i64)>) -> Self {
-        periods.map_or(Self::OPEN, |(n, d)| Self(n, d))
-    }
-
-    #[inline]
-    fn near(self) -> Ball {
-        match self.1 {
-            0 => Ball::UNDEFINED,
-            _ => Ball::ratio(self.0, self.1),
-        }
-    }
-
-    /// The nearest double, where both numbers in lowest terms are doubles.
-    #[inline(always)]
-    #[allow(clippy::cast_precision_loss)] // nothing is lost
-    pub(crate) fn nearest(self) -> Option<f64> {
-        const MOST: i64 = 1 << f64::MANTISSA_DIGITS;
-        let Self(mut n, mut d) = self;
-        if n >= MOST || d >= MOST {
-            let divisor = num_integer::gcd(n, d);
-            (n, d) = (n / divisor, d / divisor);
-        }
-        let is_known = n > 0 && d > 0 && n < MOST && d < MOST;
-        is_known.then(|| n as f64 / d as f64)
-    }
-}
-
-/// [`Length::near`] of lengths over one denominator, of which none may be a double; whether that is all of them.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-#[allow(clippy::cast_precision_loss)] // nothing is lost
-fn near(lengths: &[Length], lasts: &mut Column) -> bool {
-    let Some(Length(_, d @ 1..)) = lengths.first() else {
-        return false;
-    };
-    let odd = d >> d.trailing_zeros();
-    let bits = i64::BITS - odd.leading_zeros();
-    if odd == 1 || bits >= f64::MANTISSA_DIGITS || *d >> f64::MANTISSA_DIGITS != 0 {
-        return false;
-    }
-    // A quotient that is a double has as many digits less as there are in what is odd of the denominator.
-    let behind = (1_u64 << (bits - 1)) - 1;
-    let mut open = false;
-    for (i, Length(n, own)) in lengths.iter().enumerate() {
-        let middle = *n as f64 / *d as f64;
-        lasts.set(i, Ball::rounded(middle, 2.0));
-        open |= (own != d) | (n >> f64::MANTISSA_DIGITS != 0) | (middle.to_bits() & behind == 0);
-    }
-    !open
 }
 
 impl Tile {
@@ -336,6 +271,7 @@ mod counted;
 mod counted_sums;
 mod crossed;
 mod least;
+mod lengths;
 mod sums;
 #[cfg(test)]
 mod tests;

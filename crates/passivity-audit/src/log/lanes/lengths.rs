@@ -1,0 +1,107 @@
+//! How long intervals are.
+
+use multiversion::multiversion;
+
+use super::Column;
+use crate::ball::Ball;
+use crate::log::chunk::Chunk;
+use crate::log::layout::Layout;
+use crate::log::step::periods;
+
+/// How long an interval is, in periods, as a fraction; nothing where that is left open.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Length(pub(crate) i64, pub(crate) i64);
+
+impl Length {
+    pub(crate) const OPEN: Self = Self(0, 0);
+
+    /// Of the interval that starts at sample `i` of a chunk.
+    #[inline]
+    pub(crate) fn of(layout: &Layout, chunk: &Chunk, i: usize) -> Self {
+        Self::of_periods(periods(layout, chunk, i))
+    }
+
+    #[inline(always)]
+    pub(super) fn of_periods(periods: Option<(i64, i64)>) -> Self {
+        periods.map_or(Self::OPEN, |(n, d)| Self(n, d))
+    }
+
+    #[inline]
+    pub(super) fn near(self) -> Ball {
+        match self.1 {
+            0 => Ball::UNDEFINED,
+            _ => Ball::ratio(self.0, self.1),
+        }
+    }
+
+    /// The nearest double, where both numbers in lowest terms are doubles.
+    #[inline(always)]
+    #[allow(clippy::cast_precision_loss)] // nothing is lost
+    pub(crate) fn nearest(self) -> Option<f64> {
+        const MOST: i64 = 1 << f64::MANTISSA_DIGITS;
+        let Self(mut n, mut d) = self;
+        if n >= MOST || d >= MOST {
+            let divisor = num_integer::gcd(n, d);
+            (n, d) = (n / divisor, d / divisor);
+        }
+        let is_known = n > 0 && d > 0 && n < MOST && d < MOST;
+        is_known.then(|| n as f64 / d as f64)
+    }
+}
+
+/// [`Length::near`] of lengths over one denominator, of which none may be a double; whether that is all of them.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+#[allow(clippy::cast_precision_loss)] // nothing is lost
+pub(super) fn near(lengths: &[Length], lasts: &mut Column) -> bool {
+    let Some(Length(_, d @ 1..)) = lengths.first() else {
+        return false;
+    };
+    let odd = d >> d.trailing_zeros();
+    let bits = i64::BITS - odd.leading_zeros();
+    if odd == 1 || bits >= f64::MANTISSA_DIGITS || *d >> f64::MANTISSA_DIGITS != 0 {
+        return false;
+    }
+    // A quotient that is a double has as many digits less as there are in what is odd of the denominator.
+    let behind = (1_u64 << (bits - 1)) - 1;
+    let mut open = false;
+    for (i, Length(n, own)) in lengths.iter().enumerate() {
+        let middle = *n as f64 / *d as f64;
+        lasts.set(i, Ball::rounded(middle, 2.0));
+        open |= (own != d) | (n >> f64::MANTISSA_DIGITS != 0) | (middle.to_bits() & behind == 0);
+    }
+    !open
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::super::TILE;
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn lengths_are_near_what_each_is_alone(
+            lengths in prop::collection::vec((1..3000_i64, 0..50_u32), 1..TILE),
+            d in prop_oneof![1..2000_i64, Just(1_000_000), Just(1 << 40), Just((1 << 52) + 2), any::<i64>()],
+            other in prop_oneof![Just(None), (1..TILE).prop_map(Some)],
+        ) {
+            let mut lengths: Vec<Length> = lengths.iter().map(|(n, k)| Length(n << k, d)).collect();
+            if let Some(length) = other.and_then(|i| lengths.get_mut(i)) {
+                length.1 = 999;
+            }
+            let mut lasts = Column::ZERO;
+            if near(&lengths, &mut lasts) {
+                for (i, length) in lengths.iter().enumerate() {
+                    prop_assert_eq!(lasts.get(i).parts(), length.near().parts());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn lengths_in_nanoseconds_are_found_several_at_a_time() {
+        let lengths = [999_731, 1_000_001, 1_012_347].map(|n| Length(n, 1_000_000));
+        assert!(near(&lengths, &mut { Column::ZERO }));
+    }
+}
