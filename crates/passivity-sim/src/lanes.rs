@@ -92,7 +92,6 @@ impl Work {
 #[multiversion(targets(
     "x86_64+avx512f+avx512dq+avx512vl+avx512bw",
     "x86_64+avx2",
-    "x86_64+sse4.1",
     "aarch64+neon"
 ))]
 fn best(work: &mut Work, points: &Points, intervals: u32) {
