@@ -179,9 +179,13 @@ impl Counted {
                 force: Plain(forces[i]),
             };
             let row = quick.row(&of, off[i], is_exact, applied);
-            for (sums, both) in self.sums.iter_mut().zip(row.sums) {
-                put(sums, i, both);
-            }
+            // One by one: loops of these would keep the loop over rows from becoming vector instructions.
+            let [a, b, c, d, e] = row.sums;
+            put(&mut self.sums[0], i, a);
+            put(&mut self.sums[1], i, b);
+            put(&mut self.sums[2], i, c);
+            put(&mut self.sums[3], i, d);
+            put(&mut self.sums[4], i, e);
             put(&mut self.own, i, row.own);
             put(&mut self.excess, i, row.excess);
             put(&mut self.stored, i, row.stored);
@@ -194,9 +198,9 @@ impl Counted {
 
 #[inline(always)]
 fn put(ends: &mut [Ends; 2], i: usize, both: [End; 2]) {
-    for (ends, [upper, lower]) in ends.iter_mut().zip(both) {
-        (ends[0][i], ends[1][i]) = (upper, lower);
-    }
+    let [[a, b], [c, d]] = both;
+    (ends[0][0][i], ends[0][1][i]) = (a, b);
+    (ends[1][0][i], ends[1][1][i]) = (c, d);
 }
 
 /// An end in units of the grid.
