@@ -4,22 +4,18 @@
 //! rows: each is computed once and looked up from then on. Everything else is computed row by row, in
 //! doubles and in batches as far as these decide.
 
-use crate::ball::Ball;
-use crate::ledger::Read;
+mod decided;
+
 use crate::log::account::{Account, Place};
 use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::computed::{Computed, EXACT_ROWS, Text, UNIT, is_exact, note_stored};
-use crate::log::counted::Figures;
+use crate::log::computed::{Computed, EXACT_ROWS, Text, UNIT, note_stored};
 use crate::log::error::TraceError;
-use crate::log::known::{Known, Starts};
-use crate::log::lanes::{Counted, Length, TILE, Tiles, Under, write};
-use crate::log::motion::Addend;
-use crate::log::step::{check_jump, duration, interval, jump, undefined};
-use crate::log::supply;
+use crate::log::known::Starts;
+use crate::log::lanes::{Counted, Tiles, write};
+use crate::log::step::{duration, interval, jump, undefined};
 use crate::log::table::Table;
 use crate::log::task::Task;
-use crate::log::wall::Wall;
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 
@@ -202,173 +198,6 @@ impl Walk<'_> {
     const fn is_point(&self) -> bool {
         let came = self.at - self.from;
         self.task.points && came > 0 && came.is_multiple_of(self.stride)
-    }
-
-    /// Most other traces: positions, and counts that no table has. Adds intervals that were computed several at a
-    /// time, as far as doubles decide and no point is plotted; whether there is any.
-    fn tiles(&mut self, batch: &mut Batch, chunk: &Chunk, account: &mut Account) -> bool {
-        let (task, start) = (self.task, self.at);
-        if self.h(start) < EXACT_ROWS {
-            return false;
-        }
-        while self.at < self.until {
-            let mut most = self.until - self.at;
-            if task.points {
-                most = most.min(self.stride - (self.at - self.from) % self.stride);
-            }
-            let h = account.intervals + batch.intervals;
-            let noted = self.noted;
-            let Some(lengths) = self.tile(batch, chunk, most).filter(|of| !of.is_empty()) else {
-                break;
-            };
-            let added = lengths.len();
-            if noted {
-                account.timing.add_all(lengths, h);
-            }
-            self.at += added;
-            if self.is_point() {
-                break;
-            }
-        }
-        self.at > start
-    }
-
-    /// Adds what is decided in the tile of the next interval, as many as are asked for: how long they are; `None` where
-    /// there is no tile.
-    fn tile(&mut self, batch: &mut Batch, chunk: &Chunk, most: usize) -> Option<&[Length]> {
-        let (task, at) = (self.task, self.at);
-        let applied = task.applied;
-        match &chunk.samples {
-            Samples::Any(_) => {
-                let (tile, from) = (self.tiles.tiles.get(at / TILE)?, at % TILE);
-                let rows = from..tile.decided(from, from + most, applied);
-                let added = batch.add_tile((&Under { tile, applied }, rows), task.running);
-                self.tiles.lengths.get(at..at + added)
-            }
-            // Other rows of counts are looked up.
-            Samples::Counts(_) if !applied && !task.ledger.is_plain() => None,
-            Samples::Counts(counts) => {
-                self.compute_counts(chunk, counts)?;
-                let rows = self.counted.decided(at, most);
-                let from = rows.start;
-                let added = batch.add_tile((&*self.counted, rows), task.running);
-                Some(self.counted.lengths(from..from + added))
-            }
-        }
-    }
-
-    /// Computes the rows from here on, where that was not done yet; `None` of loops that are no plain walls.
-    fn compute_counts(&mut self, chunk: &Chunk, counts: &[i64]) -> Option<()> {
-        let (task, i) = (self.task, self.at);
-        if !self.counted.has(i) {
-            let known = &self.tiles.lengths;
-            let length = |i: usize| known.get(i).copied();
-            let lengths =
-                (i..).map(|i| length(i).unwrap_or_else(|| Length::of(task.layout, chunk, i)));
-            let forces = task.applied.then_some(&chunk.forces.values);
-            let quick = self.tiles.quick.as_ref()?;
-            self.counted.fill(quick, (counts, forces), i, lengths);
-        }
-        Some(())
-    }
-
-    /// One of them, or one of counts: adds the next interval, which lasts so long; `None` where doubles leave
-    /// something open, or its row is an exact one.
-    fn known(&mut self, batch: &mut Batch, chunk: &Chunk, dtau: &Number) -> Option<()> {
-        let (task, i) = (self.task, self.at);
-        let samples = match &chunk.samples {
-            Samples::Any(samples) => samples,
-            Samples::Counts(counts) => return self.counted(batch, (chunk, counts), dtau),
-        };
-        if task.ledger.has_memory() || (self.h(i) < EXACT_ROWS && !samples.is_enclosed(i + 1)) {
-            return None;
-        }
-        let known = Known::of(
-            task.ledger.near(),
-            &mut self.starts,
-            [samples.ball(i)?, samples.ball(i + 1)?],
-            samples.written.is_same(i, i + 1),
-            &Ball::of(dtau),
-        )?;
-        let force = match task.applied {
-            true => Some(chunk.forces.values.ball(i)?),
-            false => None,
-        };
-        batch.add_known(&known.addend(force)?, task.running)
-    }
-
-    /// The same of counts, of which several are computed at a time.
-    fn counted(
-        &mut self,
-        batch: &mut Batch,
-        (chunk, counts): (&Chunk, &[i64]),
-        dtau: &Number,
-    ) -> Option<()> {
-        let (task, i) = (self.task, self.at);
-        let (from, to) = (*counts.get(i)?, *counts.get(i + 1)?);
-        check_jump(from, to).ok()?;
-        if is_exact(task, &Reading::Count(to), dtau, self.h(i)) {
-            return None;
-        }
-        self.compute_counts(chunk, counts)?;
-        let closer = || {
-            let wall = Wall::of(task.ledger)?;
-            let force = match task.applied {
-                true => Some(chunk.forces.values.ball(i)?),
-                false => None,
-            };
-            Figures::in_balls(&wall, [from, to], Ball::of(dtau), force)
-        };
-        let figures = self.counted.get(i).or_else(closer)?;
-        let supply = match task.running {
-            true => Some(figures.contribution().supplied(batch.excess())?),
-            false => None,
-        };
-        if supply.as_ref().is_some_and(|supply| !supply.fits()) {
-            return None;
-        }
-        batch.add(&figures.addend(), supply)
-    }
-
-    /// Adds the next interval; `None` where doubles leave something open, or its row is an exact one.
-    fn add_to(&self, batch: &mut Batch, chunk: &Chunk, dtau: &Number) -> Option<()> {
-        let (task, i) = (self.task, self.at);
-        let ledger = task.ledger;
-        let before = task.running.then(|| batch.excess());
-        let force = match task.applied {
-            true => Some(chunk.forces.get(i)?),
-            false => None,
-        };
-        let (start, end) = (chunk.samples.get(i)?, chunk.samples.get(i + 1)?);
-        if is_exact(task, &end, dtau, self.h(i)) {
-            return None;
-        }
-        if let (Reading::Count(from), Reading::Count(to)) = (&start, &end) {
-            check_jump(*from, *to).ok()?;
-        }
-        let earlier;
-        let read = Read {
-            samples: match ledger.window() {
-                1 => std::slice::from_ref(&start).iter(),
-                window => {
-                    earlier = chunk.samples.back_from(i, window);
-                    earlier.iter()
-                }
-            },
-            end: &end,
-            force: force.as_ref(),
-        };
-        let row = ledger.near_entry(read, dtau)?;
-        let addend = Addend::of_entry(ledger.near(), &row)?;
-        let supply = match before {
-            Some(before) => {
-                let contribution = supply::contribution(ledger.near(), &row)?;
-                let supply = contribution.supplied(before)?;
-                supply.fits().then_some(Some(supply))?
-            }
-            None => None,
-        };
-        batch.add(&addend, supply)
     }
 
     /// One interval, by looking its row up or computing it.
