@@ -136,12 +136,7 @@ impl Intervals {
         if let Some(forces) = forces {
             self.len = self.len.min(self.force.copy(&forces.near, at, most));
         }
-        let lengths = &lengths[..self.len];
-        if !lengths::near(lengths, &mut self.lasts) {
-            for (i, length) in lengths.iter().enumerate() {
-                self.lasts.set(i, length.near());
-            }
-        }
+        lengths::fill(&lengths[..self.len], &mut self.lasts);
         samples.written.mark_same(at, &mut self.still[..self.len]);
         // Nothing comes of nothing.
         for column in [&mut self.start, &mut self.end, &mut self.force] {
@@ -161,13 +156,13 @@ impl Intervals {
     ) {
         let pairs = counts.get(at..).unwrap_or_default().windows(2);
         self.len = 0;
-        for ((pair, length), i) in pairs.zip(lengths).zip(0..TILE) {
+        for ((pair, _), i) in pairs.zip(lengths).zip(0..TILE) {
             let [from, to] = pair else { break };
             self.start.set(i, Ball::whole(*from));
             self.end.set(i, Ball::whole(*to));
-            self.lasts.set(i, length.near());
             self.len = i + 1;
         }
+        lengths::fill(&lengths[..self.len], &mut self.lasts);
         if let Some(forces) = forces {
             self.len = self.len.min(self.force.copy(&forces.near, at, self.len));
         }

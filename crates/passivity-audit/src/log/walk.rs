@@ -179,13 +179,7 @@ impl Walk<'_> {
                     Ok(())
                 };
                 let rows = start..self.at;
-                write(
-                    (self.tiles, task.layout, chunk),
-                    rows,
-                    form,
-                    &mut account.rows,
-                    alone,
-                )?;
+                write((self.tiles, chunk), rows, form, &mut account.rows, alone)?;
             }
             if self.is_point() {
                 account.plot();

@@ -117,6 +117,16 @@ impl OnGrid for Layers {
 /// What each row adds to a sum: exactly, and near by in doubles.
 type Steps = (Layers, [f64; TILE]);
 
+#[inline(always)]
+fn way<'a>((exactly, steps): &'a Steps, rows: &'a Range<usize>, off: f64) -> Way<'a, Layers> {
+    Way {
+        rows,
+        steps,
+        exactly,
+        off,
+    }
+}
+
 /// Doubles near the lower or the upper ends of the numbers of a column.
 #[inline(always)]
 fn end<const LEAST: bool>(Column { middles, radii }: &Column) -> [f64; TILE] {
@@ -166,13 +176,8 @@ pub(super) fn courses(
     let mut courses = Courses::default();
     let [low, high] = asked.supply;
     if asked.net || asked.worst || low {
-        let (layers, steps) = &left::<true>(least, generated);
-        let way = Way {
-            rows,
-            steps,
-            exactly: layers,
-            off,
-        };
+        let steps = left::<true>(least, generated);
+        let way = way(&steps, rows, off);
         // What is added to T at the least is net energy.
         courses.net = way.least();
         courses.supply[0] = courses.net;
@@ -188,13 +193,8 @@ pub(super) fn courses(
         }
     }
     if high {
-        let (layers, steps) = &left::<false>(most, generated);
-        let way = Way {
-            rows,
-            steps,
-            exactly: layers,
-            off,
-        };
+        let steps = left::<false>(most, generated);
+        let way = way(&steps, rows, off);
         courses.supply[1] = way.least();
         courses.lowest[1] = way.with(&end::<false>(potential), |i| {
             potential.get(i).ends_on_grid()[1]
@@ -211,12 +211,6 @@ pub(super) fn observer(
     off: f64,
 ) -> Course<i128> {
     let more = if *applied { &tile.more } else { &Column::ZERO };
-    let (layers, steps) = &left::<true>(&tile.observed, [more, &Column::ZERO]);
-    Way {
-        rows,
-        steps,
-        exactly: layers,
-        off,
-    }
-    .least()
+    let steps = left::<true>(&tile.observed, [more, &Column::ZERO]);
+    way(&steps, rows, off).least()
 }

@@ -27,7 +27,7 @@ impl Length {
     }
 
     #[inline]
-    pub(super) fn near(self) -> Ball {
+    fn near(self) -> Ball {
         match self.1 {
             0 => Ball::UNDEFINED,
             _ => Ball::ratio(self.0, self.1),
@@ -49,10 +49,19 @@ impl Length {
     }
 }
 
+/// Sets a column to [`Length::near`] of these lengths.
+pub(super) fn fill(lengths: &[Length], lasts: &mut Column) {
+    if !near(lengths, lasts) {
+        for (i, length) in lengths.iter().enumerate() {
+            lasts.set(i, length.near());
+        }
+    }
+}
+
 /// [`Length::near`] of lengths over one denominator, of which none may be a double; whether that is all of them.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
 #[allow(clippy::cast_precision_loss)] // nothing is lost
-pub(super) fn near(lengths: &[Length], lasts: &mut Column) -> bool {
+fn near(lengths: &[Length], lasts: &mut Column) -> bool {
     let Some(Length(_, d @ 1..)) = lengths.first() else {
         return false;
     };

@@ -15,7 +15,6 @@ use crate::ball::{Ball, Lane, unless};
 use crate::entry::margin_of;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::error::TraceError;
-use crate::log::layout::Layout;
 use crate::log::numbers::Readings;
 use crate::log::wall::Wall;
 use crate::number::{Denominator, Fraction, Fractions, Line, Number, Reduced, SEVERAL};
@@ -75,7 +74,7 @@ pub(super) struct Rows {
 
 /// Zero where two ends are in order, else one.
 #[inline(always)]
-pub(super) fn in_order(least: Lane, most: Lane) -> f64 {
+fn in_order(least: Lane, most: Lane) -> f64 {
     let ((least, _), (most, _)) = (least.parts(), most.parts());
     unless(least <= most)
 }
@@ -261,7 +260,7 @@ pub(super) struct Before {
 /// Writes some rows of a chunk that doubles decide; those that are not decided here are `left` to be written one by
 /// one.
 pub(crate) fn write(
-    (tiles, layout, chunk): (&Tiles, &Layout, &Chunk),
+    (tiles, chunk): (&Tiles, &Chunk),
     rows: Range<usize>,
     form: Form,
     out: &mut Vec<u8>,
@@ -277,24 +276,18 @@ pub(crate) fn write(
     };
     let (mut of, mut found) = (Intervals::new(), Rows::new());
     let mut before = Before::new();
-    let mut own = [Length::OPEN; TILE];
     for at in rows.clone().step_by(TILE) {
-        let lengths = match &chunk.samples {
+        let lengths = tiles.lengths.get(at..rows.end).unwrap_or_default();
+        match &chunk.samples {
             Samples::Any(samples) => {
-                let lengths = tiles.lengths.get(at..rows.end).unwrap_or_default();
                 of.read(samples, forces, at, lengths);
                 compute(&mut found, wall, &of, form.force);
-                lengths
             }
             Samples::Counts(counts) => {
-                for (length, i) in own.iter_mut().zip(at..rows.end) {
-                    *length = Length::of(layout, chunk, i);
-                }
-                of.read_counts(counts, forces, at, &own);
+                of.read_counts(counts, forces, at, lengths);
                 crossed::compute(&mut found, wall, &of);
-                &own[..]
             }
-        };
+        }
         for (i, row) in (at..rows.end).take(TILE).enumerate() {
             let is_enclosed = forces.is_some_and(|forces| forces.is_enclosed(row))
                 || match &chunk.samples {
