@@ -218,6 +218,13 @@ impl Ball {
         Self::rounded(middle, 2.0)
     }
 
+    /// Around n/d, d > 0, of a sum: which fraction of equal ones it is may be told.
+    #[allow(clippy::cast_precision_loss)] // that is in the radius
+    pub(crate) fn wide_ratio(n: i128, d: i128) -> Self {
+        // Of n, of d and of the quotient.
+        Self::rounded(n as f64 / d as f64, 3.0)
+    }
+
     /// Around a big number.
     pub(crate) fn of_rational(x: &BigRational) -> Self {
         let middle = near_rational(x);

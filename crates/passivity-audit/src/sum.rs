@@ -5,9 +5,9 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::{One as _, Zero as _};
-use passivity_core::{BigRational, Interval, whole};
-use passivity_scene::number::nearest_f64;
+use passivity_core::{BigRational, Interval, Ordered as _, whole};
 
+use crate::ball::Ball;
 use crate::figure::Figure;
 use crate::number::{Reduced, Written};
 use crate::span::ONE;
@@ -44,45 +44,11 @@ pub struct Sum {
     /// The rest, as numerator and denominator: not reduced, so that adding takes no big gcd.
     big: (BigInt, BigInt),
     /// Near the rest.
-    near: Near,
+    near: Ball,
     /// How far above it the sum may lie.
     slack: BigRational,
     /// How many bits the denominator may have.
     most_bits: u64,
-}
-
-/// A double, and what it is off by at most.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Near {
-    pub(crate) middle: f64,
-    off: f64,
-}
-
-impl Near {
-    /// Near n/d.
-    #[allow(clippy::cast_precision_loss)]
-    pub(crate) fn ratio(n: i128, d: i128) -> Self {
-        Self::default().plus(n as f64 / d as f64)
-    }
-
-    /// With a number that this double is near, by three roundings.
-    pub(crate) fn plus(self, x: f64) -> Self {
-        const ROUNDING: f64 = 1.0 / (1_u64 << 50) as f64;
-        let middle = self.middle + x;
-        // What the sum is rounded by, and this one, are within that too.
-        let off = self.off + (middle.abs() + x.abs()) * ROUNDING;
-        Self {
-            middle,
-            off: off * (1.0 + ROUNDING) + f64::MIN_POSITIVE,
-        }
-    }
-
-    /// How both numbers compare, where these doubles tell.
-    pub(crate) fn compare(self, other: Self) -> Option<Ordering> {
-        let difference = self.middle - other.middle;
-        let is_told = difference.abs() > 2.0 * (self.off + other.off);
-        difference.partial_cmp(&0.0).filter(|_| is_told)
-    }
 }
 
 impl Default for Sum {
@@ -90,7 +56,7 @@ impl Default for Sum {
         Self {
             small: (0, 1),
             big: (BigInt::ZERO, BigInt::one()),
-            near: Near::default(),
+            near: Ball::whole(0),
             slack: BigRational::zero(),
             most_bits: MAX_DENOMINATOR_BITS,
         }
@@ -155,10 +121,10 @@ impl Sum {
         Some(())
     }
 
-    /// Near the lower end.
-    pub(crate) fn near(&self) -> Near {
+    /// Around the lower end.
+    pub(crate) fn near(&self) -> Ball {
         let (n, d) = self.small;
-        self.near.plus(Near::ratio(n, d).middle)
+        self.near + Ball::wide_ratio(n, d)
     }
 
     /// How the lower end compares with that of another sum: told by doubles where they tell, for to reduce long
@@ -172,7 +138,7 @@ impl Sum {
             }
             false => self.value().lo().cmp(other.value().lo()),
         };
-        self.near().compare(other.near()).unwrap_or_else(exactly)
+        (self.near() - other.near()).sign().unwrap_or_else(exactly)
     }
 
     fn spill(&mut self) {
@@ -182,7 +148,7 @@ impl Sum {
 
     /// Adds a big number.
     pub fn add_rational(&mut self, x: &BigRational) {
-        self.near = self.near.plus(nearest_f64(x));
+        self.near = self.near + Ball::of_rational(x);
         let (n, d) = &mut self.big;
         // The least common denominator, by a gcd of numbers no longer than that of x.
         let divisor = (&*d % x.denom()).gcd(x.denom());

@@ -5,13 +5,14 @@ use std::ops::Add;
 
 use num_bigint::BigInt;
 use num_integer::Integer as _;
-use passivity_core::BigRational;
 use passivity_core::course::{Course, Least};
+use passivity_core::{BigRational, Ordered as _};
 
+use crate::ball::Ball;
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 use crate::span::ONE;
-use crate::sum::{Near, Sum};
+use crate::sum::Sum;
 
 /// A running sum that starts at zero, and the least value it had, the start included.
 #[derive(Clone, Debug)]
@@ -225,12 +226,13 @@ impl RunningSum {
 
     /// A double near the sum.
     pub(crate) fn near(&self) -> f64 {
-        self.bounds().middle
+        let exactly = || near(&self.total());
+        self.bounds().near().unwrap_or_else(exactly)
     }
 
-    fn bounds(&self) -> Near {
+    fn bounds(&self) -> Ball {
         match &self.wide {
-            None => Near::ratio(self.course.sum, self.denominator),
+            None => Ball::wide_ratio(self.course.sum, self.denominator),
             Some(wide) => wide.sum.0.near(),
         }
     }
@@ -344,9 +346,13 @@ impl Lowest {
     /// Keeps the sum and what stands beside it after `h` intervals, if that is lower; compared in
     /// doubles first.
     pub(crate) fn keep_sum(slot: &mut Option<Self>, sum: &RunningSum, beside: &Reduced, h: u64) {
-        let now = sum.bounds().plus(beside.near());
+        let beside_near = match beside {
+            Reduced::Small(n, d) => Ball::wide_ratio(*n, *d),
+            Reduced::Big(x) => Ball::of_rational(x),
+        };
+        let now = sum.bounds() + beside_near;
         let is_above =
-            |lowest: &Self| now.compare(lowest.value.0.near()) == Some(Ordering::Greater);
+            |lowest: &Self| (now - lowest.value.0.near()).sign() == Some(Ordering::Greater);
         if !slot.as_ref().is_some_and(is_above) {
             let value = sum.sum() + Total::from(beside);
             Self::keep(slot, Self { value, h });
