@@ -29,12 +29,12 @@ fn set(figure: &mut [Column; 2], i: usize, ends: [Lane; 2]) -> f64 {
     for (column, end) in figure.iter_mut().zip(ends) {
         column.set(i, end);
     }
-    in_order(ends)
+    surely_in_order(ends)
 }
 
 /// Zero where two numbers are surely in order, else one.
 #[inline(always)]
-fn in_order([lo, hi]: [Lane; 2]) -> f64 {
+fn surely_in_order([lo, hi]: [Lane; 2]) -> f64 {
     let [is, _] = is_nonnegative(hi - lo);
     is
 }
@@ -120,7 +120,7 @@ impl Rows {
                 low.margin(&slow).min(low.margin(&fast)),
                 high.margin(&slow).max(high.margin(&fast)),
             ];
-            open += in_order(times_speed);
+            open += surely_in_order(times_speed);
             let [criterion, left] = covers(times_speed);
             let mut truths = criterion;
             open += left;
@@ -135,7 +135,7 @@ impl Rows {
             for (at, place) in NET.into_iter().zip([4.0, 16.0]) {
                 let ends = self.balls[at].each_ref().map(|column| column.get(i).lane());
                 let [bits, left] = covers(ends);
-                open += in_order(ends) + left;
+                open += surely_in_order(ends) + left;
                 truths += place * bits;
             }
             let mut margins = 3.0;

@@ -72,9 +72,9 @@ pub(super) struct Rows {
     most: usize,
 }
 
-/// Zero where two ends are in order, else one.
+/// Zero where the leading doubles of two ends are in order, else one.
 #[inline(always)]
-fn in_order(least: Lane, most: Lane) -> f64 {
+fn leading_in_order(least: Lane, most: Lane) -> f64 {
     let ((least, _), (most, _)) = (least.parts(), most.parts());
     unless(least <= most)
 }
@@ -158,9 +158,9 @@ impl Rows {
                 truths += bit * (21.0 - failed);
             }
             let [least, most] = &ends;
-            open += in_order(least.taken, most.taken);
+            open += leading_in_order(least.taken, most.taken);
             for (least, most) in least.asked.iter().zip(&most.asked) {
-                open += in_order(*least, *most);
+                open += leading_in_order(*least, *most);
             }
             let [[linear, quantized], [bound_22, bound_quantized]] = [generated, bounds];
             for (
