@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use passivity_core::Parameter;
 use passivity_scene::{Scene, SceneError};
 
 const GOOD: &str = "[sampling]\nperiod = \"1 ms\"\n[wall]\nstiffness = \"1 N m/rad\"\n";
@@ -185,6 +186,33 @@ fn a_scene_without_the_needful_says_what_is_missing() {
          scene.toml:1:1: the scene has no [sampling] with `period` or `rate`; \
          expected `period` or `rate`"
     );
+}
+
+/// A row of the table that no section reads would be a key that is refused and offered in one error.
+#[test]
+fn every_key_of_the_table_of_parameters_is_read() {
+    for parameter in Parameter::ALL {
+        let row = parameter.row();
+        let keys = [row.key].into_iter().filter(|key| !key.is_empty());
+        let others = row.other_keys.iter().copied().chain(row.dimensionless_key);
+        for key in keys.chain(others) {
+            let mistakes = error(&format!("{key} = true\n"));
+            let kinds: Vec<_> = mistakes
+                .diagnostics()
+                .iter()
+                .map(|d| d.kind().name())
+                .collect();
+            // The motor's side is looked at only where all else of the scene is there.
+            let is_later = key.starts_with("motor.");
+            assert!(
+                is_later || kinds.contains(&"wrong_type"),
+                "{key}: {kinds:?}"
+            );
+            for kind in ["unknown_section", "unknown_key", "wrong_section"] {
+                assert!(!kinds.contains(&kind), "{key}: {kinds:?}");
+            }
+        }
+    }
 }
 
 #[test]
