@@ -11,6 +11,12 @@ fn error(text: &str) -> SceneError {
     Scene::from_toml("scene.toml", text).expect_err(text)
 }
 
+/// The kinds of its mistakes, in their order.
+fn kinds(error: &SceneError) -> Vec<&'static str> {
+    let diagnostics = error.diagnostics().iter();
+    diagnostics.map(|d| d.kind().name()).collect()
+}
+
 fn after_good(more: &str) -> SceneError {
     error(&format!("{GOOD}{more}"))
 }
@@ -161,12 +167,7 @@ fn a_dimensionless_scene_refuses_units_and_what_it_has_already() {
     ];
     for (more, kind, part) in cases {
         let error = error(&format!("[dimensionless]\n{more}\n"));
-        let kinds: Vec<_> = error
-            .diagnostics()
-            .iter()
-            .map(|d| d.kind().name())
-            .collect();
-        assert_eq!(kinds, [kind], "{more}: {error}");
+        assert_eq!(kinds(&error), [kind], "{more}: {error}");
         assert!(error.to_string().contains(part), "{error}");
     }
 }
@@ -174,12 +175,7 @@ fn a_dimensionless_scene_refuses_units_and_what_it_has_already() {
 #[test]
 fn a_scene_without_the_needful_says_what_is_missing() {
     let empty = error("");
-    let kinds: Vec<_> = empty
-        .diagnostics()
-        .iter()
-        .map(|d| d.kind().name())
-        .collect();
-    assert_eq!(kinds, ["missing_key", "missing_key"]);
+    assert_eq!(kinds(&empty), ["missing_key", "missing_key"]);
     assert_eq!(
         empty.to_string(),
         "scene.toml:1:1: the scene has no [wall] with `stiffness`; expected `stiffness`\n\
@@ -196,18 +192,13 @@ fn every_key_of_the_table_of_parameters_is_read() {
         let keys = [row.key].into_iter().filter(|key| !key.is_empty());
         let others = row.other_keys.iter().copied().chain(row.dimensionless_key);
         for key in keys.chain(others) {
-            let mistakes = error(&format!("{key} = true\n"));
-            let kinds: Vec<_> = mistakes
-                .diagnostics()
-                .iter()
-                .map(|d| d.kind().name())
-                .collect();
-            // The motor's side is looked at only where all else of the scene is there.
-            let is_later = key.starts_with("motor.");
-            assert!(
-                is_later || kinds.contains(&"wrong_type"),
-                "{key}: {kinds:?}"
-            );
+            // The motor's side is read only beside the transmission that leads to the device.
+            let transmission = match key.starts_with("motor.") {
+                true => "transmission.ratio = 2\n",
+                false => "",
+            };
+            let kinds = kinds(&error(&format!("{transmission}{key} = true\n")));
+            assert!(kinds.contains(&"wrong_type"), "{key}: {kinds:?}");
             for kind in ["unknown_section", "unknown_key", "wrong_section"] {
                 assert!(!kinds.contains(&kind), "{key}: {kinds:?}");
             }
