@@ -107,7 +107,7 @@ impl Batch {
         let asked = self.asked(&sums, running);
         let mut courses = match asked == Asked::default() {
             true => Courses::default(),
-            false => tile.courses(&rows, &steps, (asked, sums.off)),
+            false => tile.courses(&rows, &steps, (asked, &sums)),
         };
         let [_, _, _, [net, _], _] = sums.sums;
         courses.net.sum = net;
@@ -117,19 +117,19 @@ impl Batch {
             }
         }
         self.courses.append(&courses, before);
-        if running {
-            self.excess = sums.excess;
-        }
         for ([lo, hi], [least, most]) in self.sums.iter_mut().zip(sums.sums) {
             *lo += least;
             *hi += most;
         }
         let mut observer = match self.observer.sum + sums.least_observed >= self.observer.least {
             true => Course::default(),
-            false => tile.observer(&rows, sums.off),
+            false => tile.observer(&rows, &steps, &sums),
         };
         observer.sum = sums.observed;
         self.observer.append(&observer, before);
+        if running {
+            self.excess = sums.excess;
+        }
         self.intervals += rows.len() as u64;
         tile.answers(&rows, |truths, first, times| {
             self.tally(truths, before + first as u64, times as u64);

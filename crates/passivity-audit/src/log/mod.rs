@@ -335,29 +335,36 @@ fn at_once(
     work: Vec<Work>,
     workers: &mut [[Worker; 2]],
 ) -> Vec<(Chunk, [account::Account; 2])> {
-    std::thread::scope(|scope| {
-        let mut running = Vec::new();
-        for (work, [worker, other]) in work.into_iter().zip(workers) {
-            running.push(scope.spawn(move || {
-                let mut chunk = parsed(work, task.layout);
-                let shared = worker.shared(task, &chunk);
-                if task.compares_forces() {
-                    chunk.commanded = lanes::commanded(task.ledger, &chunk);
-                }
-                let account = worker.account(task, (&mut chunk, &shared), task.lead());
-                let beside = match law {
-                    Some(law) => other.account(law, (&mut chunk, &shared), law.lead()),
-                    None => account::Account::default(),
-                };
-                worker.reuse(shared);
-                (chunk, [account, beside])
-            }));
+    let account = |work: Work, [worker, other]: &mut [Worker; 2]| {
+        let mut chunk = parsed(work, task.layout);
+        let shared = worker.shared(task, &chunk);
+        if task.compares_forces() {
+            chunk.commanded = lanes::commanded(task.ledger, &chunk);
         }
+        let account = worker.account(task, (&mut chunk, &shared), task.lead());
+        let beside = match law {
+            Some(law) => other.account(law, (&mut chunk, &shared), law.lead()),
+            None => account::Account::default(),
+        };
+        worker.reuse(shared);
+        (chunk, [account, beside])
+    };
+    let mut all = work.into_iter().zip(workers);
+    // One of them needs no other core than this.
+    let own = all.next();
+    std::thread::scope(|scope| {
+        let account = &account;
+        let running: Vec<_> = all
+            .map(|(work, workers)| scope.spawn(move || account(work, workers)))
+            .collect();
+        let own = own.map(|(work, workers)| account(work, workers));
         let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
             handle
                 .join()
                 .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
         };
-        running.into_iter().map(join).collect()
+        own.into_iter()
+            .chain(running.into_iter().map(join))
+            .collect()
     })
 }

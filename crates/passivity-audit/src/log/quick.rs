@@ -166,7 +166,13 @@ fn both([lo, hi]: [End; 2]) -> [i128; 2] {
 #[inline(always)]
 #[allow(clippy::cast_precision_loss)] // it has fewer digits
 pub(crate) fn whole(n: i64) -> Option<f64> {
-    (n.unsigned_abs() < 1 << 40).then_some(n as f64)
+    is_whole(n).then_some(n as f64)
+}
+
+/// Whether [`whole`] has it.
+#[inline(always)]
+pub(crate) const fn is_whole(n: i64) -> bool {
+    n.unsigned_abs() < 1 << 40
 }
 
 /// What a parabola rises with from zero to one, at the least.

@@ -47,6 +47,8 @@ pub(crate) struct Counted {
     /// The first of them, and how many there are.
     at: usize,
     len: usize,
+    /// Whether all of them are decided and none is apart.
+    is_whole: bool,
 }
 
 impl Counted {
@@ -65,6 +67,7 @@ impl Counted {
             open: [0; TILE],
             at: 0,
             len: 0,
+            is_whole: false,
         })
     }
 
@@ -84,6 +87,9 @@ impl Counted {
     pub(crate) fn decided(&self, i: usize, most: usize) -> Range<usize> {
         let from = i.saturating_sub(self.at).min(self.len);
         let until = self.len.min(from.saturating_add(most));
+        if self.is_whole {
+            return from..until.max(from);
+        }
         let stays = |i: &usize| self.open[*i] == 0 && !self.apart[*i];
         from..from + (from..until).take_while(stays).count()
     }
@@ -132,40 +138,72 @@ impl Counted {
         quick: &Quick,
         (counts, forces): (&[i64], Option<&Readings>),
         at: usize,
-        lengths: impl Iterator<Item = Length>,
+        lengths: &[Length],
     ) {
-        let pairs = counts.get(at..).unwrap_or_default().windows(2);
+        let (from, to) = (counts.get(at..), counts.get(at + 1..));
+        let (from, to) = (from.unwrap_or_default(), to.unwrap_or_default());
+        let len = to.len().min(lengths.len()).min(TILE);
         self.at = at;
-        self.len = 0;
-        let mut open = [0.0; TILE];
-        let [starts, ends, durations, force, off] = &mut self.of;
-        for ((pair, lasts), i) in pairs.zip(lengths).zip(0..TILE) {
-            let [from, to] = pair else { break };
-            let Some(crossed) = to.checked_sub(*from) else {
-                break;
-            };
-            (self.lengths[i], self.crossed[i]) = (lasts, crossed);
-            let is_period = lasts.0 == lasts.1;
-            self.apart[i] = crossed.unsigned_abs() >= MANY || is_period && forces.is_none();
-            match (quick::whole(*from), quick::whole(*to), lasts.nearest()) {
-                (Some(from), Some(to), Some(lasts)) => {
-                    (starts[i], ends[i], durations[i]) = (from, to, lasts);
-                }
-                _ => {
-                    // Any motion: it is left open.
-                    (starts[i], ends[i], durations[i]) = (0.0, 0.0, 1.0);
-                    open[i] = 1.0;
-                }
+        self.len = len;
+        let mut open = read(self, (&from[..len], &to[..len]), &lengths[..len]);
+        for i in 0..len {
+            if open[i] != 0.0 {
+                open[i] = self.read_longer([from[i], to[i]], lengths[i], i);
             }
-            self.len = i + 1;
         }
         if let Some(forces) = forces {
+            let [_, _, _, force, off] = &mut self.of;
             self.len = forces.near.copy_to([force, off], at, self.len);
         }
         compute(self, quick, &open, forces.is_some());
-        for (apart, upper) in self.apart.iter_mut().zip(&self.excess[0][0]) {
-            *apart |= upper.abs() >= LARGE;
+        mark(self, forces.is_none());
+    }
+
+    /// Marks which rows are apart, of which those of one period are where there are no forces, and whether none is or is
+    /// open.
+    #[inline(always)]
+    fn mark(&mut self, has_periods: bool) {
+        let mut left = 0;
+        for i in 0..self.len {
+            let is_period = self.lengths[i].0 == self.lengths[i].1;
+            let apart = (self.crossed[i].unsigned_abs() >= MANY)
+                | (has_periods & is_period)
+                | (self.excess[0][0][i].abs() >= LARGE);
+            self.apart[i] = apart;
+            left |= self.open[i] | u64::from(apart);
         }
+        self.is_whole = left == 0;
+    }
+
+    /// Where intervals start and end and how long they last, of most; not zero for others.
+    #[inline(always)]
+    #[allow(clippy::cast_precision_loss)] // nothing is lost
+    fn read(&mut self, (from, to): (&[i64], &[i64]), lengths: &[Length]) -> [f64; TILE] {
+        let mut open = [0.0; TILE];
+        let [starts, ends, durations, ..] = &mut self.of;
+        self.lengths[..lengths.len()].copy_from_slice(lengths);
+        for (i, ((from, to), Length(n, d))) in from.iter().zip(to).zip(lengths).enumerate() {
+            // What is too large for that is left open.
+            self.crossed[i] = to.wrapping_sub(*from);
+            let is_known =
+                quick::is_whole(*from) & quick::is_whole(*to) & Length(*n, *d).is_short();
+            // Any motion, of what is left open.
+            let of = |n: i64, other: i64| if is_known { n } else { other } as f64;
+            (starts[i], ends[i]) = (of(*from, 0), of(*to, 0));
+            durations[i] = of(*n, 1) / of(*d, 1);
+            open[i] = of(0, 1);
+        }
+        open
+    }
+
+    /// The same of interval `i`, whose numbers may be long: whether it is left open.
+    fn read_longer(&mut self, [from, to]: [i64; 2], length: Length, i: usize) -> f64 {
+        let (from, to) = (quick::whole(from), quick::whole(to));
+        let (Some(from), Some(to), Some(lasts)) = (from, to, length.nearest()) else {
+            return 1.0;
+        };
+        (self.of[0][i], self.of[1][i], self.of[2][i]) = (from, to, lasts);
+        0.0
     }
 
     #[inline(always)]
@@ -213,6 +251,16 @@ pub(super) fn one(ends: &Ends, i: usize) -> i128 {
 #[inline(always)]
 pub(super) fn both([lo, hi]: &[Ends; 2], i: usize) -> [i128; 2] {
     [one(lo, i), one(hi, i)]
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
+fn mark(tile: &mut Counted, has_periods: bool) {
+    tile.mark(has_periods);
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
+fn read(tile: &mut Counted, counts: (&[i64], &[i64]), lengths: &[Length]) -> [f64; TILE] {
+    tile.read(counts, lengths)
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]

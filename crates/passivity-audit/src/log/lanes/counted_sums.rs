@@ -7,15 +7,21 @@ use passivity_core::course::Course;
 
 use super::TILE;
 use super::counted::{Counted, Ends, NONE, both, one};
-use super::least::{OnGrid, Way};
-use super::sums::{Asked, Courses, Sums, TileRows, lowest, off};
+use super::least::{OnGrid, Way, sums_up_to};
+use super::sums::{Asked, Courses, Sums, TileRows, lowest, lowest_of, off};
 use crate::log::quick::{End, carried, parts, units, whole};
 use crate::log::supply::{Bounds, NO_FORCE};
 use crate::number::Reduced;
 use crate::span::{ONE, units as below};
 
 /// What rows add to T, at the least and at the most, where the verdict is about that.
-pub(crate) struct Steps(Option<[Ends; 2]>);
+pub(crate) struct Steps {
+    supply: Option<[Ends; 2]>,
+    /// [Near the sums](sums_up_to) of net energy, of what the observer adds, and of what is added to T.
+    sums: [[f64; TILE]; 4],
+    /// What these are off by at most.
+    off: f64,
+}
 
 #[inline(always)]
 fn at(ends: &Ends, i: usize) -> End {
@@ -112,40 +118,47 @@ fn sum_both([lo, hi]: &[Ends; 2], rows: &Range<usize>) -> [i128; 2] {
     [lo.sum(rows.clone()), hi.sum(rows.clone())]
 }
 
-/// The least that some numbers become from row to row, which are made of the sums of columns up to a row and of the
-/// row: bounds from below of them, in units of the grid.
+/// The size of all numbers of some columns and rows.
 #[inline(always)]
-fn least_of<const N: usize>(
-    rows: &Range<usize>,
-    columns: [&Ends; N],
-    of: impl Fn([f64; N], [f64; N]) -> [f64; 4],
-) -> ([i128; 4], f64) {
-    let mut found = [[0.0; N]; TILE];
-    let mut sizes = [0.0; TILE];
-    for (n, column) in columns.into_iter().enumerate() {
-        for i in 0..TILE {
-            let [upper, lower] = at(column, i);
-            found[i][n] = upper + lower;
-            sizes[i] += upper.abs() + lower.abs();
+fn size(columns: &[&Ends], rows: &Range<usize>) -> f64 {
+    const LANES: usize = 8;
+    let mut sizes = [0.0; LANES];
+    for part in columns.iter().flat_map(|column| column.iter()) {
+        let (several, rest) = part[rows.clone()].as_chunks::<LANES>();
+        for several in several {
+            for (size, x) in sizes.iter_mut().zip(several) {
+                *size += x.abs();
+            }
+        }
+        for (size, x) in sizes.iter_mut().zip(rest) {
+            *size += x.abs();
         }
     }
-    let (mut sums, mut size) = ([0.0; N], 0.0);
-    let mut lows = [f64::INFINITY; 4];
-    for i in rows.clone() {
-        for (sum, value) in sums.iter_mut().zip(found[i]) {
-            *sum += value;
-        }
-        size += sizes[i];
-        for (low, found) in lows.iter_mut().zip(of(sums, found[i])) {
-            *low = if found < *low { found } else { *low };
-        }
-    }
-    (lows.map(|low| lowest(low, size)), off(size))
+    sizes.iter().sum()
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn steps(tile: &Counted, first: usize, excess: [End; 2]) -> [Ends; 2] {
-    tile.steps(first, excess)
+#[expect(
+    clippy::manual_map,
+    reason = "a closure would be compiled for any processor"
+)]
+fn steps(tile: &Counted, rows: &Range<usize>, excess: Option<[End; 2]>) -> Steps {
+    let supply = match excess {
+        Some(excess) => Some(tile.steps(rows.start, excess)),
+        None => None,
+    };
+    let (net, [low, high]) = (&tile.sums[3][0], &tile.stored);
+    let (least, most) = match &supply {
+        Some([least, most]) => (least, most),
+        None => (&NONE, &NONE),
+    };
+    let near = [near(net), near(&tile.observed), near(least), near(most)];
+    let size = size(&[net, &tile.observed, least, most, low, high], rows);
+    Steps {
+        sums: sums_up_to(rows, near.each_ref()),
+        off: off(size),
+        supply,
+    }
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
@@ -166,24 +179,30 @@ fn totals(
     (sums, tile.observed.sum(rows.clone()), supply)
 }
 
-/// Of net energy, of that and what is stored after it, of what the observer adds, and of the net energy of a row alone.
+/// Bounds from below: as [`Sums`] has them of net energy, of that and what is stored after it, of what the observer adds,
+/// and of the net energy of a row alone; and of what is added to T, alone and with what T has beside.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn least(tile: &Counted, rows: &Range<usize>) -> ([i128; 4], f64) {
-    let columns = [&tile.sums[3][0], &tile.observed, &tile.stored[0]];
-    least_of(rows, columns, |[net, observed, _], [row, _, stored]| {
-        [net, net + stored, observed, row]
-    })
-}
-
-/// Of what is added to T at the least and at the most, and of that with what T has beside.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn least_supply(tile: &Counted, rows: &Range<usize>, steps: &[Ends; 2]) -> ([i128; 4], f64) {
-    let ([least, most], [low, high]) = (steps, &tile.stored);
-    least_of(
-        rows,
-        [least, most, low, high],
-        |[least, most, ..], [.., low, high]| [least, most, least + low, most + high],
-    )
+fn least(tile: &Counted, rows: &Range<usize>, steps: &Steps) -> [f64; 8] {
+    let [low, high] = [near(&tile.stored[0]), near(&tile.stored[1])];
+    let [net, observed, least, most] = &steps.sums;
+    let (row, rows) = (near(&tile.sums[3][0]), rows.clone());
+    let mut beside = [*net, *least, *most];
+    for (sums, stored) in beside.iter_mut().zip([&low, &low, &high]) {
+        for (sum, stored) in sums.iter_mut().zip(stored) {
+            *sum += stored;
+        }
+    }
+    let [with_stored, least_supplied, most_supplied] = &beside;
+    [
+        lowest_of(&net[rows.clone()]),
+        lowest_of(&with_stored[rows.clone()]),
+        lowest_of(&observed[rows.clone()]),
+        lowest_of(&row[rows.clone()]),
+        lowest_of(&least[rows.clone()]),
+        lowest_of(&most[rows.clone()]),
+        lowest_of(&least_supplied[rows.clone()]),
+        lowest_of(&most_supplied[rows]),
+    ]
 }
 
 /// As [`TileRows::courses`].
@@ -191,32 +210,38 @@ fn least_supply(tile: &Counted, rows: &Range<usize>, steps: &[Ends; 2]) -> ([i12
 fn courses(
     tile: &Counted,
     rows: &Range<usize>,
-    steps: Option<&[Ends; 2]>,
-    (asked, off): (Asked, f64),
+    steps: &Steps,
+    (asked, sums): (Asked, &Sums),
 ) -> Courses<i128> {
+    let [up_to, _, least, most] = &steps.sums;
+    let [_, _, _, [total, _], _] = sums.sums;
+    let off = steps.off;
     let mut courses = Courses::default();
     if asked.net || asked.worst {
         let net = &tile.sums[3][0];
         let way = Way {
             rows,
-            steps: &near(net),
+            sums: up_to,
             exactly: net,
+            total,
             off,
         };
         courses.net = way.least();
-        if steps.is_none() {
+        if steps.supply.is_none() {
             courses.stored = way.with(&near(&tile.stored[0]), |i| one(&tile.stored[0], i));
         }
         if asked.worst {
-            courses.worst = way.worst();
+            courses.worst = way.worst(&near(net));
         }
     }
-    for (end, steps) in steps.into_iter().flatten().enumerate() {
+    let ends = steps.supply.iter().flatten().zip([least, most]);
+    for (end, ((exactly, up_to), total)) in ends.zip(sums.supply).enumerate() {
         if asked.supply[end] {
             let way = Way {
                 rows,
-                steps: &near(steps),
-                exactly: steps,
+                sums: up_to,
+                exactly,
+                total,
                 off,
             };
             let stored = &tile.stored[end];
@@ -229,12 +254,14 @@ fn courses(
 
 /// As [`TileRows::observer`].
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn observer(observed: &Ends, rows: &Range<usize>, off: f64) -> Course<i128> {
+fn observer(tile: &Counted, rows: &Range<usize>, steps: &Steps, total: i128) -> Course<i128> {
+    let [_, up_to, ..] = &steps.sums;
     Way {
         rows,
-        steps: &near(observed),
-        exactly: observed,
-        off,
+        sums: up_to,
+        exactly: &tile.observed,
+        total,
+        off: steps.off,
     }
     .least()
 }
@@ -243,22 +270,29 @@ impl TileRows for Counted {
     type Steps = Steps;
 
     fn steps(&self, rows: &Range<usize>, running: bool, excess: Option<&Bounds>) -> Option<Steps> {
-        if !running {
-            return Some(Steps(None));
-        }
-        let [least, most] = excess?;
-        let before = [parts(below(least)?)?, parts(below(most)?)?];
-        Some(Steps(Some(steps(self, rows.start, before))))
+        let before = match running {
+            true => {
+                let [least, most] = excess?;
+                Some([parts(below(least)?)?, parts(below(most)?)?])
+            }
+            false => None,
+        };
+        Some(steps(self, rows, before))
     }
 
-    fn sums(&self, rows: &Range<usize>, Steps(steps): &Steps) -> Sums {
-        let (sums, observed, supply) = totals(self, rows, steps.as_ref());
-        let ([least_net, least_stored, least_observed, least_row], off) = least(self, rows);
-        let ([least, most, least_end, most_end], off_supply) = match steps {
-            Some(steps) => least_supply(self, rows, steps),
-            // Nothing is added to it, and no one asks what it has beside.
-            None => ([0, 0, i128::MIN, i128::MIN], 0.0),
-        };
+    fn sums(&self, rows: &Range<usize>, steps: &Steps) -> Sums {
+        let (sums, observed, supply) = totals(self, rows, steps.supply.as_ref());
+        let found = least(self, rows, steps).map(|low| lowest(low, steps.off));
+        let [
+            least_net,
+            least_stored,
+            least_observed,
+            least_row,
+            least,
+            most,
+            least_end,
+            most_end,
+        ] = found;
         let last = both(&self.excess, rows.end - 1).map(|n| Reduced::Small(n, ONE));
         Sums {
             sums,
@@ -271,21 +305,16 @@ impl TileRows for Counted {
             least_supply: [least, most],
             least_supplied: [least_end, most_end],
             excess: (last != NO_FORCE).then_some(last),
-            off: off.max(off_supply),
+            off: steps.off,
         }
     }
 
-    fn courses(
-        &self,
-        rows: &Range<usize>,
-        Steps(steps): &Steps,
-        of: (Asked, f64),
-    ) -> Courses<i128> {
-        courses(self, rows, steps.as_ref(), of)
+    fn courses(&self, rows: &Range<usize>, steps: &Steps, of: (Asked, &Sums)) -> Courses<i128> {
+        courses(self, rows, steps, of)
     }
 
-    fn observer(&self, rows: &Range<usize>, off: f64) -> Course<i128> {
-        observer(&self.observed, rows, off)
+    fn observer(&self, rows: &Range<usize>, steps: &Steps, sums: &Sums) -> Course<i128> {
+        observer(self, rows, steps, sums.observed)
     }
 
     fn covers(&self) -> &[u64; TILE] {

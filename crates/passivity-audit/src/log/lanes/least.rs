@@ -6,9 +6,8 @@ use std::ops::Range;
 use multiversion::multiversion;
 use passivity_core::course::{Course, Least};
 
-use super::sums::{Asked, Courses, Under, less};
+use super::sums::{Asked, Courses, Sums, Under, lowest_of};
 use super::{Column, TILE};
-use crate::ball::on_grid;
 
 /// Numbers in units of the grid, one of each row.
 pub(super) trait OnGrid {
@@ -18,13 +17,34 @@ pub(super) trait OnGrid {
     fn sum(&self, rows: Range<usize>) -> i128;
 }
 
+/// Doubles near the sums of columns up to each of some rows, from zero at the first of them; without bound for others.
+///
+/// The columns are added up side by side: each sum waits for that of the row before.
+#[inline(always)]
+pub(super) fn sums_up_to<const N: usize>(
+    rows: &Range<usize>,
+    columns: [&[f64; TILE]; N],
+) -> [[f64; TILE]; N] {
+    let mut all = [[f64::INFINITY; TILE]; N];
+    let mut sums = [0.0; N];
+    for i in rows.clone() {
+        for ((sum, column), up_to) in sums.iter_mut().zip(columns).zip(&mut all) {
+            *sum += column[i];
+            up_to[i] = *sum;
+        }
+    }
+    all
+}
+
 /// What rows add to a sum, from zero at the first of them.
 pub(super) struct Way<'a, C> {
     pub(super) rows: &'a Range<usize>,
-    /// Near by, in doubles,
-    pub(super) steps: &'a [f64; TILE],
+    /// Doubles near the sums [up to each row](sums_up_to).
+    pub(super) sums: &'a [f64; TILE],
     pub(super) exactly: &'a C,
-    /// What sums of the doubles are off by at most.
+    /// The sum of all rows.
+    pub(super) total: i128,
+    /// What the doubles are off by at most.
     pub(super) off: f64,
 }
 
@@ -32,7 +52,7 @@ impl<C: OnGrid> Way<'_, C> {
     /// The least that the sum becomes.
     #[inline(always)]
     pub(super) fn least(&self) -> Course<i128> {
-        match self.with(&[0.0; TILE], |_| 0).0 {
+        match self.where_least(self.sums, |_| 0).0 {
             Some((least, at)) if least < 0 => Course { sum: 0, least, at },
             _ => Course::default(),
         }
@@ -41,21 +61,28 @@ impl<C: OnGrid> Way<'_, C> {
     /// Where the sum is least with what stands beside it after each row: near by, and in units of the grid.
     #[inline(always)]
     pub(super) fn with(&self, beside: &[f64; TILE], end: impl Fn(usize) -> i128) -> Least<i128> {
-        let mut near = [0.0; TILE];
-        let (mut sum, mut lowest) = (0.0, f64::INFINITY);
-        for i in self.rows.clone() {
-            sum += self.steps[i];
-            near[i] = sum + beside[i];
-            lowest = less(lowest, near[i]);
+        let mut near = *self.sums;
+        for (near, beside) in near.iter_mut().zip(beside) {
+            *near += beside;
         }
+        self.where_least(&near, end)
+    }
+
+    /// Where sums that these doubles are near are least, given what stands beside them.
+    #[inline(always)]
+    fn where_least(&self, near: &[f64; TILE], end: impl Fn(usize) -> i128) -> Least<i128> {
         let mut least = Least::default();
-        let mut candidates = self.candidates(&near, lowest);
+        let mut candidates = self.candidates(near);
         // Most often the sum falls up to the last row.
         let Some(last) = candidates.next_back() else {
             return least;
         };
         let first = candidates.next().unwrap_or(last);
-        let mut sum = self.exactly.sum(self.rows.start..first);
+        let Range { start, end: behind } = *self.rows;
+        let mut sum = match first - start < behind - first {
+            true => self.exactly.sum(start..first),
+            false => self.total - self.exactly.sum(first..behind),
+        };
         for i in first..=last {
             sum += self.exactly.at(i);
             least.keep(sum + end(i), self.number(i));
@@ -63,26 +90,20 @@ impl<C: OnGrid> Way<'_, C> {
         least
     }
 
-    /// The least that a row adds.
+    /// The least that a row adds, near by what these doubles are.
     #[inline(always)]
-    pub(super) fn worst(&self) -> Least<i128> {
+    pub(super) fn worst(&self, steps: &[f64; TILE]) -> Least<i128> {
         let mut least = Least::default();
-        let steps = self.steps[self.rows.clone()].iter();
-        let lowest = steps.fold(f64::INFINITY, |least, x| less(least, *x));
-        for i in self.candidates(self.steps, lowest) {
+        for i in self.candidates(steps) {
             least.keep(self.exactly.at(i), self.number(i));
         }
         least
     }
 
-    /// The rows where numbers that these doubles are near, of which this is the lowest, may be least.
+    /// The rows where numbers that these doubles are near may be least.
     #[inline(always)]
-    fn candidates(
-        &self,
-        near: &[f64; TILE],
-        lowest: f64,
-    ) -> impl DoubleEndedIterator<Item = usize> {
-        let most = lowest + 2.0 * self.off;
+    fn candidates(&self, near: &[f64; TILE]) -> impl DoubleEndedIterator<Item = usize> {
+        let most = lowest_of(&near[self.rows.clone()]) + 2.0 * self.off;
         self.rows.clone().filter(move |i| near[*i] <= most)
     }
 
@@ -92,38 +113,41 @@ impl<C: OnGrid> Way<'_, C> {
     }
 }
 
-/// A column of numbers on the grid, as whole numbers of 1, 2⁻³² and 2⁻⁶⁴.
-struct Layers([[i64; TILE]; 3]);
+/// What is left of one column without two others, at the least or else at the most.
+struct Left<'a> {
+    from: &'a Column,
+    less: [&'a Column; 2],
+    at_least: bool,
+}
 
-impl OnGrid for Layers {
+impl Left<'_> {
+    /// Doubles near it.
+    #[inline(always)]
+    fn near(&self) -> [f64; TILE] {
+        let mut near = [0.0; TILE];
+        let outward = if self.at_least { -1.0 } else { 1.0 };
+        for (i, near) in near.iter_mut().enumerate() {
+            let (a, r) = self.from.get(i).parts();
+            let [(b, s), (c, t)] = [self.less[0].get(i).parts(), self.less[1].get(i).parts()];
+            *near = (a - b - c) + outward * (r + s + t);
+        }
+        near
+    }
+}
+
+impl OnGrid for Left<'_> {
     #[inline(always)]
     fn at(&self, i: usize) -> i128 {
-        on_grid([self.0[0][i], self.0[1][i], self.0[2][i]])
+        let [a, b, c] = [self.from, self.less[0], self.less[1]].map(|of| of.get(i).ends_on_grid());
+        match self.at_least {
+            true => a[0] - b[1] - c[1],
+            false => a[1] - b[0] - c[0],
+        }
     }
 
     #[inline(always)]
     fn sum(&self, rows: Range<usize>) -> i128 {
-        // Of rows that are decided each layer is below 2^54.
-        let mut sums = [0_i64; 3];
-        for (sum, layer) in sums.iter_mut().zip(&self.0) {
-            for n in &layer[rows.clone()] {
-                *sum = sum.wrapping_add(*n);
-            }
-        }
-        on_grid(sums)
-    }
-}
-
-/// What each row adds to a sum: exactly, and near by in doubles.
-type Steps = (Layers, [f64; TILE]);
-
-#[inline(always)]
-fn way<'a>((exactly, steps): &'a Steps, rows: &'a Range<usize>, off: f64) -> Way<'a, Layers> {
-    Way {
-        rows,
-        steps,
-        exactly,
-        off,
+        rows.map(|i| self.at(i)).sum()
     }
 }
 
@@ -137,47 +161,35 @@ fn end<const LEAST: bool>(Column { middles, radii }: &Column) -> [f64; TILE] {
     ends
 }
 
-/// What is left of one column without two others, at the least or at the most.
-#[inline(always)]
-fn left<const LEAST: bool>(from: &Column, less: [&Column; 2]) -> Steps {
-    let (mut layers, mut near) = (Layers([[0; TILE]; 3]), [0.0; TILE]);
-    let outward = |off: i64| if LEAST { off.wrapping_neg() } else { off };
-    for i in 0..TILE {
-        let [a, b, c] = [from.get(i), less[0].get(i), less[1].get(i)];
-        // Of rows that are decided each layer is below 2^51.
-        let [a_layers, b_layers, c_layers] = [a.layers(), b.layers(), c.layers()];
-        let off = a_layers[3]
-            .wrapping_add(b_layers[3])
-            .wrapping_add(c_layers[3]);
-        for (n, layer) in layers.0.iter_mut().enumerate() {
-            layer[i] = a_layers[n]
-                .wrapping_sub(b_layers[n])
-                .wrapping_sub(c_layers[n]);
-        }
-        layers.0[2][i] = layers.0[2][i].wrapping_add(outward(off));
-        let ((a, r), (b, s), (c, t)) = (a.parts(), b.parts(), c.parts());
-        let radius = r + s + t;
-        near[i] = (a - b - c) + if LEAST { -radius } else { radius };
-    }
-    (layers, near)
-}
-
 /// As [`TileRows::courses`], where the verdict is about what was stored at the start and where it is not.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
 pub(super) fn courses(
     Under { tile, applied }: &Under<'_>,
     rows: &Range<usize>,
     running: bool,
-    (asked, off): (Asked, f64),
+    (asked, sums): (Asked, &Sums),
 ) -> Courses<i128> {
     let more = if *applied { &tile.more } else { &Column::ZERO };
-    let ([least, most], generated) = (&tile.taken, [&tile.linear, more]);
+    let ([least, most], less) = (&tile.taken, [&tile.linear, more]);
+    let [low, high] = [(least, true), (most, false)].map(|(from, at_least)| Left {
+        from,
+        less,
+        at_least,
+    });
+    let steps = [low.near(), high.near()];
+    let [to_low, to_high] = sums_up_to(rows, steps.each_ref());
+    let [_, _, _, [net_at_least, net_at_most], _] = sums.sums;
+    let off = sums.off;
     let potential = &tile.potential;
     let mut courses = Courses::default();
-    let [low, high] = asked.supply;
-    if asked.net || asked.worst || low {
-        let steps = left::<true>(least, generated);
-        let way = way(&steps, rows, off);
+    if asked.net || asked.worst || asked.supply[0] {
+        let way = Way {
+            rows,
+            sums: &to_low,
+            exactly: &low,
+            total: net_at_least,
+            off,
+        };
         // What is added to T at the least is net energy.
         courses.net = way.least();
         courses.supply[0] = courses.net;
@@ -189,12 +201,17 @@ pub(super) fn courses(
             false => courses.stored = with,
         }
         if asked.worst {
-            courses.worst = way.worst();
+            courses.worst = way.worst(&steps[0]);
         }
     }
-    if high {
-        let steps = left::<false>(most, generated);
-        let way = way(&steps, rows, off);
+    if asked.supply[1] {
+        let way = Way {
+            rows,
+            sums: &to_high,
+            exactly: &high,
+            total: net_at_most,
+            off,
+        };
         courses.supply[1] = way.least();
         courses.lowest[1] = way.with(&end::<false>(potential), |i| {
             potential.get(i).ends_on_grid()[1]
@@ -208,9 +225,21 @@ pub(super) fn courses(
 pub(super) fn observer(
     Under { tile, applied }: &Under<'_>,
     rows: &Range<usize>,
-    off: f64,
+    sums: &Sums,
 ) -> Course<i128> {
     let more = if *applied { &tile.more } else { &Column::ZERO };
-    let steps = left::<true>(&tile.observed, [more, &Column::ZERO]);
-    way(&steps, rows, off).least()
+    let left = Left {
+        from: &tile.observed,
+        less: [more, &Column::ZERO],
+        at_least: true,
+    };
+    let [up_to] = sums_up_to(rows, [&left.near()]);
+    Way {
+        rows,
+        sums: &up_to,
+        exactly: &left,
+        total: sums.observed,
+        off: sums.off,
+    }
+    .least()
 }

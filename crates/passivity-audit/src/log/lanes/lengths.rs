@@ -15,6 +15,9 @@ pub(crate) struct Length(pub(crate) i64, pub(crate) i64);
 impl Length {
     pub(crate) const OPEN: Self = Self(0, 0);
 
+    /// Up to here whole numbers are doubles.
+    const MOST: i64 = 1 << f64::MANTISSA_DIGITS;
+
     /// Of the interval that starts at sample `i` of a chunk.
     #[inline]
     pub(crate) fn of(layout: &Layout, chunk: &Chunk, i: usize) -> Self {
@@ -38,14 +41,19 @@ impl Length {
     #[inline(always)]
     #[allow(clippy::cast_precision_loss)] // nothing is lost
     pub(crate) fn nearest(self) -> Option<f64> {
-        const MOST: i64 = 1 << f64::MANTISSA_DIGITS;
         let Self(mut n, mut d) = self;
-        if n >= MOST || d >= MOST {
+        if n >= Self::MOST || d >= Self::MOST {
             let divisor = num_integer::gcd(n, d);
             (n, d) = (n / divisor, d / divisor);
         }
-        let is_known = n > 0 && d > 0 && n < MOST && d < MOST;
-        is_known.then(|| n as f64 / d as f64)
+        Self(n, d).is_short().then(|| n as f64 / d as f64)
+    }
+
+    /// Whether both numbers are above zero, and doubles.
+    #[inline(always)]
+    pub(super) const fn is_short(self) -> bool {
+        let Self(n, d) = self;
+        n > 0 && d > 0 && n < Self::MOST && d < Self::MOST
     }
 }
 

@@ -118,10 +118,15 @@ pub(crate) trait TileRows {
     fn sums(&self, rows: &Range<usize>, steps: &Self::Steps) -> Sums;
 
     /// Where the sums that it is asked of are least, in units of the grid: without the sums of all rows.
-    fn courses(&self, rows: &Range<usize>, steps: &Self::Steps, of: (Asked, f64)) -> Courses<i128>;
+    fn courses(
+        &self,
+        rows: &Range<usize>,
+        steps: &Self::Steps,
+        of: (Asked, &Sums),
+    ) -> Courses<i128>;
 
     /// The same of what the observer sums up.
-    fn observer(&self, rows: &Range<usize>, off: f64) -> Course<i128>;
+    fn observer(&self, rows: &Range<usize>, steps: &Self::Steps, sums: &Sums) -> Course<i128>;
 
     /// What each row answers, as bits.
     fn covers(&self) -> &[u64; TILE];
@@ -173,12 +178,12 @@ impl TileRows for Under<'_> {
         self.tile.sums(rows, self.applied)
     }
 
-    fn courses(&self, rows: &Range<usize>, running: &bool, of: (Asked, f64)) -> Courses<i128> {
+    fn courses(&self, rows: &Range<usize>, running: &bool, of: (Asked, &Sums)) -> Courses<i128> {
         courses(self, rows, *running, of)
     }
 
-    fn observer(&self, rows: &Range<usize>, off: f64) -> Course<i128> {
-        observer(self, rows, off)
+    fn observer(&self, rows: &Range<usize>, _: &bool, sums: &Sums) -> Course<i128> {
+        observer(self, rows, sums)
     }
 
     fn covers(&self) -> &[u64; TILE] {
@@ -275,7 +280,8 @@ impl Tile {
                 *least = if found < *least { found } else { *least };
             }
         }
-        (least.map(|x| lowest(x, size)), off(size))
+        let off = off(size);
+        (least.map(|x| lowest(x, off)), off)
     }
 }
 
@@ -290,9 +296,9 @@ fn least_of_parts([nets, observations, potentials, sizes]: &[[f64; TILE]; 4]) ->
         let lowest_net = net + added(nets, part, below_zero);
         let found = [
             lowest_net,
-            lowest_net + lowest_of(potentials, part),
+            lowest_net + lowest_of(&potentials[part..part + PART]),
             observed + added(observations, part, below_zero),
-            lowest_of(nets, part),
+            lowest_of(&nets[part..part + PART]),
         ];
         for (least, found) in least.iter_mut().zip(found) {
             *least = less(*least, found);
@@ -301,7 +307,8 @@ fn least_of_parts([nets, observations, potentials, sizes]: &[[f64; TILE]; 4]) ->
         observed += added(observations, part, |x| x);
         size += added(sizes, part, |x| x);
     }
-    (least.map(|x| lowest(x, size)), off(size))
+    let off = off(size);
+    (least.map(|x| lowest(x, off)), off)
 }
 
 /// How many rows a part has.
@@ -311,7 +318,7 @@ const PART: usize = 16;
 const LANES: usize = 8;
 
 #[inline(always)]
-pub(super) fn less(a: f64, b: f64) -> f64 {
+fn less(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
@@ -327,16 +334,21 @@ fn added(column: &[f64; TILE], part: usize, change: impl Fn(f64) -> f64) -> f64 
     joined(lanes, |a, b| a + b)
 }
 
-/// The least of the numbers of a part.
+/// The least of some numbers.
 #[inline(always)]
-fn lowest_of(column: &[f64; TILE], part: usize) -> f64 {
+pub(super) fn lowest_of(column: &[f64]) -> f64 {
+    let (several, rest) = column.as_chunks::<LANES>();
     let mut lanes = [f64::INFINITY; LANES];
-    for at in (part..part + PART).step_by(LANES) {
-        for (lane, x) in lanes.iter_mut().zip(&column[at..at + LANES]) {
+    for several in several {
+        for (lane, x) in lanes.iter_mut().zip(several) {
             *lane = less(*lane, *x);
         }
     }
-    joined(lanes, less)
+    let mut least = joined(lanes, less);
+    for x in rest {
+        least = less(least, *x);
+    }
+    least
 }
 
 /// What pairs of them come to, and pairs of these.
@@ -352,10 +364,10 @@ fn least(tile: &Tile, rows: &Range<usize>, applied: bool) -> ([i128; 4], f64) {
     tile.least(rows, applied)
 }
 
-/// In units of the grid, what a sum of some rows is not below that doubles make this: of numbers of this size, together.
+/// In units of the grid, what a sum of some rows is not below that doubles make this, which are off by so much at most.
 #[inline(always)]
-pub(super) fn lowest(x: f64, size: f64) -> i128 {
-    below(x - off(size))
+pub(super) fn lowest(x: f64, off: f64) -> i128 {
+    below(x - off)
 }
 
 /// What a double near a sum of some rows is off by at most: of numbers of this size, together.

@@ -271,18 +271,18 @@ fn check_sums(tile: &Tile, rows: &Range<usize>, applied: bool) -> Result<(), Tes
         supply: [true; 2],
     };
     let tile = Under { tile, applied };
-    let mut found = tile.courses(rows, &true, (asked, sums.off));
+    let mut found = tile.courses(rows, &true, (asked, &sums));
     for (found, course) in found.supply.iter_mut().zip(courses.supply) {
         found.sum = course.sum;
     }
     found.net.sum = courses.net.sum;
     prop_assert_eq!(found, courses);
-    found = tile.courses(rows, &false, (asked, sums.off));
+    found = tile.courses(rows, &false, (asked, &sums));
     prop_assert_eq!(
         (found.stored, found.net.at),
         (courses.lowest[0], courses.net.at)
     );
-    let found = tile.observer(rows, sums.off);
+    let found = tile.observer(rows, &true, &sums);
     prop_assert_eq!((found.least, found.at), (observer.least, observer.at));
     Ok(())
 }

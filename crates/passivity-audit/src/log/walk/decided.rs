@@ -80,10 +80,16 @@ impl Walk<'_> {
     fn compute_counts(&mut self, chunk: &Chunk, counts: &[i64]) -> Option<()> {
         let (task, i) = (self.task, self.at);
         if !self.counted.has(i) {
-            let known = &self.tiles.lengths;
-            let length = |i: usize| known.get(i).copied();
-            let lengths =
-                (i..).map(|i| length(i).unwrap_or_else(|| Length::of(task.layout, chunk, i)));
+            let known = self.tiles.lengths.get(i..).unwrap_or_default();
+            let found: Vec<Length>;
+            let lengths = match known {
+                [] => {
+                    let rows = i..counts.len().min(i + TILE);
+                    found = rows.map(|i| Length::of(task.layout, chunk, i)).collect();
+                    &found
+                }
+                known => known,
+            };
             let forces = task.applied.then_some(&chunk.forces.values);
             let quick = self.tiles.quick.as_ref()?;
             self.counted.fill(quick, (counts, forces), i, lengths);

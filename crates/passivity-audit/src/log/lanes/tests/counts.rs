@@ -24,8 +24,8 @@ fn alone_and_in_a_tile(
 ) -> Vec<[Option<counted::Figures>; 2]> {
     let quick = Quick::of(&Wall::of(ledger).unwrap());
     let mut tile = Counted::new();
-    let lasts = lengths.iter().map(|(n, d)| Length(*n, *d));
-    tile.fill(&quick, (counts, forces), 0, lasts);
+    let lasts: Vec<_> = lengths.iter().map(|(n, d)| Length(*n, *d)).collect();
+    tile.fill(&quick, (counts, forces), 0, &lasts);
     let rows = counts.windows(2).zip(lengths).take(TILE).enumerate();
     rows.map(|(i, (pair, (n, d)))| {
         let force = forces.map(|forces| forces.ball(i).unwrap());
@@ -91,9 +91,9 @@ proptest! {
         }
         let forces = applied.then_some(&readings);
         let mut tile = Counted::new();
-        let lasts = lengths.iter().map(|(n, d)| Length(*n, *d));
+        let lasts: Vec<_> = lengths.iter().map(|(n, d)| Length(*n, *d)).collect();
         let quick = Quick::of(&Wall::of(&ledger).unwrap());
-        tile.fill(&quick, (&counts, forces), 0, lasts);
+        tile.fill(&quick, (&counts, forces), 0, &lasts);
         let unit = crate::span::ONE;
         let before = [before.0, before.0 + before.1].map(|n| Reduced::Small(n << 40, unit));
         let rows = tile.decided(ends.0.min(ends.1), ends.0.abs_diff(ends.1));
