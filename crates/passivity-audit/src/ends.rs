@@ -6,6 +6,7 @@ use passivity_core::{
 };
 
 use crate::ball::Ball;
+use crate::number::{Ample, to_ample};
 
 /// A dimensionless loop at the least and at the most that its friction may be.
 ///
@@ -154,6 +155,13 @@ impl Ends<BigRational> {
         one.viscous = around(&self.least.viscous, &self.most.viscous);
         one.coulomb = around(&self.least.coulomb, &self.most.coulomb);
         Ends::exact(one)
+    }
+
+    /// The loop over whole numbers of any size.
+    #[must_use]
+    pub fn to_ample(&self) -> Ends<Ample> {
+        let [least, most] = [&self.least, &self.most].map(|ends| ends.map(|_, x| to_ample(x)));
+        Ends::between(least, most, self.friction_is_exact)
     }
 
     /// The loop over big integers.

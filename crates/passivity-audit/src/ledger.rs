@@ -9,7 +9,7 @@ use crate::ball::Ball;
 use crate::ends::{Ends, NotExact};
 use crate::entry::{Entry, Recorded, entry};
 use crate::figure::Figure;
-use crate::number::{Number, Written};
+use crate::number::{Ample, Number, Written};
 use crate::reading::Reading;
 use crate::sum::FigureSum;
 
@@ -33,6 +33,7 @@ use crate::sum::FigureSum;
 pub struct Ledger {
     fixed: Option<Ends<Fixed>>,
     wide: Ends<Wide>,
+    ample: Ends<Ample>,
     near: Ends<Ball>,
 }
 
@@ -54,8 +55,8 @@ pub struct Logged {
 pub enum Row {
     /// On 128-bit integers.
     Fixed(Box<Entry<Fixed>>),
-    /// On big integers.
-    Wide(Box<Entry<Wide>>),
+    /// On whole numbers of any size.
+    Wide(Box<Entry<Ample>>),
 }
 
 /// What a row answers.
@@ -81,6 +82,7 @@ impl Ledger {
             fixed: ends.to_fixed(),
             near: ends.to_near(),
             wide: ends.to_wide(),
+            ample: ends.to_ample(),
         })
     }
 
@@ -128,6 +130,12 @@ impl Ledger {
         &self.wide
     }
 
+    /// The loop over whole numbers of any size.
+    #[must_use]
+    pub const fn ample(&self) -> &Ends<Ample> {
+        &self.ample
+    }
+
     /// Whether a row depends on nothing but its two positions.
     #[must_use]
     pub fn is_plain(&self) -> bool {
@@ -169,12 +177,12 @@ impl Ledger {
         }
     }
 
-    /// The row of an interval on big integers.
-    pub(crate) fn wide_entry(&self, interval: &Logged) -> Option<Entry<Wide>> {
-        let wide = |reading: &Reading| Some(reading.to_wide());
+    /// The row of an interval on whole numbers of any size.
+    pub(crate) fn wide_entry(&self, interval: &Logged) -> Option<Entry<Ample>> {
+        let wide = |reading: &Reading| Some(reading.to_ample());
         interval
             .read()
-            .row(&self.wide, self.window(), &interval.dtau.to_wide(), wide)
+            .row(&self.ample, self.window(), &interval.dtau.to_ample(), wide)
     }
 
     /// The row of an interval, enclosed by doubles; `None` where these leave something open that exact numbers
@@ -395,6 +403,13 @@ mod tests {
             };
             prop_assert_eq!(row.truths(), wide.truths());
             prop_assert_eq!(written(&row), written(&wide));
+            let big = |reading: &Reading| Some(reading.to_wide());
+            let dtau = interval.dtau.to_wide();
+            let big = interval.read().row(&ledger.wide, ledger.window(), &dtau, big).unwrap();
+            let number = |x: &Wide| x.to_rational();
+            let big = big.summed().map(|figure| figure.try_map(number));
+            prop_assert_eq!(row.figures().map(|all| all.map(Some)), Some(big.clone()));
+            prop_assert_eq!(wide.figures().map(|all| all.map(Some)), Some(big));
         }
     }
 }

@@ -3,6 +3,7 @@
 mod arithmetic;
 mod decimal;
 mod digits;
+mod whole;
 
 use num_bigint::BigInt;
 use num_integer::Integer as _;
@@ -13,6 +14,8 @@ pub use arithmetic::is_positive;
 pub(crate) use arithmetic::{Denominator, difference, is_less, product, quotient};
 pub(crate) use decimal::{decimal, leading_decimal, power_of_ten, short};
 pub(crate) use digits::{Fraction, Fractions, Line, SEVERAL};
+pub(crate) use whole::ample;
+pub use whole::{Ample, Whole, to_ample};
 
 /// The widest numerator or denominator that is read from a trace or a request, in bits. Exact
 /// motions have at most as many, doubles need 1075; past it, arithmetic would take seconds a row.
@@ -125,6 +128,17 @@ impl Number {
             Self::Tiny(n, k @ 0..=126) => Some(Fixed::new((*n).into(), 1 << *k)),
             Self::Tiny(..) => None,
             Self::Big(x) => rational::to_fixed(x),
+        }
+    }
+
+    /// The number over whole numbers of any size.
+    #[must_use]
+    pub fn to_ample(&self) -> Ample {
+        match self {
+            Self::Small(n, d) => ample(*n, *d),
+            Self::Tiny(n, k @ 0..=126) => ample(*n, 1_i128 << *k),
+            Self::Tiny(n, k) => Ample::new(i128::from(*n).into(), power_of_two(*k).into()),
+            Self::Big(x) => to_ample(x),
         }
     }
 

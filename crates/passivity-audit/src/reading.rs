@@ -4,7 +4,7 @@ use passivity_core::{BigRational, Fixed, Interval, Ordered, Scalar, Wide, ration
 
 use crate::ball::Ball;
 use crate::figure::Figure;
-use crate::number::Number;
+use crate::number::{Ample, Number, ample, to_ample};
 use crate::span::{self, Span};
 
 /// A position in ticks, or a force in KΔ, as a trace gives it.
@@ -110,6 +110,19 @@ impl Reading {
                 Figure::Enclosed(Interval::new_unchecked(tick, next))
             }
             Self::Within(x) => Figure::Exact(Ball::of_span(x.span)),
+        }
+    }
+
+    /// What is known of the number, on whole numbers of any size.
+    #[must_use]
+    pub fn to_ample(&self) -> Figure<Ample> {
+        match self {
+            Self::Exact(x) => Figure::Exact(x.to_ample()),
+            Self::Count(n) => {
+                let tick = ample(*n, 1);
+                Figure::Enclosed(Interval::hull(tick.clone(), tick + Ample::one()))
+            }
+            Self::Within(x) => Figure::Enclosed(x.range().map(to_ample)),
         }
     }
 

@@ -146,8 +146,8 @@ impl Contribution {
             return Some(found);
         }
         match row {
-            Row::Wide(entry) => contribution(ledger.wide(), entry),
-            Row::Fixed(_) => contribution(ledger.wide(), &ledger.wide_entry(interval)?),
+            Row::Wide(entry) => contribution(ledger.ample(), entry),
+            Row::Fixed(_) => contribution(ledger.ample(), &ledger.wide_entry(interval)?),
         }
     }
 
@@ -177,7 +177,7 @@ impl Contribution {
         let in_doubles = || self.step_in::<Ball>(before);
         let near = self.near.then(|| on_grid().or_else(in_doubles)).flatten();
         near.or_else(|| self.step_in::<passivity_core::Fixed>(before))
-            .or_else(|| self.step_in::<passivity_core::Wide>(before))
+            .or_else(|| self.step_in::<crate::number::Ample>(before))
     }
 
     /// The same of numbers on the grid and whole ticks, exactly.
@@ -351,7 +351,7 @@ pub(crate) fn potential_on<S: Written>(ends: &Ends<S>, sample: &Figure<S>) -> Op
 /// The least and the largest potential of the wall at a sample, in KΔ².
 pub(crate) fn potential(ledger: &Ledger, sample: &Reading) -> Option<[Reduced; 2]> {
     let on_machine_integers = || potential_on(ledger.fixed()?, &sample.to_fixed()?);
-    on_machine_integers().or_else(|| potential_on(ledger.wide(), &sample.to_wide()))
+    on_machine_integers().or_else(|| potential_on(ledger.ample(), &sample.to_ample()))
 }
 
 /// −F·Δξ over the interval of a row: what the passivity observer adds. Enclosed numbers are taken
