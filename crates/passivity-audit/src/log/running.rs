@@ -137,6 +137,17 @@ impl RunningSum {
         true
     }
 
+    /// Goes on with a course over the common denominator, of so many steps, where the sums have room.
+    pub(crate) fn append_scaled(&mut self, course: &Course<i64>, steps: u64) {
+        let wide = Course {
+            sum: course.sum.into(),
+            least: course.least.into(),
+            at: course.at,
+        };
+        self.course.append(&wide, self.steps);
+        self.steps += steps;
+    }
+
     /// Adds a step.
     pub(crate) fn add(&mut self, step: &Reduced) {
         if let Reduced::Small(n, d) = step

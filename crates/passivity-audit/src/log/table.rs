@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use passivity_core::course::{Course, Least};
+
 use crate::log::account::{Account, Point};
 use crate::log::computed::{Accounted, Computed};
 use crate::log::running::Lowest;
@@ -13,6 +15,10 @@ const MAX_ROWS: usize = 1 << 15;
 
 /// Steps of up to this many ticks are looked up without hashing.
 const SMALL_STEP: i64 = 512;
+
+/// How many of their rows are summed up at a time, each below [`LARGEST`]: the sums have room in 64 bits.
+const MOST: usize = 1 << 12;
+const LARGEST: i128 = 1 << 48;
 
 /// A row that was computed before.
 struct Known {
@@ -32,19 +38,38 @@ impl Known {
         self.hits += 1;
     }
 
-    /// Brings its net energy to the denominator of the running sum.
-    fn rescale(&mut self, account: &mut Account) {
+    /// Brings its net energy to the denominator of the running sum; whether that is another than before.
+    fn rescale(&mut self, account: &mut Account) -> bool {
         let (Reduced::Small(n, d), Some(denominator)) =
             (&self.computed.net, account.net.denominator())
         else {
-            return;
+            return false;
         };
         if self.scaled.is_some_and(|(_, over)| over == denominator) {
-            return;
+            return false;
         }
         let scaled = account.net.scaled(*n, *d);
         self.scaled = scaled.zip(account.net.denominator());
+        true
     }
+
+    /// Its net energy over a denominator, where that is known and small.
+    fn net(&self, denominator: i128) -> Option<i64> {
+        let (net, over) = self.scaled?;
+        let is_small = over == denominator && (-LARGEST..LARGEST).contains(&net);
+        is_small.then(|| i64::try_from(net).ok()).flatten()
+    }
+}
+
+/// What some consecutive intervals with rows of small steps come to.
+#[derive(Default)]
+struct Stretch {
+    intervals: u64,
+    /// Net energy over the denominator, and twice what the observer adds.
+    net: Course<i64>,
+    observer: Course<i64>,
+    /// Twice the least of net energy plus ½ξ² over the tick, over the denominator.
+    lowest: Least<i128>,
 }
 
 /// The rows that were computed before, by what they depend on.
@@ -54,6 +79,10 @@ pub(crate) struct Table {
     index: HashMap<Box<[i64]>, usize>,
     /// Rows of plain counts one period apart, by the ticks they cross.
     small: Vec<Option<usize>>,
+    /// Their net energies over [`over`](Self::over), where they are known and small.
+    nets: Vec<Option<(i64, usize)>>,
+    /// The denominator of these; none where rows were rescaled since.
+    over: Option<i128>,
 }
 
 impl Table {
@@ -69,7 +98,9 @@ impl Table {
         account: &mut Account,
     ) -> Option<&Computed> {
         let known = self.known.get_mut(*self.index.get(key)?)?;
-        known.rescale(account);
+        if known.rescale(account) {
+            self.over = None;
+        }
         known.hit(at);
         Some(&known.computed)
     }
@@ -90,6 +121,7 @@ impl Table {
             first: at,
         };
         known.rescale(account);
+        self.over = None;
         let id = self.known.len();
         self.known.push(known);
         self.index.insert(key.into(), id);
@@ -142,56 +174,105 @@ impl Table {
         if self.small.is_empty() {
             return i;
         }
-        // Positions below this keep the potential over the denominator, and the observer's steps,
-        // within 125 bits.
-        let near = ((1_i128 << 125) / denominator).isqrt().min(1 << 40) - 2;
-        let near = near.max(0).unsigned_abs();
+        self.bring_to(denominator);
         let mut lowest = twice_lowest(account, denominator);
-        let start = i;
-        let mut next_point = plot.map_or(usize::MAX, |(stride, from)| {
-            i + stride - (i - from) % stride
-        });
-        while let Some([now, next]) = counts.get(i..i + 2) {
-            let step = next.wrapping_sub(*now);
-            let known = self.small(step).and_then(|id| self.known.get_mut(id));
-            let Some(known) = known else { break };
-            let Some((scaled, over)) = known.scaled else {
+        let before = account.intervals;
+        loop {
+            let until_point = plot.map_or(MOST, |(stride, from)| stride - (i - from) % stride);
+            let has_room = [&account.net, &account.observer]
+                .iter()
+                .all(|sum| sum.now().unsigned_abs() < 1 << 124);
+            let rows = i..counts.len().min(i + until_point.min(MOST) + 1);
+            let Some(counts) = counts.get(rows).filter(|_| has_room) else {
                 break;
             };
-            if over != denominator
-                || u128::from(now.unsigned_abs()) > near
-                || u128::from(next.unsigned_abs()) > near
-                || account.net.now().unsigned_abs() > 1 << 124
-                || !account.net.add_scaled(scaled)
-            {
+            let twice_now = 2 * account.net.now();
+            // Nothing is lower that is not below this.
+            let least = lowest.0.map_or(i128::MAX, |(least, _)| least - twice_now);
+            let found = self.stretch((counts, i), denominator, least);
+            if found.intervals == 0 {
                 break;
             }
-            known.hit(i);
+            lowest.append(&found.lowest, &twice_now, account.intervals);
+            account.net.append_scaled(&found.net, found.intervals);
             account
                 .observer
-                .add_scaled(i128::from(2 * now + 1) * i128::from(step));
-            // Twice the least of net energy plus ½ξ² over the tick, over the denominator.
-            let nearest = i128::from(if *next < 0 { next + 1 } else { *next });
-            let twice = 2 * account.net.now() + nearest * nearest * denominator;
-            i += 1;
-            if lowest.is_none_or(|(least, _)| twice < least) {
-                lowest = Some((twice, account.intervals + (i - start) as u64));
-            }
-            if i == next_point {
+                .append_scaled(&found.observer, found.intervals);
+            account.intervals += found.intervals;
+            // There are not as many intervals as to overflow.
+            i += found.intervals as usize;
+            if plot.is_some_and(|(stride, from)| (i - from).is_multiple_of(stride)) {
                 account.points.push(Point {
-                    h: account.intervals + (i - start) as u64,
+                    h: account.intervals,
                     net: account.net.near(),
                     observer: account.observer.near(),
                 });
-                next_point = plot.map_or(usize::MAX, |(stride, _)| next_point + stride);
             }
         }
-        account.intervals += (i - start) as u64;
-        if let Some((twice, h)) = lowest {
+        if let (Least(Some((twice, h))), true) = (lowest, account.intervals > before) {
             let value = BigRational::new(twice.into(), (2 * denominator).into());
             Lowest::keep(&mut account.stored, Lowest::new(value, h));
         }
         i
+    }
+
+    /// Brings the net energies of small steps to this denominator.
+    fn bring_to(&mut self, denominator: i128) {
+        if self.over == Some(denominator) {
+            return;
+        }
+        let known = &self.known;
+        let net = |id: &Option<usize>| {
+            let id = (*id)?;
+            Some((known.get(id)?.net(denominator)?, id))
+        };
+        self.nets = self.small.iter().map(net).collect();
+        self.over = Some(denominator);
+    }
+
+    /// Goes through counts, the first of which is that at `at`, as long as their steps are known and they are near. What
+    /// is lowest is told where that is below `least`.
+    fn stretch(
+        &mut self,
+        (counts, at): (&[i64], usize),
+        denominator: i128,
+        mut least: i128,
+    ) -> Stretch {
+        // Positions below this keep the potential over the denominator within 125 bits, and the observer's steps
+        // within 50.
+        let near = ((1_i128 << 125) / denominator).isqrt().min(1 << 40) - 2;
+        let near = near.max(0) as u64;
+        let mut found = Stretch::default();
+        for (pair, at) in counts.windows(2).zip(at..) {
+            let [now, next] = pair else { break };
+            let step = next.wrapping_sub(*now);
+            if now.unsigned_abs().max(next.unsigned_abs()) > near {
+                break;
+            }
+            let place = step.wrapping_add(SMALL_STEP) as usize;
+            let Some(Some((net, id))) = self.nets.get(place) else {
+                break;
+            };
+            let Some(known) = self.known.get_mut(*id) else {
+                break;
+            };
+            known.hit(at);
+            let h = found.intervals + 1;
+            found.intervals = h;
+            found.net.step(*net, h);
+            found.observer.step((2 * now + 1) * step, h);
+            // The potential is never below zero.
+            let twice = 2 * i128::from(found.net.sum);
+            if twice < least {
+                let nearest = i128::from(if *next < 0 { next + 1 } else { *next });
+                let twice = twice + nearest * nearest * denominator;
+                if twice < least {
+                    least = twice;
+                    found.lowest = Least(Some((twice, h)));
+                }
+            }
+        }
+        found
     }
 
     /// Where the row of a small step is, when it is known.
@@ -217,10 +298,11 @@ impl Table {
 
 /// Twice the lowest that net energy plus potential was, over a denominator and rounded up, and
 /// where; none where there is none yet, or machine integers do not hold it.
-fn twice_lowest(account: &Account, denominator: i128) -> Option<(i128, u64)> {
+fn twice_lowest(account: &Account, denominator: i128) -> Least<i128> {
     use num_traits::ToPrimitive as _;
-    let lowest = account.stored.as_ref()?;
-    let scale = BigRational::from_integer((2 * denominator).into());
-    let twice = (lowest.value() * scale).ceil().to_integer().to_i128()?;
-    Some((twice, lowest.h))
+    let scale = || BigRational::from_integer((2 * denominator).into());
+    Least(account.stored.as_ref().and_then(|lowest| {
+        let twice = (lowest.value() * scale()).ceil().to_integer().to_i128()?;
+        Some((twice, lowest.h))
+    }))
 }
