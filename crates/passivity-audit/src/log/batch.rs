@@ -93,21 +93,21 @@ impl Batch {
     /// Adds decided rows of a tile, as [`add`](Self::add) does one after the other: how many.
     pub(crate) fn add_tile(
         &mut self,
-        (tile, rows): (&impl TileRows, Range<usize>),
+        (tile, rows): (&mut impl TileRows, Range<usize>),
         running: bool,
     ) -> usize {
         let before = self.intervals;
         if rows.is_empty() || before + rows.len() as u64 > MOST {
             return 0;
         }
-        let Some(steps) = tile.steps(&rows, running, self.excess()) else {
+        if tile.add_up(&rows, running, self.excess()).is_none() {
             return 0;
-        };
-        let sums = tile.sums(&rows, &steps);
+        }
+        let sums = tile.sums(&rows);
         let asked = self.asked(&sums, running);
         let mut courses = match asked == Asked::default() {
             true => Courses::default(),
-            false => tile.courses(&rows, &steps, (asked, &sums)),
+            false => tile.courses(&rows, (asked, &sums)),
         };
         let [_, _, _, [net, _], _] = sums.sums;
         courses.net.sum = net;
@@ -123,7 +123,7 @@ impl Batch {
         }
         let mut observer = match self.observer.sum + sums.least_observed >= self.observer.least {
             true => Course::default(),
-            false => tile.observer(&rows, &steps, &sums),
+            false => tile.observer(&rows, &sums),
         };
         observer.sum = sums.observed;
         self.observer.append(&observer, before);

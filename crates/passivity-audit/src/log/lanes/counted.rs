@@ -5,6 +5,7 @@ use std::ops::Range;
 use multiversion::multiversion;
 
 use super::compute::whole;
+use super::counted_sums::Steps;
 use super::{Length, TILE, truths};
 use crate::log::counted::{Figures, Interval};
 use crate::log::numbers::Readings;
@@ -49,6 +50,8 @@ pub(crate) struct Counted {
     len: usize,
     /// Whether all of them are decided and none is apart.
     is_whole: bool,
+    /// The room of what some of them add up to.
+    pub(super) steps: Steps,
 }
 
 impl Counted {
@@ -68,6 +71,7 @@ impl Counted {
             at: 0,
             len: 0,
             is_whole: false,
+            steps: Steps::NONE,
         })
     }
 

@@ -14,13 +14,25 @@ use crate::log::supply::{Bounds, NO_FORCE};
 use crate::number::Reduced;
 use crate::span::{ONE, units as below};
 
-/// What rows add to T, at the least and at the most, where the verdict is about that.
-pub(crate) struct Steps {
-    supply: Option<[Ends; 2]>,
+/// What rows add up to on the way, and what they add to T where the verdict is about that.
+#[derive(Clone, Debug)]
+pub(super) struct Steps {
+    /// At the least and at the most, where it is `running`.
+    supply: [Ends; 2],
+    running: bool,
     /// [Near the sums](sums_up_to) of net energy, of what the observer adds, and of what is added to T.
-    sums: [[f64; TILE]; 4],
+    up_to: [[f64; TILE]; 4],
     /// What these are off by at most.
     off: f64,
+}
+
+impl Steps {
+    pub(super) const NONE: Self = Self {
+        supply: [NONE; 2],
+        running: false,
+        up_to: [[0.0; TILE]; 4],
+        off: 0.0,
+    };
 }
 
 #[inline(always)]
@@ -40,23 +52,22 @@ fn difference([upper, lower]: End, [upper_less, lower_less]: End) -> [End; 2] {
 }
 
 impl Counted {
-    /// What each row adds to T, as [`Contribution::supplied`] has it: the first of them after one with this excess force.
+    /// Finds what each row adds to T, as [`Contribution::supplied`] has it: the first of them after one with this excess
+    /// force.
     ///
     /// [`Contribution::supplied`]: crate::log::supply::Contribution::supplied
     #[inline(always)]
-    fn steps(&self, first: usize, excess: [End; 2]) -> [Ends; 2] {
-        let mut steps = [NONE; 2];
+    fn supply(&mut self, first: usize, excess: [End; 2]) {
         for i in 1..TILE {
             let before = self.excess.each_ref().map(|end| at(end, i - 1));
-            self.step(&mut steps, i, before);
+            self.step(i, before);
         }
-        self.step(&mut steps, first, excess);
-        steps
+        self.step(first, excess);
     }
 
     /// The same of a row, after one with this excess force.
     #[inline(always)]
-    fn step(&self, steps: &mut [Ends; 2], i: usize, before: [End; 2]) {
+    fn step(&mut self, i: usize, before: [End; 2]) {
         let [least, most] = self.excess.each_ref().map(|end| at(end, i));
         let ticks = whole(self.crossed[i]).unwrap_or(0.0);
         let (high, low) = if ticks < 0.0 {
@@ -68,12 +79,43 @@ impl Counted {
         let [_, rise] = difference(most, before[0]);
         let own = self.own.each_ref().map(|end| at(end, i));
         let added = [(own[0], high, fall), (own[1], low, rise)];
-        for (steps, (own, force, change)) in steps.iter_mut().zip(added) {
+        for (steps, (own, force, change)) in self.steps.supply.iter_mut().zip(added) {
             // Nothing is rounded: forces are below 2^30, ticks below 2^5 and the rest below that.
             let [upper, lower] =
                 [0, 1].map(|part| (own[part] - force[part] * ticks) + change[part]);
             [steps[0][i], steps[1][i]] = carried([upper, lower]);
         }
+    }
+
+    /// Adds up what some rows add to each sum.
+    #[inline(always)]
+    fn add_up(&mut self, rows: &Range<usize>, excess: Option<[End; 2]>) {
+        self.steps.running = excess.is_some();
+        if let Some(excess) = excess {
+            self.supply(rows.start, excess);
+        }
+        let (net, observed, [low, high]) = (&self.sums[3][0], &self.observed, &self.stored);
+        let Steps {
+            supply: [least, most],
+            running,
+            up_to: [to_net, to_observed, to_least, to_most],
+            off: of_all,
+        } = &mut self.steps;
+        let columns = [near(net), near(observed)];
+        let size = match running {
+            true => {
+                let [a, b] = columns;
+                let columns = [a, b, near(least), near(most)];
+                let sums = [to_net, to_observed, to_least, to_most];
+                sums_up_to(rows, columns.each_ref(), sums);
+                size(&[net, observed, least, most, low, high], rows)
+            }
+            false => {
+                sums_up_to(rows, columns.each_ref(), [to_net, to_observed]);
+                size(&[net, observed, low, high], rows)
+            }
+        };
+        *of_all = off(size);
     }
 }
 
@@ -138,43 +180,20 @@ fn size(columns: &[&Ends], rows: &Range<usize>) -> f64 {
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-#[expect(
-    clippy::manual_map,
-    reason = "a closure would be compiled for any processor"
-)]
-fn steps(tile: &Counted, rows: &Range<usize>, excess: Option<[End; 2]>) -> Steps {
-    let supply = match excess {
-        Some(excess) => Some(tile.steps(rows.start, excess)),
-        None => None,
-    };
-    let (net, [low, high]) = (&tile.sums[3][0], &tile.stored);
-    let (least, most) = match &supply {
-        Some([least, most]) => (least, most),
-        None => (&NONE, &NONE),
-    };
-    let near = [near(net), near(&tile.observed), near(least), near(most)];
-    let size = size(&[net, &tile.observed, least, most, low, high], rows);
-    Steps {
-        sums: sums_up_to(rows, near.each_ref()),
-        off: off(size),
-        supply,
-    }
+fn add_up(tile: &mut Counted, rows: &Range<usize>, excess: Option<[End; 2]>) {
+    tile.add_up(rows, excess);
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn totals(
-    tile: &Counted,
-    rows: &Range<usize>,
-    steps: Option<&[Ends; 2]>,
-) -> ([[i128; 2]; 5], i128, [i128; 2]) {
+fn totals(tile: &Counted, rows: &Range<usize>) -> ([[i128; 2]; 5], i128, [i128; 2]) {
     // A closure within a `map` would be compiled for any processor.
     let mut sums = [[0; 2]; 5];
     for (sum, ends) in sums.iter_mut().zip(&tile.sums) {
         *sum = sum_both(ends, rows);
     }
-    let supply = match steps {
-        Some(steps) => sum_both(steps, rows),
-        None => [0; 2],
+    let supply = match tile.steps.running {
+        true => sum_both(&tile.steps.supply, rows),
+        false => [0; 2],
     };
     (sums, tile.observed.sum(rows.clone()), supply)
 }
@@ -182,40 +201,43 @@ fn totals(
 /// Bounds from below: as [`Sums`] has them of net energy, of that and what is stored after it, of what the observer adds,
 /// and of the net energy of a row alone; and of what is added to T, alone and with what T has beside.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn least(tile: &Counted, rows: &Range<usize>, steps: &Steps) -> [f64; 8] {
+fn least(tile: &Counted, rows: &Range<usize>) -> [f64; 8] {
     let [low, high] = [near(&tile.stored[0]), near(&tile.stored[1])];
-    let [net, observed, least, most] = &steps.sums;
-    let (row, rows) = (near(&tile.sums[3][0]), rows.clone());
-    let mut beside = [*net, *least, *most];
-    for (sums, stored) in beside.iter_mut().zip([&low, &low, &high]) {
-        for (sum, stored) in sums.iter_mut().zip(stored) {
-            *sum += stored;
-        }
+    let [net, observed, least, most] = &tile.steps.up_to;
+    let row = near(&tile.sums[3][0]);
+    let [a, b, c] = [net, observed, &row].map(|sums| lowest_of(&sums[rows.clone()]));
+    let with_stored = lowest_beside(net, &low, rows);
+    if !tile.steps.running {
+        return [a, with_stored, b, c, 0.0, 0.0, 0.0, 0.0];
     }
-    let [with_stored, least_supplied, most_supplied] = &beside;
-    [
-        lowest_of(&net[rows.clone()]),
-        lowest_of(&with_stored[rows.clone()]),
-        lowest_of(&observed[rows.clone()]),
-        lowest_of(&row[rows.clone()]),
-        lowest_of(&least[rows.clone()]),
-        lowest_of(&most[rows.clone()]),
-        lowest_of(&least_supplied[rows.clone()]),
-        lowest_of(&most_supplied[rows]),
-    ]
+    let [d, e] = [least, most].map(|sums| lowest_of(&sums[rows.clone()]));
+    let beside = [
+        lowest_beside(least, &low, rows),
+        lowest_beside(most, &high, rows),
+    ];
+    [a, with_stored, b, c, d, e, beside[0], beside[1]]
+}
+
+/// The lowest that sums are with what stands beside them.
+#[inline(always)]
+fn lowest_beside(sums: &[f64; TILE], beside: &[f64; TILE], rows: &Range<usize>) -> f64 {
+    let mut both = *sums;
+    for (sum, beside) in both.iter_mut().zip(beside) {
+        *sum += beside;
+    }
+    lowest_of(&both[rows.clone()])
 }
 
 /// As [`TileRows::courses`].
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn courses(
-    tile: &Counted,
-    rows: &Range<usize>,
-    steps: &Steps,
-    (asked, sums): (Asked, &Sums),
-) -> Courses<i128> {
-    let [up_to, _, least, most] = &steps.sums;
-    let [_, _, _, [total, _], _] = sums.sums;
-    let off = steps.off;
+fn courses(tile: &Counted, rows: &Range<usize>, (asked, sums): (Asked, &Sums)) -> Courses<i128> {
+    let Steps {
+        supply,
+        running,
+        up_to: [up_to, _, least, most],
+        off,
+    } = &tile.steps;
+    let ([_, _, _, [total, _], _], off) = (sums.sums, *off);
     let mut courses = Courses::default();
     if asked.net || asked.worst {
         let net = &tile.sums[3][0];
@@ -227,14 +249,14 @@ fn courses(
             off,
         };
         courses.net = way.least();
-        if steps.supply.is_none() {
+        if !running {
             courses.stored = way.with(&near(&tile.stored[0]), |i| one(&tile.stored[0], i));
         }
         if asked.worst {
             courses.worst = way.worst(&near(net));
         }
     }
-    let ends = steps.supply.iter().flatten().zip([least, most]);
+    let ends = supply.iter().zip([least, most]);
     for (end, ((exactly, up_to), total)) in ends.zip(sums.supply).enumerate() {
         if asked.supply[end] {
             let way = Way {
@@ -254,22 +276,25 @@ fn courses(
 
 /// As [`TileRows::observer`].
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn observer(tile: &Counted, rows: &Range<usize>, steps: &Steps, total: i128) -> Course<i128> {
-    let [_, up_to, ..] = &steps.sums;
+fn observer(tile: &Counted, rows: &Range<usize>, total: i128) -> Course<i128> {
+    let [_, up_to, ..] = &tile.steps.up_to;
     Way {
         rows,
         sums: up_to,
         exactly: &tile.observed,
         total,
-        off: steps.off,
+        off: tile.steps.off,
     }
     .least()
 }
 
 impl TileRows for Counted {
-    type Steps = Steps;
-
-    fn steps(&self, rows: &Range<usize>, running: bool, excess: Option<&Bounds>) -> Option<Steps> {
+    fn add_up(
+        &mut self,
+        rows: &Range<usize>,
+        running: bool,
+        excess: Option<&Bounds>,
+    ) -> Option<()> {
         let before = match running {
             true => {
                 let [least, most] = excess?;
@@ -277,12 +302,14 @@ impl TileRows for Counted {
             }
             false => None,
         };
-        Some(steps(self, rows, before))
+        add_up(self, rows, before);
+        Some(())
     }
 
-    fn sums(&self, rows: &Range<usize>, steps: &Steps) -> Sums {
-        let (sums, observed, supply) = totals(self, rows, steps.supply.as_ref());
-        let found = least(self, rows, steps).map(|low| lowest(low, steps.off));
+    fn sums(&self, rows: &Range<usize>) -> Sums {
+        let (sums, observed, supply) = totals(self, rows);
+        let off = self.steps.off;
+        let found = least(self, rows).map(|low| lowest(low, off));
         let [
             least_net,
             least_stored,
@@ -305,16 +332,16 @@ impl TileRows for Counted {
             least_supply: [least, most],
             least_supplied: [least_end, most_end],
             excess: (last != NO_FORCE).then_some(last),
-            off: steps.off,
+            off,
         }
     }
 
-    fn courses(&self, rows: &Range<usize>, steps: &Steps, of: (Asked, &Sums)) -> Courses<i128> {
-        courses(self, rows, steps, of)
+    fn courses(&self, rows: &Range<usize>, of: (Asked, &Sums)) -> Courses<i128> {
+        courses(self, rows, of)
     }
 
-    fn observer(&self, rows: &Range<usize>, steps: &Steps, sums: &Sums) -> Course<i128> {
-        observer(self, rows, steps, sums.observed)
+    fn observer(&self, rows: &Range<usize>, sums: &Sums) -> Course<i128> {
+        observer(self, rows, sums.observed)
     }
 
     fn covers(&self) -> &[u64; TILE] {

@@ -17,23 +17,22 @@ pub(super) trait OnGrid {
     fn sum(&self, rows: Range<usize>) -> i128;
 }
 
-/// Doubles near the sums of columns up to each of some rows, from zero at the first of them; without bound for others.
+/// Finds doubles near the sums of columns up to each of some rows, from zero at the first of them.
 ///
 /// The columns are added up side by side: each sum waits for that of the row before.
 #[inline(always)]
 pub(super) fn sums_up_to<const N: usize>(
     rows: &Range<usize>,
     columns: [&[f64; TILE]; N],
-) -> [[f64; TILE]; N] {
-    let mut all = [[f64::INFINITY; TILE]; N];
+    mut up_to: [&mut [f64; TILE]; N],
+) {
     let mut sums = [0.0; N];
     for i in rows.clone() {
-        for ((sum, column), up_to) in sums.iter_mut().zip(columns).zip(&mut all) {
+        for ((sum, column), up_to) in sums.iter_mut().zip(columns).zip(&mut up_to) {
             *sum += column[i];
             up_to[i] = *sum;
         }
     }
-    all
 }
 
 /// What rows add to a sum, from zero at the first of them.
@@ -164,9 +163,12 @@ fn end<const LEAST: bool>(Column { middles, radii }: &Column) -> [f64; TILE] {
 /// As [`TileRows::courses`], where the verdict is about what was stored at the start and where it is not.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
 pub(super) fn courses(
-    Under { tile, applied }: &Under<'_>,
+    Under {
+        tile,
+        applied,
+        running,
+    }: &Under<'_>,
     rows: &Range<usize>,
-    running: bool,
     (asked, sums): (Asked, &Sums),
 ) -> Courses<i128> {
     let more = if *applied { &tile.more } else { &Column::ZERO };
@@ -177,7 +179,9 @@ pub(super) fn courses(
         at_least,
     });
     let steps = [low.near(), high.near()];
-    let [to_low, to_high] = sums_up_to(rows, steps.each_ref());
+    let mut up_to = [[0.0; TILE]; 2];
+    sums_up_to(rows, steps.each_ref(), up_to.each_mut());
+    let [to_low, to_high] = up_to;
     let [_, _, _, [net_at_least, net_at_most], _] = sums.sums;
     let off = sums.off;
     let potential = &tile.potential;
@@ -223,7 +227,7 @@ pub(super) fn courses(
 /// As [`TileRows::observer`].
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
 pub(super) fn observer(
-    Under { tile, applied }: &Under<'_>,
+    Under { tile, applied, .. }: &Under<'_>,
     rows: &Range<usize>,
     sums: &Sums,
 ) -> Course<i128> {
@@ -233,7 +237,8 @@ pub(super) fn observer(
         less: [more, &Column::ZERO],
         at_least: true,
     };
-    let [up_to] = sums_up_to(rows, [&left.near()]);
+    let mut up_to = [0.0; TILE];
+    sums_up_to(rows, [&left.near()], [&mut up_to]);
     Way {
         rows,
         sums: &up_to,

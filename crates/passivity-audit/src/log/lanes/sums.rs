@@ -102,31 +102,19 @@ impl<T: Copy + Default + PartialOrd + Add<Output = T>> Courses<T> {
 
 /// Rows that were computed several at a time, all of them decided.
 pub(crate) trait TileRows {
-    /// What each adds to T.
-    type Steps;
-
-    /// Of some rows, where the verdict is about T, after one with this excess force; `None` where they are for one row
-    /// after the other.
-    fn steps(
-        &self,
-        rows: &Range<usize>,
-        running: bool,
-        excess: Option<&Bounds>,
-    ) -> Option<Self::Steps>;
+    /// Makes ready for sums over some rows, and over what they add to T where the verdict is about that, after one with
+    /// this excess force; `None` where they are for one row after the other.
+    fn add_up(&mut self, rows: &Range<usize>, running: bool, excess: Option<&Bounds>)
+    -> Option<()>;
 
     /// Their sums.
-    fn sums(&self, rows: &Range<usize>, steps: &Self::Steps) -> Sums;
+    fn sums(&self, rows: &Range<usize>) -> Sums;
 
     /// Where the sums that it is asked of are least, in units of the grid: without the sums of all rows.
-    fn courses(
-        &self,
-        rows: &Range<usize>,
-        steps: &Self::Steps,
-        of: (Asked, &Sums),
-    ) -> Courses<i128>;
+    fn courses(&self, rows: &Range<usize>, of: (Asked, &Sums)) -> Courses<i128>;
 
     /// The same of what the observer sums up.
-    fn observer(&self, rows: &Range<usize>, steps: &Self::Steps, sums: &Sums) -> Course<i128>;
+    fn observer(&self, rows: &Range<usize>, sums: &Sums) -> Course<i128>;
 
     /// What each row answers, as bits.
     fn covers(&self) -> &[u64; TILE];
@@ -162,27 +150,37 @@ fn alike(rows: &[u64], bits: u64) -> usize {
 
 /// The rows of a tile under the force in the log where that is `applied`, else under that of the wall.
 pub(crate) struct Under<'a> {
-    pub(crate) tile: &'a Tile,
-    pub(crate) applied: bool,
+    pub(super) tile: &'a Tile,
+    pub(super) applied: bool,
+    /// Whether the verdict is about T.
+    pub(super) running: bool,
+}
+
+impl<'a> Under<'a> {
+    pub(crate) const fn new(tile: &'a Tile, applied: bool) -> Self {
+        Self {
+            tile,
+            applied,
+            running: false,
+        }
+    }
 }
 
 impl TileRows for Under<'_> {
-    /// Whether there are any.
-    type Steps = bool;
-
-    fn steps(&self, _: &Range<usize>, running: bool, excess: Option<&Bounds>) -> Option<bool> {
-        excess.is_none().then_some(running)
+    fn add_up(&mut self, _: &Range<usize>, running: bool, excess: Option<&Bounds>) -> Option<()> {
+        self.running = running;
+        excess.is_none().then_some(())
     }
 
-    fn sums(&self, rows: &Range<usize>, _: &bool) -> Sums {
+    fn sums(&self, rows: &Range<usize>) -> Sums {
         self.tile.sums(rows, self.applied)
     }
 
-    fn courses(&self, rows: &Range<usize>, running: &bool, of: (Asked, &Sums)) -> Courses<i128> {
-        courses(self, rows, *running, of)
+    fn courses(&self, rows: &Range<usize>, of: (Asked, &Sums)) -> Courses<i128> {
+        courses(self, rows, of)
     }
 
-    fn observer(&self, rows: &Range<usize>, _: &bool, sums: &Sums) -> Course<i128> {
+    fn observer(&self, rows: &Range<usize>, sums: &Sums) -> Course<i128> {
         observer(self, rows, sums)
     }
 

@@ -61,7 +61,8 @@ impl Walk<'_> {
             Samples::Any(_) => {
                 let (tile, from) = (self.tiles.tiles.get(at / TILE)?, at % TILE);
                 let rows = from..tile.decided(from, from + most, applied);
-                let added = batch.add_tile((&Under { tile, applied }, rows), task.running);
+                let mut under = Under::new(tile, applied);
+                let added = batch.add_tile((&mut under, rows), task.running);
                 self.tiles.lengths.get(at..at + added)
             }
             // Other rows of counts are looked up.
@@ -70,7 +71,7 @@ impl Walk<'_> {
                 self.compute_counts(chunk, counts)?;
                 let rows = self.counted.decided(at, most);
                 let from = rows.start;
-                let added = batch.add_tile((&*self.counted, rows), task.running);
+                let added = batch.add_tile((&mut *self.counted, rows), task.running);
                 Some(self.counted.lengths(from..from + added))
             }
         }
