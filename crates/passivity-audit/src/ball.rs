@@ -4,7 +4,7 @@
 use passivity_core::{BigRational, Scalar as _};
 
 use bits::{digits, is_double};
-pub(crate) use bits::{is_exact_sum, over_power_of_two, split, unless};
+pub(crate) use bits::{is_exact_sum, over_power_of_two, rest_of_product, split, unless};
 
 use crate::log::near_rational;
 use crate::number::Number;
@@ -286,19 +286,15 @@ impl Ball {
             return Self::UNDEFINED;
         };
         let size = middle.unsigned_abs();
-        // Below 2⁶² and below 2⁶⁴.
-        let (whole, rest) = ((size >> BITS) as i64, size as u64);
-        let is_whole = radius == 0 && rest == 0 && size < u128::from(EXACT) << BITS;
-        let size = whole as f64 + rest as f64 / UNITS;
+        let is_whole = radius == 0 && size as u64 == 0 && size < u128::from(EXACT) << BITS;
         let sign = if middle < 0 { -1.0 } else { 1.0 };
+        let size = nearest_of_units(size);
         if is_whole {
             return Self::exactly(sign * size);
         }
-        // Of each half and of their sum; and of the radius.
-        let radius = (radius as f64 / UNITS + 2.0 * ROUNDING * size) * OUTWARD;
         Self {
             middle: sign * size,
-            radius,
+            radius: radius_of_span(radius as f64, size),
         }
     }
 
@@ -330,6 +326,24 @@ impl Ball {
     pub(crate) fn near(self) -> Option<f64> {
         self.is_defined().then_some(self.middle)
     }
+}
+
+/// The double nearest to so many units of the grid.
+#[inline]
+#[allow(clippy::cast_precision_loss)] // it is rounded once, to the nearest
+fn nearest_of_units(n: u128) -> f64 {
+    let up = n.leading_zeros().min(u128::BITS - 1);
+    let shifted = n << up;
+    // The last digit tells whether there are any behind it.
+    let upper = (shifted >> BITS) as u64 | u64::from(shifted as u64 != 0);
+    upper as f64 * f64::from_bits((1023 - u64::from(up)) << (f64::MANTISSA_DIGITS - 1))
+}
+
+/// The radius around a double that is the nearest to the middle of a span, of so many units.
+#[inline(always)]
+pub(crate) fn radius_of_span(units: f64, size: f64) -> f64 {
+    // Of both roundings twice what each is off by.
+    (units / UNITS + 2.0 * ROUNDING * size) * OUTWARD
 }
 
 /// 2^k, where that is far from the least and from the largest doubles.

@@ -72,7 +72,7 @@ pub(crate) fn over_power_of_two(x: f64) -> Option<(u64, u32)> {
 
 /// What rounding takes off a product, exactly, where neither number is near the least or the largest doubles.
 #[inline(always)]
-pub(super) fn rest_of_product(a: f64, b: f64) -> f64 {
+pub(crate) fn rest_of_product(a: f64, b: f64) -> f64 {
     /// Takes the upper half of the digits apart.
     const UPPER: f64 = ((1_u64 << 27) + 1) as f64;
     let halves = |x: f64| {

@@ -6,10 +6,14 @@ use passivity_core::{BigRational, Exact, Interval, Scalar};
 
 use crate::ball::{Ball, over_power_of_two};
 use crate::log::error::TraceError;
+use crate::log::irrational::doubles::Halves;
 use crate::log::numbers::Kind;
+use crate::log::running::near;
 use crate::number::{Number, power_of_ten};
 use crate::reading::{Reading, Scaled};
 use crate::span::{self, Span};
+
+mod doubles;
 
 /// A factor with π in it.
 #[derive(Clone, Debug)]
@@ -20,6 +24,7 @@ pub(crate) struct Irrational {
     negative: bool,
     /// |factor|/10^k for short decimals, by k.
     by_decimals: Vec<Option<Mantissa>>,
+    halves: Halves,
 }
 
 /// A number above `mantissa`/2^shift, by one unit of it at most.
@@ -79,8 +84,11 @@ impl Irrational {
             let power = BigRational::from_integer(BigInt::from(10).pow(k));
             Mantissa::of(&(lo / &power), &(hi / &power))
         });
+        let nearest = near(range.lo());
+        let rest = BigRational::from_float(nearest).map(|nearest| range.lo() - nearest);
         Self {
             by_decimals: by_decimals.collect(),
+            halves: [nearest, rest.map_or(f64::NAN, |rest| near(&rest))],
             negative: range.lo().is_negative(),
             factor,
             range,
@@ -149,41 +157,43 @@ impl Irrational {
         (kind == Kind::Force || span.is_within_a_tick()).then(|| Ball::of_span(span))
     }
 
+    /// What [`near_double`](Self::near_double) finds of doubles, soonest: their middles and radii, with no number in the
+    /// middle where that takes longer.
+    pub(crate) fn of_several(&self, kind: Kind, values: &[f64], balls: (&mut [f64], &mut [f64])) {
+        doubles::balls(values, self.halves, kind, balls);
+    }
+
     /// What [`near_double`](Self::near_double) finds, sooner: of most doubles.
     ///
     /// A double is its digits over a power of two, which the product with the mantissa is cut off at. So none of it
     /// is to be brought to lowest terms first, and what is cut off is less than one unit of the grid.
     #[inline]
-    pub(crate) fn of_doubles(&self, kind: Kind) -> impl Fn(f64) -> Option<Ball> {
+    pub(crate) fn of_double(&self, kind: Kind, x: f64) -> Option<Ball> {
         const WORD: u32 = 64;
         /// Within so many units of a tick, it is asked more closely which one it is in.
         const EDGE: u64 = 4;
-        let whole = self.by_decimals.first().copied().flatten();
-        let is_negative = self.negative;
-        move |x| {
-            let by = whole?;
-            if x == 0.0 {
-                return Some(Ball::whole(0));
-            }
-            let (digits, behind) = over_power_of_two(x)?;
-            let shift = by.shift - span::BITS + behind;
-            // Digits and mantissa are below 2⁵³ and 2¹²⁰: cut off here, the product has room.
-            if !(WORD..2 * WORD).contains(&shift) {
-                return None;
-            }
-            let [upper, lower] = [by.mantissa >> WORD, by.mantissa & u128::from(u64::MAX)];
-            let low = u128::from(digits) * lower;
-            let high = u128::from(digits) * upper + (low >> WORD);
-            let product = high >> (shift - WORD);
-            let within = (product as u64).wrapping_add(EDGE);
-            if kind == Kind::Position && within < 2 * EDGE {
-                return None;
-            }
-            // What was cut off, and less than a unit for that of the mantissa.
-            let size = Span::centred(product.cast_signed(), 2);
-            let is_below = x.is_sign_negative() != is_negative;
-            Some(Ball::of_span(if is_below { -size } else { size }))
+        let by = self.by_decimals.first().copied().flatten()?;
+        if x == 0.0 {
+            return Some(Ball::whole(0));
         }
+        let (digits, behind) = over_power_of_two(x)?;
+        let shift = by.shift - span::BITS + behind;
+        // Digits and mantissa are below 2⁵³ and 2¹²⁰: cut off here, the product has room.
+        if !(WORD..2 * WORD).contains(&shift) {
+            return None;
+        }
+        let [upper, lower] = [by.mantissa >> WORD, by.mantissa & u128::from(u64::MAX)];
+        let low = u128::from(digits) * lower;
+        let high = u128::from(digits) * upper + (low >> WORD);
+        let product = high >> (shift - WORD);
+        let within = (product as u64).wrapping_add(EDGE);
+        if kind == Kind::Position && within < 2 * EDGE {
+            return None;
+        }
+        // What was cut off, and less than a unit for that of the mantissa.
+        let size = Span::centred(product.cast_signed(), 2);
+        let is_below = x.is_sign_negative() != self.negative;
+        Some(Ball::of_span(if is_below { -size } else { size }))
     }
 
     /// A position in ticks, enclosed within one of them.
@@ -268,11 +278,14 @@ mod tests {
             let range = factor.enclosure(256).unwrap();
             let by = Irrational::new(factor, range);
             for kind in [Kind::Position, Kind::Force] {
-                if let Some(sooner) = by.of_doubles(kind)(x) {
-                    prop_assert_eq!(Some(sooner), by.near_double(kind, x));
-                } else {
-                    // Below the grid, and from 2⁵³ on or so.
-                    prop_assert!(!(1e-3..1e6).contains(&x.abs()));
+                let sooner = by.of_double(kind, x);
+                // Below the grid, and from 2⁵³ on or so.
+                prop_assert!(sooner.is_some() || !(1e-3..1e6).contains(&x.abs()));
+                let (mut middle, mut radius) = ([0.0], [0.0]);
+                by.of_several(kind, &[x], (&mut middle, &mut radius));
+                let decided = (!middle[0].is_nan()).then(|| Ball::from_parts(middle[0], radius[0]));
+                for found in [sooner, decided].into_iter().flatten() {
+                    prop_assert_eq!(Some(found), by.near_double(kind, x));
                 }
             }
         }
@@ -299,6 +312,22 @@ mod tests {
             // A unit of the mantissa is at most a part in 2¹¹⁹ of it, and the radius is one more than that and
             // what was cut off.
             prop_assert!(hi - lo <= 4 + (hi.abs() >> 118));
+        }
+    }
+
+    #[test]
+    fn most_doubles_are_decided_several_at_a_time() {
+        let factor = Exact::of(&BigRational::from_integer(4096.into())).over(pi::pi());
+        let range = factor.enclosure(256).unwrap();
+        let by = Irrational::new(factor, range);
+        // Radians from 10 to 1300 ticks.
+        let values: Vec<f64> = (1..1000).map(|i| f64::from(i) * 1.001e-3 + 7e-3).collect();
+        let (mut middles, mut radii) = (vec![0.0; values.len()], vec![0.0; values.len()]);
+        for kind in [Kind::Position, Kind::Force] {
+            by.of_several(kind, &values, (&mut middles, &mut radii));
+            let open = middles.iter().filter(|middle| middle.is_nan()).count();
+            // Above 8 doubles are 2^-49 apart: a part in 2^10 is within 2^-61 of a middle or of half that, on either side.
+            assert!(open < 10, "{open}");
         }
     }
 }

@@ -3,6 +3,7 @@
 use crate::ball::Ball;
 use crate::log::error::TraceError;
 use crate::log::scale::Scale;
+use crate::log::step::undefined;
 use crate::number::{Number, power_of_ten};
 use crate::reading::Reading;
 
@@ -216,23 +217,36 @@ impl Balls {
         self.middles.len()
     }
 
-    /// Appends the balls of numbers, from the first that has none on, up to one that has none.
+    /// Appends the balls of numbers, from the first that has none on: those that `several` finds of all of them at once,
+    /// with no number in the middle where it does not, or else those that `one` finds. Where one cannot be found, what
+    /// comes before it is kept.
     #[inline]
-    pub(crate) fn complete<T>(
+    pub(crate) fn complete(
         &mut self,
-        numbers: impl ExactSizeIterator<Item = T>,
-        ball: impl Fn(T) -> Option<Ball>,
-    ) {
-        let mut known = self.len();
-        self.middles.resize(numbers.len(), 0.0);
-        self.radii.resize(numbers.len(), 0.0);
-        let parts = self.middles.iter_mut().zip(&mut self.radii).skip(known);
-        for (x, (middle, radius)) in numbers.skip(known).zip(parts) {
-            let Some(ball) = ball(x) else { break };
-            (*middle, *radius) = ball.parts();
-            known += 1;
+        len: usize,
+        several: impl FnOnce(usize, (&mut [f64], &mut [f64])),
+        one: impl Fn(usize) -> Result<Ball, TraceError>,
+    ) -> Result<(), (usize, TraceError)> {
+        let known = self.len();
+        self.middles.resize(len, f64::NAN);
+        self.radii.resize(len, 0.0);
+        let parts = (self.middles.get_mut(known..), self.radii.get_mut(known..));
+        if let (Some(middles), Some(radii)) = parts {
+            several(known, (middles, radii));
         }
-        self.truncate(known);
+        let parts = self.middles.iter_mut().zip(&mut self.radii);
+        for (i, (middle, radius)) in parts.enumerate().skip(known) {
+            if middle.is_nan() {
+                match one(i) {
+                    Ok(ball) => (*middle, *radius) = ball.parts(),
+                    Err(error) => {
+                        self.truncate(i);
+                        return Err((i, error));
+                    }
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Copies those from `at` on, as many as there are and are asked for: how many that is.
@@ -304,17 +318,10 @@ impl Readings {
         self.written.len()
     }
 
-    fn read(&self, x: Number) -> Result<Reading, TraceError> {
-        match self.kind {
-            Kind::Position => self.scale.position(x),
-            Kind::Force => self.scale.force(x),
-        }
-    }
-
     #[inline]
     pub(crate) fn get(&self, i: usize) -> Option<Reading> {
         // What was appended can be read.
-        self.read(self.written.get(i)?).ok()
+        self.scale.read(self.kind, self.written.get(i)?).ok()
     }
 
     /// What is known of the number at `i`.
@@ -349,34 +356,41 @@ impl Readings {
     /// Finds out what is known of the numbers of which nothing was known; of the first that cannot be read, where it
     /// is and why.
     pub(crate) fn complete(&mut self) -> Result<(), (usize, TraceError)> {
-        loop {
-            let Self {
-                written,
-                near,
-                kind,
-                scale,
-            } = self;
-            match written {
-                Numbers::Decimals(numerators, powers) => {
-                    let decimals = numerators.iter().zip(powers.iter());
-                    near.complete(decimals, |(n, k)| scale.near(*kind, *n, *k));
-                }
-                Numbers::Doubles(values) => scale.complete(*kind, values, near),
-                Numbers::Any(_) => {}
+        let Self {
+            written,
+            near,
+            kind,
+            scale,
+        } = self;
+        let (written, kind) = (&*written, *kind);
+        let several = |from: usize, balls: (&mut [f64], &mut [f64])| {
+            if let Numbers::Doubles(values) = written {
+                let values = values.get(from..).unwrap_or_default();
+                scale.near_doubles(kind, values, balls);
             }
-            // One that takes longer, if any is left.
-            let at = self.near.len();
-            let Some(x) = self.written.get(at) else {
-                return Ok(());
+        };
+        near.complete(written.len(), several, |i| {
+            let quickly = match written {
+                Numbers::Decimals(numerators, powers) => {
+                    let decimal = numerators.get(i).zip(powers.get(i));
+                    decimal.and_then(|(n, k)| scale.near(kind, *n, *k))
+                }
+                Numbers::Doubles(values) => values.get(i).and_then(|x| scale.near_double(kind, *x)),
+                Numbers::Any(_) => None,
             };
-            let (_, near) = self.known(x).map_err(|error| (at, error))?;
-            self.near.push(near);
-        }
+            match quickly {
+                Some(ball) => Ok(ball),
+                None => {
+                    let x = written.get(i).ok_or_else(undefined)?;
+                    Ok(*scale.read(kind, x)?.to_near().lo())
+                }
+            }
+        })
     }
 
     /// What is known of a number, for [`push`](Self::push).
     pub(crate) fn known(&self, x: Number) -> Result<(Number, Ball), TraceError> {
-        let near = *self.read(x.clone())?.to_near().lo();
+        let near = *self.scale.read(self.kind, x.clone())?.to_near().lo();
         Ok((x, near))
     }
 

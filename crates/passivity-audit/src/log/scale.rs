@@ -11,7 +11,7 @@ use crate::ball::Ball;
 use crate::log::error::TraceError;
 use crate::log::header::read_unit;
 use crate::log::irrational::Irrational;
-use crate::log::numbers::{Balls, Kind};
+use crate::log::numbers::Kind;
 use crate::log::running::near;
 use crate::number::{Number, power_of_ten, product};
 use crate::reading::Reading;
@@ -60,6 +60,14 @@ impl Scale {
         }
     }
 
+    /// A position or a force as it is known.
+    pub(crate) fn read(&self, kind: Kind, x: Number) -> Result<Reading, TraceError> {
+        match kind {
+            Kind::Position => self.position(x),
+            Kind::Force => self.force(x),
+        }
+    }
+
     /// A position as it is known.
     pub(crate) fn position(&self, x: Number) -> Result<Reading, TraceError> {
         match self {
@@ -91,26 +99,21 @@ impl Scale {
         }
     }
 
-    /// Appends what is known of doubles, from the first of which nothing is known on, up to one of which that takes
+    /// What is known of doubles, several at a time: their middles and radii, with no number in the middle where that takes
     /// longer to find out.
-    pub(crate) fn complete(&self, kind: Kind, values: &[f64], near: &mut Balls) {
-        let slower = |x: f64| self.near_double(kind, x);
-        match self {
-            Self::One | Self::Factor(_) => near.complete(values.iter(), |x| slower(*x)),
-            Self::Irrational(by) => {
-                let quick = by.of_doubles(kind);
-                near.complete(values.iter(), |x| quick(*x).or_else(|| slower(*x)));
-            }
+    pub(crate) fn near_doubles(&self, kind: Kind, values: &[f64], balls: (&mut [f64], &mut [f64])) {
+        if let Self::Irrational(by) = self {
+            by.of_several(kind, values, balls);
         }
     }
 
-    /// The same of a double.
+    /// The same of a double; `None` where it takes longer still.
     #[inline]
-    fn near_double(&self, kind: Kind, x: f64) -> Option<Ball> {
+    pub(crate) fn near_double(&self, kind: Kind, x: f64) -> Option<Ball> {
         match self {
             Self::One => Ball::of_double(x),
             Self::Factor(factor) => near_product(factor, x),
-            Self::Irrational(by) => by.near_double(kind, x),
+            Self::Irrational(by) => by.of_double(kind, x).or_else(|| by.near_double(kind, x)),
         }
     }
 
