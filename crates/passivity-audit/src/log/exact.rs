@@ -68,7 +68,10 @@ impl ExactSum {
         let [a, b] = [a, b].map(|column| column.get(..len).unwrap_or_default());
         for (a, b) in a.chunks(SHORT).zip(b.chunks(SHORT)) {
             match layers(a, b) {
-                Some(sums) => sums.iter().flatten().for_each(|sum| self.add(*sum)),
+                Some(sums) => {
+                    let sums = sums.iter().flatten().flatten();
+                    sums.for_each(|sum| self.add(*sum));
+                }
                 None => a.iter().zip(b).for_each(|(a, b)| self.add(a * b)),
             }
         }
@@ -120,8 +123,12 @@ const SHORT: usize = 4096;
 /// Sums that are kept apart, so that processors add several numbers at once.
 const LANES: usize = 8;
 
-/// What the digits of each layer are multiples of, as powers of two: each has [`ROOM`] bits more than the next.
-const GRIDS: [i32; 4] = [-12, -50, -88, -126];
+/// What the digits of each layer are multiples of, as powers of two: each has 38 bits more than the next. Most
+/// numbers have no digits behind the first two.
+const GRIDS: [[i32; 2]; 2] = [[-12, -50], [-88, -126]];
+
+/// As many of [several](LANES) numbers as are looked at together.
+const BLOCK: usize = 8;
 
 /// Below this, terms have room in the layers: 2^28.
 const LARGEST: f64 = (1 << 28) as f64;
@@ -135,39 +142,52 @@ const fn power(k: i32) -> f64 {
 /// its own grid, which makes 52 bits. `None` where a product is too large, or has digits behind the last layer.
 #[expect(clippy::indexing_slicing, reason = "every index is that of a lane")]
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-fn layers(a: &[f64], b: &[f64]) -> Option<[[f64; LANES]; GRIDS.len()]> {
-    let mut sums = [[0.0; LANES]; GRIDS.len()];
+fn layers(a: &[f64], b: &[f64]) -> Option<[[[f64; LANES]; 2]; 2]> {
+    let mut sums = [[[0.0; LANES]; 2]; 2];
     let mut open = [0_u64; LANES];
-    let (first, rest) = a.as_chunks::<LANES>();
-    let (second, other) = b.as_chunks::<LANES>();
-    let last = [rest, other].map(|rest| {
-        let mut padded = [0.0; LANES];
-        padded.iter_mut().zip(rest).for_each(|(slot, x)| *slot = *x);
-        padded
-    });
-    let [first_of_last, second_of_last] = &last;
-    let last = std::iter::once((first_of_last, second_of_last));
-    for (a, b) in first.iter().zip(second).chain(last) {
-        let mut rest = [0.0; LANES];
-        for lane in 0..LANES {
-            rest[lane] = a[lane] * b[lane];
-            let fits = rest[lane].abs() < LARGEST;
-            open[lane] |= u64::from(!fits);
+    for (a, b) in a.chunks(BLOCK * LANES).zip(b.chunks(BLOCK * LANES)) {
+        let mut products = [[0.0; LANES]; BLOCK];
+        let whole = products.as_flattened_mut();
+        for ((product, a), b) in whole.iter_mut().zip(a).zip(b) {
+            *product = a * b;
         }
-        for (sums, grid) in sums.iter_mut().zip(GRIDS) {
-            // Adding it leaves no room for digits below the grid.
-            let shift = 1.5 * power(52 + grid);
+        let [first, second] = &mut sums;
+        let mut left = [0_u64; LANES];
+        for rest in &mut products {
             for lane in 0..LANES {
-                let digits = (rest[lane] + shift) - shift;
-                rest[lane] -= digits;
-                sums[lane] += digits;
+                open[lane] |= u64::from(!(rest[lane].abs() < LARGEST));
+            }
+            add_digits(first, GRIDS[0], rest);
+            for lane in 0..LANES {
+                left[lane] |= u64::from(rest[lane] != 0.0);
             }
         }
-        for lane in 0..LANES {
-            open[lane] |= u64::from(rest[lane] != 0.0);
+        if left == [0; LANES] {
+            continue;
+        }
+        for rest in &mut products {
+            add_digits(second, GRIDS[1], rest);
+            for lane in 0..LANES {
+                open[lane] |= u64::from(rest[lane] != 0.0);
+            }
         }
     }
     (open == [0; LANES]).then_some(sums)
+}
+
+/// Adds the digits of some numbers to two layers, and keeps what is left of the numbers.
+#[expect(clippy::indexing_slicing, reason = "every index is that of a lane")]
+#[inline(always)]
+fn add_digits(sums: &mut [[f64; LANES]; 2], grids: [i32; 2], rest: &mut [f64; LANES]) {
+    for (sums, grid) in sums.iter_mut().zip(grids) {
+        // Adding it leaves no room for digits below the grid.
+        let shift = 1.5 * power(52 + grid);
+        for lane in 0..LANES {
+            let digits = (rest[lane] + shift) - shift;
+            rest[lane] -= digits;
+            sums[lane] += digits;
+        }
+    }
 }
 
 #[cfg(test)]
