@@ -23,7 +23,6 @@ use crate::ledger::Truths;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::numbers::{Balls, Readings};
 use crate::log::quick::Quick;
-use crate::log::step::all_periods;
 use crate::log::task::Task;
 use crate::log::wall::Wall;
 use sums::Totals;
@@ -232,20 +231,16 @@ impl Tiles {
     /// Computes those of a chunk, in the room of those before: none of counts, and of loops that are no plain
     /// walls.
     pub(crate) fn fill(&mut self, task: &Task<'_>, chunk: &Chunk) {
-        self.lengths.clear();
         let wall = Wall::of(task.ledger);
         self.quick = wall.as_ref().map(Quick::of);
         self.wall = wall.map(|wall| wall.lanes());
         let intervals = chunk.samples.len().saturating_sub(1);
         // Of counts without forces few are asked for, or by one account.
         let is_asked = matches!(chunk.samples, Samples::Any(_)) || task.applied;
-        if let (Some(_), true) = (&self.wall, is_asked) {
-            let known = all_periods(task.layout, chunk).map(Length::of_periods);
-            self.lengths.extend(known.take(intervals));
-            let rest = self.lengths.len()..intervals;
-            self.lengths
-                .extend(rest.map(|i| Length::of(task.layout, chunk, i)));
-        }
+        let is_asked = is_asked && self.wall.is_some();
+        let lengths = if is_asked { intervals } else { 0 };
+        self.lengths.resize(lengths, Length::OPEN);
+        lengths::find(task.layout, chunk, &mut self.lengths);
         let (Some(wall), Samples::Any(samples)) = (&self.wall, &chunk.samples) else {
             self.tiles.clear();
             return;

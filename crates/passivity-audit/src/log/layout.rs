@@ -281,11 +281,18 @@ impl Layout {
     /// that does not fit, or is not above zero.
     #[inline]
     pub(crate) fn periods(&self, from: i64, to: i64, power: i64) -> Option<(i64, i64)> {
-        let Number::Small(n @ 1.., m) = &self.per_period else {
-            return None;
-        };
+        let (factor, denominator) = self.periods_over(power)?;
         let dt = to.checked_sub(from).filter(|dt| *dt > 0)?;
-        Some((dt.checked_mul(*m)?, power.checked_mul(*n)?))
+        Some((dt.checked_mul(factor)?, denominator))
+    }
+
+    /// What a difference of times over a power of ten is multiplied by, and the denominator of what that makes.
+    #[inline]
+    pub(crate) fn periods_over(&self, power: i64) -> Option<(i64, i64)> {
+        match &self.per_period {
+            Number::Small(n @ 1.., m) => Some((*m, power.checked_mul(*n)?)),
+            _ => None,
+        }
     }
 
     /// As [`duration`](Self::duration), for times with as many digits that small integers are enough for;

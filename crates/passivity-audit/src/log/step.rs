@@ -55,27 +55,6 @@ pub(crate) fn periods(layout: &Layout, chunk: &Chunk, i: usize) -> Option<(i64, 
     }
 }
 
-/// As [`periods`], of all intervals of a chunk from the first one on, whose times have one power of ten; none of others.
-pub(crate) fn all_periods<'a>(
-    layout: &'a Layout,
-    chunk: &'a Chunk,
-) -> impl Iterator<Item = Option<(i64, i64)>> + 'a {
-    let alike = match &chunk.times {
-        Numbers::Decimals(numerators, powers) => match powers.as_slice() {
-            [first, rest @ ..] if rest.iter().fold(true, |all, power| all & (power == first)) => {
-                power_of_ten((*first).into()).map(|power| (numerators.as_slice(), power))
-            }
-            _ => None,
-        },
-        _ => None,
-    };
-    let (numerators, power) = alike.unwrap_or_default();
-    numerators.windows(2).map(move |pair| match pair {
-        [from, to] => layout.periods(*from, *to, power),
-        _ => None,
-    })
-}
-
 /// The second double less the first one in lowest terms, where that is a double above zero and as short a fraction as
 /// most are.
 #[inline(always)]

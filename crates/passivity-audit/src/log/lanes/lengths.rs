@@ -6,7 +6,9 @@ use super::Column;
 use crate::ball::Ball;
 use crate::log::chunk::Chunk;
 use crate::log::layout::Layout;
+use crate::log::numbers::Numbers;
 use crate::log::step::periods;
+use crate::number::power_of_ten;
 
 /// How long an interval is, in periods, as a fraction; nothing where that is left open.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,12 +23,7 @@ impl Length {
     /// Of the interval that starts at sample `i` of a chunk.
     #[inline]
     pub(crate) fn of(layout: &Layout, chunk: &Chunk, i: usize) -> Self {
-        Self::of_periods(periods(layout, chunk, i))
-    }
-
-    #[inline(always)]
-    pub(super) fn of_periods(periods: Option<(i64, i64)>) -> Self {
-        periods.map_or(Self::OPEN, |(n, d)| Self(n, d))
+        periods(layout, chunk, i).map_or(Self::OPEN, |(n, d)| Self(n, d))
     }
 
     #[inline]
@@ -55,6 +52,46 @@ impl Length {
         let Self(n, d) = self;
         n > 0 && d > 0 && n < Self::MOST && d < Self::MOST
     }
+}
+
+/// Finds how long the first intervals of a chunk are.
+pub(super) fn find(layout: &Layout, chunk: &Chunk, lengths: &mut [Length]) {
+    let times = decimals(layout, &chunk.times);
+    let known = times.map_or(0, |(times, over)| between(times, over, lengths));
+    for (i, length) in lengths.iter_mut().enumerate().skip(known) {
+        *length = Length::of(layout, chunk, i);
+    }
+}
+
+/// Times over one power of ten, and what [periods](Layout::periods_over) of them are made with.
+fn decimals<'a>(layout: &Layout, times: &'a Numbers) -> Option<(&'a [i64], (i64, i64))> {
+    let Numbers::Decimals(numerators, powers) = times else {
+        return None;
+    };
+    let first = powers.first()?;
+    // Of several at a time it is asked whether all of them are the same.
+    let alike = powers
+        .iter()
+        .fold(true, |all, power| all & (power == first));
+    let over = layout.periods_over(power_of_ten((*first).into())?)?;
+    alike.then_some((numerators, over))
+}
+
+/// The lengths of the intervals between these times, as [`Layout::periods`] has them: of how many.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+fn between(times: &[i64], (factor, denominator): (i64, i64), lengths: &mut [Length]) -> usize {
+    let Some((_, next)) = times.split_first() else {
+        return 0;
+    };
+    let longest = i64::MAX / factor;
+    for ((from, to), length) in times.iter().zip(next).zip(lengths.iter_mut()) {
+        // A difference that overflows is below zero, or one of times that are not in order.
+        let dt = to.wrapping_sub(*from);
+        let is_known = (to > from) & (dt > 0) & (dt <= longest);
+        let known = |n: i64| if is_known { n } else { 0 };
+        *length = Length(known(dt.wrapping_mul(factor)), known(denominator));
+    }
+    next.len().min(lengths.len())
 }
 
 /// Sets a column to [`Length::near`] of these lengths.
@@ -112,6 +149,23 @@ mod tests {
                 for (i, length) in lengths.iter().enumerate() {
                     prop_assert_eq!(lasts.get(i).parts(), length.near().parts());
                 }
+            }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn lengths_between_times_are_found_together_as_one_by_one(
+            times in prop::collection::vec(prop_oneof![0..3000_i64, any::<i64>(), Just(i64::MIN), Just(i64::MAX)], 0..20),
+            factor in prop_oneof![1..100_i64, 1..=i64::MAX],
+        ) {
+            let mut found = vec![Length(1, 2); times.len()];
+            let len = between(&times, (factor, 7), &mut found);
+            prop_assert_eq!(len, times.len().saturating_sub(1));
+            for (pair, found) in times.windows(2).zip(&found) {
+                let dt = pair[1].checked_sub(pair[0]).filter(|dt| *dt > 0);
+                let length = dt.and_then(|dt| dt.checked_mul(factor)).map(|n| Length(n, 7));
+                prop_assert_eq!(length.unwrap_or(Length::OPEN), *found);
             }
         }
     }
