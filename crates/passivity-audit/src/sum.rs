@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::{One as _, Zero as _};
-use passivity_core::{BigRational, Interval, Ordered as _, whole};
+use passivity_core::{BigRational, Fixed, Interval, Ordered as _, whole};
 
 use crate::ball::Ball;
 use crate::figure::Figure;
@@ -102,7 +102,8 @@ impl Sum {
         if self.add_to_small(n, d).is_none() {
             self.spill();
             if self.add_to_small(n, d).is_none() {
-                self.add_rational(&BigRational::new_raw(n.into(), d.into()));
+                let x = BigRational::new_raw(n.into(), d.into());
+                self.add_to_big(&x, Ball::wide_ratio(n, d));
             }
         }
     }
@@ -143,15 +144,24 @@ impl Sum {
 
     fn spill(&mut self) {
         let (n, d) = std::mem::replace(&mut self.small, (0, 1));
-        self.add_rational(&BigRational::new(n.into(), d.into()));
+        let x = match Fixed::new(n, d).to_reduced() {
+            Some(x) => x.to_rational(),
+            None => BigRational::new(n.into(), d.into()),
+        };
+        self.add_to_big(&x, Ball::wide_ratio(n, d));
     }
 
     /// Adds a big number.
     pub fn add_rational(&mut self, x: &BigRational) {
-        self.near = self.near + Ball::of_rational(x);
+        self.add_to_big(x, Ball::of_rational(x));
+    }
+
+    /// Adds a number that is near by.
+    fn add_to_big(&mut self, x: &BigRational, near: Ball) {
+        self.near = self.near + near;
         let (n, d) = &mut self.big;
         // The least common denominator, by a gcd of numbers no longer than that of x.
-        let divisor = (&*d % x.denom()).gcd(x.denom());
+        let divisor = whole::gcd(&(&*d % x.denom()), x.denom());
         let factor = x.denom() / &divisor;
         *n = &*n * &factor + x.numer() * (&*d / &divisor);
         *d *= factor;
