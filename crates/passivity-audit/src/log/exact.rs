@@ -155,7 +155,8 @@ fn layers(a: &[f64], b: &[f64]) -> Option<[[[f64; LANES]; 2]; 2]> {
         let mut left = [0_u64; LANES];
         for rest in &mut products {
             for lane in 0..LANES {
-                open[lane] |= u64::from(!(rest[lane].abs() < LARGEST));
+                let fits = rest[lane].abs() < LARGEST;
+                open[lane] |= u64::from(!fits);
             }
             add_digits(first, GRIDS[0], rest);
             for lane in 0..LANES {

@@ -1,5 +1,6 @@
 //! The durations of the intervals of a trace: uneven, late and missed samples.
 
+use multiversion::multiversion;
 use num_traits::ToPrimitive as _;
 use passivity_core::course::First;
 
@@ -47,33 +48,23 @@ impl Timing {
         let Some(first) = lengths.first() else {
             return;
         };
-        let (mut shortest, mut longest) = (*first, *first);
-        let [mut uneven, mut late] = [0_u64; 2];
-        // Decimals with as many digits have one denominator, and are compared by their numerators.
-        if lengths.iter().fold(true, |all, of| all & (of.1 == first.1)) {
-            for Length(n, d) in lengths {
-                shortest.0 = shortest.0.min(*n);
-                longest.0 = longest.0.max(*n);
-                uneven += u64::from(n != d);
-                late += u64::from(n > d);
-            }
-        } else {
+        let of_one = over_one_denominator(lengths, *first);
+        let ([shortest, longest], [uneven, late]) = of_one.unwrap_or_else(|| {
+            let (mut shortest, mut longest) = (*first, *first);
+            let [mut uneven, mut late] = [0, 0];
             for length in lengths {
                 let Length(n, d) = length;
-                shortest = if is_shorter(length, &shortest) {
-                    *length
-                } else {
-                    shortest
-                };
-                longest = if is_shorter(&longest, length) {
-                    *length
-                } else {
-                    longest
-                };
+                if is_shorter(length, &shortest) {
+                    shortest = *length;
+                }
+                if is_shorter(&longest, length) {
+                    longest = *length;
+                }
                 uneven += u64::from(n != d);
                 late += u64::from(n > d);
             }
-        }
+            ([shortest, longest], [uneven, late])
+        });
         if i128::from(longest.0) * 2 >= i128::from(longest.1) * 3 {
             // A sample is missing.
             for (Length(n, d), h) in lengths.iter().zip(h..) {
@@ -113,6 +104,25 @@ impl Timing {
             self.widen([shortest, longest]);
         }
     }
+}
+
+/// The shortest and the longest of some lengths, and how many are not one period and longer than that, where all have the
+/// denominator of the first: decimals with as many digits do.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+fn over_one_denominator(lengths: &[Length], first: Length) -> Option<([Length; 2], [u64; 2])> {
+    let Length(n, one) = first;
+    let (mut shortest, mut longest) = (n, n);
+    let [mut uneven, mut late, mut others] = [0_u64; 3];
+    for Length(n, d) in lengths {
+        shortest = shortest.min(*n);
+        longest = longest.max(*n);
+        // There are not as many as to overflow.
+        uneven = uneven.wrapping_add(u64::from(*n != one));
+        late = late.wrapping_add(u64::from(*n > one));
+        others |= u64::from(*d != one);
+    }
+    let ends = [Length(shortest, one), Length(longest, one)];
+    (others == 0).then_some((ends, [uneven, late]))
 }
 
 /// Whether one length is less than another.

@@ -181,7 +181,7 @@ impl<T> Column<T> {
 
 /// Reads `rows` values.
 fn values<T: DataType>(reader: &mut ColumnReaderImpl<T>, rows: usize) -> Column<T::T> {
-    let (mut values, mut levels) = (Vec::new(), Vec::new());
+    let (mut values, mut levels) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
     let mut records = 0;
     let mut error = None;
     while records < rows && error.is_none() {

@@ -71,13 +71,19 @@ impl<C: OnGrid> Way<'_, C> {
     #[inline(always)]
     fn where_least(&self, near: &[f64; TILE], end: impl Fn(usize) -> i128) -> Least<i128> {
         let mut least = Least::default();
-        let mut candidates = self.candidates(near);
-        // Most often the sum falls up to the last row.
-        let Some(last) = candidates.next_back() else {
+        let Range { start, end: behind } = *self.rows;
+        let Some(last) = behind.checked_sub(1).filter(|last| *last >= start) else {
             return least;
         };
-        let first = candidates.next().unwrap_or(last);
-        let Range { start, end: behind } = *self.rows;
+        // Most often the sum falls up to the last row.
+        let before = lowest_of(&near[start..last]);
+        let (first, last) = if near[last] + 2.0 * self.off < before {
+            (last, last)
+        } else {
+            let mut candidates = self.candidates(near);
+            let last = candidates.next_back().unwrap_or(last);
+            (candidates.next().unwrap_or(last), last)
+        };
         let mut sum = match first - start < behind - first {
             true => self.exactly.sum(start..first),
             false => self.total - self.exactly.sum(first..behind),
