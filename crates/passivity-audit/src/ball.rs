@@ -1,6 +1,8 @@
 //! Doubles with a bound of how far off they may be: the fastest enclosures that the kernel's formulas
 //! compute with.
 
+use std::cmp::Ordering;
+
 use passivity_core::{BigRational, Scalar as _};
 
 use bits::{digits, is_double};
@@ -176,6 +178,28 @@ impl Ball {
         }
     }
 
+    /// The same of a position or a force, [beside](Self::beside) a whole number that it is close to.
+    #[inline]
+    #[allow(clippy::cast_precision_loss)] // of the gap no digit matters
+    pub(crate) fn of_reading(x: &Number) -> Self {
+        let ball = Self::of(x);
+        let Some(border) = ball.close_to() else {
+            return ball;
+        };
+        let (side, gap) = match x {
+            Number::Small(n, d) => {
+                let side = i128::from(*n).cmp(&(i128::from(border) * i128::from(*d)));
+                (side, 0.5 / *d as f64)
+            }
+            Number::Tiny(..) | Number::Big(_) => {
+                let off = x.to_rational() - BigRational::from_integer(border.into());
+                let gap = 0.9 * near_rational(&off).abs();
+                (off.cmp(&BigRational::zero()), gap)
+            }
+        };
+        ball.beside(border, side, gap).unwrap_or(ball)
+    }
+
     /// n/2^k, where that is far from the least of the normal doubles.
     #[allow(clippy::cast_precision_loss)] // a double has no more digits
     fn tiny(n: i64, k: u32) -> Self {
@@ -238,7 +262,8 @@ impl Ball {
         }
     }
 
-    /// The same of ±n/d·2^−k, n > 0, without big numbers; `None` where it is near the least or the largest doubles.
+    /// [`of_reading`](Self::of_reading) of ±n/d·2^−k, n > 0, without big numbers; `None` where it is near the least or
+    /// the largest doubles, or closer to a whole number than is told here.
     #[inline]
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // of 53 bits none is lost
     pub(crate) fn of_scaled_quotient(is_negative: bool, n: u128, d: u64, k: u32) -> Option<Self> {
@@ -255,10 +280,30 @@ impl Ball {
         let unit = power_of_two(exponent)?;
         let size = (mantissa + u64::from(rounds_up)) as f64 * unit;
         let middle = if is_negative { -size } else { size };
-        Some(match rest == 0 && !is_more {
-            true => Self::exactly(middle),
-            false => Self::rounded(middle, 1.0),
-        })
+        if rest == 0 && !is_more {
+            return Some(Self::exactly(middle));
+        }
+        let ball = Self::rounded(middle, 1.0);
+        let Some(border) = ball.close_to() else {
+            return Some(ball);
+        };
+        // Rounding keeps the order, so that only the whole number itself leaves open on which side of it this is.
+        let off = middle - border as f64;
+        let (is_above, gap) = if off == 0.0 {
+            let units = if rounds_up { 2 * half - 1 - rest } else { rest };
+            (
+                rounds_up == is_negative,
+                units as f64 / (2 * half) as f64 * unit,
+            )
+        } else {
+            (off > 0.0, 0.5 * off.abs())
+        };
+        let side = if is_above {
+            Ordering::Greater
+        } else {
+            Ordering::Less
+        };
+        ball.beside(border, side, 0.5 * gap)
     }
 
     /// Around all numbers from one to another.
@@ -292,9 +337,60 @@ impl Ball {
         if is_whole {
             return Self::exactly(sign * size);
         }
-        Self {
+        let ball = Self {
             middle: sign * size,
             radius: radius_of_span(radius as f64, size),
+        };
+        let Some(border) = ball.close_to() else {
+            return ball;
+        };
+        let [below, above] = [-1, 1].map(|sign| middle + sign * i128::from(radius));
+        let at_border = i128::from(border) << BITS;
+        let side = match (below >= at_border, above < at_border) {
+            (true, _) => Ordering::Greater,
+            (_, true) => Ordering::Less,
+            _ => Ordering::Equal,
+        };
+        // By a unit of the grid at the least.
+        let gap = 1.0 / UNITS;
+        ball.beside(border, side, gap).unwrap_or(ball)
+    }
+
+    /// The whole number that it is too close to for to tell on which side it is. Counts that were multiplied by the width
+    /// of a tick are that close.
+    #[inline]
+    fn close_to(self) -> Option<i64> {
+        /// Doubles around here are no further apart than a fourth.
+        const LARGEST: f64 = (1_u64 << 50) as f64;
+        let (whole, rest) = split(self.middle);
+        let is_close =
+            self.middle.abs() < LARGEST && self.radius > 0.0 && rest.abs() <= 2.0 * self.radius;
+        is_close.then_some(whole)
+    }
+
+    /// The same number, moved to the side of a whole number that it is [close to](Self::close_to): so that it is known in
+    /// which tick a position is. `None` where it is on no side, or where the `gap`, which it is away from the whole number
+    /// at the least, is too small for to be below it.
+    #[inline]
+    #[allow(clippy::cast_precision_loss)] // a double has it
+    fn beside(self, border: i64, side: Ordering, gap: f64) -> Option<Self> {
+        /// What of its radius is left between the ball and a whole number above it.
+        const MARGIN: f64 = 1.0 / (1_u64 << 40) as f64;
+        const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
+        let border = border as f64;
+        // The power of two above what the number may be off that: a multiple of what doubles are apart here.
+        let reach = ((self.middle - border).abs() + self.radius) * OUTWARD;
+        let width = f64::from_bits(((reach.to_bits() >> DIGITS) + 1) << DIGITS);
+        match side {
+            Ordering::Greater => Some(Self {
+                middle: border + width,
+                radius: width,
+            }),
+            Ordering::Less if gap >= MARGIN * width => Some(Self {
+                middle: border - width,
+                radius: width * (1.0 - MARGIN),
+            }),
+            _ => None,
         }
     }
 

@@ -102,7 +102,7 @@ impl Reading {
     #[inline]
     pub(crate) fn to_near(&self) -> Figure<Ball> {
         match self {
-            Self::Exact(x) => Figure::Exact(Ball::of(x)),
+            Self::Exact(x) => Figure::Exact(Ball::of_reading(x)),
             Self::Count(n) => {
                 // The end of the last tick of all is no whole number of 64 bits.
                 let [tick, next] =

@@ -22,6 +22,36 @@ fn holds(ball: Ball, x: &BigRational) -> bool {
     Scalar::abs(&off) <= exact(ball.radius)
 }
 
+proptest! {
+    #[test]
+    fn a_number_close_to_a_whole_one_is_known_to_be_on_its_side(
+        n in prop_oneof![-3..3_i64, any::<i32>().prop_map(i64::from), any::<i64>()],
+        k in 20..120_u32, m in 1..1000_i64, above: bool,
+    ) {
+        let off = BigRational::new(m.into(), num_bigint::BigInt::from(1000) << k);
+        let whole = ratio(n, 1);
+        let x = if above { &whole + &off } else { &whole - &off };
+        let ball = Ball::of_reading(&Number::from(x.clone()));
+        prop_assert!(holds(ball, &x));
+        let floor = ball.floor();
+        prop_assert!(holds(floor, &x.floor()));
+        // A position of up to a million ticks that is 2^-80 of one away from a border at the least is known. Just below
+        // zero there are doubles far closer to it than to the tick below.
+        let is_known = floor.is_defined() || n == 0 && !above;
+        prop_assert!(is_known || n.abs() > 1_000_000 || k > 70);
+        // The same on the grid, where the number is on it.
+        let units = &x * BigRational::from_integer(num_bigint::BigInt::from(1) << 64);
+        if let (true, Ok(middle)) = (n.abs() < 1 << 40, i128::try_from(units.floor().to_integer())) {
+            let span = Span::centred(middle, 2);
+            let ball = Ball::of_span(span);
+            prop_assert!(holds(ball, &x));
+            prop_assert!(holds(ball.floor(), &x.floor()));
+            let is_known = ball.floor().is_defined() || n == 0 && !above;
+            prop_assert!(is_known || !span.is_within_a_tick() || n.abs() > 1_000_000);
+        }
+    }
+}
+
 /// A number, and a ball around it, perhaps a wide one.
 fn around() -> impl Strategy<Value = (BigRational, Ball)> {
     let n = prop_oneof![-40..40_i64, any::<i32>().prop_map(i64::from), any::<i64>()];

@@ -159,8 +159,8 @@ impl Irrational {
 
     /// What [`near_double`](Self::near_double) finds of doubles, soonest: their middles and radii, with no number in the
     /// middle where that takes longer.
-    pub(crate) fn of_several(&self, kind: Kind, values: &[f64], balls: (&mut [f64], &mut [f64])) {
-        doubles::balls(values, self.halves, kind, balls);
+    pub(crate) fn of_several(&self, values: &[f64], balls: (&mut [f64], &mut [f64])) {
+        doubles::balls(values, self.halves, balls);
     }
 
     /// What [`near_double`](Self::near_double) finds, sooner: of most doubles.
@@ -282,7 +282,7 @@ mod tests {
                 // Below the grid, and from 2⁵³ on or so.
                 prop_assert!(sooner.is_some() || !(1e-3..1e6).contains(&x.abs()));
                 let (mut middle, mut radius) = ([0.0], [0.0]);
-                by.of_several(kind, &[x], (&mut middle, &mut radius));
+                by.of_several(&[x], (&mut middle, &mut radius));
                 let decided = (!middle[0].is_nan()).then(|| Ball::from_parts(middle[0], radius[0]));
                 for found in [sooner, decided].into_iter().flatten() {
                     prop_assert_eq!(Some(found), by.near_double(kind, x));
@@ -324,10 +324,29 @@ mod tests {
         let values: Vec<f64> = (1..1000).map(|i| f64::from(i) * 1.001e-3 + 7e-3).collect();
         let (mut middles, mut radii) = (vec![0.0; values.len()], vec![0.0; values.len()]);
         for kind in [Kind::Position, Kind::Force] {
-            by.of_several(kind, &values, (&mut middles, &mut radii));
+            by.of_several(&values, (&mut middles, &mut radii));
             let open = middles.iter().filter(|middle| middle.is_nan()).count();
             // Above 8 doubles are 2^-49 apart: a part in 2^10 is within 2^-61 of a middle or of half that, on either side.
             assert!(open < 10, "{open}");
+        }
+    }
+
+    #[test]
+    fn counts_times_the_width_of_a_tick_are_known_to_be_in_one() {
+        let factor = Exact::of(&BigRational::from_integer(4096.into())).over(pi::pi());
+        let range = factor.enclosure(256).unwrap();
+        let by = Irrational::new(factor, range);
+        for n in (-3000..3000).filter(|n| *n != 0) {
+            let x = f64::from(n) * (std::f64::consts::PI / 4096.0);
+            let reading = by.position(Number::from_f64(x).unwrap()).unwrap();
+            let tick = reading.to_rational().lo().floor();
+            let (found, _) = reading.to_near().lo().floor().parts();
+            assert_eq!(BigRational::from_float(found), Some(tick), "{n}");
+            assert!(found == f64::from(n) || found == f64::from(n - 1));
+            let sooner = by
+                .of_double(Kind::Position, x)
+                .or_else(|| by.near_double(Kind::Position, x));
+            assert_eq!(sooner.as_ref(), Some(reading.to_near().lo()));
         }
     }
 }

@@ -366,7 +366,7 @@ impl Readings {
         let several = |from: usize, balls: (&mut [f64], &mut [f64])| {
             if let Numbers::Doubles(values) = written {
                 let values = values.get(from..).unwrap_or_default();
-                scale.near_doubles(kind, values, balls);
+                scale.near_doubles(values, balls);
             }
         };
         near.complete(written.len(), several, |i| {

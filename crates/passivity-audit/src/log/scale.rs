@@ -90,10 +90,10 @@ impl Scale {
     #[inline]
     pub(crate) fn near(&self, kind: Kind, n: i64, k: u8) -> Option<Ball> {
         match self {
-            Self::One => Some(Ball::of(&Number::Small(n, power_of_ten(k.into())?))),
+            Self::One => Some(Ball::of_reading(&Number::Small(n, power_of_ten(k.into())?))),
             Self::Factor(factor) => {
                 let x = Number::Small(n, power_of_ten(k.into())?);
-                Some(Ball::of(&product(&x, factor)))
+                Some(Ball::of_reading(&product(&x, factor)))
             }
             Self::Irrational(by) => by.near(kind, n, k),
         }
@@ -101,9 +101,9 @@ impl Scale {
 
     /// What is known of doubles, several at a time: their middles and radii, with no number in the middle where that takes
     /// longer to find out.
-    pub(crate) fn near_doubles(&self, kind: Kind, values: &[f64], balls: (&mut [f64], &mut [f64])) {
+    pub(crate) fn near_doubles(&self, values: &[f64], balls: (&mut [f64], &mut [f64])) {
         if let Self::Irrational(by) = self {
-            by.of_several(kind, values, balls);
+            by.of_several(values, balls);
         }
     }
 
@@ -291,10 +291,15 @@ mod tests {
             x in double(),
             p in prop_oneof![1..2000_i64, Just(100_000_i64), 1..i64::MAX],
             q in prop_oneof![1..2000_i64, Just(3_i64), 1..i64::MAX],
-            reversed: bool,
+            count: i16, reversed: bool,
         ) {
             let factor = Number::Small(if reversed { -p } else { p }, q).reduced();
-            if let Some(found) = near_product(&factor, x) {
+            // The width of some ticks, too, which is close to the border between two of them.
+            let ticks = f64::from(count) * q as f64 / p as f64;
+            for x in [x, ticks] {
+                let Some(found) = near_product(&factor, x) else {
+                    continue;
+                };
                 let written = Number::from_f64(x).unwrap();
                 let expected = Reading::Exact(product(&written, &factor)).to_near();
                 prop_assert_eq!(found.parts(), expected.lo().parts());

@@ -3,7 +3,6 @@
 use multiversion::multiversion;
 
 use crate::ball::{radius_of_span, rest_of_product, unless};
-use crate::log::numbers::Kind;
 
 /// A factor, as the sum of the double nearest to it and of the one nearest to what that leaves.
 pub(super) type Halves = [f64; 2];
@@ -16,10 +15,10 @@ const fn power(k: i32) -> f64 {
 /// Products of these sizes are decided: of larger ones what is computed here is not known well enough, and smaller ones
 /// are rounded to the grid of spans before.
 const SMALLEST: f64 = power(-4);
-const LARGEST: f64 = power(30);
+const LARGEST: f64 = power(29);
 
-/// How near to the middle between two doubles, and to the border of a tick, nothing is decided. Of products below
-/// [`LARGEST`] the sum of both parts is off by a few 2⁻⁷⁰, and on the grid by one 2⁻⁶⁴; a double is off by 2⁻²⁴.
+/// How near to the middle between two doubles, and to a whole number, nothing is decided. Of products below [`LARGEST`]
+/// the sum of both parts is off by a few 2⁻⁷⁰, and on the grid by one 2⁻⁶⁴; a ball has a radius of 2⁻²² at most.
 const MIDDLE: f64 = power(-61);
 const BORDER: f64 = power(-20);
 
@@ -29,7 +28,7 @@ const BORDER: f64 = power(-20);
 /// The middle of that is the double nearest to a number that is less than two units of the grid nearer to zero than the
 /// product is. So it is the double nearest to the product, where that is not as near to the middle between two doubles.
 #[inline(always)]
-fn ball(x: f64, [factor, rest]: Halves, kind: Kind) -> (f64, f64) {
+fn ball(x: f64, [factor, rest]: Halves) -> (f64, f64) {
     const EXPONENT: u64 = 0x7ff << 52;
     const ONES: f64 = 1.5 * power(52);
     let product = x * factor;
@@ -39,14 +38,12 @@ fn ball(x: f64, [factor, rest]: Halves, kind: Kind) -> (f64, f64) {
     let size = middle.abs();
     // Half of what doubles of this size are apart; below a power of two they are half as far.
     let half = f64::from_bits(size.to_bits() & EXPONENT) * power(-53);
-    let mut open = unless((off - half).abs() > MIDDLE)
+    let whole = (size + ONES) - ONES;
+    let open = unless((off - half).abs() > MIDDLE)
         + unless((off - 0.5 * half).abs() > MIDDLE)
         + unless(size >= SMALLEST)
-        + unless(size < LARGEST);
-    if matches!(kind, Kind::Position) {
-        let tick = (size + ONES) - ONES;
-        open += unless((size - tick).abs() > BORDER);
-    }
+        + unless(size < LARGEST)
+        + unless((size - whole).abs() > BORDER);
     let found = if open == 0.0 { middle } else { f64::NAN };
     let radius = radius_of_span(2.0, size);
     // Nothing is scaled to nothing.
@@ -57,13 +54,8 @@ fn ball(x: f64, [factor, rest]: Halves, kind: Kind) -> (f64, f64) {
 
 /// The [balls](ball) of numbers: their middles and radii.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-pub(super) fn balls(
-    values: &[f64],
-    factor: Halves,
-    kind: Kind,
-    (middles, radii): (&mut [f64], &mut [f64]),
-) {
+pub(super) fn balls(values: &[f64], factor: Halves, (middles, radii): (&mut [f64], &mut [f64])) {
     for ((x, middle), radius) in values.iter().zip(middles).zip(radii) {
-        (*middle, *radius) = ball(*x, factor, kind);
+        (*middle, *radius) = ball(*x, factor);
     }
 }
