@@ -134,7 +134,7 @@ impl Figures {
             return None;
         };
         let force = known_force(interval)?;
-        let wall = Wall::of(ledger)?;
+        let wall = Wall::linear(ledger)?;
         let lasts = match interval.dtau {
             Number::Small(n, d) => Length(n, d),
             Number::Tiny(..) | Number::Big(_) => Length::OPEN,

@@ -127,7 +127,7 @@ impl Scale {
     }
 }
 
-/// The ball of the product of a double with a factor, where that is no short fraction; `None` of all else.
+/// The ball of the product of a double with a factor; `None` where it takes longer.
 fn near_product(factor: &Number, x: f64) -> Option<Ball> {
     let Number::Small(p, q) = *factor else {
         return None;
@@ -147,8 +147,14 @@ fn near_product(factor: &Number, x: f64) -> Option<Ball> {
     let numerator = u128::from(size) * u128::from(p.unsigned_abs());
     let shortest = (numerator >> twos) / u128::from(divisor);
     let bits = u64::BITS - (q / divisor).leading_zeros() + (k - twos);
-    if shortest <= 1 << 63 && bits < i64::BITS {
-        return None;
+    if let (Ok(shortest), true) = (i64::try_from(shortest), bits < i64::BITS) {
+        let numerator = if (n < 0) == (p < 0) {
+            shortest
+        } else {
+            -shortest
+        };
+        let denominator = ((q / divisor) << (k - twos)).cast_signed();
+        return Some(Ball::of_reading(&Number::Small(numerator, denominator)));
     }
     Ball::of_scaled_quotient((n < 0) != (p < 0), numerator, q, k)
 }

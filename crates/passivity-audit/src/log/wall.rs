@@ -1,20 +1,93 @@
-//! A loop that is nothing but a linear wall behind an encoder, in doubles.
+//! A loop that is nothing but a wall behind an encoder, in doubles: linear, but for where it ends or is saturated.
 
-use passivity_core::{Criterion, Friction, Loop, Scalar as _};
+use passivity_core::{Criterion, Friction, Law, Loop, Scalar as _};
 
-use crate::ball::Ball;
+use crate::ball::{Ball, Lane, unless};
 use crate::ledger::Ledger;
 
-/// A loop whose force is that of its linear wall on both sides, quantized and nothing else.
+/// A loop whose force is that of its wall, quantized and nothing else.
 #[derive(Clone, Debug)]
 pub(crate) struct Wall<const BRANCHES: bool = true> {
     /// The least friction and the most.
     pub(crate) frictions: [Friction<Ball<BRANCHES>>; 2],
     pub(crate) criteria: [Criterion<Ball<BRANCHES>>; 2],
     pub(crate) friction_is_exact: bool,
+    /// Where it is linear; `None` for everywhere.
+    pub(crate) reach: Option<Reach>,
+}
+
+/// Where a wall that is on one side, or saturated, is linear, and where its force is the same everywhere.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reach {
+    /// Linear between these positions, in ticks.
+    linear: [f64; 2],
+    /// Up to the first of these and from the second one on, both the force and the quantized one are these.
+    flat: [f64; 2],
+    forces: [Lane; 2],
+}
+
+/// The force of a wall where it is the same over a whole motion, and what is not zero where the motion is in no one part of
+/// the wall.
+pub(crate) struct Place {
+    pub(crate) is_flat: bool,
+    pub(crate) force: Lane,
+    pub(crate) open: f64,
+}
+
+impl Reach {
+    /// Of a law that is not linear everywhere.
+    fn of(law: &Law<Ball>) -> Option<Self> {
+        // A sample is in the middle of its tick for the law, half a tick away at most.
+        let inside = |limit: Ball| (limit.parts().0 - limit.parts().1 - 0.5).next_down();
+        let outside = |limit: Ball| (limit.parts().0 + limit.parts().1 + 0.5).next_up();
+        let (below, above) = (law.lower, law.upper);
+        let (from, below_from) = match below {
+            // Where the wall ends at zero, so does a tick.
+            Some(lower) if lower.is_zero() => (0.0, 0.0),
+            Some(lower) => (-inside(-lower), -outside(-lower)),
+            None => (f64::NEG_INFINITY, f64::NEG_INFINITY),
+        };
+        let [to, above_to] =
+            [inside, outside].map(|end: fn(Ball) -> f64| above.map_or(f64::INFINITY, end));
+        let force = |limit: Option<Ball>| limit.map_or(Lane::zero(), Ball::lane);
+        (!law.is_linear()).then(|| Self {
+            linear: [from, to],
+            flat: [below_from, above_to],
+            forces: [force(below), force(above)],
+        })
+    }
+
+    /// In which part of the wall a motion between two positions is.
+    #[inline(always)]
+    pub(crate) fn place(&self, start: Lane, end: Lane) -> Place {
+        let ((a, r), (b, s)) = (start.parts(), end.parts());
+        let ([from, to], [below, above]) = (self.linear, self.flat);
+        // A sample where a wall ends is one in it.
+        let is_below = (a + r < below) & (b + s <= below);
+        let is_above = (a - r >= above) & (b - s >= above);
+        let is_flat = is_below | is_above;
+        let outside = unless(a - r >= from)
+            + unless(b - s >= from)
+            + unless(a + r <= to)
+            + unless(b + s <= to);
+        Place {
+            is_flat,
+            force: if is_below {
+                self.forces[0]
+            } else {
+                self.forces[1]
+            },
+            open: if is_flat { 0.0 } else { outside },
+        }
+    }
 }
 
 impl Wall {
+    /// `None` for other loops, and walls that end or are saturated.
+    pub(crate) fn linear(ledger: &Ledger) -> Option<Self> {
+        Self::of(ledger).filter(|wall| wall.reach.is_none())
+    }
+
     /// `None` for other loops.
     pub(crate) fn of(ledger: &Ledger) -> Option<Self> {
         let ends = ledger.near();
@@ -23,15 +96,19 @@ impl Wall {
             && controller.memory() == 0
             && controller.filter.ends()
             && controller.filter.sum == Ball::one()
-            && !controller.unilateral
-            && controller.force_step.is_none()
-            && controller.max_force.is_none();
+            && controller.force_step.is_none();
+        let law = ends.least.law();
+        // What the controller does beside is what the law says.
+        let is_one_sided = law.lower.is_some_and(Ball::is_zero);
+        let is_plain =
+            is_plain && controller.unilateral == is_one_sided && controller.max_force == law.upper;
         let friction =
             |of: &Loop<Ball>| Friction::new(of.viscous_friction(), of.coulomb_friction());
-        (is_plain && ends.least.has_encoder() && ends.least.law().is_linear()).then(|| Self {
+        (is_plain && ends.least.has_encoder()).then(|| Self {
             frictions: [friction(&ends.least), friction(&ends.most)],
             criteria: ends.criteria,
             friction_is_exact: ends.friction_is_exact(),
+            reach: Reach::of(&law),
         })
     }
 
@@ -46,6 +123,7 @@ impl Wall {
                 coulomb: of.coulomb.lane(),
             }),
             friction_is_exact: self.friction_is_exact,
+            reach: self.reach,
         }
     }
 }

@@ -8,7 +8,7 @@ use super::{Intervals, TILE, Tile};
 use crate::ball::{Ball, Lane, split, unless};
 use crate::ledger::Ledger;
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::wall::Wall;
+use crate::log::wall::{Reach, Wall};
 
 /// Zero where a number is surely not negative, else one; and the same of whether it surely is.
 #[inline(always)]
@@ -61,6 +61,7 @@ impl Tile {
         &mut self,
         wall: &Wall<false>,
         of: &Intervals,
+        reach: Option<Reach>,
     ) {
         let [least_criterion, most_criterion] = &wall.criteria;
         for i in 0..TILE {
@@ -74,10 +75,22 @@ impl Tile {
                 false => wall.frictions[1].dissipated_lower(&d, &speed),
             };
             let [linear, quantized] = ledger::generated_by_spring(&step, &commanded, true);
+            let mut potential = Law::bilateral().potential(&end);
+            let (mut commanded, mut linear, mut quantized) = (commanded, linear, quantized);
+            let mut left = 0.0;
+            if let Some(reach) = reach {
+                let place = reach.place(start, end);
+                left = place.open;
+                if place.is_flat {
+                    // A force that is the same everywhere generates nothing.
+                    (linear, quantized) = (Lane::zero(), Lane::zero());
+                    commanded = -place.force;
+                    potential = end * place.force - place.force.square().half();
+                }
+            }
             let observed = -(commanded * d);
-            let potential = Law::bilateral().potential(&end);
             let [rests, moves] = is_nonnegative(-speed);
-            let mut open = rests * moves;
+            let mut open = rests * moves + left;
             for ball in [linear, quantized, taken, most, observed, potential] {
                 open += ball.excess();
             }
@@ -121,26 +134,44 @@ pub(super) fn whole(x: f64) -> u64 {
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 pub(super) fn compute(tile: &mut Tile, wall: &Wall<false>, of: &Intervals, applied: bool) {
-    match (wall.friction_is_exact, applied) {
-        (true, true) => tile.compute::<true, true>(wall, of),
-        (true, false) => tile.compute::<true, false>(wall, of),
-        (false, true) => tile.compute::<false, true>(wall, of),
-        (false, false) => tile.compute::<false, false>(wall, of),
+    // Of most walls nothing is asked where they are.
+    match (wall.friction_is_exact, applied, wall.reach) {
+        (true, true, None) => tile.compute::<true, true>(wall, of, None),
+        (true, false, None) => tile.compute::<true, false>(wall, of, None),
+        (false, true, None) => tile.compute::<false, true>(wall, of, None),
+        (false, false, None) => tile.compute::<false, false>(wall, of, None),
+        (true, _, reach) => tile.compute::<true, true>(wall, of, reach),
+        (false, _, reach) => tile.compute::<false, true>(wall, of, reach),
     }
 }
 
 /// The force of the law from each sample of a chunk, near by, as far as that is known; nothing of loops that
 /// are no plain walls.
 pub(crate) fn commanded(ledger: &Ledger, chunk: &Chunk) -> Vec<f64> {
-    if Wall::of(ledger).is_none() {
+    let Some(wall) = Wall::of(ledger) else {
         return Vec::new();
-    }
+    };
     let mut forces = vec![f64::NAN; chunk.samples.len()];
     match &chunk.samples {
         Samples::Any(samples) => {
             held(&samples.near.middles, &samples.near.radii, &mut forces);
         }
         Samples::Counts(counts) => held_at(counts, &mut forces),
+    }
+    if let Some(reach) = &wall.reach {
+        for (i, force) in forces.iter_mut().enumerate() {
+            let sample = match &chunk.samples {
+                Samples::Any(samples) => samples.ball(i),
+                Samples::Counts(counts) => counts.get(i).map(|n| Ball::whole(*n)),
+            };
+            let lane = sample.map_or(Lane::UNDEFINED, Ball::lane);
+            let place = reach.place(lane, lane);
+            if place.is_flat || place.open > 0.0 {
+                let (level, radius) = place.force.parts();
+                let is_known = place.is_flat && radius == 0.0;
+                *force = if is_known { -level } else { f64::NAN };
+            }
+        }
     }
     forces
 }

@@ -3,7 +3,7 @@ mod counts;
 use std::ops::Range;
 
 use passivity_core::course::Course;
-use passivity_core::{Scalar as _, quantizer};
+use passivity_core::{BigRational, Scalar as _, quantizer, rational};
 use passivity_random::draws;
 use passivity_scene::Scene;
 use proptest::prelude::*;
@@ -165,6 +165,63 @@ proptest! {
                 at = decided.end + 1;
             }
         }
+    }
+}
+
+/// A wall on one side or on both, saturated at ten ticks.
+const ENDS: &str = "[device]\nmass = \"75 g\"\nviscous = \"9 N s/m\"\ncoulomb = \"0.04 N\"\n[sampling]\nperiod = \"1 ms\"\n\
+    [encoder]\nresolution = \"0.03 mm\"\n[wall]\nstiffness = \"1 N/mm\"\n";
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(draws(250)))]
+
+    #[test]
+    fn rows_of_walls_that_end_hold_the_exact_ones(
+        rows in prop::collection::vec((row(), -15.0..15.0, -1.0..1.0), 1..TILE + 1),
+        one_sided: bool, saturated in prop_oneof![Just(""), Just("max_force = \"0.3 N\"\n")],
+    ) {
+        let ledger = ledger(&format!("{ENDS}unilateral = {one_sided}\n{saturated}"));
+        let wall = Wall::of(&ledger).unwrap().lanes();
+        prop_assert_eq!(wall.reach.is_some(), one_sided || !saturated.is_empty());
+        let mut decided = 0;
+        // Numbers that are known exactly, of all sizes and near the ends of the wall.
+        let rows: Vec<Row> = rows.into_iter().map(|(row, start, step)| {
+            let exactly = |ball: Ball| Ball::from_parts(ball.parts().0, 0.0);
+            let ends = match row.still {
+                true => row.ends.map(exactly),
+                false => [start, start + step].map(|x: f64| Ball::from_parts((x * 64.0).round() / 64.0, 0.0)),
+            };
+            Row { ends, lasts: Ball::one(), force: exactly(row.force), ..row }
+        }).collect();
+        let mut tile = Tile::new();
+        tile.fill(&wall, &intervals(&rows), true);
+        for (i, row) in rows.iter().enumerate() {
+            let wide = |ball: Ball| Number::from_f64(ball.parts().0).unwrap().to_wide();
+            for applied in [false, true] {
+                if tile.decided(i, i + 1, applied) == i {
+                    continue;
+                }
+                decided += 1;
+                let found = tile.addend(i, applied).unwrap();
+                let [start, end, force] = [row.ends[0], row.ends[1], row.force].map(|x| Figure::Exact(wide(x)));
+                let dtau = wide(row.lasts);
+                let interval = Recorded { samples: &[start], end: &end, dtau: &dtau, force: applied.then_some(&force) };
+                let exact = entry(ledger.wide(), &interval).unwrap();
+                prop_assert_eq!(found.truths, exact.truths(), "{:?}", row);
+                for (ends, figure) in found.sums.iter().zip(exact.summed()) {
+                    let unit = BigRational::from_integer(crate::span::ONE.into());
+                    let figure = rational::from_wide(figure.lo()).unwrap() * unit;
+                    let [lo, hi] = ends.map(|n| BigRational::from_integer(n.into()));
+                    prop_assert!(lo <= figure && figure <= hi, "{:?} {} {} {}", row, lo, figure, hi);
+                }
+                let potential = ledger.wide().least.law().potential(&wide(row.ends[1]));
+                let potential = rational::from_wide(&potential).unwrap();
+                let [lo, hi] = found.potential.map(crate::span::on_grid);
+                prop_assert!(lo <= potential && potential <= hi);
+            }
+        }
+        // Those that are in one part of the wall.
+        prop_assert!(decided > 0 || rows.len() < 12);
     }
 }
 

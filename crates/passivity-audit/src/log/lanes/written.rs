@@ -271,7 +271,8 @@ pub(crate) fn write(
     let forces = form.force.then_some(&chunk.forces.values);
     let encloses = forces.is_some_and(Readings::encloses)
         || matches!(&chunk.samples, Samples::Any(samples) if samples.encloses());
-    let (Some(wall), FEW.., true) = (&tiles.wall, rows.len(), encloses) else {
+    let linear = tiles.wall.as_ref().filter(|wall| wall.reach.is_none());
+    let (Some(wall), FEW.., true) = (linear, rows.len(), encloses) else {
         return rows.into_iter().try_for_each(|i| left(i, out));
     };
     let (mut of, mut found) = (Intervals::new(), Rows::new());

@@ -115,7 +115,7 @@ proptest! {
         let ledger = ledger(wall);
         let counts = [from, from + ticks];
         let force = force.map(|(more, off)| (more - (from as f64 + 0.5), off));
-        let quick = Quick::of(&Wall::of(&ledger).unwrap());
+        let quick = Quick::of(&Wall::linear(&ledger).unwrap());
         let ball = force.map(|(middle, off)| Ball::from_parts(middle, off));
         let found = quick.figures(counts, Length(lasts.0, lasts.1), ball);
         let rows = [-1.0, 0.0, 1.0].map(|side| {
@@ -153,7 +153,7 @@ proptest! {
 #[test]
 fn standing_still_draws_exactly_nothing() {
     let ledger = ledger(WALLS[0]);
-    let quick = Quick::of(&Wall::of(&ledger).unwrap());
+    let quick = Quick::of(&Wall::linear(&ledger).unwrap());
     for (ticks, force) in [
         (0, None),
         (0, Some(-7.6)),
@@ -178,7 +178,7 @@ fn standing_still_draws_exactly_nothing() {
 #[test]
 fn no_force_draws_exactly_nothing() {
     let ledger = ledger(WALLS[0]);
-    let quick = Quick::of(&Wall::of(&ledger).unwrap());
+    let quick = Quick::of(&Wall::linear(&ledger).unwrap());
     for (from, ticks) in [(-300, 1), (-299, 0), (-299, -1)] {
         let none = Ball::from_parts(0.0, 0.0);
         let figures = quick.figures([from, from + ticks], Length(997, 1000), Some(none));

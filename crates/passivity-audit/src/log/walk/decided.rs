@@ -138,7 +138,7 @@ impl Walk<'_> {
         }
         self.compute_counts(chunk, counts)?;
         let closer = || {
-            let wall = Wall::of(task.ledger)?;
+            let wall = Wall::linear(task.ledger)?;
             let force = match task.applied {
                 true => Some(chunk.forces.values.ball(i)?),
                 false => None,
