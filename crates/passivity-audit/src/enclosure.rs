@@ -12,11 +12,11 @@
 //!   linear within a tick.
 //! * Net energy also has βd²/Δτ + σ|d| in it. On a line of equal d it is monotone (its slope is
 //!   V′(ξ₀) − V′(ξ₁), of one sign; constant for the quantized potential on a pair of ticks). So its
-//!   extremes are on the edge of the rectangle, where generated energy is a parabola, known from three
-//!   of its values, and net energy a parabola with a kink at d = 0.
+//!   extremes are on the edge of the rectangle, where generated energy is a parabola on each side of where the law
+//!   is bent, known from three of its values, and net energy a parabola with a kink at d = 0.
 //! * All of it is linear in F, so extreme at an end of the force.
 //!
-//! Where both positions are counts and the law is linear, all of that has a closed form ([`Crossing`]).
+//! Where both positions are counts and the law is linear there, all of that has a closed form ([`Crossing`]).
 
 use std::cmp::Ordering;
 
@@ -68,17 +68,13 @@ impl<S: Written> Rectangle<'_, S> {
         let crossings = self.crossings();
         let crossings = crossings.as_deref();
         let [generated_linear, generated_quantized] = self.generated(crossings)?;
-        let [mut net_linear, mut net_quantized] = [&generated_linear, &generated_quantized]
-            .map(|generated| dissipated_lower.minus(generated));
-        if !still {
-            // The figures of a row belong to the same two positions. Where the law is bent, only
-            // the quantized potential is a parabola all along an edge.
-            let [against_law, against_steps] = self.net(crossings)?;
-            net_quantized = Some(against_steps);
-            if self.ends.least.law().is_linear() {
-                net_linear = Some(against_law);
-            }
-        }
+        let [net_linear, net_quantized] = if still {
+            [&generated_linear, &generated_quantized]
+                .map(|generated| dissipated_lower.minus(generated))
+        } else {
+            // The figures of a row belong to the same two positions.
+            self.net(crossings)?.map(Some)
+        };
         Some(Row {
             generated_linear,
             generated_quantized,
@@ -129,15 +125,22 @@ impl<S: Written> Rectangle<'_, S> {
     }
 
     /// The interval as one between two counts, under each end of the force; `None` where a position is known
-    /// otherwise, and of another law than a linear one.
+    /// otherwise, and where the law is not surely linear.
     fn crossings(&self) -> Option<Vec<Crossing<S>>> {
         let law = self.ends.least.law();
         let is_tick = |of: &Figure<S>| {
             let end = of.lo().clone() + S::one();
             of.hi().compare(&end) == Some(Ordering::Equal)
         };
-        let is_counted = is_tick(self.start) && is_tick(self.end);
-        (is_counted && law.is_linear() && self.ends.least.has_encoder()).then(|| {
+        let is_below = |a: &S, b: &S| (b.clone() - a.clone()).is_nonnegative() == Some(true);
+        let is_linear = |of: &Figure<S>| {
+            law.lower.as_ref().is_none_or(|end| is_below(end, of.lo()))
+                && law.upper.as_ref().is_none_or(|end| is_below(of.hi(), end))
+        };
+        let is_counted = [self.start, self.end]
+            .iter()
+            .all(|of| is_tick(of) && is_linear(of));
+        (is_counted && self.ends.least.has_encoder()).then(|| {
             let own = law.held_force(self.start.lo());
             let crossing = |force: &S| Crossing {
                 ticks: self.end.lo().clone() - self.start.lo().clone(),
@@ -219,8 +222,7 @@ impl<S: Written> Rectangle<'_, S> {
 
     /// Net energy against the linear spring alone.
     pub(crate) fn net_linear(&self) -> Option<Figure<S>> {
-        let still = self.start.is_exact() && self.end.is_exact();
-        if still || !self.ends.least.law().is_linear() {
+        if self.start.is_exact() && self.end.is_exact() {
             return Some(self.row()?.net_linear);
         }
         let [linear, _] = self.net(self.crossings().as_deref())?;
@@ -236,12 +238,13 @@ impl<S: Written> Rectangle<'_, S> {
         let most = (!self.ends.friction_is_exact()).then(|| of(&self.ends.most));
         let frictions = (of(&self.ends.least), most);
         let mut found: [Option<Interval<S>>; 2] = [None, None];
+        let edges = self.edges()?;
         for force in self.forces() {
-            for (from, to) in self.edges() {
+            for [from, to] in &edges {
                 let half_way = |a: &S, b: &S| (a.clone() + b.clone()).half();
-                let [start, end] = [half_way(from[0], to[0]), half_way(from[1], to[1])];
-                let values = [from, [&start, &end], to].map(|at| self.generated_at(at, force));
-                let d = |[from, to]: [&S; 2]| to.clone() - from.clone();
+                let middle = [half_way(&from[0], &to[0]), half_way(&from[1], &to[1])];
+                let values = [from, &middle, to].map(|at| self.generated_at(at.each_ref(), force));
+                let d = |[from, to]: &[S; 2]| to.clone() - from.clone();
                 let [first, between, last] = values;
                 let accounts = first.into_iter().zip(between).zip(last);
                 for (known, ((a, b), c)) in found.iter_mut().zip(accounts) {
@@ -265,16 +268,38 @@ impl<S: Written> Rectangle<'_, S> {
         Some([figure(linear?), figure(quantized?)])
     }
 
-    /// The edges of the rectangle, each from one corner to the next.
-    fn edges(&self) -> impl Iterator<Item = ([&S; 2], [&S; 2])> {
-        let (a, b) = (self.start.lo(), self.start.hi());
-        let (c, d) = (self.end.lo(), self.end.hi());
-        let along_start = [c, d].map(|end| ([a, end], [b, end]));
-        let along_end = [a, b].map(|start| ([start, c], [start, d]));
-        // An exact position has no edge along it.
-        let (start, end) = (!self.start.is_exact(), !self.end.is_exact());
-        let along_start = along_start.into_iter().filter(move |_| start);
-        along_start.chain(along_end.into_iter().filter(move |_| end))
+    /// The edges of the rectangle, each from one corner to the next, or to where the law is bent; `None` where that is
+    /// not told.
+    fn edges(&self) -> Option<Vec<[[S; 2]; 2]>> {
+        let pair = |[from, to]: [&S; 2]| [from.clone(), to.clone()];
+        let mut edges = Vec::new();
+        for [a, b] in self.pieces(self.start)? {
+            let ends = [self.end.lo(), self.end.hi()];
+            edges.extend(ends.map(|end| [pair([&a, end]), pair([&b, end])]));
+        }
+        for [a, b] in self.pieces(self.end)? {
+            let starts = [self.start.lo(), self.start.hi()];
+            edges.extend(starts.map(|start| [pair([start, &a]), pair([start, &b])]));
+        }
+        Some(edges)
+    }
+
+    /// A position from its lower end to its upper one, in pieces over each of which the law is not bent: none of an
+    /// exact one.
+    fn pieces(&self, of: &Figure<S>) -> Option<Vec<[S; 2]>> {
+        let mut pieces = Vec::new();
+        if of.is_exact() {
+            return Some(pieces);
+        }
+        let (law, mut from) = (self.ends.least.law(), of.lo().clone());
+        for bend in law.lower.into_iter().chain(law.upper) {
+            let is_behind = bend.compare(&from)? == Ordering::Greater;
+            if is_behind && bend.compare(of.hi())? == Ordering::Less {
+                pieces.push([std::mem::replace(&mut from, bend.clone()), bend]);
+            }
+        }
+        pieces.push([from, of.hi().clone()]);
+        Some(pieces)
     }
 }
 
@@ -364,6 +389,54 @@ mod tests {
             let mut both = near.iter().zip(exact);
             both.all(|(near, exact)| holds(near.lo(), exact.lo()) && holds(near.hi(), exact.hi()))
         })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(draws(200)))]
+
+        /// At walls that end within a tick, at a tick, or nowhere: no positions give more or less than the row says, and
+        /// some give that but for how far they are from where it is.
+        #[test]
+        fn net_energy_is_tight_where_the_law_is_bent(
+            (from, ticks) in (-6..6_i32, -3..4_i32),
+            (unilateral, limit) in (any::<bool>(), prop::option::of(1..20_i64)),
+            (force, n, d) in (-40..40_i64, 1..9_i64, 1..9_i64),
+            [b, c] in [0..30_i64, 0..30_i64],
+        ) {
+            const PARTS: i64 = 8;
+            let friction = Friction::new(ratio(b, 12), ratio(c, 12));
+            let ends = Ends::exact(Loop { unilateral, max_force: limit.map(|n| ratio(n, 4)), ..Loop::plain(friction.clone()) });
+            let (start, end, force, dtau) = (count(from), count(from + ticks), ratio(force, 4), ratio(n, d));
+            let rectangle = Rectangle { ends: &ends, start: &start, end: &end, force: &Figure::Exact(force.clone()), dtau: &dtau };
+            let [law, steps] = rectangle.net_on_edges().unwrap();
+            let crossings = rectangle.crossings();
+            prop_assert_eq!(&[law.clone(), steps.clone()], &rectangle.net(crossings.as_deref()).unwrap());
+            let net = |at: [&BigRational; 2]| {
+                let d = Scalar::abs(&(at[1].clone() - at[0].clone()));
+                let taken = friction.beta.clone() * d.square() / dtau.clone() + friction.sigma.clone() * d;
+                rectangle.generated_at(at, &force).map(|generated| taken.clone() - generated)
+            };
+            let mut found: [Option<Interval<BigRational>>; 2] = [None, None];
+            for x in 0..=PARTS {
+                for y in 0..=PARTS {
+                    let at = [ratio(from.into(), 1) + ratio(x, PARTS), ratio((from + ticks).into(), 1) + ratio(y, PARTS)];
+                    for (known, value) in found.iter_mut().zip(net(at.each_ref())) {
+                        join(known, Interval::point(value));
+                    }
+                }
+            }
+            // Within half a part, net energy changes by no more than its slope allows: distances are at most |ticks| + 1
+            // and forces of the wall at most as large as positions.
+            let reach = ratio((ticks.abs() + 1).into(), 1);
+            let place = ratio((from.abs() + ticks.abs() + 1).into(), 1);
+            let slope = friction.beta.double() * reach / dtau.clone() + friction.sigma.clone() + Scalar::abs(&force) + place;
+            let most = slope * ratio(1, 2 * PARTS);
+            for (figure, found) in [law, steps].iter().zip(found) {
+                let found = found.unwrap();
+                prop_assert!(figure.lo() <= found.lo() && found.hi() <= figure.hi());
+                prop_assert!(found.lo() - figure.lo() <= most && figure.hi() - found.hi() <= most);
+            }
+        }
     }
 
     proptest! {

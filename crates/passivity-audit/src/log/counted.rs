@@ -1,4 +1,4 @@
-//! What an interval between two counts comes to, in doubles, where a linear wall on both sides is all there is.
+//! What an interval between two counts comes to, in doubles, where a wall is all there is, and the interval in one part of it.
 
 use passivity_core::counted::{Crossing, Resistance};
 use passivity_core::{Criterion, Friction, Ordered, Scalar as _, Truth, dissipation, quantizer};
@@ -46,12 +46,15 @@ pub(crate) struct Row<T> {
     pub(crate) stored: [T; 2],
 }
 
+/// The friction of a wall, and the criteria: at the least and at the most.
+pub(crate) type Walls<'a, S> = (&'a [Friction<S>; 2], &'a [Criterion<S>; 2]);
+
 impl<S: Ordered> Row<S> {
     /// Of an interval under the force in the log where that is `applied`, else under that of the wall, given the least
     /// friction and the most, and the criteria of both; `is_exact` says whether friction has one value.
     #[inline(always)]
     pub(crate) fn of(
-        (frictions, criteria): (&[Friction<S>; 2], &[Criterion<S>; 2]),
+        (frictions, criteria): Walls<'_, S>,
         of: &Interval<S>,
         is_exact: bool,
         applied: bool,
@@ -71,18 +74,8 @@ impl<S: Ordered> Row<S> {
                 false => S::zero(),
             },
         };
-        let [least, most] = frictions;
-        let least = Resistance::new(least, &of.lasts);
-        let most = match is_exact {
-            true => least.clone(),
-            false => Resistance::new(most, &of.lasts),
-        };
+        let [least, most] = resistances(frictions, &of.lasts, is_exact);
         let [near, far] = crossing.distances();
-        let [slow, fast] = [
-            dissipation::mean_speed(&near, &of.lasts),
-            dissipation::mean_speed(&far, &of.lasts),
-        ];
-        let [low, high] = criteria;
         let ([a, b], [c, d]) = (crossing.net_at_least(&least), crossing.net_at_most(&most));
         // Under the wall's own force that is the same.
         let [lo, hi] = match applied {
@@ -94,10 +87,7 @@ impl<S: Ordered> Row<S> {
         };
         Self {
             taken: [least.taken(&near), most.taken(&far)],
-            margin: [
-                low.margin(&slow).min(low.margin(&fast)),
-                high.margin(&slow).max(high.margin(&fast)),
-            ],
+            margin: margin(criteria, [&near, &far], &of.lasts),
             generated: crossing.generated(),
             net: [[a, c], [b, d]],
             work: force * ticks,
@@ -106,6 +96,39 @@ impl<S: Ordered> Row<S> {
             excess: crossing.excess,
         }
     }
+}
+
+/// Of the least friction and of the most, over an interval that lasts so long; `is_exact` where these are the same.
+#[inline(always)]
+pub(super) fn resistances<S: Ordered>(
+    [least, most]: &[Friction<S>; 2],
+    lasts: &S,
+    is_exact: bool,
+) -> [Resistance<S>; 2] {
+    let least = Resistance::new(least, lasts);
+    let most = match is_exact {
+        true => least.clone(),
+        false => Resistance::new(most, lasts),
+    };
+    [least, most]
+}
+
+/// The margin of both criteria, times the mean speed, over distances between two.
+#[inline(always)]
+pub(super) fn margin<S: Ordered>(
+    criteria: &[Criterion<S>; 2],
+    [near, far]: [&S; 2],
+    lasts: &S,
+) -> [S; 2] {
+    let [slow, fast] = [
+        dissipation::mean_speed(near, lasts),
+        dissipation::mean_speed(far, lasts),
+    ];
+    let [low, high] = criteria;
+    [
+        low.margin(&slow).min(low.margin(&fast)),
+        high.margin(&slow).max(high.margin(&fast)),
+    ]
 }
 
 /// What an interval between two counts comes to, in units of the grid. Pairs are at the least and at the most.
@@ -134,7 +157,7 @@ impl Figures {
             return None;
         };
         let force = known_force(interval)?;
-        let wall = Wall::linear(ledger)?;
+        let wall = Wall::of(ledger)?;
         let lasts = match interval.dtau {
             Number::Small(n, d) => Length(n, d),
             Number::Tiny(..) | Number::Big(_) => Length::OPEN,
@@ -157,8 +180,17 @@ impl Figures {
             lasts,
             force: force.unwrap_or(Ball::zero()),
         };
-        let friction = (&wall.frictions, &wall.criteria);
-        let row = Row::of(friction, &of, wall.friction_is_exact, force.is_some());
+        let (friction, is_exact) = ((&wall.frictions, &wall.criteria), wall.friction_is_exact);
+        let reach = wall.reach.as_ref();
+        let row = match reach.map(|reach| reach.ticks(of.start.lane(), of.end.lane())) {
+            Some(place) if place.is_flat => {
+                let (level, radius) = place.force.parts();
+                let level = Ball::from_parts(level, radius);
+                Row::flat(friction, &of, &level, is_exact, force.is_some())
+            }
+            Some(place) if place.open > 0.0 => return None,
+            _ => Row::of(friction, &of, is_exact, force.is_some()),
+        };
         Self::of(&row, to.checked_sub(from)?)
     }
 

@@ -232,8 +232,7 @@ impl Tiles {
     /// walls.
     pub(crate) fn fill(&mut self, task: &Task<'_>, chunk: &Chunk) {
         let wall = Wall::of(task.ledger);
-        let linear = wall.as_ref().filter(|wall| wall.reach.is_none());
-        self.quick = linear.map(Quick::of);
+        self.quick = wall.as_ref().map(Quick::of);
         self.wall = wall.map(|wall| wall.lanes());
         let intervals = chunk.samples.len().saturating_sub(1);
         // Of counts without forces few are asked for, or by one account.

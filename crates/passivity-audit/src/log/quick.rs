@@ -25,28 +25,23 @@
 //! A figure that is surely zero, or surely not rounded, is not widened: what standing still draws decides many a trace, and
 //! where the least of it stays the same the first such row is told. Where the device may have stood still, |k| ≤ 1, the
 //! least net energy is zero or below, and which of both is told by what each parabola rises with from there.
+//!
+//! Where the force of the wall is the same everywhere, energies have fewer terms, and f is off by what that force is too.
+
+mod flat;
+mod grid;
 
 use passivity_core::counted::{Arc, Crossing, Resistance};
 use passivity_core::{Criterion, Friction, Scalar as _, dissipation};
 
+pub(crate) use grid::{End, carried, parts, units};
+
 use crate::ball::{Ball, unless};
 use crate::log::counted::{Figures, Interval, Row};
 use crate::log::lanes::{Length, truths};
-use crate::log::wall::Wall;
+use crate::log::wall::{Reach, Wall};
 use crate::plain::Plain;
-use crate::span::BITS;
-
-/// An end of a number: a multiple of 2⁻¹¹ and, of the rest, one of 2⁻⁵⁸. Sums of as many as a tile has rows are exact.
-pub(crate) type End = [f64; 2];
-
-/// Binary digits after the point of both.
-const UPPER: i32 = 11;
-const LOWER: i32 = 58;
-
-/// 2⁻ⁿ.
-const fn power(n: i32) -> f64 {
-    f64::from_bits(((1023 - n) as u64) << 52)
-}
+use grid::{around, both, end, nearest, outward, power};
 
 /// What a [`Quick::row`] may be off by at most, of its size.
 const ROUNDING: f64 = power(46);
@@ -65,6 +60,8 @@ pub(crate) struct Quick {
     /// What the numbers of each criterion are off by.
     off_criteria: [[f64; 2]; 2],
     pub(crate) friction_is_exact: bool,
+    /// Where the wall is linear; `None` for everywhere.
+    pub(crate) reach: Option<Reach>,
 }
 
 /// What an interval comes to, on the grid: as [`Row`]. Pairs are at the least and at the most.
@@ -85,6 +82,9 @@ pub(crate) struct Near {
 /// What is told of a number: zero where it is surely not negative, else one; and the same of whether it surely is.
 type Sign = [f64; 2];
 
+/// Of what is surely not negative.
+const SURELY: Sign = [0.0, 1.0];
+
 /// The sign of a number that is off by so much at most.
 #[inline(always)]
 fn sign(x: f64, off: f64) -> Sign {
@@ -97,69 +97,6 @@ fn sign(x: f64, off: f64) -> Sign {
 fn covers([least, most]: [Sign; 2]) -> (f64, f64) {
     let ([a, b], [c, d]) = (least, most);
     (3.0 - (a + 2.0 * c), a * b + c * d)
-}
-
-/// The nearest multiple of 2⁻ⁿ, of a number that is below 2⁵⁰⁻ⁿ.
-#[inline(always)]
-fn nearest<const N: i32>(x: f64) -> f64 {
-    let middle = 1.5 * power(N - 52);
-    (x + middle) - middle
-}
-
-/// How far an end is moved for a number that is off by so much at most, and is rounded to the grid: on the grid too.
-#[inline(always)]
-fn outward(off: f64) -> f64 {
-    let moved = nearest::<LOWER>(off + 1.5 * power(LOWER));
-    if off == 0.0 { 0.0 } else { moved }
-}
-
-/// The end that is so far from a number.
-#[inline(always)]
-fn end(x: f64, moved: f64) -> End {
-    let upper = nearest::<UPPER>(x);
-    [upper, nearest::<LOWER>(x - upper) + moved]
-}
-
-/// The ends of a number that is between two, each moved outward by so much.
-#[inline(always)]
-fn around([least, most]: [Plain; 2], moved: f64) -> [End; 2] {
-    [end(least.0, -moved), end(most.0, moved)]
-}
-
-/// An end in units of the grid.
-#[inline(always)]
-#[allow(clippy::cast_possible_truncation)] // both are whole numbers below 2⁶³
-pub(crate) fn units([upper, lower]: End) -> i128 {
-    let (upper, lower) = (upper * power(-UPPER), lower * power(-LOWER));
-    (i128::from(upper as i64) << (BITS as i32 - UPPER))
-        + (i128::from(lower as i64) << (BITS as i32 - LOWER))
-}
-
-/// A number in units of the grid as an end; `None` where it has no room, or is on a finer grid.
-#[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // nothing is lost
-pub(crate) fn parts(n: i128) -> Option<End> {
-    const FINER: i128 = (1 << (BITS as i32 - LOWER)) - 1;
-    let upper = n >> (BITS as i32 - UPPER);
-    let lower = (n - (upper << (BITS as i32 - UPPER))) as i64;
-    let has_room = upper.unsigned_abs() < 1 << (UPPER + 35) && n & FINER == 0;
-    has_room.then(|| {
-        [
-            upper as f64 * power(UPPER),
-            lower as f64 * power(BITS as i32),
-        ]
-    })
-}
-
-/// The same end, with what is too large for the lower part in the upper one.
-#[inline(always)]
-pub(crate) fn carried([upper, lower]: End) -> End {
-    let more = nearest::<UPPER>(lower);
-    [upper + more, lower - more]
-}
-
-#[inline(always)]
-fn both([lo, hi]: [End; 2]) -> [i128; 2] {
-    [units(lo), units(hi)]
 }
 
 /// A whole number as a double, where nothing that is made of it is rounded.
@@ -258,22 +195,25 @@ impl Quick {
             ],
             off_criteria: criteria.map(|of| [off(&of.viscous), off(&of.coulomb)]),
             friction_is_exact: wall.friction_is_exact,
+            reach: wall.reach,
         }
     }
 
     /// What an interval comes to, whose force is off by so much at most, under the force in the log where that is
-    /// `applied`, else under that of the wall; `is_exact` says whether friction has one value.
+    /// `applied`, else under that of the wall, which is linear within `reach`; `is_exact` says whether friction has one
+    /// value.
     #[inline(always)]
     pub(crate) fn row(
         &self,
         of: &Interval<Plain>,
         off: f64,
-        is_exact: bool,
-        applied: bool,
+        reach: Option<&Reach>,
+        (is_exact, applied): (bool, bool),
     ) -> Near {
-        let row = Row::of((&self.frictions, &self.criteria), of, is_exact, applied);
+        let walls = (&self.frictions, &self.criteria);
+        let mut row = Row::of(walls, of, is_exact, applied);
         let off = if applied { off } else { 0.0 };
-        let bounds = self.bounds(of, &row, off);
+        let mut bounds = self.bounds(of, &row, off);
         let [least, _] = &self.frictions;
         let least = Resistance::new(least, &of.lasts);
         let ticks = of.end - of.start;
@@ -283,12 +223,31 @@ impl Quick {
             excess: row.excess,
         };
         let ([[linear, _], [quantized, _]], own) = (row.net, row.own);
-        let signs = lowest(&crossing, &least, [linear, quantized]).map(|x| sign(x, bounds.energy));
-        let own_signs = match applied {
+        let mut signs =
+            lowest(&crossing, &least, [linear, quantized]).map(|x| sign(x, bounds.energy));
+        let mut own_signs = match applied {
             true => lowest(&Crossing::own(ticks), &least, [own[0]; 2]).map(|x| sign(x, bounds.own)),
             false => signs,
         };
-        let (covers, open) = self.answers(of, &row, (signs, bounds.energy), is_exact);
+        let mut left = 0.0;
+        if let Some(reach) = reach {
+            let place = reach.ticks(
+                Ball::from_parts(of.start.0, 0.0).lane(),
+                Ball::from_parts(of.end.0, 0.0).lane(),
+            );
+            left = place.open;
+            let (level, _) = place.force.parts();
+            let flat = Row::flat(walls, of, &Plain(level), is_exact, applied);
+            let of_flat = self.flat_bounds(of, &flat, (off, &place), applied);
+            let sign = flat::sign_of(&flat, &least, ticks, &of_flat);
+            if place.is_flat {
+                (row, bounds) = (flat, of_flat);
+                // The wall's own force leaves what friction takes.
+                (signs, own_signs) = ([sign; 2], [SURELY; 2]);
+            }
+        }
+        let (own, open) = (row.own, left);
+        let (covers, left) = self.answers(of, &row, (signs, bounds.energy), is_exact);
 
         let moved = outward(bounds.energy);
         let least_of = |is_zero: bool, x: Plain, moved: f64| match is_zero {
@@ -317,7 +276,7 @@ impl Quick {
             excess: around([row.excess; 2], outward(bounds.excess)),
             stored: around(row.stored, outward(bounds.stored)),
             covers,
-            open: open + bounds.too_large,
+            open: open + left + bounds.too_large,
         }
     }
 
@@ -378,9 +337,10 @@ impl Quick {
         // The least margin is not negative where both are, and the largest where one is.
         let ([[a, b], [c, d]], [[e, f], [g, h]]) = (least, most);
         let margin = [[unless(a + c == 0.0), b * d], [e * g, unless(f + h == 0.0)]];
-        let most_of = |x: Plain| match ticks.0.abs() <= 1.0 {
-            // Zero is among what it may be.
-            true => [0.0, 1.0],
+        // Zero, or what is above it, is among what it may be.
+        let may_hold = |[yes, _]: Sign| ticks.0.abs() <= 1.0 || yes == 0.0;
+        let most_of = |least: Sign, x: Plain| match may_hold(least) {
+            true => SURELY,
             false => sign(x.0, off),
         };
         let [[_, linear], [_, quantized]] = row.net;
@@ -388,8 +348,8 @@ impl Quick {
         // Had nothing moved, it would hold.
         let may_hold = holds == 0.0 && ticks.0.abs() <= 1.0;
         let holds = if may_hold { 2.0 } else { holds };
-        let (linear, of_linear) = covers([signs[0], most_of(linear)]);
-        let (quantized, of_quantized) = covers([signs[1], most_of(quantized)]);
+        let (linear, of_linear) = covers([signs[0], most_of(signs[0], linear)]);
+        let (quantized, of_quantized) = covers([signs[1], most_of(signs[1], quantized)]);
         (
             holds + 4.0 * linear + 16.0 * quantized,
             of_margin + of_linear + of_quantized,
@@ -412,7 +372,8 @@ impl Quick {
             lasts: Plain(lasts.nearest()?),
             force: Plain(force),
         };
-        let near = self.row(&of, off, self.friction_is_exact, applied);
+        let reach = self.reach.as_ref();
+        let near = self.row(&of, off, reach, (self.friction_is_exact, applied));
         (near.open == 0.0).then(|| near.figures(to - from))
     }
 }

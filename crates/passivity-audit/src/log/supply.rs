@@ -156,6 +156,12 @@ impl Contribution {
         &self.excess
     }
 
+    /// Net energy under the wall's own force, the excess force and what counts where the trace ends here.
+    #[cfg(test)]
+    pub(crate) fn parts(self) -> [Bounds; 3] {
+        [self.net, self.excess, self.end]
+    }
+
     /// What the interval adds to T, after one with this excess force, in units of the grid; `None`
     /// where it is not on it.
     pub(crate) fn supplied(self, before: Option<&Bounds>) -> Option<Supplied> {

@@ -8,6 +8,7 @@ use crate::log::computed::UNIT;
 use crate::log::error::TraceError;
 use crate::log::layout::Layout;
 use crate::log::step::{duration, interval, undefined};
+use crate::log::wall::Wall;
 use crate::number::Number;
 use crate::reading::Reading;
 use crate::rows;
@@ -32,6 +33,8 @@ pub(crate) struct Task<'a> {
     pub(crate) files: &'a [String],
     /// Whether the columns are read as they were told to be.
     pub(crate) told: bool,
+    /// Whether the loop is nothing but a wall behind an encoder, whose rows take no longer to compute than to look up.
+    pub(crate) is_wall: bool,
 }
 
 impl<'a> Task<'a> {
@@ -50,6 +53,7 @@ impl<'a> Task<'a> {
             knows_law: scene.unaccounted(false).is_empty(),
             files: &[],
             told: false,
+            is_wall: Wall::of(ledger).is_some(),
         }
     }
 
@@ -80,11 +84,11 @@ impl<'a> Task<'a> {
         match self.applied {
             // Of forces scaled by π none but zero is exact, too few to come again.
             true => {
-                unit && !self.layout.per_force().is_irrational()
+                unit && !self.is_wall
+                    && !self.layout.per_force().is_irrational()
                     && matches!(chunk.forces.get(i), Some(Reading::Exact(Number::Small(..))))
             }
-            // Those of a plain wall take no longer to compute.
-            false => unit || !self.ledger.is_plain(),
+            false => unit || !self.is_wall,
         }
     }
 

@@ -80,14 +80,17 @@ impl Reach {
             open: if is_flat { 0.0 } else { outside },
         }
     }
+
+    /// The same anywhere within the ticks of two counts: each part of the wall is told half a tick from its end, so what is
+    /// in it with the middle of a tick is so with all of it.
+    #[inline(always)]
+    pub(crate) fn ticks(&self, start: Lane, end: Lane) -> Place {
+        let half = Lane::one().half();
+        self.place(start + half, end + half)
+    }
 }
 
 impl Wall {
-    /// `None` for other loops, and walls that end or are saturated.
-    pub(crate) fn linear(ledger: &Ledger) -> Option<Self> {
-        Self::of(ledger).filter(|wall| wall.reach.is_none())
-    }
-
     /// `None` for other loops.
     pub(crate) fn of(ledger: &Ledger) -> Option<Self> {
         let ends = ledger.near();

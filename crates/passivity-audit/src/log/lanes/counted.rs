@@ -10,6 +10,7 @@ use super::{Length, TILE, truths};
 use crate::log::counted::{Figures, Interval};
 use crate::log::numbers::Readings;
 use crate::log::quick::{self, End, Quick, units};
+use crate::log::wall::Reach;
 use crate::plain::Plain;
 
 /// The lower or the upper ends of numbers, both parts of each.
@@ -211,16 +212,22 @@ impl Counted {
     }
 
     #[inline(always)]
-    fn compute(&mut self, quick: &Quick, open: &[f64; TILE], is_exact: bool, applied: bool) {
+    fn compute(
+        &mut self,
+        quick: &Quick,
+        open: &[f64; TILE],
+        reach: Option<&Reach>,
+        of: (bool, bool),
+    ) {
         let [starts, ends, durations, forces, off] = &self.of;
         for i in 0..TILE {
-            let of = Interval {
+            let interval = Interval {
                 start: Plain(starts[i]),
                 end: Plain(ends[i]),
                 lasts: Plain(durations[i]),
                 force: Plain(forces[i]),
             };
-            let row = quick.row(&of, off[i], is_exact, applied);
+            let row = quick.row(&interval, off[i], reach, of);
             // One by one: loops of these would keep the loop over rows from becoming vector instructions.
             let [a, b, c, d, e] = row.sums;
             put(&mut self.sums[0], i, a);
@@ -269,10 +276,13 @@ fn read(tile: &mut Counted, counts: (&[i64], &[i64]), lengths: &[Length]) -> [f6
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 fn compute(tile: &mut Counted, quick: &Quick, open: &[f64; TILE], applied: bool) {
-    match (quick.friction_is_exact, applied) {
-        (true, true) => tile.compute(quick, open, true, true),
-        (true, false) => tile.compute(quick, open, true, false),
-        (false, true) => tile.compute(quick, open, false, true),
-        (false, false) => tile.compute(quick, open, false, false),
+    // Of most walls nothing is asked where they are.
+    match (quick.friction_is_exact, applied, &quick.reach) {
+        (true, true, None) => tile.compute(quick, open, None, (true, true)),
+        (true, false, None) => tile.compute(quick, open, None, (true, false)),
+        (false, true, None) => tile.compute(quick, open, None, (false, true)),
+        (false, false, None) => tile.compute(quick, open, None, (false, false)),
+        (true, _, Some(reach)) => tile.compute(quick, open, Some(reach), (true, applied)),
+        (false, _, Some(reach)) => tile.compute(quick, open, Some(reach), (false, applied)),
     }
 }

@@ -1,3 +1,5 @@
+mod ends;
+
 use num_bigint::BigInt;
 use passivity_core::rational::from_wide;
 use passivity_core::{BigRational, Ordered as _, Truth, Wide};
@@ -7,6 +9,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::ledger::Ledger;
+use crate::span::BITS;
 
 /// Dry and viscous friction of all kinds: much, none, on the border of the criterion, and between two ends.
 const WALLS: [&str; 7] = [
@@ -100,6 +103,18 @@ fn force() -> impl Strategy<Value = Option<(f64, f64)>> {
     prop::option::weighted(0.8, (more, off))
 }
 
+/// How much wider than the exact ones figures may be under such an excess force, which is off by so much: all that they
+/// are off by is a few of the bound.
+fn width(ledger: &Ledger, ticks: i64, lasts: (i64, i64), (excess, off): (f64, f64)) -> BigRational {
+    let most = &ledger.near().most;
+    let friction = [most.viscous_friction(), most.coulomb_friction()];
+    let [(beta, of_beta), (sigma, of_sigma)] = friction.map(Ball::parts);
+    let (k, dtau) = ((ticks.abs() + 1) as f64, lasts.0 as f64 / lasts.1 as f64);
+    let size = k * (k * (beta / dtau + 1.0) + sigma + excess);
+    let bound = size * power(44) + 3.0 * k * (k * of_beta / dtau + of_sigma + off);
+    exactly(bound + power(55))
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(draws(300)))]
 
@@ -115,7 +130,7 @@ proptest! {
         let ledger = ledger(wall);
         let counts = [from, from + ticks];
         let force = force.map(|(more, off)| (more - (from as f64 + 0.5), off));
-        let quick = Quick::of(&Wall::linear(&ledger).unwrap());
+        let quick = Quick::of(&Wall::of(&ledger).unwrap());
         let ball = force.map(|(middle, off)| Ball::from_parts(middle, off));
         let found = quick.figures(counts, Length(lasts.0, lasts.1), ball);
         let rows = [-1.0, 0.0, 1.0].map(|side| {
@@ -134,17 +149,10 @@ proptest! {
         }
         // Not much wider either: all together are off by a few of the bound.
         let [_, (_, middle), _] = &rows;
-        let reach = ticks.abs() + 1;
-        let [(beta, of_beta), (sigma, of_sigma)] = {
-            let most = &ledger.near().most;
-            [most.viscous_friction(), most.coulomb_friction()].map(Ball::parts)
-        };
-        let (excess, off) = force.map_or((0.0, 0.0), |(force, off)| ((force + from as f64 + 0.5).abs(), off));
-        let (k, dtau) = (reach as f64, lasts.0 as f64 / lasts.1 as f64);
-        let size = k * (k * (beta / dtau + 1.0) + sigma + excess);
-        let bound = size * power(44) + 3.0 * k * (k * of_beta / dtau + of_sigma + off);
+        let excess = force.map_or((0.0, 0.0), |(force, off)| ((force + from as f64 + 0.5).abs(), off));
+        let bound = width(&ledger, ticks, lasts, excess);
         for ([lo, hi], [least, most]) in ends.iter().zip(middle).take(6) {
-            prop_assert!(hi - lo <= most - least + exactly(bound + power(55)));
+            prop_assert!(hi - lo <= most - least + &bound);
         }
     }
 }
@@ -153,7 +161,7 @@ proptest! {
 #[test]
 fn standing_still_draws_exactly_nothing() {
     let ledger = ledger(WALLS[0]);
-    let quick = Quick::of(&Wall::linear(&ledger).unwrap());
+    let quick = Quick::of(&Wall::of(&ledger).unwrap());
     for (ticks, force) in [
         (0, None),
         (0, Some(-7.6)),
@@ -178,7 +186,7 @@ fn standing_still_draws_exactly_nothing() {
 #[test]
 fn no_force_draws_exactly_nothing() {
     let ledger = ledger(WALLS[0]);
-    let quick = Quick::of(&Wall::linear(&ledger).unwrap());
+    let quick = Quick::of(&Wall::of(&ledger).unwrap());
     for (from, ticks) in [(-300, 1), (-299, 0), (-299, -1)] {
         let none = Ball::from_parts(0.0, 0.0);
         let figures = quick.figures([from, from + ticks], Length(997, 1000), Some(none));

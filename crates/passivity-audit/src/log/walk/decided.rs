@@ -65,8 +65,6 @@ impl Walk<'_> {
                 let added = batch.add_tile((&mut under, rows), task.running);
                 self.tiles.lengths.get(at..at + added)
             }
-            // Other rows of counts are looked up.
-            Samples::Counts(_) if !applied && !task.ledger.is_plain() => None,
             Samples::Counts(counts) => {
                 self.compute_counts(chunk, counts)?;
                 let rows = self.counted.decided(at, most);
@@ -138,7 +136,7 @@ impl Walk<'_> {
         }
         self.compute_counts(chunk, counts)?;
         let closer = || {
-            let wall = Wall::linear(task.ledger)?;
+            let wall = Wall::of(task.ledger)?;
             let force = match task.applied {
                 true => Some(chunk.forces.values.ball(i)?),
                 false => None,

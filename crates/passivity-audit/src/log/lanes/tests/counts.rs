@@ -22,7 +22,7 @@ fn alone_and_in_a_tile(
     lengths: &[(i64, i64)],
     forces: Option<&Readings>,
 ) -> Vec<[Option<counted::Figures>; 2]> {
-    let quick = Quick::of(&Wall::linear(ledger).unwrap());
+    let quick = Quick::of(&Wall::of(ledger).unwrap());
     let mut tile = Counted::new();
     let lasts: Vec<_> = lengths.iter().map(|(n, d)| Length(*n, *d)).collect();
     tile.fill(&quick, (counts, forces), 0, &lasts);
@@ -92,7 +92,7 @@ proptest! {
         let forces = applied.then_some(&readings);
         let mut tile = Counted::new();
         let lasts: Vec<_> = lengths.iter().map(|(n, d)| Length(*n, *d)).collect();
-        let quick = Quick::of(&Wall::linear(&ledger).unwrap());
+        let quick = Quick::of(&Wall::of(&ledger).unwrap());
         tile.fill(&quick, (&counts, forces), 0, &lasts);
         let unit = crate::span::ONE;
         let before = [before.0, before.0 + before.1].map(|n| Reduced::Small(n << 40, unit));
