@@ -7,6 +7,7 @@ use passivity_core::course::{Course, Least};
 use crate::log::account::{Account, Point};
 use crate::log::computed::{Accounted, Computed};
 use crate::log::running::Lowest;
+use crate::log::wall::{Part, Parts};
 use crate::number::Reduced;
 use passivity_core::BigRational;
 
@@ -77,15 +78,26 @@ struct Stretch {
 pub(crate) struct Table {
     known: Vec<Known>,
     index: HashMap<Box<[i64]>, usize>,
-    /// Rows of plain counts one period apart, by the ticks they cross.
-    small: Vec<Option<usize>>,
+    /// Rows of counts in one part of a wall, one period apart, by that part and the ticks they cross.
+    small: [Vec<Option<usize>>; 2],
     /// Their net energies over [`over`](Self::over), where they are known and small.
-    nets: Vec<Option<(i64, usize)>>,
+    nets: [Vec<Option<(i64, usize)>>; 2],
     /// The denominator of these; none where rows were rescaled since.
     over: Option<i128>,
 }
 
 impl Table {
+    /// What the row of an interval in one part of a wall depends on, but for how long it lasts.
+    pub(crate) fn key(part: Part, [now, next]: [i64; 2]) -> Option<i64> {
+        let twice = next.checked_sub(now)?.checked_mul(2)?;
+        Some(twice + part as i64)
+    }
+
+    /// Of which part such a row is, and how many ticks it crosses.
+    const fn in_part(key: i64) -> (usize, i64) {
+        ((key & 1) as usize, key >> 1)
+    }
+
     pub(crate) fn is_full(&self) -> bool {
         self.known.len() >= MAX_ROWS
     }
@@ -109,7 +121,6 @@ impl Table {
     pub(crate) fn insert(
         &mut self,
         key: &[i64],
-        plain: bool,
         at: usize,
         computed: Computed,
         account: &mut Account,
@@ -125,11 +136,12 @@ impl Table {
         let id = self.known.len();
         self.known.push(known);
         self.index.insert(key.into(), id);
-        if let (true, [1, 1, 0, step]) = (plain, key) {
-            self.small
-                .resize(usize::try_from(2 * SMALL_STEP + 1).ok()?, None);
+        if let [1, 1, 0, key] = key {
+            let (part, step) = Self::in_part(*key);
+            let small = self.small.get_mut(part)?;
+            small.resize(usize::try_from(2 * SMALL_STEP + 1).ok()?, None);
             let place = usize::try_from(step.wrapping_add(SMALL_STEP)).ok();
-            if let Some(slot) = place.and_then(|place| self.small.get_mut(place)) {
+            if let Some(slot) = place.and_then(|place| small.get_mut(place)) {
                 *slot = Some(id);
             }
         }
@@ -155,13 +167,13 @@ impl Table {
         Ok(())
     }
 
-    /// Goes through plain counts from `i` on as long as their steps are known, machine integers
+    /// Goes through counts in these parts of a wall from `i` on as long as their steps are known, machine integers
     /// hold the sums and nothing is out of the ordinary; gives how far it came.
     ///
     /// `plot` is after how many intervals, counted from which one, a point is plotted.
     pub(crate) fn quick(
         &mut self,
-        counts: &[i64],
+        (counts, parts): (&[i64], &Parts),
         mut i: usize,
         plot: Option<(usize, usize)>,
         account: &mut Account,
@@ -171,7 +183,7 @@ impl Table {
         let (Some(denominator), Some(2)) = (account.net.denominator(), halves) else {
             return i;
         };
-        if self.small.is_empty() {
+        if self.small.iter().all(Vec::is_empty) {
             return i;
         }
         self.bring_to(denominator);
@@ -189,7 +201,7 @@ impl Table {
             let twice_now = 2 * account.net.now();
             // Nothing is lower that is not below this.
             let least = lowest.0.map_or(i128::MAX, |(least, _)| least - twice_now);
-            let found = self.stretch((counts, i), denominator, least);
+            let found = self.stretch((counts, i), parts, denominator, least);
             if found.intervals == 0 {
                 break;
             }
@@ -226,7 +238,10 @@ impl Table {
             let id = (*id)?;
             Some((known.get(id)?.net(denominator)?, id))
         };
-        self.nets = self.small.iter().map(net).collect();
+        self.nets = self
+            .small
+            .each_ref()
+            .map(|small| small.iter().map(net).collect());
         self.over = Some(denominator);
     }
 
@@ -235,6 +250,7 @@ impl Table {
     fn stretch(
         &mut self,
         (counts, at): (&[i64], usize),
+        parts: &Parts,
         denominator: i128,
         mut least: i128,
     ) -> Stretch {
@@ -249,10 +265,14 @@ impl Table {
             if now.unsigned_abs().max(next.unsigned_abs()) > near {
                 break;
             }
-            let place = step.wrapping_add(SMALL_STEP) as usize;
-            let Some(Some((net, id))) = self.nets.get(place) else {
+            let Some(part) = parts.of(*now, *next) else {
                 break;
             };
+            let place = step.wrapping_add(SMALL_STEP) as usize;
+            let Some(Some((net, id))) = self.nets[part as usize].get(place) else {
+                break;
+            };
+            let is_free = part == Part::Free;
             let Some(known) = self.known.get_mut(*id) else {
                 break;
             };
@@ -260,11 +280,15 @@ impl Table {
             let h = found.intervals + 1;
             found.intervals = h;
             found.net.step(*net, h);
-            found.observer.step((2 * now + 1) * step, h);
+            let observed = if is_free { 0 } else { (2 * now + 1) * step };
+            found.observer.step(observed, h);
             // The potential is never below zero.
             let twice = 2 * i128::from(found.net.sum);
             if twice < least {
-                let nearest = i128::from(if *next < 0 { next + 1 } else { *next });
+                let nearest = match is_free {
+                    true => 0,
+                    false => i128::from(if *next < 0 { next + 1 } else { *next }),
+                };
                 let twice = twice + nearest * nearest * denominator;
                 if twice < least {
                     least = twice;
@@ -277,16 +301,17 @@ impl Table {
 
     /// Where the row of a small step is, when it is known.
     #[inline]
-    fn small(&self, step: i64) -> Option<usize> {
+    fn small(&self, part: Part, step: i64) -> Option<usize> {
         let place = usize::try_from(step.wrapping_add(SMALL_STEP)).ok()?;
-        *self.small.get(place)?
+        *self.small[part as usize].get(place)?
     }
 
     /// Writes the rows between counts whose steps are small and known.
-    pub(crate) fn write(&self, counts: &[i64], rows: &mut Vec<u8>) {
+    pub(crate) fn write(&self, (counts, parts): (&[i64], &Parts), rows: &mut Vec<u8>) {
         for pair in counts.windows(2) {
             if let [now, next] = pair
-                && let Some(id) = self.small(next.wrapping_sub(*now))
+                && let Some(part) = parts.of(*now, *next)
+                && let Some(id) = self.small(part, next.wrapping_sub(*now))
                 && let Some(known) = self.known.get(id)
             {
                 let written = &known.computed.written;

@@ -8,7 +8,7 @@ use crate::log::computed::UNIT;
 use crate::log::error::TraceError;
 use crate::log::layout::Layout;
 use crate::log::step::{duration, interval, undefined};
-use crate::log::wall::Wall;
+use crate::log::wall::{Part, Parts, Wall};
 use crate::number::Number;
 use crate::reading::Reading;
 use crate::rows;
@@ -33,8 +33,9 @@ pub(crate) struct Task<'a> {
     pub(crate) files: &'a [String],
     /// Whether the columns are read as they were told to be.
     pub(crate) told: bool,
-    /// Whether the loop is nothing but a wall behind an encoder, whose rows take no longer to compute than to look up.
-    pub(crate) is_wall: bool,
+    /// The parts of a wall behind an encoder, whose rows take no longer to compute than to look up; `None` where there is
+    /// more to the loop.
+    pub(crate) parts: Option<Parts>,
 }
 
 impl<'a> Task<'a> {
@@ -53,7 +54,7 @@ impl<'a> Task<'a> {
             knows_law: scene.unaccounted(false).is_empty(),
             files: &[],
             told: false,
-            is_wall: Wall::of(ledger).is_some(),
+            parts: Wall::of(ledger).map(|wall| wall.parts()),
         }
     }
 
@@ -84,12 +85,19 @@ impl<'a> Task<'a> {
         match self.applied {
             // Of forces scaled by π none but zero is exact, too few to come again.
             true => {
-                unit && !self.is_wall
+                unit && self.parts.is_none()
                     && !self.layout.per_force().is_irrational()
                     && matches!(chunk.forces.get(i), Some(Reading::Exact(Number::Small(..))))
             }
-            false => unit || !self.is_wall,
+            false => unit || self.parts.is_none(),
         }
+    }
+
+    /// In which part of the wall an interval between two counts is, under its own force.
+    #[inline]
+    pub(crate) fn part(&self, from: i64, to: i64) -> Option<Part> {
+        let parts = self.parts.as_ref().filter(|_| !self.applied)?;
+        parts.of(from, to)
     }
 
     /// How many samples before an interval's own a chunk must have for it to be accounted for.

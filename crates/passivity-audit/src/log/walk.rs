@@ -16,6 +16,7 @@ use crate::log::lanes::{Counted, Tiles, write};
 use crate::log::step::{duration, interval, jump, undefined};
 use crate::log::table::Table;
 use crate::log::task::Task;
+use crate::log::wall::Part;
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 
@@ -105,9 +106,9 @@ impl Walk<'_> {
         let Samples::Counts(counts) = &chunk.samples else {
             return false;
         };
-        if !task.ledger.is_plain() || task.running {
+        let Some(parts) = task.parts.as_ref().filter(|_| !task.running) else {
             return false;
-        }
+        };
         if !self.timed {
             self.even = counts.len();
         } else if self.even <= self.at {
@@ -115,10 +116,10 @@ impl Walk<'_> {
         }
         let counts = counts.get(..=self.even.min(self.until)).unwrap_or(counts);
         let stride = task.points.then_some((self.stride, self.from));
-        let came = table.quick(counts, self.at, stride, account);
+        let came = table.quick((counts, parts), self.at, stride, account);
         if task.rows.is_some() {
             let rows = counts.get(self.at..=came).unwrap_or_default();
-            table.write(rows, &mut account.rows);
+            table.write((rows, parts), &mut account.rows);
         }
         let any = came > self.at;
         self.at = came;
@@ -216,8 +217,7 @@ impl Walk<'_> {
         if !keyed || table.is_full() {
             return computed.account(task, &interval, account);
         }
-        let plain = task.ledger.is_plain() && !task.applied;
-        let known = table.insert(&self.key, plain, self.at, computed, account);
+        let known = table.insert(&self.key, self.at, computed, account);
         match (known, &chunk.samples) {
             (Some(known), Samples::Counts(counts)) => {
                 known_row(task, known, counts, self.at, account)
@@ -236,10 +236,13 @@ impl Walk<'_> {
         let is_early = (n != d || self.task.applied) && self.h(self.at) < EXACT_ROWS;
         self.key.extend([*n, *d, i64::from(is_early)]);
         let task = self.task;
-        if task.ledger.is_plain() && !task.applied {
-            let ends = counts.get(self.at).zip(counts.get(self.at + 1));
-            self.key
-                .extend(ends.map(|(now, next)| next.wrapping_sub(*now)));
+        let ends = counts.get(self.at).zip(counts.get(self.at + 1));
+        if let Some((now, next)) = ends
+            && let Some(part) = task.part(*now, *next)
+            && let Some(key) = Table::key(part, [*now, *next])
+        {
+            // Others have one more at least.
+            self.key.push(key);
             return true;
         }
         if task.applied {
@@ -296,7 +299,7 @@ fn known_row(
             .written
             .append_between([*now, *next], &mut account.rows);
     }
-    if task.ledger.is_plain() && !task.applied {
+    if task.part(*now, *next) == Some(Part::Linear) {
         // The row is that of every interval as long; what the observer adds is not.
         let (now, next) = (i128::from(*now), i128::from(*next));
         let twice = (2 * now + 1) * (next - now);

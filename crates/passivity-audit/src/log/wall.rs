@@ -26,6 +26,37 @@ pub(crate) struct Reach {
     forces: [Lane; 2],
 }
 
+/// In which part of a wall an interval between two counts is, whose row depends on nothing else but how many ticks it goes
+/// and how long it lasts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// Where it is linear.
+    Linear,
+    /// Where there is no force.
+    Free,
+}
+
+/// The counts in these parts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Parts {
+    /// From one to another.
+    linear: [i64; 2],
+    /// Below this.
+    free: i64,
+}
+
+impl Parts {
+    #[inline(always)]
+    pub(crate) fn of(&self, from: i64, to: i64) -> Option<Part> {
+        let (low, high) = (from.min(to), from.max(to));
+        let [first, last] = self.linear;
+        match low >= first && high <= last {
+            true => Some(Part::Linear),
+            false => (high < self.free).then_some(Part::Free),
+        }
+    }
+}
+
 /// The force of a wall where it is the same over a whole motion, and what is not zero where the motion is in no one part of
 /// the wall.
 pub(crate) struct Place {
@@ -113,6 +144,27 @@ impl Wall {
             friction_is_exact: ends.friction_is_exact(),
             reach: Reach::of(&law),
         })
+    }
+
+    /// The counts in its parts.
+    #[allow(clippy::cast_possible_truncation)] // to the counts that there are
+    pub(crate) fn parts(&self) -> Parts {
+        let Some(reach) = &self.reach else {
+            return Parts {
+                linear: [i64::MIN, i64::MAX],
+                free: i64::MIN,
+            };
+        };
+        // As in `ticks`, of the middle of each.
+        let [from, to] = reach.linear;
+        let ([below, _], [force, _]) = (reach.flat, reach.forces.map(Lane::parts));
+        Parts {
+            linear: [(from - 0.5).ceil() as i64, (to - 0.5).floor() as i64],
+            free: match force == (0.0, 0.0) {
+                true => (below - 0.5).floor() as i64 + 1,
+                false => i64::MIN,
+            },
+        }
     }
 
     /// The same, to compute several rows at a time.
