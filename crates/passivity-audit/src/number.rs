@@ -3,6 +3,8 @@
 mod arithmetic;
 mod decimal;
 mod digits;
+mod factored;
+mod line;
 mod whole;
 
 use num_bigint::BigInt;
@@ -13,7 +15,9 @@ use passivity_scene::number::{NumberError, nearest_f64, parse};
 pub use arithmetic::is_positive;
 pub(crate) use arithmetic::{Denominator, difference, is_less, product, quotient};
 pub(crate) use decimal::{decimal, leading_decimal, power_of_ten, short};
-pub(crate) use digits::{Fraction, Fractions, Line, SEVERAL};
+pub(crate) use digits::{Fraction, Fractions, SEVERAL};
+pub(crate) use factored::{Beside, Factored, Primes, Quotient, Split};
+pub(crate) use line::Line;
 pub(crate) use whole::ample;
 pub use whole::{Ample, Whole, to_ample};
 

@@ -9,7 +9,7 @@ use crate::ball::Ball;
 use crate::entry::{Entry, Margin};
 use crate::figure::Figure;
 use crate::ledger::{Row, Truths, on_entry};
-use crate::number::{Fraction, Line, Number, Reduced, Written};
+use crate::number::{Fraction, Line, Number, Quotient, Reduced, Written};
 
 /// The columns of a row, in the order of the interface.
 const COLUMNS: [(&str, Column); 15] = [
@@ -106,6 +106,19 @@ impl Shown<Line<'_>> for Fraction<'_> {
     }
 
     #[inline(always)]
+    fn write_above(self, out: &mut Line<'_>) -> Option<()> {
+        self.write(out)
+    }
+}
+
+/// A number in lowest terms.
+impl Shown<Line<'_>> for Quotient {
+    #[inline]
+    fn write_below(self, out: &mut Line<'_>) -> Option<()> {
+        self.write(out)
+    }
+
+    #[inline]
     fn write_above(self, out: &mut Line<'_>) -> Option<()> {
         self.write(out)
     }

@@ -25,6 +25,7 @@ use crate::log::numbers::{Balls, Readings};
 use crate::log::quick::Quick;
 use crate::log::task::Task;
 use crate::log::wall::Wall;
+use exactly::{Counts, Exactly};
 use sums::Totals;
 
 /// How many rows are computed at once.
@@ -225,6 +226,9 @@ pub(crate) struct Tiles {
     pub(crate) wall: Option<Wall<false>>,
     /// For counts.
     pub(crate) quick: Option<Quick>,
+    /// For rows that are written.
+    exactly: Option<Exactly>,
+    exactly_counts: Option<Counts>,
 }
 
 impl Tiles {
@@ -235,12 +239,18 @@ impl Tiles {
         self.quick = wall.as_ref().map(Quick::of);
         self.wall = wall.map(|wall| wall.lanes());
         let intervals = chunk.samples.len().saturating_sub(1);
-        // Of counts without forces few are asked for, or by one account.
-        let is_asked = matches!(chunk.samples, Samples::Any(_)) || task.applied;
+        // Of counts without forces few are asked for, or by one account, unless rows are written.
+        let is_written = task.rows.is_some() && !(chunk.times.is_empty() && chunk.dtaus.is_empty());
+        let is_asked = matches!(chunk.samples, Samples::Any(_)) || task.applied || is_written;
         let is_asked = is_asked && self.wall.is_some();
         let lengths = if is_asked { intervals } else { 0 };
         self.lengths.resize(lengths, Length::OPEN);
         lengths::find(task.layout, chunk, &mut self.lengths);
+        let (before, before_counts) = (self.exactly.take(), self.exactly_counts.take());
+        if self.wall.is_some() && task.rows.is_some() {
+            self.exactly = Exactly::find(task, chunk, &self.lengths, before);
+            self.exactly_counts = Counts::find(task, chunk, &self.lengths, before_counts);
+        }
         let (Some(wall), Samples::Any(samples)) = (&self.wall, &chunk.samples) else {
             self.tiles.clear();
             return;
@@ -260,6 +270,7 @@ mod compute;
 mod counted;
 mod counted_sums;
 mod crossed;
+mod exactly;
 mod least;
 mod lengths;
 mod sums;

@@ -1,11 +1,15 @@
 //! Columns of numbers as they are written, kept short, and what is known of them after scaling.
 
+mod units;
+
 use crate::ball::Ball;
 use crate::log::error::TraceError;
 use crate::log::scale::Scale;
 use crate::log::step::undefined;
 use crate::number::{Number, power_of_ten};
 use crate::reading::Reading;
+
+pub(crate) use units::Unit;
 
 /// The numbers of a column.
 #[derive(Clone, Debug)]

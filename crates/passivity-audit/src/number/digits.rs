@@ -1,15 +1,10 @@
 //! Multiples of 2⁻⁶⁴ as fractions in decimal digits, several at a time: an audit may write a thousand million of them.
 
+use super::line::{EIGHT, EIGHT_ZEROS, HALF, Line, SIXTEEN, four, fours};
 use crate::span::BITS;
 
 /// As many fractions are made at a time.
 pub(crate) const SEVERAL: usize = 16;
-
-/// Sixteen times the character of zero.
-const ZEROS: u128 = u128::from_ne_bytes([b'0'; 16]);
-
-/// Eight times the same.
-const EIGHT_ZEROS: u64 = u64::from_ne_bytes([b'0'; 8]);
 
 /// As many characters are copied at a time.
 const WIDTH: usize = 32;
@@ -39,67 +34,6 @@ const fn denominators() -> [[u8; WIDTH]; BITS as usize + 1] {
         k += 1;
     }
     all
-}
-
-/// Room for what is written of a row, and where it ends.
-#[derive(Debug)]
-pub(crate) struct Line<'a> {
-    text: &'a mut [u8; Line::ROOM],
-    length: usize,
-}
-
-impl<'a> Line<'a> {
-    /// No row is as long.
-    pub(crate) const ROOM: usize = 2048;
-
-    /// A line that has so many characters already.
-    #[inline(always)]
-    pub(crate) const fn new(text: &'a mut [u8; Line::ROOM], length: usize) -> Self {
-        Self { text, length }
-    }
-
-    /// How long it is.
-    #[inline(always)]
-    pub(crate) const fn len(&self) -> usize {
-        self.length
-    }
-
-    /// What is written.
-    #[inline(always)]
-    pub(crate) fn text(&self) -> &[u8] {
-        self.text.get(..self.length).unwrap_or_default()
-    }
-
-    /// Appends some characters; `None`, and nothing, where there is no room.
-    #[inline(always)]
-    pub(crate) fn append(&mut self, text: &[u8]) -> Option<()> {
-        let end = self.length.wrapping_add(text.len());
-        self.text.get_mut(self.length..end)?.copy_from_slice(text);
-        self.length = end;
-        Some(())
-    }
-
-    /// Appends a whole number.
-    #[inline]
-    pub(crate) fn append_whole(&mut self, n: u64) -> Option<()> {
-        if n >= SIXTEEN {
-            return self.append(itoa::Buffer::new().format(n).as_bytes());
-        }
-        let digits = [n / EIGHT, n % EIGHT].map(|n| {
-            let fours = fours(n);
-            let [upper, lower] = [fours, fours >> 32].map(|n| u64::from(four((n & HALF) as u32)));
-            upper | lower << 32
-        });
-        let digits = u128::from(digits[0]) | u128::from(digits[1]) << u64::BITS;
-        // Zeros on the left are shifted out, but for the last one of zero.
-        let zeros = (digits ^ ZEROS).trailing_zeros() / 8;
-        let zeros = zeros.min(15);
-        let digits = digits >> (8 * zeros);
-        let length = 16 - zeros;
-        *self.text.get_mut(self.length..)?.first_chunk_mut()? = digits.to_le_bytes();
-        self.length = self.length.wrapping_add(length as usize);
-        Some(())
-    }
 }
 
 /// Multiples of 2⁻⁶⁴ below 2³⁷ in lowest terms, as they are written.
@@ -202,15 +136,8 @@ const fn leading(upper: u64, lower: u64) -> usize {
     (zeros / 8) as usize
 }
 
-/// The lower half of 64 bits.
-const HALF: u64 = (1 << 32) - 1;
-
 /// Two to 32.
 const UPPER: f64 = (1_u64 << 32) as f64;
-
-const EIGHT: u64 = 10_u64.pow(8);
-
-const SIXTEEN: u64 = 10_u64.pow(16);
 
 /// From here to the next power of two doubles are whole numbers, and their lower bits what they are more than this.
 const WHOLE: f64 = (1_u64 << 52) as f64;
@@ -259,7 +186,7 @@ fn in_lowest_terms([whole, upper, lower]: [i64; 3]) -> (u64, u64, [u64; 2]) {
 /// A number below 2¹⁰¹ in base 10⁸: quotients are those of doubles, which are off by so little that the nearest whole
 /// number is the quotient or one more.
 #[inline(always)]
-fn in_eights([low, high]: [u64; 2]) -> [u64; 4] {
+pub(super) fn in_eights([low, high]: [u64; 2]) -> [u64; 4] {
     const SHORT: f64 = 1.0 / EIGHT as f64;
     const OF_HIGH: f64 = UPPER * UPPER / SIXTEEN as f64;
     const OF_LOW: f64 = UPPER / SIXTEEN as f64;
@@ -274,26 +201,6 @@ fn in_eights([low, high]: [u64; 2]) -> [u64; 4] {
         corrected(quotient, rest, EIGHT)
     });
     [a, b, c, d]
-}
-
-/// A number below 10⁸ as two of four digits, each in half of the bits.
-#[inline(always)]
-const fn fours(n: u64) -> u64 {
-    // 109951163/2⁴⁰ is above 10⁻⁴ by less than 10⁻¹²: the quotients of such numbers are these.
-    let upper = (n & HALF).wrapping_mul(109_951_163) >> 40;
-    let lower = n.wrapping_sub(upper.wrapping_mul(10_000));
-    upper | (lower << 32)
-}
-
-/// The characters of a number below 10⁴: pairs of digits, then digits.
-#[inline(always)]
-const fn four(n: u32) -> u32 {
-    // 5243/2¹⁹ is so little above 1/100, and 103/2¹⁰ above 1/10, that the quotients of such numbers are these.
-    let hundreds = n.wrapping_mul(5243) >> 19;
-    // What is left of n goes 16 bits further up, and of each pair 8.
-    let pairs = (n << 16).wrapping_sub(hundreds.wrapping_mul((100 << 16) - 1));
-    let tens = (pairs.wrapping_mul(103) >> 10) & 0x000f_000f;
-    (pairs << 8).wrapping_sub(tens.wrapping_mul((10 << 8) - 1)) | 0x3030_3030
 }
 
 #[cfg(test)]
@@ -351,21 +258,6 @@ mod tests {
     }
 
     #[test]
-    fn all_groups_of_four_digits_are_written_before_and_behind_others() {
-        for n in 0..10_000 {
-            for n in [n * 10_000, n * 10_000 + 9_999, n, 99_990_000 + n] {
-                let fours = fours(n).to_le_bytes();
-                let digits = fours
-                    .as_chunks()
-                    .0
-                    .iter()
-                    .flat_map(|digits| four(u32::from_le_bytes(*digits)).to_le_bytes());
-                assert_eq!(digits.collect::<Vec<_>>(), format!("{n:08}").as_bytes());
-            }
-        }
-    }
-
-    #[test]
     fn a_line_takes_no_more_than_it_has_room_for() {
         let mut room = [b' '; Line::ROOM];
         let mut line = Line::new(&mut room, Line::ROOM - 3);
@@ -375,22 +267,6 @@ mod tests {
         assert!(line.append(b"yes").is_some());
         assert_eq!(line.text().trim_ascii(), b"yes");
         assert!(line.append(b",").is_none());
-    }
-
-    #[test]
-    fn whole_numbers_are_written_as_they_are() {
-        let tens = (0..20).map(|k| 10_u64.pow(k));
-        let twos = (0..64).map(|k| 1 << k);
-        for n in tens
-            .chain(twos)
-            .flat_map(|n: u64| [n - 1, n, n.saturating_mul(7)])
-        {
-            let mut room = [0; Line::ROOM];
-            let mut line = Line::new(&mut room, 0);
-            line.append_whole(n).unwrap();
-            line.append(b",").unwrap();
-            assert_eq!(line.text(), format!("{n},").as_bytes());
-        }
     }
 
     fn number() -> impl Strategy<Value = i128> {

@@ -1,4 +1,5 @@
 mod counts;
+mod exactly;
 
 use std::ops::Range;
 

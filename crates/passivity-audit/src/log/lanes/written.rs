@@ -273,7 +273,22 @@ pub(crate) fn write(
         || matches!(&chunk.samples, Samples::Any(samples) if samples.encloses());
     let linear = tiles.wall.as_ref().filter(|wall| wall.reach.is_none());
     let (Some(wall), FEW.., true) = (linear, rows.len(), encloses) else {
-        return rows.into_iter().try_for_each(|i| left(i, out));
+        let mut room = [0; Line::ROOM];
+        return rows.into_iter().try_for_each(|i| {
+            let length = tiles.lengths.get(i).copied().unwrap_or_default();
+            let to = (&mut room, &mut *out);
+            let written = match &chunk.samples {
+                Samples::Any(samples) => {
+                    let exactly = tiles.exactly.as_ref();
+                    exactly.and_then(|all| all.write((samples, forces, i), length, form, to))
+                }
+                Samples::Counts(counts) => {
+                    let exactly = tiles.exactly_counts.as_ref();
+                    exactly.and_then(|all| all.write((counts, forces, i), length, form, to))
+                }
+            };
+            written.map_or_else(|| left(i, out), Ok)
+        });
     };
     let (mut of, mut found) = (Intervals::new(), Rows::new());
     let mut before = Before::new();

@@ -1,0 +1,76 @@
+//! Columns whose numbers are whole multiples of one unit.
+
+use passivity_core::{BigRational, Scalar as _};
+
+use super::{Numbers, Readings};
+use crate::log::scale::Scale;
+use crate::number::power_of_ten;
+
+/// What all numbers of a column are whole multiples of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unit {
+    /// 10^−k.
+    Tens(u8),
+    /// 2^−k.
+    Twos(u8),
+}
+
+impl Unit {
+    /// One over it, where 64 bits hold that.
+    pub(crate) fn denominator(self) -> Option<i64> {
+        match self {
+            Self::Tens(k) => power_of_ten(k.into()),
+            Self::Twos(k) => 1_i64.checked_shl(k.into()).filter(|n| *n > 0),
+        }
+    }
+}
+
+impl Numbers {
+    /// What all of them are multiples of; `None` where that is not told by how they are written, or is very small.
+    pub(crate) fn unit(&self) -> Option<Unit> {
+        /// Past that, products of numbers are too long.
+        const MOST: u8 = 20;
+        match self {
+            Self::Decimals(_, powers) => powers.iter().max().map(|k| Unit::Tens(*k)),
+            Self::Doubles(values) => {
+                let is_multiple = |k: &u8| {
+                    let size = f64::from(1_u32 << k);
+                    values.iter().all(|x| (x * size).trunc() == x * size)
+                };
+                (0..=MOST).step_by(4).find(is_multiple).map(Unit::Twos)
+            }
+            Self::Any(_) => None,
+        }
+    }
+
+    /// How many units the number at `i` is.
+    #[inline]
+    pub(crate) fn whole_at(&self, i: usize, unit: Unit) -> Option<i64> {
+        match (self, unit) {
+            (Self::Decimals(numerators, powers), Unit::Tens(k)) => {
+                let (n, less) = (*numerators.get(i)?, k.checked_sub(*powers.get(i)?)?);
+                match less {
+                    0 => Some(n),
+                    less => n.checked_mul(power_of_ten(less.into())?),
+                }
+            }
+            (Self::Doubles(values), Unit::Twos(k)) => {
+                let x = values.get(i)? * f64::from(1_u32.checked_shl(k.into())?);
+                let is_whole = x.trunc() == x && x.abs() < (1_u64 << f64::MANTISSA_DIGITS) as f64;
+                is_whole.then_some(x as i64)
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Readings {
+    /// What a number is multiplied with; `None` where that has π in it.
+    pub(crate) fn factor(&self) -> Option<BigRational> {
+        match &self.scale {
+            Scale::One => Some(BigRational::one()),
+            Scale::Factor(factor) => Some(factor.to_rational()),
+            Scale::Irrational(_) => None,
+        }
+    }
+}

@@ -1,0 +1,369 @@
+//! Fractions over denominators of which the prime factors are known: brought to lowest terms without looking for a
+//! common divisor, as an audit may write millions of them.
+
+use num_bigint::BigInt;
+use num_traits::ToPrimitive as _;
+
+use super::Line;
+
+/// As many odd primes are kept.
+const MOST: usize = 16;
+
+/// An odd prime, with what tells its multiples: multiplying by the inverse divides these, and takes others past `most`.
+#[derive(Clone, Copy, Debug, Default)]
+struct Prime {
+    #[cfg(test)]
+    of: u64,
+    inverse: u128,
+    most: u128,
+}
+
+impl Prime {
+    fn new(of: u64) -> Self {
+        Self {
+            #[cfg(test)]
+            of,
+            inverse: inverse(of),
+            most: u128::MAX / u128::from(of),
+        }
+    }
+
+    /// n divided by the prime, where it is a multiple.
+    #[inline(always)]
+    const fn divided(&self, n: u128) -> Option<u128> {
+        let quotient = n.wrapping_mul(self.inverse);
+        if quotient <= self.most {
+            Some(quotient)
+        } else {
+            None
+        }
+    }
+
+    /// The same of a number of 64 bits.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation)] // The lower half of an inverse is the inverse of the lower half.
+    const fn divided_short(&self, n: u64) -> Option<u64> {
+        let quotient = n.wrapping_mul(self.inverse as u64);
+        if quotient <= (self.most >> u64::BITS) as u64 {
+            Some(quotient)
+        } else {
+            None
+        }
+    }
+}
+
+/// What an odd number is multiplied with to be one, in 128 bits: multiples of it are divided by it so.
+#[inline]
+fn inverse(of: u64) -> u128 {
+    let wide = u128::from(of);
+    // Each step doubles the bits that are right, of which the number itself has three.
+    let step = |x: u64| x.wrapping_mul(2_u64.wrapping_sub(of.wrapping_mul(x)));
+    let half = u128::from(step(step(step(step(step(of))))));
+    half.wrapping_mul(2_u128.wrapping_sub(wide.wrapping_mul(half)))
+}
+
+/// The odd primes that some denominators are made of.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Primes(Vec<Prime>);
+
+/// A number above zero that is made of known primes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Factored {
+    of: u128,
+    twos: u32,
+    powers: [u8; MOST],
+}
+
+/// A number above zero as one of known primes times the rest, which has none of them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Split {
+    known: Factored,
+    rest: u64,
+}
+
+/// A fraction in lowest terms.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Quotient {
+    pub(crate) is_negative: bool,
+    numerator: u128,
+    denominator: u128,
+}
+
+impl Primes {
+    /// The odd primes in some numbers above zero; `None` where these are too many, or too large to be found.
+    pub(crate) fn of(numbers: &[BigInt]) -> Option<Self> {
+        /// A number without divisors below is a prime where it is below the square of this.
+        const TRIED: u64 = 1 << 16;
+        let mut found: Vec<u64> = Vec::new();
+        for n in numbers {
+            let twos = n.trailing_zeros()?;
+            let mut rest = (n >> twos).to_u64()?;
+            for p in &found {
+                while rest % p == 0 {
+                    rest /= p;
+                }
+            }
+            for p in (3..TRIED).step_by(2) {
+                if p * p > rest {
+                    break;
+                }
+                if rest % p == 0 {
+                    found.push(p);
+                }
+                while rest % p == 0 {
+                    rest /= p;
+                }
+            }
+            if rest >= TRIED * TRIED {
+                return None;
+            }
+            if rest > 1 {
+                found.push(rest);
+            }
+        }
+        found.sort_unstable();
+        (found.len() <= MOST).then(|| Self(found.into_iter().map(Prime::new).collect()))
+    }
+
+    /// A number above zero by its primes; `None` where it has others, or more than 126 bits.
+    pub(crate) fn factored(&self, n: &BigInt) -> Option<Factored> {
+        let of = n.to_u128().filter(|n| (1..1 << 126).contains(n))?;
+        let twos = of.trailing_zeros();
+        let (mut rest, mut powers) = (of >> twos, [0; MOST]);
+        for (prime, power) in self.0.iter().zip(&mut powers) {
+            while let Some(quotient) = prime.divided(rest) {
+                (rest, *power) = (quotient, *power + 1);
+            }
+        }
+        (rest == 1).then_some(Factored { of, twos, powers })
+    }
+
+    /// A number above zero, split; zero as one.
+    #[inline]
+    pub(crate) fn split(&self, n: u64) -> Split {
+        let n = n.max(1);
+        let twos = n.trailing_zeros();
+        let (mut rest, mut powers) = (n >> twos, [0; MOST]);
+        for (prime, power) in self.0.iter().zip(&mut powers) {
+            while let Some(quotient) = prime.divided_short(rest) {
+                (rest, *power) = (quotient, *power + 1);
+            }
+        }
+        // What is left is above zero.
+        let of = n.checked_div(rest).unwrap_or(1).into();
+        Split {
+            known: Factored { of, twos, powers },
+            rest,
+        }
+    }
+
+    /// n over a number of known primes, and perhaps over one that has nothing in common with n.
+    #[inline]
+    pub(crate) fn quotient(&self, n: i128, over: &Factored, rest: u64) -> Option<Quotient> {
+        let (is_negative, n) = (n < 0, n.unsigned_abs());
+        if n == 0 {
+            return Some(Quotient {
+                is_negative,
+                numerator: 0,
+                denominator: 1,
+            });
+        }
+        let denominator = match rest {
+            1 => over.of,
+            rest => over.of.checked_mul(rest.into())?,
+        };
+        let twos = n.trailing_zeros().min(over.twos);
+        let (mut n, mut d) = (n >> twos, denominator >> twos);
+        for (prime, power) in self.0.iter().zip(over.powers) {
+            for _ in 0..power {
+                let quotient = match u64::try_from(n) {
+                    Ok(n) => prime.divided_short(n).map(u128::from),
+                    Err(_) => prime.divided(n),
+                };
+                let Some(quotient) = quotient else { break };
+                (n, d) = (quotient, d.wrapping_mul(prime.inverse));
+            }
+        }
+        Some(Quotient {
+            is_negative,
+            numerator: n,
+            denominator: d,
+        })
+    }
+}
+
+impl Factored {
+    pub(crate) const ONE: Self = Self {
+        of: 1,
+        twos: 0,
+        powers: [0; MOST],
+    };
+
+    /// The product; `None` past 128 bits.
+    #[inline]
+    pub(crate) fn times(&self, other: &Self) -> Option<Self> {
+        let mut powers = self.powers;
+        for (power, more) in powers.iter_mut().zip(other.powers) {
+            *power = power.wrapping_add(more);
+        }
+        Some(Self {
+            of: self.of.checked_mul(other.of)?,
+            twos: self.twos + other.twos,
+            powers,
+        })
+    }
+}
+
+/// What is left of a denominator beside what it has in common with the numerator.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Beside {
+    /// What is made of known primes, and the rest.
+    pub(crate) known: Factored,
+    pub(crate) rest: u64,
+    /// What was in common, and what its multiples are divided by it with.
+    common: u64,
+    inverse: u128,
+}
+
+impl Beside {
+    pub(crate) const ONE: Self = Self {
+        known: Factored::ONE,
+        rest: 1,
+        common: 1,
+        inverse: 1,
+    };
+
+    /// A multiple of what was in common over that.
+    #[inline(always)]
+    pub(crate) const fn divided(&self, n: i128) -> i128 {
+        match self.common {
+            1 => n,
+            _ => n.wrapping_mul(self.inverse.cast_signed()),
+        }
+    }
+}
+
+impl Split {
+    /// What is left where the rest and the numerator have as much in common as the rest has with a product.
+    #[inline]
+    pub(crate) fn beside(&self, product: [u128; 3]) -> Beside {
+        if self.rest == 1 {
+            return Beside {
+                known: self.known,
+                ..Beside::ONE
+            };
+        }
+        let remainder = |n: u128| match u64::try_from(n) {
+            Ok(n) => n % self.rest,
+            // It is below the rest.
+            Err(_) => (n % u128::from(self.rest)) as u64,
+        };
+        let product = product.into_iter().fold(1_u64, |all, n| {
+            remainder(u128::from(all) * u128::from(remainder(n)))
+        });
+        let common = num_integer::gcd(product, self.rest);
+        match common {
+            1 => Beside {
+                known: self.known,
+                rest: self.rest,
+                ..Beside::ONE
+            },
+            common => Beside {
+                known: self.known,
+                rest: self.rest / common,
+                common,
+                inverse: inverse(common),
+            },
+        }
+    }
+}
+
+impl Quotient {
+    /// Appends it after a comma; `None` where there is no room.
+    #[inline]
+    pub(crate) fn write(&self, line: &mut Line<'_>) -> Option<()> {
+        line.append_some(*b",-", 1 + u32::from(self.is_negative))?;
+        line.append_wide(self.numerator)?;
+        if self.denominator == 1 {
+            return Some(());
+        }
+        line.append_some(*b"/", 1)?;
+        line.append_wide(self.denominator)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use passivity_core::BigRational;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn text(quotient: Quotient) -> String {
+        let mut room = [0; Line::ROOM];
+        let mut line = Line::new(&mut room, 0);
+        quotient.write(&mut line).unwrap();
+        str::from_utf8(line.text()).unwrap()[1..].to_owned()
+    }
+
+    fn made_of(primes: &[u64], powers: &[u32]) -> BigInt {
+        let factors = primes.iter().zip(powers);
+        factors.fold(BigInt::from(1), |n, (p, k)| n * BigInt::from(*p).pow(*k))
+    }
+
+    const PRIMES: [u64; 6] = [2, 3, 5, 823, 379_721, 4_294_967_291];
+
+    proptest! {
+        #[test]
+        fn fractions_are_written_as_big_numbers_are(
+            n in any::<i128>(), shift in 0..128_u32,
+            common in prop::array::uniform6(0..3_u32), powers in prop::array::uniform6(0..3_u32),
+            (x, product) in (1..u64::MAX, prop::array::uniform3(any::<u64>())), bits in 0..64_u32,
+        ) {
+            let primes = Primes::of(&PRIMES.map(BigInt::from)).unwrap();
+            let over = made_of(&PRIMES, &powers);
+            let Some(factored) = primes.factored(&over) else {
+                return Ok(());
+            };
+            let n = n >> shift;
+            let factor = made_of(&PRIMES[..4], &common[..4]).to_i128().unwrap();
+            for n in [n, (n >> 64).wrapping_mul(factor), factor, -1, 0] {
+                let found = text(primes.quotient(n, &factored, 1).unwrap());
+                prop_assert_eq!(found, BigRational::new(n.into(), over.clone()).to_string());
+            }
+            // Of n·x + product, all that it can have in common with the rest of x is what the product has.
+            let x = (x >> bits).max(1);
+            let product = product.map(|n| n >> bits.max(24) >> 20);
+            let beside = primes.split(x).beside(product.map(u128::from));
+            let whole: i128 = product.iter().map(|n| i128::from(*n)).product();
+            let n = (n >> 70) * i128::from(x) + whole;
+            prop_assert_eq!(n % i128::from(beside.common), 0);
+            prop_assert_eq!(n / i128::from(beside.common), beside.divided(n));
+            if let Some(all) = beside.known.times(&factored)
+                && let Some(found) = primes.quotient(beside.divided(n), &all, beside.rest)
+            {
+                let expected = BigRational::new(n.into(), over * x).to_string();
+                prop_assert_eq!(text(found), expected);
+            }
+        }
+    }
+
+    #[test]
+    fn primes_are_found_or_given_up() {
+        let found = |n: &[u64]| {
+            let numbers: Vec<_> = n.iter().map(|n| BigInt::from(*n)).collect();
+            let primes = Primes::of(&numbers)?;
+            Some(primes.0.iter().map(|prime| prime.of).collect::<Vec<_>>())
+        };
+        assert_eq!(found(&[12_345, 1_000]), Some(vec![3, 5, 823]));
+        assert_eq!(found(&[4_294_967_291]), Some(vec![4_294_967_291]));
+        assert_eq!(found(&[4_294_967_291 * 3]), Some(vec![3, 4_294_967_291]));
+        assert_eq!(found(&[65_537 * 65_537]), None);
+        let many = [
+            3 * 5 * 7 * 11 * 13 * 17 * 19 * 23,
+            29 * 31 * 37 * 41 * 43 * 47 * 53,
+        ];
+        assert!(found(&many).is_some());
+        assert_eq!(found(&[many[0], many[1], 59 * 61]), None);
+    }
+}

@@ -1,0 +1,182 @@
+//! Decimal digits of whole numbers, eight or sixteen at a time, and the line that they are written to.
+
+use super::digits::in_eights;
+
+/// The lower half of 64 bits.
+pub(super) const HALF: u64 = (1 << 32) - 1;
+
+/// Sixteen times the character of zero.
+const ZEROS: u128 = u128::from_ne_bytes([b'0'; 16]);
+
+/// Eight times the same.
+pub(super) const EIGHT_ZEROS: u64 = u64::from_ne_bytes([b'0'; 8]);
+
+pub(super) const EIGHT: u64 = 10_u64.pow(8);
+
+pub(super) const SIXTEEN: u64 = 10_u64.pow(16);
+
+/// Room for what is written of a row, and where it ends.
+#[derive(Debug)]
+pub(crate) struct Line<'a> {
+    pub(super) text: &'a mut [u8; Line::ROOM],
+    pub(super) length: usize,
+}
+
+impl<'a> Line<'a> {
+    /// No row is as long.
+    pub(crate) const ROOM: usize = 2048;
+
+    /// A line that has so many characters already.
+    #[inline(always)]
+    pub(crate) const fn new(text: &'a mut [u8; Line::ROOM], length: usize) -> Self {
+        Self { text, length }
+    }
+
+    /// How long it is.
+    #[inline(always)]
+    pub(crate) const fn len(&self) -> usize {
+        self.length
+    }
+
+    /// What is written.
+    #[inline(always)]
+    pub(crate) fn text(&self) -> &[u8] {
+        self.text.get(..self.length).unwrap_or_default()
+    }
+
+    /// Appends some characters; `None`, and nothing, where there is no room.
+    #[inline(always)]
+    pub(crate) fn append(&mut self, text: &[u8]) -> Option<()> {
+        let end = self.length.wrapping_add(text.len());
+        self.text.get_mut(self.length..end)?.copy_from_slice(text);
+        self.length = end;
+        Some(())
+    }
+
+    /// Appends a whole number.
+    #[inline]
+    pub(crate) fn append_whole(&mut self, n: u64) -> Option<()> {
+        if n < EIGHT {
+            let digits = eight(n);
+            // Zeros on the left are shifted out, but for the last one of zero.
+            let zeros = ((digits ^ EIGHT_ZEROS).trailing_zeros() / 8).min(7);
+            return self.append_some((digits >> (8 * zeros)).to_le_bytes(), 8 - zeros);
+        }
+        if n >= SIXTEEN {
+            return self.append(itoa::Buffer::new().format(n).as_bytes());
+        }
+        let digits = sixteen(n);
+        let zeros = (digits ^ ZEROS).trailing_zeros() / 8;
+        self.append_some((digits >> (8 * zeros)).to_le_bytes(), 16 - zeros)
+    }
+
+    /// Appends the first of some characters, of which there is room for all.
+    #[inline(always)]
+    pub(crate) fn append_some<const N: usize>(&mut self, text: [u8; N], first: u32) -> Option<()> {
+        *self.text.get_mut(self.length..)?.first_chunk_mut()? = text;
+        self.length = self.length.wrapping_add(first as usize);
+        Some(())
+    }
+
+    /// Appends a whole number that may be longer than the machine's word.
+    #[inline]
+    pub(crate) fn append_wide(&mut self, n: u128) -> Option<()> {
+        let [low, high] = [n, n >> u64::BITS].map(|half| half as u64);
+        if high == 0 && low < SIXTEEN {
+            return self.append_whole(low);
+        }
+        if high >= 1 << 37 {
+            let upper = n / u128::from(SIXTEEN);
+            let lower = n.wrapping_sub(upper.wrapping_mul(SIXTEEN.into()));
+            self.append_wide(upper)?;
+            return self.append_some(sixteen(lower as u64).to_le_bytes(), 16);
+        }
+        let [a, b, lower @ ..] = in_eights([low, high]);
+        self.append_whole(a.wrapping_mul(EIGHT).wrapping_add(b))?;
+        let [c, d] = lower.map(|n| u128::from(eight(n)));
+        self.append_some((c | d << u64::BITS).to_le_bytes(), 16)
+    }
+}
+
+/// The characters of a number below 10¹⁶, with zeros before it.
+#[inline(always)]
+fn sixteen(n: u64) -> u128 {
+    u128::from(eight(n / EIGHT)) | u128::from(eight(n % EIGHT)) << u64::BITS
+}
+
+/// The characters of a number below 10⁸, with zeros before it.
+#[inline(always)]
+fn eight(n: u64) -> u64 {
+    // As in `four`, of both at once.
+    let fours = fours(n);
+    let hundreds = (fours.wrapping_mul(5243) >> 19) & 0x0000_007f_0000_007f;
+    let pairs = (fours << 16).wrapping_sub(hundreds.wrapping_mul((100 << 16) - 1));
+    let tens = (pairs.wrapping_mul(103) >> 10) & 0x000f_000f_000f_000f;
+    (pairs << 8).wrapping_sub(tens.wrapping_mul((10 << 8) - 1)) | EIGHT_ZEROS
+}
+
+/// A number below 10⁸ as two of four digits, each in half of the bits.
+#[inline(always)]
+pub(super) const fn fours(n: u64) -> u64 {
+    // 109951163/2⁴⁰ is above 10⁻⁴ by less than 10⁻¹²: the quotients of such numbers are these.
+    let upper = (n & HALF).wrapping_mul(109_951_163) >> 40;
+    let lower = n.wrapping_sub(upper.wrapping_mul(10_000));
+    upper | (lower << 32)
+}
+
+/// The characters of a number below 10⁴: pairs of digits, then digits.
+#[inline(always)]
+pub(super) const fn four(n: u32) -> u32 {
+    // 5243/2¹⁹ is so little above 1/100, and 103/2¹⁰ above 1/10, that the quotients of such numbers are these.
+    let hundreds = n.wrapping_mul(5243) >> 19;
+    // What is left of n goes 16 bits further up, and of each pair 8.
+    let pairs = (n << 16).wrapping_sub(hundreds.wrapping_mul((100 << 16) - 1));
+    let tens = (pairs.wrapping_mul(103) >> 10) & 0x000f_000f;
+    (pairs << 8).wrapping_sub(tens.wrapping_mul((10 << 8) - 1)) | 0x3030_3030
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_groups_of_four_digits_are_written_before_and_behind_others() {
+        for n in 0..10_000 {
+            for n in [n * 10_000, n * 10_000 + 9_999, n, 99_990_000 + n] {
+                let fours = fours(n).to_le_bytes();
+                let digits = fours
+                    .as_chunks()
+                    .0
+                    .iter()
+                    .flat_map(|digits| four(u32::from_le_bytes(*digits)).to_le_bytes());
+                assert_eq!(digits.collect::<Vec<_>>(), format!("{n:08}").as_bytes());
+                assert_eq!(eight(n).to_le_bytes(), format!("{n:08}").as_bytes());
+            }
+        }
+    }
+
+    #[test]
+    fn whole_numbers_are_written_as_they_are() {
+        let tens = (0..20).map(|k| 10_u64.pow(k));
+        let twos = (0..64).map(|k| 1 << k);
+        for n in tens
+            .chain(twos)
+            .flat_map(|n: u64| [n - 1, n, n.saturating_mul(7)])
+        {
+            let mut room = [0; Line::ROOM];
+            let mut line = Line::new(&mut room, 0);
+            line.append_whole(n).unwrap();
+            line.append(b",").unwrap();
+            assert_eq!(line.text(), format!("{n},").as_bytes());
+            for n in [
+                u128::from(n) << 64,
+                u128::MAX - u128::from(n),
+                u128::from(n) * 10_u128.pow(19),
+            ] {
+                let mut line = Line::new(&mut room, 0);
+                line.append_wide(n).unwrap();
+                assert_eq!(line.text(), n.to_string().as_bytes());
+            }
+        }
+    }
+}
