@@ -26,9 +26,9 @@ struct Friction {
     viscous: u128,
     /// Of d² and of |d| times the length.
     taken: Sum<2>,
-    /// Of these and of what is generated over 2P, over 8P² and over the denominators where the force of the wall is the
-    /// least and the largest.
-    net: [Sum<3>; 4],
+    /// Of these and of what is generated over 2P, and over the denominators where the force of the wall is the least and the
+    /// largest.
+    net: [Sum<3>; 3],
     /// Of |d| and the length, over |d|; and the numerator of the second, whose sign says where the margin is least.
     margin: (Sum<2>, i128),
     near: OfLoop<Ball>,
@@ -43,7 +43,6 @@ pub(in super::super) struct Counts {
     force: (i64, i64, Factored),
     over: [Factored; 2],
     lasts: Factored,
-    is_linear: bool,
     parts: [Option<Part>; 3],
     /// Where the force of the wall is the least and the largest: what a force in the log and one are times the denominator.
     flat: [(i64, i64, Factored); 2],
@@ -103,7 +102,7 @@ impl Counts {
             Some(Friction {
                 viscous: beta.numer().to_u128()?,
                 taken: Sum::of(&primes, [&beta, sigma])?,
-                net: [net(&twice)?, net(&eightfold)?, net(&below)?, net(&above)?],
+                net: [net(&twice)?, net(&below)?, net(&above)?],
                 margin: (
                     Sum::of(&primes, [viscous, &over_distance])?,
                     over_distance.numer().to_i128()?,
@@ -117,7 +116,6 @@ impl Counts {
             force: (force.numer().to_i64()?, p.to_i64()?, primes.factored(p)?),
             over: [primes.factored(&twice)?, primes.factored(&eightfold)?],
             lasts: primes.factored(given.lasts.numer())?,
-            is_linear: given.limits.iter().all(Option::is_none),
             parts: parts(&given.limits, &BigInt::from(1)),
             flat: [lower, upper],
             frictions: (

@@ -77,8 +77,8 @@ impl Counts {
         );
         let frictions = [least, most];
         let ([generated, quantized], [net, net_quantized]) = match part {
-            0 => self.linear(row, k, frictions, [near, far])?,
-            flat => self.flat(row, k, flat, frictions, [near, far])?,
+            0 => self.linear(row, k, frictions)?,
+            flat => self.flat(row, k, flat, frictions)?,
         };
         let bounds = [near, far].map(|d| {
             let twice = times(d.into(), d)?.checked_add(d.into())?;
@@ -142,13 +142,7 @@ impl Counts {
 
     /// What is generated, and net energy, where the wall is linear.
     #[inline(always)]
-    fn linear(
-        &self,
-        row: &Interval,
-        k: i64,
-        frictions: [&Friction; 2],
-        [near, far]: [i64; 2],
-    ) -> Option<Energies> {
+    fn linear(&self, row: &Interval, k: i64, frictions: [&Friction; 2]) -> Option<Energies> {
         let [from, _] = row.counts;
         let (unit, p, _) = self.force;
         let beyond = match row.force {
@@ -197,18 +191,13 @@ impl Counts {
             (behind.checked_abs()?, corner(behind)?),
         ];
         let net = self.extremes(frictions, 0, &corners, row.lasts)?;
-        let linear = match self.is_linear {
-            true => net,
-            // Where the wall ends somewhere, that is what is known of one less what is known of the other.
-            false => self.apart(frictions, 1, generated, [near, far], row.lasts)?,
-        };
         let [twice, eightfold] = &self.over;
         Some((
             [
                 self.both(generated, eightfold)?,
                 self.both(quantized.map(i128::from), twice)?,
             ],
-            [linear, net],
+            [net; 2],
         ))
     }
 
@@ -219,7 +208,6 @@ impl Counts {
         k: i64,
         part: usize,
         frictions: [&Friction; 2],
-        [near, far]: [i64; 2],
     ) -> Option<Energies> {
         let (unit, limit, over) = self.flat.get(part.checked_sub(1)?)?;
         let force = match row.force {
@@ -237,10 +225,9 @@ impl Counts {
         ];
         let [(_, first), _, (_, last)] = corners;
         let generated = [first.min(last), first.max(last)].map(i128::from);
-        let net = self.extremes(frictions, part + 1, &corners, row.lasts)?;
-        let linear = self.apart(frictions, part + 1, generated, [near, far], row.lasts)?;
+        let net = self.extremes(frictions, part, &corners, row.lasts)?;
         let generated = self.both(generated, over)?;
-        Some(([generated; 2], [linear, net]))
+        Some(([generated; 2], [net; 2]))
     }
 
     fn both(&self, [lo, hi]: Pair, over: &Factored) -> Option<[Quotient; 2]> {
@@ -283,23 +270,6 @@ impl Counts {
         ])
     }
 
-    /// What friction takes over the shortest and the longest distance less what is generated at the most and at the least.
-    fn apart(
-        &self,
-        [least, most]: [&Friction; 2],
-        over: usize,
-        [lo, hi]: Pair,
-        [near, far]: [i64; 2],
-        n: i64,
-    ) -> Option<[Quotient; 2]> {
-        let at = |friction: &Friction, d: i64, generated: i128| {
-            let net = friction.net.get(over)?;
-            let numerator = friction.numerator(net, d, generated, n)?;
-            friction.quotient(&self.primes, numerator, &net.over, d, n)
-        };
-        Some([at(least, near, hi)?, at(most, far, lo)?])
-    }
-
     /// Nothing where net energy may be extreme between the corners.
     fn turns_nowhere(
         &self,
@@ -326,9 +296,6 @@ impl Counts {
             |arcs: &[Arc<Ball>; 2]| arcs.iter().all(|arc| is_at_an_end(arc, is_not_above));
         if least.viscous != 0 && !at_least(&crossing.least_quantized(&resistance)) {
             return None;
-        }
-        if !self.is_linear {
-            return Some(());
         }
         let resistance_at_most = Resistance::new(&most.near, &lasts);
         let at_most = crossing.most_linear(&resistance_at_most);
