@@ -75,23 +75,18 @@ impl<W: Width> Account<W> {
     /// Goes on to the next sample: this force was held, and the count changed by `ticks`; `None` when
     /// a sum does not fit, and the account is lost.
     ///
-    /// Force and ticks are within the limits of the width, and the account came from
-    /// [`start`](Self::start).
+    /// Force and ticks are within [`FORCE_MAX`](Width::FORCE_MAX) and [`STEP_MAX`](Width::STEP_MAX), and
+    /// the slope is one that [`start`](Self::start) or a step leads to.
     #[inline]
     pub fn advance(&mut self, config: &Config, force: W, ticks: i64) -> Option<()> {
-        let twice = force.plus(force);
-        let mask = ticks.sign_mask();
+        let (twice, slope) = under(config, force);
+        self.advance_least(config, twice, ticks)?;
+        self.advance_most(config, slope, ticks)
+    }
 
-        // Products of ticks and parameters fit in 64 bits for either width.
-        let ahead: W = net(config, ticks.signed_by(mask));
-        let turned = W::from_i64(config.stiffness.times(ticks));
-        let slope = twice.plus(W::of_size(config.stiffness));
-        let held = self.slope.max(slope).minus(slope);
-        let slanted = slope.minus(turned);
-        let moved = slanted.times(W::from_i64(ticks));
-        self.most = self.most.checked_plus(held.minus(ahead).plus(moved))?;
-        self.slope = slanted.minus(turned);
-
+    /// The same of the least alone, of twice the force; `None` when a sum does not fit, and nothing has changed.
+    #[inline]
+    pub(crate) fn advance_least(&mut self, config: &Config, twice: W, ticks: i64) -> Option<()> {
         // `given` of the same distance, and what one tick more and one less add to it: the force gives
         // 2F more and less, and friction takes 2V(2d + 1) and 2V(1 − 2d) more, and 2C more and less
         // where d is not zero.
@@ -100,7 +95,12 @@ impl<W: Width> Account<W> {
             (W::ZERO, twice, viscous.plus(coulomb))
         } else {
             let dragged = viscous.times(ticks);
-            let pull = twice.minus(W::from_i64(dragged.plus(coulomb.signed_by(mask))));
+            let rubbed = if ticks < 0 {
+                config.minus_coulomb
+            } else {
+                coulomb
+            };
+            let pull = twice.minus(W::from_i64(dragged.plus(rubbed)));
             let stays = pull.times(W::from_i64(ticks));
             (stays, pull.minus(W::from_i64(dragged)), viscous)
         };
@@ -113,6 +113,20 @@ impl<W: Width> Account<W> {
             lower.min(upper.checked_plus(fell)?),
             upper.min(lower.checked_plus(rose)?),
         ];
+        Some(())
+    }
+
+    /// The same of the most and its slope alone, of s′; `None` when the most does not fit, and nothing has changed.
+    #[inline]
+    pub(crate) fn advance_most(&mut self, config: &Config, slope: W, ticks: i64) -> Option<()> {
+        // Products of ticks and parameters fit in 64 bits for either width.
+        let ahead: W = net(config, ticks.signed_by(ticks.sign_mask()));
+        let turned = W::from_i64(config.stiffness.times(ticks));
+        let held = self.slope.max(slope).minus(slope);
+        let slanted = slope.minus(turned);
+        let moved = slanted.times(W::from_i64(ticks));
+        self.most = self.most.checked_plus(held.minus(ahead).plus(moved))?;
+        self.slope = slanted.minus(turned);
         Some(())
     }
 
@@ -143,18 +157,16 @@ impl<W: Width> Account<W> {
     #[inline]
     #[must_use]
     pub fn may_be_positive(&self, config: &Config) -> bool {
-        if self.most > W::ZERO {
-            return true;
-        }
         let stiffness = W::of_size(config.stiffness);
-        if !self.slope.is_below(stiffness.plus(stiffness)) {
+        let twice = stiffness.plus(stiffness);
+        if !self.slope.is_below(twice) {
             // From 2K on the rise is s − K. Of a slope below zero there is none, and `most` is not above −s either.
-            return self.most > stiffness.minus(self.slope);
+            return self.most > W::ZERO || self.most > stiffness.minus(self.slope);
         }
-        if self.most.plus(stiffness) <= W::ZERO {
-            return false;
+        if !self.most.is_within(stiffness, twice) {
+            return self.most > W::ZERO;
         }
-        // K and what is within it of zero: s² + 4K·most fits in 64 bits for either width.
+        // From −K to K: s² + 4K·most fits in 64 bits for either width.
         let (most, slope) = (self.most.low(), self.slope.low());
         let four = config.stiffness.times(4);
         four.times(most).plus(slope.times(slope)) > 0
@@ -167,6 +179,21 @@ impl<W: Width> Account<W> {
         let [lower, upper] = self.least;
         lower.min(upper)
     }
+
+    /// Whether [`at_least`](Self::at_least) is above zero.
+    #[inline]
+    pub(crate) fn is_positive(&self) -> bool {
+        let [lower, upper] = self.least;
+        lower > W::ZERO && upper > W::ZERO
+    }
+}
+
+/// 2F, and s′ under this force.
+#[inline]
+pub(crate) fn under<W: Width>(config: &Config, force: W) -> (W, W) {
+    let twice = force.plus(force);
+    let slope = twice.plus(W::of_size(config.stiffness));
+    (twice, slope)
 }
 
 /// What a force gives over a move of `distance` ticks from sample to sample, less what friction

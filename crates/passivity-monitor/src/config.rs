@@ -29,6 +29,8 @@ pub struct Config {
     /// 2V and 2C at the most.
     pub(crate) twice_viscous: i64,
     pub(crate) twice_coulomb: i64,
+    /// −2C at the most.
+    pub(crate) minus_coulomb: i64,
     /// The energy allowed for at the start, where it is not that of the spring.
     pub(crate) stored: Option<i64>,
     /// Net energy at the least; see [`net`](crate::account::net).
@@ -237,6 +239,7 @@ impl Config {
             coulomb,
             twice_viscous: times(2, viscous),
             twice_coulomb: times(2, coulomb),
+            minus_coulomb: times(-2, coulomb),
             stored: None,
             net: Net::of(stiffness, viscous, coulomb),
         })
@@ -271,6 +274,7 @@ impl Config {
         Ok(Self {
             twice_viscous: times(2, viscous),
             twice_coulomb: times(2, coulomb),
+            minus_coulomb: times(-2, coulomb),
             ..self
         })
     }

@@ -1,7 +1,8 @@
 //! The monitor: one call a sample.
 
-use crate::account::Account;
+use crate::account::{Account, under};
 use crate::config::Config;
+use crate::kept::Kept;
 use crate::width::Width;
 
 /// What a monitor says of the motion so far.
@@ -80,17 +81,16 @@ pub struct Saturation {
 #[derive(Clone, Copy, Debug)]
 pub struct Monitor<W: Width> {
     config: Config,
-    account: Account<W>,
+    kept: Kept<W>,
     /// The count and the force of the last sample.
     count: W::Input,
     force: W::Input,
     /// How many samples were taken after the first.
     samples: u64,
+    /// Whether the wall was surely passive so far; if not, the answer is the next.
+    is_passive: bool,
     answer: Answer,
-    /// How many different steps the next count may be away: those up to [`Width::STEP_MAX`] either way; none, so
-    /// that no sample is looked at, once a number did not fit.
-    steps: i64,
-    /// Which number that was.
+    /// Which number did not fit. No sample is looked at then.
     saturated: Option<Quantity>,
 }
 
@@ -107,12 +107,12 @@ impl<W: Width> Monitor<W> {
         };
         let mut monitor = Self {
             config,
-            account: account.unwrap_or(nothing),
+            kept: W::kept(account.unwrap_or(nothing)),
             count,
             force,
             samples: 0,
-            answer: Answer::SurelyPassive,
-            steps: 2 * W::STEP_MAX + 1,
+            is_passive: true,
+            answer: Answer::Open,
             saturated: None,
         };
         if account.is_none() {
@@ -128,36 +128,129 @@ impl<W: Width> Monitor<W> {
     /// are no longer looked at.
     #[inline]
     pub fn sample(&mut self, count: W::Input, force: W::Input) -> Answer {
-        // Whether a step is neither too long up nor too long down is one comparison.
         let ticks = match W::ticks(self.count, count) {
-            Some(ticks) if ticks.wrapping_add(W::STEP_MAX).is_below(self.steps) => ticks,
-            _ => return self.saturate(Quantity::Step),
+            Some(ticks) if ticks.is_within(i64::STEP_MAX, self.kept.steps) => ticks,
+            _ => return self.step_far(count, force),
         };
-        let held = core::mem::replace(&mut self.force, force);
+        let held = self.take(count, force);
+        let small: i64 = held.into();
+        if !small.is_within(i64::FORCE_MAX, 2 * i64::FORCE_MAX) {
+            return self.far(|monitor| monitor.advance_far(held, ticks));
+        }
+        let account = &mut self.kept.account;
+        let (twice, slope) = under(&self.config, small);
+        if account.advance_least(&self.config, twice, ticks).is_none() {
+            return self.far(|monitor| monitor.advance_far(held, ticks));
+        }
+        if account.advance_most(&self.config, slope, ticks).is_none() {
+            return self.far(|monitor| monitor.advance_most_far(slope, ticks));
+        }
+        if !self.is_passive {
+            return self.look();
+        }
+        if !self.kept.account.may_be_positive(&self.config) {
+            return Answer::SurelyPassive;
+        }
+        self.turn()
+    }
+
+    /// Notes a sample, and gives the force that was held until it.
+    #[inline]
+    fn take(&mut self, count: W::Input, force: W::Input) -> W::Input {
         self.count = count;
         self.samples = self.samples.wrapping_add(1);
-        let advanced = self.account.advance(&self.config, held.into(), ticks);
-        if advanced.is_none() {
-            return self.saturate(Quantity::Energy);
+        core::mem::replace(&mut self.force, force)
+    }
+
+    /// The answer where an account of 64 bits does not go on: a wider one may.
+    #[inline]
+    fn far(&mut self, goes_on: impl FnOnce(&mut Self) -> Answer) -> Answer {
+        match W::IS_WIDE {
+            true => goes_on(self),
+            false => self.saturate(Quantity::Energy),
         }
-        self.answer = match self.answer {
-            Answer::SurelyPassive if !self.account.may_be_positive(&self.config) => {
-                return Answer::SurelyPassive;
-            }
-            Answer::SurelyPassive | Answer::Open => match self.account.at_least() > W::ZERO {
-                true => Answer::SurelyActive,
-                false => Answer::Open,
-            },
-            settled => return settled,
-        };
+    }
+
+    // What follows is not in line: what it needs of the account is not kept in registers for it.
+
+    /// The answer where the wall was not surely passive before.
+    #[inline(never)]
+    fn look(&mut self) -> Answer {
+        if self.answer == Answer::Open && self.kept.account.is_positive() {
+            return self.turn();
+        }
         self.answer
+    }
+
+    /// The answer where the account of 64 bits says that it is another one now.
+    ///
+    /// What is beside the account is not above zero as long as the answer can change. So the account of 64 bits may
+    /// say so early, but not late.
+    #[inline(never)]
+    fn turn(&mut self) -> Answer {
+        if W::IS_WIDE && self.kept.is_parted {
+            return self.settle(W::whole(&self.kept));
+        }
+        self.is_passive = false;
+        if self.kept.account.is_positive() {
+            self.answer = Answer::SurelyActive;
+        }
+        self.answer
+    }
+
+    /// Takes a sample whose step is too long for the account of 64 bits, or for any.
+    #[cold]
+    #[inline(never)]
+    fn step_far(&mut self, count: W::Input, force: W::Input) -> Answer {
+        match W::ticks(self.count, count) {
+            _ if self.saturated.is_some() => self.answer,
+            Some(ticks) if ticks.is_within(W::STEP_MAX, 2 * W::STEP_MAX + 1) => {
+                let held = self.take(count, force);
+                self.far(|monitor| monitor.advance_far(held, ticks))
+            }
+            _ => self.saturate(Quantity::Step),
+        }
+    }
+
+    /// Goes on by the whole account, as the one of 64 bits has not.
+    #[cold]
+    #[inline(never)]
+    fn advance_far(&mut self, held: W::Input, ticks: i64) -> Answer {
+        let mut whole = W::whole(&self.kept);
+        match whole.advance(&self.config, held.into(), ticks) {
+            Some(()) => self.settle(whole),
+            None => self.saturate(Quantity::Energy),
+        }
+    }
+
+    /// The same where the least of it has, but the most has not.
+    #[cold]
+    #[inline(never)]
+    fn advance_most_far(&mut self, slope: i64, ticks: i64) -> Answer {
+        let mut whole = W::whole(&self.kept);
+        match whole.advance_most(&self.config, W::from_i64(slope), ticks) {
+            Some(()) => self.settle(whole),
+            None => self.saturate(Quantity::Energy),
+        }
+    }
+
+    /// Answers by the whole account, and parts it anew.
+    #[inline]
+    fn settle(&mut self, whole: Account<W>) -> Answer {
+        self.is_passive = self.is_passive && !whole.may_be_positive(&self.config);
+        if !self.is_passive && self.answer == Answer::Open && whole.is_positive() {
+            self.answer = Answer::SurelyActive;
+        }
+        self.kept = W::kept(whole);
+        self.answer()
     }
 
     #[cold]
     fn saturate(&mut self, quantity: Quantity) -> Answer {
         if self.saturated.is_none() {
             self.saturated = Some(quantity);
-            self.steps = 0;
+            self.kept.steps = 0;
+            self.is_passive = false;
             if self.answer != Answer::SurelyActive {
                 self.answer = Answer::Unknown;
             }
@@ -168,7 +261,10 @@ impl<W: Width> Monitor<W> {
     /// The answer about the motion so far.
     #[must_use]
     pub const fn answer(&self) -> Answer {
-        self.answer
+        match self.is_passive {
+            true => Answer::SurelyPassive,
+            false => self.answer,
+        }
     }
 
     /// What has been given up to the last sample; `None` after a number that did not fit.
@@ -177,9 +273,10 @@ impl<W: Width> Monitor<W> {
         if self.saturated.is_some() {
             return None;
         }
+        let account = W::whole(&self.kept);
         Some(Given {
-            least: self.account.at_least(),
-            most: self.account.at_most(&self.config)?,
+            least: account.at_least(),
+            most: account.at_most(&self.config)?,
         })
     }
 

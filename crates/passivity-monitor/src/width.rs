@@ -1,10 +1,6 @@
 //! The integers that energies are summed in.
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for i64 {}
-    impl Sealed for i128 {}
-}
+use crate::kept::Keep;
 
 /// The largest parameter of a [`Config`](crate::Config), for either width: 2³⁰.
 pub const PARAMETER_MAX: i64 = 1 << 30;
@@ -12,15 +8,18 @@ pub const PARAMETER_MAX: i64 = 1 << 30;
 /// An integer that a [`Monitor`](crate::Monitor) sums energies in: `i64` or `i128`.
 ///
 /// Its inputs are such that what one sample adds never overflows; the sums over many are checked.
-pub trait Width: Copy + Ord + core::fmt::Debug + sealed::Sealed {
+pub trait Width: Copy + Ord + core::fmt::Debug + Keep {
     /// Counts and forces: `i32` for sums of 64 bits, `i64` for sums of 128.
-    type Input: Copy + Ord + core::fmt::Debug + Into<Self>;
+    type Input: Copy + Ord + core::fmt::Debug + Into<Self> + Into<i64>;
     /// Zero.
     const ZERO: Self;
     /// No count, and no force.
     const NO_INPUT: Self::Input;
     /// The most ticks that the count may change by from one sample to the next.
     const STEP_MAX: i64;
+    /// The largest force, in magnitude, that an [`Account`](crate::account::Account) goes on by. With 64 bits that is
+    /// more than an input can be: those of 128-bit sums go on in 64 bits too, where they are small.
+    const FORCE_MAX: Self;
 
     /// The same number.
     #[must_use]
@@ -66,6 +65,11 @@ pub trait Width: Copy + Ord + core::fmt::Debug + sealed::Sealed {
     #[must_use]
     fn is_below(self, other: Self) -> bool;
 
+    /// Whether the number is at least −`least`, and below `numbers` − `least`: by one comparison. Neither is below
+    /// zero.
+    #[must_use]
+    fn is_within(self, least: Self, numbers: Self) -> bool;
+
     /// How far apart two counts are, in ticks; `None` of more than 64 bits, which is past any step.
     #[must_use]
     fn ticks(from: Self::Input, to: Self::Input) -> Option<i64>;
@@ -84,12 +88,13 @@ pub trait Width: Copy + Ord + core::fmt::Debug + sealed::Sealed {
 }
 
 macro_rules! width {
-    ($int:ty, $unsigned:ty, $input:ty, $step:expr) => {
+    ($int:ty, $unsigned:ty, $input:ty, $step:expr, $force:expr) => {
         impl Width for $int {
             type Input = $input;
             const ZERO: Self = 0;
             const NO_INPUT: $input = 0;
             const STEP_MAX: i64 = $step;
+            const FORCE_MAX: Self = $force;
 
             #[inline]
             fn from_i64(n: i64) -> Self {
@@ -157,6 +162,13 @@ macro_rules! width {
             }
 
             #[inline]
+            fn is_within(self, least: Self, numbers: Self) -> bool {
+                debug_assert!(least >= 0);
+                // One that is too large wraps to below zero.
+                self.wrapping_add(least).is_below(numbers)
+            }
+
+            #[inline]
             fn ticks(from: $input, to: $input) -> Option<i64> {
                 to.checked_sub(from).map(i64::from)
             }
@@ -179,8 +191,8 @@ macro_rules! width {
     };
 }
 
-width!(i64, u64, i32, (1 << 15) - 1);
-width!(i128, u128, i64, (1 << 31) - 1);
+width!(i64, u64, i32, (1 << 15) - 1, 1 << 45);
+width!(i128, u128, i64, (1 << 31) - 1, 1 << 63);
 
 /// The largest that one sample adds, of inputs at their limits: the magnitudes of all terms of
 /// [`Account::advance`](crate::account::Account::advance) together.
@@ -201,5 +213,5 @@ const fn largest_term(step: i64, force: u128) -> u128 {
 }
 
 // What the arithmetic without checks relies on.
-const _: () = assert!(largest_term(<i64 as Width>::STEP_MAX, 1 << 31) < 1 << 63);
-const _: () = assert!(largest_term(<i128 as Width>::STEP_MAX, 1 << 63) < 1 << 127);
+const _: () = assert!(largest_term(i64::STEP_MAX, i64::FORCE_MAX.unsigned_abs() as u128) < 1 << 63);
+const _: () = assert!(largest_term(i128::STEP_MAX, i128::FORCE_MAX.unsigned_abs()) < 1 << 127);

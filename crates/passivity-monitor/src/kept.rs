@@ -1,0 +1,132 @@
+//! How a monitor keeps its account: one of 64 bits, which samples change, and what is beside it.
+//!
+//! Sums of 128 bits change by little from sample to sample. So each is kept as a number of 64 bits and
+//! another one beside it, which stays as it is until the first does not fit, or a sample is too much for
+//! 64 bits. Then the account in 128 bits, which is their sum, goes on, and is parted again.
+
+use core::fmt::Debug;
+
+use crate::account::Account;
+use crate::width::Width;
+
+/// An account in its parts.
+#[derive(Clone, Copy, Debug)]
+pub struct Kept<W: Keep> {
+    pub(crate) account: Account<i64>,
+    /// What is added to each of its numbers.
+    pub(crate) beside: W::Beside,
+    /// Whether that is anything.
+    pub(crate) is_parted: bool,
+    /// How many different steps the account of 64 bits goes on by: those up to its longest either way, or none.
+    pub(crate) steps: i64,
+}
+
+const STEPS: i64 = 2 * i64::STEP_MAX + 1;
+
+/// An integer of the whole account.
+pub trait Keep: Copy + Debug {
+    /// What can be beside the account of 64 bits.
+    type Beside: Copy + Debug;
+    /// Whether anything can.
+    const IS_WIDE: bool;
+
+    /// An account in its parts.
+    fn kept(whole: Account<Self>) -> Kept<Self>;
+
+    /// The account of these parts.
+    fn whole(kept: &Kept<Self>) -> Account<Self>;
+}
+
+impl Keep for i64 {
+    type Beside = ();
+    const IS_WIDE: bool = false;
+
+    #[inline]
+    fn kept(whole: Account<Self>) -> Kept<Self> {
+        Kept {
+            account: whole,
+            beside: (),
+            is_parted: false,
+            steps: STEPS,
+        }
+    }
+
+    #[inline]
+    fn whole(kept: &Kept<Self>) -> Account<Self> {
+        kept.account
+    }
+}
+
+impl Keep for i128 {
+    type Beside = Account<Self>;
+    const IS_WIDE: bool = true;
+
+    /// A small sum is all in the account of 64 bits. Of any other the account has −2⁶², halfway to its end, and the rest
+    /// is beside it. Where a sum is not above zero, neither is that rest; nor is that of the least, where only one of
+    /// its two is not.
+    #[inline]
+    fn kept(whole: Account<Self>) -> Kept<Self> {
+        let [lower, upper] = whole.least;
+        let apart = upper.minus(lower);
+        let is_up_to = |n: Self, most: Self| n.is_within(most, most.plus(most));
+        let goes_on = is_up_to(whole.most, SUM_MAX)
+            && is_up_to(lower, SUM_MAX)
+            && is_up_to(whole.slope, APART_MAX)
+            && is_up_to(apart, APART_MAX);
+        if !goes_on {
+            return Kept {
+                account: NOTHING,
+                beside: whole,
+                is_parted: true,
+                steps: 0,
+            };
+        }
+        let rest = |sum: Self| match is_up_to(sum, PART_MAX) {
+            true => 0,
+            false => sum.plus(PART_MAX),
+        };
+        let (most, least) = (rest(whole.most), rest(lower));
+        let lower = lower.minus(least).low();
+        Kept {
+            account: Account {
+                most: whole.most.minus(most).low(),
+                slope: whole.slope.low(),
+                least: [lower, lower.plus(apart.low())],
+            },
+            beside: Account {
+                most,
+                slope: 0,
+                least: [least; 2],
+            },
+            is_parted: most != 0 || least != 0,
+            steps: STEPS,
+        }
+    }
+
+    #[inline]
+    fn whole(kept: &Kept<Self>) -> Account<Self> {
+        let sum = |low: i64, beside: Self| beside.plus(low.into());
+        let (account, beside) = (&kept.account, &kept.beside);
+        let ([lower, upper], [below, above]) = (account.least, beside.least);
+        Account {
+            most: sum(account.most, beside.most),
+            slope: sum(account.slope, beside.slope),
+            least: [sum(lower, below), sum(upper, above)],
+        }
+    }
+}
+
+const NOTHING: Account<i64> = Account {
+    most: 0,
+    slope: 0,
+    least: [0; 2],
+};
+
+/// Sums up to this leave room for any change of the 64 bits.
+const SUM_MAX: i128 = 1 << 125;
+
+/// How steep the most may be, and how far apart the least at both ends of a tick, for an account of 64 bits.
+const APART_MAX: i128 = 1 << 61;
+
+/// An account of 64 bits takes sums up to this, which leaves room for what samples add.
+const PART_MAX: i128 = 1 << 62;
