@@ -282,8 +282,8 @@ fn advances(config: &Config, ticks: i64) -> (Option<Account<i64>>, i128) {
         slope: kani::any_where(|slope: &i64| *slope >= -(1 << 62) && *slope <= 1 << 62),
         least: [kani::any(), kani::any()],
     };
-    let force: i32 = kani::any();
-    let fits = account.advance(config, force.into(), ticks);
+    let force = kani::any_where(|n: &i64| *n >= -i64::FORCE_MAX && *n <= i64::FORCE_MAX);
+    let fits = account.advance(config, force, ticks);
     let stiffness = i128::from(config.stiffness());
     let slope = stiffness + 2 * i128::from(force) - 2 * stiffness * i128::from(ticks);
     (fits.map(|()| account), slope)
