@@ -1,4 +1,7 @@
-//! What an interval between two counts comes to, in doubles, where a wall is all there is, and the interval in one part of it.
+//! What an interval between two counts comes to, in doubles, where a wall is all there is, and the interval in one part of it,
+//! or across the end of one on one side.
+
+mod across;
 
 use passivity_core::counted::{Crossing, Resistance};
 use passivity_core::{Criterion, Friction, Ordered, Scalar as _, Truth, dissipation, quantizer};
@@ -11,7 +14,7 @@ use crate::log::lanes::Length;
 use crate::log::motion::{Addend, between};
 use crate::log::quick::Quick;
 use crate::log::supply::Contribution;
-use crate::log::wall::Wall;
+use crate::log::wall::{Part, Wall};
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 
@@ -182,14 +185,26 @@ impl Figures {
         };
         let (friction, is_exact) = ((&wall.frictions, &wall.criteria), wall.friction_is_exact);
         let reach = wall.reach.as_ref();
+        let applied = force.is_some();
         let row = match reach.map(|reach| reach.ticks(of.start.lane(), of.end.lane())) {
             Some(place) if place.is_flat => {
                 let (level, radius) = place.force.parts();
                 let level = Ball::from_parts(level, radius);
-                Row::flat(friction, &of, &level, is_exact, force.is_some())
+                Row::flat(friction, &of, &level, is_exact, applied)
             }
-            Some(place) if place.open > 0.0 => return None,
-            _ => Row::of(friction, &of, is_exact, force.is_some()),
+            Some(place) if place.open > 0.0 => {
+                let parts = wall.parts();
+                match [from, to].map(|n| parts.of(n, n)) {
+                    [Some(Part::Free), Some(Part::Linear)] => {
+                        Row::across(friction, &of, true, is_exact, applied)
+                    }
+                    [Some(Part::Linear), Some(Part::Free)] => {
+                        Row::across(friction, &of, false, is_exact, applied)
+                    }
+                    _ => return None,
+                }
+            }
+            _ => Row::of(friction, &of, is_exact, applied),
         };
         Self::of(&row, to.checked_sub(from)?)
     }

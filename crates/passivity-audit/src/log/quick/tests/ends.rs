@@ -121,7 +121,9 @@ fn rows_in_one_part_of_a_wall_are_decided() {
         (FRICTIONS[3], false),
     ] {
         let ledger = wall(friction, one_sided, SATURATIONS[2]);
-        let quick = Quick::of(&Wall::of(&ledger).unwrap());
+        let wall = Wall::of(&ledger).unwrap();
+        let quick = Quick::of(&wall);
+        let mut across = [0; 2];
         let part = |n: i64| match (n, one_sided) {
             (..0, true) | (..-11, false) => -2,
             (-11, false) => -1,
@@ -142,8 +144,19 @@ fn rows_in_one_part_of_a_wall_are_decided() {
                         is_in_one,
                         "{friction} {from} {ticks} {force:?}"
                     );
+                    // Across the end of a wall on one side most are decided too, one at a time.
+                    if one_sided && parts.contains(&-2) && parts.contains(&0) {
+                        let lasts = Ball::of(&Number::Small(997, 1000));
+                        let found = Figures::in_balls(&wall, [from, from + ticks], lasts, force);
+                        across[usize::from(found.is_some())] += 1;
+                    }
                 }
             }
         }
+        let [open, decided] = across;
+        assert!(
+            decided + open == if one_sided { 36 } else { 0 } && decided >= 9 * open,
+            "{across:?}"
+        );
     }
 }
