@@ -89,10 +89,10 @@ def generated_between(loop, start, end, force):
     return min(lo for lo, _ in ranges), max(hi for _, hi in ranges)
 
 
-def on_edge(at, turn):
-    """The extremes for s in [0, 1] of a function made of two parabolas that meet at `turn`."""
+def on_edge(at, turns):
+    """The extremes for s in [0, 1] of a function made of parabolas that meet at `turns`."""
     values = []
-    stops = [F(0), *([turn] if turn is not None and 0 < turn < 1 else []), F(1)]
+    stops = sorted({F(0), F(1), *(turn for turn in turns if 0 < turn < 1)})
     for lo, hi in zip(stops, stops[1:]):
         y0, y1, y2 = at(lo), at((lo + hi) / 2), at(hi)
         values += [y0, y2]
@@ -103,8 +103,12 @@ def on_edge(at, turn):
 
 
 def net_between(loop, frictions, start, end, force, dtau):
-    """Of beta d^2/dtau + sigma |d| - generated, against the linear spring. Along a line of equal d
-    its slope is -d, of one sign, so its extremes are on the edge of the square of positions."""
+    """Of beta d^2/dtau + sigma |d| - generated, against the law of the wall. Along a line of equal d its slope is
+    V'(xi0) - V'(xi1), of one sign as V is convex, so its extremes are on the edge of the square of positions; there it is
+    made of parabolas that meet where d is zero and where the law is bent."""
+    bends = [F(0)] if loop.unilateral else []
+    if loop.limit is not None:
+        bends += [-loop.limit, loop.limit]
     found = []
     corners = [(start[i], end[j]) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
     for held in force:
@@ -113,10 +117,13 @@ def net_between(loop, frictions, start, end, force, dtau):
                 def at(s):
                     xi0, xi1 = a + s * (b - a), c + s * (d - c)
                     step = xi1 - xi0
-                    gained = held * step + (xi1 * xi1 - xi0 * xi0) / 2
+                    gained = held * step + loop.potential(xi1) - loop.potential(xi0)
                     return dissipated(beta, sigma, step, dtau) - gained
                 change = (d - b) - (c - a)
-                found.append(on_edge(at, (a - c) / change if change else None))
+                turns = [(a - c) / change] if change else []
+                turns += [(bend - from_) / (to - from_)
+                          for from_, to in ((a, b), (c, d)) if to != from_ for bend in bends]
+                found.append(on_edge(at, turns))
     return min(lo for lo, _ in found), max(hi for _, hi in found)
 
 
@@ -145,10 +152,7 @@ def recomputed(certificate):
     farthest = max(end[1] - start[0], start[1] - end[0])
     spent = tuple(dissipated(beta[i], sigma[i], d, dtau) for i, d in enumerate((nearest, farthest)))
     generated = generated_between(loop, start, end, force)
-    if loop.clamped():
-        net = spent[0] - generated[1], spent[1] - generated[0]
-    else:
-        net = net_between(loop, tuple(zip(beta, sigma)), start, end, force, dtau)
+    net = net_between(loop, tuple(zip(beta, sigma)), start, end, force, dtau)
     figures = {"generated": generated, "dissipated_lower": spent}
     if memory:
         extra = figures["extra_storage"] = storage_gained(loop, samples)
