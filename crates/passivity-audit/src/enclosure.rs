@@ -349,7 +349,7 @@ fn widen<S: Ordered>(ranges: &mut [Interval<S>; 2], values: Accounts<S>) {
 fn through<S: Written>(values: [S; 3], [from, to]: [S; 2]) -> Option<[S; 3]> {
     let width = to.clone() - from.clone();
     let found = extremes::through(values, [from, to])?;
-    if width.square().compare(&S::one())? == Ordering::Equal {
+    if !S::EXACT || width.square().compare(&S::one())? == Ordering::Equal {
         return Some(found);
     }
     // Dividing by a short width made the numbers longer than what they stand for.

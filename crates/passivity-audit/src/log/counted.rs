@@ -166,47 +166,32 @@ impl Figures {
             Number::Tiny(..) | Number::Big(_) => Length::OPEN,
         };
         let quick = Quick::of(&wall).figures([*from, *to], lasts, force);
-        quick.or_else(|| Self::in_balls(&wall, [*from, *to], Ball::of(&interval.dtau), force))
+        quick.or_else(|| Self::across(&wall, [*from, *to], Ball::of(&interval.dtau), force))
     }
 
-    /// Of one between these counts that lasts so long, under the force in the log where there is any: with doubles that
-    /// tell how far off they are.
-    pub(crate) fn in_balls(
+    /// Of one between these counts that lasts so long, under the force in the log where there is any, with doubles that
+    /// tell how far off they are; `None` too where it does not go across the end of a wall on one side.
+    pub(crate) fn across(
         wall: &Wall,
         [from, to]: [i64; 2],
         lasts: Ball,
         force: Option<Ball>,
     ) -> Option<Self> {
+        let parts = wall.parts();
+        let is_inward = match [from, to].map(|n| parts.of(n, n)) {
+            [Some(Part::Free), Some(Part::Linear)] => true,
+            [Some(Part::Linear), Some(Part::Free)] => false,
+            _ => return None,
+        };
         let of = Interval {
             start: Ball::whole(from),
             end: Ball::whole(to),
             lasts,
             force: force.unwrap_or(Ball::zero()),
         };
-        let (friction, is_exact) = ((&wall.frictions, &wall.criteria), wall.friction_is_exact);
-        let reach = wall.reach.as_ref();
-        let applied = force.is_some();
-        let row = match reach.map(|reach| reach.ticks(of.start.lane(), of.end.lane())) {
-            Some(place) if place.is_flat => {
-                let (level, radius) = place.force.parts();
-                let level = Ball::from_parts(level, radius);
-                Row::flat(friction, &of, &level, is_exact, applied)
-            }
-            Some(place) if place.open > 0.0 => {
-                let parts = wall.parts();
-                match [from, to].map(|n| parts.of(n, n)) {
-                    [Some(Part::Free), Some(Part::Linear)] => {
-                        Row::across(friction, &of, true, is_exact, applied)
-                    }
-                    [Some(Part::Linear), Some(Part::Free)] => {
-                        Row::across(friction, &of, false, is_exact, applied)
-                    }
-                    _ => return None,
-                }
-            }
-            _ => Row::of(friction, &of, is_exact, applied),
-        };
-        Self::of(&row, to.checked_sub(from)?)
+        let walls = (&wall.frictions, &wall.criteria);
+        let how = (is_inward, wall.friction_is_exact, force.is_some());
+        Self::of(&Row::across(walls, &of, how), to.checked_sub(from)?)
     }
 
     /// Of a row that crosses so many ticks; `None` where doubles leave something open.

@@ -143,9 +143,7 @@ impl<S: Ordered> Row<S> {
     pub(crate) fn across(
         (frictions, criteria): Walls<'_, S>,
         of: &Interval<S>,
-        is_inward: bool,
-        is_exact: bool,
-        applied: bool,
+        (is_inward, is_exact, applied): (bool, bool, bool),
     ) -> Self {
         let ticks = of.end.clone() - of.start.clone();
         // The force of the wall is that of the first tick.

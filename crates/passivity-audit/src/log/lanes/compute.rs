@@ -140,8 +140,7 @@ pub(super) fn compute(tile: &mut Tile, wall: &Wall<false>, of: &Intervals, appli
         (true, false, None) => tile.compute::<true, false>(wall, of, None),
         (false, true, None) => tile.compute::<false, true>(wall, of, None),
         (false, false, None) => tile.compute::<false, false>(wall, of, None),
-        (true, _, reach) => tile.compute::<true, true>(wall, of, reach),
-        (false, _, reach) => tile.compute::<false, true>(wall, of, reach),
+        (_, _, reach) => tile.compute::<false, true>(wall, of, reach),
     }
 }
 

@@ -282,7 +282,6 @@ fn compute(tile: &mut Counted, quick: &Quick, open: &[f64; TILE], applied: bool)
         (true, false, None) => tile.compute(quick, open, None, (true, false)),
         (false, true, None) => tile.compute(quick, open, None, (false, true)),
         (false, false, None) => tile.compute(quick, open, None, (false, false)),
-        (true, _, Some(reach)) => tile.compute(quick, open, Some(reach), (true, applied)),
-        (false, _, Some(reach)) => tile.compute(quick, open, Some(reach), (false, applied)),
+        (_, _, Some(reach)) => tile.compute(quick, open, Some(reach), (false, applied)),
     }
 }

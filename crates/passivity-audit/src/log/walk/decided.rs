@@ -135,15 +135,15 @@ impl Walk<'_> {
             return None;
         }
         self.compute_counts(chunk, counts)?;
-        let closer = || {
+        let across = || {
             let wall = Wall::of(task.ledger)?;
             let force = match task.applied {
                 true => Some(chunk.forces.values.ball(i)?),
                 false => None,
             };
-            Figures::in_balls(&wall, [from, to], Ball::of(dtau), force)
+            Figures::across(&wall, [from, to], Ball::of(dtau), force)
         };
-        let figures = self.counted.get(i).or_else(closer)?;
+        let figures = self.counted.get(i).or_else(across)?;
         let supply = match task.running {
             true => Some(figures.contribution().supplied(batch.excess())?),
             false => None,

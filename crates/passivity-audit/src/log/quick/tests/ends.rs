@@ -89,7 +89,7 @@ proptest! {
         let ball = force.map(|(more, off)| Ball::from_parts(own + more, off));
         let length = Length(lasts.0, lasts.1);
         let quick = Quick::of(&wall).figures(counts, length, ball);
-        let closer = Figures::in_balls(&wall, counts, Ball::of(&Number::Small(lasts.0, lasts.1)), ball);
+        let across = Figures::across(&wall, counts, Ball::of(&Number::Small(lasts.0, lasts.1)), ball);
         for side in [-1.0, 0.0, 1.0] {
             let force = force.map(|(more, off)| exactly(own + more) + exactly(side * off));
             let (truths, exact) = of_kernel(&ledger, counts, lasts, force.as_ref());
@@ -100,7 +100,7 @@ proptest! {
                     prop_assert!(&ends[1] - &ends[0] <= most - least + &bound);
                 }
             }
-            for found in quick.iter().chain(&closer) {
+            for found in quick.iter().chain(&across) {
                 prop_assert_eq!(truths, found.truths);
                 let ends = found.sums.into_iter().chain([found.own, found.excess, found.stored, [found.observed, i128::MAX]]);
                 for (i, (ends, [least, most])) in ends.zip(&exact).enumerate() {
@@ -147,7 +147,7 @@ fn rows_in_one_part_of_a_wall_are_decided() {
                     // Across the end of a wall on one side most are decided too, one at a time.
                     if one_sided && parts.contains(&-2) && parts.contains(&0) {
                         let lasts = Ball::of(&Number::Small(997, 1000));
-                        let found = Figures::in_balls(&wall, [from, from + ticks], lasts, force);
+                        let found = Figures::across(&wall, [from, from + ticks], lasts, force);
                         across[usize::from(found.is_some())] += 1;
                     }
                 }
