@@ -180,10 +180,7 @@ impl<S: Written> Rectangle<'_, S> {
             true => least.clone(),
             false => resistance(&self.ends.most),
         };
-        self.joined(crossings.iter().map(|crossing| {
-            let ([a, b], [c, d]) = (crossing.net_at_least(&least), crossing.net_at_most(&most));
-            [[a, c], [b, d]]
-        }))
+        self.joined(crossings.iter().map(|of| net_of(of, &least, &most)))
     }
 
     /// Generated energy at its extremes, wherever the ends of the positions are.
@@ -301,6 +298,18 @@ impl<S: Written> Rectangle<'_, S> {
         pieces.push([from, of.hi().clone()]);
         Some(pieces)
     }
+}
+
+/// Both accounts of net energy between two counts, at their extremes. The closed form is long: there is one of it for each
+/// kind of number.
+#[inline(never)]
+fn net_of<S: Ordered>(
+    crossing: &Crossing<S>,
+    least: &Resistance<S>,
+    most: &Resistance<S>,
+) -> [Accounts<S>; 2] {
+    let ([a, b], [c, d]) = (crossing.net_at_least(least), crossing.net_at_most(most));
+    [[a, c], [b, d]]
 }
 
 /// Net energy along an edge on which generated energy is αd² + γd + κ: at its least with the least

@@ -269,7 +269,7 @@ impl Table {
                 break;
             };
             let place = step.wrapping_add(SMALL_STEP) as usize;
-            let Some(Some((net, id))) = self.nets[part as usize].get(place) else {
+            let Some(Some((net, id))) = part.of(&self.nets).get(place) else {
                 break;
             };
             let is_free = part == Part::Free;
@@ -303,7 +303,7 @@ impl Table {
     #[inline]
     fn small(&self, part: Part, step: i64) -> Option<usize> {
         let place = usize::try_from(step.wrapping_add(SMALL_STEP)).ok()?;
-        *self.small[part as usize].get(place)?
+        *part.of(&self.small).get(place)?
     }
 
     /// Writes the rows between counts whose steps are small and known.

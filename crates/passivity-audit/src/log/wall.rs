@@ -36,6 +36,16 @@ pub(crate) enum Part {
     Free,
 }
 
+impl Part {
+    /// What is kept for this part.
+    pub(crate) const fn of<T>(self, [linear, free]: &[T; 2]) -> &T {
+        match self {
+            Self::Linear => linear,
+            Self::Free => free,
+        }
+    }
+}
+
 /// The counts in these parts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Parts {
