@@ -91,7 +91,10 @@ impl<S: Ordered> Across<S> {
         [arc(before, [from, k.clone()]), arc(behind, [k, to])]
     }
 
+    // Such rows are rare: what is called again and again need not be fast, but short.
+
     /// Net energy under such a force, at the least and at the most, against the wall or its quantized form.
+    #[inline(never)]
     fn net(&self, [least, most]: &[Resistance<S>; 2], force: &S, is_quantized: bool) -> [S; 2] {
         let [a, b] = self.arcs(least, force, self.is_inward, is_quantized);
         let [c, d] = self.arcs(most, force, !self.is_inward, is_quantized);
@@ -102,6 +105,7 @@ impl<S: Ordered> Across<S> {
 
     /// What is generated under such a force, at the least and at the most: φu and the energy of the wall, less φw, beside
     /// φK.
+    #[inline(never)]
     fn generated(&self, force: &S, is_quantized: bool) -> [S; 2] {
         let (zero, one) = (S::zero(), S::one());
         let of = |u: S| {
@@ -131,6 +135,7 @@ impl<S: Ordered> Across<S> {
 }
 
 /// The least value and the largest one of an arc.
+#[inline(never)]
 fn extremes<S: Ordered>(arc: &Arc<S>) -> [S; 2] {
     let ([from, to], turn) = (&arc.ends, arc.turn());
     let (first, last) = (arc.at(from), arc.at(to));

@@ -138,8 +138,8 @@ pub(super) fn compute(tile: &mut Tile, wall: &Wall<false>, of: &Intervals, appli
     match (wall.friction_is_exact, applied, wall.reach) {
         (true, true, None) => tile.compute::<true, true>(wall, of, None),
         (true, false, None) => tile.compute::<true, false>(wall, of, None),
-        (false, true, None) => tile.compute::<false, true>(wall, of, None),
-        (false, false, None) => tile.compute::<false, false>(wall, of, None),
+        // A force that is not asked for is computed too: one text less.
+        (false, _, None) => tile.compute::<false, true>(wall, of, None),
         (_, _, reach) => tile.compute::<false, true>(wall, of, reach),
     }
 }
