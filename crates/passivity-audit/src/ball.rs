@@ -180,9 +180,24 @@ impl Ball {
 
     /// The same of a position or a force, [beside](Self::beside) a whole number that it is close to.
     #[inline]
-    #[allow(clippy::cast_precision_loss)] // of the gap no digit matters
     pub(crate) fn of_reading(x: &Number) -> Self {
-        let ball = Self::of(x);
+        Self::of(x).as_reading(x)
+    }
+
+    /// The same of n/d in lowest terms, d > 0.
+    #[inline]
+    pub(crate) fn of_shortest(n: i64, d: i64) -> Self {
+        let ball = match d {
+            1 => Self::whole(n),
+            _ => Self::quotient(n, d),
+        };
+        ball.as_reading(&Number::Small(n, d))
+    }
+
+    #[inline]
+    #[allow(clippy::cast_precision_loss)] // of the gap no digit matters
+    fn as_reading(self, x: &Number) -> Self {
+        let ball = self;
         let Some(border) = ball.close_to() else {
             return ball;
         };
@@ -214,7 +229,6 @@ impl Ball {
 
     /// Around n/d, d > 0.
     #[inline(always)]
-    #[allow(clippy::cast_precision_loss)] // that is in the radius
     pub(crate) fn ratio(n: i64, d: i64) -> Self {
         if d == 1 {
             return Self::whole(n);
@@ -227,6 +241,14 @@ impl Ball {
                 return Self::of(&Number::Small(n / divisor, d / divisor));
             }
         }
+        Self::quotient(n, d)
+    }
+
+    /// The same where they are short, or have no divisor in common.
+    #[inline(always)]
+    #[allow(clippy::cast_precision_loss)] // that is in the radius
+    fn quotient(n: i64, d: i64) -> Self {
+        let odd = d >> d.trailing_zeros();
         let middle = n as f64 / d as f64;
         // It is a double where what is odd of d divides n and n has no more digits: then the quotient has as
         // many fewer. Positions may be on the border between two ticks, and forces may be zero on balance.
@@ -274,7 +296,7 @@ impl Ball {
         let down = u128::BITS - quotient.leading_zeros() - f64::MANTISSA_DIGITS;
         let (mantissa, half) = ((quotient >> down) as u64, 1_u128 << (down - 1));
         let rest = quotient & (2 * half - 1);
-        let is_more = n % d != 0;
+        let is_more = quotient * d != n;
         let rounds_up = rest > half || rest == half && (is_more || mantissa % 2 == 1);
         let exponent = i64::from(down) - i64::from(up) - i64::from(k);
         let unit = power_of_two(exponent)?;

@@ -143,9 +143,13 @@ fn near_product(factor: &Number, x: f64) -> Option<Ball> {
     }
     let (size, q) = (n.unsigned_abs(), q.cast_unsigned());
     // Of p/q and n/2^k nothing else can be shortened.
-    let (divisor, twos) = (size.gcd(&q), k.min(p.trailing_zeros()));
+    // Most q are short: then so is what one division leaves to look for a divisor in.
+    let (divisor, twos) = (q.gcd(&(size % q)), k.min(p.trailing_zeros()));
     let numerator = u128::from(size) * u128::from(p.unsigned_abs());
-    let shortest = (numerator >> twos) / u128::from(divisor);
+    let shortest = match divisor {
+        1 => numerator >> twos,
+        _ => (numerator >> twos) / u128::from(divisor),
+    };
     let bits = u64::BITS - (q / divisor).leading_zeros() + (k - twos);
     if let (Ok(shortest), true) = (i64::try_from(shortest), bits < i64::BITS) {
         let numerator = if (n < 0) == (p < 0) {
@@ -154,7 +158,7 @@ fn near_product(factor: &Number, x: f64) -> Option<Ball> {
             -shortest
         };
         let denominator = ((q / divisor) << (k - twos)).cast_signed();
-        return Some(Ball::of_reading(&Number::Small(numerator, denominator)));
+        return Some(Ball::of_shortest(numerator, denominator));
     }
     Ball::of_scaled_quotient((n < 0) != (p < 0), numerator, q, k)
 }
