@@ -200,7 +200,10 @@ impl Tile {
 
     /// Computes the rows of some intervals.
     fn fill(&mut self, wall: &Wall<false>, of: &Intervals, applied: bool) {
-        compute::compute(self, wall, of, applied);
+        match wall.reach {
+            None => compute::compute(self, wall, of, applied),
+            Some(_) => compute::compute_in_parts(self, wall, of),
+        }
         self.len = of.len;
         let open = self.open.iter().flatten().fold(0, |all, open| all | open);
         self.whole = (self.len == TILE && open == 0).then(|| sums::totals(self));

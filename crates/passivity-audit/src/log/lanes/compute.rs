@@ -134,14 +134,18 @@ pub(super) fn whole(x: f64) -> u64 {
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 pub(super) fn compute(tile: &mut Tile, wall: &Wall<false>, of: &Intervals, applied: bool) {
-    // Of most walls nothing is asked where they are.
-    match (wall.friction_is_exact, applied, wall.reach) {
-        (true, true, None) => tile.compute::<true, true>(wall, of, None),
-        (true, false, None) => tile.compute::<true, false>(wall, of, None),
+    match (wall.friction_is_exact, applied) {
+        (true, true) => tile.compute::<true, true>(wall, of, None),
+        (true, false) => tile.compute::<true, false>(wall, of, None),
         // A force that is not asked for is computed too: one text less.
-        (false, _, None) => tile.compute::<false, true>(wall, of, None),
-        (_, _, reach) => tile.compute::<false, true>(wall, of, reach),
+        (false, _) => tile.compute::<false, true>(wall, of, None),
     }
+}
+
+/// The same of walls that are not linear everywhere. Those of other widths would be long, and little faster.
+#[multiversion(targets("x86_64+avx2+fma"))]
+pub(super) fn compute_in_parts(tile: &mut Tile, wall: &Wall<false>, of: &Intervals) {
+    tile.compute::<false, true>(wall, of, wall.reach);
 }
 
 /// The force of the law from each sample of a chunk, near by, as far as that is known; nothing of loops that

@@ -160,7 +160,10 @@ impl Counted {
             let [_, _, _, force, off] = &mut self.of;
             self.len = forces.near.copy_to([force, off], at, self.len);
         }
-        compute(self, quick, &open, forces.is_some());
+        match &quick.reach {
+            None => compute(self, quick, &open, forces.is_some()),
+            Some(reach) => compute_in_parts(self, (quick, reach), &open, forces.is_some()),
+        }
         mark(self, forces.is_none());
     }
 
@@ -276,12 +279,21 @@ fn read(tile: &mut Counted, counts: (&[i64], &[i64]), lengths: &[Length]) -> [f6
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 fn compute(tile: &mut Counted, quick: &Quick, open: &[f64; TILE], applied: bool) {
-    // Of most walls nothing is asked where they are.
-    match (quick.friction_is_exact, applied, &quick.reach) {
-        (true, true, None) => tile.compute(quick, open, None, (true, true)),
-        (true, false, None) => tile.compute(quick, open, None, (true, false)),
-        (false, true, None) => tile.compute(quick, open, None, (false, true)),
-        (false, false, None) => tile.compute(quick, open, None, (false, false)),
-        (_, _, Some(reach)) => tile.compute(quick, open, Some(reach), (false, applied)),
+    match (quick.friction_is_exact, applied) {
+        (true, true) => tile.compute(quick, open, None, (true, true)),
+        (true, false) => tile.compute(quick, open, None, (true, false)),
+        // One text less.
+        (false, applied) => tile.compute(quick, open, None, (false, applied)),
     }
+}
+
+/// The same of walls that are not linear everywhere. Those of other widths would be long, and little faster.
+#[multiversion(targets("x86_64+avx2+fma"))]
+fn compute_in_parts(
+    tile: &mut Counted,
+    (quick, reach): (&Quick, &Reach),
+    open: &[f64; TILE],
+    applied: bool,
+) {
+    tile.compute(quick, open, Some(reach), (false, applied));
 }
