@@ -14,7 +14,7 @@ use crate::log::lanes::Length;
 use crate::log::motion::{Addend, between};
 use crate::log::quick::Quick;
 use crate::log::supply::Contribution;
-use crate::log::wall::{Part, Wall};
+use crate::log::wall::Wall;
 use crate::number::{Number, Reduced};
 use crate::reading::Reading;
 
@@ -166,23 +166,21 @@ impl Figures {
             Number::Tiny(..) | Number::Big(_) => Length::OPEN,
         };
         let quick = Quick::of(&wall).figures([*from, *to], lasts, force);
-        quick.or_else(|| Self::across(&wall, [*from, *to], Ball::of(&interval.dtau), force))
+        quick.or_else(|| {
+            let is_inward = wall.parts().is_inward(*from, *to)?;
+            let lasts = Ball::of(&interval.dtau);
+            Self::across((&wall, is_inward), [*from, *to], lasts, force)
+        })
     }
 
-    /// Of one between these counts that lasts so long, under the force in the log where there is any, with doubles that
-    /// tell how far off they are; `None` too where it does not go across the end of a wall on one side.
+    /// Of one between these counts [across](crate::log::wall::Parts::is_inward) the end of a wall on one side that lasts so
+    /// long, under the force in the log where there is any, with doubles that tell how far off they are.
     pub(crate) fn across(
-        wall: &Wall,
+        (wall, is_inward): (&Wall, bool),
         [from, to]: [i64; 2],
         lasts: Ball,
         force: Option<Ball>,
     ) -> Option<Self> {
-        let parts = wall.parts();
-        let is_inward = match [from, to].map(|n| parts.of(n, n)) {
-            [Some(Part::Free), Some(Part::Linear)] => true,
-            [Some(Part::Linear), Some(Part::Free)] => false,
-            _ => return None,
-        };
         let of = Interval {
             start: Ball::whole(from),
             end: Ball::whole(to),

@@ -237,7 +237,7 @@ impl Quick {
             );
             left = place.open;
             let (level, _) = place.force.parts();
-            let flat = Row::flat(walls, of, &Plain(level), is_exact, applied);
+            let flat = Row::flat(walls, of, Plain(level), is_exact, applied);
             let of_flat = self.flat_bounds(of, &flat, (off, &place), applied);
             let sign = flat::sign_of(&flat, &least, ticks, &of_flat);
             if place.is_flat {

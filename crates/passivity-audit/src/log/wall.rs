@@ -65,6 +65,15 @@ impl Parts {
             false => (high < self.free).then_some(Part::Free),
         }
     }
+
+    /// Whether an interval goes into the wall; `None` of one that does not go across the end of it.
+    pub(crate) fn is_inward(&self, from: i64, to: i64) -> Option<bool> {
+        match [from, to].map(|n| self.of(n, n)) {
+            [Some(Part::Free), Some(Part::Linear)] => Some(true),
+            [Some(Part::Linear), Some(Part::Free)] => Some(false),
+            _ => None,
+        }
+    }
 }
 
 /// The force of a wall where it is the same over a whole motion, and what is not zero where the motion is in no one part of

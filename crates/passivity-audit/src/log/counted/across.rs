@@ -6,47 +6,48 @@
 //! the way out; its quantized form ½p² + (p + ½)u. Both grow with u. So at each D net energy is extreme where w is 1 before
 //! D = K and u is 1 behind it, or where u is 0 before it and w is 0 behind it: along parabolas in D.
 
-use passivity_core::Ordered;
+use passivity_core::Scalar as _;
 use passivity_core::counted::{Arc, Crossing, Resistance};
 
 use super::{Interval, Row, Walls, margin, resistances};
+use crate::ball::Ball;
 
 /// Where such a row goes: the tick in the wall, K, and whether it goes into the wall.
-struct Across<S> {
-    inside: S,
-    ticks: S,
+struct Across {
+    inside: Ball,
+    ticks: Ball,
     is_inward: bool,
 }
 
 /// What the energy of a wall is along D: ½D² in it or not, what D is times, and the rest.
-struct Stored<S> {
+struct Stored {
     is_bent: bool,
-    slope: S,
-    rest: S,
+    slope: Ball,
+    rest: Ball,
 }
 
-impl<S: Ordered> Across<S> {
+impl Across {
     /// The energy of the wall, or of its quantized form, at the place u.
-    fn at(&self, u: S, is_quantized: bool) -> Stored<S> {
-        let p = self.inside.clone();
+    fn at(&self, u: Ball, is_quantized: bool) -> Stored {
+        let p = self.inside;
         Stored {
             is_bent: false,
-            slope: S::zero(),
+            slope: Ball::zero(),
             rest: match is_quantized {
-                true => p.square().half() + (p + S::one().half()) * u,
+                true => p.square().half() + (p + Ball::one().half()) * u,
                 false => (p + u).square().half(),
             },
         }
     }
 
     /// The same at u = D + `place`.
-    fn along(&self, place: S, is_quantized: bool) -> Stored<S> {
-        let p = self.inside.clone();
+    fn along(&self, place: Ball, is_quantized: bool) -> Stored {
+        let p = self.inside;
         Stored {
             is_bent: !is_quantized,
             slope: match is_quantized {
-                true => p + S::one().half(),
-                false => p + place.clone(),
+                true => p + Ball::one().half(),
+                false => p + place,
             },
             rest: self.at(place, is_quantized).rest,
         }
@@ -55,47 +56,52 @@ impl<S: Ordered> Across<S> {
     /// Net energy under such a force, before and behind D = K, where u is the largest at each D, or the least.
     fn arcs(
         &self,
-        friction: &Resistance<S>,
-        force: &S,
+        friction: &Resistance<Ball>,
+        force: Ball,
         is_largest: bool,
         is_quantized: bool,
-    ) -> [Arc<S>; 2] {
-        let (k, one) = (self.ticks.clone(), S::one());
+    ) -> [Arc<Ball>; 2] {
+        let (k, one) = (self.ticks, Ball::one());
         let [before, behind] = match is_largest {
             true => [
-                self.along(one.clone() - k.clone(), is_quantized),
-                self.at(one.clone(), is_quantized),
+                self.along(one - k, is_quantized),
+                self.at(one, is_quantized),
             ],
             false => [
-                self.at(S::zero(), is_quantized),
-                self.along(-k.clone(), is_quantized),
+                self.at(Ball::zero(), is_quantized),
+                self.along(-k, is_quantized),
             ],
         };
-        let taken = friction.sigma.clone() - force.clone();
-        let arc = |stored: Stored<S>, ends: [S; 2]| {
+        let taken = friction.sigma - force;
+        let arc = |stored: Stored, ends: [Ball; 2]| {
             let Resistance {
                 own, less, more, ..
             } = friction;
             let (bend, slope, constant) = match self.is_inward {
-                true => (less, taken.clone() - stored.slope, -stored.rest),
-                false => (more, taken.clone() + stored.slope, stored.rest),
+                true => (less, taken - stored.slope, -stored.rest),
+                false => (more, taken + stored.slope, stored.rest),
             };
             Arc {
-                bend: if stored.is_bent { bend } else { own }.clone(),
+                bend: if stored.is_bent { *bend } else { *own },
                 slope,
                 constant,
                 ends,
             }
         };
-        let [from, to] = [k.clone() - one.clone(), k.clone() + one];
-        [arc(before, [from, k.clone()]), arc(behind, [k, to])]
+        let [from, to] = [k - one, k + one];
+        [arc(before, [from, k]), arc(behind, [k, to])]
     }
 
     // Such rows are rare: what is called again and again need not be fast, but short.
 
     /// Net energy under such a force, at the least and at the most, against the wall or its quantized form.
     #[inline(never)]
-    fn net(&self, [least, most]: &[Resistance<S>; 2], force: &S, is_quantized: bool) -> [S; 2] {
+    fn net(
+        &self,
+        [least, most]: &[Resistance<Ball>; 2],
+        force: Ball,
+        is_quantized: bool,
+    ) -> [Ball; 2] {
         let [a, b] = self.arcs(least, force, self.is_inward, is_quantized);
         let [c, d] = self.arcs(most, force, !self.is_inward, is_quantized);
         let ([low, _], [lower, _]) = (extremes(&a), extremes(&b));
@@ -106,11 +112,11 @@ impl<S: Ordered> Across<S> {
     /// What is generated under such a force, at the least and at the most: φu and the energy of the wall, less φw, beside
     /// φK.
     #[inline(never)]
-    fn generated(&self, force: &S, is_quantized: bool) -> [S; 2] {
-        let (zero, one) = (S::zero(), S::one());
-        let of = |u: S| {
-            let stored = self.at(u.clone(), is_quantized).rest;
-            let work = force.clone() * u;
+    fn generated(&self, force: Ball, is_quantized: bool) -> [Ball; 2] {
+        let (zero, one) = (Ball::zero(), Ball::one());
+        let of = |u: Ball| {
+            let stored = self.at(u, is_quantized).rest;
+            let work = force * u;
             if self.is_inward {
                 work + stored
             } else {
@@ -119,82 +125,71 @@ impl<S: Ordered> Across<S> {
         };
         // Where the wall balances the force.
         let balance = match (is_quantized, self.is_inward) {
-            (true, _) => zero.clone(),
-            (false, true) => -force.clone() - self.inside.clone(),
-            (false, false) => force.clone() - self.inside.clone(),
+            (true, _) => zero,
+            (false, true) => -force - self.inside,
+            (false, false) => force - self.inside,
         };
-        let balance = balance.max(zero.clone()).min(one.clone());
-        let [first, turn, last] = [zero.clone(), balance, one].map(of);
-        let base = force.clone() * self.ticks.clone();
+        let balance = balance.max(zero).min(one);
+        let [first, turn, last] = [zero, balance, one].map(of);
+        let base = force * self.ticks;
         [
-            base.clone() + first.clone().min(turn.clone()).min(last.clone())
-                - force.clone().max(zero.clone()),
-            base + first.max(turn).max(last) - force.clone().min(zero),
+            base + first.min(turn).min(last) - force.max(zero),
+            base + first.max(turn).max(last) - force.min(zero),
         ]
     }
 }
 
 /// The least value and the largest one of an arc.
 #[inline(never)]
-fn extremes<S: Ordered>(arc: &Arc<S>) -> [S; 2] {
+fn extremes(arc: &Arc<Ball>) -> [Ball; 2] {
     let ([from, to], turn) = (&arc.ends, arc.turn());
     let (first, last) = (arc.at(from), arc.at(to));
-    let least = turn.clone().min(first.clone()).min(last.clone());
+    let least = turn.min(first).min(last);
     [least, turn.max(first).max(last)]
 }
 
-impl<S: Ordered> Row<S> {
+impl Row<Ball> {
     /// As [`of`](Self::of), from outside of a wall on one side to where it is linear, or back; `is_inward` says which.
     pub(crate) fn across(
-        (frictions, criteria): Walls<'_, S>,
-        of: &Interval<S>,
+        (frictions, criteria): Walls<'_, Ball>,
+        of: &Interval<Ball>,
         (is_inward, is_exact, applied): (bool, bool, bool),
     ) -> Self {
-        let ticks = of.end.clone() - of.start.clone();
+        let ticks = of.end - of.start;
         // The force of the wall is that of the first tick.
         let own = match is_inward {
-            true => S::zero(),
-            false => -(of.start.clone() + S::one().half()),
+            true => Ball::zero(),
+            false => -(of.start + Ball::one().half()),
         };
-        let force = if applied {
-            of.force.clone()
-        } else {
-            own.clone()
-        };
-        let excess = force.clone() - own.clone();
-        let ahead = |force: &S| match is_inward {
-            true => force.clone(),
-            false => -force.clone(),
+        let force = if applied { of.force } else { own };
+        let excess = force - own;
+        let ahead = |force: Ball| match is_inward {
+            true => force,
+            false => -force,
         };
         let across = Across {
             inside: match is_inward {
-                true => of.end.clone(),
-                false => of.start.clone(),
+                true => of.end,
+                false => of.start,
             },
             ticks: ticks.abs(),
             is_inward,
         };
         let frictions = resistances(frictions, &of.lasts, is_exact);
-        let crossing = Crossing {
-            ticks: ticks.clone(),
-            excess: excess.clone(),
-        };
-        let ([near, far], held) = (crossing.distances(), ahead(&force));
+        let crossing = Crossing { ticks, excess };
+        let ([near, far], held) = (crossing.distances(), ahead(force));
         let [least, most] = &frictions;
         Self {
             taken: [least.taken(&near), most.taken(&far)],
             margin: margin(criteria, [&near, &far], &of.lasts),
-            generated: [false, true].map(|quantized| across.generated(&held, quantized)),
-            net: [false, true].map(|quantized| across.net(&frictions, &held, quantized)),
+            generated: [false, true].map(|quantized| across.generated(held, quantized)),
+            net: [false, true].map(|quantized| across.net(&frictions, held, quantized)),
             work: force * ticks,
-            own: across.net(&frictions, &ahead(&own), false),
+            own: across.net(&frictions, ahead(own), false),
             // Outside of the wall there is no potential.
             stored: match is_inward {
                 true => crossing.stored(&of.end),
-                false => [
-                    (-excess.clone()).min(S::zero()),
-                    (-excess.clone()).max(S::zero()),
-                ],
+                false => [(-excess).min(Ball::zero()), (-excess).max(Ball::zero())],
             },
             excess,
         }

@@ -23,6 +23,32 @@ use crate::log::numbers::{Readings, Unit};
 use crate::log::task::Task;
 use crate::number::{Factored, Primes};
 
+/// How the forces are written that the account is of.
+fn unit_of(forces: Option<&Readings>) -> Option<Option<Unit>> {
+    match forces {
+        Some(forces) => Some(Some(forces.written.unit()?)),
+        None => Some(None),
+    }
+}
+
+/// The force of the interval that starts at sample `i`, in its unit.
+#[inline(always)]
+fn force_at(forces: Option<&Readings>, unit: Option<Unit>, i: usize) -> Option<Option<i64>> {
+    match forces.zip(unit) {
+        Some((forces, unit)) => Some(Some(forces.written.whole_at(i, unit)?)),
+        None => Some(None),
+    }
+}
+
+/// A length over this one number; `None` where it is not.
+#[inline(always)]
+fn lasts_over(Length(n, d): Length, over: i64) -> Option<i64> {
+    if n <= 0 || d <= 0 || over % d != 0 {
+        return None;
+    }
+    n.checked_mul(over / d)
+}
+
 /// Products that are summed up, over their common denominator.
 #[derive(Clone, Debug)]
 struct Sum<const N: usize> {
@@ -98,10 +124,7 @@ impl Exactly {
         let forces = task.applied.then_some(&chunk.forces.values);
         let of = (
             samples.written.unit()?,
-            match forces {
-                Some(forces) => Some(forces.written.unit()?),
-                None => None,
-            },
+            unit_of(forces)?,
             lengths.iter().map(|Length(_, d)| *d).max()?,
         );
         match before {

@@ -1,9 +1,7 @@
 //! Rows where the force of the wall is the same everywhere: outside of a wall on one side, and where it is saturated.
 
-use std::cmp::Ordering;
-
+use passivity_core::Scalar as _;
 use passivity_core::counted::{Arc, Crossing, Resistance};
-use passivity_core::{Ordered, Scalar as _};
 
 use super::grid::{nearest, power};
 use super::{Bounds, LARGEST, Quick, SURELY, Sign, WIDEST, sign};
@@ -14,16 +12,11 @@ use crate::plain::Plain;
 
 /// Net energy under this excess over the wall's force: by how far an interval goes, in each direction that it may go in.
 #[inline(always)]
-fn arcs<S: Ordered>(crossing: &Crossing<S>, friction: &Resistance<S>) -> [Arc<S>; 2] {
-    let ahead = match crossing.ticks.is_nonnegative() {
-        Some(false) => -crossing.excess.clone(),
-        _ => crossing.excess.clone(),
-    };
+fn arcs(crossing: &Crossing<Plain>, friction: &Resistance<Plain>) -> [Arc<Plain>; 2] {
+    let (ticks, excess) = (crossing.ticks.0, crossing.excess);
+    let ahead = if ticks >= 0.0 { excess } else { -excess };
     // Of what goes in one direction both are the same.
-    let back = match crossing.ticks.sign() {
-        Some(Ordering::Equal) => -ahead.clone(),
-        _ => ahead.clone(),
-    };
+    let back = if ticks == 0.0 { -ahead } else { ahead };
     [
         arc(crossing, friction, ahead),
         arc(crossing, friction, back),
@@ -31,45 +24,42 @@ fn arcs<S: Ordered>(crossing: &Crossing<S>, friction: &Resistance<S>) -> [Arc<S>
 }
 
 #[inline(always)]
-fn arc<S: Ordered>(crossing: &Crossing<S>, friction: &Resistance<S>, excess: S) -> Arc<S> {
+fn arc(crossing: &Crossing<Plain>, friction: &Resistance<Plain>, excess: Plain) -> Arc<Plain> {
     Arc {
-        bend: friction.own.clone(),
-        slope: friction.sigma.clone() - excess,
-        constant: S::zero(),
+        bend: friction.own,
+        slope: friction.sigma - excess,
+        constant: Plain::zero(),
         ends: crossing.distances(),
     }
 }
 
 /// The least value and the largest one of an arc that is bent up.
 #[inline(always)]
-fn extremes<S: Ordered>(arc: &Arc<S>) -> [S; 2] {
+fn extremes(arc: &Arc<Plain>) -> [Plain; 2] {
     let ([from, to], turn) = (&arc.ends, arc.turn());
     let (first, last) = (arc.at(from), arc.at(to));
-    [turn.min(first.clone()).min(last.clone()), first.max(last)]
+    [turn.min(first).min(last), first.max(last)]
 }
 
-impl<S: Ordered> Row<S> {
+impl Row<Plain> {
     /// As [`of`](Self::of), where the wall's force is the same everywhere: `level`, against the direction of positions.
     ///
     /// What that does it takes up, so only the excess f over it generates: fd, d anywhere from k − 1 to k + 1. Net energy
     /// βd²/Δτ + σ|d| − fd is largest at an end of that, and least there or where it turns.
     #[inline(always)]
     pub(crate) fn flat(
-        (frictions, criteria): Walls<'_, S>,
-        of: &Interval<S>,
-        level: &S,
+        (frictions, criteria): Walls<'_, Plain>,
+        of: &Interval<Plain>,
+        level: Plain,
         is_exact: bool,
         applied: bool,
     ) -> Self {
-        let ticks = of.end.clone() - of.start.clone();
+        let ticks = of.end - of.start;
         let (excess, force) = match applied {
-            true => (of.force.clone() + level.clone(), of.force.clone()),
-            false => (S::zero(), -level.clone()),
+            true => (of.force + level, of.force),
+            false => (Plain::zero(), -level),
         };
-        let crossing = Crossing {
-            ticks: ticks.clone(),
-            excess: excess.clone(),
-        };
+        let crossing = Crossing { ticks, excess };
         let [least, most] = resistances(frictions, &of.lasts, is_exact);
         let [near, far] = crossing.distances();
         let taken = [least.taken(&near), most.taken(&far)];
@@ -77,22 +67,22 @@ impl<S: Ordered> Row<S> {
         let ([a, _], [b, _]) = (extremes(&a), extremes(&b));
         let ([_, c], [_, d]) = (extremes(&c), extremes(&d));
         let net = [a.min(b), c.max(d)];
-        let back = (ticks.clone() - S::one()) * excess.clone();
-        let on = (ticks.clone() + S::one()) * excess.clone();
-        let generated = [back.clone().min(on.clone()), back.max(on)];
+        let back = (ticks - Plain::one()) * excess;
+        let on = (ticks + Plain::one()) * excess;
+        let generated = [back.min(on), back.max(on)];
         // V(ξ₁) − fρ₁ is a line.
-        let potential = level.clone() * of.end.clone() - level.square().half();
-        let rise = level.clone() - excess.clone();
+        let potential = level * of.end - level.square().half();
+        let rise = level - excess;
         let stored = [
-            potential.clone() + rise.clone().min(S::zero()),
-            potential + rise.max(S::zero()),
+            potential + rise.min(Plain::zero()),
+            potential + rise.max(Plain::zero()),
         ];
         Self {
             margin: margin(criteria, [&near, &far], &of.lasts),
-            generated: [generated.clone(), generated],
-            net: [net.clone(), net],
+            generated: [generated, generated],
+            net: [net, net],
             work: force * ticks,
-            own: taken.clone(),
+            own: taken,
             taken,
             stored,
             excess,

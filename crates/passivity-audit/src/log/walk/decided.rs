@@ -136,12 +136,13 @@ impl Walk<'_> {
         }
         self.compute_counts(chunk, counts)?;
         let across = || {
+            let is_inward = task.parts.as_ref()?.is_inward(from, to)?;
             let wall = Wall::of(task.ledger)?;
             let force = match task.applied {
                 true => Some(chunk.forces.values.ball(i)?),
                 false => None,
             };
-            Figures::across(&wall, [from, to], Ball::of(dtau), force)
+            Figures::across((&wall, is_inward), [from, to], Ball::of(dtau), force)
         };
         let figures = self.counted.get(i).or_else(across)?;
         let supply = match task.running {

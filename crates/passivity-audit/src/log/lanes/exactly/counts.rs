@@ -12,8 +12,8 @@ use num_traits::ToPrimitive as _;
 use passivity_core::{BigRational, Friction as OfLoop, Loop, Scalar as _};
 
 use super::super::Length;
-use super::Sum;
 use super::constants::{Constants, Part, parts};
+use super::{Sum, unit_of};
 use crate::ball::Ball;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::numbers::{Readings, Unit};
@@ -61,11 +61,10 @@ impl Counts {
             return None;
         };
         let forces = task.applied.then_some(&chunk.forces.values);
-        let unit = match forces {
-            Some(forces) => Some(forces.written.unit()?),
-            None => None,
-        };
-        let of = (unit, lengths.iter().map(|Length(_, d)| *d).max()?);
+        let of = (
+            unit_of(forces)?,
+            lengths.iter().map(|Length(_, d)| *d).max()?,
+        );
         match before {
             Some(before) if before.of == of => Some(before),
             _ => Self::of(task, of, forces),

@@ -3,7 +3,7 @@
 use passivity_core::Truth;
 
 use super::super::Length;
-use super::{Exactly, Friction, Part, Sum};
+use super::{Exactly, Friction, Part, Sum, force_at, lasts_over};
 use crate::figure::not;
 use crate::ledger::Truths;
 use crate::log::numbers::Readings;
@@ -40,18 +40,11 @@ impl Exactly {
     ) -> Option<()> {
         let (unit_of_position, unit_of_force, over) = self.of;
         let at = |i: usize| samples.written.whole_at(i, unit_of_position);
-        let force = match forces.zip(unit_of_force) {
-            Some((forces, unit)) => Some(forces.written.whole_at(i, unit)?),
-            None => None,
-        };
-        let Length(n, d) = length;
-        if n <= 0 || d <= 0 || over % d != 0 {
-            return None;
-        }
+        let force = force_at(forces, unit_of_force, i)?;
         let row = Interval {
             ends: [at(i)?, at(i + 1)?],
             force,
-            lasts: n.checked_mul(over / d)?,
+            lasts: lasts_over(length, over)?,
         };
         let mut line = Line::new(room, 0);
         let (ratio, _, q) = &self.position;

@@ -89,7 +89,9 @@ proptest! {
         let ball = force.map(|(more, off)| Ball::from_parts(own + more, off));
         let length = Length(lasts.0, lasts.1);
         let quick = Quick::of(&wall).figures(counts, length, ball);
-        let across = Figures::across(&wall, counts, Ball::of(&Number::Small(lasts.0, lasts.1)), ball);
+        let across = wall.parts().is_inward(from, from + ticks).and_then(|is_inward| {
+            Figures::across((&wall, is_inward), counts, Ball::of(&Number::Small(lasts.0, lasts.1)), ball)
+        });
         for side in [-1.0, 0.0, 1.0] {
             let force = force.map(|(more, off)| exactly(own + more) + exactly(side * off));
             let (truths, exact) = of_kernel(&ledger, counts, lasts, force.as_ref());
@@ -147,7 +149,9 @@ fn rows_in_one_part_of_a_wall_are_decided() {
                     // Across the end of a wall on one side most are decided too, one at a time.
                     if one_sided && parts.contains(&-2) && parts.contains(&0) {
                         let lasts = Ball::of(&Number::Small(997, 1000));
-                        let found = Figures::across(&wall, [from, from + ticks], lasts, force);
+                        let is_inward = wall.parts().is_inward(from, from + ticks).unwrap();
+                        let ends = [from, from + ticks];
+                        let found = Figures::across((&wall, is_inward), ends, lasts, force);
                         across[usize::from(found.is_some())] += 1;
                     }
                 }

@@ -4,9 +4,9 @@ use passivity_core::counted::{Arc, Crossing, Resistance};
 use passivity_core::{Ordered as _, Scalar as _, Truth};
 
 use super::super::super::Length;
-use super::super::Sum;
 use super::super::constants::Part;
 use super::super::row::times;
+use super::super::{Sum, force_at, lasts_over};
 use super::{Counts, Friction};
 use crate::ball::Ball;
 use crate::figure::not;
@@ -35,18 +35,11 @@ impl Counts {
         (room, out): (&mut [u8; Line::ROOM], &mut Vec<u8>),
     ) -> Option<()> {
         let (unit, over) = self.of;
-        let force = match forces.zip(unit) {
-            Some((forces, unit)) => Some(forces.written.whole_at(i, unit)?),
-            None => None,
-        };
-        let Length(n, d) = length;
-        if n <= 0 || d <= 0 || over % d != 0 {
-            return None;
-        }
+        let force = force_at(forces, unit, i)?;
         let row = Interval {
             counts: *counts.get(i..)?.first_chunk()?,
             force,
-            lasts: n.checked_mul(over / d)?,
+            lasts: lasts_over(length, over)?,
         };
         let mut line = Line::new(room, 0);
         for n in row.counts {
