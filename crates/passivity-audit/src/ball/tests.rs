@@ -118,10 +118,31 @@ proptest! {
         };
         prop_assert!(narrow(Ball::ratio(n, d), &ratio(n, d), 2.0));
         prop_assert!(narrow(Ball::of_rational(&ratio(n, d)), &ratio(n, d), 1.0));
-        let middle = i128::from(middle) << 40;
-        let span = Span::centred(middle, 0);
-        prop_assert!(narrow(Ball::of_span(span), &crate::span::on_grid(middle), 3.0));
+        prop_assert!(known_to_a_few_roundings(middle));
     }
+}
+
+/// Whether the ball around a span of no width is as narrow as it has to be: two roundings. Of a number that is within two
+/// radii of a whole one, which are four roundings and what the number itself is rounded by, it may be moved: reaching
+/// three radii at the most, below a power of two that is up to twice as much. The bounds' own roundings are the tenths.
+fn known_to_a_few_roundings(middle: i64) -> bool {
+    let middle = i128::from(middle) << 40;
+    let (x, ball) = (
+        crate::span::on_grid(middle),
+        Ball::of_span(Span::centred(middle, 0)),
+    );
+    let off = near_rational(&(&x - x.round())).abs();
+    let roundings = match off <= 4.6 * ROUNDING * ball.middle.abs() {
+        true => 12.1,
+        false => 2.1,
+    };
+    holds(ball, &x) && ball.radius <= roundings * ROUNDING * ball.middle.abs()
+}
+
+#[test]
+fn numbers_next_to_a_whole_one_are_known_to_a_few_roundings() {
+    // This one is moved to a side of a whole number: more than three roundings wide.
+    assert!(known_to_a_few_roundings(-1_412_185_931_686_869_888));
 }
 
 proptest! {
