@@ -49,12 +49,6 @@ pub(super) fn rest_of_sum(a: f64, b: f64) -> f64 {
     (a - (sum - part)) + (b - part)
 }
 
-/// The bits of a number without the zeros at their end, with the leading one that is not written.
-#[inline]
-pub(super) fn digits(x: f64) -> u32 {
-    f64::MANTISSA_DIGITS - x.to_bits().trailing_zeros().min(f64::MANTISSA_DIGITS - 1)
-}
-
 /// The digits of a double and how many of them, in binary, are behind its point: of normal numbers below 2⁵³ in size that
 /// are no zero; whatever its sign.
 #[inline(always)]

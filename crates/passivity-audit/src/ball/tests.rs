@@ -1,7 +1,9 @@
 //! Balls against exact fractions.
 
 use super::*;
-use crate::number::Written as _;
+use crate::log::near_rational;
+use crate::number::{Number, Written as _};
+use crate::span::Span;
 use passivity_core::{Ordered as _, Scalar};
 use proptest::prelude::*;
 
@@ -116,7 +118,8 @@ proptest! {
         let narrow = |ball: Ball, x: &BigRational, roundings: f64| {
             holds(ball, x) && ball.radius <= roundings * ROUNDING * ball.middle.abs()
         };
-        prop_assert!(narrow(Ball::ratio(n, d), &ratio(n, d), 2.0));
+        prop_assert!(narrow(Ball::ratio(n, d), &ratio(n, d), 1.0));
+        prop_assert_eq!(Ball::ratio(n, d), Ball::of_rational(&ratio(n, d)));
         prop_assert!(narrow(Ball::of_rational(&ratio(n, d)), &ratio(n, d), 1.0));
         prop_assert!(known_to_a_few_roundings(middle));
     }

@@ -368,16 +368,13 @@ impl Readings {
         } = self;
         let (written, kind) = (&*written, *kind);
         let several = |from: usize, balls: (&mut [f64], &mut [f64])| {
-            if let Numbers::Doubles(values) = written {
-                let values = values.get(from..).unwrap_or_default();
-                scale.near_doubles(values, balls);
-            }
+            scale.near_several(written, from, balls);
         };
         near.complete(written.len(), several, |i| {
             let quickly = match written {
                 Numbers::Decimals(numerators, powers) => {
                     let decimal = numerators.get(i).zip(powers.get(i));
-                    decimal.and_then(|(n, k)| scale.near(kind, *n, *k))
+                    decimal.and_then(|(n, k)| scale.near_decimal(kind, *n, *k))
                 }
                 Numbers::Doubles(values) => values.get(i).and_then(|x| scale.near_double(kind, *x)),
                 Numbers::Any(_) => None,

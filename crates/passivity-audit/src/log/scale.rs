@@ -2,16 +2,15 @@
 
 use std::sync::Arc;
 
-use num_integer::Integer as _;
 use passivity_core::{Exact, Interval, Loop, Scalar, pi};
 use passivity_scene::units::{Dimension, Unit};
 use passivity_scene::{Motion, Scene};
 
-use crate::ball::Ball;
+use crate::ball::{self, Ball, Short};
 use crate::log::error::TraceError;
 use crate::log::header::read_unit;
 use crate::log::irrational::Irrational;
-use crate::log::numbers::Kind;
+use crate::log::numbers::{Kind, Numbers};
 use crate::log::running::near;
 use crate::number::{Number, power_of_ten, product};
 use crate::reading::Reading;
@@ -86,34 +85,68 @@ impl Scale {
         }
     }
 
+    /// The factor p/q, q > 0, where it is rational and short.
+    fn ratio(&self) -> Option<(i64, i64)> {
+        match self {
+            Self::One => Some((1, 1)),
+            Self::Factor(Number::Small(p, q)) => Some((*p, *q)),
+            Self::Factor(_) | Self::Irrational(_) => None,
+        }
+    }
+
     /// What is known of n over 10^k as a position or a force; `None` where that takes longer to find out.
     #[inline]
-    pub(crate) fn near(&self, kind: Kind, n: i64, k: u8) -> Option<Ball> {
+    pub(crate) fn near_decimal(&self, kind: Kind, n: i64, k: u8) -> Option<Ball> {
         match self {
-            Self::One => Some(Ball::of_reading(&Number::Small(n, power_of_ten(k.into())?))),
-            Self::Factor(factor) => {
-                let x = Number::Small(n, power_of_ten(k.into())?);
-                Some(Ball::of_reading(&product(&x, factor)))
+            Self::One | Self::Factor(_) => {
+                let (p, q) = self.ratio()?;
+                scaled(p, n, q.checked_mul(power_of_ten(k.into())?)?, 0)
             }
             Self::Irrational(by) => by.near(kind, n, k),
         }
     }
 
-    /// What is known of doubles, several at a time: their middles and radii, with no number in the middle where that takes
-    /// longer to find out.
-    pub(crate) fn near_doubles(&self, values: &[f64], balls: (&mut [f64], &mut [f64])) {
-        if let Self::Irrational(by) = self {
-            by.of_several(values, balls);
-        }
-    }
-
-    /// The same of a double; `None` where it takes longer still.
+    /// The same of a double.
     #[inline]
     pub(crate) fn near_double(&self, kind: Kind, x: f64) -> Option<Ball> {
         match self {
-            Self::One => Ball::of_double(x),
-            Self::Factor(factor) => near_product(factor, x),
+            Self::One | Self::Factor(_) => {
+                let (p, q) = self.ratio()?;
+                match Number::from_f64(x)? {
+                    Number::Small(n, d) => scaled(p, n, q, d.trailing_zeros()),
+                    Number::Tiny(n, k) => scaled(p, n, q, k),
+                    Number::Big(_) => None,
+                }
+            }
             Self::Irrational(by) => by.of_double(kind, x).or_else(|| by.near_double(kind, x)),
+        }
+    }
+
+    /// What is known of the numbers of a column from one on, several at a time: their middles and radii, with no number in
+    /// the middle where that takes longer to find out.
+    pub(crate) fn near_several(
+        &self,
+        written: &Numbers,
+        from: usize,
+        balls: (&mut [f64], &mut [f64]),
+    ) {
+        let factor = self.ratio().map(|(p, q)| Short::new(p, q));
+        match (written, self, factor) {
+            (Numbers::Doubles(values), Self::Irrational(by), _) => {
+                by.of_several(values.get(from..).unwrap_or_default(), balls);
+            }
+            (Numbers::Doubles(values), _, Some(factor)) => {
+                ball::scaled(values.get(from..).unwrap_or_default(), factor, balls);
+            }
+            (Numbers::Decimals(numerators, powers), _, Some(factor)) => {
+                let decimals = (numerators.get(from..), powers.get(from..));
+                let decimals = (
+                    decimals.0.unwrap_or_default(),
+                    decimals.1.unwrap_or_default(),
+                );
+                ball::scaled_decimals(decimals, factor, balls);
+            }
+            _ => {}
         }
     }
 
@@ -127,40 +160,13 @@ impl Scale {
     }
 }
 
-/// The ball of the product of a double with a factor; `None` where it takes longer.
-fn near_product(factor: &Number, x: f64) -> Option<Ball> {
-    let Number::Small(p, q) = *factor else {
-        return None;
-    };
-    // n/2^k, n odd or zero.
-    let (n, k) = match Number::from_f64(x)? {
-        Number::Small(n, d) => (n, d.trailing_zeros()),
-        Number::Tiny(n, k) => (n, k),
-        Number::Big(_) => return None,
-    };
+/// The ball of p·n/(q·2^k), q > 0; `None` where it takes longer.
+fn scaled(p: i64, n: i64, q: i64, k: u32) -> Option<Ball> {
     if n == 0 {
         return Some(Ball::whole(0));
     }
-    let (size, q) = (n.unsigned_abs(), q.cast_unsigned());
-    // Of p/q and n/2^k nothing else can be shortened.
-    // Most q are short: then so is what one division leaves to look for a divisor in.
-    let (divisor, twos) = (q.gcd(&(size % q)), k.min(p.trailing_zeros()));
-    let numerator = u128::from(size) * u128::from(p.unsigned_abs());
-    let shortest = match divisor {
-        1 => numerator >> twos,
-        _ => (numerator >> twos) / u128::from(divisor),
-    };
-    let bits = u64::BITS - (q / divisor).leading_zeros() + (k - twos);
-    if let (Ok(shortest), true) = (i64::try_from(shortest), bits < i64::BITS) {
-        let numerator = if (n < 0) == (p < 0) {
-            shortest
-        } else {
-            -shortest
-        };
-        let denominator = ((q / divisor) << (k - twos)).cast_signed();
-        return Some(Ball::of_shortest(numerator, denominator));
-    }
-    Ball::of_scaled_quotient((n < 0) != (p < 0), numerator, q, k)
+    let [size, by] = [n, p].map(|x| u128::from(x.unsigned_abs()));
+    Ball::of_scaled_quotient((n < 0) != (p < 0), size * by, q.unsigned_abs(), k)
 }
 
 fn unit(text: Option<&str>, example: &str) -> Result<Unit, TraceError> {
@@ -298,21 +304,45 @@ mod tests {
 
         #[test]
         fn a_product_is_known_as_closely_as_by_big_numbers(
-            x in double(),
-            p in prop_oneof![1..2000_i64, Just(100_000_i64), 1..i64::MAX],
-            q in prop_oneof![1..2000_i64, Just(3_i64), 1..i64::MAX],
+            x in double(), n in prop_oneof![any::<i64>(), -100_000..100_000_i64], k in 0..19_u8,
+            p in prop_oneof![1..2000_i64, Just(100_000_i64), Just(1_i64 << 34), 1..i64::MAX],
+            q in prop_oneof![1..2000_i64, Just(3_i64), 1..1_i64 << 49, 1..i64::MAX],
             count: i16, reversed: bool,
         ) {
             let factor = Number::Small(if reversed { -p } else { p }, q).reduced();
+            let scale = Scale::Factor(factor.clone());
+            let kind = Kind::Position;
             // The width of some ticks, too, which is close to the border between two of them.
             let ticks = f64::from(count) * q as f64 / p as f64;
-            for x in [x, ticks] {
-                let Some(found) = near_product(&factor, x) else {
-                    continue;
-                };
-                let written = Number::from_f64(x).unwrap();
-                let expected = Reading::Exact(product(&written, &factor)).to_near();
-                prop_assert_eq!(found.parts(), expected.lo().parts());
+            let doubles = Numbers::Doubles(vec![x, ticks, -ticks]);
+            let decimals = Numbers::Decimals(vec![n, n % 1000, count.into()], vec![k, 0, 3]);
+            for written in [doubles, decimals] {
+                let (mut middles, mut radii) = ([0.0; 3], [0.0; 3]);
+                scale.near_several(&written, 0, (&mut middles, &mut radii));
+                for (i, parts) in middles.into_iter().zip(radii).enumerate() {
+                    let number = written.get(i).unwrap();
+                    let expected = Reading::Exact(product(&number, &factor)).to_near();
+                    let expected = expected.lo().parts();
+                    let one = match &written {
+                        Numbers::Doubles(values) => scale.near_double(kind, values[i]),
+                        Numbers::Decimals(n, k) => scale.near_decimal(kind, n[i], k[i]),
+                        Numbers::Any(_) => None,
+                    };
+                    prop_assert!(one.is_none_or(|ball| ball.parts() == expected));
+                    prop_assert!(parts.0.is_nan() || parts == expected, "{:?} {:?} {}", parts, expected, number);
+                    // All of usual sizes are decided.
+                    let is_short = |x: i64, most: u32| x.unsigned_abs() <= 1 << most;
+                    let usual = match &written {
+                        Numbers::Doubles(values) => {
+                            is_short(q, 49) && (values[i] == 0.0 || (1e-60..9e15).contains(&values[i].abs()))
+                        }
+                        Numbers::Decimals(n, k) => {
+                            is_short(n[i], 52) && is_short(q, 32) && k[i] < 6
+                        }
+                        Numbers::Any(_) => false,
+                    };
+                    prop_assert!(!parts.0.is_nan() || !usual || !is_short(p, 34));
+                }
             }
         }
     }

@@ -170,9 +170,8 @@ pub(crate) fn commanded(ledger: &Ledger, chunk: &Chunk) -> Vec<f64> {
             let lane = sample.map_or(Lane::UNDEFINED, Ball::lane);
             let place = reach.place(lane, lane);
             if place.is_flat || place.open > 0.0 {
-                let (level, radius) = place.force.parts();
-                let is_known = place.is_flat && radius == 0.0;
-                *force = if is_known { -level } else { f64::NAN };
+                let (level, _) = place.force.parts();
+                *force = if place.is_flat { -level } else { f64::NAN };
             }
         }
     }

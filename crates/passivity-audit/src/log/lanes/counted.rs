@@ -287,13 +287,14 @@ fn compute(tile: &mut Counted, quick: &Quick, open: &[f64; TILE], applied: bool)
     }
 }
 
-/// The same of walls that are not linear everywhere. Those of other widths would be long, and little faster.
-#[multiversion(targets("x86_64+avx2+fma"))]
+/// The same of walls that are not linear everywhere.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 fn compute_in_parts(
     tile: &mut Counted,
     (quick, reach): (&Quick, &Reach),
     open: &[f64; TILE],
     applied: bool,
 ) {
+    // One text less.
     tile.compute(quick, open, Some(reach), (false, applied));
 }
