@@ -237,15 +237,19 @@ impl<S: Written> Rectangle<'_, S> {
         let mut found: [Option<Interval<S>>; 2] = [None, None];
         let edges = self.edges()?;
         for force in self.forces() {
-            for [from, to] in &edges {
+            for Edge {
+                ends: [from, to],
+                bends,
+            } in &edges
+            {
                 let half_way = |a: &S, b: &S| (a.clone() + b.clone()).half();
                 let middle = [half_way(&from[0], &to[0]), half_way(&from[1], &to[1])];
                 let values = [from, &middle, to].map(|at| self.generated_at(at.each_ref(), force));
                 let d = |[from, to]: &[S; 2]| to.clone() - from.clone();
                 let [first, between, last] = values;
-                let accounts = first.into_iter().zip(between).zip(last);
-                for (known, ((a, b), c)) in found.iter_mut().zip(accounts) {
-                    let curve = through([a, b, c], [d(from), d(to)])?;
+                let accounts = first.into_iter().zip(between).zip(last).zip(bends);
+                for (known, (((a, b), c), bend)) in found.iter_mut().zip(accounts) {
+                    let curve = through([a, b, c], [d(from), d(to)], bend)?;
                     let here = net_along(&frictions, &curve, [d(from), d(to)])?;
                     join(known, here);
                 }
@@ -267,37 +271,72 @@ impl<S: Written> Rectangle<'_, S> {
 
     /// The edges of the rectangle, each from one corner to the next, or to where the law is bent; `None` where that is
     /// not told.
-    fn edges(&self) -> Option<Vec<[[S; 2]; 2]>> {
+    fn edges(&self) -> Option<Vec<Edge<S>>> {
         let pair = |[from, to]: [&S; 2]| [from.clone(), to.clone()];
         let mut edges = Vec::new();
-        for [a, b] in self.pieces(self.start)? {
+        for ([a, b], bends) in self.pieces(self.start)? {
             let ends = [self.end.lo(), self.end.hi()];
-            edges.extend(ends.map(|end| [pair([&a, end]), pair([&b, end])]));
+            edges.extend(ends.map(|end| Edge {
+                ends: [pair([&a, end]), pair([&b, end])],
+                bends: bends.each_ref().map(|bend| -bend.clone()),
+            }));
         }
-        for [a, b] in self.pieces(self.end)? {
+        for ([a, b], bends) in self.pieces(self.end)? {
             let starts = [self.start.lo(), self.start.hi()];
-            edges.extend(starts.map(|start| [pair([start, &a]), pair([start, &b])]));
+            edges.extend(starts.map(|start| Edge {
+                ends: [pair([start, &a]), pair([start, &b])],
+                bends: bends.clone(),
+            }));
         }
         Some(edges)
     }
 
     /// A position from its lower end to its upper one, in pieces over each of which the law is not bent: none of an
-    /// exact one.
-    fn pieces(&self, of: &Figure<S>) -> Option<Vec<[S; 2]>> {
+    /// exact one. With each, what the square of the position is times in both potentials there.
+    fn pieces(&self, of: &Figure<S>) -> Option<Vec<([S; 2], Accounts<S>)>> {
         let mut pieces = Vec::new();
         if of.is_exact() {
             return Some(pieces);
         }
+        let has_encoder = self.ends.least.has_encoder();
+        let bends = |is_linear: bool| {
+            let linear = if is_linear {
+                S::one().half()
+            } else {
+                S::zero()
+            };
+            // Within a tick the quantized force is the same.
+            let quantized = if has_encoder {
+                S::zero()
+            } else {
+                linear.clone()
+            };
+            [linear, quantized]
+        };
         let (law, mut from) = (self.ends.least.law(), of.lo().clone());
-        for bend in law.lower.into_iter().chain(law.upper) {
-            let is_behind = bend.compare(&from)? == Ordering::Greater;
-            if is_behind && bend.compare(of.hi())? == Ordering::Less {
-                pieces.push([std::mem::replace(&mut from, bend.clone()), bend]);
+        let mut is_linear = law.lower.is_none();
+        let lower = law.lower.into_iter().map(|bend| (bend, true));
+        let upper = law.upper.into_iter().map(|bend| (bend, false));
+        for (bend, is_linear_behind) in lower.chain(upper) {
+            if bend.compare(&from)? != Ordering::Greater {
+                is_linear = is_linear_behind;
+            } else if bend.compare(of.hi())? == Ordering::Less {
+                let piece = [std::mem::replace(&mut from, bend.clone()), bend];
+                pieces.push((piece, bends(is_linear)));
+                is_linear = is_linear_behind;
             }
         }
-        pieces.push([from, of.hi().clone()]);
+        pieces.push(([from, of.hi().clone()], bends(is_linear)));
         Some(pieces)
     }
+}
+
+/// A part of the edge of a rectangle, over which both accounts of generated energy are parabolas.
+struct Edge<S> {
+    /// The positions at one end and at the other.
+    ends: [[S; 2]; 2],
+    /// What the square of the displacement is times in each account.
+    bends: Accounts<S>,
 }
 
 /// Both accounts of net energy between two counts, at their extremes. The closed form is long: there is one of it for each
@@ -354,11 +393,16 @@ fn widen<S: Ordered>(ranges: &mut [Interval<S>; 2], values: Accounts<S>) {
     }
 }
 
-/// The parabola through three values on an edge, in short numbers: see [`extremes::through`].
-fn through<S: Written>(values: [S; 3], [from, to]: [S; 2]) -> Option<[S; 3]> {
+/// The parabola through three values on an edge, in short numbers: see [`extremes::through`]. What its square is times is
+/// known: enclosures of values do not tell it from zero where it is that.
+fn through<S: Written>(values: [S; 3], [from, to]: [S; 2], bend: &S) -> Option<[S; 3]> {
     let width = to.clone() - from.clone();
     let found = extremes::through(values, [from, to])?;
-    if !S::EXACT || width.square().compare(&S::one())? == Ordering::Equal {
+    if !S::EXACT {
+        let [_, gamma, kappa] = found;
+        return Some([bend.clone(), gamma, kappa]);
+    }
+    if width.square().compare(&S::one())? == Ordering::Equal {
         return Some(found);
     }
     // Dividing by a short width made the numbers longer than what they stand for.
