@@ -277,7 +277,8 @@ pub(crate) fn note_stored(
     sample: &Reading,
     account: &mut Account,
 ) -> Result<(), TraceError> {
-    if task.running {
+    // No potential is negative.
+    if task.running || Lowest::is_below_sum(account.stored.as_ref(), &account.net) {
         return Ok(());
     }
     let ledger = task.ledger;

@@ -354,6 +354,16 @@ impl Lowest {
         *slot = least.0.map(|(value, h)| Self { value, h });
     }
 
+    /// Whether what was kept is surely below a number.
+    fn is_surely_below(slot: Option<&Self>, x: Ball) -> bool {
+        slot.is_some_and(|lowest| (x - lowest.value.0.near()).sign() == Some(Ordering::Greater))
+    }
+
+    /// Whether it is surely below a sum, so that nothing is kept of that and of anything beside it that is not negative.
+    pub(crate) fn is_below_sum(slot: Option<&Self>, sum: &RunningSum) -> bool {
+        Self::is_surely_below(slot, sum.bounds())
+    }
+
     /// Keeps the sum and what stands beside it after `h` intervals, if that is lower; compared in
     /// doubles first.
     pub(crate) fn keep_sum(slot: &mut Option<Self>, sum: &RunningSum, beside: &Reduced, h: u64) {
@@ -361,10 +371,7 @@ impl Lowest {
             Reduced::Small(n, d) => Ball::wide_ratio(*n, *d),
             Reduced::Big(x) => Ball::of_rational(x),
         };
-        let now = sum.bounds() + beside_near;
-        let is_above =
-            |lowest: &Self| (now - lowest.value.0.near()).sign() == Some(Ordering::Greater);
-        if !slot.as_ref().is_some_and(is_above) {
+        if !Self::is_surely_below(slot.as_ref(), sum.bounds() + beside_near) {
             let value = sum.sum() + Total::from(beside);
             Self::keep(slot, Self { value, h });
         }
