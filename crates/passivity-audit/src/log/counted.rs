@@ -1,7 +1,7 @@
 //! What an interval between two counts comes to, in doubles, where a wall is all there is, and the interval in one part of it,
-//! or across the end of one on one side.
+//! or where it is bent.
 
-mod across;
+mod bent;
 
 use passivity_core::counted::{Crossing, Resistance};
 use passivity_core::{Criterion, Friction, Ordered, Scalar as _, Truth, dissipation, quantizer};
@@ -167,16 +167,15 @@ impl Figures {
         };
         let quick = Quick::of(&wall).figures([*from, *to], lasts, force);
         quick.or_else(|| {
-            let is_inward = wall.parts().is_inward(*from, *to)?;
             let lasts = Ball::of(&interval.dtau);
-            Self::across((&wall, is_inward), [*from, *to], lasts, force)
+            Self::bent(&wall, [*from, *to], lasts, force)
         })
     }
 
-    /// Of one between these counts [across](crate::log::wall::Parts::is_inward) the end of a wall on one side that lasts so
-    /// long, under the force in the log where there is any, with doubles that tell how far off they are.
-    pub(crate) fn across(
-        (wall, is_inward): (&Wall, bool),
+    /// Of one between these counts where the wall is [bent](Wall::bend) that lasts so long, under the force in the log
+    /// where there is any, with doubles that tell how far off they are.
+    pub(crate) fn bent(
+        wall: &Wall,
         [from, to]: [i64; 2],
         lasts: Ball,
         force: Option<Ball>,
@@ -187,9 +186,10 @@ impl Figures {
             lasts,
             force: force.unwrap_or(Ball::zero()),
         };
+        let bend = wall.bend([of.start, of.end])?;
         let walls = (&wall.frictions, &wall.criteria);
-        let how = (is_inward, wall.friction_is_exact, force.is_some());
-        Self::of(&Row::across(walls, &of, how), to.checked_sub(from)?)
+        let how = (wall.friction_is_exact, force.is_some());
+        Self::of(&Row::bent(walls, &of, &bend, how)?, to.checked_sub(from)?)
     }
 
     /// Of a row that crosses so many ticks; `None` where doubles leave something open.

@@ -1,6 +1,6 @@
 //! A loop that is nothing but a wall behind an encoder, in doubles: linear, but for where it ends or is saturated.
 
-use passivity_core::{Criterion, Friction, Law, Loop, Scalar as _};
+use passivity_core::{Criterion, Friction, Law, Loop, Ordered as _, Scalar as _};
 
 use crate::ball::{Ball, Lane, unless};
 use crate::ledger::Ledger;
@@ -14,6 +14,7 @@ pub(crate) struct Wall<const BRANCHES: bool = true> {
     pub(crate) friction_is_exact: bool,
     /// Where it is linear; `None` for everywhere.
     pub(crate) reach: Option<Reach>,
+    law: Law<Ball>,
 }
 
 /// Where a wall that is on one side, or saturated, is linear, and where its force is the same everywhere.
@@ -65,15 +66,15 @@ impl Parts {
             false => (high < self.free).then_some(Part::Free),
         }
     }
+}
 
-    /// Whether an interval goes into the wall; `None` of one that does not go across the end of it.
-    pub(crate) fn is_inward(&self, from: i64, to: i64) -> Option<bool> {
-        match [from, to].map(|n| self.of(n, n)) {
-            [Some(Part::Free), Some(Part::Linear)] => Some(true),
-            [Some(Part::Linear), Some(Part::Free)] => Some(false),
-            _ => None,
-        }
-    }
+/// Where a wall is bent: linear on one side of it, and of one force on the other.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bend {
+    /// The position, and the force of the wall there, against the direction of positions.
+    pub(crate) at: Ball,
+    /// Whether it is linear below that.
+    pub(crate) is_upper: bool,
 }
 
 /// The force of a wall where it is the same over a whole motion, and what is not zero where the motion is in no one part of
@@ -162,7 +163,32 @@ impl Wall {
             criteria: ends.criteria,
             friction_is_exact: ends.friction_is_exact(),
             reach: Reach::of(&law),
+            law,
         })
+    }
+
+    /// Where it is bent within the ticks of two counts, or between them; `None` where that is in no one place, or is not told.
+    pub(crate) fn bend(&self, counts: [Ball; 2]) -> Option<Bend> {
+        let [from, to] = counts;
+        let (low, high) = (from.min(to), from.max(to) + Ball::one());
+        let is_above = |at: Ball| (low - at).is_nonnegative();
+        let is_below = |at: Ball| (at - high).is_nonnegative();
+        let crosses = |at: Option<Ball>, is_beside: &dyn Fn(Ball) -> Option<bool>| match at {
+            Some(at) => Some((!is_beside(at)?).then_some(at)),
+            None => Some(None),
+        };
+        let bends = (
+            crosses(self.law.lower, &is_above)?,
+            crosses(self.law.upper, &is_below)?,
+        );
+        match bends {
+            (Some(at), None) => Some(Bend {
+                at,
+                is_upper: false,
+            }),
+            (None, Some(at)) => Some(Bend { at, is_upper: true }),
+            _ => None,
+        }
     }
 
     /// The counts in its parts.
@@ -198,6 +224,7 @@ impl Wall {
             }),
             friction_is_exact: self.friction_is_exact,
             reach: self.reach,
+            law: self.law,
         }
     }
 }

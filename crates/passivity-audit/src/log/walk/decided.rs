@@ -135,16 +135,15 @@ impl Walk<'_> {
             return None;
         }
         self.compute_counts(chunk, counts)?;
-        let across = || {
-            let is_inward = task.parts.as_ref()?.is_inward(from, to)?;
+        let bent = || {
             let wall = Wall::of(task.ledger)?;
             let force = match task.applied {
                 true => Some(chunk.forces.values.ball(i)?),
                 false => None,
             };
-            Figures::across((&wall, is_inward), [from, to], Ball::of(dtau), force)
+            Figures::bent(&wall, [from, to], Ball::of(dtau), force)
         };
-        let figures = self.counted.get(i).or_else(across)?;
+        let figures = self.counted.get(i).or_else(bent)?;
         let supply = match task.running {
             true => Some(figures.contribution().supplied(batch.excess())?),
             false => None,
