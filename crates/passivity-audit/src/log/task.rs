@@ -33,8 +33,9 @@ pub(crate) struct Task<'a> {
     pub(crate) files: &'a [String],
     /// Whether the columns are read as they were told to be.
     pub(crate) told: bool,
-    /// The parts of a wall behind an encoder, whose rows take no longer to compute than to look up; `None` where there is
+    /// A wall behind an encoder, whose rows take no longer to compute than to look up, and its parts; `None` where there is
     /// more to the loop.
+    pub(crate) wall: Option<Wall>,
     pub(crate) parts: Option<Parts>,
 }
 
@@ -43,6 +44,7 @@ impl<'a> Task<'a> {
     /// that is asked for.
     pub(crate) fn new(scene: &Scene, ledger: &'a Ledger, layout: &'a Layout, law: bool) -> Self {
         let applied = layout.force.is_some() && !law;
+        let wall = Wall::of(ledger);
         Self {
             ledger,
             layout,
@@ -54,7 +56,8 @@ impl<'a> Task<'a> {
             knows_law: scene.unaccounted(false).is_empty(),
             files: &[],
             told: false,
-            parts: Wall::of(ledger).map(|wall| wall.parts()),
+            parts: wall.as_ref().map(Wall::parts),
+            wall,
         }
     }
 

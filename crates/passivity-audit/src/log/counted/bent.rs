@@ -98,12 +98,15 @@ fn over_ticks(tick: Ball, many: Ball) -> Ball {
     left * (middle + skipped) + (left * (left - one)).half()
 }
 
-/// The least value and the largest one of an arc.
+/// The least value of an arc, or the largest one.
 #[inline(never)]
-fn extremes(arc: &Arc<Ball>) -> [Ball; 2] {
+fn extreme(arc: &Arc<Ball>, is_most: bool) -> Ball {
     let ([from, to], turn) = (&arc.ends, arc.turn());
     let (first, last) = (arc.at(from), arc.at(to));
-    [turn.min(first).min(last), turn.max(first).max(last)]
+    match is_most {
+        true => turn.max(first).max(last),
+        false => turn.min(first).min(last),
+    }
 }
 
 impl Ways {
@@ -211,48 +214,57 @@ impl Ways {
         }
     }
 
-    /// Net energy on the way up or down under a force in that direction, at the least and at the most, against the wall or
-    /// its quantized form.
-    #[inline(never)]
-    fn net(
-        &self,
-        frictions: &[Resistance<Ball>; 2],
-        force: Ball,
-        (is_up, is_quantized): (bool, bool),
-    ) -> [Ball; 2] {
-        let end = |friction: &Resistance<Ball>, is_largest: bool| {
-            let pieces = match is_quantized {
-                true => self.quantized_pieces(is_largest),
-                false => self.pieces(is_largest),
-            };
-            let taken = friction.sigma - force;
-            let mut found: Option<[Ball; 2]> = None;
-            for piece in pieces.into_iter().flatten().flatten() {
-                let (rises, slope, constant) = match is_up {
-                    true => (-piece.bend, taken - piece.slope, -piece.rest),
-                    false => (piece.bend, taken + piece.slope, piece.rest),
-                };
-                let [least, most] = extremes(&Arc {
-                    bend: match rises {
-                        0 => friction.own,
-                        1.. => friction.more,
-                        _ => friction.less,
-                    },
-                    slope,
-                    constant,
-                    ends: piece.ends,
-                });
-                found = Some(match found {
-                    None => [least, most],
-                    Some([lo, hi]) => [lo.min(least), hi.max(most)],
-                });
-            }
-            found.unwrap_or([Ball::UNDEFINED; 2])
-        };
-        let [least, most] = frictions;
-        let ([lo, _], [_, hi]) = (end(least, is_up), end(most, !is_up));
-        [lo, hi]
+    /// What the energy of the wall, or of its quantized form, rises by: where it is the largest at each D, and the least.
+    fn rises(&self) -> [Rises; 2] {
+        [
+            [self.pieces(true), self.pieces(false)],
+            [self.quantized_pieces(true), self.quantized_pieces(false)],
+        ]
     }
+}
+
+/// Where the energy of a wall rises the most at each distance, and where it does the least: before and behind D = K.
+type Rises = [[Pieces; 2]; 2];
+
+/// Net energy on the way up or down under a force in that direction, at the least and at the most.
+#[inline(never)]
+fn net(
+    [largest, least]: &Rises,
+    frictions: &[Resistance<Ball>; 2],
+    force: Ball,
+    is_up: bool,
+) -> [Ball; 2] {
+    let end = |friction: &Resistance<Ball>, pieces: &[Pieces; 2], is_most: bool| {
+        let taken = friction.sigma - force;
+        let values = pieces.iter().flatten().flatten().map(|piece| {
+            let (rises, slope, constant) = match is_up {
+                true => (-piece.bend, taken - piece.slope, -piece.rest),
+                false => (piece.bend, taken + piece.slope, piece.rest),
+            };
+            let bend = match rises {
+                0 => friction.own,
+                1.. => friction.more,
+                _ => friction.less,
+            };
+            let ends = piece.ends;
+            let arc = Arc {
+                bend,
+                slope,
+                constant,
+                ends,
+            };
+            extreme(&arc, is_most)
+        });
+        let further = |a: Ball, b: Ball| if is_most { a.max(b) } else { a.min(b) };
+        values.reduce(further).unwrap_or(Ball::UNDEFINED)
+    };
+    let (of_least, of_most) = if is_up {
+        (largest, least)
+    } else {
+        (least, largest)
+    };
+    let [low, high] = frictions;
+    [end(low, of_least, false), end(high, of_most, true)]
 }
 
 impl Row<Ball> {
@@ -303,13 +315,14 @@ impl Row<Ball> {
                 _ => Apart::Further,
             },
         };
-        let net = |force: Ball, is_quantized: bool| {
+        let [linear, of_quantized] = ways.rises();
+        let net = |rises: &Rises, force: Ball| {
             let ahead = if is_up { force } else { -force };
-            let [lo, hi] = ways.net(&frictions, ahead, (is_up, is_quantized));
+            let [lo, hi] = net(rises, &frictions, ahead, is_up);
             if !is_same {
                 return [lo, hi];
             }
-            let [lower, higher] = ways.net(&frictions, -ahead, (false, is_quantized));
+            let [lower, higher] = net(rises, &frictions, -ahead, false);
             [lo.min(lower), hi.max(higher)]
         };
         // A function of where the interval ends less one of where it starts.
@@ -333,6 +346,7 @@ impl Row<Ball> {
             true => (level + over, -over),
             false => (level, over),
         };
+        let against_wall = net(&linear, force);
         Some(Self {
             taken: [least.taken(&near), most.taken(&far)],
             margin: margin(criteria, [&near, &far], &of.lasts),
@@ -340,9 +354,12 @@ impl Row<Ball> {
                 less([start, end].map(|tick| over_tick(force, tick)), zero),
                 less([start, end].map(in_ticks), rise),
             ],
-            net: [net(force, false), net(force, true)],
+            net: [against_wall, net(&of_quantized, force)],
             work,
-            own: net(own, false),
+            own: match applied {
+                true => net(&linear, own),
+                false => against_wall,
+            },
             stored: over_tick(slope, end).map(|x| from + x),
             excess,
         })

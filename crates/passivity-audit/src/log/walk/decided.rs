@@ -13,7 +13,6 @@ use crate::log::lanes::{Length, TILE, Under};
 use crate::log::motion::Addend;
 use crate::log::step::check_jump;
 use crate::log::supply;
-use crate::log::wall::Wall;
 use crate::number::Number;
 use crate::reading::Reading;
 
@@ -136,12 +135,12 @@ impl Walk<'_> {
         }
         self.compute_counts(chunk, counts)?;
         let bent = || {
-            let wall = Wall::of(task.ledger)?;
+            let wall = task.wall.as_ref()?;
             let force = match task.applied {
                 true => Some(chunk.forces.values.ball(i)?),
                 false => None,
             };
-            Figures::bent(&wall, [from, to], Ball::of(dtau), force)
+            Figures::bent(wall, [from, to], Ball::of(dtau), force)
         };
         let figures = self.counted.get(i).or_else(bent)?;
         let supply = match task.running {
