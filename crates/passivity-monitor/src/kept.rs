@@ -12,13 +12,14 @@ use crate::width::Width;
 /// An account in its parts.
 #[derive(Clone, Copy, Debug)]
 pub struct Kept<W: Keep> {
-    pub(crate) account: Account<i64>,
+    /// The one of 64 bits.
+    pub account: Account<i64>,
     /// What is added to each of its numbers.
-    pub(crate) beside: W::Beside,
+    pub beside: W::Beside,
     /// Whether that is anything.
-    pub(crate) is_parted: bool,
+    pub is_parted: bool,
     /// How many different steps the account of 64 bits goes on by: those up to its longest either way, or none.
-    pub(crate) steps: i64,
+    pub steps: i64,
 }
 
 const STEPS: i64 = 2 * i64::STEP_MAX + 1;
@@ -31,9 +32,23 @@ pub trait Keep: Copy + Debug {
     const IS_WIDE: bool;
 
     /// An account in its parts.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_monitor::account::Account;
+    /// use passivity_monitor::kept::Keep;
+    ///
+    /// let account = Account { most: -1_i128 << 80, slope: 5, least: [7, 9] };
+    /// let kept = i128::kept(account);
+    /// assert_eq!(kept.account.most, -1 << 62);
+    /// assert_eq!(i128::whole(&kept), account);
+    /// ```
+    #[must_use]
     fn kept(whole: Account<Self>) -> Kept<Self>;
 
     /// The account of these parts.
+    #[must_use]
     fn whole(kept: &Kept<Self>) -> Account<Self>;
 }
 

@@ -119,9 +119,9 @@
 )]
 
 pub mod account;
+pub mod kept;
 
 mod config;
-mod kept;
 mod monitor;
 mod width;
 

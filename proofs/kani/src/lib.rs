@@ -33,6 +33,7 @@ mod interval;
 mod law;
 mod merge;
 mod monitor;
+mod parts;
 mod region;
 mod start;
 mod stiffness;

@@ -292,28 +292,14 @@ pub(crate) fn scaled_decimals(
     factor: Short,
     (middles, radii): (&mut [f64], &mut [f64]),
 ) {
-    const TENS: [f64; 16] = [
-        1e0,
-        1e1,
-        1e2,
-        1e3,
-        1e4,
-        1e5,
-        1e6,
-        1e7,
-        1e8,
-        1e9,
-        1e10,
-        1e11,
-        1e12,
-        1e13,
-        1e14,
-        f64::NAN,
+    /// As many as are short.
+    const TENS: [f64; 15] = [
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14,
     ];
     let decimals = numerators.iter().zip(powers);
     for ((decimal, middle), radius) in decimals.zip(middles).zip(radii) {
         let (n, k) = decimal;
-        let ten = TENS[usize::from(*k).min(TENS.len() - 1)];
+        let ten = TENS.get(usize::from(*k)).copied().unwrap_or(f64::NAN);
         (*middle, *radius) = factor.over(ten).times(*n as f64);
     }
 }

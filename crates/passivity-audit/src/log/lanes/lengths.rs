@@ -120,7 +120,7 @@ fn near(lengths: &[Length], lasts: &mut Column) -> bool {
     let mut open = false;
     for (i, Length(n, own)) in lengths.iter().enumerate() {
         let middle = *n as f64 / *d as f64;
-        lasts.set(i, Ball::rounded(middle, 2.0));
+        lasts.set(i, Ball::rounded(middle, 1.0));
         open |= (own != d) | (n >> f64::MANTISSA_DIGITS != 0) | (middle.to_bits() & behind == 0);
     }
     !open
