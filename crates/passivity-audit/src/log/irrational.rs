@@ -24,7 +24,8 @@ pub(crate) struct Irrational {
     negative: bool,
     /// |factor|/10^k for short decimals, by k.
     by_decimals: Vec<Option<Mantissa>>,
-    halves: Halves,
+    /// The same as doubles.
+    halves: Vec<Halves>,
 }
 
 /// A number above `mantissa`/2^shift, by one unit of it at most.
@@ -84,11 +85,15 @@ impl Irrational {
             let power = BigRational::from_integer(BigInt::from(10).pow(k));
             Mantissa::of(&(lo / &power), &(hi / &power))
         });
-        let nearest = near(range.lo());
-        let rest = BigRational::from_float(nearest).map(|nearest| range.lo() - nearest);
+        let halves = (0..=MOST_DECIMALS).map(|k| {
+            let over = range.lo() / BigRational::from_integer(BigInt::from(10).pow(k));
+            let nearest = near(&over);
+            let rest = BigRational::from_float(nearest).map(|nearest| over - nearest);
+            [nearest, rest.map_or(f64::NAN, |rest| near(&rest))]
+        });
         Self {
             by_decimals: by_decimals.collect(),
-            halves: [nearest, rest.map_or(f64::NAN, |rest| near(&rest))],
+            halves: halves.collect(),
             negative: range.lo().is_negative(),
             factor,
             range,
@@ -160,7 +165,14 @@ impl Irrational {
     /// What [`near_double`](Self::near_double) finds of doubles, soonest: their middles and radii, with no number in the
     /// middle where that takes longer.
     pub(crate) fn of_several(&self, values: &[f64], balls: (&mut [f64], &mut [f64])) {
-        doubles::balls(values, self.halves, balls);
+        if let Some(halves) = self.halves.first() {
+            doubles::balls(values, *halves, balls);
+        }
+    }
+
+    /// The same of [`near`](Self::near).
+    pub(crate) fn of_decimals(&self, decimals: (&[i64], &[u8]), balls: (&mut [f64], &mut [f64])) {
+        doubles::balls_of_decimals(decimals, &self.halves, balls);
     }
 
     /// What [`near_double`](Self::near_double) finds, sooner: of most doubles.
@@ -292,7 +304,8 @@ mod tests {
 
         #[test]
         fn a_short_decimal_is_enclosed_as_closely_as_by_big_numbers(
-            n: i64, decimals in 0..19_u32, counts in 1..100_000_i32, reversed: bool,
+            n in prop_oneof![any::<i64>(), -10_000_000..10_000_000_i64], decimals in 0..19_u32,
+            counts in 1..100_000_i32, reversed: bool,
         ) {
             // A radian is N/2π ticks.
             let sign = if reversed { -1 } else { 1 };
@@ -309,6 +322,14 @@ mod tests {
             let [lo, hi] = span.defined().unwrap();
             let at = |n: i128| BigRational::new(n.into(), (1_i128 << span::BITS).into());
             prop_assert!(at(lo) <= *exact.lo() && *exact.hi() <= at(hi));
+            for kind in [Kind::Position, Kind::Force] {
+                let k = u8::try_from(decimals).unwrap();
+                let (mut middle, mut radius) = ([0.0], [0.0]);
+                by.of_decimals((&[n], &[k]), (&mut middle, &mut radius));
+                if !middle[0].is_nan() {
+                    prop_assert_eq!(Some(Ball::from_parts(middle[0], radius[0])), by.near(kind, n, k));
+                }
+            }
             // A unit of the mantissa is at most a part in 2¹¹⁹ of it, and the radius is one more than that and
             // what was cut off.
             prop_assert!(hi - lo <= 4 + (hi.abs() >> 118));

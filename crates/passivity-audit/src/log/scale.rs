@@ -138,15 +138,19 @@ impl Scale {
             (Numbers::Doubles(values), _, Some(factor)) => {
                 ball::scaled(values.get(from..).unwrap_or_default(), factor, balls);
             }
-            (Numbers::Decimals(numerators, powers), _, Some(factor)) => {
+            (Numbers::Decimals(numerators, powers), _, factor) => {
                 let decimals = (numerators.get(from..), powers.get(from..));
                 let decimals = (
                     decimals.0.unwrap_or_default(),
                     decimals.1.unwrap_or_default(),
                 );
-                ball::scaled_decimals(decimals, factor, balls);
+                match (self, factor) {
+                    (Self::Irrational(by), _) => by.of_decimals(decimals, balls),
+                    (_, Some(factor)) => ball::scaled_decimals(decimals, factor, balls),
+                    _ => balls.0.fill(f64::NAN),
+                }
             }
-            _ => {}
+            _ => balls.0.fill(f64::NAN),
         }
     }
 

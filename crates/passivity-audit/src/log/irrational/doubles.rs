@@ -59,3 +59,22 @@ pub(super) fn balls(values: &[f64], factor: Halves, (middles, radii): (&mut [f64
         (*middle, *radius) = ball(*x, factor);
     }
 }
+
+/// The same of n over 10^k, given the factor over each power of ten.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+#[allow(clippy::cast_precision_loss)] // what has more digits is left open
+pub(super) fn balls_of_decimals(
+    (numerators, powers): (&[i64], &[u8]),
+    factors: &[Halves],
+    (middles, radii): (&mut [f64], &mut [f64]),
+) {
+    let decimals = numerators.iter().zip(powers);
+    for ((decimal, middle), radius) in decimals.zip(middles).zip(radii) {
+        let (n, k) = decimal;
+        let unknown = [f64::NAN; 2];
+        let factor = factors.get(usize::from(*k)).copied().unwrap_or(unknown);
+        let is_exact = n.unsigned_abs() < 1 << f64::MANTISSA_DIGITS;
+        let n = if is_exact { *n as f64 } else { f64::NAN };
+        (*middle, *radius) = ball(n, factor);
+    }
+}
