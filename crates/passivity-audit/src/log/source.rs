@@ -19,6 +19,10 @@ use crate::log::mcap;
 #[cfg(feature = "parquet")]
 use crate::log::parquet;
 use crate::log::piece::Said;
+use compressed::decompressed;
+pub(crate) use compressed::{is_compressed, start};
+
+mod compressed;
 
 /// How the columns of a log are called, and how its numbers are written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -282,37 +286,6 @@ pub(crate) fn opened(
     }
     let whole: Box<dyn Read> = Box::new(Cursor::new(start).chain(inside));
     Ok(Opened::Csv(Lines::new(whole, block)))
-}
-
-/// Whether a file with these first bytes is compressed by gzip or zstd.
-pub(crate) fn is_compressed(start: &[u8]) -> bool {
-    start.starts_with(&[0x1f, 0x8b]) || start == [0x28, 0xb5, 0x2f, 0xfd]
-}
-
-/// The first four bytes, or as many as there are.
-pub(crate) fn start(input: &mut dyn Read) -> Result<Vec<u8>, TraceError> {
-    let mut start = Vec::new();
-    let read = input.take(4).read_to_end(&mut start);
-    read.map_err(|error| TraceError::io(&error))?;
-    Ok(start)
-}
-
-#[cfg(feature = "compressed")]
-fn decompressed(input: Box<dyn Read>, start: &[u8]) -> Result<Box<dyn Read>, TraceError> {
-    if start.starts_with(&[0x1f, 0x8b]) {
-        let buffered = std::io::BufReader::new(input);
-        return Ok(Box::new(flate2::bufread::MultiGzDecoder::new(buffered)));
-    }
-    match zstd::stream::read::Decoder::new(input) {
-        Ok(decoder) => Ok(Box::new(decoder)),
-        Err(error) => Err(TraceError::io(&error)),
-    }
-}
-
-#[cfg(not(feature = "compressed"))]
-fn decompressed(_: Box<dyn Read>, _: &[u8]) -> Result<Box<dyn Read>, TraceError> {
-    let message = "compressed files are not in this build: build it with the feature `compressed`";
-    Err(TraceError::new("compressed", message))
 }
 
 #[cfg(feature = "parquet")]

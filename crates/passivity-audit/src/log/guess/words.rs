@@ -1,0 +1,91 @@
+//! The words of the names of columns, and what they say.
+
+/// What a commanded or wanted motion is called: not the one that was.
+pub(super) const NOT_MEASURED: [&str; 16] = [
+    "ref",
+    "reference",
+    "target",
+    "desired",
+    "des",
+    "setpoint",
+    "goal",
+    "error",
+    "err",
+    "cmd",
+    "command",
+    "commanded",
+    "wall",
+    "offset",
+    "limit",
+    "stiffness",
+];
+
+/// What is no position, though its last word may be `x`: a derivative, which is named after what it is one of,
+/// and other vectors.
+pub(super) const NO_POSITION: [&str; 12] = [
+    "dot",
+    "velocity",
+    "speed",
+    "force",
+    "torque",
+    "moment",
+    "effort",
+    "wrench",
+    "twist",
+    "acceleration",
+    "orientation",
+    "covariance",
+];
+
+/// What a force that was held is called.
+pub(super) const HELD: [&str; 6] = ["cmd", "command", "commanded", "motor", "applied", "desired"];
+
+/// What a count is called, as a word of a name or as a unit.
+pub(super) const COUNTED: [&str; 6] = ["count", "tick", "cnt", "lsb", "inc", "increment"];
+
+/// The words of a name, in lower case and in the singular.
+pub(super) fn words(name: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let mut before = ' ';
+    for c in name.chars() {
+        let continues = c.is_alphabetic()
+            && before.is_alphabetic()
+            && (before.is_uppercase() || !c.is_uppercase());
+        if c.is_alphabetic() {
+            match words.last_mut() {
+                Some(word) if continues => word.extend(c.to_lowercase()),
+                _ => words.push(c.to_lowercase().collect()),
+            }
+        }
+        before = c;
+    }
+    for word in &mut words {
+        if word.len() > 3 && word.ends_with('s') {
+            word.pop();
+        }
+    }
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_fall_into_words() {
+        for (name, expected) in [
+            (
+                "/joint_states/position[0]",
+                &["joint", "state", "position"][..],
+            ),
+            ("motorTorque", &["motor", "torque"]),
+            ("__time", &["time"]),
+            ("field.header.stamp", &["field", "header", "stamp"]),
+            ("θ", &["θ"]),
+            ("Position1", &["position"]),
+            ("encoder_counts", &["encoder", "count"]),
+        ] {
+            assert_eq!(words(name), expected, "{name}");
+        }
+    }
+}
