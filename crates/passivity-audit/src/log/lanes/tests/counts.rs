@@ -8,6 +8,7 @@ use super::super::*;
 use super::{BETWEEN, EXACT, ball, ledger};
 use crate::ledger::Ledger;
 use crate::log::batch::Batch;
+use crate::log::chunk::{Chunk, Samples};
 use crate::log::counted;
 use crate::log::motion::Addend;
 use crate::log::numbers::Kind;
@@ -154,5 +155,29 @@ fn all_rows_of_a_log_of_counts_are_decided() {
             assert_eq!(rows.len(), TILE);
             assert!(rows.iter().flatten().all(Option::is_some));
         }
+    }
+}
+
+#[test]
+fn forces_of_a_wall_that_ends_are_those_of_its_controller() {
+    let ledger = ledger(
+        "[device]\nmass = \"75 g\"\ncoulomb = \"0.04 N\"\n[sampling]\nperiod = \"1 ms\"\n[encoder]\nresolution = \"0.03 mm\"\n\
+         [wall]\nstiffness = \"1 N/mm\"\nunilateral = true\nmax_force = \"0.31 N\"\n",
+    );
+    let counts: Vec<i64> = (-20..20).collect();
+    let chunk = Chunk {
+        samples: Samples::Counts(counts.clone()),
+        ..Chunk::default()
+    };
+    let found = commanded(&ledger, &chunk);
+    let controller = &ledger.near().controller;
+    for (n, force) in counts.into_iter().zip(found) {
+        let measured = controller.measured(&Ball::whole(n));
+        let held = controller.held_force(&[measured]).near();
+        // It becomes saturated in the tick from ten on: that one is left open.
+        assert!(
+            Some(force) == held || n == 10 && force.is_nan(),
+            "{n}: {force} {held:?}"
+        );
     }
 }
