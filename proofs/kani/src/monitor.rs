@@ -264,7 +264,7 @@ fn th_monitor_starts_with_nothing_given() {
 const LARGEST: Config = at(PARAMETER_MAX, PARAMETER_MAX, PARAMETER_MAX);
 const NO_FRICTION: Config = at(PARAMETER_MAX, 0, 0);
 const NO_SPRING: Config = at(0, PARAMETER_MAX, PARAMETER_MAX);
-const ORDINARY: Config = at(1000, 650, 300);
+pub(crate) const ORDINARY: Config = at(1000, 650, 300);
 
 const fn at(stiffness: i64, viscous: i64, coulomb: i64) -> Config {
     match Config::new(stiffness, viscous, coulomb) {

@@ -3,15 +3,10 @@
 //! The parts of the most make it up, and what is beside never lets an answer come late. That the parts of the least make it
 //! up, and that both go on as the account does, is left to tests: sums of three numbers of 128 bits take a solver too long.
 
-use passivity_monitor::Config;
 use passivity_monitor::account::Account;
 use passivity_monitor::kept::{Keep, Kept};
 
-/// A wall of an ordinary device.
-const ORDINARY: Config = match Config::new(1000, 650, 300) {
-    Ok(config) => config,
-    Err(_) => panic!("in range"),
-};
+use crate::monitor::ORDINARY;
 
 /// Slopes past both ends of where the answer asks for their square.
 const SLOPE: i16 = 3000;

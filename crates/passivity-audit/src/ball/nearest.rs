@@ -93,7 +93,7 @@ impl Ball {
         }
     }
 
-    /// [`of_reading`](Self::of_reading) of ±n/d·2^−k, n > 0, without big numbers; `None` where it is near the least or
+    /// [`of_reading`](Self::of_reading) of ±n/d·2^−k without big numbers; `None` where it is near the least or
     /// the largest doubles, or closer to a whole number than is told here.
     #[inline]
     #[allow(clippy::cast_precision_loss)] // of 53 bits none is lost

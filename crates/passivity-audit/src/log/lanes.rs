@@ -238,9 +238,8 @@ impl Tiles {
     /// Computes those of a chunk, in the room of those before: none of counts, and of loops that are no plain
     /// walls.
     pub(crate) fn fill(&mut self, task: &Task<'_>, chunk: &Chunk) {
-        let wall = Wall::of(task.ledger);
-        self.quick = wall.as_ref().map(Quick::of);
-        self.wall = wall.map(|wall| wall.lanes());
+        self.quick = task.wall.as_ref().map(Quick::of);
+        self.wall = task.wall.as_ref().map(Wall::lanes);
         let intervals = chunk.samples.len().saturating_sub(1);
         // Of counts without forces few are asked for, or by one account, unless rows are written.
         let is_written = task.rows.is_some() && !(chunk.times.is_empty() && chunk.dtaus.is_empty());

@@ -339,7 +339,7 @@ fn at_once(
         let mut chunk = parsed(work, task.layout);
         let shared = worker.shared(task, &chunk);
         if task.compares_forces() {
-            chunk.commanded = lanes::commanded(task.ledger, &chunk);
+            chunk.commanded = lanes::commanded(task.wall.as_ref(), &chunk);
         }
         let account = worker.account(task, (&mut chunk, &shared), task.lead());
         let beside = match law {

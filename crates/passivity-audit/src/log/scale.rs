@@ -122,8 +122,8 @@ impl Scale {
         }
     }
 
-    /// What is known of the numbers of a column from one on, several at a time: their middles and radii, with no number in
-    /// the middle where that takes longer to find out.
+    /// What is known of the numbers of a column from one on, several at a time: their middles and radii, which are given
+    /// without a number in the middle, and stay or become so where that takes longer to find out.
     pub(crate) fn near_several(
         &self,
         written: &Numbers,
@@ -131,26 +131,25 @@ impl Scale {
         balls: (&mut [f64], &mut [f64]),
     ) {
         let factor = self.ratio().map(|(p, q)| Short::new(p, q));
-        match (written, self, factor) {
-            (Numbers::Doubles(values), Self::Irrational(by), _) => {
-                by.of_several(values.get(from..).unwrap_or_default(), balls);
+        match written {
+            Numbers::Doubles(values) => {
+                let values = values.get(from..).unwrap_or_default();
+                match (self, factor) {
+                    (Self::Irrational(by), _) => by.of_several(values, balls),
+                    (_, Some(factor)) => ball::scaled(values, factor, balls),
+                    (_, None) => {}
+                }
             }
-            (Numbers::Doubles(values), _, Some(factor)) => {
-                ball::scaled(values.get(from..).unwrap_or_default(), factor, balls);
-            }
-            (Numbers::Decimals(numerators, powers), _, factor) => {
-                let decimals = (numerators.get(from..), powers.get(from..));
-                let decimals = (
-                    decimals.0.unwrap_or_default(),
-                    decimals.1.unwrap_or_default(),
-                );
+            Numbers::Decimals(numerators, powers) => {
+                let numerators = numerators.get(from..).unwrap_or_default();
+                let decimals = (numerators, powers.get(from..).unwrap_or_default());
                 match (self, factor) {
                     (Self::Irrational(by), _) => by.of_decimals(decimals, balls),
                     (_, Some(factor)) => ball::scaled_decimals(decimals, factor, balls),
-                    _ => balls.0.fill(f64::NAN),
+                    (_, None) => {}
                 }
             }
-            _ => balls.0.fill(f64::NAN),
+            Numbers::Any(_) => {}
         }
     }
 
@@ -166,9 +165,6 @@ impl Scale {
 
 /// The ball of p·n/(q·2^k), q > 0; `None` where it takes longer.
 fn scaled(p: i64, n: i64, q: i64, k: u32) -> Option<Ball> {
-    if n == 0 {
-        return Some(Ball::whole(0));
-    }
     let [size, by] = [n, p].map(|x| u128::from(x.unsigned_abs()));
     Ball::of_scaled_quotient((n < 0) != (p < 0), size * by, q.unsigned_abs(), k)
 }

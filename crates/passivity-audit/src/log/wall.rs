@@ -171,24 +171,17 @@ impl Wall {
     pub(crate) fn bend(&self, counts: [Ball; 2]) -> Option<Bend> {
         let [from, to] = counts;
         let (low, high) = (from.min(to), from.max(to) + Ball::one());
-        let is_above = |at: Ball| (low - at).is_nonnegative();
-        let is_below = |at: Ball| (at - high).is_nonnegative();
-        let crosses = |at: Option<Ball>, is_beside: &dyn Fn(Ball) -> Option<bool>| match at {
-            Some(at) => Some((!is_beside(at)?).then_some(at)),
-            None => Some(None),
+        // Neither end of the ticks is on the other side of it.
+        let is_clear = |gap: Option<Ball>| gap.map_or(Some(true), |gap| gap.is_nonnegative());
+        let Law { lower, upper } = self.law;
+        let lower_is_clear = is_clear(lower.map(|at| low - at))?;
+        let upper_is_clear = is_clear(upper.map(|at| at - high))?;
+        let (at, is_upper) = match (lower_is_clear, upper_is_clear) {
+            (false, true) => (lower?, false),
+            (true, false) => (upper?, true),
+            _ => return None,
         };
-        let bends = (
-            crosses(self.law.lower, &is_above)?,
-            crosses(self.law.upper, &is_below)?,
-        );
-        match bends {
-            (Some(at), None) => Some(Bend {
-                at,
-                is_upper: false,
-            }),
-            (None, Some(at)) => Some(Bend { at, is_upper: true }),
-            _ => None,
-        }
+        Some(Bend { at, is_upper })
     }
 
     /// The counts in its parts.

@@ -44,15 +44,6 @@ struct Ways {
     lower: (Ball, Side),
     upper: (Ball, Side),
     ticks: Ball,
-    /// K, as far as it matters.
-    apart: Apart,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Apart {
-    Same,
-    Next,
-    Further,
 }
 
 /// ½·max(y, 0)².
@@ -188,7 +179,7 @@ impl Ways {
             [Some(piece), None]
         };
         let (early, late) = ([k - one, k], [k, k + one]);
-        let (is_next, is_same) = (self.apart == Apart::Next, self.apart == Apart::Same);
+        let (is_next, is_same) = (k == one, k.is_zero());
         let [before, behind] = match is_largest {
             true => [
                 piece(
@@ -208,9 +199,9 @@ impl Ways {
 
     /// Within one tick there is nothing before D = K.
     fn unless_same(&self, pieces: Pieces) -> Pieces {
-        match self.apart {
-            Apart::Same => [None, None],
-            Apart::Next | Apart::Further => pieces,
+        match self.ticks.is_zero() {
+            true => [None, None],
+            false => pieces,
         }
     }
 
@@ -309,11 +300,6 @@ impl Row<Ball> {
             lower: (lower, side(lower)?),
             upper: (upper, side(upper)?),
             ticks: ticks.abs(),
-            apart: match (is_same, ticks.abs() == one) {
-                (true, _) => Apart::Same,
-                (_, true) => Apart::Next,
-                _ => Apart::Further,
-            },
         };
         let [linear, of_quantized] = ways.rises();
         let net = |rises: &Rises, force: Ball| {

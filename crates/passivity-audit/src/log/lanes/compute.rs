@@ -6,7 +6,6 @@ use passivity_core::{Law, Scalar as _, dissipation, quantizer};
 
 use super::{Intervals, TILE, Tile};
 use crate::ball::{Ball, Lane, split, unless};
-use crate::ledger::Ledger;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::wall::{Reach, Wall};
 
@@ -150,8 +149,8 @@ pub(super) fn compute_in_parts(tile: &mut Tile, wall: &Wall<false>, of: &Interva
 
 /// The force of the law from each sample of a chunk, near by, as far as that is known; nothing of loops that
 /// are no plain walls.
-pub(crate) fn commanded(ledger: &Ledger, chunk: &Chunk) -> Vec<f64> {
-    let Some(wall) = Wall::of(ledger) else {
+pub(crate) fn commanded(wall: Option<&Wall>, chunk: &Chunk) -> Vec<f64> {
+    let Some(wall) = wall else {
         return Vec::new();
     };
     let mut forces = vec![f64::NAN; chunk.samples.len()];

@@ -169,7 +169,7 @@ fn forces_of_a_wall_that_ends_are_those_of_its_controller() {
         samples: Samples::Counts(counts.clone()),
         ..Chunk::default()
     };
-    let found = commanded(&ledger, &chunk);
+    let found = commanded(Wall::of(&ledger).as_ref(), &chunk);
     let controller = &ledger.near().controller;
     for (n, force) in counts.into_iter().zip(found) {
         let measured = controller.measured(&Ball::whole(n));
