@@ -5,6 +5,7 @@
 //! comparison is one of doubles: a finding beside the exact account, which is of the force applied.
 
 use std::collections::VecDeque;
+use std::ops::Range;
 
 use multiversion::multiversion;
 use passivity_core::{Controller, Wide};
@@ -131,13 +132,45 @@ impl Comparison {
         Some(self.wide.held_force(&measured).below()?.near())
     }
 
-    /// Compares the forces of the first `rows` samples of a chunk.
-    pub(crate) fn feed(&mut self, chunk: &Chunk, rows: usize) -> Result<(), TraceError> {
-        let compared = rows.min(chunk.forces.values.len());
+    /// How many rows at the start of a chunk are compared by samples before it.
+    fn lead(&self) -> usize {
+        self.lags.len().max(self.wide.filter.order() + 1)
+    }
+
+    /// Compares the forces of a chunk that need no sample before it; `None` where there are none, or one of them is
+    /// undefined.
+    pub(crate) fn inside(ledger: &Ledger, chunk: &Chunk) -> Option<Self> {
+        let mut inside = Self::new(ledger);
+        let (lead, rows) = (inside.lead(), chunk.samples.len());
+        if rows <= lead {
+            return None;
+        }
+        inside.feed(chunk, 0..lead).ok()?;
+        inside.forget();
+        inside.feed(chunk, lead..rows).ok()?;
+        Some(inside)
+    }
+
+    /// Compares the forces of a chunk, given what was found [inside](Self::inside) of it.
+    pub(crate) fn take(&mut self, chunk: &Chunk, inside: Self) -> Result<(), TraceError> {
+        self.feed(chunk, 0..self.lead())?;
+        self.append(&inside);
+        self.law_squares.add_sum(&inside.law_squares);
+        (self.law, self.samples) = (inside.law, inside.samples);
+        Ok(())
+    }
+
+    /// Compares the forces of some samples of a chunk.
+    pub(crate) fn feed(&mut self, chunk: &Chunk, rows: Range<usize>) -> Result<(), TraceError> {
+        let end = rows.end.min(chunk.forces.values.len());
+        let rows = rows.start.min(end)..end;
         // What is not known near by is computed one by one.
-        let mut law: Vec<f64> = chunk.commanded.iter().copied().take(compared).collect();
-        law.resize(compared, f64::NAN);
-        for (i, force) in law.iter_mut().enumerate() {
+        let known = chunk.commanded.get(rows.clone());
+        let mut law: Vec<f64> = match known {
+            Some(known) => known.to_vec(),
+            None => vec![f64::NAN; rows.len()],
+        };
+        for (i, force) in rows.clone().zip(&mut law) {
             if force.is_nan() {
                 let sample = chunk.samples.get(i).ok_or_else(undefined)?;
                 *force = self.commanded(sample).ok_or_else(undefined)?;
@@ -152,13 +185,18 @@ impl Comparison {
             self.before.clone_from(&self.law);
         }
         let near = &chunk.forces.values.near;
-        let mut forces: Vec<f64> = near.middles.iter().copied().take(compared).collect();
-        for (i, (force, radius)) in forces.iter_mut().zip(&near.radii).enumerate() {
+        let of = |column: &[f64]| column.get(rows.clone()).map(<[f64]>::to_vec);
+        let mut forces = of(&near.middles).ok_or_else(undefined)?;
+        for ((i, force), radius) in rows
+            .clone()
+            .zip(&mut forces)
+            .zip(near.radii.iter().skip(rows.start))
+        {
             if !radius.is_finite() {
                 *force = near_reading(&chunk.forces.get(i).ok_or_else(undefined)?);
             }
         }
-        let rounding = chunk.forces.roundings.get(..compared).unwrap_or_default();
+        let rounding = chunk.forces.roundings.get(rows).unwrap_or_default();
         self.squares.add_products(&forces, &forces);
         self.law_squares.add_products(&law, &law);
         // The latest last, and as many before the first as the longest lag looks back.

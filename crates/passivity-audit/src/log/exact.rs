@@ -19,9 +19,9 @@ const DIGITS: usize = 67;
 #[derive(Clone, Debug)]
 pub(crate) struct ExactSum {
     /// The digit `k` counts 2^(32k − 1074). A term adds less than 2^85 to one of them: there is room for
-    /// 2^42 terms.
+    /// 2^42 terms, those of sums that were added among them.
     digits: Box<[i128; DIGITS]>,
-    /// What came from other sums.
+    /// What came from sums that were kept elsewhere.
     other: BigInt,
     finite: bool,
 }
@@ -79,7 +79,12 @@ impl ExactSum {
 
     /// Adds another sum.
     pub(crate) fn add_sum(&mut self, other: &Self) {
-        self.other += other.whole();
+        for (digit, other) in self.digits.iter_mut().zip(&*other.digits) {
+            *digit += other;
+        }
+        if other.other != BigInt::ZERO {
+            self.other += &other.other;
+        }
         self.finite &= other.finite;
     }
 

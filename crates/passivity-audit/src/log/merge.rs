@@ -128,7 +128,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             let contribution = computed.contribution.ok_or_else(undefined)?;
             self.account.supply.excess = Some(contribution.excess().clone());
         }
-        self.compare(chunk, chunk.samples.len())?;
+        self.compare(chunk, chunk.samples.len(), None)?;
         if let Some(comparison) = &mut self.comparison {
             comparison.forget();
         }
@@ -138,10 +138,19 @@ impl<'a, 'w> Merge<'a, 'w> {
         Ok(())
     }
 
-    /// Compares the forces and velocities of the first `rows` samples of a chunk.
-    fn compare(&mut self, chunk: &Chunk, rows: usize) -> Result<(), TraceError> {
+    /// Compares the forces and velocities of the first `rows` samples of a chunk, given what was found inside of it where
+    /// that is all of them.
+    fn compare(
+        &mut self,
+        chunk: &Chunk,
+        rows: usize,
+        inside: Option<Comparison>,
+    ) -> Result<(), TraceError> {
         if let Some(comparison) = &mut self.comparison {
-            comparison.feed(chunk, rows)?;
+            match inside {
+                Some(inside) => comparison.take(chunk, inside)?,
+                None => comparison.feed(chunk, 0..rows)?,
+            }
         }
         if let Some(velocities) = &mut self.velocities {
             velocities.feed(self.task.layout, chunk, rows)?;
@@ -149,9 +158,13 @@ impl<'a, 'w> Merge<'a, 'w> {
         Ok(())
     }
 
-    /// Takes the next chunk with the account of the intervals inside it. False when the trace ends
-    /// here, for a mistake.
-    pub(crate) fn take(&mut self, chunk: &Chunk, account: Account) -> Result<bool, TraceError> {
+    /// Takes the next chunk with the account of the intervals inside it and the comparison of its forces, as far as that
+    /// was made. False when the trace ends here, for a mistake.
+    pub(crate) fn take(
+        &mut self,
+        chunk: &Chunk,
+        (account, inside): (Account, Option<Comparison>),
+    ) -> Result<bool, TraceError> {
         if chunk.place.file != self.file {
             self.file = chunk.place.file;
             self.before_file = self.samples;
@@ -168,7 +181,7 @@ impl<'a, 'w> Merge<'a, 'w> {
                 self.error = Some(self.placed(error, self.samples + 1));
                 self.closing = None;
                 self.unended = false;
-                self.compare(chunk, i)?;
+                self.compare(chunk, i, None)?;
                 return self.flush().map(|()| false);
             }
         }
@@ -181,7 +194,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             self.recent = chunk.samples.back_from(whole - 1, window);
             self.onward = onward(chunk, whole - 1);
         }
-        self.compare(chunk, whole)?;
+        self.compare(chunk, whole, inside)?;
         self.thin_points();
         if whole > 0 {
             self.closing.clone_from(&chunk.closing);

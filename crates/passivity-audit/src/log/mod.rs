@@ -8,6 +8,7 @@ mod chunk;
 mod columns;
 mod comparison;
 mod computed;
+mod cores;
 mod counted;
 mod csv;
 mod error;
@@ -79,11 +80,14 @@ pub use source::Dialect;
 
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use passivity_scene::Scene;
 
 use crate::ledger::Ledger;
+use crate::log::account::Account;
 use crate::log::chunk::Chunk;
+use crate::log::comparison::Comparison;
 use crate::log::layout::Layout;
 use crate::log::merge::{Findings, Merge};
 use crate::log::source::{Source, Work};
@@ -246,32 +250,40 @@ fn account<'a>(
             }
         }
     }
-    loop {
-        let next = std::iter::from_fn(|| first.take().or_else(|| source.next(layout)));
-        let work: Vec<Work> = next.take(threads).collect();
-        let ended = work.is_empty();
-        if options.watch.is_some_and(|watch| !watch(merge.samples())) {
-            return Err(TraceError::new("stopped", "the audit was stopped"));
-        }
-        let mut goes_on = !ended;
-        let accounts = at_once(task, law, work, &mut workers);
-        for ((chunk, [account, other]), [worker, _]) in accounts.into_iter().zip(&mut workers) {
-            if let Some(beside) = &mut beside {
-                beside.take(&chunk, other)?;
-            }
-            goes_on = merge.take(&chunk, account)?;
-            worker.rows = merge.room();
-            if !goes_on {
-                break;
-            }
-        }
-        if !goes_on {
-            let law = beside
-                .map(|beside| beside.finish(reading.ends))
-                .transpose()?;
-            return Ok((merge.finish(reading.ends)?, law));
-        }
+    let stopped = || TraceError::new("stopped", "the audit was stopped");
+    let goes_on = |samples: u64| options.watch.is_none_or(|watch| watch(samples));
+    if !goes_on(0) {
+        return Err(stopped());
     }
+    let rooms = Rooms::default();
+    cores::in_order(
+        &mut workers,
+        || first.take().or_else(|| source.next(layout)),
+        |work, [worker, other]| {
+            worker.rows = rooms.take();
+            Done::of(task, law, work, [worker, other])
+        },
+        |Done {
+             chunk,
+             account,
+             beside: other,
+             inside,
+         }| {
+            if let Some(beside) = &mut beside {
+                beside.take(&chunk, (other, None))?;
+            }
+            let went_on = merge.take(&chunk, (account, inside))?;
+            rooms.keep(merge.room());
+            match goes_on(merge.samples()) {
+                true => Ok(went_on),
+                false => Err(stopped()),
+            }
+        },
+    )?;
+    let law = beside
+        .map(|beside| beside.finish(reading.ends))
+        .transpose()?;
+    Ok((merge.finish(reading.ends)?, law))
 }
 
 /// The first `lead` samples of a source, and what else was read with them.
@@ -327,44 +339,61 @@ fn threads(asked: usize) -> Result<usize, TraceError> {
     }
 }
 
-/// The accounts of some chunks, each on a core of its own: that which is asked for, and that of the law
-/// beside it.
-fn at_once(
-    task: &Task<'_>,
-    law: Option<&Task<'_>>,
-    work: Vec<Work>,
-    workers: &mut [[Worker; 2]],
-) -> Vec<(Chunk, [account::Account; 2])> {
-    let account = |work: Work, [worker, other]: &mut [Worker; 2]| {
+/// The room of rows that were written, for others.
+#[derive(Default)]
+struct Rooms(Mutex<Vec<Vec<u8>>>);
+
+impl Rooms {
+    fn lock(&self) -> MutexGuard<'_, Vec<Vec<u8>>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn take(&self) -> Vec<u8> {
+        self.lock().pop().unwrap_or_default()
+    }
+
+    fn keep(&self, room: Vec<u8>) {
+        if room.capacity() > 0 {
+            self.lock().push(room);
+        }
+    }
+}
+
+/// What was found of a chunk.
+struct Done {
+    chunk: Chunk,
+    /// The account that is asked for, and that of the law beside it.
+    account: Account,
+    beside: Account,
+    /// How the forces inside of it agree with the law's.
+    inside: Option<Comparison>,
+}
+
+impl Done {
+    fn of(
+        task: &Task<'_>,
+        law: Option<&Task<'_>>,
+        work: Work,
+        [worker, other]: [&mut Worker; 2],
+    ) -> Self {
         let mut chunk = parsed(work, task.layout);
         let shared = worker.shared(task, &chunk);
-        if task.compares_forces() {
-            chunk.commanded = lanes::commanded(task.wall.as_ref(), &chunk);
-        }
         let account = worker.account(task, (&mut chunk, &shared), task.lead());
         let beside = match law {
             Some(law) => other.account(law, (&mut chunk, &shared), law.lead()),
-            None => account::Account::default(),
+            None => Account::default(),
         };
         worker.reuse(shared);
-        (chunk, [account, beside])
-    };
-    let mut all = work.into_iter().zip(workers);
-    // One of them needs no other core than this.
-    let own = all.next();
-    std::thread::scope(|scope| {
-        let account = &account;
-        let running: Vec<_> = all
-            .map(|(work, workers)| scope.spawn(move || account(work, workers)))
-            .collect();
-        let own = own.map(|(work, workers)| account(work, workers));
-        let join = |handle: std::thread::ScopedJoinHandle<'_, _>| {
-            handle
-                .join()
-                .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-        };
-        own.into_iter()
-            .chain(running.into_iter().map(join))
-            .collect()
-    })
+        let mut inside = None;
+        if task.compares_forces() {
+            chunk.commanded = lanes::commanded(task.wall.as_ref(), &chunk);
+            inside = Comparison::inside(task.ledger, &chunk);
+        }
+        Self {
+            chunk,
+            account,
+            beside,
+            inside,
+        }
+    }
 }
