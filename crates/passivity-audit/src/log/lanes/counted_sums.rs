@@ -198,24 +198,38 @@ fn totals(tile: &Counted, rows: &Range<usize>) -> ([[i128; 2]; 5], i128, [i128; 
     (sums, tile.observed.sum(rows.clone()), supply)
 }
 
-/// Bounds from below: as [`Sums`] has them of net energy, of that and what is stored after it, of what the observer adds,
-/// and of the net energy of a row alone; and of what is added to T, alone and with what T has beside.
+/// The least net energy of a row, exactly, as two numbers to be added; and bounds from below: as [`Sums`] has them of net
+/// energy, of that and what is stored after it, and of what the observer adds; and of what is added to T, alone and with
+/// what T has beside.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn least(tile: &Counted, rows: &Range<usize>) -> [f64; 8] {
+fn least(tile: &Counted, rows: &Range<usize>) -> ([f64; 2], [f64; 7]) {
     let [low, high] = [near(&tile.stored[0]), near(&tile.stored[1])];
     let [net, observed, least, most] = &tile.steps.up_to;
-    let row = near(&tile.sums[3][0]);
-    let [a, b, c] = [net, observed, &row].map(|sums| lowest_of(&sums[rows.clone()]));
+    let row = least_row(&tile.sums[3][0], rows);
+    let [a, b] = [net, observed].map(|sums| lowest_of(&sums[rows.clone()]));
     let with_stored = lowest_beside(net, &low, rows);
     if !tile.steps.running {
-        return [a, with_stored, b, c, 0.0, 0.0, 0.0, 0.0];
+        return (row, [a, with_stored, b, 0.0, 0.0, 0.0, 0.0]);
     }
-    let [d, e] = [least, most].map(|sums| lowest_of(&sums[rows.clone()]));
+    let [c, d] = [least, most].map(|sums| lowest_of(&sums[rows.clone()]));
     let beside = [
         lowest_beside(least, &low, rows),
         lowest_beside(most, &high, rows),
     ];
-    [a, with_stored, b, c, d, e, beside[0], beside[1]]
+    (row, [a, with_stored, b, c, d, beside[0], beside[1]])
+}
+
+/// The least of some numbers, exactly: a double near it, and what that is short of it.
+#[inline(always)]
+fn least_row(column @ [upper, lower]: &Ends, rows: &Range<usize>) -> [f64; 2] {
+    // The double nearest to the least number is the least of those nearest to all of them. What that leaves of the least
+    // number is on the grid and not rounded, and of all others no less, rounded or not.
+    let nearest = lowest_of(&near(column)[rows.clone()]);
+    let mut left = [0.0; TILE];
+    for ((left, upper), lower) in left.iter_mut().zip(upper).zip(lower) {
+        *left = (upper - nearest) + lower;
+    }
+    [nearest, lowest_of(&left[rows.clone()])]
 }
 
 /// The lowest that sums are with what stands beside them.
@@ -239,22 +253,22 @@ fn courses(tile: &Counted, rows: &Range<usize>, (asked, sums): (Asked, &Sums)) -
     } = &tile.steps;
     let ([_, _, _, [total, _], _], off) = (sums.sums, *off);
     let mut courses = Courses::default();
-    if asked.net || asked.worst {
-        let net = &tile.sums[3][0];
-        let way = Way {
-            rows,
-            sums: up_to,
-            exactly: net,
-            total,
-            off,
-        };
+    let net = &tile.sums[3][0];
+    let way = Way {
+        rows,
+        sums: up_to,
+        exactly: net,
+        total,
+        off,
+    };
+    if asked.net {
         courses.net = way.least();
         if !running {
             courses.stored = way.with(&near(&tile.stored[0]), |i| one(&tile.stored[0], i));
         }
-        if asked.worst {
-            courses.worst = way.worst(&near(net));
-        }
+    }
+    if asked.worst {
+        courses.worst = way.worst(&near(net));
     }
     let ends = supply.iter().zip([least, most]);
     for (end, ((exactly, up_to), total)) in ends.zip(sums.supply).enumerate() {
@@ -309,17 +323,16 @@ impl TileRows for Counted {
     fn sums(&self, rows: &Range<usize>) -> Sums {
         let (sums, observed, supply) = totals(self, rows);
         let off = self.steps.off;
-        let found = least(self, rows).map(|low| lowest(low, off));
+        let (row, found) = least(self, rows);
         let [
             least_net,
             least_stored,
             least_observed,
-            least_row,
             least,
             most,
             least_end,
             most_end,
-        ] = found;
+        ] = found.map(|low| lowest(low, off));
         let last = both(&self.excess, rows.end - 1).map(|n| Reduced::Small(n, ONE));
         Sums {
             sums,
@@ -327,7 +340,7 @@ impl TileRows for Counted {
             least_net,
             least_stored,
             least_observed,
-            least_row,
+            least_row: lowest(row[0], 0.0) + lowest(row[1], 0.0),
             supply,
             least_supply: [least, most],
             least_supplied: [least_end, most_end],
