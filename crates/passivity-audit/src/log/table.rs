@@ -21,11 +21,17 @@ const SMALL_STEP: i64 = 512;
 const MOST: usize = 1 << 12;
 const LARGEST: i128 = 1 << 48;
 
+/// As much of a potential is looked at.
+const POTENTIAL: f64 = (1_u64 << 40) as f64;
+
+/// How many parts of a wall there are.
+const PARTS: i64 = Part::COUNT as i64;
+
 /// A row that was computed before.
 struct Known {
     computed: Computed,
-    /// Its net energy over a denominator of the running sum, which is kept beside it.
-    scaled: Option<(i128, i128)>,
+    /// Its net energy and what the observer adds, over the denominators of the running sums, which are kept beside them.
+    scaled: Option<([i128; 2], Over)>,
     /// How many intervals of the present chunk had it, and the first that did.
     hits: u64,
     first: usize,
@@ -39,37 +45,54 @@ impl Known {
         self.hits += 1;
     }
 
-    /// Brings its net energy to the denominator of the running sum; whether that is another than before.
+    /// Brings its numbers to the denominators of the running sums; whether these are others than before.
     fn rescale(&mut self, account: &mut Account) -> bool {
-        let (Reduced::Small(n, d), Some(denominator)) =
-            (&self.computed.net, account.net.denominator())
+        let (Reduced::Small(n, d), Reduced::Small(m, e)) =
+            (&self.computed.net, &self.computed.observed)
         else {
             return false;
         };
-        if self.scaled.is_some_and(|(_, over)| over == denominator) {
+        if self
+            .scaled
+            .is_some_and(|(_, over)| over_of(account) == Some(over))
+        {
             return false;
         }
-        let scaled = account.net.scaled(*n, *d);
-        self.scaled = scaled.zip(account.net.denominator());
+        let scaled = account
+            .net
+            .scaled(*n, *d)
+            .zip(account.observer.scaled(*m, *e));
+        self.scaled = scaled.and_then(|(net, observed)| Some(([net, observed], over_of(account)?)));
         true
     }
 
-    /// Its net energy over a denominator, where that is known and small.
-    fn net(&self, denominator: i128) -> Option<i64> {
-        let (net, over) = self.scaled?;
-        let is_small = over == denominator && (-LARGEST..LARGEST).contains(&net);
-        is_small.then(|| i64::try_from(net).ok()).flatten()
+    /// Its numbers over these denominators, where they are known and small.
+    fn numbers(&self, over: Over) -> Option<[i64; 2]> {
+        let ([net, observed], of) = self.scaled?;
+        let small = |n: i128| {
+            let is_small = of == over && (-LARGEST..LARGEST).contains(&n);
+            is_small.then(|| i64::try_from(n).ok()).flatten()
+        };
+        Some([small(net)?, small(observed)?])
     }
+}
+
+/// The denominators of the running sums of net energy and of what the observer adds.
+type Over = [i128; 2];
+
+/// As long as machine integers hold both.
+fn over_of(account: &Account) -> Option<Over> {
+    Some([account.net.denominator()?, account.observer.denominator()?])
 }
 
 /// What some consecutive intervals with rows of small steps come to.
 #[derive(Default)]
 struct Stretch {
     intervals: u64,
-    /// Net energy over the denominator, and twice what the observer adds.
+    /// Net energy and what the observer adds, each over its denominator.
     net: Course<i64>,
     observer: Course<i64>,
-    /// Twice the least of net energy plus ½ξ² over the tick, over the denominator.
+    /// Twice the least of net energy plus the potential over the tick, over the denominator of net energy.
     lowest: Least<i128>,
 }
 
@@ -79,23 +102,23 @@ pub(crate) struct Table {
     known: Vec<Known>,
     index: HashMap<Box<[i64]>, usize>,
     /// Rows of counts in one part of a wall, one period apart, by that part and the ticks they cross.
-    small: [Vec<Option<usize>>; 2],
-    /// Their net energies over [`over`](Self::over), where they are known and small.
-    nets: [Vec<Option<(i64, usize)>>; 2],
-    /// The denominator of these; none where rows were rescaled since.
-    over: Option<i128>,
+    small: [Vec<Option<usize>>; Part::COUNT],
+    /// Their numbers over [`over`](Self::over), where they are known and small.
+    numbers: [Vec<Option<([i64; 2], usize)>>; Part::COUNT],
+    /// The denominators of these; none where rows were rescaled since.
+    over: Option<Over>,
 }
 
 impl Table {
     /// What the row of an interval in one part of a wall depends on, but for how long it lasts.
     pub(crate) fn key(part: Part, [now, next]: [i64; 2]) -> Option<i64> {
-        let twice = next.checked_sub(now)?.checked_mul(2)?;
-        Some(twice + part as i64)
+        let steps = next.checked_sub(now)?.checked_mul(PARTS)?;
+        steps.checked_add(part as i64)
     }
 
     /// Of which part such a row is, and how many ticks it crosses.
     const fn in_part(key: i64) -> (usize, i64) {
-        ((key & 1) as usize, key >> 1)
+        (key.rem_euclid(PARTS) as usize, key.div_euclid(PARTS))
     }
 
     pub(crate) fn is_full(&self) -> bool {
@@ -178,15 +201,16 @@ impl Table {
         plot: Option<(usize, usize)>,
         account: &mut Account,
     ) -> usize {
-        let halves = account.observer.scaled(0, 2);
-        let halves = halves.and(account.observer.denominator());
-        let (Some(denominator), Some(2)) = (account.net.denominator(), halves) else {
+        // Half a square is over two.
+        let _ = account.observer.scaled(0, 2);
+        let Some(over) = over_of(account).filter(|[_, observed]| observed % 2 == 0) else {
             return i;
         };
         if self.small.iter().all(Vec::is_empty) {
             return i;
         }
-        self.bring_to(denominator);
+        self.bring_to(over);
+        let [denominator, _] = over;
         let mut lowest = twice_lowest(account, denominator);
         let before = account.intervals;
         loop {
@@ -201,7 +225,7 @@ impl Table {
             let twice_now = 2 * account.net.now();
             // Nothing is lower that is not below this.
             let least = lowest.0.map_or(i128::MAX, |(least, _)| least - twice_now);
-            let found = self.stretch((counts, i), parts, denominator, least);
+            let found = self.stretch((counts, i), parts, over, least);
             if found.intervals == 0 {
                 break;
             }
@@ -228,36 +252,38 @@ impl Table {
         i
     }
 
-    /// Brings the net energies of small steps to this denominator.
-    fn bring_to(&mut self, denominator: i128) {
-        if self.over == Some(denominator) {
+    /// Brings the numbers of small steps to these denominators.
+    fn bring_to(&mut self, over: Over) {
+        if self.over == Some(over) {
             return;
         }
         let known = &self.known;
-        let net = |id: &Option<usize>| {
+        let numbers = |id: &Option<usize>| {
             let id = (*id)?;
-            Some((known.get(id)?.net(denominator)?, id))
+            Some((known.get(id)?.numbers(over)?, id))
         };
-        self.nets = self
+        self.numbers = self
             .small
             .each_ref()
-            .map(|small| small.iter().map(net).collect());
-        self.over = Some(denominator);
+            .map(|small| small.iter().map(numbers).collect());
+        self.over = Some(over);
     }
 
-    /// Goes through counts, the first of which is that at `at`, as long as their steps are known and they are near. What
-    /// is lowest is told where that is below `least`.
+    /// Goes through counts, the first of which is that at `at`, as long as their steps are known and they are near, and it
+    /// is known what is lowest. That is told where it is below `least`.
     fn stretch(
         &mut self,
         (counts, at): (&[i64], usize),
         parts: &Parts,
-        denominator: i128,
+        [denominator, observed_over]: Over,
         mut least: i128,
     ) -> Stretch {
         // Positions below this keep the potential over the denominator within 125 bits, and the observer's steps
         // within 50.
-        let near = ((1_i128 << 125) / denominator).isqrt().min(1 << 40) - 2;
+        let near = ((1_i128 << 125) / denominator).isqrt();
+        let near = near.min((1 << 41) / observed_over) - 2;
         let near = near.max(0) as u64;
+        let half = (observed_over / 2) as i64;
         let mut found = Stretch::default();
         for (pair, at) in counts.windows(2).zip(at..) {
             let [now, next] = pair else { break };
@@ -269,31 +295,48 @@ impl Table {
                 break;
             };
             let place = step.wrapping_add(SMALL_STEP) as usize;
-            let Some(Some((net, id))) = part.of(&self.nets).get(place) else {
+            let Some(Some(([net, observed], id))) = part.of(&self.numbers).get(place) else {
                 break;
             };
-            let is_free = part == Part::Free;
+            let is_linear = part == Part::Linear;
             let Some(known) = self.known.get_mut(*id) else {
                 break;
             };
+            // The potential is never below zero.
+            let twice = 2 * i128::from(found.net.sum + net);
+            let mut lower = None;
+            if twice < least {
+                let potential = if is_linear {
+                    let nearest = i128::from(if *next < 0 { next + 1 } else { *next });
+                    Some(nearest * nearest)
+                } else {
+                    let bound = parts.twice_potential(part, *next);
+                    // There is room for it, and for what is not zero it is not told exactly.
+                    let bound = bound.clamp(0.0, POTENTIAL) as i128;
+                    if parts.is_free(part) {
+                        Some(0)
+                    } else if twice + bound * denominator < least {
+                        break;
+                    } else {
+                        None
+                    }
+                };
+                let sum = potential.map(|potential| twice + potential * denominator);
+                lower = sum.filter(|sum| *sum < least);
+            }
             known.hit(at);
             let h = found.intervals + 1;
             found.intervals = h;
             found.net.step(*net, h);
-            let observed = if is_free { 0 } else { (2 * now + 1) * step };
+            let observed = if is_linear {
+                (2 * now + 1) * step * half
+            } else {
+                *observed
+            };
             found.observer.step(observed, h);
-            // The potential is never below zero.
-            let twice = 2 * i128::from(found.net.sum);
-            if twice < least {
-                let nearest = match is_free {
-                    true => 0,
-                    false => i128::from(if *next < 0 { next + 1 } else { *next }),
-                };
-                let twice = twice + nearest * nearest * denominator;
-                if twice < least {
-                    least = twice;
-                    found.lowest = Least(Some((twice, h)));
-                }
+            if let Some(twice) = lower {
+                least = twice;
+                found.lowest = Least(Some((twice, h)));
             }
         }
         found

@@ -33,16 +33,21 @@ pub(crate) struct Reach {
 pub(crate) enum Part {
     /// Where it is linear.
     Linear,
-    /// Where there is no force.
-    Free,
+    /// Below and above that, where its force is the same everywhere.
+    Below,
+    Above,
 }
 
 impl Part {
+    /// How many there are.
+    pub(crate) const COUNT: usize = 3;
+
     /// What is kept for this part.
-    pub(crate) const fn of<T>(self, [linear, free]: &[T; 2]) -> &T {
+    pub(crate) const fn of<T>(self, [linear, below, above]: &[T; Self::COUNT]) -> &T {
         match self {
             Self::Linear => linear,
-            Self::Free => free,
+            Self::Below => below,
+            Self::Above => above,
         }
     }
 }
@@ -52,19 +57,44 @@ impl Part {
 pub(crate) struct Parts {
     /// From one to another.
     linear: [i64; 2],
-    /// Below this.
-    free: i64,
+    /// Up to one, and from another on.
+    flat: [i64; 2],
+    /// How large the force there is, at the least and at the most, in KΔ.
+    forces: [[f64; 2]; 2],
 }
 
 impl Parts {
     #[inline(always)]
     pub(crate) fn of(&self, from: i64, to: i64) -> Option<Part> {
         let (low, high) = (from.min(to), from.max(to));
-        let [first, last] = self.linear;
-        match low >= first && high <= last {
-            true => Some(Part::Linear),
-            false => (high < self.free).then_some(Part::Free),
+        let ([first, last], [below, above]) = (self.linear, self.flat);
+        if low >= first && high <= last {
+            Some(Part::Linear)
+        } else if high <= below {
+            Some(Part::Below)
+        } else {
+            (low >= above).then_some(Part::Above)
         }
+    }
+
+    /// Whether there is no force in a part.
+    #[inline(always)]
+    pub(crate) fn is_free(&self, part: Part) -> bool {
+        let [[_, below], [_, above]] = self.forces;
+        *part.of(&[false, below == 0.0, above == 0.0])
+    }
+
+    /// What twice the potential in the tick of a count in a part of one force is not below, in KΔ².
+    #[inline(always)]
+    pub(crate) fn twice_potential(&self, part: Part, count: i64) -> f64 {
+        let [below, above] = &self.forces;
+        let [least, most] = *part.of(&[[0.0; 2], *below, *above]);
+        // F(2ξ − F), with ξ at the end of the tick that is nearer to zero.
+        let reach = count.unsigned_abs() as f64 - 1.0;
+        let twice = least * (2.0 * reach - most);
+        // No more than a few roundings of what it is made of.
+        const ROUNDINGS: f64 = 1.0 / (1_u64 << 48) as f64;
+        twice - least * (2.0 * reach + most) * ROUNDINGS
     }
 }
 
@@ -190,18 +220,25 @@ impl Wall {
         let Some(reach) = &self.reach else {
             return Parts {
                 linear: [i64::MIN, i64::MAX],
-                free: i64::MIN,
+                flat: [i64::MIN, i64::MAX],
+                forces: [[0.0; 2]; 2],
             };
         };
         // As in `ticks`, of the middle of each.
-        let [from, to] = reach.linear;
-        let ([below, _], [force, _]) = (reach.flat, reach.forces.map(Lane::parts));
+        let ([from, to], [below, above]) = (reach.linear, reach.flat);
+        let forces = reach.forces.map(Lane::parts);
+        let first = |from: f64| (from - 0.5).ceil() as i64;
+        let last = |to: f64| (to - 0.5).floor() as i64;
         Parts {
-            linear: [(from - 0.5).ceil() as i64, (to - 0.5).floor() as i64],
-            free: match force == (0.0, 0.0) {
-                true => (below - 0.5).floor() as i64 + 1,
-                false => i64::MIN,
-            },
+            linear: [first(from), last(to)],
+            flat: [last(below), first(above)],
+            forces: forces.map(|(middle, radius)| {
+                let (least, most) = (middle.abs() - radius, middle.abs() + radius);
+                [
+                    least.next_down().max(0.0),
+                    if most > 0.0 { most.next_up() } else { 0.0 },
+                ]
+            }),
         }
     }
 

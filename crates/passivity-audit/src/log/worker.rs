@@ -5,6 +5,7 @@ use crate::log::chunk::Chunk;
 use crate::log::computed::EXACT_ROWS;
 use crate::log::known::Starts;
 use crate::log::lanes::{Counted, Tiles};
+use crate::log::running::RunningSum;
 use crate::log::supply::Supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
@@ -21,8 +22,8 @@ pub(crate) struct Worker {
     counted: Option<Box<Counted>>,
     /// The room of what was computed of the last chunk.
     room: Shared,
-    /// That of net energy, to which the rows of the last chunk led.
-    denominator: Option<i128>,
+    /// Those of net energy and of what the observer adds, to which the rows of the last chunk led.
+    denominators: [Option<i128>; 2],
     /// The room of written rows: there are many of them, and new memory takes longer than to write them.
     pub(crate) rows: Vec<u8>,
 }
@@ -86,10 +87,13 @@ impl Worker {
         [from, until]: [usize; 2],
         mut account: Account,
     ) -> (Account, bool) {
-        if let Some(denominator) = self.denominator {
-            // A course that has the denominator from the start need not change it. That of another
-            // course always fits in an empty one.
-            let _ = account.net.scaled(0, denominator);
+        let sums = [&mut account.net, &mut account.observer];
+        for (sum, denominator) in sums.into_iter().zip(self.denominators) {
+            if let Some(denominator) = denominator {
+                // A course that has the denominator from the start need not change it. That of another
+                // course always fits in an empty one.
+                let _ = sum.scaled(0, denominator);
+            }
         }
         let timed = !chunk.times.is_empty() || !chunk.dtaus.is_empty();
         let mut walk = Walk {
@@ -116,7 +120,7 @@ impl Worker {
             chunk.cut(walk.at, error);
             goes_on = false;
         }
-        self.denominator = account.net.denominator();
+        self.denominators = [&account.net, &account.observer].map(RunningSum::denominator);
         (account, goes_on)
     }
 }
