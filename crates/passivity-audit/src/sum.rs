@@ -133,9 +133,9 @@ impl Sum {
     pub(crate) fn compare(&self, other: &Self) -> Ordering {
         let exactly = || match self.big == other.big {
             true => {
-                let [own, other] =
-                    [self.small, other.small].map(|(n, d)| BigRational::new(n.into(), d.into()));
-                own.cmp(&other)
+                // Over one denominator, of which there is no need to know the least.
+                let ((n, d), (m, e)) = (self.small, other.small);
+                (BigInt::from(n) * e).cmp(&(BigInt::from(m) * d))
             }
             false => self.value().lo().cmp(other.value().lo()),
         };

@@ -338,6 +338,12 @@ impl Lowest {
         self.value.value()
     }
 
+    /// A number that it is not above; not a number where none is known near by.
+    pub(crate) fn above(&self) -> f64 {
+        let (middle, radius) = self.value.0.near().parts();
+        middle + radius
+    }
+
     /// Keeps the lower one of two, the earlier where they agree.
     pub(crate) fn keep(slot: &mut Option<Self>, found: Self) {
         let mut least = Least(slot.as_ref().map(|lowest| (&lowest.value, lowest.h)));

@@ -211,8 +211,8 @@ impl Table {
         }
         self.bring_to(over);
         let [denominator, _] = over;
-        let mut lowest = twice_lowest(account, denominator);
-        let before = account.intervals;
+        let known = twice_lowest(account, denominator);
+        let mut lowest = Least::default();
         loop {
             let until_point = plot.map_or(MOST, |(stride, from)| stride - (i - from) % stride);
             let has_room = [&account.net, &account.observer]
@@ -224,7 +224,7 @@ impl Table {
             };
             let twice_now = 2 * account.net.now();
             // Nothing is lower that is not below this.
-            let least = lowest.0.map_or(i128::MAX, |(least, _)| least - twice_now);
+            let least = lowest.0.map_or(known, |(least, _)| least) - twice_now;
             let found = self.stretch((counts, i), parts, over, least);
             if found.intervals == 0 {
                 break;
@@ -245,7 +245,7 @@ impl Table {
                 });
             }
         }
-        if let (Least(Some((twice, h))), true) = (lowest, account.intervals > before) {
+        if let Least(Some((twice, h))) = lowest {
             let value = BigRational::new(twice.into(), (2 * denominator).into());
             Lowest::keep(&mut account.stored, Lowest::new(value, h));
         }
@@ -364,13 +364,19 @@ impl Table {
     }
 }
 
-/// Twice the lowest that net energy plus potential was, over a denominator and rounded up, and
-/// where; none where there is none yet, or machine integers do not hold it.
-fn twice_lowest(account: &Account, denominator: i128) -> Least<i128> {
-    use num_traits::ToPrimitive as _;
-    let scale = || BigRational::from_integer((2 * denominator).into());
-    Least(account.stored.as_ref().and_then(|lowest| {
-        let twice = (lowest.value() * scale()).ceil().to_integer().to_i128()?;
-        Some((twice, lowest.h))
-    }))
+/// What twice the lowest that net energy plus potential was is not above, over a denominator: near by, for what is lower
+/// than that is compared exactly once it is found.
+fn twice_lowest(account: &Account, denominator: i128) -> i128 {
+    /// There is room for differences with it.
+    const MOST: f64 = (1_u128 << 126) as f64;
+    let above = account.stored.as_ref().map_or(f64::INFINITY, Lowest::above);
+    // Each number and their product are rounded once; 2^-50 of it is more.
+    let twice = 2.0 * above * denominator as f64;
+    let above = twice + (twice.abs() / (1_u64 << 50) as f64 + 1.0);
+    // Not a number where the lowest is not known near by.
+    if above < MOST {
+        above.max(-MOST) as i128
+    } else {
+        MOST as i128
+    }
 }

@@ -7,6 +7,7 @@ use std::fmt::Write as _;
 
 use passivity_audit::{Audit, Options, Verdict, audit_csv};
 use passivity_audit::{Ledger, Number, Reading, rows::Form, run::Run};
+use passivity_core::BigRational;
 use passivity_random::draws;
 use passivity_scene::Scene;
 use proptest::prelude::*;
@@ -173,6 +174,75 @@ proptest! {
                 prop_assert!(audit.to_json().is_object());
             }
         }
+    }
+}
+
+/// The least that a sum was, from zero at the start, and after how many terms.
+fn least(terms: impl Iterator<Item = BigRational>) -> (BigRational, u64) {
+    let mut least = (BigRational::from_integer(0.into()), 0);
+    for (term, h) in terms.zip(1..) {
+        if term < least.0 {
+            least = (term, h);
+        }
+    }
+    least
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(draws(40)))]
+
+    #[test]
+    fn lowest_energies_of_counts_are_those_of_the_walls_law(
+        (b, s) in (1..6_i64, 0..6_i64),
+        saturation in prop::option::of(prop::sample::select(&[7_i64, 19, 20][..])),
+        unilateral: bool,
+        steps in prop::collection::vec(-4..5_i64, 1..300),
+        block in 40..400_usize,
+    ) {
+        let ratio = |n: i64, d: i64| BigRational::new(n.into(), d.into());
+        let wall = saturation.map_or_else(String::new, |n| format!("max_force = \"{n}/3\""));
+        let text = format!(
+            "[dimensionless]\nbeta = \"{b}/10\"\nsigma = \"{s}/7\"\n[wall]\nunilateral = {unilateral}\n{wall}\n"
+        );
+        let scene = scene(&text);
+        // Near enough to come back to every part of the wall.
+        let at = |steps: &[i64]| steps.iter().fold(0, |at: i64, step| (at + step).clamp(-12, 12));
+        let counts: Vec<i64> = (0..=steps.len()).map(|i| at(&steps[..i])).collect();
+        let csv = counts.iter().fold("count\n".to_owned(), |csv, n| format!("{csv}{n}\n"));
+        let options = Options { threads: 2, block, ..Options::default() };
+        let audit = audit_csv(Box::new(std::io::Cursor::new(csv.into_bytes())), &scene, options).unwrap();
+        let json = audit.to_json();
+
+        let limit = saturation.map_or_else(|| ratio(1000, 1), |n| ratio(n, 3));
+        let force = |x: &BigRational| match unilateral && *x < ratio(0, 1) {
+            true => ratio(0, 1),
+            false => x.clone().max(-&limit).min(limit.clone()),
+        };
+        let potential = |x: &BigRational| force(x) * (x - force(x) / ratio(2, 1));
+        let ledger = Ledger::of_scene(&scene);
+        let mut run = Run::new(&ledger);
+        let (mut net, mut observed) = (ratio(0, 1), ratio(0, 1));
+        let (mut nets, mut stored, mut observations) = (Vec::new(), Vec::new(), Vec::new());
+        let ends = |n: i64| [ratio(n, 1), ratio(n + 1, 1)].map(|x| potential(&x));
+        let [a, b] = ends(0);
+        let at_start = a.max(b);
+        for (i, n) in counts.iter().enumerate() {
+            let row = run.step(Reading::Count(*n), &Number::whole(1), None).unwrap();
+            let Some(row) = row else { continue };
+            net += row.net_linear().unwrap().lo();
+            let [a, b] = ends(*n);
+            observed += force(&ratio(2 * counts[i - 1] + 1, 2)) * ratio(n - counts[i - 1], 1);
+            nets.push(net.clone());
+            stored.push(&net + a.min(b) - &at_start);
+            observations.push(observed.clone());
+        }
+        let told = |at: &Value| {
+            let value: BigRational = at["least"].as_str().unwrap().parse().unwrap();
+            (value, at["after"].as_u64().unwrap())
+        };
+        prop_assert_eq!(told(&json["running"]["net_linear"]), least(nets.into_iter()));
+        prop_assert_eq!(told(&json["running"]["supply"]), least(stored.into_iter()));
+        prop_assert_eq!(told(&json["observer"]), least(observations.into_iter()));
     }
 }
 
