@@ -142,7 +142,7 @@ pub(super) fn compute(tile: &mut Tile, wall: &Wall<false>, of: &Intervals, appli
 }
 
 /// The same of walls that are not linear everywhere. Those of other widths would be long, and little faster.
-#[multiversion(targets("x86_64+avx2+fma"))]
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 pub(super) fn compute_in_parts(tile: &mut Tile, wall: &Wall<false>, of: &Intervals) {
     tile.compute::<false, true>(wall, of, wall.reach);
 }
