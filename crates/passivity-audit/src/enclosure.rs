@@ -66,7 +66,7 @@ impl<S: Written> Rectangle<'_, S> {
             still && self.ends.friction_is_exact(),
         )?;
         let crossings = self.crossings();
-        let crossings = crossings.as_deref();
+        let crossings = crossings.as_ref();
         let [generated_linear, generated_quantized] = self.generated(crossings)?;
         let [net_linear, net_quantized] = if still {
             [&generated_linear, &generated_quantized]
@@ -125,29 +125,36 @@ impl<S: Written> Rectangle<'_, S> {
     }
 
     /// The interval as one between two counts, under each end of the force; `None` where a position is known
-    /// otherwise, and where the law is not surely linear.
-    fn crossings(&self) -> Option<Vec<Crossing<S>>> {
+    /// otherwise, and where the law is bent within the ticks or between them.
+    fn crossings(&self) -> Option<Crossings<S>> {
         let law = self.ends.least.law();
         let is_tick = |of: &Figure<S>| {
             let end = of.lo().clone() + S::one();
             of.hi().compare(&end) == Some(Ordering::Equal)
         };
         let is_below = |a: &S, b: &S| (b.clone() - a.clone()).is_nonnegative() == Some(true);
-        let is_linear = |of: &Figure<S>| {
-            law.lower.as_ref().is_none_or(|end| is_below(end, of.lo()))
-                && law.upper.as_ref().is_none_or(|end| is_below(of.hi(), end))
+        let positions = [self.start, self.end];
+        let all_below = |end: &S| positions.iter().all(|of| is_below(of.hi(), end));
+        let all_above = |end: &S| positions.iter().all(|of| is_below(end, of.lo()));
+        let (lower, upper) = (law.lower.as_ref(), law.upper.as_ref());
+        let is_flat = || lower.is_some_and(all_below) || upper.is_some_and(all_above);
+        let is_counted = positions.into_iter().all(is_tick) && self.ends.least.has_encoder();
+        let is_linear = is_counted && lower.is_none_or(all_above) && upper.is_none_or(all_below);
+        // Doubles have closed forms of their own there.
+        if !(is_linear || (is_counted && S::EXACT && is_flat())) {
+            return None;
+        }
+        let own = law.held_force(self.start.lo());
+        let crossing = |force: &S| Crossing {
+            ticks: self.end.lo().clone() - self.start.lo().clone(),
+            excess: force.clone() - own.clone(),
         };
-        let is_counted = [self.start, self.end]
-            .iter()
-            .all(|of| is_tick(of) && is_linear(of));
-        (is_counted && self.ends.least.has_encoder()).then(|| {
-            let own = law.held_force(self.start.lo());
-            let crossing = |force: &S| Crossing {
-                ticks: self.end.lo().clone() - self.start.lo().clone(),
-                excess: force.clone() - own.clone(),
-            };
-            self.forces().map(crossing).collect()
-        })
+        let of_kind = if is_linear {
+            Crossings::Linear
+        } else {
+            Crossings::Flat
+        };
+        Some(of_kind(self.forces().map(crossing).collect()))
     }
 
     /// Both accounts at their extremes under each end of the force, as those of all between them.
@@ -162,17 +169,24 @@ impl<S: Written> Rectangle<'_, S> {
     }
 
     /// Generated energy at its extremes.
-    fn generated(&self, crossings: Option<&[Crossing<S>]>) -> Option<[Figure<S>; 2]> {
+    fn generated(&self, crossings: Option<&Crossings<S>>) -> Option<[Figure<S>; 2]> {
         match crossings {
-            Some(crossings) => self.joined(crossings.iter().map(Crossing::generated)),
+            Some(Crossings::Linear(found)) => self.joined(found.iter().map(Crossing::generated)),
+            Some(Crossings::Flat(found)) => self.joined(found.iter().map(|of| {
+                let [a, b] = displacements(of).map(|d| of.excess.clone() * d);
+                let range = [a.clone().min(b.clone()), a.max(b)];
+                [range.clone(), range]
+            })),
             None => self.generated_between(),
         }
     }
 
     /// `dissipated_lower` less generated energy, at its extremes.
-    fn net(&self, crossings: Option<&[Crossing<S>]>) -> Option<[Figure<S>; 2]> {
-        let Some(crossings) = crossings else {
-            return self.net_on_edges();
+    fn net(&self, crossings: Option<&Crossings<S>>) -> Option<[Figure<S>; 2]> {
+        let crossings = match crossings {
+            Some(Crossings::Linear(found)) => found,
+            Some(Crossings::Flat(found)) => return self.net_where_flat(found),
+            None => return self.net_on_edges(),
         };
         let resistance = |of: &Loop<S>| Resistance::new(&of.friction(), self.dtau);
         let least = resistance(&self.ends.least);
@@ -181,6 +195,30 @@ impl<S: Written> Rectangle<'_, S> {
             false => resistance(&self.ends.most),
         };
         self.joined(crossings.iter().map(|of| net_of(of, &least, &most)))
+    }
+
+    /// The same where the force of the wall is the same in both ticks: generated energy is a multiple of the distance.
+    fn net_where_flat(&self, crossings: &[Crossing<S>]) -> Option<[Figure<S>; 2]> {
+        let frictions = self.frictions();
+        let mut found = None;
+        for of in crossings {
+            let curve = [S::zero(), of.excess.clone(), S::zero()];
+            join(
+                &mut found,
+                net_along(&frictions, &curve, displacements(of))?,
+            );
+        }
+        self.figures([found.clone(), found])
+    }
+
+    /// The least friction and the most, where that is another, as β/Δτ and σ.
+    fn frictions(&self) -> (Friction<S>, Option<Friction<S>>) {
+        let of = |ends: &Loop<S>| {
+            let friction = ends.friction();
+            Friction::new(friction.beta.over(self.dtau.clone()), friction.sigma)
+        };
+        let most = (!self.ends.friction_is_exact()).then(|| of(&self.ends.most));
+        (of(&self.ends.least), most)
     }
 
     /// Generated energy at its extremes, wherever the ends of the positions are.
@@ -222,18 +260,13 @@ impl<S: Written> Rectangle<'_, S> {
         if self.start.is_exact() && self.end.is_exact() {
             return Some(self.row()?.net_linear);
         }
-        let [linear, _] = self.net(self.crossings().as_deref())?;
+        let [linear, _] = self.net(self.crossings().as_ref())?;
         Some(linear)
     }
 
     /// `dissipated_lower` less generated energy, at its extremes, wherever the ends of the positions are.
     fn net_on_edges(&self) -> Option<[Figure<S>; 2]> {
-        let of = |ends: &Loop<S>| {
-            let friction = ends.friction();
-            Friction::new(friction.beta.over(self.dtau.clone()), friction.sigma)
-        };
-        let most = (!self.ends.friction_is_exact()).then(|| of(&self.ends.most));
-        let frictions = (of(&self.ends.least), most);
+        let frictions = self.frictions();
         let mut found: [Option<Interval<S>>; 2] = [None, None];
         let edges = self.edges()?;
         for force in self.forces() {
@@ -329,6 +362,17 @@ impl<S: Written> Rectangle<'_, S> {
         pieces.push(([from, of.hi().clone()], bends(is_linear)));
         Some(pieces)
     }
+}
+
+/// Motions between two counts, one under each end of the force: where the law is linear, or where it is the same force.
+enum Crossings<S> {
+    Linear(Vec<Crossing<S>>),
+    Flat(Vec<Crossing<S>>),
+}
+
+/// How far it goes between counts, at the least and at the most.
+fn displacements<S: Ordered>(Crossing { ticks, .. }: &Crossing<S>) -> [S; 2] {
+    [ticks.clone() - S::one(), ticks.clone() + S::one()]
 }
 
 /// A part of the edge of a rectangle, over which both accounts of generated energy are parabolas.

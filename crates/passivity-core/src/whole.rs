@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_rational::BigRational;
-use num_traits::{One as _, Signed as _, ToPrimitive as _};
+use num_traits::{One as _, Signed as _, ToPrimitive as _, Zero as _};
 
 /// The greatest common divisor, not negative; of zero and a number its absolute value.
 ///
@@ -26,14 +26,24 @@ use num_traits::{One as _, Signed as _, ToPrimitive as _};
 /// ```
 #[must_use]
 pub fn gcd(a: &BigInt, b: &BigInt) -> BigInt {
-    let (mut a, mut b) = (a.abs(), b.abs());
+    let twos = [a, b].map(|x| x.trailing_zeros().unwrap_or(0));
+    let common = match (a.is_zero(), b.is_zero()) {
+        (true, _) => return b.abs(),
+        (_, true) => return a.abs(),
+        _ => twos.into_iter().min().unwrap_or(0),
+    };
+    // Of fractions that were doubles little is left.
+    let (mut a, mut b) = (a.abs() >> twos[0], b.abs() >> twos[1]);
+    if a < b {
+        core::mem::swap(&mut a, &mut b);
+    }
     loop {
         if let Some(small) = b.to_u64() {
-            let rest = match small {
-                0 => return a,
-                _ => (&a % small).to_u64().unwrap_or_default(),
+            let odd = match small {
+                0 => a,
+                _ => small.gcd(&(&a % small).to_u64().unwrap_or_default()).into(),
             };
-            return small.gcd(&rest).into();
+            return odd << common;
         }
         let shift = a.bits().saturating_sub(LEADING);
         let leading = [&a, &b].map(|x| (x >> shift).to_i64().unwrap_or_default());

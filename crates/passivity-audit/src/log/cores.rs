@@ -1,76 +1,84 @@
 //! Work on several cores: read in order by one of them, done by whichever is free, and taken back in order.
 
 use std::any::Any;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::mpsc::channel;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
 /// What was done, or why a core gave up on it.
 type Done<D> = Result<D, Box<dyn Any + Send>>;
 
-/// Work that no core has begun, with its number.
-struct Queue<W> {
-    waiting: Mutex<Waiting<W>>,
-    changed: Condvar,
-}
-
-struct Waiting<W> {
-    work: VecDeque<(u64, W)>,
+/// Work that no core has begun, and what was done, each with its number.
+struct State<W, D> {
+    work: VecDeque<(usize, W)>,
+    done: Vec<(usize, Done<D>)>,
     /// Whether no more of it is done.
     closed: bool,
 }
 
-impl<W> Queue<W> {
+/// What the cores share.
+struct Desk<W, D> {
+    state: Mutex<State<W, D>>,
+    /// Told to the other cores where there is work, and to the caller where some was done.
+    work: Condvar,
+    done: Condvar,
+}
+
+impl<W, D> Desk<W, D> {
     const fn new() -> Self {
-        let waiting = Waiting {
+        let state = State {
             work: VecDeque::new(),
+            done: Vec::new(),
             closed: false,
         };
         Self {
-            waiting: Mutex::new(waiting),
-            changed: Condvar::new(),
+            state: Mutex::new(state),
+            work: Condvar::new(),
+            done: Condvar::new(),
         }
     }
 
-    fn lock(&self) -> MutexGuard<'_, Waiting<W>> {
+    fn lock(&self) -> MutexGuard<'_, State<W, D>> {
         // Nothing that holds the lock can leave it half changed.
-        self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn push(&self, number: u64, work: W) {
+    fn push(&self, number: usize, work: W) {
         self.lock().work.push_back((number, work));
-        self.changed.notify_one();
+        self.work.notify_one();
     }
 
-    /// What is to be done next, if there is any.
-    fn pop(&self) -> Option<(u64, W)> {
-        self.lock().work.pop_front()
-    }
-
-    /// The same, as soon as there is any; `None` once nothing more is done.
-    fn wait(&self) -> Option<(u64, W)> {
-        let mut waiting = self.lock();
+    /// Does work with what one core keeps, until there is no more to be done.
+    fn work<S>(&self, each: &impl Fn(W, &mut S) -> D, core: &mut S) {
+        let is_idle = |state: &mut State<W, D>| state.work.is_empty() && !state.closed;
         loop {
-            if waiting.closed {
-                return None;
-            }
-            if let Some(next) = waiting.work.pop_front() {
-                return Some(next);
-            }
-            let woken = self.changed.wait(waiting);
-            waiting = woken.unwrap_or_else(PoisonError::into_inner);
+            let waited = self.work.wait_while(self.lock(), is_idle);
+            let mut state = waited.unwrap_or_else(PoisonError::into_inner);
+            let (false, Some((number, work))) = (state.closed, state.work.pop_front()) else {
+                return;
+            };
+            drop(state);
+            let done = catch_unwind(AssertUnwindSafe(|| each(work, core)));
+            self.lock().done.push((number, done));
+            self.done.notify_one();
         }
     }
 }
 
-/// Ends the work of all cores where it goes out of scope, in a panic too.
-struct Closing<'a, W>(&'a Queue<W>);
+/// Keeps what was done in its place.
+fn keep<D>(done: &mut VecDeque<Option<D>>, place: usize, found: D) {
+    if let Some(slot) = done.get_mut(place) {
+        *slot = Some(found);
+    }
+}
 
-impl<W> Drop for Closing<'_, W> {
+/// Ends the work of all cores where it goes out of scope, in a panic too.
+struct Closing<'a, W, D>(&'a Desk<W, D>);
+
+impl<W, D> Drop for Closing<'_, W, D> {
     fn drop(&mut self) {
         self.0.lock().closed = true;
-        self.0.changed.notify_all();
+        self.0.work.notify_all();
     }
 }
 
@@ -87,52 +95,55 @@ pub(crate) fn in_order<W: Send, D: Send, S: Send, E>(
         return Ok(());
     };
     // One that each core works on, and one more to go on with for each of the others.
-    let ahead = 2 * others.len() as u64 + 1;
+    let ahead = 2 * others.len() + 1;
     let mut others = others.iter_mut();
-    let queue = Queue::new();
+    let desk = Desk::new();
     std::thread::scope(|scope| {
-        let (queue, each) = (&queue, &each);
-        let _closing = Closing(queue);
-        let (send, came) = channel::<(u64, Done<D>)>();
-        let mut done = BTreeMap::new();
-        let (mut begun, mut taken, mut ended) = (0, 0, false);
+        let (desk, each) = (&desk, &each);
+        let _closing = Closing(desk);
+        // Of what was begun and not taken yet, what was done.
+        let mut done: VecDeque<Option<Done<D>>> = VecDeque::new();
+        let (mut taken, mut ended) = (0, false);
         loop {
-            while !ended && begun - taken < ahead {
+            while !ended && done.len() < ahead {
                 let Some(work) = read() else {
                     ended = true;
                     break;
                 };
-                queue.push(begun, work);
-                begun += 1;
+                desk.push(taken + done.len(), work);
+                done.push_back(None);
                 // The first needs no other core than this.
-                if begun > 1
+                if done.len() > 1
                     && let Some(core) = others.next()
                 {
-                    let send = send.clone();
-                    scope.spawn(move || {
-                        while let Some((number, work)) = queue.wait() {
-                            let done = catch_unwind(AssertUnwindSafe(|| each(work, core)));
-                            if send.send((number, done)).is_err() {
-                                break;
-                            }
-                        }
-                    });
+                    scope.spawn(move || desk.work(each, core));
                 }
             }
-            done.extend(came.try_iter());
-            while let Some(next) = done.remove(&taken) {
+            let mut state = desk.lock();
+            if state.done.is_empty()
+                && let Some((number, work)) = state.work.pop_front()
+            {
+                drop(state);
+                let found = Ok(each(work, own));
+                keep(&mut done, number - taken, found);
+            } else if !done.is_empty() {
+                let waited = desk.done.wait_while(state, |state| state.done.is_empty());
+                state = waited.unwrap_or_else(PoisonError::into_inner);
+                for (number, found) in state.done.drain(..) {
+                    keep(&mut done, number - taken, found);
+                }
+                drop(state);
+            }
+            while let Some(Some(_)) = done.front()
+                && let Some(Some(next)) = done.pop_front()
+            {
                 taken += 1;
                 if !take(next.unwrap_or_else(|panic| resume_unwind(panic)))? {
                     return Ok(());
                 }
             }
-            if ended && taken == begun {
+            if ended && done.is_empty() {
                 return Ok(());
-            }
-            if let Some((number, work)) = queue.pop() {
-                done.insert(number, Ok(each(work, own)));
-            } else if ended || begun - taken == ahead {
-                done.extend(came.recv());
             }
         }
     })

@@ -21,9 +21,6 @@ const SMALL_STEP: i64 = 512;
 const MOST: usize = 1 << 12;
 const LARGEST: i128 = 1 << 48;
 
-/// As much of a potential is looked at.
-const POTENTIAL: f64 = (1_u64 << 40) as f64;
-
 /// How many parts of a wall there are.
 const PARTS: i64 = Part::COUNT as i64;
 
@@ -298,7 +295,6 @@ impl Table {
             let Some(Some(([net, observed], id))) = part.of(&self.numbers).get(place) else {
                 break;
             };
-            let is_linear = part == Part::Linear;
             let Some(known) = self.known.get_mut(*id) else {
                 break;
             };
@@ -306,18 +302,18 @@ impl Table {
             let twice = 2 * i128::from(found.net.sum + net);
             let mut lower = None;
             if twice < least {
-                let potential = if is_linear {
-                    let nearest = i128::from(if *next < 0 { next + 1 } else { *next });
-                    Some(nearest * nearest)
-                } else {
-                    let bound = parts.twice_potential(part, *next);
-                    // There is room for it, and for what is not zero it is not told exactly.
-                    let bound = bound.clamp(0.0, POTENTIAL) as i128;
-                    if parts.is_free(part) {
-                        Some(0)
-                    } else if twice + bound * denominator < least {
-                        break;
-                    } else {
+                // Of a force that is not zero it is not told exactly.
+                let potential = match part {
+                    Part::Linear => {
+                        let nearest = i128::from(if *next < 0 { next + 1 } else { *next });
+                        Some(nearest * nearest)
+                    }
+                    part if parts.is_free(part) => Some(0),
+                    part => {
+                        let bound = parts.twice_potential(part, *next);
+                        if twice + bound * denominator < least {
+                            break;
+                        }
                         None
                     }
                 };
@@ -328,10 +324,9 @@ impl Table {
             let h = found.intervals + 1;
             found.intervals = h;
             found.net.step(*net, h);
-            let observed = if is_linear {
-                (2 * now + 1) * step * half
-            } else {
-                *observed
+            let observed = match part {
+                Part::Linear => (2 * now + 1) * step * half,
+                _ => *observed,
             };
             found.observer.step(observed, h);
             if let Some(twice) = lower {

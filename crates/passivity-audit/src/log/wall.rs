@@ -84,17 +84,20 @@ impl Parts {
         *part.of(&[false, below == 0.0, above == 0.0])
     }
 
-    /// What twice the potential in the tick of a count in a part of one force is not below, in KΔ².
+    /// What twice the potential in the tick of a count in a part of one force is not below, in KΔ², as a whole number of at
+    /// most 2⁴⁰.
     #[inline(always)]
-    pub(crate) fn twice_potential(&self, part: Part, count: i64) -> f64 {
+    #[allow(clippy::cast_possible_truncation)] // it is within that
+    pub(crate) fn twice_potential(&self, part: Part, count: i64) -> i128 {
+        /// More than the few roundings of what it is made of.
+        const ROUNDINGS: f64 = 1.0 / (1_u64 << 48) as f64;
+        const MOST: f64 = (1_u64 << 40) as f64;
         let [below, above] = &self.forces;
         let [least, most] = *part.of(&[[0.0; 2], *below, *above]);
-        // F(2ξ − F), with ξ at the end of the tick that is nearer to zero.
-        let reach = count.unsigned_abs() as f64 - 1.0;
-        let twice = least * (2.0 * reach - most);
-        // No more than a few roundings of what it is made of.
-        const ROUNDINGS: f64 = 1.0 / (1_u64 << 48) as f64;
-        twice - least * (2.0 * reach + most) * ROUNDINGS
+        // F(2ξ − F), with ξ no further than the end of the tick that is nearer to zero.
+        let twice = 2.0 * (count.unsigned_abs() as f64 - 1.0);
+        let bound = least * (twice - most) - least * (twice + most) * ROUNDINGS;
+        bound.clamp(0.0, MOST) as i128
     }
 }
 
