@@ -82,6 +82,9 @@ fn over_of(account: &Account) -> Option<Over> {
     Some([account.net.denominator()?, account.observer.denominator()?])
 }
 
+/// The numbers of a row of a small step, and which row it is.
+type Small = ([i64; 2], usize);
+
 /// What some consecutive intervals with rows of small steps come to.
 #[derive(Default)]
 struct Stretch {
@@ -101,7 +104,7 @@ pub(crate) struct Table {
     /// Rows of counts in one part of a wall, one period apart, by that part and the ticks they cross.
     small: [Vec<Option<usize>>; Part::COUNT],
     /// Their numbers over [`over`](Self::over), where they are known and small.
-    numbers: [Vec<Option<([i64; 2], usize)>>; Part::COUNT],
+    numbers: [Vec<Option<Small>>; Part::COUNT],
     /// The denominators of these; none where rows were rescaled since.
     over: Option<Over>,
 }
