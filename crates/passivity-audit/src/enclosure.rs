@@ -16,11 +16,12 @@
 //!   is bent, known from three of its values, and net energy a parabola with a kink at d = 0.
 //! * All of it is linear in F, so extreme at an end of the force.
 //!
-//! Where both positions are counts and the law is linear there, all of that has a closed form ([`Crossing`]).
+//! Where both positions are counts and the law is not bent there, all of that has a closed form ([`Crossings`]).
+
+mod crossings;
 
 use std::cmp::Ordering;
 
-use passivity_core::counted::{Crossing, Resistance};
 use passivity_core::extremes::{self, Parabola};
 use passivity_core::ledger::{self, HeldInterval, Row};
 use passivity_core::{Criterion, Friction, Interval, Loop, Ordered, Step, dissipation};
@@ -28,6 +29,7 @@ use passivity_core::{Criterion, Friction, Interval, Loop, Ordered, Step, dissipa
 use crate::ends::Ends;
 use crate::figure::Figure;
 use crate::number::Written;
+use crossings::Crossings;
 
 /// A sampling interval as far as it is known.
 pub(crate) struct Rectangle<'a, S> {
@@ -124,39 +126,6 @@ impl<S: Written> Rectangle<'_, S> {
         std::iter::once(lo).chain((!self.force.is_exact()).then_some(hi))
     }
 
-    /// The interval as one between two counts, under each end of the force; `None` where a position is known
-    /// otherwise, and where the law is bent within the ticks or between them.
-    fn crossings(&self) -> Option<Crossings<S>> {
-        let law = self.ends.least.law();
-        let is_tick = |of: &Figure<S>| {
-            let end = of.lo().clone() + S::one();
-            of.hi().compare(&end) == Some(Ordering::Equal)
-        };
-        let is_below = |a: &S, b: &S| (b.clone() - a.clone()).is_nonnegative() == Some(true);
-        let positions = [self.start, self.end];
-        let all_below = |end: &S| positions.iter().all(|of| is_below(of.hi(), end));
-        let all_above = |end: &S| positions.iter().all(|of| is_below(end, of.lo()));
-        let (lower, upper) = (law.lower.as_ref(), law.upper.as_ref());
-        let is_flat = || lower.is_some_and(all_below) || upper.is_some_and(all_above);
-        let is_counted = positions.into_iter().all(is_tick) && self.ends.least.has_encoder();
-        let is_linear = is_counted && lower.is_none_or(all_above) && upper.is_none_or(all_below);
-        // Doubles have closed forms of their own there.
-        if !(is_linear || (is_counted && S::EXACT && is_flat())) {
-            return None;
-        }
-        let own = law.held_force(self.start.lo());
-        let crossing = |force: &S| Crossing {
-            ticks: self.end.lo().clone() - self.start.lo().clone(),
-            excess: force.clone() - own.clone(),
-        };
-        let of_kind = if is_linear {
-            Crossings::Linear
-        } else {
-            Crossings::Flat
-        };
-        Some(of_kind(self.forces().map(crossing).collect()))
-    }
-
     /// Both accounts at their extremes under each end of the force, as those of all between them.
     fn joined(&self, ranges: impl IntoIterator<Item = [[S; 2]; 2]>) -> Option<[Figure<S>; 2]> {
         let mut found: [Option<Interval<S>>; 2] = [None, None];
@@ -171,44 +140,17 @@ impl<S: Written> Rectangle<'_, S> {
     /// Generated energy at its extremes.
     fn generated(&self, crossings: Option<&Crossings<S>>) -> Option<[Figure<S>; 2]> {
         match crossings {
-            Some(Crossings::Linear(found)) => self.joined(found.iter().map(Crossing::generated)),
-            Some(Crossings::Flat(found)) => self.joined(found.iter().map(|of| {
-                let [a, b] = displacements(of).map(|d| of.excess.clone() * d);
-                let range = [a.clone().min(b.clone()), a.max(b)];
-                [range.clone(), range]
-            })),
+            Some(crossings) => self.generated_by(crossings),
             None => self.generated_between(),
         }
     }
 
     /// `dissipated_lower` less generated energy, at its extremes.
     fn net(&self, crossings: Option<&Crossings<S>>) -> Option<[Figure<S>; 2]> {
-        let crossings = match crossings {
-            Some(Crossings::Linear(found)) => found,
-            Some(Crossings::Flat(found)) => return self.net_where_flat(found),
-            None => return self.net_on_edges(),
-        };
-        let resistance = |of: &Loop<S>| Resistance::new(&of.friction(), self.dtau);
-        let least = resistance(&self.ends.least);
-        let most = match self.ends.friction_is_exact() {
-            true => least.clone(),
-            false => resistance(&self.ends.most),
-        };
-        self.joined(crossings.iter().map(|of| net_of(of, &least, &most)))
-    }
-
-    /// The same where the force of the wall is the same in both ticks: generated energy is a multiple of the distance.
-    fn net_where_flat(&self, crossings: &[Crossing<S>]) -> Option<[Figure<S>; 2]> {
-        let frictions = self.frictions();
-        let mut found = None;
-        for of in crossings {
-            let curve = [S::zero(), of.excess.clone(), S::zero()];
-            join(
-                &mut found,
-                net_along(&frictions, &curve, displacements(of))?,
-            );
+        match crossings {
+            Some(crossings) => self.net_by(crossings),
+            None => self.net_on_edges(),
         }
-        self.figures([found.clone(), found])
     }
 
     /// The least friction and the most, where that is another, as β/Δτ and σ.
@@ -364,35 +306,12 @@ impl<S: Written> Rectangle<'_, S> {
     }
 }
 
-/// Motions between two counts, one under each end of the force: where the law is linear, or where it is the same force.
-enum Crossings<S> {
-    Linear(Vec<Crossing<S>>),
-    Flat(Vec<Crossing<S>>),
-}
-
-/// How far it goes between counts, at the least and at the most.
-fn displacements<S: Ordered>(Crossing { ticks, .. }: &Crossing<S>) -> [S; 2] {
-    [ticks.clone() - S::one(), ticks.clone() + S::one()]
-}
-
 /// A part of the edge of a rectangle, over which both accounts of generated energy are parabolas.
 struct Edge<S> {
     /// The positions at one end and at the other.
     ends: [[S; 2]; 2],
     /// What the square of the displacement is times in each account.
     bends: Accounts<S>,
-}
-
-/// Both accounts of net energy between two counts, at their extremes. The closed form is long: there is one of it for each
-/// kind of number.
-#[inline(never)]
-fn net_of<S: Ordered>(
-    crossing: &Crossing<S>,
-    least: &Resistance<S>,
-    most: &Resistance<S>,
-) -> [Accounts<S>; 2] {
-    let ([a, b], [c, d]) = (crossing.net_at_least(least), crossing.net_at_most(most));
-    [[a, c], [b, d]]
 }
 
 /// Net energy along an edge on which generated energy is αd² + γd + κ: at its least with the least
