@@ -20,8 +20,6 @@ pub(crate) struct Chunk {
     pub(crate) forces: Forces,
     /// In ticks per sampling period; one per sample, or none at all.
     pub(crate) velocities: Vec<f64>,
-    /// The force of the law from each sample, near by; no number where that is not known.
-    pub(crate) commanded: Vec<f64>,
     /// Where in the log it is.
     pub(crate) place: Place,
     /// Where the last row of a ledger ends.
@@ -141,7 +139,6 @@ impl Chunk {
         self.dtaus.truncate(len);
         self.forces.truncate(len);
         self.velocities.truncate(len);
-        self.commanded.truncate(len);
     }
 
     /// Makes room for about as many positions, times and forces as there are lines in a text.
@@ -193,7 +190,6 @@ impl Chunk {
         self.dtaus.append(&mut next.dtaus);
         self.forces.append(&mut next.forces);
         self.velocities.append(&mut next.velocities);
-        self.commanded.clear();
         self.closing = next.closing;
         self.unended = next.unended;
         self.error = next.error;
@@ -218,7 +214,6 @@ impl Chunk {
             dtaus: split(&mut self.dtaus, len),
             forces: self.forces.split_off(len),
             velocities: split(&mut self.velocities, len),
-            commanded: split(&mut self.commanded, len),
             place: Place {
                 before: self.place.before + len,
                 ..self.place

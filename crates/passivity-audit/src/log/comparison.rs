@@ -16,8 +16,10 @@ use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
 use crate::log::exact::ExactSum;
 use crate::log::findings::ROUGH;
+use crate::log::lanes::commanded;
 use crate::log::running::near_reading;
 use crate::log::step::undefined;
+use crate::log::task::Task;
 use crate::number::Written;
 use crate::reading::Reading;
 
@@ -139,34 +141,45 @@ impl Comparison {
 
     /// Compares the forces of a chunk that need no sample before it; `None` where there are none, or one of them is
     /// undefined.
-    pub(crate) fn inside(ledger: &Ledger, chunk: &Chunk) -> Option<Self> {
-        let mut inside = Self::new(ledger);
+    pub(crate) fn inside(task: &Task<'_>, chunk: &Chunk) -> Option<Self> {
+        let mut inside = Self::new(task.ledger);
         let (lead, rows) = (inside.lead(), chunk.samples.len());
         if rows <= lead {
             return None;
         }
-        inside.feed(chunk, 0..lead).ok()?;
+        let known = commanded(task.wall.as_ref(), chunk);
+        inside.feed_known(chunk, 0..lead, &known).ok()?;
         inside.forget();
-        inside.feed(chunk, lead..rows).ok()?;
+        inside.feed_known(chunk, lead..rows, &known).ok()?;
         Some(inside)
     }
 
     /// Compares the forces of a chunk, given what was found [inside](Self::inside) of it.
     pub(crate) fn take(&mut self, chunk: &Chunk, inside: Self) -> Result<(), TraceError> {
-        self.feed(chunk, 0..self.lead())?;
+        self.feed(chunk, self.lead())?;
         self.append(&inside);
         self.law_squares.add_sum(&inside.law_squares);
         (self.law, self.samples) = (inside.law, inside.samples);
         Ok(())
     }
 
-    /// Compares the forces of some samples of a chunk.
-    pub(crate) fn feed(&mut self, chunk: &Chunk, rows: Range<usize>) -> Result<(), TraceError> {
+    /// Compares the forces of the first `rows` samples of a chunk.
+    pub(crate) fn feed(&mut self, chunk: &Chunk, rows: usize) -> Result<(), TraceError> {
+        self.feed_known(chunk, 0..rows, &[])
+    }
+
+    /// Compares the forces of some samples of a chunk, given those of the law from all of its samples as far as they are
+    /// known near by.
+    fn feed_known(
+        &mut self,
+        chunk: &Chunk,
+        rows: Range<usize>,
+        known: &[f64],
+    ) -> Result<(), TraceError> {
         let end = rows.end.min(chunk.forces.values.len());
         let rows = rows.start.min(end)..end;
         // What is not known near by is computed one by one.
-        let known = chunk.commanded.get(rows.clone());
-        let mut law: Vec<f64> = match known {
+        let mut law: Vec<f64> = match known.get(rows.clone()) {
             Some(known) => known.to_vec(),
             None => vec![f64::NAN; rows.len()],
         };

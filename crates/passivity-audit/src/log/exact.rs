@@ -82,9 +82,7 @@ impl ExactSum {
         for (digit, other) in self.digits.iter_mut().zip(&*other.digits) {
             *digit += other;
         }
-        if other.other != BigInt::ZERO {
-            self.other += &other.other;
-        }
+        self.other += &other.other;
         self.finite &= other.finite;
     }
 

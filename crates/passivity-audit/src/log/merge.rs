@@ -149,7 +149,7 @@ impl<'a, 'w> Merge<'a, 'w> {
         if let Some(comparison) = &mut self.comparison {
             match inside {
                 Some(inside) => comparison.take(chunk, inside)?,
-                None => comparison.feed(chunk, 0..rows)?,
+                None => comparison.feed(chunk, rows)?,
             }
         }
         if let Some(velocities) = &mut self.velocities {

@@ -384,16 +384,13 @@ impl Done {
             None => Account::default(),
         };
         worker.reuse(shared);
-        let mut inside = None;
-        if task.compares_forces() {
-            chunk.commanded = lanes::commanded(task.wall.as_ref(), &chunk);
-            inside = Comparison::inside(task.ledger, &chunk);
-        }
+        let compares = task.compares_forces();
+        let inside = compares.then(|| Comparison::inside(task, &chunk));
         Self {
             chunk,
             account,
             beside,
-            inside,
+            inside: inside.flatten(),
         }
     }
 }
