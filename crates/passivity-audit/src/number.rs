@@ -3,8 +3,10 @@
 mod arithmetic;
 mod decimal;
 mod digits;
+mod dyadic;
 mod factored;
 mod line;
+mod terms;
 mod whole;
 
 use num_bigint::BigInt;
@@ -16,8 +18,10 @@ pub use arithmetic::is_positive;
 pub(crate) use arithmetic::{Denominator, difference, is_less, product, quotient};
 pub(crate) use decimal::{decimal, leading_decimal, power_of_ten, short};
 pub(crate) use digits::{Fraction, Fractions, SEVERAL};
+pub(crate) use dyadic::Dyadic;
 pub(crate) use factored::{Beside, Factored, Primes, Quotient, Split};
 pub(crate) use line::Line;
+pub(crate) use terms::{Size, Term, Total};
 pub(crate) use whole::ample;
 pub use whole::{Ample, Whole, to_ample};
 

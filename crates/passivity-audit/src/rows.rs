@@ -9,7 +9,7 @@ use crate::ball::Ball;
 use crate::entry::{Entry, Margin};
 use crate::figure::Figure;
 use crate::ledger::{Row, Truths, on_entry};
-use crate::number::{Fraction, Line, Number, Quotient, Reduced, Written};
+use crate::number::{Fraction, Line, Number, Quotient, Reduced, Size, Written};
 
 /// The columns of a row, in the order of the interface.
 const COLUMNS: [(&str, Column); 15] = [
@@ -112,7 +112,7 @@ impl Shown<Line<'_>> for Fraction<'_> {
 }
 
 /// A number in lowest terms.
-impl Shown<Line<'_>> for Quotient {
+impl<S: Size> Shown<Line<'_>> for Quotient<S> {
     #[inline]
     fn write_below(self, out: &mut Line<'_>) -> Option<()> {
         self.write(out)

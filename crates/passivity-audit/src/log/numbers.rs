@@ -9,7 +9,7 @@ use crate::log::step::undefined;
 use crate::number::{Number, power_of_ten};
 use crate::reading::Reading;
 
-pub(crate) use units::Unit;
+pub(crate) use units::{Read, Unit};
 
 /// The numbers of a column.
 #[derive(Clone, Debug)]

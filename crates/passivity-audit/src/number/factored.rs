@@ -1,10 +1,12 @@
 //! Fractions over denominators of which the prime factors are known: brought to lowest terms without looking for a
 //! common divisor, as an audit may write millions of them.
 
+use ethnum::{I256, U256};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive as _;
 
 use super::Line;
+use super::terms::{Size, Total};
 
 /// As many odd primes are kept.
 const MOST: usize = 16;
@@ -12,19 +14,20 @@ const MOST: usize = 16;
 /// An odd prime, with what tells its multiples: multiplying by the inverse divides these, and takes others past `most`.
 #[derive(Clone, Copy, Debug, Default)]
 struct Prime {
-    #[cfg(test)]
     of: u64,
     inverse: u128,
     most: u128,
+    /// What 2¹²⁸ leaves.
+    rest_of_half: u128,
 }
 
 impl Prime {
     fn new(of: u64) -> Self {
         Self {
-            #[cfg(test)]
             of,
             inverse: inverse(of),
             most: u128::MAX / u128::from(of),
+            rest_of_half: (u128::MAX % u128::from(of) + 1) % u128::from(of),
         }
     }
 
@@ -37,6 +40,18 @@ impl Prime {
         } else {
             None
         }
+    }
+
+    /// The same of a number of 256 bits.
+    fn divided_wide(&self, n: U256) -> Option<U256> {
+        let (high, low) = n.into_words();
+        if high == 0 {
+            return self.divided(low).map(U256::from);
+        }
+        // What is left of the upper half and, beside it, the lower one.
+        let of = u128::from(self.of);
+        let rest = high % of * self.rest_of_half + low % of;
+        (rest % of == 0).then(|| n / U256::from(of))
     }
 
     /// The same of a number of 64 bits.
@@ -83,10 +98,10 @@ pub(crate) struct Split {
 
 /// A fraction in lowest terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Quotient {
+pub(crate) struct Quotient<S = u128> {
     pub(crate) is_negative: bool,
-    numerator: u128,
-    denominator: u128,
+    numerator: S,
+    denominator: S,
 }
 
 impl Primes {
@@ -190,6 +205,40 @@ impl Primes {
             denominator: d,
         })
     }
+
+    /// The same of n over a power of two, in 256 bits.
+    pub(crate) fn wide_quotient(
+        &self,
+        (n, more): (I256, u32),
+        over: &Factored,
+        rest: u64,
+    ) -> Option<Quotient<U256>> {
+        let (is_negative, n) = (n.is_negative(), n.unsigned_abs());
+        if n == U256::ZERO {
+            return Some(Quotient {
+                is_negative,
+                numerator: n,
+                denominator: U256::ONE,
+            });
+        }
+        let twos = over.twos + more;
+        let common = twos.min(n.trailing_zeros());
+        let (mut n, mut d) = (n >> common, over.of >> over.twos);
+        for (prime, power) in self.0.iter().zip(over.powers) {
+            for _ in 0..power {
+                let Some(quotient) = prime.divided_wide(n) else {
+                    break;
+                };
+                (n, d) = (quotient, d.wrapping_mul(prime.inverse));
+            }
+        }
+        let (d, twos) = (U256::from(d) * U256::from(rest), twos - common);
+        (d.leading_zeros() > twos).then(|| Quotient {
+            is_negative,
+            numerator: n,
+            denominator: d << twos,
+        })
+    }
 }
 
 impl Factored {
@@ -235,11 +284,8 @@ impl Beside {
 
     /// A multiple of what was in common over that.
     #[inline(always)]
-    pub(crate) const fn divided(&self, n: i128) -> i128 {
-        match self.common {
-            1 => n,
-            _ => n.wrapping_mul(self.inverse.cast_signed()),
-        }
+    pub(crate) fn divided<T: Total>(&self, n: T) -> T {
+        n.divided(self.common, self.inverse)
     }
 }
 
@@ -278,17 +324,17 @@ impl Split {
     }
 }
 
-impl Quotient {
+impl<S: Size> Quotient<S> {
     /// Appends it after a comma; `None` where there is no room.
     #[inline]
     pub(crate) fn write(&self, line: &mut Line<'_>) -> Option<()> {
         line.append_some(*b",-", 1 + u32::from(self.is_negative))?;
-        line.append_wide(self.numerator)?;
-        if self.denominator == 1 {
+        self.numerator.write(line)?;
+        if self.denominator.is_one() {
             return Some(());
         }
         line.append_some(*b"/", 1)?;
-        line.append_wide(self.denominator)
+        self.denominator.write(line)
     }
 }
 

@@ -1,5 +1,7 @@
 //! Decimal digits of whole numbers, eight or sixteen at a time, and the line that they are written to.
 
+use ethnum::U256;
+
 use super::digits::in_eights;
 
 /// The lower half of 64 bits.
@@ -36,6 +38,11 @@ impl<'a> Line<'a> {
     #[inline(always)]
     pub(crate) const fn len(&self) -> usize {
         self.length
+    }
+
+    /// Takes back what is written.
+    pub(crate) const fn clear(&mut self) {
+        self.length = 0;
     }
 
     /// What is written.
@@ -95,6 +102,18 @@ impl<'a> Line<'a> {
         self.append_whole(a.wrapping_mul(EIGHT).wrapping_add(b))?;
         let [c, d] = lower.map(|n| u128::from(eight(n)));
         self.append_some((c | d << u64::BITS).to_le_bytes(), 16)
+    }
+
+    /// The same of one that is longer still.
+    pub(crate) fn append_widest(&mut self, n: U256) -> Option<()> {
+        let (0, n) = n.into_words() else {
+            let sixteen_digits = U256::from(SIXTEEN);
+            let upper = n / sixteen_digits;
+            let lower = n.wrapping_sub(upper.wrapping_mul(sixteen_digits));
+            self.append_widest(upper)?;
+            return self.append_some(sixteen(lower.as_u64()).to_le_bytes(), 16);
+        };
+        self.append_wide(n)
     }
 }
 

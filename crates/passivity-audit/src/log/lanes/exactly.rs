@@ -19,7 +19,7 @@ use passivity_core::{BigRational, Scalar as _};
 
 use super::Length;
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::numbers::{Readings, Unit};
+use crate::log::numbers::{Read, Readings, Unit};
 use crate::log::task::Task;
 use crate::number::{Factored, Primes};
 
@@ -33,9 +33,9 @@ fn unit_of(forces: Option<&Readings>) -> Option<Option<Unit>> {
 
 /// The force of the interval that starts at sample `i`, in its unit.
 #[inline(always)]
-fn force_at(forces: Option<&Readings>, unit: Option<Unit>, i: usize) -> Option<Option<i64>> {
+fn force_at<T: Read>(forces: Option<&Readings>, unit: Option<Unit>, i: usize) -> Option<Option<T>> {
     match forces.zip(unit) {
-        Some((forces, unit)) => Some(Some(forces.written.whole_at(i, unit)?)),
+        Some((forces, unit)) => Some(Some(T::read(&forces.written, i, unit)?)),
         None => Some(None),
     }
 }

@@ -4,7 +4,7 @@ use passivity_core::{BigRational, Scalar as _};
 
 use super::{Numbers, Readings};
 use crate::log::scale::Scale;
-use crate::number::power_of_ten;
+use crate::number::{Dyadic, Term, Total as _, power_of_ten};
 
 /// What all numbers of a column are whole multiples of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +26,8 @@ impl Unit {
 }
 
 impl Numbers {
-    /// What all of them are multiples of; `None` where that is not told by how they are written, or is very small.
+    /// What all of them are multiples of, or of doubles that have nothing but a very small unit in common, one; `None` where
+    /// it is not told by how they are written.
     pub(crate) fn unit(&self) -> Option<Unit> {
         /// Past that, products of numbers are too long.
         const MOST: u8 = 20;
@@ -37,7 +38,9 @@ impl Numbers {
                     let size = f64::from(1_u32 << k);
                     values.iter().all(|x| (x * size).trunc() == x * size)
                 };
-                (0..=MOST).step_by(4).find(is_multiple).map(Unit::Twos)
+                Some(Unit::Twos(
+                    (0..=MOST).step_by(4).find(is_multiple).unwrap_or(0),
+                ))
             }
             Self::Any(_) => None,
         }
@@ -60,6 +63,30 @@ impl Numbers {
                 is_whole.then_some(x as i64)
             }
             _ => None,
+        }
+    }
+}
+
+/// How the numbers of a column are computed with.
+pub(crate) trait Read: Term {
+    /// How many units the number at `i` is, where its kind holds that.
+    fn read(column: &Numbers, i: usize, unit: Unit) -> Option<Self>;
+}
+
+impl Read for i64 {
+    #[inline(always)]
+    fn read(column: &Numbers, i: usize, unit: Unit) -> Option<Self> {
+        column.whole_at(i, unit)
+    }
+}
+
+impl Read for Dyadic {
+    fn read(column: &Numbers, i: usize, unit: Unit) -> Option<Self> {
+        match (column, unit) {
+            (Numbers::Doubles(values), Unit::Twos(k)) => {
+                Self::of(*values.get(i)?)?.by_twos(k.into())
+            }
+            _ => Some(Self::whole(column.whole_at(i, unit)?)),
         }
     }
 }

@@ -79,10 +79,13 @@ pub(super) struct Part {
 }
 
 impl Part {
-    pub(super) fn has(&self, ends: [(i64, i64); 2]) -> bool {
+    /// Whether motions between positions stay on it, of which the whole numbers below and above are given, and the tick.
+    pub(super) fn has(&self, ends: [([i64; 2], i64); 2]) -> bool {
         let ([from, to], [first, last]) = (self.positions, self.ticks);
         let mut ends = ends.into_iter();
-        ends.all(|(xi, tick)| (from..=to).contains(&xi) && (first..=last).contains(&tick))
+        ends.all(|([below, above], tick)| {
+            from <= below && above <= to && (first..=last).contains(&tick)
+        })
     }
 }
 

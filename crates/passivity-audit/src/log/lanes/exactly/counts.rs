@@ -42,6 +42,7 @@ pub(in super::super) struct Counts {
     /// The numerator of the unit of a force, and its denominator P.
     force: (i64, i64, Factored),
     over: [Factored; 2],
+    two: Factored,
     lasts: Factored,
     parts: [Option<Part>; 3],
     /// Where the force of the wall is the least and the largest: what a force in the log and one are times the denominator.
@@ -114,6 +115,7 @@ impl Counts {
             of,
             force: (force.numer().to_i64()?, p.to_i64()?, primes.factored(p)?),
             over: [primes.factored(&twice)?, primes.factored(&eightfold)?],
+            two: primes.factored(&2.into())?,
             lasts: primes.factored(given.lasts.numer())?,
             parts: parts(&given.limits, &BigInt::from(1)),
             flat: [lower, upper],

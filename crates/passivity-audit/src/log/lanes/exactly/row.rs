@@ -6,26 +6,19 @@ use super::super::Length;
 use super::{Exactly, Friction, Part, Sum, force_at, lasts_over};
 use crate::figure::not;
 use crate::ledger::Truths;
-use crate::log::numbers::Readings;
-use crate::number::{Beside, Factored, Line, Primes, Quotient, Split};
+use crate::log::numbers::{Read, Readings};
+use crate::number::{Beside, Dyadic, Factored, Line, Primes, Quotient, Split, Term, Total};
 use crate::rows::{Figures, Form};
 
 impl<const N: usize> Sum<N> {
     /// The numerator.
     #[inline(always)]
-    pub(super) fn at(&self, terms: [i64; N]) -> Option<i128> {
+    pub(super) fn at<T: Term>(&self, terms: [T; N]) -> Option<T::Sum> {
         let mut products = self.factors.iter().zip(terms);
-        products.try_fold(0_i128, |sum, (factor, term)| {
-            sum.checked_add(times(*factor, term)?)
+        products.try_fold(T::Sum::ZERO, |sum, (factor, term)| {
+            sum.plus(term.by(*factor)?)
         })
     }
-}
-
-/// A product of less than 126 bits.
-#[inline(always)]
-pub(super) fn times(a: i128, b: i64) -> Option<i128> {
-    let zeros = a.unsigned_abs().leading_zeros() + b.unsigned_abs().leading_zeros();
-    (zeros > u64::BITS + 2).then(|| a.wrapping_mul(b.into()))
 }
 
 impl Exactly {
@@ -33,72 +26,102 @@ impl Exactly {
     /// open.
     pub(in super::super) fn write(
         &self,
-        (samples, forces, i): (&Readings, Option<&Readings>, usize),
+        from: (&Readings, Option<&Readings>, usize),
         length: Length,
         form: Form,
         (room, out): (&mut [u8; Line::ROOM], &mut Vec<u8>),
     ) -> Option<()> {
+        let line = &mut Line::new(room, 0);
+        if self.write_as::<i64>(from, length, form, line).is_none() {
+            line.clear();
+            self.write_widely(from, length, form, line)?;
+        }
+        out.extend_from_slice(line.text());
+        Some(())
+    }
+
+    /// Of numbers that are longer than the machine's.
+    #[inline(never)]
+    fn write_widely(
+        &self,
+        from: (&Readings, Option<&Readings>, usize),
+        length: Length,
+        form: Form,
+        line: &mut Line<'_>,
+    ) -> Option<()> {
+        self.write_as::<Dyadic>(from, length, form, line)
+    }
+
+    #[inline(always)]
+    fn write_as<T: Read>(
+        &self,
+        (samples, forces, i): (&Readings, Option<&Readings>, usize),
+        length: Length,
+        form: Form,
+        line: &mut Line<'_>,
+    ) -> Option<()> {
         let (unit_of_position, unit_of_force, over) = self.of;
-        let at = |i: usize| samples.written.whole_at(i, unit_of_position);
+        let at = |i: usize| T::read(&samples.written, i, unit_of_position);
         let force = force_at(forces, unit_of_force, i)?;
         let row = Interval {
             ends: [at(i)?, at(i + 1)?],
             force,
             lasts: lasts_over(length, over)?,
         };
-        let mut line = Line::new(room, 0);
         let (ratio, _, q) = &self.position;
         for x in row.ends {
-            let xi = self.primes.quotient(times((*ratio).into(), x)?, q, 1)?;
-            form.position([xi; 2], &mut line)?;
+            let xi = x.by((*ratio).into())?.quotient(&self.primes, q, 1)?;
+            form.position([xi; 2], line)?;
         }
         let lasts = self.primes.quotient(row.lasts.into(), &self.lasts, 1)?;
-        lasts.write(&mut line)?;
-        form.account(&self.figures(&row)?, &mut line)?;
-        out.extend_from_slice(line.text());
-        Some(())
+        lasts.write(line)?;
+        form.account(&self.figures(&row)?, line)
     }
 
     #[inline(always)]
-    fn figures(&self, row: &Interval) -> Option<Figures<Quotient>> {
+    fn figures<T: Term>(&self, row: &Interval<T>) -> Option<Figures<QuotientOf<T>>> {
         let [from, to] = row.ends;
         let (ratio, q, _) = self.position;
-        let mut ticks = [(0, 0); 2];
-        let mut potentials = [0; 2];
+        let mut ticks = [([0; 2], 0); 2];
+        let mut potentials = [T::whole(0); 2];
         for ((tick, potential), x) in ticks.iter_mut().zip(&mut potentials).zip(row.ends) {
-            let xi = ratio.checked_mul(x)?;
-            let n = xi.div_euclid(q);
-            *tick = (xi, n);
-            *potential = twice_quantized(n, xi.rem_euclid(q), q)?;
+            let xi = T::whole(ratio).times(x)?;
+            let next_to = xi.next_to()?;
+            let (n, of) = twice_quantized(xi, next_to, q)?;
+            (*tick, *potential) = ((next_to, n), of);
         }
-        let d = to.checked_sub(from)?;
+        let d = to.minus(from)?;
         let factor = match row.force {
             Some(force) => force,
-            None => ticks[0].1.checked_mul(2)?.checked_add(1)?,
+            None => T::whole(ticks[0].1.checked_mul(2)?.checked_add(1)?),
         };
-        let work = d.checked_mul(factor)?;
+        let work = d.times(factor)?;
         let holds = |part: &Option<Part>| part.is_some_and(|part| part.has(ticks));
         let part = self.parts.iter().position(holds)?;
         // What the wall takes up, against it and against its quantized form.
         let taken_up = match part {
             0 => [
-                d.checked_mul(from.checked_add(to)?)?,
-                potentials[1].checked_sub(potentials[0])?,
+                d.times(from.plus(to)?)?,
+                potentials[1].minus(potentials[0])?,
             ],
             _ => [d; 2],
         };
-        let (square, distance) = (d.checked_mul(d)?, d.checked_abs()?);
+        let (square, distance) = (d.times(d)?, d.size()?);
         let generated = &self.generated[part];
-        let plain = |sum: &Sum<2>, terms| self.primes.quotient(sum.at(terms)?, &sum.over, 1);
+        let plain =
+            |sum: &Sum<2>, terms: [T; 2]| sum.at(terms)?.quotient(&self.primes, &sum.over, 1);
         let bound = {
-            let d = ratio.checked_mul(d)?.checked_abs()?;
-            twice_quantized(d.div_euclid(q), d.rem_euclid(q), q)?.checked_add(d)?
+            let d = T::whole(ratio).times(d)?.size()?;
+            twice_quantized(d, d.next_to()?, q)?.1.plus(d)?
         };
         let split = self.primes.split(row.lasts.cast_unsigned());
-        let distances = self.primes.split(distance.max(1).cast_unsigned());
+        let (size, twos) = distance.size_over_twos()?;
+        let moves = size > 0;
+        let distances = self.primes.split(size);
         let terms = Terms {
             square,
             distance,
+            size: (size, twos),
             work,
             taken_up,
             lasts: row.lasts,
@@ -110,25 +133,25 @@ impl Exactly {
             Some(most) => end(most)?,
             None => least,
         };
-        let both = |pick: fn(&Ends) -> Quotient| [pick(&least), pick(&most)];
+        let both = |pick: fn(&Ends<T>) -> QuotientOf<T>| [pick(&least), pick(&most)];
         let energies = [
             [plain(&generated[0], [work, taken_up[0]])?; 2],
             [plain(&generated[1], [work, taken_up[1]])?; 2],
             [plain(&self.bound_22, [square, distance])?; 2],
-            [self.primes
-                .quotient(bound.into(), &self.bound_quantized, 1)?; 2],
+            [bound
+                .by(1)?
+                .quotient(&self.primes, &self.bound_quantized, 1)?; 2],
             both(|end| end.taken),
             both(|end| end.net[0]),
             both(|end| end.net[1]),
         ];
         let margin = both(|end| end.margin);
-        let covers = |[lo, hi]: [Quotient; 2]| Truth::over(!lo.is_negative, !hi.is_negative);
+        let covers = |[lo, hi]: [QuotientOf<T>; 2]| Truth::over(!lo.is_negative, !hi.is_negative);
         let (force, over) = &self.force;
         let force = match row.force {
-            Some(f) => Some(self.primes.quotient(times((*force).into(), f)?, over, 1)?),
+            Some(f) => Some(f.by((*force).into())?.quotient(&self.primes, over, 1)?),
             None => None,
         };
-        let moves = distance > 0;
         Some(Figures {
             truths: Truths {
                 criterion_holds: if moves { covers(margin) } else { Truth::Holds },
@@ -142,84 +165,92 @@ impl Exactly {
     }
 }
 
-/// An interval in whole numbers.
-struct Interval {
-    ends: [i64; 2],
-    force: Option<i64>,
+/// What a figure made of these numbers is written as.
+pub(super) type QuotientOf<T> = Quotient<<<T as Term>::Sum as Total>::Size>;
+
+/// An interval in whole numbers, or in what doubles are.
+struct Interval<T> {
+    ends: [T; 2],
+    force: Option<T>,
     lasts: i64,
 }
 
-/// The whole numbers that the figures of a row are sums of.
-struct Terms {
-    square: i64,
-    distance: i64,
-    work: i64,
-    taken_up: [i64; 2],
+/// The numbers that the figures of a row are sums of.
+struct Terms<T> {
+    square: T,
+    distance: T,
+    /// The distance, as a whole number over a power of two.
+    size: (u64, u32),
+    work: T,
+    taken_up: [T; 2],
     lasts: i64,
 }
 
 /// What a row says at one end of friction.
 #[derive(Clone, Copy)]
-struct Ends {
-    taken: Quotient,
-    net: [Quotient; 2],
-    margin: Quotient,
+struct Ends<T: Term> {
+    taken: QuotientOf<T>,
+    net: [QuotientOf<T>; 2],
+    margin: QuotientOf<T>,
 }
 
 impl Friction {
     #[inline(always)]
-    fn of(
+    fn of<T: Term>(
         &self,
         primes: &Primes,
         part: usize,
-        terms: &Terms,
+        terms: &Terms<T>,
         [lasts, distances]: [&Split; 2],
-    ) -> Option<Ends> {
+    ) -> Option<Ends<T>> {
         let Terms {
             square,
             distance,
+            size: (size, twos),
             work,
             taken_up,
             lasts: n,
         } = *terms;
         let is_viscous = self.viscous != 0;
-        let d = u128::from(distance.unsigned_abs());
+        let d = u128::from(size);
         // Of all that is over the length, the length has in common what it has with viscous friction.
         let beside = match is_viscous {
             true => lasts.beside([self.viscous, d, d]),
             false => Beside::ONE,
         };
         let n_or_one = if is_viscous { n } else { 1 };
-        let over = |n: i128, over: &Factored, beside: &Beside| {
-            primes.quotient(beside.divided(n), &over.times(&beside.known)?, beside.rest)
+        let over = |n: T::Sum, over: &Factored, beside: &Beside| {
+            let over = over.times(&beside.known)?;
+            beside.divided(n).quotient(primes, &over, beside.rest)
         };
-        let over_length = |sum: i128, more: i128, of: &Factored| {
-            over(sum.checked_add(times(more, n_or_one)?)?, of, &beside)
+        let over_length = |sum: T::Sum, more: T::Sum, of: &Factored| {
+            over(sum.plus(more.by(n_or_one)?)?, of, &beside)
         };
-        let net = |of: &Sum<4>, taken_up: i64| {
+        let net = |of: &Sum<4>, taken_up: T| {
             let [a, b, c, d] = of.factors;
-            let more = times(b, distance)?
-                .checked_add(times(c, work)?)?
-                .checked_add(times(d, taken_up)?)?;
-            over_length(times(a, square)?, more, &of.over)
+            let more = distance.by(b)?.plus(work.by(c)?)?.plus(taken_up.by(d)?)?;
+            over_length(square.by(a)?, more, &of.over)
         };
         let [a, b] = self.taken.factors;
         let [linear, quantized] = &self.net[part];
         let (margin, numerator) = &self.margin;
         let over_distance = distances.beside([*numerator, n.unsigned_abs().into(), 1]);
-        let margin = over(margin.at([distance, n])?, &margin.over, &over_distance)?;
+        let times_distance = margin.at([distance, T::whole(n)])?.by_twos(twos)?;
+        let margin = over(times_distance, &margin.over, &over_distance)?;
         Some(Ends {
-            taken: over_length(times(a, square)?, times(b, distance)?, &self.taken.over)?,
+            taken: over_length(square.by(a)?, distance.by(b)?, &self.taken.over)?,
             net: [net(linear, taken_up[0])?, net(quantized, taken_up[1])?],
             margin,
         })
     }
 }
 
-/// 2q times the potential of the quantized spring (16) at n + r/q ticks.
+/// The tick of a position that is a q-th of ξ, and 2q times the potential of the quantized spring (16) there.
 #[inline(always)]
-fn twice_quantized(n: i64, r: i64, q: i64) -> Option<i64> {
-    let up_to_tick = n.checked_mul(n)?.checked_mul(q)?;
-    let within = n.checked_mul(2)?.checked_add(1)?.checked_mul(r)?;
-    up_to_tick.checked_add(within)
+fn twice_quantized<T: Term>(xi: T, [below, _]: [i64; 2], q: i64) -> Option<(i64, T)> {
+    let n = below.div_euclid(q);
+    let within = xi.minus(T::whole(n.checked_mul(q)?))?;
+    let up_to_tick = T::whole(n.checked_mul(n)?.checked_mul(q)?);
+    let twice_and_one = T::whole(n.checked_mul(2)?.checked_add(1)?);
+    Some((n, up_to_tick.plus(twice_and_one.times(within)?)?))
 }

@@ -98,6 +98,25 @@ fn written(
     Ok([found, rows])
 }
 
+/// Appends decimals, or the doubles nearest to them.
+fn push(readings: &mut Readings, decimals: &[(i64, u8)], doubles: bool) {
+    if doubles {
+        let near = |(n, k): &(i64, u8)| *n as f64 / 10_f64.powi((*k).into());
+        let values = decimals.iter().map(near).collect();
+        readings.push_all(Numbers::Doubles(values)).unwrap();
+    } else {
+        decimals
+            .iter()
+            .for_each(|(n, k)| readings.push_decimal(*n, *k));
+    }
+}
+
+/// Appends forces to a chunk.
+fn push_forces(chunk: &mut Chunk, decimals: &[(i64, u8)], doubles: bool) {
+    push(&mut chunk.forces.values, decimals, doubles);
+    chunk.forces.roundings.resize(decimals.len(), 0.0);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(draws(150)))]
 
@@ -106,7 +125,7 @@ proptest! {
         scene in scene(),
         rows in prop::collection::vec((-40_000..40_000_i64, 0..4_u8, -30_000..30_000_i64, 0..6_u8, 1..2_000_000_i64), 2..40),
         (near, any, decimals) in (-20_000..20_000_i64, 0..8_u8, 0..5_u8),
-        (reversed, has_force, is_even) in any::<(bool, bool, bool)>(),
+        (reversed, has_force, is_even, doubles) in any::<(bool, bool, bool, [bool; 2])>(),
     ) {
         let scene = Scene::from_toml("s", &scene).unwrap();
         let position = if reversed { "x [um]" } else { "x [mm]" };
@@ -117,21 +136,22 @@ proptest! {
             (false, true) => &[position],
         };
         let fill = |chunk: &mut Chunk| {
-            let mut t = 1_700_000_000_000_000_000;
-            for (x, how, f, k, dt) in &rows {
-                let Samples::Any(samples) = &mut chunk.samples else { continue };
-                match how {
-                    // Some that are close to each other, and on the ends of ticks.
-                    0 => samples.push_decimal(near + x % 100, decimals),
-                    1 => samples.push_decimal(x / 30 * 30, 2),
-                    2 => samples.push_decimal(x % 3000, decimals.min(3)),
-                    _ => samples.push_decimal(if any == 0 { x << 40 } else { *x }, decimals),
-                }
-                if has_force {
-                    chunk.forces.values.push_decimal(*f, *k);
-                    chunk.forces.roundings.push(0.0);
-                }
-                if !is_even {
+            let positions: Vec<_> = rows.iter().map(|(x, how, ..)| match how {
+                // Some that are close to each other, and on the ends of ticks.
+                0 => (near + x % 100, decimals),
+                1 => (x / 30 * 30, 2),
+                2 => (x % 3000, decimals.min(3)),
+                _ => (if any == 0 { x << 40 } else { *x }, decimals),
+            }).collect();
+            let Samples::Any(samples) = &mut chunk.samples else { return };
+            push(samples, &positions, doubles[0]);
+            if has_force {
+                let forces: Vec<_> = rows.iter().map(|(_, _, f, k, _)| (*f, *k)).collect();
+                push_forces(chunk, &forces, doubles[1]);
+            }
+            if !is_even {
+                let mut t = 1_700_000_000_000_000_000;
+                for (.., dt) in &rows {
                     chunk.times.push_decimal(t, 0);
                     t += dt;
                 }
@@ -149,7 +169,7 @@ proptest! {
         scene in scene(),
         rows in prop::collection::vec((-3..4_i64, 0..20_u8, -30_000..30_000_i64, 0..6_u8, 1..2_000_000_i64), 2..40),
         start in prop_oneof![2 => -20..20_i64, 1 => -1000..1000_i64],
-        (has_force, is_even) in any::<(bool, bool)>(),
+        (has_force, is_even, doubles) in any::<(bool, bool, bool)>(),
     ) {
         let scene = Scene::from_toml("s", &scene).unwrap();
         let columns: &[&str] = match (has_force, is_even) {
@@ -159,21 +179,20 @@ proptest! {
             (false, true) => &["count"],
         };
         let fill = |chunk: &mut Chunk| {
-            let (mut t, mut at) = (1_700_000_000_000_000_000, start);
+            let (mut t, mut at, mut forces) = (1_700_000_000_000_000_000, start, Vec::new());
             for (step, how, f, k, dt) in &rows {
                 at += if *how == 0 { step * 1_000_000 } else { *step };
                 let Samples::Counts(counts) = &mut chunk.samples else { continue };
                 counts.push(at);
-                if has_force {
-                    // Of all sizes, and close to that of the wall.
-                    let (f, k) = if *how < 10 { (*f, *k) } else { (f / 1000 - 30 * at, 3) };
-                    chunk.forces.values.push_decimal(f, k);
-                    chunk.forces.roundings.push(0.0);
-                }
+                // Of all sizes, and close to that of the wall.
+                forces.push(if *how < 10 { (*f, *k) } else { (f / 1000 - 30 * at, 3) });
                 if !is_even {
                     chunk.times.push_decimal(t, 0);
                     t += dt;
                 }
+            }
+            if has_force {
+                push_forces(chunk, &forces, doubles);
             }
         };
         written(&scene, columns, fill)?;
@@ -185,12 +204,14 @@ fn most_rows_of_counts_are_written_at_once() {
     let one_sided = LONG.to_owned() + "unilateral = true\nmax_force = \"1 N\"\n";
     for text in [LONG, &one_sided] {
         let scene = Scene::from_toml("s", text).unwrap();
-        for columns in [
-            &["count", "t [ns]"][..],
-            &["count", "t [ns]", "f [N]"],
-            &["count", "f [N]"],
+        for (columns, doubles) in [
+            (&["count", "t [ns]"][..], false),
+            (&["count", "t [ns]", "f [N]"], false),
+            (&["count", "t [ns]", "f [N]"], true),
+            (&["count", "f [N]"], true),
         ] {
             let fill = |chunk: &mut Chunk| {
+                let mut forces = Vec::new();
                 for i in 0..500_i64 {
                     let at = i * i % 997 / 40;
                     let Samples::Counts(counts) = &mut chunk.samples else {
@@ -200,10 +221,10 @@ fn most_rows_of_counts_are_written_at_once() {
                     if columns.contains(&"t [ns]") {
                         chunk.times.push_decimal(i * 987_654 + i * i % 997, 0);
                     }
-                    if columns.contains(&"f [N]") {
-                        chunk.forces.values.push_decimal(-at * 30 - i % 40, 3);
-                        chunk.forces.roundings.push(0.0);
-                    }
+                    forces.push((-at * 30 - i % 40, 3));
+                }
+                if columns.contains(&"f [N]") {
+                    push_forces(chunk, &forces, doubles);
                 }
             };
             let [found, rows] = written(&scene, columns, fill).unwrap();
@@ -228,14 +249,15 @@ fn most_rows_are_written_at_once() {
             &["x [um]", "t [ns]", "f [N]"],
             &["x [um]", "f [N]"],
         ] {
-            for doubles in [false, true] {
+            // As decimals, as doubles that are whole quarters, and as any doubles.
+            for (doubles, over) in [(false, 1.0), (true, 4.0), (true, 10.0)] {
                 let fill = |chunk: &mut Chunk| {
                     let Samples::Any(samples) = &mut chunk.samples else {
                         return;
                     };
                     let positions = (0..500_i32).map(|i| (i - 250) * 17 % 4001 + i % 7);
                     if doubles {
-                        let positions = positions.map(|x| f64::from(x) / 4.0).collect();
+                        let positions = positions.map(|x| f64::from(x) / over).collect();
                         samples.push_all(Numbers::Doubles(positions)).unwrap();
                     } else {
                         positions.for_each(|x| samples.push_decimal(x.into(), 0));
@@ -244,16 +266,16 @@ fn most_rows_are_written_at_once() {
                         if columns.contains(&"t [ns]") {
                             chunk.times.push_decimal(i * 987_654 + i * i % 997, 0);
                         }
-                        if columns.contains(&"f [N]") {
-                            chunk.forces.values.push_decimal(-(i * i % 997), 3);
-                            chunk.forces.roundings.push(0.0);
-                        }
+                    }
+                    if columns.contains(&"f [N]") {
+                        let forces: Vec<_> = (0..500).map(|i| (-(i * i % 997), 3)).collect();
+                        push_forces(chunk, &forces, over == 10.0);
                     }
                 };
                 let [found, rows] = written(scene, columns, fill).unwrap();
                 assert!(
                     10 * found > 9 * rows,
-                    "{columns:?} {doubles} {found} of {rows}"
+                    "{columns:?} {doubles} {over} {found} of {rows}"
                 );
             }
         }

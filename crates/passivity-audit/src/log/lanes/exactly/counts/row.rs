@@ -5,61 +5,85 @@ use passivity_core::{Ordered as _, Scalar as _, Truth};
 
 use super::super::super::Length;
 use super::super::constants::Part;
-use super::super::row::times;
+use super::super::row::QuotientOf;
 use super::super::{Sum, force_at, lasts_over};
 use super::{Counts, Friction};
 use crate::ball::Ball;
 use crate::figure::not;
 use crate::ledger::Truths;
-use crate::log::numbers::Readings;
-use crate::number::{Factored, Line, Primes, Quotient};
+use crate::log::numbers::{Read, Readings};
+use crate::number::{Dyadic, Factored, Line, Primes, Term, Total};
 use crate::rows::{Figures, Form, Whole};
 
 /// A row as it is known.
-struct Interval {
+struct Interval<T> {
     counts: [i64; 2],
-    force: Option<i64>,
+    force: Option<T>,
     lasts: i64,
 }
-
-/// Numerators at the least and at the most.
-type Pair = [i128; 2];
 
 impl Counts {
     /// As [`Exactly::write`](super::super::Exactly::write).
     pub(in super::super::super) fn write(
         &self,
-        (counts, forces, i): (&[i64], Option<&Readings>, usize),
+        from: (&[i64], Option<&Readings>, usize),
         length: Length,
         form: Form,
         (room, out): (&mut [u8; Line::ROOM], &mut Vec<u8>),
     ) -> Option<()> {
+        let line = &mut Line::new(room, 0);
+        if self.write_as::<i64>(from, length, form, line).is_none() {
+            line.clear();
+            self.write_widely(from, length, form, line)?;
+        }
+        out.extend_from_slice(line.text());
+        Some(())
+    }
+
+    /// Of numbers that are longer than the machine's.
+    #[inline(never)]
+    fn write_widely(
+        &self,
+        from: (&[i64], Option<&Readings>, usize),
+        length: Length,
+        form: Form,
+        line: &mut Line<'_>,
+    ) -> Option<()> {
+        self.write_as::<Dyadic>(from, length, form, line)
+    }
+
+    #[inline(always)]
+    fn write_as<T: Read>(
+        &self,
+        (counts, forces, i): (&[i64], Option<&Readings>, usize),
+        length: Length,
+        form: Form,
+        line: &mut Line<'_>,
+    ) -> Option<()> {
         let (unit, over) = self.of;
-        let force = force_at(forces, unit, i)?;
+        let force = force_at::<T>(forces, unit, i)?;
         let row = Interval {
             counts: *counts.get(i..)?.first_chunk()?,
             force,
             lasts: lasts_over(length, over)?,
         };
-        let mut line = Line::new(room, 0);
         for n in row.counts {
-            form.position([Whole(n), Whole(n.checked_add(1)?)], &mut line)?;
+            form.position([Whole(n), Whole(n.checked_add(1)?)], line)?;
         }
         let lasts = self.primes.quotient(row.lasts.into(), &self.lasts, 1)?;
-        lasts.write(&mut line)?;
-        form.account(&self.figures(&row)?, &mut line)?;
-        out.extend_from_slice(line.text());
-        Some(())
+        lasts.write(line)?;
+        form.account(&self.figures(&row)?, line)
     }
 
-    fn figures(&self, row: &Interval) -> Option<Figures<Quotient>> {
+    #[inline(always)]
+    fn figures<T: Term>(&self, row: &Interval<T>) -> Option<Figures<QuotientOf<T>>> {
         let [from, to] = row.counts;
         let k = to.checked_sub(from)?;
         let ends = [from, from.checked_add(1)?, to, to.checked_add(1)?];
         let holds = |part: &Option<Part>| {
             let ticks = [from, from, to, to];
             let mut ends = ends.into_iter().zip(ticks);
-            part.is_some_and(|part| ends.all(|end| part.has([end; 2])))
+            part.is_some_and(|part| ends.all(|(end, tick)| part.has([([end; 2], tick); 2])))
         };
         let part = self.parts.iter().position(holds)?;
         let distance = k.checked_abs()?;
@@ -74,27 +98,27 @@ impl Counts {
             flat => self.flat(row, k, flat, frictions)?,
         };
         let bounds = [near, far].map(|d| {
-            let twice = times(d.into(), d)?.checked_add(d.into())?;
-            self.primes.quotient(twice / 2, &Factored::ONE, 1)
+            // Of d² and d one half is whole.
+            let twice = T::whole(d).square()?.plus(T::whole(d).by(1)?)?;
+            twice.quotient(&self.primes, &self.two, 1)
         });
         let [a, b] = bounds;
         let bounds = [a?, b?];
         let taken = [
-            least.taken(&self.primes, near, row.lasts)?,
-            most.taken(&self.primes, far, row.lasts)?,
+            least.taken::<T>(&self.primes, near, row.lasts)?,
+            most.taken::<T>(&self.primes, far, row.lasts)?,
         ];
         let force = match row.force {
-            Some(f) => Some(self.primes.quotient(
-                times(self.force.0.into(), f)?,
-                &self.force.2,
-                1,
-            )?),
+            Some(f) => {
+                let (unit, _, over) = &self.force;
+                Some(f.by((*unit).into())?.quotient(&self.primes, over, 1)?)
+            }
             None => None,
         };
-        let covers = |[lo, hi]: [Quotient; 2]| Truth::over(!lo.is_negative, !hi.is_negative);
+        let covers = |[lo, hi]: [QuotientOf<T>; 2]| Truth::over(!lo.is_negative, !hi.is_negative);
         let signs = |friction: &Friction| {
             let sum = &friction.margin.0;
-            let at = |d: i64| Some(sum.at([d, row.lasts])? >= 0);
+            let at = |d: i64| Some(!sum.at([T::whole(d), T::whole(row.lasts)])?.is_negative());
             Some([at(near)?, at(far)?])
         };
         let ([a, b], [c, d]) = (signs(least)?, signs(most)?);
@@ -118,12 +142,12 @@ impl Counts {
                 net_quantized,
             ],
             margin: [
-                least.margin(
+                least.margin::<T>(
                     &self.primes,
                     if least.margin.1 < 0 { near } else { far },
                     row.lasts,
                 )?,
-                most.margin(
+                most.margin::<T>(
                     &self.primes,
                     if most.margin.1 > 0 { near } else { far },
                     row.lasts,
@@ -135,146 +159,167 @@ impl Counts {
 
     /// What is generated, and net energy, where the wall is linear.
     #[inline(always)]
-    fn linear(&self, row: &Interval, k: i64, frictions: [&Friction; 2]) -> Option<Energies> {
+    fn linear<T: Term>(
+        &self,
+        row: &Interval<T>,
+        k: i64,
+        frictions: [&Friction; 2],
+    ) -> Option<Energies<T>> {
         let [from, _] = row.counts;
         let (unit, p, _) = self.force;
+        let (whole, zero) = (T::whole, T::whole(0));
         let beyond = match row.force {
             Some(f) => {
                 let own = from.checked_mul(2)?.checked_add(1)?.checked_mul(p)?;
-                unit.checked_mul(f)?.checked_mul(2)?.checked_add(own)?
+                let twice = whole(unit).times(f)?.times(whole(2))?;
+                twice.plus(whole(own))?
             }
-            None => 0,
+            None => zero,
         };
         self.turns_nowhere(k, beyond, row.lasts, frictions)?;
-        let work = |u: i64| u.checked_mul(beyond.checked_add(p.checked_mul(u.checked_sub(1)?)?)?);
-        let start = work(k)?;
-        let rise = beyond.checked_add(p.checked_mul(2)?.checked_mul(k)?)?;
-        let highest = start.checked_add(rise.max(0))?;
+        let start = whole(k).times(beyond.plus(whole(p.checked_mul(k.checked_sub(1)?)?))?)?;
+        let rise = beyond.plus(whole(p.checked_mul(2)?.checked_mul(k)?))?;
+        let highest = start.plus(rise.at_least_zero())?;
         let quantized = [
-            start.checked_add(rise.min(0))?.checked_sub(beyond.max(0))?,
-            highest.checked_sub(beyond.min(0))?,
+            start
+                .plus(rise.at_most_zero())?
+                .minus(beyond.at_least_zero())?,
+            highest.minus(beyond.at_most_zero())?,
         ];
         // Over 8P²; where the wall balances the force, in ticks over 2P.
-        let wide = |n: i64| times(i128::from(p) * 4, n);
-        let balance = p.checked_sub(beyond)?;
-        let at_balance = || times((-balance).into(), balance);
-        let ticks = |n: i64| p.checked_mul(2)?.checked_mul(n);
-        let least = match balance {
-            x if x <= ticks(k)? => wide(start)?,
-            x if x >= ticks(k.checked_add(1)?)? => wide(start.checked_add(rise)?)?,
-            _ => at_balance()?,
+        let wide = |x: T| x.by(i128::from(p) * 4);
+        let balance = whole(p).minus(beyond)?;
+        let at_balance = || T::Sum::ZERO.minus(balance.square()?);
+        let ticks = |n: i64| Some(whole(p.checked_mul(2)?.checked_mul(n)?));
+        let is_up_to = |n: i64| Some(!ticks(n)?.minus(balance)?.is_negative());
+        let is_from = |n: i64| Some(!balance.minus(ticks(n)?)?.is_negative());
+        let least = if is_up_to(k)? {
+            wide(start)?
+        } else if is_from(k.checked_add(1)?)? {
+            wide(start.plus(rise)?)?
+        } else {
+            at_balance()?
         };
-        let lowest = match balance {
-            ..=0 => 0,
-            x if x >= ticks(1)? => wide(beyond)?,
-            _ => at_balance()?,
+        let lowest = if is_up_to(0)? {
+            T::Sum::ZERO
+        } else if is_from(1)? {
+            wide(beyond)?
+        } else {
+            at_balance()?
         };
         let generated = [
-            least.checked_sub(wide(beyond.max(0))?)?,
-            wide(highest)?.checked_sub(lowest)?,
+            least.minus(wide(beyond.at_least_zero())?)?,
+            wide(highest)?.minus(lowest)?,
         ];
         let (before, behind) = (k.checked_sub(1)?, k.checked_add(1)?);
         let distance = k.checked_abs()?;
         let wider = ticks(k)?;
-        let corner = |d: i64| d.checked_mul(beyond.checked_add(p.checked_mul(k)?)?);
+        let corner = |d: i64| whole(d).times(beyond.plus(whole(p.checked_mul(k)?))?);
         let corners = [
-            (distance, start.checked_add(wider.max(0))?),
-            (distance, start.checked_add(wider.min(0))?),
+            (distance, start.plus(wider.at_least_zero())?),
+            (distance, start.plus(wider.at_most_zero())?),
             (before.checked_abs()?, corner(before)?),
             (behind.checked_abs()?, corner(behind)?),
         ];
         let net = self.extremes(frictions, 0, &corners, row.lasts)?;
         let [twice, eightfold] = &self.over;
+        let [least, most] = quantized;
         Some((
             [
-                self.both(generated, eightfold)?,
-                self.both(quantized.map(i128::from), twice)?,
+                self.both::<T>(generated, eightfold)?,
+                self.both::<T>([least.by(1)?, most.by(1)?], twice)?,
             ],
             [net; 2],
         ))
     }
 
     /// The same where the force of the wall is the same everywhere.
-    fn flat(
+    #[inline(always)]
+    fn flat<T: Term>(
         &self,
-        row: &Interval,
+        row: &Interval<T>,
         k: i64,
         part: usize,
         frictions: [&Friction; 2],
-    ) -> Option<Energies> {
+    ) -> Option<Energies<T>> {
         let (unit, limit, over) = self.flat.get(part.checked_sub(1)?)?;
         let force = match row.force {
-            Some(f) => unit.checked_mul(f)?.checked_add(*limit)?,
-            None => 0,
+            Some(f) => T::whole(*unit).times(f)?.plus(T::whole(*limit))?,
+            None => T::whole(0),
         };
-        if force != 0 && frictions.iter().any(|friction| friction.viscous != 0) {
+        let (size, _) = force.size_over_twos()?;
+        if size != 0 && frictions.iter().any(|friction| friction.viscous != 0) {
             return None;
         }
-        let corner = |d: i64| Some((d.checked_abs()?, d.checked_mul(force)?));
+        let corner = |d: i64| Some((d.checked_abs()?, T::whole(d).times(force)?));
         let corners = [
             corner(k.checked_sub(1)?)?,
             corner(k)?,
             corner(k.checked_add(1)?)?,
         ];
         let [(_, first), _, (_, last)] = corners;
-        let generated = [first.min(last), first.max(last)].map(i128::from);
+        let generated = match force.is_negative() {
+            true => [last.by(1)?, first.by(1)?],
+            false => [first.by(1)?, last.by(1)?],
+        };
         let net = self.extremes(frictions, part, &corners, row.lasts)?;
-        let generated = self.both(generated, over)?;
+        let generated = self.both::<T>(generated, over)?;
         Some(([generated; 2], [net; 2]))
     }
 
-    fn both(&self, [lo, hi]: Pair, over: &Factored) -> Option<[Quotient; 2]> {
+    #[inline(always)]
+    fn both<T: Term>(&self, [lo, hi]: [T::Sum; 2], over: &Factored) -> Option<[QuotientOf<T>; 2]> {
         Some([
-            self.primes.quotient(lo, over, 1)?,
-            self.primes.quotient(hi, over, 1)?,
+            lo.quotient(&self.primes, over, 1)?,
+            hi.quotient(&self.primes, over, 1)?,
         ])
     }
 
     /// The least net energy with the least friction and the most with the most, of pairs of a distance and of what is
     /// generated.
-    fn extremes(
+    #[inline(always)]
+    fn extremes<T: Term>(
         &self,
         [least, most]: [&Friction; 2],
         over: usize,
-        corners: &[(i64, i64)],
+        corners: &[(i64, T)],
         n: i64,
-    ) -> Option<[Quotient; 2]> {
-        let at = |friction: &Friction, (d, work): (i64, i64)| {
-            Some((
-                friction.numerator(friction.net.get(over)?, d, work.into(), n)?,
-                d,
-            ))
+    ) -> Option<[QuotientOf<T>; 2]> {
+        let at = |friction: &Friction, (d, work): (i64, T)| {
+            Some((friction.numerator(friction.net.get(over)?, d, work, n)?, d))
         };
-        let mut found: Option<[(i128, i64); 2]> = None;
+        let is_below = |a: T::Sum, b: T::Sum| Some(a.minus(b)?.is_negative());
+        let mut found: Option<[(T::Sum, i64); 2]> = None;
         for corner in corners {
             let (a, b) = (at(least, *corner)?, at(most, *corner)?);
             found = Some(match found {
                 None => [a, b],
                 Some([lo, hi]) => [
-                    if a.0 < lo.0 { a } else { lo },
-                    if b.0 > hi.0 { b } else { hi },
+                    if is_below(a.0, lo.0)? { a } else { lo },
+                    if is_below(hi.0, b.0)? { b } else { hi },
                 ],
             });
         }
         let [(lo, d), (hi, e)] = found?;
         Some([
-            least.quotient(&self.primes, lo, &least.net.get(over)?.over, d, n)?,
-            most.quotient(&self.primes, hi, &most.net.get(over)?.over, e, n)?,
+            least.quotient::<T>(&self.primes, lo, &least.net.get(over)?.over, d, n)?,
+            most.quotient::<T>(&self.primes, hi, &most.net.get(over)?.over, e, n)?,
         ])
     }
 
     /// Nothing where net energy may be extreme between the corners.
-    fn turns_nowhere(
+    #[inline(always)]
+    fn turns_nowhere<T: Term>(
         &self,
         k: i64,
-        beyond: i64,
+        beyond: T,
         lasts: i64,
         [least, most]: [&Friction; 2],
     ) -> Option<()> {
         let (_, p, _) = self.force;
         let crossing = Crossing {
             ticks: Ball::whole(k),
-            excess: Ball::ratio(beyond, p.checked_mul(2)?),
+            excess: beyond.near(p.checked_mul(2)?),
         };
         let lasts = Ball::ratio(lasts, self.of.1);
         let resistance = Resistance::new(&least.near, &lasts);
@@ -300,55 +345,57 @@ impl Counts {
 }
 
 /// What is generated and net energy, against the wall and against its quantized form.
-type Energies = ([[Quotient; 2]; 2], [[Quotient; 2]; 2]);
+type Energies<T> = ([[QuotientOf<T>; 2]; 2], [[QuotientOf<T>; 2]; 2]);
 
 impl Friction {
     /// The numerator of net energy.
     #[inline(always)]
-    fn numerator(&self, net: &Sum<3>, d: i64, generated: i128, n: i64) -> Option<i128> {
+    fn numerator<T: Term>(&self, net: &Sum<3>, d: i64, generated: T, n: i64) -> Option<T::Sum> {
         let [a, b, c] = net.factors;
-        let more = times(b, d)?.checked_add(c.checked_mul(generated)?)?;
-        self.over_length(times(a, d.checked_mul(d)?)?, more, n)
+        let more = T::whole(d).by(b)?.plus(generated.by(c)?)?;
+        self.over_length::<T>(T::whole(d.checked_mul(d)?).by(a)?, more, n)
     }
 
     #[inline(always)]
-    fn over_length(&self, viscous: i128, more: i128, n: i64) -> Option<i128> {
+    fn over_length<T: Term>(&self, viscous: T::Sum, more: T::Sum, n: i64) -> Option<T::Sum> {
         match self.viscous {
             0 => Some(more),
-            _ => viscous.checked_add(times(more, n)?),
+            _ => viscous.plus(more.by(n)?),
         }
     }
 
     /// A numerator over the length, where friction is viscous, which has in common with it what it has with that.
     #[inline(always)]
-    fn quotient(
+    fn quotient<T: Term>(
         &self,
         primes: &Primes,
-        numerator: i128,
+        numerator: T::Sum,
         over: &Factored,
         d: i64,
         n: i64,
-    ) -> Option<Quotient> {
+    ) -> Option<QuotientOf<T>> {
         if self.viscous == 0 {
-            return primes.quotient(numerator, over, 1);
+            return numerator.quotient(primes, over, 1);
         }
         let d = u128::from(d.unsigned_abs());
         let beside = primes.split(n.unsigned_abs()).beside([self.viscous, d, d]);
-        primes.quotient(
-            beside.divided(numerator),
-            &over.times(&beside.known)?,
-            beside.rest,
-        )
+        let over = over.times(&beside.known)?;
+        beside
+            .divided(numerator)
+            .quotient(primes, &over, beside.rest)
     }
 
-    fn taken(&self, primes: &Primes, d: i64, n: i64) -> Option<Quotient> {
+    #[inline(always)]
+    fn taken<T: Term>(&self, primes: &Primes, d: i64, n: i64) -> Option<QuotientOf<T>> {
         let [a, b] = self.taken.factors;
-        let numerator = self.over_length(times(a, d.checked_mul(d)?)?, times(b, d)?, n)?;
-        self.quotient(primes, numerator, &self.taken.over, d, n)
+        let (square, distance) = (T::whole(d.checked_mul(d)?), T::whole(d));
+        let numerator = self.over_length::<T>(square.by(a)?, distance.by(b)?, n)?;
+        self.quotient::<T>(primes, numerator, &self.taken.over, d, n)
     }
 
     /// The margin of the criterion over this distance; nothing in it at rest.
-    fn margin(&self, primes: &Primes, d: i64, n: i64) -> Option<Option<Quotient>> {
+    #[inline(always)]
+    fn margin<T: Term>(&self, primes: &Primes, d: i64, n: i64) -> Option<Option<QuotientOf<T>>> {
         if d == 0 {
             return Some(None);
         }
@@ -356,8 +403,10 @@ impl Friction {
         let split = primes.split(d.unsigned_abs());
         let beside = split.beside([numerator.unsigned_abs(), n.unsigned_abs().into(), 1]);
         let over = sum.over.times(&beside.known)?;
-        primes
-            .quotient(beside.divided(sum.at([d, n])?), &over, beside.rest)
+        let sum = sum.at([T::whole(d), T::whole(n)])?;
+        beside
+            .divided(sum)
+            .quotient(primes, &over, beside.rest)
             .map(Some)
     }
 }

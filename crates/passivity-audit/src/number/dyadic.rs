@@ -1,0 +1,194 @@
+//! Numbers of 256 bits over powers of two: what doubles are, and sums of their products.
+
+use ethnum::{I256, U256};
+
+use super::factored::{Factored, Primes, Quotient};
+use super::terms::{Size, Term, Total};
+use super::{Line, Number};
+use crate::ball::Ball;
+
+/// n/2^k.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Dyadic {
+    n: I256,
+    twos: u32,
+}
+
+/// n·2^k, where 255 bits hold it.
+#[inline]
+fn shifted(n: I256, k: u32) -> Option<I256> {
+    match n == I256::ZERO || k == 0 {
+        true => Some(n),
+        false => (n.unsigned_abs().leading_zeros() > k.saturating_add(1)).then(|| n << k),
+    }
+}
+
+/// A product, where 254 bits hold it.
+#[inline]
+fn times(a: I256, b: I256) -> Option<I256> {
+    let zeros = a.unsigned_abs().leading_zeros() + b.unsigned_abs().leading_zeros();
+    (zeros > U256::BITS + 2).then(|| a.wrapping_mul(b))
+}
+
+impl Dyadic {
+    /// What a double is.
+    pub(crate) fn of(x: f64) -> Option<Self> {
+        let (n, twos) = match Number::from_f64(x)? {
+            Number::Small(n, d) => (n, d.trailing_zeros()),
+            Number::Tiny(n, twos) => (n, twos),
+            Number::Big(_) => return None,
+        };
+        Some(Self { n: n.into(), twos })
+    }
+
+    /// Two numbers over the same power of two, and which.
+    #[inline]
+    fn over_one(self, other: Self) -> Option<([I256; 2], u32)> {
+        let twos = self.twos.max(other.twos);
+        let [a, b] = [self, other].map(|x| shifted(x.n, twos - x.twos));
+        Some(([a?, b?], twos))
+    }
+
+    /// The same over the least power of two.
+    #[inline]
+    fn reduced(self) -> Self {
+        let twos = self.twos.min(self.n.trailing_zeros());
+        Self {
+            n: self.n >> twos,
+            twos: self.twos - twos,
+        }
+    }
+}
+
+impl Term for Dyadic {
+    type Sum = Self;
+
+    #[inline]
+    fn whole(n: i64) -> Self {
+        Self {
+            n: n.into(),
+            twos: 0,
+        }
+    }
+
+    fn plus(self, other: Self) -> Option<Self> {
+        Total::plus(self, other)
+    }
+
+    fn minus(self, other: Self) -> Option<Self> {
+        Total::minus(self, other)
+    }
+
+    fn times(self, other: Self) -> Option<Self> {
+        Some(Self {
+            n: times(self.n, other.n)?,
+            twos: self.twos + other.twos,
+        })
+    }
+
+    #[inline]
+    fn is_negative(self) -> bool {
+        self.n.is_negative()
+    }
+
+    fn next_to(self) -> Option<[i64; 2]> {
+        // Shifting rounds down, to minus one or zero at last.
+        let below = self.n >> self.twos.min(I256::BITS - 1);
+        let whole = i64::try_from(below).ok()?;
+        match shifted(below, self.twos) == Some(self.n) {
+            true => Some([whole; 2]),
+            false => Some([whole, whole.checked_add(1)?]),
+        }
+    }
+
+    fn size_over_twos(self) -> Option<(u64, u32)> {
+        let Self { n, twos } = self.reduced();
+        Some((u64::try_from(n.unsigned_abs()).ok()?, twos))
+    }
+
+    fn near(self, over: i64) -> Ball {
+        let unit = Ball::of(&Number::Tiny(1, self.twos));
+        match i128::try_from(self.n) {
+            Ok(n) => Ball::wide_ratio(n, over.into()) * unit,
+            Err(_) => Ball::UNDEFINED,
+        }
+    }
+
+    fn by(self, factor: i128) -> Option<Self> {
+        self.by_wide(factor)
+    }
+
+    fn square(self) -> Option<Self> {
+        Term::times(self, self)
+    }
+}
+
+impl Total for Dyadic {
+    type Size = U256;
+
+    const ZERO: Self = Self {
+        n: I256::ZERO,
+        twos: 0,
+    };
+
+    fn plus(self, other: Self) -> Option<Self> {
+        let ([a, b], twos) = self.over_one(other)?;
+        // Both have 255 bits at most.
+        let n = a.checked_add(b)?;
+        Some(Self { n, twos })
+    }
+
+    fn minus(self, other: Self) -> Option<Self> {
+        let ([a, b], twos) = self.over_one(other)?;
+        let n = a.checked_sub(b)?;
+        Some(Self { n, twos })
+    }
+
+    #[inline]
+    fn is_negative(self) -> bool {
+        self.n.is_negative()
+    }
+
+    fn by(self, n: i64) -> Option<Self> {
+        self.by_wide(n.into())
+    }
+
+    fn by_wide(self, factor: i128) -> Option<Self> {
+        Some(Self {
+            n: times(self.n, factor.into())?,
+            ..self
+        })
+    }
+
+    fn by_twos(self, twos: u32) -> Option<Self> {
+        Some(Self {
+            n: shifted(self.n, twos.saturating_sub(self.twos))?,
+            twos: self.twos.saturating_sub(twos),
+        })
+    }
+
+    fn divided(self, by: u64, _: u128) -> Self {
+        match by {
+            1 => self,
+            _ => Self {
+                n: self.n / I256::from(by),
+                ..self
+            },
+        }
+    }
+
+    fn quotient(self, primes: &Primes, over: &Factored, rest: u64) -> Option<Quotient<U256>> {
+        primes.wide_quotient((self.n, self.twos), over, rest)
+    }
+}
+
+impl Size for U256 {
+    #[inline]
+    fn is_one(self) -> bool {
+        self == Self::ONE
+    }
+
+    fn write(self, line: &mut Line<'_>) -> Option<()> {
+        line.append_widest(self)
+    }
+}
