@@ -119,7 +119,8 @@ impl Term for Dyadic {
     }
 
     fn square(self) -> Option<Self> {
-        Term::times(self, self)
+        let x = self.reduced();
+        x.times(x)
     }
 }
 
@@ -158,6 +159,14 @@ impl Total for Dyadic {
             n: times(self.n, factor.into())?,
             ..self
         })
+    }
+
+    fn square(self) -> Option<Self> {
+        Term::square(self)
+    }
+
+    fn remainder(self, of: u64) -> u64 {
+        (self.n.unsigned_abs() % U256::from(of)).as_u64()
     }
 
     fn by_twos(self, twos: u32) -> Option<Self> {

@@ -248,6 +248,17 @@ impl Factored {
         powers: [0; MOST],
     };
 
+    pub(crate) const TWO: Self = Self {
+        of: 2,
+        twos: 1,
+        ..Self::ONE
+    };
+
+    /// The number, below 2¹²⁷.
+    pub(crate) fn to_i128(self) -> Option<i128> {
+        self.of.try_into().ok()
+    }
+
     /// The product; `None` past 128 bits.
     #[inline]
     pub(crate) fn times(&self, other: &Self) -> Option<Self> {
@@ -294,10 +305,7 @@ impl Split {
     #[inline]
     pub(crate) fn beside(&self, product: [u128; 3]) -> Beside {
         if self.rest == 1 {
-            return Beside {
-                known: self.known,
-                ..Beside::ONE
-            };
+            return self.without(1);
         }
         let remainder = |n: u128| match u64::try_from(n) {
             Ok(n) => n % self.rest,
@@ -307,7 +315,21 @@ impl Split {
         let product = product.into_iter().fold(1_u64, |all, n| {
             remainder(u128::from(all) * u128::from(remainder(n)))
         });
-        let common = num_integer::gcd(product, self.rest);
+        self.without(product)
+    }
+
+    /// What is left beside a numerator.
+    pub(crate) fn beside_sum<T: Total>(&self, n: T) -> Beside {
+        self.without(n.remainder(self.rest))
+    }
+
+    /// What is left without what the rest has in common with a number.
+    #[inline(always)]
+    fn without(&self, n: u64) -> Beside {
+        let common = match self.rest {
+            1 => 1,
+            rest => num_integer::gcd(n, rest),
+        };
         match common {
             1 => Beside {
                 known: self.known,

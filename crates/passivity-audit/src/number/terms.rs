@@ -63,6 +63,9 @@ pub(crate) trait Total: Copy + Debug {
     fn is_negative(self) -> bool;
     fn by(self, n: i64) -> Option<Self>;
     fn by_wide(self, factor: i128) -> Option<Self>;
+    fn square(self) -> Option<Self>;
+    /// What it leaves of its size, or of that times a power of two, over an odd number.
+    fn remainder(self, of: u64) -> u64;
     /// Itself times a power of two.
     fn by_twos(self, twos: u32) -> Option<Self>;
     /// A multiple of a number over that, which has this inverse in 128 bits.
@@ -167,6 +170,17 @@ impl Total for i128 {
     #[inline(always)]
     fn by_wide(self, factor: i128) -> Option<Self> {
         self.checked_mul(factor)
+    }
+
+    #[inline(always)]
+    fn square(self) -> Option<Self> {
+        self.checked_mul(self)
+    }
+
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation)] // it is below the number
+    fn remainder(self, of: u64) -> u64 {
+        (self.unsigned_abs() % u128::from(of)) as u64
     }
 
     #[inline(always)]

@@ -3,9 +3,10 @@
 //!
 //! With the force f = p/2P beyond that of the wall in the middle of the tick, the work u(f + ½(u − 1)) is a whole number
 //! over 2P at whole ticks u, and where the wall balances the force it is −(P − p)²/8P². Where net energy is extreme between
-//! the corners, which doubles tell, the row is left open.
+//! the corners, which doubles tell, it is where a parabola [turns](turns).
 
 mod row;
+mod turns;
 
 use num_bigint::BigInt;
 use num_traits::ToPrimitive as _;
@@ -19,6 +20,7 @@ use crate::log::chunk::{Chunk, Samples};
 use crate::log::numbers::{Readings, Unit};
 use crate::log::task::Task;
 use crate::number::{Factored, Primes};
+use turns::Turns;
 
 /// What friction at one of its ends makes of a row, over the length of the interval where it is viscous.
 #[derive(Clone, Debug)]
@@ -31,6 +33,7 @@ struct Friction {
     net: [Sum<3>; 3],
     /// Of |d| and the length, over |d|; and the numerator of the second, whose sign says where the margin is least.
     margin: (Sum<2>, i128),
+    turns: Option<Turns>,
     near: OfLoop<Ball>,
 }
 
@@ -42,12 +45,20 @@ pub(in super::super) struct Counts {
     /// The numerator of the unit of a force, and its denominator P.
     force: (i64, i64, Factored),
     over: [Factored; 2],
-    two: Factored,
     lasts: Factored,
     parts: [Option<Part>; 3],
-    /// Where the force of the wall is the least and the largest: what a force in the log and one are times the denominator.
-    flat: [(i64, i64, Factored); 2],
+    flat: [Flat; 2],
     frictions: (Friction, Option<Friction>),
+}
+
+/// Where the force of the wall is the least, or the largest.
+#[derive(Clone, Debug)]
+struct Flat {
+    /// What a force in the log and that of the wall are times the denominator.
+    unit: i64,
+    limit: i64,
+    over: Factored,
+    denominator: i64,
 }
 
 impl Counts {
@@ -87,7 +98,13 @@ impl Counts {
             };
             let d = num_integer::lcm(p.clone(), limit.denom().clone());
             let times = |x: &BigRational| (x.numer() * (&d / x.denom())).to_i64();
-            Some(((times(&force)?, times(&limit)?, primes.factored(&d)?), d))
+            let flat = Flat {
+                unit: times(&force)?,
+                limit: times(&limit)?,
+                over: primes.factored(&d)?,
+                denominator: d.to_i64()?,
+            };
+            Some((flat, d))
         });
         let [(lower, below), (upper, above)] = {
             let [a, b] = flat;
@@ -99,10 +116,12 @@ impl Counts {
             let beta = beta * &given.lasts;
             let net = |d: &BigInt| Sum::of(&primes, [&beta, sigma, &over(d)]);
             let over_distance = coulomb / &given.lasts;
+            let net = [net(&twice)?, net(&below)?, net(&above)?];
             Some(Friction {
+                turns: Turns::of(&beta, &net),
                 viscous: beta.numer().to_u128()?,
                 taken: Sum::of(&primes, [&beta, sigma])?,
-                net: [net(&twice)?, net(&below)?, net(&above)?],
+                net,
                 margin: (
                     Sum::of(&primes, [viscous, &over_distance])?,
                     over_distance.numer().to_i128()?,
@@ -115,7 +134,6 @@ impl Counts {
             of,
             force: (force.numer().to_i64()?, p.to_i64()?, primes.factored(p)?),
             over: [primes.factored(&twice)?, primes.factored(&eightfold)?],
-            two: primes.factored(&2.into())?,
             lasts: primes.factored(given.lasts.numer())?,
             parts: parts(&given.limits, &BigInt::from(1)),
             flat: [lower, upper],

@@ -1,13 +1,14 @@
 //! The figures of one row between counts, from the whole numbers that it is made of.
 
-use passivity_core::counted::{Arc, Crossing, Resistance};
-use passivity_core::{Ordered as _, Scalar as _, Truth};
+use passivity_core::counted::{Crossing, Resistance};
+use passivity_core::{Scalar as _, Truth};
 
 use super::super::super::Length;
 use super::super::constants::Part;
 use super::super::row::QuotientOf;
 use super::super::{Sum, force_at, lasts_over};
-use super::{Counts, Friction};
+use super::turns::{self, Extreme, Ways};
+use super::{Counts, Flat, Friction};
 use crate::ball::Ball;
 use crate::figure::not;
 use crate::ledger::Truths;
@@ -100,7 +101,7 @@ impl Counts {
         let bounds = [near, far].map(|d| {
             // Of d² and d one half is whole.
             let twice = T::whole(d).square()?.plus(T::whole(d).by(1)?)?;
-            twice.quotient(&self.primes, &self.two, 1)
+            twice.quotient(&self.primes, &Factored::TWO, 1)
         });
         let [a, b] = bounds;
         let bounds = [a?, b?];
@@ -176,7 +177,6 @@ impl Counts {
             }
             None => zero,
         };
-        self.turns_nowhere(k, beyond, row.lasts, frictions)?;
         let start = whole(k).times(beyond.plus(whole(p.checked_mul(k.checked_sub(1)?)?))?)?;
         let rise = beyond.plus(whole(p.checked_mul(2)?.checked_mul(k)?))?;
         let highest = start.plus(rise.at_least_zero())?;
@@ -221,7 +221,7 @@ impl Counts {
             (before.checked_abs()?, corner(before)?),
             (behind.checked_abs()?, corner(behind)?),
         ];
-        let net = self.extremes(frictions, 0, &corners, row.lasts)?;
+        let nets = self.nets(frictions, (k, beyond), &corners, row.lasts)?;
         let [twice, eightfold] = &self.over;
         let [least, most] = quantized;
         Some((
@@ -229,7 +229,7 @@ impl Counts {
                 self.both::<T>(generated, eightfold)?,
                 self.both::<T>([least.by(1)?, most.by(1)?], twice)?,
             ],
-            [net; 2],
+            nets,
         ))
     }
 
@@ -242,15 +242,16 @@ impl Counts {
         part: usize,
         frictions: [&Friction; 2],
     ) -> Option<Energies<T>> {
-        let (unit, limit, over) = self.flat.get(part.checked_sub(1)?)?;
+        let Flat {
+            unit,
+            limit,
+            over,
+            denominator,
+        } = self.flat.get(part.checked_sub(1)?)?;
         let force = match row.force {
             Some(f) => T::whole(*unit).times(f)?.plus(T::whole(*limit))?,
             None => T::whole(0),
         };
-        let (size, _) = force.size_over_twos()?;
-        if size != 0 && frictions.iter().any(|friction| friction.viscous != 0) {
-            return None;
-        }
         let corner = |d: i64| Some((d.checked_abs()?, T::whole(d).times(force)?));
         let corners = [
             corner(k.checked_sub(1)?)?,
@@ -262,9 +263,30 @@ impl Counts {
             true => [last.by(1)?, first.by(1)?],
             false => [first.by(1)?, last.by(1)?],
         };
-        let net = self.extremes(frictions, part, &corners, row.lasts)?;
+        let [mut least, most] = self.extremes(frictions, part, &corners, row.lasts)?;
+        let [friction, _] = frictions;
+        if friction.viscous != 0 && row.force.is_some() {
+            // Bent upwards, it is largest at a corner.
+            let near = Crossing {
+                ticks: Ball::whole(k),
+                excess: force.near(*denominator),
+            };
+            let resistance = friction.resistance(row.lasts, self.of.1);
+            let arcs = turns::flat(&near, (resistance.sigma, &resistance.own));
+            let corner = || {
+                let [from, to] = arcs.each_ref().map(|arc| {
+                    let [from, to] = arc.ends.each_ref().map(|d| arc.at(d));
+                    from.min(to)
+                });
+                from.min(to)
+            };
+            let of = (friction, part, row.lasts);
+            let parabolas = || Ways::of(k, force)?.flat();
+            let turned = self.turned(Extreme::Least, of, (parabolas, &arcs), corner)?;
+            least = turned.unwrap_or(least);
+        }
         let generated = self.both::<T>(generated, over)?;
-        Some(([generated; 2], [net; 2]))
+        Some(([generated; 2], [[least, most]; 2]))
     }
 
     #[inline(always)]
@@ -307,40 +329,60 @@ impl Counts {
         ])
     }
 
-    /// Nothing where net energy may be extreme between the corners.
+    /// Net energy where the wall is linear, against it and against its quantized form, k ticks under an excess.
     #[inline(always)]
-    fn turns_nowhere<T: Term>(
+    fn nets<T: Term>(
         &self,
-        k: i64,
-        beyond: T,
-        lasts: i64,
         [least, most]: [&Friction; 2],
-    ) -> Option<()> {
+        (k, excess): (i64, T),
+        corners: &[(i64, T)],
+        lasts: i64,
+    ) -> Option<[[QuotientOf<T>; 2]; 2]> {
         let (_, p, _) = self.force;
-        let crossing = Crossing {
+        let one = p.checked_mul(2)?;
+        let near = Crossing {
             ticks: Ball::whole(k),
-            excess: beyond.near(p.checked_mul(2)?),
+            excess: excess.near(one),
         };
-        let lasts = Ball::ratio(lasts, self.of.1);
-        let resistance = Resistance::new(&least.near, &lasts);
-        // Whether it is least, or most, at an end of a part: where its slope has one sign, or the part is bent otherwise.
-        let is_at_an_end = |arc: &Arc<Ball>, is_bent_away: fn(Ball) -> Option<bool>| {
-            let [from, to] = arc.ends.map(|d| arc.slope + (arc.bend.square * d).double());
-            let (a, b) = (from.is_nonnegative(), to.is_nonnegative());
-            (a.is_some() && a == b) || is_bent_away(arc.bend.square) == Some(true)
+        let [lo, hi] = self.extremes([least, most], 0, corners, lasts)?;
+        let of = |friction| (friction, 0, lasts);
+        let resistance = least.resistance(lasts, self.of.1);
+        let corner_at_least = || {
+            let ([corner, _], [first, last]) = near.net_at_corners(&resistance);
+            corner.min(first).min(last)
         };
-        let is_not_above = |x: Ball| (-x).is_nonnegative();
-        let at_least =
-            |arcs: &[Arc<Ball>; 2]| arcs.iter().all(|arc| is_at_an_end(arc, is_not_above));
-        if least.viscous != 0 && !at_least(&crossing.least_quantized(&resistance)) {
-            return None;
-        }
-        let resistance_at_most = Resistance::new(&most.near, &lasts);
-        let at_most = crossing.most_linear(&resistance_at_most);
-        let at_most = at_most
-            .iter()
-            .all(|arc| is_at_an_end(arc, |x| x.is_nonnegative()));
-        (at_most && at_least(&crossing.least_linear(&resistance))).then_some(())
+        let arcs = near.least_linear(&resistance);
+        let parabolas = || Ways::of(k, excess)?.least_linear(one);
+        let linear = self.turned(
+            Extreme::Least,
+            of(least),
+            (parabolas, &arcs),
+            corner_at_least,
+        )?;
+        let quantized = match least.viscous {
+            0 => None,
+            _ => {
+                let arcs = near.least_quantized(&resistance);
+                let parabolas = || Ways::of(k, excess)?.least_quantized(one);
+                self.turned(
+                    Extreme::Least,
+                    of(least),
+                    (parabolas, &arcs),
+                    corner_at_least,
+                )?
+            }
+        };
+        let resistance = most.resistance(lasts, self.of.1);
+        let arcs = near.most_linear(&resistance);
+        let parabolas = || Ways::of(k, excess)?.most_linear(one);
+        let linear_at_most = self.turned(Extreme::Most, of(most), (parabolas, &arcs), || {
+            let ([_, corner], [first, last]) = near.net_at_corners(&resistance);
+            corner.max(first).max(last)
+        })?;
+        Some([
+            [linear.unwrap_or(lo), linear_at_most.unwrap_or(hi)],
+            [quantized.unwrap_or(lo), hi],
+        ])
     }
 }
 
@@ -348,6 +390,12 @@ impl Counts {
 type Energies<T> = ([[QuotientOf<T>; 2]; 2], [[QuotientOf<T>; 2]; 2]);
 
 impl Friction {
+    /// The same, near by, over an interval that lasts so long.
+    #[inline(always)]
+    fn resistance(&self, lasts: i64, over: i64) -> Resistance<Ball> {
+        Resistance::new(&self.near, &Ball::ratio(lasts, over))
+    }
+
     /// The numerator of net energy.
     #[inline(always)]
     fn numerator<T: Term>(&self, net: &Sum<3>, d: i64, generated: T, n: i64) -> Option<T::Sum> {
