@@ -79,6 +79,7 @@ impl Term for Dyadic {
         Total::minus(self, other)
     }
 
+    #[inline(never)]
     fn times(self, other: Self) -> Option<Self> {
         Some(Self {
             n: times(self.n, other.n)?,
@@ -91,21 +92,24 @@ impl Term for Dyadic {
         self.n.is_negative()
     }
 
+    #[inline(never)]
     fn next_to(self) -> Option<[i64; 2]> {
         // Shifting rounds down, to minus one or zero at last.
         let below = self.n >> self.twos.min(I256::BITS - 1);
         let whole = i64::try_from(below).ok()?;
-        match shifted(below, self.twos) == Some(self.n) {
+        match self.n == I256::ZERO || self.n.trailing_zeros() >= self.twos {
             true => Some([whole; 2]),
             false => Some([whole, whole.checked_add(1)?]),
         }
     }
 
+    #[inline(never)]
     fn size_over_twos(self) -> Option<(u64, u32)> {
         let Self { n, twos } = self.reduced();
         Some((u64::try_from(n.unsigned_abs()).ok()?, twos))
     }
 
+    #[inline(never)]
     fn near(self, over: i64) -> Ball {
         let unit = Ball::of(&Number::Tiny(1, self.twos));
         match i128::try_from(self.n) {
@@ -132,13 +136,25 @@ impl Total for Dyadic {
         twos: 0,
     };
 
+    #[inline]
+    fn whole(n: i128) -> Self {
+        Self {
+            n: n.into(),
+            twos: 0,
+        }
+    }
+
+    #[inline(never)]
     fn plus(self, other: Self) -> Option<Self> {
+        if self.n == I256::ZERO {
+            return Some(other);
+        }
         let ([a, b], twos) = self.over_one(other)?;
-        // Both have 255 bits at most.
         let n = a.checked_add(b)?;
         Some(Self { n, twos })
     }
 
+    #[inline(never)]
     fn minus(self, other: Self) -> Option<Self> {
         let ([a, b], twos) = self.over_one(other)?;
         let n = a.checked_sub(b)?;
@@ -154,6 +170,7 @@ impl Total for Dyadic {
         self.by_wide(n.into())
     }
 
+    #[inline(never)]
     fn by_wide(self, factor: i128) -> Option<Self> {
         Some(Self {
             n: times(self.n, factor.into())?,
@@ -165,10 +182,12 @@ impl Total for Dyadic {
         Term::square(self)
     }
 
+    #[inline(never)]
     fn remainder(self, of: u64) -> u64 {
         (self.n.unsigned_abs() % U256::from(of)).as_u64()
     }
 
+    #[inline(never)]
     fn by_twos(self, twos: u32) -> Option<Self> {
         Some(Self {
             n: shifted(self.n, twos.saturating_sub(self.twos))?,
@@ -176,6 +195,7 @@ impl Total for Dyadic {
         })
     }
 
+    #[inline(never)]
     fn divided(self, by: u64, _: u128) -> Self {
         match by {
             1 => self,
@@ -186,6 +206,7 @@ impl Total for Dyadic {
         }
     }
 
+    #[inline(never)]
     fn quotient(self, primes: &Primes, over: &Factored, rest: u64) -> Option<Quotient<U256>> {
         primes.wide_quotient((self.n, self.twos), over, rest)
     }
@@ -199,5 +220,81 @@ impl Size for U256 {
 
     fn write(self, line: &mut Line<'_>) -> Option<()> {
         line.append_widest(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use num_bigint::BigInt;
+    use num_traits::Signed as _;
+    use passivity_core::BigRational;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn power(k: u32) -> BigRational {
+        BigRational::from_integer(BigInt::from(1) << k)
+    }
+
+    fn exact(x: Dyadic) -> BigRational {
+        let n: BigInt = x.n.to_string().parse().unwrap();
+        BigRational::from_integer(n) / power(x.twos)
+    }
+
+    /// Doubles of many sizes, some of them whole numbers or close to another.
+    fn doubles() -> impl Strategy<Value = [f64; 2]> {
+        let double = || {
+            prop_oneof![
+                any::<i32>().prop_map(f64::from),
+                (any::<i64>(), -90..20_i32).prop_map(|(n, k)| n as f64 * 2_f64.powi(k)),
+                (-9_999..9_999_i32, 0..6_i32).prop_map(|(n, k)| f64::from(n) / 10_f64.powi(k)),
+                Just(0.0),
+            ]
+        };
+        prop_oneof![
+            [double(), double()],
+            double().prop_map(|x| [x, x * (1.0 + 2.0 * f64::EPSILON)])
+        ]
+    }
+
+    proptest! {
+        #[test]
+        fn numbers_are_those_of_exact_arithmetic(
+            [a, b] in doubles(), [c, d] in doubles(), factor in any::<i128>(), shift in 0..127_u32, odd: u64,
+        ) {
+            let known = [a, b, c, d].map(|x| BigRational::from_float(x).unwrap());
+            let [Some(a), Some(b), Some(c), Some(d)] = [a, b, c, d].map(Dyadic::of) else {
+                return Ok(());
+            };
+            let [e, f, g, h] = &known;
+            prop_assert_eq!(&exact(a), e);
+            let (factor, odd) = (factor >> shift, odd | 1);
+            let times = BigRational::from_integer(factor.into());
+            let found = [
+                (Term::plus(a, b), e + f),
+                (Term::minus(a, b), e - f),
+                (a.times(c), e * g),
+                (Term::by(a, factor), e * &times),
+                (Term::square(b), f * f),
+                (a.size(), e.abs()),
+                (a.by_twos(shift), e * power(shift)),
+                // Where something is left over it is in its place.
+                (a.times(c).and_then(|x| Term::minus(x, b.times(d)?)), e * g - f * h),
+            ];
+            for (found, expected) in found {
+                prop_assert!(found.is_none_or(|x| exact(x) == expected));
+            }
+            prop_assert_eq!(Term::is_negative(b), f.is_negative());
+            if let Some(next_to) = a.next_to() {
+                prop_assert_eq!(next_to.map(BigInt::from), [e.floor(), e.ceil()].map(|x| x.to_integer()));
+            }
+            if let Some((n, twos)) = a.size_over_twos() {
+                prop_assert_eq!(BigRational::from_integer(n.into()) / power(twos), e.abs());
+            }
+            let (left, over) = (BigInt::from(a.remainder(odd)), BigInt::from(odd));
+            prop_assert_eq!(left, (e.abs() * power(a.twos)).to_integer() % over);
+            // What has fewer bits than there is room for is never left open.
+            prop_assert!(Term::plus(a, b).is_some() && a.times(c).is_some());
+        }
     }
 }

@@ -346,6 +346,23 @@ impl Split {
     }
 }
 
+impl Quotient {
+    /// The same in numbers of another kind.
+    #[inline(always)]
+    pub(crate) fn widened<S: Size>(self) -> Quotient<S> {
+        let Self {
+            is_negative,
+            numerator,
+            denominator,
+        } = self;
+        Quotient {
+            is_negative,
+            numerator: numerator.into(),
+            denominator: denominator.into(),
+        }
+    }
+}
+
 impl<S: Size> Quotient<S> {
     /// Appends it after a comma; `None` where there is no room.
     #[inline]
@@ -367,7 +384,7 @@ mod tests {
 
     use super::*;
 
-    fn text(quotient: Quotient) -> String {
+    fn text<S: Size>(quotient: Quotient<S>) -> String {
         let mut room = [0; Line::ROOM];
         let mut line = Line::new(&mut room, 0);
         quotient.write(&mut line).unwrap();
@@ -398,6 +415,16 @@ mod tests {
             for n in [n, (n >> 64).wrapping_mul(factor), factor, -1, 0] {
                 let found = text(primes.quotient(n, &factored, 1).unwrap());
                 prop_assert_eq!(found, BigRational::new(n.into(), over.clone()).to_string());
+            }
+            // The same of wide ones, over powers of two of their own.
+            for (more, twos) in [(1, 0), (factor, shift), (n, shift)] {
+                let wide = I256::from(n) * I256::from(more >> 2);
+                let Some(found) = primes.wide_quotient((wide, twos), &factored, 1) else {
+                    continue;
+                };
+                let numerator = BigInt::from(n) * (more >> 2);
+                let expected = BigRational::new(numerator, &over << twos);
+                prop_assert_eq!(text(found), expected.to_string());
             }
             // Of n·x + product, all that it can have in common with the rest of x is what the product has.
             let x = (x >> bits).max(1);

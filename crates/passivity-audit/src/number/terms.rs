@@ -58,6 +58,7 @@ pub(crate) trait Total: Copy + Debug {
     type Size: Size;
 
     const ZERO: Self;
+    fn whole(n: i128) -> Self;
     fn plus(self, other: Self) -> Option<Self>;
     fn minus(self, other: Self) -> Option<Self>;
     fn is_negative(self) -> bool;
@@ -75,7 +76,7 @@ pub(crate) trait Total: Copy + Debug {
 }
 
 /// A whole number above zero, or zero, that is written.
-pub(crate) trait Size: Copy + Debug {
+pub(crate) trait Size: Copy + Debug + From<u128> {
     fn is_one(self) -> bool;
     /// Appends its digits; `None` where there is no room.
     fn write(self, line: &mut Line<'_>) -> Option<()>;
@@ -146,6 +147,11 @@ impl Total for i128 {
     type Size = u128;
 
     const ZERO: Self = 0;
+
+    #[inline(always)]
+    fn whole(n: i128) -> Self {
+        n
+    }
 
     #[inline(always)]
     fn plus(self, other: Self) -> Option<Self> {

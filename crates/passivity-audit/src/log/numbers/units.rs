@@ -86,7 +86,7 @@ impl Read for Dyadic {
             (Numbers::Doubles(values), Unit::Twos(k)) => {
                 Self::of(*values.get(i)?)?.by_twos(k.into())
             }
-            _ => Some(Self::whole(column.whole_at(i, unit)?)),
+            _ => Some(Term::whole(column.whole_at(i, unit)?)),
         }
     }
 }

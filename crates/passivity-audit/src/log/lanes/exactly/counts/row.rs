@@ -1,19 +1,19 @@
 //! The figures of one row between counts, from the whole numbers that it is made of.
 
+use passivity_core::Truth;
 use passivity_core::counted::{Crossing, Resistance};
-use passivity_core::{Scalar as _, Truth};
 
 use super::super::super::Length;
 use super::super::constants::Part;
 use super::super::row::QuotientOf;
 use super::super::{Sum, force_at, lasts_over};
-use super::turns::{self, Extreme, Ways};
+use super::turns::{self, Parabolas, Place, Ways};
 use super::{Counts, Flat, Friction};
 use crate::ball::Ball;
 use crate::figure::not;
 use crate::ledger::Truths;
 use crate::log::numbers::{Read, Readings};
-use crate::number::{Dyadic, Factored, Line, Primes, Term, Total};
+use crate::number::{Dyadic, Factored, Line, Primes, Quotient, Term, Total};
 use crate::rows::{Figures, Form, Whole};
 
 /// A row as it is known.
@@ -100,14 +100,14 @@ impl Counts {
         };
         let bounds = [near, far].map(|d| {
             // Of d² and d one half is whole.
-            let twice = T::whole(d).square()?.plus(T::whole(d).by(1)?)?;
-            twice.quotient(&self.primes, &Factored::TWO, 1)
+            let twice = Term::square(d)?.checked_add(d.into())?;
+            self.primes.quotient(twice / 2, &Factored::ONE, 1)
         });
         let [a, b] = bounds;
-        let bounds = [a?, b?];
+        let bounds = [a?.widened(), b?.widened()];
         let taken = [
-            least.taken::<T>(&self.primes, near, row.lasts)?,
-            most.taken::<T>(&self.primes, far, row.lasts)?,
+            least.taken(&self.primes, near, row.lasts)?.widened(),
+            most.taken(&self.primes, far, row.lasts)?.widened(),
         ];
         let force = match row.force {
             Some(f) => {
@@ -119,10 +119,14 @@ impl Counts {
         let covers = |[lo, hi]: [QuotientOf<T>; 2]| Truth::over(!lo.is_negative, !hi.is_negative);
         let signs = |friction: &Friction| {
             let sum = &friction.margin.0;
-            let at = |d: i64| Some(!sum.at([T::whole(d), T::whole(row.lasts)])?.is_negative());
+            let at = |d: i64| Some(sum.at([d, row.lasts])? >= 0);
             Some([at(near)?, at(far)?])
         };
         let ([a, b], [c, d]) = (signs(least)?, signs(most)?);
+        let margin = |friction: &Friction, d: i64| {
+            let margin = friction.margin(&self.primes, d, row.lasts)?;
+            Some(margin.map(Quotient::widened))
+        };
         Some(Figures {
             truths: Truths {
                 criterion_holds: match Truth::over(a && b, c || d) {
@@ -143,23 +147,15 @@ impl Counts {
                 net_quantized,
             ],
             margin: [
-                least.margin::<T>(
-                    &self.primes,
-                    if least.margin.1 < 0 { near } else { far },
-                    row.lasts,
-                )?,
-                most.margin::<T>(
-                    &self.primes,
-                    if most.margin.1 > 0 { near } else { far },
-                    row.lasts,
-                )?,
+                margin(least, if least.margin.1 < 0 { near } else { far })?,
+                margin(most, if most.margin.1 > 0 { near } else { far })?,
             ],
             force: [force; 2],
         })
     }
 
     /// What is generated, and net energy, where the wall is linear.
-    #[inline(always)]
+    #[inline]
     fn linear<T: Term>(
         &self,
         row: &Interval<T>,
@@ -234,7 +230,7 @@ impl Counts {
     }
 
     /// The same where the force of the wall is the same everywhere.
-    #[inline(always)]
+    #[inline]
     fn flat<T: Term>(
         &self,
         row: &Interval<T>,
@@ -266,30 +262,21 @@ impl Counts {
         let [mut least, most] = self.extremes(frictions, part, &corners, row.lasts)?;
         let [friction, _] = frictions;
         if friction.viscous != 0 && row.force.is_some() {
-            // Bent upwards, it is largest at a corner.
             let near = Crossing {
                 ticks: Ball::whole(k),
                 excess: force.near(*denominator),
             };
-            let resistance = friction.resistance(row.lasts, self.of.1);
-            let arcs = turns::flat(&near, (resistance.sigma, &resistance.own));
-            let corner = || {
-                let [from, to] = arcs.each_ref().map(|arc| {
-                    let [from, to] = arc.ends.each_ref().map(|d| arc.at(d));
-                    from.min(to)
-                });
-                from.min(to)
-            };
-            let of = (friction, part, row.lasts);
-            let parabolas = || Ways::of(k, force)?.flat();
-            let turned = self.turned(Extreme::Least, of, (parabolas, &arcs), corner)?;
-            least = turned.unwrap_or(least);
+            let place = turns::flat(&near, &friction.resistance(row.lasts, self.of.1))?;
+            if let Some(side) = place {
+                let parabolas = Ways::of(k, force)?.flat()?;
+                least = friction.at_turn(&self.primes, part, parabolas.get(side)?, row.lasts)?;
+            }
         }
         let generated = self.both::<T>(generated, over)?;
         Some(([generated; 2], [[least, most]; 2]))
     }
 
-    #[inline(always)]
+    #[inline]
     fn both<T: Term>(&self, [lo, hi]: [T::Sum; 2], over: &Factored) -> Option<[QuotientOf<T>; 2]> {
         Some([
             lo.quotient(&self.primes, over, 1)?,
@@ -299,7 +286,7 @@ impl Counts {
 
     /// The least net energy with the least friction and the most with the most, of pairs of a distance and of what is
     /// generated.
-    #[inline(always)]
+    #[inline]
     fn extremes<T: Term>(
         &self,
         [least, most]: [&Friction; 2],
@@ -312,8 +299,11 @@ impl Counts {
         };
         let is_below = |a: T::Sum, b: T::Sum| Some(a.minus(b)?.is_negative());
         let mut found: Option<[(T::Sum, i64); 2]> = None;
+        // Friction that is known has one end.
+        let is_known = std::ptr::eq(least, most);
         for corner in corners {
-            let (a, b) = (at(least, *corner)?, at(most, *corner)?);
+            let a = at(least, *corner)?;
+            let b = if is_known { a } else { at(most, *corner)? };
             found = Some(match found {
                 None => [a, b],
                 Some([lo, hi]) => [
@@ -330,7 +320,7 @@ impl Counts {
     }
 
     /// Net energy where the wall is linear, against it and against its quantized form, k ticks under an excess.
-    #[inline(always)]
+    #[inline]
     fn nets<T: Term>(
         &self,
         [least, most]: [&Friction; 2],
@@ -345,40 +335,19 @@ impl Counts {
             excess: excess.near(one),
         };
         let [lo, hi] = self.extremes([least, most], 0, corners, lasts)?;
-        let of = |friction| (friction, 0, lasts);
-        let resistance = least.resistance(lasts, self.of.1);
-        let corner_at_least = || {
-            let ([corner, _], [first, last]) = near.net_at_corners(&resistance);
-            corner.min(first).min(last)
-        };
-        let arcs = near.least_linear(&resistance);
-        let parabolas = || Ways::of(k, excess)?.least_linear(one);
-        let linear = self.turned(
-            Extreme::Least,
-            of(least),
-            (parabolas, &arcs),
-            corner_at_least,
-        )?;
-        let quantized = match least.viscous {
-            0 => None,
-            _ => {
-                let arcs = near.least_quantized(&resistance);
-                let parabolas = || Ways::of(k, excess)?.least_quantized(one);
-                self.turned(
-                    Extreme::Least,
-                    of(least),
-                    (parabolas, &arcs),
-                    corner_at_least,
-                )?
+        let resistance = [least, most].map(|friction| friction.resistance(lasts, self.of.1));
+        let [linear, quantized, linear_at_most] = turns::linear(&near, resistance.each_ref())?;
+        let at = |place: Place, friction: &Friction, parabolas: Parabolas<T>| match place {
+            None => Some(None),
+            Some(side) => {
+                let sides = parabolas(&Ways::of(k, excess)?, one)?;
+                let turn = friction.at_turn(&self.primes, 0, sides.get(side)?, lasts)?;
+                Some(Some(turn))
             }
         };
-        let resistance = most.resistance(lasts, self.of.1);
-        let arcs = near.most_linear(&resistance);
-        let parabolas = || Ways::of(k, excess)?.most_linear(one);
-        let linear_at_most = self.turned(Extreme::Most, of(most), (parabolas, &arcs), || {
-            let ([_, corner], [first, last]) = near.net_at_corners(&resistance);
-            corner.max(first).max(last)
-        })?;
+        let linear = at(linear, least, Ways::least_linear)?;
+        let quantized = at(quantized, least, Ways::least_quantized)?;
+        let linear_at_most = at(linear_at_most, most, Ways::most_linear)?;
         Some([
             [linear.unwrap_or(lo), linear_at_most.unwrap_or(hi)],
             [quantized.unwrap_or(lo), hi],
@@ -391,29 +360,34 @@ type Energies<T> = ([[QuotientOf<T>; 2]; 2], [[QuotientOf<T>; 2]; 2]);
 
 impl Friction {
     /// The same, near by, over an interval that lasts so long.
-    #[inline(always)]
     fn resistance(&self, lasts: i64, over: i64) -> Resistance<Ball> {
         Resistance::new(&self.near, &Ball::ratio(lasts, over))
     }
 
     /// The numerator of net energy.
-    #[inline(always)]
+    #[inline]
     fn numerator<T: Term>(&self, net: &Sum<3>, d: i64, generated: T, n: i64) -> Option<T::Sum> {
         let [a, b, c] = net.factors;
-        let more = T::whole(d).by(b)?.plus(generated.by(c)?)?;
-        self.over_length::<T>(T::whole(d.checked_mul(d)?).by(a)?, more, n)
+        let generated = generated.by(c)?;
+        let generated = match self.viscous {
+            0 => generated,
+            _ => generated.by(n)?,
+        };
+        T::Sum::whole(self.over_length([a, b], d, n)?).plus(generated)
     }
 
-    #[inline(always)]
-    fn over_length<T: Term>(&self, viscous: T::Sum, more: T::Sum, n: i64) -> Option<T::Sum> {
+    /// What friction takes, over the length where it is viscous.
+    #[inline]
+    fn over_length(&self, [a, b]: [i128; 2], d: i64, n: i64) -> Option<i128> {
+        let coulomb = d.by(b)?;
         match self.viscous {
-            0 => Some(more),
-            _ => viscous.plus(more.by(n)?),
+            0 => Some(coulomb),
+            _ => d.checked_mul(d)?.by(a)?.checked_add(coulomb.by(n)?),
         }
     }
 
     /// A numerator over the length, where friction is viscous, which has in common with it what it has with that.
-    #[inline(always)]
+    #[inline]
     fn quotient<T: Term>(
         &self,
         primes: &Primes,
@@ -433,17 +407,15 @@ impl Friction {
             .quotient(primes, &over, beside.rest)
     }
 
-    #[inline(always)]
-    fn taken<T: Term>(&self, primes: &Primes, d: i64, n: i64) -> Option<QuotientOf<T>> {
-        let [a, b] = self.taken.factors;
-        let (square, distance) = (T::whole(d.checked_mul(d)?), T::whole(d));
-        let numerator = self.over_length::<T>(square.by(a)?, distance.by(b)?, n)?;
-        self.quotient::<T>(primes, numerator, &self.taken.over, d, n)
+    #[inline]
+    fn taken(&self, primes: &Primes, d: i64, n: i64) -> Option<Quotient> {
+        let numerator = self.over_length(self.taken.factors, d, n)?;
+        self.quotient::<i64>(primes, numerator, &self.taken.over, d, n)
     }
 
     /// The margin of the criterion over this distance; nothing in it at rest.
-    #[inline(always)]
-    fn margin<T: Term>(&self, primes: &Primes, d: i64, n: i64) -> Option<Option<QuotientOf<T>>> {
+    #[inline]
+    fn margin(&self, primes: &Primes, d: i64, n: i64) -> Option<Option<Quotient>> {
         if d == 0 {
             return Some(None);
         }
@@ -451,10 +423,8 @@ impl Friction {
         let split = primes.split(d.unsigned_abs());
         let beside = split.beside([numerator.unsigned_abs(), n.unsigned_abs().into(), 1]);
         let over = sum.over.times(&beside.known)?;
-        let sum = sum.at([T::whole(d), T::whole(n)])?;
-        beside
-            .divided(sum)
-            .quotient(primes, &over, beside.rest)
+        primes
+            .quotient(beside.divided(sum.at([d, n])?), &over, beside.rest)
             .map(Some)
     }
 }

@@ -4,13 +4,15 @@
 //! the denominator D of net energy, Dγ = G is a whole number, and over the length n of an interval β′/Δτ = b₁/b₂n, so that
 //! 4α = 2w/b₂n with w = 2b₁ or 2b₁ ± b₂n: it turns at κ − G²b₂n/2D²w.
 
+use std::cmp::Ordering;
+
 use num_traits::ToPrimitive as _;
-use passivity_core::counted::{Arc, Bend, Crossing};
+use passivity_core::counted::{Arc, Crossing, Resistance};
 use passivity_core::{BigRational, Ordered as _, Scalar as _};
 
 use super::super::Sum;
 use super::super::row::QuotientOf;
-use super::{Counts, Friction};
+use super::Friction;
 use crate::ball::Ball;
 use crate::number::{Factored, Primes, Term, Total};
 
@@ -50,6 +52,9 @@ pub(super) struct Parabola<T> {
 
 /// The parabolas before and behind d = k.
 type Sides<T> = [Parabola<T>; 2];
+
+/// How they are made, one being so much over the denominator.
+pub(super) type Parabolas<T> = fn(&Ways<T>, i64) -> Option<Sides<T>>;
 
 /// Of an interval between counts: what is held beyond the force of the wall, in the direction of the part before d = k and of
 /// that behind it, and how many ticks that is.
@@ -120,30 +125,9 @@ impl<T: Term> Ways<T> {
     }
 }
 
-/// The parabolas of [`Ways::flat`], near by.
-pub(super) fn flat(
-    Crossing { ticks, excess }: &Crossing<Ball>,
-    (sigma, bend): (Ball, &Bend<Ball>),
-) -> [Arc<Ball>; 2] {
-    let arc = |excess: Ball, ends: [Ball; 2]| Arc {
-        bend: bend.clone(),
-        slope: sigma - excess,
-        constant: Ball::zero(),
-        ends,
-    };
-    let (k, one) = (ticks.abs(), Ball::one());
-    let back = if ticks.is_zero() { -*excess } else { *excess };
-    let [back, ahead] = match ticks.is_nonnegative() {
-        Some(true) => [back, *excess],
-        _ => [-*excess; 2],
-    };
-    let from = (k - one).max(Ball::zero());
-    [arc(back, [from, from + one]), arc(ahead, [k, k + one])]
-}
-
 /// Which extreme is asked for.
 #[derive(Clone, Copy)]
-pub(super) enum Extreme {
+enum Extreme {
     Least,
     Most,
 }
@@ -174,42 +158,85 @@ impl Extreme {
     }
 }
 
-impl Counts {
-    /// Net energy where one of the parabolas turns, if it is extreme there and not at the corners, of which that value is
-    /// near; `None` where that is not decided, or too long.
+/// Which of the parabolas before and behind d = k is extreme between its ends, and more than all corners are; none where a
+/// corner is.
+pub(super) type Place = Option<usize>;
+
+impl Extreme {
+    /// Where net energy is extreme, of which that at the corners is near; `None` where it is not decided.
     #[inline(always)]
-    pub(super) fn turned<T: Term>(
-        &self,
-        extreme: Extreme,
-        (friction, part, n): (&Friction, usize, i64),
-        (parabolas, arcs): (impl FnOnce() -> Option<Sides<T>>, &[Arc<Ball>; 2]),
+    fn place(
+        self,
+        [before, behind]: &[Arc<Ball>; 2],
         corner: impl FnOnce() -> Ball,
-    ) -> Option<Option<QuotientOf<T>>> {
-        let [before, behind] = arcs;
-        let within = [extreme.is_within(before)?, extreme.is_within(behind)?];
+    ) -> Option<Place> {
+        let within = [self.is_within(before)?, self.is_within(behind)?];
         if within == [false; 2] {
             return Some(None);
         }
-        let is_below = |a: Ball, b: Ball| extreme.of(b - a).is_nonnegative();
+        let is_below = |a: Ball, b: Ball| self.of(b - a).is_nonnegative();
         let [a, b] = [before.turn(), behind.turn()];
         let (at, value) = match within {
             [true, true] if is_below(a, b)? => (0, a),
             [true, false] => (0, a),
             _ => (1, b),
         };
-        match is_below(value, corner())? {
-            true => friction
-                .at_turn(&self.primes, part, parabolas()?.get(at)?, n)
-                .map(Some),
-            false => Some(None),
-        }
+        Some(is_below(value, corner())?.then_some(at))
     }
+}
+
+/// Where net energy is least against a linear wall and against its quantized form, and where it is most against the first.
+#[inline(never)]
+pub(super) fn linear(
+    of: &Crossing<Ball>,
+    [least, most]: [&Resistance<Ball>; 2],
+) -> Option<[Place; 3]> {
+    let corner_at_least = || {
+        let ([corner, _], [first, last]) = of.net_at_corners(least);
+        corner.min(first).min(last)
+    };
+    let corner_at_most = || {
+        let ([_, corner], [first, last]) = of.net_at_corners(most);
+        corner.max(first).max(last)
+    };
+    Some([
+        Extreme::Least.place(&of.least_linear(least), corner_at_least)?,
+        Extreme::Least.place(&of.least_quantized(least), corner_at_least)?,
+        Extreme::Most.place(&of.most_linear(most), corner_at_most)?,
+    ])
+}
+
+/// Where it is least where the force of the wall is the same everywhere. It is bent upwards: a corner has the most.
+#[inline(never)]
+pub(super) fn flat(of: &Crossing<Ball>, least: &Resistance<Ball>) -> Option<Place> {
+    let Crossing { ticks, excess } = *of;
+    let (k, one) = (ticks.abs(), Ball::one());
+    let arc = |excess: Ball, ends: [Ball; 2]| Arc {
+        bend: least.own.clone(),
+        slope: least.sigma - excess,
+        constant: Ball::zero(),
+        ends,
+    };
+    let [back, ahead] = match ticks.sign()? {
+        Ordering::Greater => [excess; 2],
+        Ordering::Equal => [-excess, excess],
+        Ordering::Less => [-excess; 2],
+    };
+    let from = (k - one).max(Ball::zero());
+    let arcs = [arc(back, [from, from + one]), arc(ahead, [k, k + one])];
+    Extreme::Least.place(&arcs, || {
+        let [before, behind] = arcs.each_ref().map(|arc| {
+            let [from, to] = arc.ends.each_ref().map(|d| arc.at(d));
+            from.min(to)
+        });
+        before.min(behind)
+    })
 }
 
 impl Friction {
     /// Where a parabola turns, over an interval that lasts so long.
     #[inline(never)]
-    fn at_turn<T: Term>(
+    pub(super) fn at_turn<T: Term>(
         &self,
         primes: &Primes,
         part: usize,
