@@ -51,7 +51,7 @@ impl Prime {
         // What is left of the upper half and, beside it, the lower one.
         let of = u128::from(self.of);
         let rest = high % of * self.rest_of_half + low % of;
-        (rest % of == 0).then(|| n / U256::from(of))
+        rest.is_multiple_of(of).then(|| n / U256::from(of))
     }
 
     /// The same of a number of 64 bits.

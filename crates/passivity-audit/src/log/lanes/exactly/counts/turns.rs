@@ -212,7 +212,7 @@ pub(super) fn flat(of: &Crossing<Ball>, least: &Resistance<Ball>) -> Option<Plac
     let Crossing { ticks, excess } = *of;
     let (k, one) = (ticks.abs(), Ball::one());
     let arc = |excess: Ball, ends: [Ball; 2]| Arc {
-        bend: least.own.clone(),
+        bend: least.own,
         slope: least.sigma - excess,
         constant: Ball::zero(),
         ends,
