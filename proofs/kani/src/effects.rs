@@ -1,4 +1,4 @@
-//! Effects of a real loop: TH-DAC, TH-DELAY, TH-DAMP, their sum as the code has it, TH-SMOOTH.
+//! Effects of a real loop: TH-DAC, TH-DELAY, TH-DAMP, and their sum as the code has it.
 //!
 //! In each, E_g plus what the effect puts into its extra storage is at most the cost that
 //! `Loop::cost` tells the criterion to subtract.
@@ -12,9 +12,7 @@ use passivity_core::{
     spring,
 };
 
-use crate::domain::{
-    COARSE_EXPONENT, SHARE_LIMIT, below, coarse_position, friction_coefficient, share, speed, up_to,
-};
+use crate::domain::{COARSE_EXPONENT, SHARE_LIMIT, below, coarse_position, share, up_to};
 use crate::{Dyadic, Ratio};
 
 /// Half ticks: displacements of the delay's sums in ±4, 4 bits, up to four of them.
@@ -28,7 +26,7 @@ fn displacement() -> Dyadic {
 /// Half ticks: positions of the combined effects in ±2, 3 bits, since up to four are multiplied.
 const LOOP_LIMIT: i8 = 4;
 
-fn loop_position() -> Dyadic {
+pub(crate) fn loop_position() -> Dyadic {
     let n = kani::any_where(|n: &i8| *n >= -LOOP_LIMIT && *n < LOOP_LIMIT);
     Dyadic::new(i32::from(n), 1)
 }
@@ -42,34 +40,34 @@ fn near_position() -> Dyadic {
 }
 
 /// Step of the force where effects are combined, δ = ½; `th_dac_bound` has others.
-const LOOP_FORCE_STEP: Dyadic = Dyadic::new(1, 1);
+pub(crate) const LOOP_FORCE_STEP: Dyadic = Dyadic::new(1, 1);
 
 /// Halves: virtual damping of the combined effects, in [0, 2), 2 bits; the lower half and the upper
 /// half of that have a harness each, since both at once take a model checker longer than the two.
 const LOOP_SHARE_LIMIT: u8 = 4;
 
 /// Virtual damping 0 or ½.
-fn little_damping() -> Dyadic {
+pub(crate) fn little_damping() -> Dyadic {
     let n = kani::any_where(|n: &u8| *n < LOOP_SHARE_LIMIT / 2);
     Dyadic::new(i32::from(n), 1)
 }
 
 /// Virtual damping 1 or 3/2.
-fn more_damping() -> Dyadic {
+pub(crate) fn more_damping() -> Dyadic {
     let n = kani::any_where(|n: &u8| *n >= LOOP_SHARE_LIMIT / 2 && *n < LOOP_SHARE_LIMIT);
     Dyadic::new(i32::from(n), 1)
 }
 
 /// An interval of a loop with effects: what it generates with what the effects store, the cost that
 /// must cover both, and whether the motion turns with the damping pushing on.
-struct Interval {
-    generated_and_stored: Dyadic,
-    cost: Dyadic,
-    turning: bool,
+pub(crate) struct Interval {
+    pub(crate) generated_and_stored: Dyadic,
+    pub(crate) cost: Dyadic,
+    pub(crate) turning: bool,
 }
 
 /// E_gᴸ of a step under a given held force.
-fn generated_linear(held: Dyadic, step: &Step<Dyadic>) -> Dyadic {
+pub(crate) fn generated_linear(held: Dyadic, step: &Step<Dyadic>) -> Dyadic {
     generation::generated(
         &held,
         step,
@@ -79,13 +77,16 @@ fn generated_linear(held: Dyadic, step: &Step<Dyadic>) -> Dyadic {
 }
 
 /// A device without friction, of which the costs of effects are independent.
-fn frictionless() -> Friction<Dyadic> {
+pub(crate) fn frictionless() -> Friction<Dyadic> {
     Friction::new(Dyadic::zero(), Dyadic::zero())
 }
 
 /// The force that the loop's controller holds, the positions at the samples given, the latest
 /// first; before the D/A converter, whose error is a case of its own.
-fn held_before_rounding<const N: usize>(the_loop: &Loop<Dyadic>, positions: [Dyadic; N]) -> Dyadic {
+pub(crate) fn held_before_rounding<const N: usize>(
+    the_loop: &Loop<Dyadic>,
+    positions: [Dyadic; N],
+) -> Dyadic {
     let controller = Controller::of(&Loop {
         force_step: None,
         ..the_loop.clone()
@@ -383,94 +384,5 @@ fn th_delay_damping_and_dac_terms_of_the_criterion() {
         criterion.viscous == friction.beta - cost.viscous
             && criterion.coulomb == friction.sigma - cost.coulomb,
         "TH-DELAY: the criterion is friction less the cost",
-    );
-}
-
-/// TH-SMOOTH: with the position known exactly E_g is ½d², neither more nor less.
-#[kani::proof]
-fn th_smooth_generates_half_d_squared() {
-    let step = Step::new(coarse_position(), coarse_position());
-    let d = step.displacement();
-    kani::cover!(d < Dyadic::zero(), "downwards");
-    kani::assert(
-        generated_linear(-step.start, &step) == Loop::smooth(frictionless()).cost().bound(&d),
-        "TH-SMOOTH: E_g = ½d²",
-    );
-}
-
-/// TH-SMOOTH: (β − ½)v̄ + σ ≥ 0 makes friction cover ½d², for Δτ ≤ 1; with σ = 0 it is Colgate's
-/// β ≥ ½.
-#[kani::proof]
-fn th_smooth_criterion() {
-    let friction = Friction::new(friction_coefficient(), friction_coefficient());
-    let d = coarse_position();
-    let speed = speed();
-    let the_loop = Loop::smooth(friction);
-    let criterion = the_loop.criterion();
-    if speed >= d.abs() && criterion.margin(&speed).is_at_least_zero() {
-        kani::cover!(
-            friction.sigma < Dyadic::new(1, 1)
-                && friction.beta < Dyadic::new(1, 1)
-                && d != Dyadic::zero(),
-            "with less friction than an encoder needs"
-        );
-        kani::assert(
-            the_loop.cost().bound(&d) <= friction.dissipated_lower(&d, &speed),
-            "TH-SMOOTH: the criterion makes friction cover ½d²",
-        );
-    }
-    kani::assert(
-        criterion.viscous == friction.beta - Dyadic::new(1, 1)
-            && criterion.coulomb == friction.sigma,
-        "TH-SMOOTH: the criterion is (β − ½)v + σ ≥ 0",
-    );
-}
-
-/// An interval as above, without an encoder.
-fn smooth_late_and_damped(damping: Dyadic) -> Interval {
-    let (older, old) = (loop_position(), loop_position());
-    let step = Step::new(loop_position(), loop_position());
-    let force_step = LOOP_FORCE_STEP;
-    let d = step.displacement();
-    let last = step.start - old;
-    let before = old - older;
-    let the_loop = Loop {
-        delay: 1,
-        damping: Some(damping),
-        force_step: Some(force_step),
-        ..Loop::smooth(frictionless())
-    };
-    let held = held_before_rounding(&the_loop, [step.start, old, older]) + force_step.half();
-    let change = delay_storage(&[d]) - delay_storage(&[last])
-        + damping_storage(&damping, &[d, last])
-        - damping_storage(&damping, &[last, before]);
-    Interval {
-        generated_and_stored: generated_linear(held, &step) + change,
-        cost: the_loop.cost().bound(&d),
-        turning: before < Dyadic::zero() && d > Dyadic::zero() && damping > Dyadic::zero(),
-    }
-}
-
-/// TH-SMOOTH: delay, damping and D/A steps without an encoder cost no B per |d|.
-#[kani::proof]
-#[kani::unwind(4)]
-fn th_smooth_with_delay_little_damping_and_dac() {
-    let interval = smooth_late_and_damped(little_damping());
-    kani::cover!(interval.turning, "turning, with damping");
-    kani::assert(
-        interval.generated_and_stored <= interval.cost,
-        "TH-SMOOTH: the costs add without an encoder too",
-    );
-}
-
-/// TH-SMOOTH: the same with more damping.
-#[kani::proof]
-#[kani::unwind(4)]
-fn th_smooth_with_delay_more_damping_and_dac() {
-    let interval = smooth_late_and_damped(more_damping());
-    kani::cover!(interval.turning, "turning, with damping");
-    kani::assert(
-        interval.generated_and_stored <= interval.cost,
-        "TH-SMOOTH: the costs add without an encoder too",
     );
 }

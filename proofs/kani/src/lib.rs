@@ -35,6 +35,7 @@ mod merge;
 mod monitor;
 mod parts;
 mod region;
+mod smooth;
 mod start;
 mod stiffness;
 mod witness;
