@@ -14,18 +14,34 @@ pub(crate) struct Dyadic {
     twos: u32,
 }
 
+/// The same number in 128 bits, in which most are: it is computed with faster.
+#[inline(always)]
+fn narrow(n: I256) -> Option<i128> {
+    let (upper, lower) = n.into_words();
+    (upper == lower >> (i128::BITS - 1)).then_some(lower)
+}
+
 /// n·2^k, where 255 bits hold it.
-#[inline]
+#[inline(always)]
 fn shifted(n: I256, k: u32) -> Option<I256> {
-    match n == I256::ZERO || k == 0 {
-        true => Some(n),
-        false => (n.unsigned_abs().leading_zeros() > k.saturating_add(1)).then(|| n << k),
+    if k == 0 || n == I256::ZERO {
+        return Some(n);
+    }
+    match narrow(n).filter(|n| n.unsigned_abs().leading_zeros() > k.saturating_add(1)) {
+        Some(n) => Some((n << k).into()),
+        None => (n.unsigned_abs().leading_zeros() > k.saturating_add(1)).then(|| n << k),
     }
 }
 
 /// A product, where 254 bits hold it.
-#[inline]
+#[inline(always)]
 fn times(a: I256, b: I256) -> Option<I256> {
+    if let (Some(a), Some(b)) = (narrow(a), narrow(b)) {
+        let zeros = a.unsigned_abs().leading_zeros() + b.unsigned_abs().leading_zeros();
+        if zeros > u128::BITS + 2 {
+            return Some(a.wrapping_mul(b).into());
+        }
+    }
     let zeros = a.unsigned_abs().leading_zeros() + b.unsigned_abs().leading_zeros();
     (zeros > U256::BITS + 2).then(|| a.wrapping_mul(b))
 }

@@ -188,7 +188,17 @@ impl Primes {
             rest => over.of.checked_mul(rest.into())?,
         };
         let twos = n.trailing_zeros().min(over.twos);
-        let (mut n, mut d) = (n >> twos, denominator >> twos);
+        let (numerator, denominator) = self.reduced(n >> twos, denominator >> twos, over);
+        Some(Quotient {
+            is_negative,
+            numerator,
+            denominator,
+        })
+    }
+
+    /// A numerator and a denominator without the odd primes of this number that they have in common.
+    #[inline(always)]
+    fn reduced(&self, mut n: u128, mut d: u128, over: &Factored) -> (u128, u128) {
         for (prime, power) in self.0.iter().zip(over.powers) {
             for _ in 0..power {
                 let quotient = match u64::try_from(n) {
@@ -199,11 +209,20 @@ impl Primes {
                 (n, d) = (quotient, d.wrapping_mul(prime.inverse));
             }
         }
-        Some(Quotient {
-            is_negative,
-            numerator: n,
-            denominator: d,
-        })
+        (n, d)
+    }
+
+    /// The same of a numerator of 256 bits.
+    fn reduced_wide(&self, mut n: U256, mut d: u128, over: &Factored) -> (U256, u128) {
+        for (prime, power) in self.0.iter().zip(over.powers) {
+            for _ in 0..power {
+                let Some(quotient) = prime.divided_wide(n) else {
+                    break;
+                };
+                (n, d) = (quotient, d.wrapping_mul(prime.inverse));
+            }
+        }
+        (n, d)
     }
 
     /// The same of n over a power of two, in 256 bits.
@@ -223,15 +242,14 @@ impl Primes {
         }
         let twos = over.twos + more;
         let common = twos.min(n.trailing_zeros());
-        let (mut n, mut d) = (n >> common, over.of >> over.twos);
-        for (prime, power) in self.0.iter().zip(over.powers) {
-            for _ in 0..power {
-                let Some(quotient) = prime.divided_wide(n) else {
-                    break;
-                };
-                (n, d) = (quotient, d.wrapping_mul(prime.inverse));
+        let (n, d) = (n >> common, over.of >> over.twos);
+        let (n, d) = match n.into_words() {
+            (0, n) => {
+                let (n, d) = self.reduced(n, d, over);
+                (n.into(), d)
             }
-        }
+            _ => self.reduced_wide(n, d, over),
+        };
         let (d, twos) = (U256::from(d) * U256::from(rest), twos - common);
         (d.leading_zeros() > twos).then(|| Quotient {
             is_negative,
