@@ -21,7 +21,7 @@ pub(crate) use digits::{Fraction, Fractions, SEVERAL};
 pub(crate) use dyadic::Dyadic;
 pub(crate) use factored::{Beside, Factored, Primes, Quotient, Split};
 pub(crate) use line::Line;
-pub(crate) use terms::{Size, Term, Total};
+pub(crate) use terms::{Exact, Size, Term, Total};
 pub(crate) use whole::ample;
 pub use whole::{Ample, Whole, to_ample};
 

@@ -3,7 +3,7 @@
 use ethnum::{I256, U256};
 
 use super::factored::{Factored, Primes, Quotient};
-use super::terms::{Size, Term, Total};
+use super::terms::{Exact, Size, Term, Total};
 use super::{Line, Number};
 use crate::ball::Ball;
 
@@ -76,24 +76,62 @@ impl Dyadic {
     }
 }
 
-impl Term for Dyadic {
-    type Sum = Self;
-
+impl From<i128> for Dyadic {
     #[inline]
-    fn whole(n: i64) -> Self {
+    fn from(n: i128) -> Self {
         Self {
             n: n.into(),
             twos: 0,
         }
     }
+}
 
+impl From<i64> for Dyadic {
+    #[inline]
+    fn from(n: i64) -> Self {
+        i128::from(n).into()
+    }
+}
+
+impl Exact for Dyadic {
+    #[inline]
+    fn zero() -> Self {
+        0_i64.into()
+    }
+
+    #[inline(never)]
     fn plus(self, other: Self) -> Option<Self> {
-        Total::plus(self, other)
+        if self.n == I256::ZERO {
+            return Some(other);
+        }
+        let ([a, b], twos) = self.over_one(other)?;
+        let n = a.checked_add(b)?;
+        Some(Self { n, twos })
     }
 
+    #[inline(never)]
     fn minus(self, other: Self) -> Option<Self> {
-        Total::minus(self, other)
+        let ([a, b], twos) = self.over_one(other)?;
+        let n = a.checked_sub(b)?;
+        Some(Self { n, twos })
     }
+
+    #[inline]
+    fn is_negative(self) -> bool {
+        self.n.is_negative()
+    }
+
+    #[inline(never)]
+    fn by_twos(self, twos: u32) -> Option<Self> {
+        Some(Self {
+            n: shifted(self.n, twos.saturating_sub(self.twos))?,
+            twos: self.twos.saturating_sub(twos),
+        })
+    }
+}
+
+impl Term for Dyadic {
+    type Sum = Self;
 
     #[inline(never)]
     fn times(self, other: Self) -> Option<Self> {
@@ -101,11 +139,6 @@ impl Term for Dyadic {
             n: times(self.n, other.n)?,
             twos: self.twos + other.twos,
         })
-    }
-
-    #[inline]
-    fn is_negative(self) -> bool {
-        self.n.is_negative()
     }
 
     #[inline(never)]
@@ -147,41 +180,6 @@ impl Term for Dyadic {
 impl Total for Dyadic {
     type Size = U256;
 
-    const ZERO: Self = Self {
-        n: I256::ZERO,
-        twos: 0,
-    };
-
-    #[inline]
-    fn whole(n: i128) -> Self {
-        Self {
-            n: n.into(),
-            twos: 0,
-        }
-    }
-
-    #[inline(never)]
-    fn plus(self, other: Self) -> Option<Self> {
-        if self.n == I256::ZERO {
-            return Some(other);
-        }
-        let ([a, b], twos) = self.over_one(other)?;
-        let n = a.checked_add(b)?;
-        Some(Self { n, twos })
-    }
-
-    #[inline(never)]
-    fn minus(self, other: Self) -> Option<Self> {
-        let ([a, b], twos) = self.over_one(other)?;
-        let n = a.checked_sub(b)?;
-        Some(Self { n, twos })
-    }
-
-    #[inline]
-    fn is_negative(self) -> bool {
-        self.n.is_negative()
-    }
-
     fn by(self, n: i64) -> Option<Self> {
         self.by_wide(n.into())
     }
@@ -201,14 +199,6 @@ impl Total for Dyadic {
     #[inline(never)]
     fn remainder(self, of: u64) -> u64 {
         (self.n.unsigned_abs() % U256::from(of)).as_u64()
-    }
-
-    #[inline(never)]
-    fn by_twos(self, twos: u32) -> Option<Self> {
-        Some(Self {
-            n: shifted(self.n, twos.saturating_sub(self.twos))?,
-            twos: self.twos.saturating_sub(twos),
-        })
     }
 
     #[inline(never)]
@@ -252,7 +242,7 @@ mod tests {
         BigRational::from_integer(BigInt::from(1) << k)
     }
 
-    fn exact(x: Dyadic) -> BigRational {
+    fn rational(x: Dyadic) -> BigRational {
         let n: BigInt = x.n.to_string().parse().unwrap();
         BigRational::from_integer(n) / power(x.twos)
     }
@@ -283,24 +273,24 @@ mod tests {
                 return Ok(());
             };
             let [e, f, g, h] = &known;
-            prop_assert_eq!(&exact(a), e);
+            prop_assert_eq!(&rational(a), e);
             let (factor, odd) = (factor >> shift, odd | 1);
             let times = BigRational::from_integer(factor.into());
             let found = [
-                (Term::plus(a, b), e + f),
-                (Term::minus(a, b), e - f),
+                (a.plus(b), e + f),
+                (a.minus(b), e - f),
                 (a.times(c), e * g),
                 (Term::by(a, factor), e * &times),
                 (Term::square(b), f * f),
                 (a.size(), e.abs()),
                 (a.by_twos(shift), e * power(shift)),
                 // Where something is left over it is in its place.
-                (a.times(c).and_then(|x| Term::minus(x, b.times(d)?)), e * g - f * h),
+                (a.times(c).and_then(|x| x.minus(b.times(d)?)), e * g - f * h),
             ];
             for (found, expected) in found {
-                prop_assert!(found.is_none_or(|x| exact(x) == expected));
+                prop_assert!(found.is_none_or(|x| rational(x) == expected));
             }
-            prop_assert_eq!(Term::is_negative(b), f.is_negative());
+            prop_assert_eq!(b.is_negative(), f.is_negative());
             if let Some(next_to) = a.next_to() {
                 prop_assert_eq!(next_to.map(BigInt::from), [e.floor(), e.ceil()].map(|x| x.to_integer()));
             }
@@ -310,7 +300,7 @@ mod tests {
             let (left, over) = (BigInt::from(a.remainder(odd)), BigInt::from(odd));
             prop_assert_eq!(left, (e.abs() * power(a.twos)).to_integer() % over);
             // What has fewer bits than there is room for is never left open.
-            prop_assert!(Term::plus(a, b).is_some() && a.times(c).is_some());
+            prop_assert!(a.plus(b).is_some() && a.times(c).is_some());
         }
     }
 }

@@ -3,21 +3,28 @@
 
 use std::fmt::Debug;
 
+use num_traits::{PrimInt, Signed, Zero};
+
 use super::Line;
 use super::factored::{Factored, Primes, Quotient};
 use crate::ball::Ball;
 
-/// A number of a row: a position or a force, in units of the log, or a product of few of them. Where one is too long for
-/// its kind, `None`.
-pub(crate) trait Term: Copy + Debug {
+/// A number that is computed with exactly. What is too long for its kind is `None`.
+pub(crate) trait Exact: Copy + Debug {
+    fn zero() -> Self;
+    fn plus(self, other: Self) -> Option<Self>;
+    fn minus(self, other: Self) -> Option<Self>;
+    fn is_negative(self) -> bool;
+    /// Itself times a power of two; `None` of whole numbers but for one.
+    fn by_twos(self, twos: u32) -> Option<Self>;
+}
+
+/// A number of a row: a position or a force, in units of the log, or a product of few of them.
+pub(crate) trait Term: Exact + From<i64> {
     /// What products with factors of a log are summed up in.
     type Sum: Total;
 
-    fn whole(n: i64) -> Self;
-    fn plus(self, other: Self) -> Option<Self>;
-    fn minus(self, other: Self) -> Option<Self>;
     fn times(self, other: Self) -> Option<Self>;
-    fn is_negative(self) -> bool;
     /// The whole numbers next to it, below and above: itself, twice, where it is one.
     fn next_to(self) -> Option<[i64; 2]>;
     /// Its size, as a whole number over a power of two.
@@ -30,7 +37,7 @@ pub(crate) trait Term: Copy + Debug {
     #[inline(always)]
     fn size(self) -> Option<Self> {
         match self.is_negative() {
-            true => Self::whole(0).minus(self),
+            true => Self::zero().minus(self),
             false => Some(self),
         }
     }
@@ -38,7 +45,7 @@ pub(crate) trait Term: Copy + Debug {
     #[inline(always)]
     fn at_least_zero(self) -> Self {
         match self.is_negative() {
-            true => Self::whole(0),
+            true => Self::zero(),
             false => self,
         }
     }
@@ -47,28 +54,21 @@ pub(crate) trait Term: Copy + Debug {
     fn at_most_zero(self) -> Self {
         match self.is_negative() {
             true => self,
-            false => Self::whole(0),
+            false => Self::zero(),
         }
     }
 }
 
 /// A sum of products of terms with factors of a log.
-pub(crate) trait Total: Copy + Debug {
+pub(crate) trait Total: Exact + From<i128> {
     /// What holds its size.
     type Size: Size;
 
-    const ZERO: Self;
-    fn whole(n: i128) -> Self;
-    fn plus(self, other: Self) -> Option<Self>;
-    fn minus(self, other: Self) -> Option<Self>;
-    fn is_negative(self) -> bool;
     fn by(self, n: i64) -> Option<Self>;
     fn by_wide(self, factor: i128) -> Option<Self>;
     fn square(self) -> Option<Self>;
     /// What it leaves of its size, or of that times a power of two, over an odd number.
     fn remainder(self, of: u64) -> u64;
-    /// Itself times a power of two.
-    fn by_twos(self, twos: u32) -> Option<Self>;
     /// A multiple of a number over that, which has this inverse in 128 bits.
     fn divided(self, by: u64, inverse: u128) -> Self;
     /// Itself over a number of known primes, and perhaps over one that has nothing in common with it.
@@ -89,32 +89,39 @@ fn times(a: i128, b: i64) -> Option<i128> {
     (zeros > u64::BITS + 2).then(|| a.wrapping_mul(b.into()))
 }
 
-impl Term for i64 {
-    type Sum = i128;
-
+impl<T: PrimInt + Signed + Debug> Exact for T {
     #[inline(always)]
-    fn whole(n: i64) -> Self {
-        n
+    fn zero() -> Self {
+        <T as Zero>::zero()
     }
 
     #[inline(always)]
     fn plus(self, other: Self) -> Option<Self> {
-        self.checked_add(other)
+        self.checked_add(&other)
     }
 
     #[inline(always)]
     fn minus(self, other: Self) -> Option<Self> {
-        self.checked_sub(other)
-    }
-
-    #[inline(always)]
-    fn times(self, other: Self) -> Option<Self> {
-        self.checked_mul(other)
+        self.checked_sub(&other)
     }
 
     #[inline(always)]
     fn is_negative(self) -> bool {
-        self < 0
+        Signed::is_negative(&self)
+    }
+
+    #[inline(always)]
+    fn by_twos(self, twos: u32) -> Option<Self> {
+        (twos == 0).then_some(self)
+    }
+}
+
+impl Term for i64 {
+    type Sum = i128;
+
+    #[inline(always)]
+    fn times(self, other: Self) -> Option<Self> {
+        self.checked_mul(other)
     }
 
     #[inline(always)]
@@ -146,28 +153,6 @@ impl Term for i64 {
 impl Total for i128 {
     type Size = u128;
 
-    const ZERO: Self = 0;
-
-    #[inline(always)]
-    fn whole(n: i128) -> Self {
-        n
-    }
-
-    #[inline(always)]
-    fn plus(self, other: Self) -> Option<Self> {
-        self.checked_add(other)
-    }
-
-    #[inline(always)]
-    fn minus(self, other: Self) -> Option<Self> {
-        self.checked_sub(other)
-    }
-
-    #[inline(always)]
-    fn is_negative(self) -> bool {
-        self < 0
-    }
-
     #[inline(always)]
     fn by(self, n: i64) -> Option<Self> {
         times(self, n)
@@ -187,11 +172,6 @@ impl Total for i128 {
     #[allow(clippy::cast_possible_truncation)] // it is below the number
     fn remainder(self, of: u64) -> u64 {
         (self.unsigned_abs() % u128::from(of)) as u64
-    }
-
-    #[inline(always)]
-    fn by_twos(self, twos: u32) -> Option<Self> {
-        (twos == 0).then_some(self)
     }
 
     #[inline(always)]

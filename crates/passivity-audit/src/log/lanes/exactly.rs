@@ -21,7 +21,8 @@ use super::Length;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::numbers::{Read, Readings, Unit};
 use crate::log::task::Task;
-use crate::number::{Factored, Primes};
+use crate::number::{Dyadic, Factored, Line, Primes};
+use crate::rows::Form;
 
 /// How the forces are written that the account is of.
 fn unit_of(forces: Option<&Readings>) -> Option<Option<Unit>> {
@@ -37,6 +38,53 @@ fn force_at<T: Read>(forces: Option<&Readings>, unit: Option<Unit>, i: usize) ->
     match forces.zip(unit) {
         Some((forces, unit)) => Some(Some(T::read(&forces.written, i, unit)?)),
         None => Some(None),
+    }
+}
+
+/// The samples and the forces of a log, and at which sample an interval starts.
+pub(super) type Row<'a, S> = (&'a S, Option<&'a Readings>, usize);
+
+/// What writes rows as they are exactly.
+pub(super) trait Written {
+    /// Where the samples of the log are.
+    type Samples: ?Sized;
+
+    /// Writes a row in numbers of this kind; `None` where these are too short, or it is left open.
+    fn write_as<T: Read>(
+        &self,
+        row: Row<'_, Self::Samples>,
+        length: Length,
+        form: Form,
+        line: &mut Line<'_>,
+    ) -> Option<()>;
+
+    /// Of numbers that are longer than the machine's.
+    #[inline(never)]
+    fn write_widely(
+        &self,
+        row: Row<'_, Self::Samples>,
+        length: Length,
+        form: Form,
+        line: &mut Line<'_>,
+    ) -> Option<()> {
+        self.write_as::<Dyadic>(row, length, form, line)
+    }
+
+    /// Writes the row of an interval that lasts so long; nothing, and `None`, where it is left open.
+    fn write(
+        &self,
+        row: Row<'_, Self::Samples>,
+        length: Length,
+        form: Form,
+        (room, out): (&mut [u8; Line::ROOM], &mut Vec<u8>),
+    ) -> Option<()> {
+        let line = &mut Line::new(room, 0);
+        if self.write_as::<i64>(row, length, form, line).is_none() {
+            line.clear();
+            self.write_widely(row, length, form, line)?;
+        }
+        out.extend_from_slice(line.text());
+        Some(())
     }
 }
 

@@ -10,6 +10,7 @@ use multiversion::multiversion;
 use passivity_core::{Scalar as _, dissipation, generation, ledger, quantizer};
 
 use super::compute::{is_nonnegative, whole};
+use super::exactly::Written as _;
 use super::{Column, Intervals, Length, TILE, Tiles, crossed, truths};
 use crate::ball::{Ball, Lane, unless};
 use crate::entry::margin_of;

@@ -4,7 +4,7 @@ use passivity_core::{BigRational, Scalar as _};
 
 use super::{Numbers, Readings};
 use crate::log::scale::Scale;
-use crate::number::{Dyadic, Term, Total as _, power_of_ten};
+use crate::number::{Dyadic, Exact as _, Term, power_of_ten};
 
 /// What all numbers of a column are whole multiples of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,7 +86,7 @@ impl Read for Dyadic {
             (Numbers::Doubles(values), Unit::Twos(k)) => {
                 Self::of(*values.get(i)?)?.by_twos(k.into())
             }
-            _ => Some(Term::whole(column.whole_at(i, unit)?)),
+            _ => column.whole_at(i, unit).map(Self::from),
         }
     }
 }

@@ -3,11 +3,11 @@
 use passivity_core::Truth;
 
 use super::super::Length;
-use super::{Exactly, Friction, Part, Sum, force_at, lasts_over};
+use super::{Exactly, Friction, Part, Row, Sum, Written, force_at, lasts_over};
 use crate::figure::not;
 use crate::ledger::Truths;
 use crate::log::numbers::{Read, Readings};
-use crate::number::{Beside, Dyadic, Factored, Line, Primes, Quotient, Split, Term, Total};
+use crate::number::{Beside, Exact as _, Factored, Line, Primes, Quotient, Split, Term, Total};
 use crate::rows::{Figures, Form};
 
 impl<const N: usize> Sum<N> {
@@ -15,47 +15,19 @@ impl<const N: usize> Sum<N> {
     #[inline(always)]
     pub(super) fn at<T: Term>(&self, terms: [T; N]) -> Option<T::Sum> {
         let mut products = self.factors.iter().zip(terms);
-        products.try_fold(T::Sum::ZERO, |sum, (factor, term)| {
+        products.try_fold(T::Sum::zero(), |sum, (factor, term)| {
             sum.plus(term.by(*factor)?)
         })
     }
 }
 
-impl Exactly {
-    /// Writes the row of the interval that starts at sample `i` and lasts so long; nothing, and `None`, where it is left
-    /// open.
-    pub(in super::super) fn write(
-        &self,
-        from: (&Readings, Option<&Readings>, usize),
-        length: Length,
-        form: Form,
-        (room, out): (&mut [u8; Line::ROOM], &mut Vec<u8>),
-    ) -> Option<()> {
-        let line = &mut Line::new(room, 0);
-        if self.write_as::<i64>(from, length, form, line).is_none() {
-            line.clear();
-            self.write_widely(from, length, form, line)?;
-        }
-        out.extend_from_slice(line.text());
-        Some(())
-    }
-
-    /// Of numbers that are longer than the machine's.
-    #[inline(never)]
-    fn write_widely(
-        &self,
-        from: (&Readings, Option<&Readings>, usize),
-        length: Length,
-        form: Form,
-        line: &mut Line<'_>,
-    ) -> Option<()> {
-        self.write_as::<Dyadic>(from, length, form, line)
-    }
+impl Written for Exactly {
+    type Samples = Readings;
 
     #[inline(always)]
     fn write_as<T: Read>(
         &self,
-        (samples, forces, i): (&Readings, Option<&Readings>, usize),
+        (samples, forces, i): Row<'_, Readings>,
         length: Length,
         form: Form,
         line: &mut Line<'_>,
@@ -77,15 +49,17 @@ impl Exactly {
         lasts.write(line)?;
         form.account(&self.figures(&row)?, line)
     }
+}
 
+impl Exactly {
     #[inline(always)]
     fn figures<T: Term>(&self, row: &Interval<T>) -> Option<Figures<QuotientOf<T>>> {
         let [from, to] = row.ends;
         let (ratio, q, _) = self.position;
         let mut ticks = [([0; 2], 0); 2];
-        let mut potentials = [T::whole(0); 2];
+        let mut potentials = [T::zero(); 2];
         for ((tick, potential), x) in ticks.iter_mut().zip(&mut potentials).zip(row.ends) {
-            let xi = T::whole(ratio).times(x)?;
+            let xi = T::from(ratio).times(x)?;
             let next_to = xi.next_to()?;
             let (n, of) = twice_quantized(xi, next_to, q)?;
             (*tick, *potential) = ((next_to, n), of);
@@ -93,7 +67,7 @@ impl Exactly {
         let d = to.minus(from)?;
         let factor = match row.force {
             Some(force) => force,
-            None => T::whole(ticks[0].1.checked_mul(2)?.checked_add(1)?),
+            None => T::from(ticks[0].1.checked_mul(2)?.checked_add(1)?),
         };
         let work = d.times(factor)?;
         let holds = |part: &Option<Part>| part.is_some_and(|part| part.has(ticks));
@@ -111,7 +85,7 @@ impl Exactly {
         let plain =
             |sum: &Sum<2>, terms: [T; 2]| sum.at(terms)?.quotient(&self.primes, &sum.over, 1);
         let bound = {
-            let d = T::whole(ratio).times(d)?.size()?;
+            let d = T::from(ratio).times(d)?.size()?;
             twice_quantized(d, d.next_to()?, q)?.1.plus(d)?
         };
         let split = self.primes.split(row.lasts.cast_unsigned());
@@ -235,7 +209,7 @@ impl Friction {
         let [linear, quantized] = &self.net[part];
         let (margin, numerator) = &self.margin;
         let over_distance = distances.beside([*numerator, n.unsigned_abs().into(), 1]);
-        let times_distance = margin.at([distance, T::whole(n)])?.by_twos(twos)?;
+        let times_distance = margin.at([distance, T::from(n)])?.by_twos(twos)?;
         let margin = over(times_distance, &margin.over, &over_distance)?;
         Some(Ends {
             taken: over_length(square.by(a)?, distance.by(b)?, &self.taken.over)?,
@@ -249,8 +223,8 @@ impl Friction {
 #[inline(always)]
 fn twice_quantized<T: Term>(xi: T, [below, _]: [i64; 2], q: i64) -> Option<(i64, T)> {
     let n = below.div_euclid(q);
-    let within = xi.minus(T::whole(n.checked_mul(q)?))?;
-    let up_to_tick = T::whole(n.checked_mul(n)?.checked_mul(q)?);
-    let twice_and_one = T::whole(n.checked_mul(2)?.checked_add(1)?);
+    let within = xi.minus(T::from(n.checked_mul(q)?))?;
+    let up_to_tick = T::from(n.checked_mul(n)?.checked_mul(q)?);
+    let twice_and_one = T::from(n.checked_mul(2)?.checked_add(1)?);
     Some((n, up_to_tick.plus(twice_and_one.times(within)?)?))
 }

@@ -3,6 +3,7 @@
 use passivity_random::draws;
 use proptest::prelude::*;
 
+use super::super::exactly::Written as _;
 use super::super::*;
 use crate::ledger::Ledger;
 use crate::log::header::Heading;

@@ -6,14 +6,14 @@ use passivity_core::counted::{Crossing, Resistance};
 use super::super::super::Length;
 use super::super::constants::Part;
 use super::super::row::QuotientOf;
-use super::super::{Sum, force_at, lasts_over};
+use super::super::{Row, Sum, Written, force_at, lasts_over};
 use super::turns::{self, Parabolas, Place, Ways};
 use super::{Counts, Flat, Friction};
 use crate::ball::Ball;
 use crate::figure::not;
 use crate::ledger::Truths;
-use crate::log::numbers::{Read, Readings};
-use crate::number::{Dyadic, Factored, Line, Primes, Quotient, Term, Total};
+use crate::log::numbers::Read;
+use crate::number::{Exact as _, Factored, Line, Primes, Quotient, Term, Total as _};
 use crate::rows::{Figures, Form, Whole};
 
 /// A row as it is known.
@@ -23,40 +23,13 @@ struct Interval<T> {
     lasts: i64,
 }
 
-impl Counts {
-    /// As [`Exactly::write`](super::super::Exactly::write).
-    pub(in super::super::super) fn write(
-        &self,
-        from: (&[i64], Option<&Readings>, usize),
-        length: Length,
-        form: Form,
-        (room, out): (&mut [u8; Line::ROOM], &mut Vec<u8>),
-    ) -> Option<()> {
-        let line = &mut Line::new(room, 0);
-        if self.write_as::<i64>(from, length, form, line).is_none() {
-            line.clear();
-            self.write_widely(from, length, form, line)?;
-        }
-        out.extend_from_slice(line.text());
-        Some(())
-    }
-
-    /// Of numbers that are longer than the machine's.
-    #[inline(never)]
-    fn write_widely(
-        &self,
-        from: (&[i64], Option<&Readings>, usize),
-        length: Length,
-        form: Form,
-        line: &mut Line<'_>,
-    ) -> Option<()> {
-        self.write_as::<Dyadic>(from, length, form, line)
-    }
+impl Written for Counts {
+    type Samples = [i64];
 
     #[inline(always)]
     fn write_as<T: Read>(
         &self,
-        (counts, forces, i): (&[i64], Option<&Readings>, usize),
+        (counts, forces, i): Row<'_, [i64]>,
         length: Length,
         form: Form,
         line: &mut Line<'_>,
@@ -75,7 +48,9 @@ impl Counts {
         lasts.write(line)?;
         form.account(&self.figures(&row)?, line)
     }
+}
 
+impl Counts {
     #[inline(always)]
     fn figures<T: Term>(&self, row: &Interval<T>) -> Option<Figures<QuotientOf<T>>> {
         let [from, to] = row.counts;
@@ -164,7 +139,7 @@ impl Counts {
     ) -> Option<Energies<T>> {
         let [from, _] = row.counts;
         let (unit, p, _) = self.force;
-        let (whole, zero) = (T::whole, T::whole(0));
+        let (whole, zero) = (T::from, T::zero());
         let beyond = match row.force {
             Some(f) => {
                 let own = from.checked_mul(2)?.checked_add(1)?.checked_mul(p)?;
@@ -185,7 +160,7 @@ impl Counts {
         // Over 8P²; where the wall balances the force, in ticks over 2P.
         let wide = |x: T| x.by(i128::from(p) * 4);
         let balance = whole(p).minus(beyond)?;
-        let at_balance = || T::Sum::ZERO.minus(balance.square()?);
+        let at_balance = || T::Sum::zero().minus(balance.square()?);
         let ticks = |n: i64| Some(whole(p.checked_mul(2)?.checked_mul(n)?));
         let is_up_to = |n: i64| Some(!ticks(n)?.minus(balance)?.is_negative());
         let is_from = |n: i64| Some(!balance.minus(ticks(n)?)?.is_negative());
@@ -197,7 +172,7 @@ impl Counts {
             at_balance()?
         };
         let lowest = if is_up_to(0)? {
-            T::Sum::ZERO
+            T::Sum::zero()
         } else if is_from(1)? {
             wide(beyond)?
         } else {
@@ -245,10 +220,10 @@ impl Counts {
             denominator,
         } = self.flat.get(part.checked_sub(1)?)?;
         let force = match row.force {
-            Some(f) => T::whole(*unit).times(f)?.plus(T::whole(*limit))?,
-            None => T::whole(0),
+            Some(f) => T::from(*unit).times(f)?.plus(T::from(*limit))?,
+            None => T::zero(),
         };
-        let corner = |d: i64| Some((d.checked_abs()?, T::whole(d).times(force)?));
+        let corner = |d: i64| Some((d.checked_abs()?, T::from(d).times(force)?));
         let corners = [
             corner(k.checked_sub(1)?)?,
             corner(k)?,
@@ -373,7 +348,7 @@ impl Friction {
             0 => generated,
             _ => generated.by(n)?,
         };
-        T::Sum::whole(self.over_length([a, b], d, n)?).plus(generated)
+        T::Sum::from(self.over_length([a, b], d, n)?).plus(generated)
     }
 
     /// What friction takes, over the length where it is viscous.

@@ -14,7 +14,7 @@ use super::super::Sum;
 use super::super::row::QuotientOf;
 use super::Friction;
 use crate::ball::Ball;
-use crate::number::{Factored, Primes, Term, Total};
+use crate::number::{Exact as _, Factored, Primes, Term, Total};
 
 /// What parabolas of net energy are made of, where that is short.
 #[derive(Clone, Debug)]
@@ -66,7 +66,7 @@ pub(super) struct Ways<T> {
 impl<T: Term> Ways<T> {
     /// Of k ticks, under an excess.
     pub(super) fn of(k: i64, excess: T) -> Option<Self> {
-        let against = T::whole(0).minus(excess)?;
+        let against = T::zero().minus(excess)?;
         Some(Self {
             excess: match k {
                 0 => [against, excess],
@@ -87,7 +87,7 @@ impl<T: Term> Ways<T> {
     ) -> Option<Sides<T>> {
         let half = one / 2;
         let side = |i: usize| {
-            let more = T::whole(half.checked_mul(halves[i])?);
+            let more = T::from(half.checked_mul(halves[i])?);
             Some(Parabola {
                 bend: bends[i],
                 force: self.excess[i].plus(more)?,
@@ -246,7 +246,7 @@ impl Friction {
         let turns = self.turns.as_ref()?;
         let (twice, over) = turns.squares.get(part)?;
         let [_, b, c] = self.net.get(part)?.factors;
-        let slope = T::whole(1).by(b)?.plus(parabola.force.by(c)?)?;
+        let slope = T::from(1).by(b)?.plus(parabola.force.by(c)?)?;
         // Where there is no viscous friction the length has no part in it.
         let (twice_viscous, over_length) = match turns.viscous {
             [0, _] => (0, 1),
@@ -255,10 +255,10 @@ impl Friction {
         let w = over_length
             .checked_mul(parabola.bend)?
             .checked_add(twice_viscous)?;
-        let constant = T::whole(parabola.constant).by(*twice)?.by(w)?;
+        let constant = T::from(parabola.constant).by(*twice)?.by(w)?;
         let at = constant.minus(slope.square()?.by(over_length)?)?;
         // Over a number above zero.
-        let at = if w < 0 { T::Sum::ZERO.minus(at)? } else { at };
+        let at = if w < 0 { T::Sum::zero().minus(at)? } else { at };
         let beside = primes.split(w.unsigned_abs()).beside_sum(at);
         let over = over.times(&beside.known)?;
         beside.divided(at).quotient(primes, &over, beside.rest)
