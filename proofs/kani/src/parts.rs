@@ -1,7 +1,7 @@
 //! An account of 128 bits in two parts (TH-MONITOR): one of 64 bits, which samples change, and what is beside it.
 //!
-//! The parts of the most make it up, and what is beside never lets an answer come late. That the parts of the least make it
-//! up, and that both go on as the account does, is left to tests: sums of three numbers of 128 bits take a solver too long.
+//! Both parts make it up, and what is beside never lets an answer come late. That they go on as the account does is left to
+//! tests: sums of three numbers of 128 bits take a solver too long.
 
 use passivity_monitor::account::Account;
 use passivity_monitor::kept::{Keep, Kept};
@@ -44,6 +44,31 @@ fn th_monitor_parts_make_up_the_most() {
     kani::assert(
         i128::whole(&kept).most == account.most,
         "TH-MONITOR: the parts of an account make it up",
+    );
+}
+
+/// TH-MONITOR: the least at the lower end of the tick is what its parts make up; and in 64 bits that at the upper end is as
+/// far from it as it was, so that with the same number beside both it is what its parts make up too.
+#[kani::proof]
+fn th_monitor_parts_make_up_the_least() {
+    let account = Account {
+        most: 0,
+        slope: 0,
+        ..any_account()
+    };
+    let [lower, upper] = account.least;
+    let kept = i128::kept(account);
+    kani::cover!(kept.is_parted && kept.steps != 0, "both parts are used");
+    kani::cover!(!kept.is_parted, "64 bits are enough");
+    let ([now, other], beside) = (kept.account.least, kept.beside.least);
+    kani::assert(
+        i128::whole(&kept).least[0] == lower,
+        "TH-MONITOR: the parts of an account make it up",
+    );
+    kani::assert(
+        kept.steps == 0
+            || i128::from(other) - i128::from(now) == upper - lower && beside[0] == beside[1],
+        "TH-MONITOR: the least at both ends is as far apart in 64 bits",
     );
 }
 
