@@ -242,19 +242,27 @@ impl Primes {
         }
         let twos = over.twos + more;
         let common = twos.min(n.trailing_zeros());
-        let (n, d) = (n >> common, over.of >> over.twos);
-        let (n, d) = match n.into_words() {
+        let d = over.of >> over.twos;
+        // What 128 bits hold is computed with faster.
+        let (numerator, d) = match n.into_words() {
             (0, n) => {
-                let (n, d) = self.reduced(n, d, over);
+                let (n, d) = self.reduced(n >> common, d, over);
                 (n.into(), d)
             }
-            _ => self.reduced_wide(n, d, over),
+            _ => self.reduced_wide(n >> common, d, over),
         };
-        let (d, twos) = (U256::from(d) * U256::from(rest), twos - common);
-        (d.leading_zeros() > twos).then(|| Quotient {
+        let twos = twos - common;
+        let denominator = match rest {
+            1 if d.leading_zeros() > twos => (d << twos).into(),
+            rest => {
+                let d = U256::from(d) * U256::from(rest);
+                (d.leading_zeros() > twos).then(|| d << twos)?
+            }
+        };
+        Some(Quotient {
             is_negative,
-            numerator: n,
-            denominator: d << twos,
+            numerator,
+            denominator,
         })
     }
 }

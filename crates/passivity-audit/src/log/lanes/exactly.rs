@@ -3,8 +3,9 @@
 //! Positions and forces of rational scales are whole numbers of the log times a factor, so that each figure of a row on one
 //! part of a wall is a sum of few products of such numbers, each times a factor that is the same for the whole log. Over
 //! one denominator these are sums of whole numbers, and the primes of the denominator are known. Only the length of an
-//! interval, and the distance in the margin, are denominators that change from row to row. What 128 bits do not hold is
-//! left open, and so is a motion that does not stay on one part of the wall.
+//! interval, and the distance in the margin, are denominators that change from row to row. A row whose sums 128 bits do not
+//! hold, as where numbers are doubles, is computed with whole numbers of 256 bits over powers of two. What these do not
+//! hold is left open, and so is a motion that does not stay on one part of the wall.
 
 mod constants;
 mod counts;
