@@ -1,7 +1,7 @@
 //! An account of 128 bits in two parts (TH-MONITOR): one of 64 bits, which samples change, and what is beside it.
 //!
-//! Both parts make it up, and what is beside never lets an answer come late. That they go on as the account does is left to
-//! tests: sums of three numbers of 128 bits take a solver too long.
+//! Both parts make it up, and what is beside never lets an answer come late; the most goes on with something beside it as it
+//! does alone. That the least does too, and over any way, is left to tests: it takes a solver too long.
 
 use passivity_monitor::account::Account;
 use passivity_monitor::kept::{Keep, Kept};
@@ -122,5 +122,38 @@ fn th_monitor_parts_answer_no_later_than_the_account() {
     kani::assert(
         account.at_least() > 0 || whole.at_least() <= 0,
         "TH-MONITOR: what is surely active is so in 64 bits",
+    );
+}
+
+/// TH-MONITOR: over one tick ahead, the most of 64 bits and the number beside it are what the most of both is after that.
+#[kani::proof]
+fn th_monitor_parts_go_on_as_the_most_does() {
+    let upper = kani::any_where(|n: &i64| *n >= -(1 << 60) && *n <= 1 << 60);
+    let beside = (i128::from(upper) << 64) | i128::from(kani::any::<u64>());
+    let mut kept = Kept::<i128> {
+        account: Account {
+            most: kani::any(),
+            slope: kani::any_where(|n: &i16| *n >= -SLOPE && *n <= SLOPE).into(),
+            least: [0; 2],
+        },
+        beside: Account {
+            most: beside,
+            slope: 0,
+            least: [0; 2],
+        },
+        is_parted: true,
+        steps: 3,
+    };
+    let mut whole = i128::whole(&kept);
+    let force = i64::from(kani::any::<i8>());
+    let goes_on = kept.account.advance(&ORDINARY, force, 1).is_some();
+    let whole_goes_on = whole.advance(&ORDINARY, force.into(), 1).is_some();
+    kani::cover!(goes_on, "it goes on in 64 bits");
+    kani::assert(
+        !goes_on
+            || whole_goes_on
+                && whole.most == beside + i128::from(kept.account.most)
+                && whole.slope == kept.account.slope.into(),
+        "TH-MONITOR: the most goes on beside a number as it does alone",
     );
 }
