@@ -128,8 +128,8 @@ fn th_monitor_parts_answer_no_later_than_the_account() {
 /// TH-MONITOR: over one tick ahead, the most of 64 bits and the number beside it are what the most of both is after that.
 #[kani::proof]
 fn th_monitor_parts_go_on_as_the_most_does() {
-    let upper = kani::any_where(|n: &i64| *n >= -(1 << 60) && *n <= 1 << 60);
-    let beside = (i128::from(upper) << 64) | i128::from(kani::any::<u64>());
+    let beside = any_number();
+    kani::assume(beside.unsigned_abs() <= 1 << 124);
     let mut kept = Kept::<i128> {
         account: Account {
             most: kani::any(),

@@ -164,14 +164,18 @@ impl Term for Dyadic {
     #[inline(never)]
     fn near(self, over: i64) -> Ball {
         let unit = Ball::of(&Number::Tiny(1, self.twos));
-        match i128::try_from(self.n) {
-            Ok(n) => Ball::wide_ratio(n, over.into()) * unit,
-            Err(_) => Ball::UNDEFINED,
+        match narrow(self.n) {
+            Some(n) => Ball::wide_ratio(n, over.into()) * unit,
+            None => Ball::UNDEFINED,
         }
     }
 
+    #[inline(never)]
     fn by(self, factor: i128) -> Option<Self> {
-        self.by_wide(factor)
+        Some(Self {
+            n: times(self.n, factor.into())?,
+            ..self
+        })
     }
 
     fn square(self) -> Option<Self> {
@@ -184,15 +188,7 @@ impl Total for Dyadic {
     type Size = U256;
 
     fn by(self, n: i64) -> Option<Self> {
-        self.by_wide(n.into())
-    }
-
-    #[inline(never)]
-    fn by_wide(self, factor: i128) -> Option<Self> {
-        Some(Self {
-            n: times(self.n, factor.into())?,
-            ..self
-        })
+        Term::by(self, n.into())
     }
 
     fn square(self) -> Option<Self> {

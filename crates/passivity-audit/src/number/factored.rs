@@ -42,6 +42,15 @@ impl Prime {
         }
     }
 
+    /// The same, faster where 64 bits are enough.
+    #[inline(always)]
+    fn divided_of_any_length(&self, n: u128) -> Option<u128> {
+        match u64::try_from(n) {
+            Ok(n) => self.divided_short(n).map(u128::from),
+            Err(_) => self.divided(n),
+        }
+    }
+
     /// The same of a number of 256 bits.
     fn divided_wide(&self, n: U256) -> Option<U256> {
         let (high, low) = n.into_words();
@@ -188,7 +197,8 @@ impl Primes {
             rest => over.of.checked_mul(rest.into())?,
         };
         let twos = n.trailing_zeros().min(over.twos);
-        let (numerator, denominator) = self.reduced(n >> twos, denominator >> twos, over);
+        let both = (n >> twos, denominator >> twos);
+        let (numerator, denominator) = self.reduced(both, over, Prime::divided_of_any_length);
         Some(Quotient {
             is_negative,
             numerator,
@@ -196,27 +206,18 @@ impl Primes {
         })
     }
 
-    /// A numerator and a denominator without the odd primes of this number that they have in common.
+    /// A numerator and a denominator without the odd primes of this number that they have in common, given how a numerator is
+    /// divided by a prime.
     #[inline(always)]
-    fn reduced(&self, mut n: u128, mut d: u128, over: &Factored) -> (u128, u128) {
+    fn reduced<N: Copy>(
+        &self,
+        (mut n, mut d): (N, u128),
+        over: &Factored,
+        divided: impl Fn(&Prime, N) -> Option<N>,
+    ) -> (N, u128) {
         for (prime, power) in self.0.iter().zip(over.powers) {
             for _ in 0..power {
-                let quotient = match u64::try_from(n) {
-                    Ok(n) => prime.divided_short(n).map(u128::from),
-                    Err(_) => prime.divided(n),
-                };
-                let Some(quotient) = quotient else { break };
-                (n, d) = (quotient, d.wrapping_mul(prime.inverse));
-            }
-        }
-        (n, d)
-    }
-
-    /// The same of a numerator of 256 bits.
-    fn reduced_wide(&self, mut n: U256, mut d: u128, over: &Factored) -> (U256, u128) {
-        for (prime, power) in self.0.iter().zip(over.powers) {
-            for _ in 0..power {
-                let Some(quotient) = prime.divided_wide(n) else {
+                let Some(quotient) = divided(prime, n) else {
                     break;
                 };
                 (n, d) = (quotient, d.wrapping_mul(prime.inverse));
@@ -246,10 +247,10 @@ impl Primes {
         // What 128 bits hold is computed with faster.
         let (numerator, d) = match n.into_words() {
             (0, n) => {
-                let (n, d) = self.reduced(n >> common, d, over);
+                let (n, d) = self.reduced((n >> common, d), over, Prime::divided_of_any_length);
                 (n.into(), d)
             }
-            _ => self.reduced_wide(n >> common, d, over),
+            _ => self.reduced((n >> common, d), over, Prime::divided_wide),
         };
         let twos = twos - common;
         let denominator = match rest {

@@ -29,6 +29,7 @@ pub(crate) trait Term: Exact + From<i64> {
     fn next_to(self) -> Option<[i64; 2]>;
     /// Its size, as a whole number over a power of two.
     fn size_over_twos(self) -> Option<(u64, u32)>;
+    /// Around it over this number, which is above zero.
     fn near(self, over: i64) -> Ball;
     /// Itself times a factor.
     fn by(self, factor: i128) -> Option<Self::Sum>;
@@ -65,7 +66,6 @@ pub(crate) trait Total: Exact + From<i128> {
     type Size: Size;
 
     fn by(self, n: i64) -> Option<Self>;
-    fn by_wide(self, factor: i128) -> Option<Self>;
     fn square(self) -> Option<Self>;
     /// What it leaves of its size, or of that times a power of two, over an odd number.
     fn remainder(self, of: u64) -> u64;
@@ -156,11 +156,6 @@ impl Total for i128 {
     #[inline(always)]
     fn by(self, n: i64) -> Option<Self> {
         times(self, n)
-    }
-
-    #[inline(always)]
-    fn by_wide(self, factor: i128) -> Option<Self> {
-        self.checked_mul(factor)
     }
 
     #[inline(always)]

@@ -237,13 +237,11 @@ impl Counts {
         let [mut least, most] = self.extremes(frictions, part, &corners, row.lasts)?;
         let [friction, _] = frictions;
         if friction.viscous != 0 && row.force.is_some() {
-            let near = Crossing {
-                ticks: Ball::whole(k),
-                excess: force.near(*denominator),
-            };
-            let place = turns::flat(&near, &friction.resistance(row.lasts, self.of.1))?;
+            let ways = Ways::of(k, force)?;
+            let resistance = friction.resistance(row.lasts, self.of.1);
+            let place = turns::flat(&ways, *denominator, &resistance)?;
             if let Some(side) = place {
-                let parabolas = Ways::of(k, force)?.flat()?;
+                let parabolas = ways.flat()?;
                 least = friction.at_turn(&self.primes, part, parabolas.get(side)?, row.lasts)?;
             }
         }

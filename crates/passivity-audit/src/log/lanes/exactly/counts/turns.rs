@@ -4,8 +4,6 @@
 //! the denominator D of net energy, Dγ = G is a whole number, and over the length n of an interval β′/Δτ = b₁/b₂n, so that
 //! 4α = 2w/b₂n with w = 2b₁ or 2b₁ ± b₂n: it turns at κ − G²b₂n/2D²w.
 
-use std::cmp::Ordering;
-
 use num_traits::ToPrimitive as _;
 use passivity_core::counted::{Arc, Crossing, Resistance};
 use passivity_core::{BigRational, Ordered as _, Scalar as _};
@@ -22,15 +20,12 @@ pub(super) struct Turns {
     /// b₁ and b₂.
     viscous: [i64; 2],
     /// 2D² of each part of the wall.
-    squares: [(i128, Factored); 3],
+    squares: [Factored; 3],
 }
 
 impl Turns {
     pub(super) fn of(beta: &BigRational, net: &[Sum<3>; 3]) -> Option<Self> {
-        let square = |of: &Sum<3>| {
-            let square = of.over.times(&of.over)?.times(&Factored::TWO)?;
-            Some((square.to_i128()?, square))
-        };
+        let square = |of: &Sum<3>| of.over.times(&of.over)?.times(&Factored::TWO);
         let [a, b, c] = net;
         Some(Self {
             viscous: [beta.numer().to_i64()?, beta.denom().to_i64()?],
@@ -206,22 +201,18 @@ pub(super) fn linear(
     ])
 }
 
-/// Where it is least where the force of the wall is the same everywhere. It is bent upwards: a corner has the most.
+/// Where it is least where the force of the wall is the same everywhere, under an excess over this number. It is bent upwards: a
+/// corner has the most.
 #[inline(never)]
-pub(super) fn flat(of: &Crossing<Ball>, least: &Resistance<Ball>) -> Option<Place> {
-    let Crossing { ticks, excess } = *of;
-    let (k, one) = (ticks.abs(), Ball::one());
-    let arc = |excess: Ball, ends: [Ball; 2]| Arc {
+pub(super) fn flat<T: Term>(of: &Ways<T>, over: i64, least: &Resistance<Ball>) -> Option<Place> {
+    let (k, one) = (Ball::whole(of.ticks), Ball::one());
+    let arc = |excess: T, ends: [Ball; 2]| Arc {
         bend: least.own,
-        slope: least.sigma - excess,
+        slope: least.sigma - excess.near(over),
         constant: Ball::zero(),
         ends,
     };
-    let [back, ahead] = match ticks.sign()? {
-        Ordering::Greater => [excess; 2],
-        Ordering::Equal => [-excess, excess],
-        Ordering::Less => [-excess; 2],
-    };
+    let [back, ahead] = of.excess;
     let from = (k - one).max(Ball::zero());
     let arcs = [arc(back, [from, from + one]), arc(ahead, [k, k + one])];
     Extreme::Least.place(&arcs, || {
@@ -244,7 +235,7 @@ impl Friction {
         n: i64,
     ) -> Option<QuotientOf<T>> {
         let turns = self.turns.as_ref()?;
-        let (twice, over) = turns.squares.get(part)?;
+        let over = turns.squares.get(part)?;
         let [_, b, c] = self.net.get(part)?.factors;
         let slope = T::from(1).by(b)?.plus(parabola.force.by(c)?)?;
         // Where there is no viscous friction the length has no part in it.
@@ -255,7 +246,7 @@ impl Friction {
         let w = over_length
             .checked_mul(parabola.bend)?
             .checked_add(twice_viscous)?;
-        let constant = T::from(parabola.constant).by(*twice)?.by(w)?;
+        let constant = T::from(parabola.constant).by(over.to_i128()?)?.by(w)?;
         let at = constant.minus(slope.square()?.by(over_length)?)?;
         // Over a number above zero.
         let at = if w < 0 { T::Sum::zero().minus(at)? } else { at };
