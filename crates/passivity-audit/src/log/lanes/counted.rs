@@ -187,18 +187,23 @@ impl Counted {
     #[inline(always)]
     #[allow(clippy::cast_precision_loss)] // nothing is lost
     fn read(&mut self, (from, to): (&[i64], &[i64]), lengths: &[Length]) -> [f64; TILE] {
-        let mut open = [0.0; TILE];
-        let [starts, ends, durations, ..] = &mut self.of;
+        // Of whole arrays processors read several numbers at a time; what is behind the last interval is not looked at.
+        let mut counts = [[0; TILE]; 2];
+        for (counts, own) in counts.iter_mut().zip([from, to]) {
+            counts[..own.len()].copy_from_slice(own);
+        }
         self.lengths[..lengths.len()].copy_from_slice(lengths);
-        for (i, ((from, to), Length(n, d))) in from.iter().zip(to).zip(lengths).enumerate() {
+        let ([froms, tos], [starts, ends, durations, ..]) = (counts, &mut self.of);
+        let mut open = [0.0; TILE];
+        for i in 0..TILE {
+            let (from, to, Length(n, d)) = (froms[i], tos[i], self.lengths[i]);
             // What is too large for that is left open.
-            self.crossed[i] = to.wrapping_sub(*from);
-            let is_known =
-                quick::is_whole(*from) & quick::is_whole(*to) & Length(*n, *d).is_short();
+            self.crossed[i] = to.wrapping_sub(from);
+            let is_known = quick::is_whole(from) & quick::is_whole(to) & Length(n, d).is_short();
             // Any motion, of what is left open.
             let of = |n: i64, other: i64| if is_known { n } else { other } as f64;
-            (starts[i], ends[i]) = (of(*from, 0), of(*to, 0));
-            durations[i] = of(*n, 1) / of(*d, 1);
+            (starts[i], ends[i]) = (of(from, 0), of(to, 0));
+            durations[i] = of(n, 1) / of(d, 1);
             open[i] = of(0, 1);
         }
         open

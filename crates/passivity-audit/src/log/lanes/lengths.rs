@@ -50,7 +50,7 @@ impl Length {
     #[inline(always)]
     pub(super) const fn is_short(self) -> bool {
         let Self(n, d) = self;
-        n > 0 && d > 0 && n < Self::MOST && d < Self::MOST
+        (n > 0) & (d > 0) & (n < Self::MOST) & (d < Self::MOST)
     }
 }
 
