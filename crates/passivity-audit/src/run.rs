@@ -248,8 +248,9 @@ impl<'a> Run<'a> {
 pub(crate) fn tightened(figures: Figures, last: &Row) -> Option<Figures> {
     let [_, quantized, dissipated, net_linear, net_quantized] = figures;
     let [linear_last, quantized_last] = last.generated()?;
+    // Of the three only the total is long.
     let swapped =
-        |total: &BigRational, out: &BigRational, within: &BigRational| total - out + within;
+        |total: &BigRational, out: &BigRational, within: &BigRational| total + (within - out);
     let linear = Figure::between(
         swapped(quantized.lo(), quantized_last.lo(), linear_last.lo()),
         swapped(quantized.hi(), quantized_last.hi(), linear_last.hi()),
