@@ -2,7 +2,7 @@
 //!
 //! A trace is numbers and commas, or another character between them, and it can be long: fields are read
 //! in place, a single column of counts without looking for fields at all. A field may stand in double
-//! quotes; no field can hold the character between fields or a line break.
+//! quotes and hold the character between fields then; none can hold a line break.
 
 use crate::ball::Ball;
 use crate::log::chunk::{Chunk, Samples};
@@ -31,6 +31,27 @@ impl Default for Notation {
     }
 }
 
+/// The fields of a line, in the quotes in which they stand.
+fn fields(line: &[u8], delimiter: u8) -> impl Iterator<Item = &[u8]> {
+    let mut rest = Some(line);
+    std::iter::from_fn(move || {
+        let text = rest?;
+        let mut end = memchr::memchr(delimiter, text);
+        if text.trim_ascii_start().first() == Some(&b'"') {
+            // A quote within quotes is written twice: it closes and opens them.
+            let mut is_open = false;
+            let outside = text.iter().position(|byte| {
+                is_open ^= *byte == b'"';
+                *byte == delimiter && !is_open
+            });
+            // Quotes that are not closed enclose nothing.
+            end = if is_open { end } else { outside };
+        }
+        rest = end.and_then(|end| text.get(end + 1..));
+        text.get(..end.unwrap_or(text.len()))
+    })
+}
+
 /// The fields of a header line.
 pub(crate) fn names(line: &[u8], notation: Notation) -> Result<Vec<String>, TraceError> {
     let text = std::str::from_utf8(line)
@@ -46,7 +67,9 @@ pub(crate) fn names(line: &[u8], notation: Notation) -> Result<Vec<String>, Trac
         let inner = name.strip_prefix('"').and_then(|n| n.strip_suffix('"'));
         inner.unwrap_or(name).trim().to_owned()
     };
-    let names = text.split(char::from(notation.delimiter)).map(unquoted);
+    // What stands between fields is ASCII, so that each of them is UTF-8 text again.
+    let names = fields(text.as_bytes(), notation.delimiter)
+        .map(|name| unquoted(&String::from_utf8_lossy(name)));
     let names: Vec<String> = names.collect();
     let is_number = |name: &String| value(name.as_bytes(), notation).is_some();
     if names.iter().all(is_number) {
@@ -60,8 +83,7 @@ pub(crate) fn names(line: &[u8], notation: Notation) -> Result<Vec<String>, Trac
 /// The first rows as numbers near by.
 pub(crate) fn preview(lines: &[&[u8]], notation: Notation) -> Preview {
     let row = |line: &&[u8]| {
-        let fields = line.split(|byte| *byte == notation.delimiter);
-        fields
+        fields(line, notation.delimiter)
             .map(|field| value(trimmed(field), notation))
             .collect()
     };
@@ -80,9 +102,7 @@ pub(crate) fn has_decimal_commas(lines: &[&[u8]], delimiter: u8) -> bool {
         delimiter,
         decimal_comma: true,
     };
-    let fields = lines
-        .iter()
-        .flat_map(|line| line.split(|byte| *byte == delimiter));
+    let fields = lines.iter().flat_map(|line| fields(line, delimiter));
     delimiter != b','
         && fields
             .map(trimmed)
@@ -220,7 +240,7 @@ fn push(
     let (mut position, mut end, mut dtau) = (None, None, None);
     let (mut time, mut force, mut velocity) = (None, None, None);
     let mut width = 0;
-    for (i, field) in line.split(|byte| *byte == notation.delimiter).enumerate() {
+    for (i, field) in fields(line, notation.delimiter).enumerate() {
         width += 1;
         let slot = match i {
             _ if i == layout.position => &mut position,

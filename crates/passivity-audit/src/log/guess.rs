@@ -9,6 +9,7 @@ use passivity_scene::units::Dimension;
 use passivity_scene::{Motion, Scene};
 
 use crate::log::columns::{Found, Role, typed};
+use crate::log::error::shown;
 use crate::log::header::{Heading, read_unit, split};
 use crate::log::preview::Preview;
 use words::{COUNTED, HELD, NO_POSITION, NOT_MEASURED, words};
@@ -116,6 +117,16 @@ impl Kind {
         }
     }
 
+    /// What it is called in sentences.
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Time => "a time",
+            Self::Position => "a position",
+            Self::Force => "a force",
+            Self::Velocity => "a velocity",
+        }
+    }
+
     /// The dimension of its unit, angles aside.
     fn dimension(self, motion: Motion) -> Dimension {
         let linear = motion == Motion::Linear;
@@ -144,6 +155,9 @@ impl Kind {
     }
 }
 
+/// From this score on a column is taken for what it looks like.
+const LIKELY: i32 = 2;
+
 /// A column that may be what is looked for.
 struct Candidate {
     kind: Kind,
@@ -151,43 +165,25 @@ struct Candidate {
     score: i32,
 }
 
-/// Of a heading: how much it looks like a kind; `None` when it cannot be.
-fn score(
-    kind: Kind,
-    heading: &Heading,
-    column: usize,
-    preview: &Preview,
-    scene: &Scene,
-) -> Option<i32> {
-    let split = split(&heading.name).ok()?;
-    if !preview.is_of_numbers(column) {
-        return None;
-    }
-    let words = words(split.stem);
-    let mut score = 0;
-    match (split.unit.as_deref().or(heading.unit), kind) {
-        (None, _) => {}
-        (Some(unit), Kind::Position) if is_counted(unit) => score += 2,
-        (Some(_), _) if scene.motion == Motion::Dimensionless => return None,
-        (Some(unit), _) => {
-            let dimension = read_unit(unit).ok()?.dimension();
-            if dimension.with_angle(0) != kind.dimension(scene.motion) {
-                return None;
-            }
-            score += 2;
-        }
-    }
+/// How much a heading is called like a kind.
+fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
+    let stem = match split(&heading.name) {
+        Ok(split) => split.stem,
+        Err((stem, _)) => stem,
+    };
+    let words = words(stem);
     let named = |word: &String| kind.words().contains(&word.as_str());
+    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
+    let mut score = 0;
     if words.iter().any(named) {
         score += 4;
         // The last word says most: a `velocity_time` is a time.
         score += i32::from(words.last().is_some_and(named));
     }
-    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
     if kind == Kind::Force {
         score += i32::from(has(&HELD));
         // Of a wrench, which has both.
-        let other: &[&str] = match scene.motion {
+        let other: &[&str] = match motion {
             Motion::Linear => &["torque", "moment"],
             _ => &["force"],
         };
@@ -198,10 +194,88 @@ fn score(
     if kind == Kind::Position && has(&NO_POSITION) {
         score -= 4;
     }
+    score
+}
+
+/// How much what a column holds looks like a kind; or why it cannot be of that kind.
+fn held(
+    kind: Kind,
+    heading: &Heading,
+    column: usize,
+    preview: &Preview,
+    scene: &Scene,
+) -> Result<i32, String> {
+    let split = split(&heading.name).map_err(|(_, why)| why.to_owned())?;
+    if let Some(row) = preview.no_number(column) {
+        return Err(format!("row {} has no number there", row + 1));
+    }
+    match (split.unit.as_deref().or(heading.unit), kind) {
+        (None, _) => Ok(0),
+        (Some(unit), Kind::Position) if is_counted(unit) => Ok(2),
+        (Some(unit), _) if scene.motion == Motion::Dimensionless => {
+            let unit = shown(unit.as_bytes());
+            Err(format!("the scene has no units, and the column has `{unit}`"))
+        }
+        (Some(unit), _) => {
+            let dimension = read_unit(unit).map_err(|error| error.message)?.dimension();
+            match dimension.with_angle(0) == kind.dimension(scene.motion) {
+                true => Ok(2),
+                false => Err(format!(
+                    "`{}` is no unit of {} like `{}`",
+                    shown(unit.as_bytes()),
+                    kind.name(),
+                    kind.unit(scene.motion)
+                )),
+            }
+        }
+    }
+}
+
+/// Of a heading: how much it looks like a kind; `None` when it cannot be.
+fn score(
+    kind: Kind,
+    heading: &Heading,
+    column: usize,
+    preview: &Preview,
+    scene: &Scene,
+) -> Option<i32> {
+    let mut score = held(kind, heading, column, preview, scene).ok()?;
+    score += called(kind, heading, scene.motion);
     if kind == Kind::Time && !preview.increases(column) {
         score -= 3;
     }
-    (score >= 2).then_some(score)
+    (score >= LIKELY).then_some(score)
+}
+
+/// The columns that are called like something that is not said, and cannot be read: the most likely of each kind, and
+/// why.
+pub(crate) fn unreadable(
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+    said: &[Found],
+) -> Vec<(usize, String)> {
+    let is_open = |kind: &Kind| !said.iter().any(|found| Kind::of(found.role) == *kind);
+    let of_kind = |kind: Kind| {
+        let columns = (0..).zip(headings);
+        let free = columns.filter(|(column, _)| !said.iter().any(|f| f.column == *column));
+        let called = free.filter_map(|(column, heading)| {
+            let score = called(kind, heading, scene.motion);
+            let why = held(kind, heading, column, preview, scene).err()?;
+            (score >= LIKELY).then_some((score, column, why))
+        });
+        // Of equals the first column.
+        let called: Vec<_> = called.collect();
+        called.into_iter().rev().max_by_key(|(score, ..)| *score)
+    };
+    let open = Kind::ALL.into_iter().filter(is_open);
+    let mut found: Vec<(usize, String)> = Vec::new();
+    for (_, column, why) in open.filter_map(of_kind) {
+        if found.iter().all(|(other, _)| *other != column) {
+            found.push((column, why));
+        }
+    }
+    found
 }
 
 /// Whether a unit is that of an encoder's counts.

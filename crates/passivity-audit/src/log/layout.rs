@@ -80,8 +80,11 @@ impl Layout {
         if headings.len() > MAX_COLUMNS {
             return Err(header(format!("a trace may have {MAX_COLUMNS} columns")));
         }
+        // No proposal leaves out what the header says itself.
         let proposed = |mut error: TraceError, said: &[Found]| {
-            error.proposal = proposal(&headings, said, preview, scene);
+            let of = |said| proposal(&headings, said, preview, scene);
+            let found = of(said).or_else(|| of(&[]));
+            error.proposal = found.filter(|proposal| proposal.said >= said.len());
             error
         };
         let said = match told {
@@ -95,8 +98,11 @@ impl Layout {
                     said.retain(|found| found.role != Role::Tau);
                 }
                 let unread = guess::unread(&headings, preview, scene, &said);
-                if !unread.is_empty() {
-                    return Err(proposed(not_read(&unread, &headings), &said));
+                let known: Vec<Found> = said.iter().chain(&unread).cloned().collect();
+                let unreadable = guess::unreadable(&headings, preview, scene, &known);
+                if !(unread.is_empty() && unreadable.is_empty()) {
+                    let error = not_read(&unread, &unreadable, &headings);
+                    return Err(proposed(error, &said));
                 }
                 said
             }
@@ -104,7 +110,7 @@ impl Layout {
         let sound = |found: Result<Self, TraceError>| match told {
             // What was typed is not offered again.
             Some(_) => found,
-            None => found.map_err(|error| proposed(error, &[])),
+            None => found.map_err(|error| proposed(error, &said)),
         };
         sound(Self::of(&said, &headings, scene))
     }
@@ -119,6 +125,11 @@ impl Layout {
             }
         };
         let (Some(start), Some(end)) = (find("xi0")?, find("xi1")?) else {
+            if find("xi0_lo")?.is_some() && find("xi1_hi")?.is_some() {
+                let message = "a ledger of bounds, with columns like `xi0_lo` and `xi0_hi`, is no trace: \
+                    audit the log that it was made of";
+                return Err(header(message));
+            }
             return Ok(None);
         };
         Ok(Some(Self {
@@ -388,20 +399,28 @@ fn unit_of(found: &Found, headings: &[Heading]) -> Result<Option<String>, TraceE
     }
 }
 
-/// Why a header with columns that look like something else is refused.
-fn not_read(unread: &[Found], headings: &[Heading]) -> TraceError {
-    let is_unread = |column: usize| unread.iter().any(|found| found.column == column);
-    let names = (0..).zip(headings).filter(|(column, _)| is_unread(*column));
-    let names: Vec<String> = names
-        .map(|(_, heading)| format!("`{}`", shown(heading.name.as_bytes())))
-        .collect();
-    header(match names.as_slice() {
-        [name] => format!("the column {name} is not read under this name"),
-        names => format!(
+/// Why a header with columns that look like something else is refused, some of which cannot be read.
+fn not_read(unread: &[Found], unreadable: &[(usize, String)], headings: &[Heading]) -> TraceError {
+    let name = |column: usize| {
+        let name = headings.get(column).map_or("", |heading| &heading.name);
+        format!("`{}`", shown(name.as_bytes()))
+    };
+    let mut columns: Vec<usize> = unread.iter().map(|found| found.column).collect();
+    columns.sort_unstable();
+    let names: Vec<String> = columns.into_iter().map(name).collect();
+    let mut said = match names.as_slice() {
+        [] => Vec::new(),
+        [name] => vec![format!("the column {name} is not read under this name")],
+        names => vec![format!(
             "the columns {} are not read under these names",
             names.join(", ")
-        ),
-    })
+        )],
+    };
+    said.extend(unreadable.iter().map(|(column, why)| {
+        let name = name(*column);
+        format!("the column {name} cannot be read ({why}): name the others to leave it out")
+    }));
+    header(said.join("; "))
 }
 
 /// What a header may mean, beyond what its columns say themselves, where that can be read.

@@ -19,6 +19,8 @@ pub(crate) struct Lines<R> {
     /// The start of a line that the last block did not hold whole.
     rest: Vec<u8>,
     ended: bool,
+    /// What stopped the reading, once it has been told what came before it.
+    broken: Option<TraceError>,
     block: usize,
     /// Whether lines that are not read follow.
     goes_on: bool,
@@ -40,6 +42,7 @@ impl<R: Read> Lines<R> {
             input,
             rest: Vec::new(),
             ended: false,
+            broken: None,
             block,
             goes_on: false,
         }
@@ -61,6 +64,9 @@ impl<R: Read> Lines<R> {
                 line.truncate(end);
                 return Ok(clean(line));
             }
+            if let Some(error) = self.broken.take() {
+                return Err(error);
+            }
             if self.ended {
                 return Ok(clean(std::mem::take(&mut self.rest)));
             }
@@ -68,7 +74,7 @@ impl<R: Read> Lines<R> {
                 let message = format!("the header is longer than {MAX_LINE} bytes");
                 return Err(TraceError::new("line_too_long", message));
             }
-            self.fill(1 << 16).map_err(|error| TraceError::io(&error))?;
+            self.fill(1 << 16);
         }
     }
 
@@ -82,12 +88,13 @@ impl<R: Read> Lines<R> {
         trimmed.take(PREVIEWED).collect()
     }
 
-    /// Reads until `rest` has grown by `more` bytes, or the input ends.
-    fn fill(&mut self, more: usize) -> std::io::Result<()> {
+    /// Reads until `rest` has grown by `more` bytes, or the input ends or breaks: what was read until then is kept.
+    fn fill(&mut self, more: usize) {
         let limit = u64::try_from(more).unwrap_or(u64::MAX);
-        let read = (&mut self.input).take(limit).read_to_end(&mut self.rest)?;
-        self.ended = read < more;
-        Ok(())
+        match (&mut self.input).take(limit).read_to_end(&mut self.rest) {
+            Ok(read) => self.ended = read < more,
+            Err(error) => self.broken = Some(TraceError::io(&error)),
+        }
     }
 
     /// Whether the line that ends at `end` is blank: then what follows decides whether it may be. There are
@@ -103,8 +110,11 @@ impl<R: Read> Lines<R> {
     pub(crate) fn next_block(&mut self) -> Option<Block> {
         let mut error = None;
         while !self.ended {
-            if let Err(broken) = self.fill(self.block) {
-                error = Some(TraceError::io(&broken));
+            if self.broken.is_none() {
+                self.fill(self.block);
+            }
+            error = self.broken.take();
+            if error.is_some() {
                 break;
             }
             let whole = memchr::memrchr(b'\n', &self.rest);

@@ -4,6 +4,7 @@
 //! intervals between, so that a stretch that ends at a sample is followed by one that starts at it. The
 //! samples before the first are read as far as an account needs them.
 
+use std::fmt;
 use std::fs::File;
 use std::io::{Read, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -59,6 +60,18 @@ impl Stretch {
                     shown(text.as_bytes())
                 ),
             )),
+        }
+    }
+}
+
+/// As it can be typed.
+impl fmt::Display for Stretch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Samples(from, None) => write!(f, "{from}:"),
+            Self::Samples(from, Some(to)) => write!(f, "{from}:{to}"),
+            Self::Shard(i, n) => write!(f, "{i}/{n}"),
+            Self::Shards(i, j, n) => write!(f, "{i}-{j}/{n}"),
         }
     }
 }

@@ -38,10 +38,12 @@ impl Preview {
         self.columns.get(column).into_iter().flatten().copied()
     }
 
-    /// Whether nothing in a column is no number; a column that is not in the rows is not of numbers.
-    pub(crate) fn is_of_numbers(&self, column: usize) -> bool {
-        self.columns.is_empty()
-            || (column < self.columns.len() && self.column(column).all(|x| x.is_some()))
+    /// The first row in which a column has no number; a column that is not in the rows has none in any.
+    pub(crate) fn no_number(&self, column: usize) -> Option<usize> {
+        match self.columns.get(column) {
+            Some(fields) => fields.iter().position(Option::is_none),
+            None => (!self.columns.is_empty()).then_some(0),
+        }
     }
 
     /// Whether two columns come from the same place.

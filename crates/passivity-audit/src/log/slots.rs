@@ -63,7 +63,9 @@ impl Slots {
             }
             let rest = text.get(at..)?;
             let length = match role {
-                None => memchr::memchr2(self.delimiter, b'\n', rest)?,
+                // In quotes what stands between fields may be part of one.
+                None => memchr::memchr3(self.delimiter, b'\n', b'"', rest)
+                    .filter(|end| rest.get(*end) != Some(&b'"'))?,
                 Some(role) => {
                     let ((n, k), length) = leading_decimal(rest, self.delimiter)?;
                     match (role, &mut chunk.samples) {

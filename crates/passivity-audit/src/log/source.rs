@@ -11,6 +11,7 @@ use crate::log::columns::Columns;
 use crate::log::computed::EXACT_ROWS;
 use crate::log::csv::{self, Notation};
 use crate::log::error::{TraceError, legible};
+use crate::log::guess;
 use crate::log::header::Heading;
 use crate::log::layout::Layout;
 use crate::log::lines::{self, Block, Lines};
@@ -47,7 +48,7 @@ impl Dialect {
         let notation = self.notation()?;
         let told = self.columns.as_ref();
         let layout = layout(line, first, notation, told, scene)
-            .map_err(|error| otherwise(error, line, first, self, scene))?;
+            .map_err(|error| otherwise(error, notation, (line, first), self, scene))?;
         let said = Said {
             headings: layout.headings.clone(),
             preview: csv::preview(first, notation),
@@ -386,29 +387,34 @@ fn layout(
     Layout::read(headings, told, &csv::preview(first, notation), scene)
 }
 
-/// The error of a header, with what it says when its fields stand apart by another character: where that
-/// makes sense, it is what is proposed.
+/// The error of a header, with what it says when its fields stand apart by another character, or its numbers are
+/// written with a comma: where that makes sense, it is what is proposed.
 fn otherwise(
     mut error: TraceError,
-    line: &[u8],
-    first: &[&[u8]],
+    own: Notation,
+    (line, first): (&[u8], &[&[u8]]),
     dialect: &Dialect,
     scene: &Scene,
 ) -> TraceError {
-    if let Some(delimiter) = dialect.delimiter {
-        if let Some(proposal) = &mut error.proposal {
-            proposal.delimiter = Some(char::from(delimiter)).filter(|c| *c != ',');
-            proposal.decimal_comma =
-                dialect.decimal_comma || csv::has_decimal_commas(first, delimiter);
-        }
-        return error;
+    let written = |proposal: &mut guess::Proposal, notation: Notation| {
+        proposal.delimiter = Some(char::from(notation.delimiter)).filter(|c| *c != ',');
+        proposal.decimal_comma = notation.decimal_comma;
+    };
+    if let Some(proposal) = &mut error.proposal {
+        written(proposal, own);
     }
-    let stands = |delimiter: &u8| line.contains(delimiter);
-    for delimiter in [b';', b'\t', b'|'].into_iter().filter(stands) {
+    let delimiters = match dialect.delimiter {
+        Some(_) => vec![own.delimiter],
+        None => vec![b';', b'\t', b'|'],
+    };
+    for delimiter in delimiters.into_iter().filter(|it| line.contains(it)) {
         let notation = Notation {
             delimiter,
-            decimal_comma: csv::has_decimal_commas(first, delimiter),
+            decimal_comma: own.decimal_comma || csv::has_decimal_commas(first, delimiter),
         };
+        if notation == own {
+            continue;
+        }
         let proposal = match layout(line, first, notation, None, scene) {
             Ok(layout) => layout.proposal(),
             Err(other) => other.proposal,
@@ -417,17 +423,19 @@ fn otherwise(
             continue;
         };
         // Of two ways to read the header the one that tells more.
-        if error
-            .proposal
-            .as_ref()
-            .is_some_and(|own| own.said >= proposal.said)
-        {
+        let own_says = error.proposal.as_ref().map_or(0, |proposal| proposal.said);
+        if own_says >= proposal.said {
             continue;
         }
-        proposal.delimiter = Some(char::from(delimiter));
-        proposal.decimal_comma = notation.decimal_comma;
-        let text = legible(&char::from(delimiter).to_string());
-        error.message = format!("its fields seem to stand apart by `{text}`, not by a comma");
+        written(&mut proposal, notation);
+        error.message = match delimiter == own.delimiter {
+            true => "its numbers seem to be written with a comma".to_owned(),
+            false => {
+                let [text, usual] =
+                    [delimiter, own.delimiter].map(|c| legible(&char::from(c).to_string()));
+                format!("its fields seem to stand apart by `{text}`, not by `{usual}`")
+            }
+        };
         error.column = None;
         error.proposal = Some(proposal);
     }

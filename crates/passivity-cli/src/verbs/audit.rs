@@ -25,7 +25,8 @@ use crate::output::{Format, emit, emit_json, may_be_written, read_scene, tell};
 /// until the next. Columns of other names are named by `--columns`; if a header is not understood, the
 /// error shows the command that reads it. If the trace has forces, the account is that of
 /// these forces, and their differences from the wall's force law are reported beside it; `--law`
-/// selects the force of the law instead. The file that `simulate --out` writes is a trace as well.
+/// selects the force of the law instead. The file that `simulate --out` writes is a trace as well, unless its
+/// figures are bounds (`xi0_lo`, `xi0_hi`).
 /// From encoder counts, every figure is an exact interval and every answer is yes, no or undecided.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -288,7 +289,12 @@ fn refusal(args: &Args, traces: &str, error: &TraceError) -> String {
 /// The command that was typed, with the columns that are proposed.
 fn command(args: &Args, proposal: &Proposal) -> String {
     let mut words = vec!["passivity".to_owned(), "audit".to_owned()];
-    words.extend(args.traces.iter().map(|trace| trace.display().to_string()));
+    // No option, though its name may look like one.
+    let file = |trace: &PathBuf| match trace.as_os_str().as_encoded_bytes() {
+        [b'-', _, ..] => format!("./{}", trace.display()),
+        _ => trace.display().to_string(),
+    };
+    words.extend(args.traces.iter().map(file));
     words.extend(["--scene".to_owned(), args.scene.display().to_string()]);
     words.extend(read_as(proposal));
     let mut option = |name: &str, value: String| words.extend([format!("--{name}"), value]);
@@ -296,6 +302,7 @@ fn command(args: &Args, proposal: &Proposal) -> String {
         ("out", &args.out),
         ("plot", &args.plot),
         ("certificate", &args.certificate),
+        ("partial", &args.partial),
     ] {
         if let Some(path) = path {
             option(name, path.display().to_string());
@@ -303,6 +310,11 @@ fn command(args: &Args, proposal: &Proposal) -> String {
     }
     if args.threads != 0 {
         option("threads", args.threads.to_string());
+    }
+    for (name, stretch) in [("range", &args.range), ("shard", &args.shard)] {
+        if let Some(stretch) = stretch {
+            option(name, stretch.to_string());
+        }
     }
     if args.format == Format::Json {
         option("format", "json".to_owned());
