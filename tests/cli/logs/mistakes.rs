@@ -34,6 +34,38 @@ fn columns_that_cannot_be_read_are_said_and_no_column_is_silently_left_out() {
             "0,0",
             "did you mean t=t [s], x=x [rad]? (units that the header does not give are assumed: x in rad)",
         ),
+        (
+            "t [s],x [rad],torque [N m]",
+            "0,0,",
+            "the column `torque [N m]` cannot be read (row 1 has no number there): name the others to leave it out; \
+             did you mean t=t [s], x=x [rad]?",
+        ),
+        (
+            "t [s],x [rad],torque [parsec]",
+            "0,0,1",
+            "the column `torque [parsec]` cannot be read (`parsec`: unknown unit",
+        ),
+        (
+            "t [s],x [rad],torque [rad]",
+            "0,0,1",
+            "(`rad` is no unit of a force like `N m`)",
+        ),
+        (
+            "time,x [rad]",
+            "2026-11-27T10:00:00,0",
+            "the column `time` cannot be read",
+        ),
+        (
+            "t [s],x [rad],f",
+            "0,0,nan",
+            "did you mean t=t [s], x=x [rad], f=f [N m]?",
+        ),
+        ("time,a,b", "0,1,2", "no column is known to be the position"),
+        (
+            "xi0_lo,xi0_hi,xi1_lo,xi1_hi",
+            "0,1,0,1",
+            "a ledger of bounds, with columns like `xi0_lo` and `xi0_hi`, is no trace",
+        ),
         ("0.5,1.5", "1,2", "the first line holds numbers"),
         (
             "a,b",
@@ -107,6 +139,110 @@ fn columns_that_cannot_be_read_are_said_and_no_column_is_silently_left_out() {
     let (run, json) = told(&dir, "log.csv");
     assert_eq!(json["samples"], 2, "{}", run.stderr);
     assert_eq!(json["columns"], "t=clock [s], x=\"angle, left\" [rad]");
+}
+
+#[test]
+fn the_command_that_is_shown_keeps_what_was_typed() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    let columns = "--columns 't=t [us], count=count, f=torque [N m]'";
+    let text = "t [us];count;torque [N m]\n0;0;0,05\n350;2;0,0498\n700;5;0,049\n";
+    // Some of it may be what the log asks for.
+    for (text, typed, shown) in [
+        (text, "--delimiter ;", "--delimiter ';' --decimal-comma"),
+        (text, "--decimal-comma", "--delimiter ';' --decimal-comma"),
+        (text, "", "--delimiter ';' --decimal-comma"),
+        (
+            &text.replace(',', ".").replace(';', ","),
+            "--partial part.json --shard 1/2",
+            "--partial part.json --shard 1/2",
+        ),
+        (
+            &text.replace(',', ".").replace(';', ","),
+            "--partial part.json --range 1:",
+            "--partial part.json --range 1:",
+        ),
+    ] {
+        dir.write("log.csv", text);
+        let mut args = vec!["audit", "log.csv", "--scene", "scene.toml"];
+        args.extend(typed.split_whitespace());
+        let run = dir.run(&args);
+        let command = super::shown(&run);
+        assert!(command.contains(columns), "{typed}: {command}");
+        assert!(command.ends_with(shown), "{typed}: {command}");
+        let (run, _) = super::follow(&dir, &command);
+        assert!(run.code < 2, "{command}: {}", run.stderr);
+    }
+    // A file is no option, though its name may look like one.
+    dir.write("-l.csv", "time,position\n0,0\n0.00035,0\n");
+    let run = dir.run(&["audit", "./-l.csv", "--scene", "scene.toml"]);
+    assert!(
+        super::shown(&run).starts_with("audit ./-l.csv "),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn a_field_in_quotes_may_hold_what_stands_between_fields() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    dir.write(
+        "log.csv",
+        "time,name,position,effort\n0,\"a,b\",0.1,0\n0.00035,\"a \"\"b\"\", c\",0.1,0\n0.0007,plain,0.1,0\n",
+    );
+    let (run, json) = told(&dir, "log.csv");
+    assert_eq!(
+        (run.code, &json["samples"]),
+        (0, &3.into()),
+        "{}",
+        run.stderr
+    );
+    // Quotes that are not closed enclose nothing.
+    dir.write("log.csv", "x [rad],note\n0,5\"\n0.1,\"5\n0.1,\"5,6\n");
+    let run = dir.run(&[
+        "audit",
+        "log.csv",
+        "--scene",
+        "scene.toml",
+        "--format",
+        "json",
+    ]);
+    assert_eq!((run.code, &run.json()["samples"]), (2, &2.into()));
+    assert!(
+        run.stderr.contains("row 3: expected 2 fields, found 3"),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn what_was_read_of_a_file_that_was_cut_short_is_accounted_for() {
+    use std::io::Write as _;
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    let rows: Vec<String> = (0..300).map(|i| (i * i % 7).to_string()).collect();
+    let mut file = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+    let text = format!("count\n{}\n", rows.join("\n"));
+    file.write_all(text.as_bytes()).unwrap();
+    let whole = file.finish().unwrap();
+    dir.write("log.csv.gz", &whole[..whole.len() * 2 / 3]);
+    let run = dir.run(&[
+        "audit",
+        "log.csv.gz",
+        "--scene",
+        "scene.toml",
+        "--format",
+        "json",
+    ]);
+    assert_eq!(run.code, 2, "{}", run.stderr);
+    let read = run.json()["samples"].as_u64().unwrap();
+    assert!((2..300).contains(&read), "{read}");
+    assert!(
+        run.stderr.contains(&format!("row {}", read + 1)),
+        "{}",
+        run.stderr
+    );
 }
 
 #[test]

@@ -214,7 +214,9 @@ fn held(
         (Some(unit), Kind::Position) if is_counted(unit) => Ok(2),
         (Some(unit), _) if scene.motion == Motion::Dimensionless => {
             let unit = shown(unit.as_bytes());
-            Err(format!("the scene has no units, and the column has `{unit}`"))
+            Err(format!(
+                "the scene has no units, and the column has `{unit}`"
+            ))
         }
         (Some(unit), _) => {
             let dimension = read_unit(unit).map_err(|error| error.message)?.dimension();
@@ -316,8 +318,8 @@ pub(crate) fn unread(
         let of_kind = candidates.iter().filter(|c| c.kind == kind);
         of_kind.rev().max_by_key(|c| c.score).map(|c| c.column)
     };
-    let is_position = |found: &&Found| Kind::of(found.role) == Kind::Position;
-    let position = said.iter().find(is_position).map(|found| found.column);
+    let position = said.iter().find(|found| found.is_position());
+    let position = position.map(|found| found.column);
     let position = position.or_else(|| best(Kind::Position));
     let beside = |c: &Candidate| position.is_none_or(|at| preview.together(at, c.column));
     candidates.sort_by_key(|c| std::cmp::Reverse((c.score, beside(c))));
@@ -418,10 +420,7 @@ fn unit_of_time(step: Option<f64>, scene: &Scene) -> &'static str {
 pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal> {
     let mut sorted: Vec<&Found> = found.iter().collect();
     sorted.sort_by_key(|found| found.role);
-    if !sorted
-        .iter()
-        .any(|found| Kind::of(found.role) == Kind::Position)
-    {
+    if !sorted.iter().any(|found| found.is_position()) {
         return None;
     }
     let mut columns = Vec::new();
