@@ -98,7 +98,11 @@ fn ten_logs_of_ten_shapes_are_read_by_the_command_that_the_error_shows() {
         file.write_all(text.as_bytes()).unwrap();
         file.finish().unwrap()
     };
-    let zstd = |text: &str| zstd::encode_all(text.as_bytes(), 1).unwrap();
+    // Behind a frame that is skipped, as `pzstd` writes it.
+    let zstd = |text: &str| {
+        let frame = zstd::encode_all(text.as_bytes(), 1).unwrap();
+        [b"\x50\x2a\x4d\x18\x04\0\0\0".to_vec(), vec![0; 4], frame].concat()
+    };
     let plain = |text: String| text.into_bytes();
     let seconds = |s: &Sample| s.micros as f64 * 1e-6;
     // `t` where there is a clock, and `v` where there is a velocity.

@@ -4,9 +4,13 @@ use std::io::Read;
 
 use crate::log::error::TraceError;
 
-/// Whether a file with these first bytes is compressed by gzip or zstd.
+/// Whether a file with these first bytes is compressed by gzip or zstd, which may start with a frame that is skipped.
 pub(crate) fn is_compressed(start: &[u8]) -> bool {
-    start.starts_with(&[0x1f, 0x8b]) || start == [0x28, 0xb5, 0x2f, 0xfd]
+    start.starts_with(&[0x1f, 0x8b])
+        || matches!(
+            start,
+            [0x28, 0xb5, 0x2f, 0xfd] | [0x50..=0x5f, 0x2a, 0x4d, 0x18]
+        )
 }
 
 /// The first four bytes, or as many as there are.
