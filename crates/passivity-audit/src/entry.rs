@@ -411,6 +411,12 @@ impl<S: Written> Entry<S> {
         ]
     }
 
+    /// Whether sums have room for its figures.
+    pub(crate) fn can_be_added(&self) -> bool {
+        let has_room = |of: &Figure<S>| of.lo().below().is_some() && of.hi().above().is_some();
+        self.summed().into_iter().all(has_room)
+    }
+
     /// Adds these figures, `times` over; `None` when one is undefined.
     pub(crate) fn add_to(&self, sums: &mut [FigureSum; 5], times: u64) -> Option<()> {
         for (sum, figure) in sums.iter_mut().zip(self.summed()) {

@@ -187,7 +187,9 @@ impl Computed {
             Self::of_row(task, interval, Accounted::Quick(Box::new(addend)))
         };
         let near = || {
-            let entry = task.ledger.near_entry(interval.read(), &interval.dtau)?;
+            let entry = task.ledger.near_entry(interval.read(), &interval.dtau);
+            // What has no room in sums of doubles is for exact numbers.
+            let entry = entry.filter(Entry::can_be_added)?;
             Self::of_row(task, interval, Accounted::Near(Box::new(entry)))
         };
         let exact = is_exact(task, &interval.end, &interval.dtau, h);
