@@ -15,7 +15,7 @@ use crate::log::chunk::{Chunk, Samples};
 use crate::log::error::TraceError;
 use crate::log::guarded::guarded;
 use crate::log::header::Heading;
-use crate::log::layout::{Form, Layout};
+use crate::log::layout::{Form, Layout, MAX_COLUMNS};
 use crate::log::numbers::Numbers;
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
@@ -75,13 +75,12 @@ impl Table {
     /// The first rows, to judge the names by; what cannot be read is no number.
     pub(crate) fn preview(&self) -> Preview {
         const ROWS: usize = 20;
-        const COLUMNS: usize = 64;
         let read = guarded("parquet", || {
             let group = self.file.get_row_group(0).map_err(|e| broken(&e))?;
             let schema = self.file.metadata().file_metadata().schema_descr();
             let rows = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
             let mut columns = Vec::new();
-            for column in 0..schema.num_columns().min(COLUMNS) {
+            for column in 0..schema.num_columns().min(MAX_COLUMNS) {
                 let values = match open_column(&*group, column) {
                     Ok(mut wanted) => {
                         typed::numbers(wanted.meaning, &mut wanted.reader, rows.min(ROWS)).values

@@ -37,6 +37,10 @@ pub(crate) enum Meaning {
 impl Meaning {
     /// Of a column's type; an error where its values are no numbers.
     pub(crate) fn of(column: &ColumnDescriptor) -> Result<Self, TraceError> {
+        if column.max_rep_level() > 0 {
+            let message = "expected numbers, found lists";
+            return Err(TraceError::new("type", message));
+        }
         let physical = column.physical_type();
         let meaning = match column.logical_type_ref() {
             Some(logical) => Self::of_logical(logical),
@@ -193,10 +197,6 @@ fn values<T: DataType>(reader: &mut ColumnReaderImpl<T>, rows: usize) -> Column<
             Ok((got, _, _)) => records += got,
             Err(found) => error = Some(broken(&found)),
         }
-    }
-    if values.len() > records {
-        let message = "a column of lists is no column of numbers";
-        return Column::wrong(TraceError::new("type", message));
     }
     if values.len() < records {
         // Some rows have no value. A column that requires them has no levels.

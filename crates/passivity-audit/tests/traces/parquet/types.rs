@@ -232,3 +232,31 @@ fn a_clock_has_the_unit_of_its_type() {
         assert_eq!(error.kind, "type", "{error}");
     }
 }
+
+#[test]
+fn a_force_is_not_left_out_among_many_columns_or_for_its_type() {
+    let names: Vec<String> = (0..100).map(|i| format!("int64 c{i}")).collect();
+    let mut columns: Vec<(&str, Vec<Stored>)> = Vec::new();
+    for name in &names {
+        columns.push((name, vec![Stored::Long(0), Stored::Long(0)]));
+    }
+    columns.push(("int64 count", vec![Stored::Long(0), Stored::Long(1)]));
+    for (force, values, says) in [
+        (
+            "int64 force",
+            vec![Stored::Long(1), Stored::Long(1)],
+            "the column `force` is not read under this name",
+        ),
+        (
+            "boolean force",
+            vec![Stored::Short(1), Stored::Short(0)],
+            "the column `force` cannot be read (row 1 has no number there)",
+        ),
+    ] {
+        columns.push((force, values));
+        let path = store(&columns);
+        let error = read(&path).unwrap_err();
+        assert!(error.to_string().contains(says), "{error}");
+        columns.pop();
+    }
+}
