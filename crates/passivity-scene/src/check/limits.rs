@@ -89,14 +89,13 @@ pub(super) fn limits<S: Enclosed>(
     LIMITED.into_iter().filter_map(of).collect()
 }
 
-/// The limit of one parameter; `None` where the criterion does not limit it, or where no value of
-/// it is enough.
-pub(super) fn limit<S: Enclosed>(
+/// On which side of which border the criterion holds, over the tolerances of all other parameters, as far as the border is
+/// not below zero; `None` where the criterion does not limit the parameter.
+pub(super) fn clamped_border<S: Enclosed>(
     parameter: Parameter,
-    scene: &Scene,
     bounds: &Loop<Interval<S>>,
     speeds: &Speeds<Interval<S>>,
-) -> Option<Limit> {
+) -> Option<(Side, Interval<S>)> {
     let side = match parameter.row().hurts {
         Hurts::Less => Side::AtLeast,
         Hurts::More => Side::AtMost,
@@ -115,7 +114,18 @@ pub(super) fn limit<S: Enclosed>(
         }
     };
     let clamped = |x: &S| x.clone().max(S::zero());
-    let border = border.map(clamped);
+    Some((side, border.map(clamped)))
+}
+
+/// The limit of one parameter; `None` where the criterion does not limit it, or where no value of
+/// it is enough.
+pub(super) fn limit<S: Enclosed>(
+    parameter: Parameter,
+    scene: &Scene,
+    bounds: &Loop<Interval<S>>,
+    speeds: &Speeds<Interval<S>>,
+) -> Option<Limit> {
+    let (side, border) = clamped_border(parameter, bounds, speeds)?;
     let hardest = match side {
         Side::AtLeast => border.hi(),
         Side::AtMost => border.lo(),

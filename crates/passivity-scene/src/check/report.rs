@@ -198,16 +198,13 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
     // One of the two is among the limits already.
     let stiffest = |is_listed: bool, speeds: &Speeds<Interval<S>>| {
         let is_stiffness = |limit: &&Limit| limit.parameter == Parameter::Stiffness;
-        let border = if is_listed {
-            limits
-                .iter()
-                .find(is_stiffness)
-                .map(|limit| limit.border.clone())
-        } else {
-            let limit = limits::limit(Parameter::Stiffness, scene, bounds, speeds);
-            limit.map(|limit| limit.border)
-        };
-        border.unwrap_or_else(|| Interval::point(Scalar::zero()))
+        let listed = limits.iter().find(is_stiffness).filter(|_| is_listed);
+        // Where no wall is soft enough over all tolerances, some may be over a part of them.
+        let border = || limits::clamped_border(Parameter::Stiffness, bounds, speeds);
+        let found = listed.map(|limit| limit.border.clone());
+        found
+            .or_else(|| figure(&border()?.1))
+            .unwrap_or_else(|| Interval::point(Scalar::zero()))
     };
     let speed_written = speed_written(scene);
     let advice = advice::of(bounds, of_limits, verdict, &limits, &speed_written)?;

@@ -434,3 +434,26 @@ fn speeds_are_in_the_unit_of_the_scene() {
     assert_eq!(unforced.speed_si, None);
     assert_eq!(report("viscous 1, coulomb 1").speed_written.unit(), " m/s");
 }
+
+/// Where no wall is soft enough over all tolerances, some are over a part of them.
+#[test]
+fn the_stiffest_wall_is_known_to_both_ends_of_the_tolerances() {
+    let scene = |damping: &str| {
+        let text = format!(
+            "[device]\nviscous = \"0.024 N s/m ± 20%\"\ncoulomb = \"0.02 N\"\n[sampling]\nperiod = \"1 ms\"\n\
+             [wall]\nstiffness = \"1 N/m\"\ndamping = \"{damping} N s/m\"\n"
+        );
+        check(&Scene::from_toml("s", &text).unwrap())
+    };
+    // K = 2(b − B)/T, of b from 0.0192 to 0.0288 N s/m.
+    for (damping, least, most) in [
+        ("0.019", (2, 5), (98, 5)),
+        ("0.023", (0, 1), (58, 5)),
+        ("0.03", (0, 1), (0, 1)),
+    ] {
+        let stiffest = scene(damping).max_stiffness_all_speeds.unwrap();
+        let [lo, hi] = [least, most]
+            .map(|(n, d): (i64, i64)| passivity_core::BigRational::new(n.into(), d.into()));
+        assert_eq!((stiffest.lo(), stiffest.hi()), (&lo, &hi), "{damping}");
+    }
+}
