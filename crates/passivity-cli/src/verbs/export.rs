@@ -9,16 +9,17 @@ use crate::output::{emit, emit_json, json_text, read_scene, write_new};
 
 /// Write the constants that a control program asks for: stiffness, damping, rate, speed.
 ///
-/// Every largest value is the double at or below a limit that passed when it was typed back; a comment
-/// says what binds and which theorems the verdict rests on.
+/// Every number is a double on the safe side. The largest stiffness passes beside the scene's damping, the
+/// largest damping beside the scene's stiffness, and not the two together. A comment says what binds and
+/// which theorems the verdict rests on.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity export scenes/re35.toml --for c --out wall.h
   passivity export scenes/phantom-premium.toml --for chai3d
   passivity export scenes/re35.toml --for json | jq .max_stiffness
 
-Exit codes: 0 the scene's wall is passive; 1 it is not, and the constants say up to where it would be;
-2 bad input.")]
+Exit codes: 0 the scene's wall is passive; 1 it is not, and the constants say up to where it would
+be; 2 bad input.")]
 pub(crate) struct Args {
     /// Scene file; `-` is standard input.
     scene: PathBuf,

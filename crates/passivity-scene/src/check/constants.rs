@@ -2,14 +2,15 @@
 
 use std::fmt::Write as _;
 
+use num_traits::Signed as _;
 use passivity_core::verdict::{End, Speeds};
-use passivity_core::{BigRational, Enclosed, Interval, Loop, Parameter, Wide};
+use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Parameter, Wide};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::limits::{self, Limit};
+use super::limits;
 use super::text::unit_of;
-use super::{BITS, Verdict, check};
+use super::{BITS, Report, Verdict, check};
 use crate::display::{Rounding, rounded, wrapped};
 use crate::number::nearest_f64;
 use crate::scene::{Motion, Scene};
@@ -41,15 +42,23 @@ pub struct Constants {
     pub motion: Motion,
     /// The scene's stiffness, N/m or N·m/rad: passive where the verdict is.
     pub stiffness: f64,
-    /// The largest stiffness that is passive at these speeds; `None` where none is.
+    /// The largest stiffness that is passive at these speeds beside `damping`; `None` where none is.
     pub max_stiffness: Option<f64>,
     /// The scene's virtual damping, N·s/m or N·m·s/rad.
     pub damping: f64,
-    /// The largest virtual damping beside the scene's stiffness; `None` where there is none, or where
-    /// a digital controller is in its place.
+    /// The largest virtual damping beside `stiffness`, and not beside `max_stiffness`; `None` where
+    /// there is none, or where a digital controller is in its place.
     pub max_damping: Option<f64>,
-    /// The sampling rate in hertz.
+    /// Whether a digital controller is in the place of virtual damping.
+    #[serde(skip)]
+    pub has_controller: bool,
+    /// The sampling rate in hertz: the double at or above that of the scene, or the one below where
+    /// only that is passive.
     pub rate: f64,
+    /// The whole number of hertz next to it at which the same holds of every number; `None` where
+    /// there is none.
+    #[serde(skip)]
+    pub whole_rate: Option<f64>,
     /// The speed up to which the verdict holds, m/s or rad/s; `None` for every speed.
     pub max_speed: Option<f64>,
     /// The largest force that the scene lets the actuator give, N or N·m.
@@ -84,22 +93,62 @@ pub fn constants(scene: &Scene) -> Option<Constants> {
     }
     let report = check(scene);
     let bounds = scene.bounds();
-    let every_speed = report.at_every_speed;
-    let max_damping = match bounds.try_map(|_, range| range.try_map(Wide::of)) {
-        Some(wide) => damping_limit(scene, &wide, every_speed),
-        None => damping_limit(scene, &bounds, every_speed),
-    };
-    let of = |parameter: Parameter| {
-        let given = scene.given.get(parameter)?;
-        Some(given.nominal.enclosure(BITS)?.lo().clone())
-    };
-    let stiffest = report
-        .limits
-        .iter()
-        .find(|l| l.parameter == Parameter::Stiffness);
+    match bounds.try_map(|_, range| range.try_map(Wide::of)) {
+        Some(wide) => of_loop(scene, &report, &wide),
+        None => of_loop(scene, &report, &bounds),
+    }
+}
+
+fn of_loop<S: Enclosed>(
+    scene: &Scene,
+    report: &Report,
+    bounds: &Loop<Interval<S>>,
+) -> Option<Constants> {
+    let of = |parameter: Parameter| scene.given.get(parameter)?.nominal.enclosure(BITS);
+    let lower = |parameter: Parameter| of(parameter).map(|x| below(x.lo()));
     let period = of(Parameter::Period)?;
+    let damping = of(Parameter::Damping);
+    let typed = Typed {
+        scene,
+        bounds,
+        speeds: match report.at_every_speed {
+            true => Speeds::All,
+            false => bounds.speeds(),
+        },
+        stiffness: lower(Parameter::Stiffness)?,
+        damping: damping.as_ref().map_or(0.0, |b| below(b.lo())),
+        rate: above(&period.lo().recip()),
+    };
+    // More samples and less damping are safe, but where the damping reads an encoder, or is late, the
+    // other neighbour may be.
+    let tries = [typed.rate, below(&period.hi().recip())].into_iter();
+    let mut tries = tries.flat_map(|rate| {
+        let other = damping.as_ref().map_or(0.0, |b| above(b.hi()));
+        [typed.damping, other].map(|damping| Typed {
+            rate,
+            damping,
+            ..typed.clone()
+        })
+    });
+    let is_passive = report.verdict == Verdict::Passive;
+    let typed = tries.find(Typed::holds).unwrap_or(typed);
+    let max_stiffness = typed.largest(Parameter::Stiffness);
+    let max_damping = typed.largest(Parameter::Damping);
+    let whole_rate = [typed.rate.ceil(), typed.rate.floor()]
+        .into_iter()
+        .find(|rate| {
+            let at = Typed {
+                rate: *rate,
+                ..typed.clone()
+            };
+            let passes =
+                |parameter, most: Option<f64>| most.is_none_or(|x| at.holds_with(parameter, x));
+            (!is_passive || at.holds())
+                && passes(Parameter::Stiffness, max_stiffness)
+                && passes(Parameter::Damping, max_damping)
+        });
     let bound = match &report.speed_bound_si {
-        Some(v) if !every_speed => Some(below(v.lo())),
+        Some(v) if !report.at_every_speed => Some(below(v.lo())),
         _ => None,
     };
     Some(Constants {
@@ -108,49 +157,106 @@ pub fn constants(scene: &Scene) -> Option<Constants> {
         because: report.because.clone(),
         binds: report.binds_text(),
         motion: scene.motion,
-        stiffness: below(&of(Parameter::Stiffness)?),
-        max_stiffness: stiffest.and_then(proved),
-        damping: of(Parameter::Damping).map_or(0.0, |b| below(&b)),
-        max_damping: max_damping.as_ref().and_then(proved),
-        rate: nearest_f64(&period.recip()),
+        stiffness: typed.stiffness,
+        max_stiffness,
+        damping: typed.damping,
+        max_damping,
+        has_controller: bounds.controller.is_some(),
+        rate: typed.rate,
+        whole_rate,
         max_speed: bound,
-        max_force: of(Parameter::MaxForce).map(|f| below(&f)),
-        is_passive: report.verdict == Verdict::Passive,
+        max_force: lower(Parameter::MaxForce),
+        is_passive,
     })
 }
 
-/// The limit of the virtual damping, also where the scene has none yet.
-fn damping_limit<S: Enclosed>(
-    scene: &Scene,
-    bounds: &Loop<Interval<S>>,
-    every_speed: bool,
-) -> Option<Limit> {
-    if bounds.controller.is_some() {
-        return None;
-    }
-    let mut bounds = bounds.clone();
-    if bounds.damping.is_none() {
-        // From where it is looked for: as much as a sample of the spring.
-        bounds.damping = Some(Interval::point(bounds.at(End::Hardest).viscous_unit()));
-    }
-    let speeds = if every_speed {
-        Speeds::All
-    } else {
-        bounds.speeds()
-    };
-    limits::limit(Parameter::Damping, scene, &bounds, &speeds)
+/// The doubles that are written, as if they were typed into the scene together.
+#[derive(Clone)]
+struct Typed<'a, S> {
+    scene: &'a Scene,
+    bounds: &'a Loop<Interval<S>>,
+    speeds: Speeds<Interval<S>>,
+    stiffness: f64,
+    damping: f64,
+    rate: f64,
 }
 
-/// The shortest double of at least five digits at or below a limit that passed when it was typed back.
-fn proved(limit: &Limit) -> Option<f64> {
-    limit.printed.as_ref()?;
-    let border = limit.border.lo();
-    let short = (5..17).find_map(|digits| {
-        let text = rounded(border, digits, Rounding::Down);
-        let double = nearest_f64(&crate::number::parse(&text).ok()?);
-        (below(border) >= double).then_some(double)
-    });
-    Some(short.unwrap_or_else(|| below(border)))
+impl<S: Enclosed> Typed<'_, S> {
+    /// The loop with these values, each with the tolerance that it has in the scene.
+    fn bounds(&self) -> Option<Loop<Interval<S>>> {
+        let period = BigRational::from_float(self.rate)?;
+        let values = [
+            (
+                Parameter::Stiffness,
+                BigRational::from_float(self.stiffness)?,
+            ),
+            (Parameter::Damping, BigRational::from_float(self.damping)?),
+            (
+                Parameter::Period,
+                period.is_positive().then(|| period.recip())?,
+            ),
+        ];
+        values
+            .into_iter()
+            .try_fold(self.bounds.clone(), |bounds, (parameter, value)| {
+                let Some(given) = self.scene.given.get(parameter) else {
+                    return Some(bounds);
+                };
+                let nominal = S::of(&given.nominal)?;
+                if nominal.is_positive() != Some(true) {
+                    return Some(bounds);
+                }
+                let scale = S::of(&Exact::of(&value))?.over(nominal);
+                let moved = bounds
+                    .get(parameter)?
+                    .map(|end| end.clone() * scale.clone());
+                Some(bounds.with(parameter, moved))
+            })
+    }
+
+    fn holds(&self) -> bool {
+        let bounds = self.bounds();
+        bounds.is_some_and(|bounds| bounds.surely_holds(&self.speeds))
+    }
+
+    /// Whether the criterion holds with another value of one parameter.
+    fn holds_with(&self, parameter: Parameter, value: f64) -> bool {
+        let moved = || {
+            let value = S::of(&Exact::of(&BigRational::from_float(value)?))?;
+            Some(self.bounds()?.with(parameter, Interval::point(value)))
+        };
+        moved().is_some_and(|bounds| bounds.surely_holds(&self.speeds))
+    }
+
+    /// The shortest double of at least five digits at or below the limit of a parameter, beside the
+    /// other values, that passes; also of damping where the scene has none yet.
+    fn largest(&self, parameter: Parameter) -> Option<f64> {
+        let mut bounds = self.bounds()?;
+        if parameter == Parameter::Damping {
+            if bounds.controller.is_some() {
+                return None;
+            }
+            if bounds.damping.is_none() {
+                // From where it is looked for: as much as a sample of the spring.
+                bounds.damping = Some(Interval::point(bounds.at(End::Hardest).viscous_unit()));
+            }
+        }
+        let limit = limits::limit(parameter, self.scene, &bounds, &self.speeds)?;
+        let border = limit.border.lo();
+        let most = below(border);
+        let short = (5..17).filter_map(|digits| {
+            let text = rounded(border, digits, Rounding::Down);
+            let double = nearest_f64(&crate::number::parse(&text).ok()?);
+            (double <= most).then_some(double)
+        });
+        let mut doubles = short.chain([most]);
+        doubles.find(|double| self.holds_with(parameter, *double))
+    }
+}
+
+/// The smallest double that is not below a number.
+fn above(x: &BigRational) -> f64 {
+    -below(&-x)
 }
 
 /// The largest double that is not above a number.
@@ -166,7 +272,7 @@ impl Constants {
     /// The constants as the source text of a program.
     #[must_use]
     pub fn to_source(&self, target: Target) -> String {
-        let mut lines = self.comment();
+        let mut lines = self.comment(target);
         match target {
             Target::C => self.as_c(&mut lines),
             Target::Chai3d => self.as_chai3d(&mut lines),
@@ -175,12 +281,13 @@ impl Constants {
         lines
     }
 
-    fn comment(&self) -> String {
+    fn comment(&self, target: Target) -> String {
         let mut out = String::from("/*\n");
         let mut say = |text: &str| {
             for line in wrapped(text, 3).lines() {
-                // A name cannot end the comment.
-                let _ = writeln!(out, " * {}", line.trim_start().replace("*/", "* /"));
+                // A name can neither end the comment nor begin another.
+                let line = line.trim_start().replace("*/", "* /").replace("/*", "/ *");
+                let _ = writeln!(out, " * {line}");
             }
         };
         say(&format!(
@@ -191,13 +298,35 @@ impl Constants {
         say(&format!("{}.", self.headline));
         say(&format!("Rests on {}.", self.because.join(", ")));
         say(&format!("What binds: {}.", self.binds));
-        say("Every number is a double on the safe side: a largest value is rounded down.");
+        let largest = match target {
+            Target::Chai3d if self.max_stiffness.is_some() => {
+                " The largest stiffness holds with the damping written beside it."
+            }
+            Target::C | Target::OpenHaptics
+                if self.max_stiffness.is_some() && self.max_damping.is_some() =>
+            {
+                " The largest stiffness holds with the scene's damping, the largest damping with the \
+                 scene's stiffness; the two largest values do not hold together."
+            }
+            _ => "",
+        };
+        say(&format!(
+            "Every number is a double on the safe side of what was proved.{largest}"
+        ));
         out.push_str(" */\n");
         out
     }
 
     fn unit(&self, parameter: Parameter) -> &'static str {
         unit_of(parameter, self.motion)
+    }
+
+    /// Why there is no largest damping.
+    const fn no_damping(&self) -> &'static str {
+        match self.has_controller {
+            true => "the scene's controller is in the place of virtual damping",
+            false => "none is passive",
+        }
     }
 
     fn as_c(&self, out: &mut String) {
@@ -216,11 +345,16 @@ impl Constants {
         define(
             "MAX_STIFFNESS",
             self.max_stiffness,
-            stiffness,
+            &format!("{stiffness}, with {name}_DAMPING"),
             "no wall is passive",
         );
         define("DAMPING", Some(self.damping), damping, "");
-        define("MAX_DAMPING", self.max_damping, damping, "none is passive");
+        define(
+            "MAX_DAMPING",
+            self.max_damping,
+            &format!("{damping}, with {name}_STIFFNESS"),
+            self.no_damping(),
+        );
         define("SAMPLING_RATE", Some(self.rate), "Hz", "");
         define(
             "MAX_SPEED",
@@ -246,16 +380,22 @@ impl Constants {
             out,
             "/* Fields of chai3d::cHapticDeviceInfo, in its SI units. */"
         );
-        let mut set = |field: String, value: Option<f64>| {
-            let _ = match value {
-                Some(value) => writeln!(out, "info.{field} = {value:?};"),
-                None => writeln!(out, "info.{field} = 0.0; /* none is passive */"),
-            };
+        // The library reads both, so the largest stiffness stands beside the damping it holds with.
+        let _ = match self.max_stiffness {
+            Some(most) => writeln!(
+                out,
+                "info.m_max{kind}Stiffness = {most:?};\n\
+                 info.m_max{kind}Damping = {:?}; /* the scene's */",
+                self.damping
+            ),
+            None => writeln!(
+                out,
+                "info.m_max{kind}Stiffness = 0.0; /* none is passive with the scene's damping */\n\
+                 info.m_max{kind}Damping = 0.0;"
+            ),
         };
-        set(format!("m_max{kind}Stiffness"), self.max_stiffness);
-        set(format!("m_max{kind}Damping"), self.max_damping);
-        if self.max_force.is_some() {
-            set(format!("m_max{kind}{force}"), self.max_force);
+        if let Some(most) = self.max_force {
+            let _ = writeln!(out, "info.m_max{kind}{force} = {most:?};");
         }
         let _ = writeln!(
             out,
@@ -266,46 +406,66 @@ impl Constants {
     }
 
     fn as_open_haptics(&self, out: &mut String) {
-        // Newtons and millimetres; dividing by 1000 may round up by half a unit in the last place.
         let ([unit, damping_unit], factor) = match self.motion {
-            Motion::Rotary => (["N m/rad", "N m s/rad"], 1.0),
-            _ => (["N/mm", "N s/mm"], 1000.0),
+            Motion::Rotary => (["N m/rad", "N m s/rad"], 1),
+            _ => (["N/mm", "N s/mm"], 1000),
         };
         let scaled = |value: f64| {
-            let quotient = value / factor;
-            if factor == 1.0 {
-                quotient
-            } else {
-                quotient.next_down()
-            }
+            let exact = BigRational::from_float(value);
+            exact.map_or(0.0, |x| {
+                below(&(x / BigRational::from_integer(factor.into())))
+            })
         };
-        let rate = self.rate.round();
-        let _ = writeln!(
-            out,
-            "hdSetSchedulerRate({rate:.0}); /* Hz; the proof is for {:?} Hz */",
-            self.rate
-        );
-        let _ = match self.max_stiffness {
-            Some(k) => writeln!(
+        let _ = match self.whole_rate {
+            Some(rate) => writeln!(
                 out,
-                "static const HDdouble kMaxStiffness = {:?}; /* {unit} */\n\
-                 /* HL_STIFFNESS takes a part of the device's nominal largest stiffness: */\n\
+                "hdSetSchedulerRate({rate:.0}); /* Hz; the scene has {:?} Hz */",
+                self.rate
+            ),
+            None => writeln!(
+                out,
+                "/* Nothing is shown for a whole number of hertz; the scene has {:?} Hz. */",
+                self.rate
+            ),
+        };
+        let mut constant = |name: &str, value: f64, about: &str| {
+            let value = scaled(value);
+            let _ = writeln!(
+                out,
+                "static const HDdouble {name} = {value:?}; /* {about} */"
+            );
+        };
+        constant("kStiffness", self.stiffness, unit);
+        constant("kDamping", self.damping, damping_unit);
+        if let Some(most) = self.max_stiffness {
+            constant("kMaxStiffness", most, &format!("{unit}, with kDamping"));
+        }
+        if let Some(most) = self.max_damping {
+            constant(
+                "kMaxDamping",
+                most,
+                &format!("{damping_unit}, with kStiffness"),
+            );
+        }
+        let _ = match (self.max_stiffness, self.motion) {
+            (None, _) => writeln!(out, "/* kMaxStiffness: no wall is passive. */"),
+            (Some(_), Motion::Rotary) => writeln!(
+                out,
+                "/* HL_STIFFNESS is left out: it is a part of HD_NOMINAL_MAX_STIFFNESS, which is in N/mm, \
+                 and this wall turns. */"
+            ),
+            (Some(_), _) => writeln!(
+                out,
+                "/* HL_STIFFNESS takes a part of the device's nominal largest stiffness, as a float (math.h): */\n\
                  HDdouble nominal;\n\
                  hdGetDoublev(HD_NOMINAL_MAX_STIFFNESS, &nominal); /* N/mm */\n\
-                 hlMaterialf(HL_FRONT_AND_BACK, HL_STIFFNESS, kMaxStiffness < nominal ? kMaxStiffness / \
-                 nominal : 1.0);",
-                scaled(k)
+                 hlMaterialf(HL_FRONT_AND_BACK, HL_STIFFNESS, kMaxStiffness < nominal ? \
+                 nextafterf(kMaxStiffness / nominal, 0) : 1);"
             ),
-            None => writeln!(out, "/* No wall is passive. */"),
         };
-        let _ = match self.max_damping {
-            Some(b) => writeln!(
-                out,
-                "static const HDdouble kMaxDamping = {:?}; /* {damping_unit} */",
-                scaled(b)
-            ),
-            None => writeln!(out, "/* No virtual damping is passive. */"),
-        };
+        if self.max_damping.is_none() {
+            let _ = writeln!(out, "/* kMaxDamping: {}. */", self.no_damping());
+        }
         self.speed_comment(out);
     }
 
@@ -320,11 +480,12 @@ impl Constants {
     }
 }
 
-/// The name as a C identifier in capitals.
+/// The name as a C identifier in capitals; letters that C does not have stay apart by their numbers.
 fn identifier(name: &str) -> String {
     let letters = name.chars().map(|c| match c {
-        c if c.is_ascii_alphanumeric() => c.to_ascii_uppercase(),
-        _ => '_',
+        c if c.is_ascii_alphanumeric() => c.to_ascii_uppercase().to_string(),
+        c if c.is_ascii() => '_'.to_string(),
+        c => format!("U{:04X}", u32::from(c)),
     });
     let name: String = letters.take(60).collect();
     match name.chars().next() {

@@ -2,7 +2,7 @@
 
 use passivity_core::BigRational;
 use passivity_scene::Scene;
-use passivity_scene::check::{Constants, Target, constants};
+use passivity_scene::check::{Constants, Target, Verdict, check, constants};
 
 use crate::wall::{q, scene};
 
@@ -49,7 +49,6 @@ fn constants_are_the_limits_of_the_scene() {
 /// What is not a double is rounded down, from the hardest end of the tolerances: 2b/T with T of at most 3.
 #[test]
 fn constants_are_on_the_safe_side() {
-    let exact = |x: f64| BigRational::from_float(x).unwrap();
     for (values, max_stiffness) in [
         ("viscous 1, coulomb 9, period 3", "2/3"),
         ("viscous 1, coulomb 9, period 2.5 … 3", "2/3"),
@@ -84,6 +83,75 @@ fn constants_are_on_the_safe_side() {
     );
 }
 
+/// The numbers that stand together, typed into the scene together.
+fn typed_back(values: &str, stiffness: f64, damping: f64, rate: f64) -> Verdict {
+    let ours = ["stiffness ", "damping ", "period "];
+    let is_ours = |value: &&str| ours.iter().any(|key| value.starts_with(key));
+    let others: Vec<&str> = values.split(", ").filter(|v| !is_ours(v)).collect();
+    let period = exact(rate).recip();
+    let (k, b) = (exact(stiffness), exact(damping));
+    let numbers = format!("{}, stiffness {k}, period {period}", others.join(", "));
+    let damped = match damping {
+        0.0 => numbers,
+        _ => format!("{numbers}, damping {b}"),
+    };
+    check(&scene(&damped)).verdict
+}
+
+fn exact(x: f64) -> BigRational {
+    BigRational::from_float(x).unwrap()
+}
+
+#[test]
+fn numbers_that_are_written_together_pass_together() {
+    for values in [
+        "viscous 3/4, coulomb 5/4",
+        // Equality: b = KT/2 with T = 3 ms.
+        "viscous 0.15, coulomb 5, period 3e-3, stiffness 100, resolution 1/8192",
+        // c = ½KΔ + BΔ/T: more samples cost Coulomb friction.
+        "viscous 9, coulomb 5/8, period 3, damping 3/8",
+        "viscous 9, coulomb 11/20, period 2, damping 1/10",
+        // b = 3/2 − B: where the force is late, less damping costs viscous friction.
+        "viscous 1.4, coulomb 9, delay 1, damping 0.1",
+        "viscous 1, coulomb 3, damping 1/7, stiffness 1/3, period 0.7, max_speed 1/3",
+        "viscous 1, coulomb 3, damping 1/7, damping_time_constant 1/3, stiffness 1/3, period 0.7",
+    ] {
+        let found = of(values);
+        assert!(found.is_passive, "{values}");
+        let pairs = [
+            (Some(found.stiffness), Some(found.damping)),
+            (found.max_stiffness, Some(found.damping)),
+            (Some(found.stiffness), found.max_damping),
+        ];
+        for rate in [Some(found.rate), found.whole_rate].into_iter().flatten() {
+            for (stiffness, damping) in pairs {
+                let (Some(stiffness), Some(damping)) = (stiffness, damping) else {
+                    continue;
+                };
+                let verdict = typed_back(values, stiffness, damping, rate);
+                assert_eq!(
+                    verdict,
+                    Verdict::Passive,
+                    "{values}: {stiffness}, {damping}, {rate}"
+                );
+            }
+        }
+    }
+    let late = of("viscous 0.15, coulomb 5, period 3e-3, stiffness 100, resolution 1/8192");
+    assert_eq!(
+        (late.rate, late.whole_rate),
+        (1.0 / 3e-3_f64.next_down(), Some(334.0))
+    );
+    assert_eq!(
+        of("viscous 9, coulomb 5/8, period 3, damping 3/8").whole_rate,
+        None
+    );
+    assert_eq!(
+        of("viscous 1.4, coulomb 9, delay 1, damping 0.1").damping,
+        0.1
+    );
+}
+
 const WALL: &str = r#"
     [device]
     viscous = "1 N s/m"
@@ -96,10 +164,11 @@ const WALL: &str = r#"
 fn source(name: &str, text: &str, target: Target) -> String {
     let scene = Scene::from_toml(name, text).unwrap_or_else(|e| panic!("{e}\n{text}"));
     let source = constants(&scene).unwrap().to_source(target);
-    let (comment, code) = source.split_once(" */\n").unwrap();
+    let comment = source.strip_prefix("/*\n").unwrap();
+    let (comment, code) = comment.split_once(" */\n").unwrap();
     assert!(comment.starts_with(&format!(
-        "/*\n * Constants of the virtual wall «{}»",
-        name.replace("*/", "* /")
+        " * Constants of the virtual wall «{}»",
+        name.replace("*/", "* /").replace("/*", "/ *")
     )));
     assert!(
         comment.contains("\n * PASSIVE") || comment.contains("\n * NOT PASSIVE"),
@@ -108,7 +177,8 @@ fn source(name: &str, text: &str, target: Target) -> String {
     assert!(comment.contains("\n * Rests on TH-"), "{comment}");
     assert!(comment.contains("\n * What binds: "), "{comment}");
     for line in comment.lines() {
-        assert!(!line.contains("*/") && line.chars().count() < 110, "{line}");
+        assert!(!line.contains("*/") && !line.contains("/*"), "{line}");
+        assert!(line.chars().count() < 110, "{line}");
     }
     code.to_owned()
 }
@@ -120,9 +190,9 @@ fn a_header_in_c() {
 #define _1_WALL_WALL_H
 
 #define _1_WALL_STIFFNESS 1000.0 /* N/m */
-#define _1_WALL_MAX_STIFFNESS 2000.0 /* N/m */
+#define _1_WALL_MAX_STIFFNESS 2000.0 /* N/m, with _1_WALL_DAMPING */
 #define _1_WALL_DAMPING 0.0 /* N s/m */
-#define _1_WALL_MAX_DAMPING 0.5 /* N s/m */
+#define _1_WALL_MAX_DAMPING 0.5 /* N s/m, with _1_WALL_STIFFNESS */
 #define _1_WALL_SAMPLING_RATE 1000.0 /* Hz */
 /* _1_WALL_MAX_SPEED: not bounded, the verdict holds at every speed or at none */
 /* _1_WALL_MAX_FORCE: not in the scene */
@@ -130,12 +200,21 @@ fn a_header_in_c() {
 #endif
 ";
     assert_eq!(source("*1/wall", WALL, Target::C), expected);
-    // A name cannot end the comment, and a macro cannot begin with a digit.
+    // A name can neither end the comment nor begin another, and a macro cannot begin with a digit.
     let code = source("2 walls*/", WALL, Target::C);
     assert!(
         code.starts_with("#ifndef WALL_2_WALLS___WALL_H\n"),
         "{code}"
     );
+    source("a/*b/*/c*/*/", WALL, Target::C);
+    // Names of other letters have guards of their own.
+    let guard = |name| {
+        source(name, WALL, Target::C)
+            .lines()
+            .next()
+            .map(str::to_owned)
+    };
+    assert_ne!(guard("стена"), guard("пружи"));
     let none = WALL.replace("\"1 N s/m\"", "\"0 N s/m\"");
     let code = source("none", &none, Target::C);
     assert!(
@@ -144,6 +223,23 @@ fn a_header_in_c() {
     );
     assert!(
         code.contains("\n/* NONE_MAX_DAMPING: none is passive */\n"),
+        "{code}"
+    );
+}
+
+#[test]
+fn a_controller_is_in_the_place_of_damping() {
+    let led = format!("{WALL}[controller]\nnumerator = [\"1.5\", \"-0.5\"]\n")
+        .replace("\"1 N s/m\"", "\"2 N s/m\"");
+    let why = "the scene's controller is in the place of virtual damping";
+    let code = source("led", &led, Target::C);
+    assert!(
+        code.contains(&format!("\n/* LED_MAX_DAMPING: {why} */\n")),
+        "{code}"
+    );
+    let code = source("led", &led, Target::OpenHaptics);
+    assert!(
+        code.contains(&format!("\n/* kMaxDamping: {why}. */\n")),
         "{code}"
     );
 }
@@ -159,7 +255,7 @@ fn fields_of_chai3d() {
     let expected = "\
 /* Fields of chai3d::cHapticDeviceInfo, in its SI units. */
 info.m_maxLinearStiffness = 2000.0;
-info.m_maxLinearDamping = 0.5;
+info.m_maxLinearDamping = 0.0; /* the scene's */
 info.m_maxLinearForce = 20.0;
 /* The haptic thread must run at 1000.0 Hz. */
 ";
@@ -167,7 +263,7 @@ info.m_maxLinearForce = 20.0;
     let knob = source("knob", &rotary(), Target::Chai3d);
     assert!(
         knob.contains(
-            "info.m_maxAngularStiffness = 2000.0;\ninfo.m_maxAngularDamping = 0.9994999999999999;\n"
+            "info.m_maxAngularStiffness = 2000.0;\ninfo.m_maxAngularDamping = 0.0; /* the scene's */\n"
         ),
         "{knob}"
     );
@@ -181,37 +277,47 @@ info.m_maxLinearForce = 20.0;
     let none = WALL.replace("\"1 N s/m\"", "\"0 N s/m\"");
     let none = source("none", &none, Target::Chai3d);
     assert!(
-        none.contains("info.m_maxLinearStiffness = 0.0; /* none is passive */"),
+        none.contains("info.m_maxLinearStiffness = 0.0; /* none is passive with"),
         "{none}"
     );
 }
 
 #[test]
 fn settings_of_open_haptics() {
-    // Newtons and millimetres, and a double less than the quotient, which may be rounded up.
+    // Newtons and millimetres; the double 0.0005 is above 1/2000.
     let expected = "\
-hdSetSchedulerRate(1000); /* Hz; the proof is for 1000.0 Hz */
-static const HDdouble kMaxStiffness = 1.9999999999999998; /* N/mm */
-/* HL_STIFFNESS takes a part of the device's nominal largest stiffness: */
+hdSetSchedulerRate(1000); /* Hz; the scene has 1000.0 Hz */
+static const HDdouble kStiffness = 1.0; /* N/mm */
+static const HDdouble kDamping = 0.0; /* N s/mm */
+static const HDdouble kMaxStiffness = 2.0; /* N/mm, with kDamping */
+static const HDdouble kMaxDamping = 0.0004999999999999999; /* N s/mm, with kStiffness */
+/* HL_STIFFNESS takes a part of the device's nominal largest stiffness, as a float (math.h): */
 HDdouble nominal;
 hdGetDoublev(HD_NOMINAL_MAX_STIFFNESS, &nominal); /* N/mm */
-hlMaterialf(HL_FRONT_AND_BACK, HL_STIFFNESS, kMaxStiffness < nominal ? kMaxStiffness / nominal : 1.0);
-static const HDdouble kMaxDamping = 0.0004999999999999999; /* N s/mm */
+hlMaterialf(HL_FRONT_AND_BACK, HL_STIFFNESS, kMaxStiffness < nominal ? nextafterf(kMaxStiffness / nominal, 0) : 1);
 ";
     assert_eq!(source("wall", WALL, Target::OpenHaptics), expected);
     let knob = source("knob", &rotary(), Target::OpenHaptics);
     assert!(
-        knob.contains("kMaxStiffness = 2000.0; /* N m/rad */"),
+        knob.contains("kMaxStiffness = 2000.0; /* N m/rad, with kDamping */"),
         "{knob}"
     );
     assert!(
-        knob.contains("kMaxDamping = 0.9994999999999999; /* N m s/rad */"),
+        knob.contains("kMaxDamping = 0.9994999999999999; /* N m s/rad, with kStiffness */"),
         "{knob}"
     );
+    // Newton metres are not compared with newtons.
+    assert!(
+        !knob.contains("hdGetDoublev") && !knob.contains("hlMaterialf"),
+        "{knob}"
+    );
+    assert!(knob.contains("this wall turns"), "{knob}");
     let none = WALL.replace("\"1 N s/m\"", "\"0 N s/m\"");
     let none = source("none", &none, Target::OpenHaptics);
     assert!(
-        none.contains("\n/* No wall is passive. */\n/* No virtual damping is passive. */\n"),
+        none.contains(
+            "\n/* kMaxStiffness: no wall is passive. */\n/* kMaxDamping: none is passive. */\n"
+        ),
         "{none}"
     );
     // Passive up to a bound only.
