@@ -138,7 +138,8 @@ impl Study {
         let lines = self
             .text
             .lines()
-            .map_while(|line| line.trim().strip_prefix('#'));
+            .map_while(|line| line.trim().strip_prefix('#'))
+            .filter(|line| !is_directive(line));
         let paragraphs: Vec<String> = lines
             .collect::<Vec<_>>()
             .split(|line| line.trim().is_empty())
@@ -221,6 +222,7 @@ impl Study {
             .lines()
             .rev()
             .map_while(|line| line.trim().strip_prefix('#'))
+            .filter(|line| !is_directive(line))
             .collect();
         lines.reverse();
         let comment: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
@@ -236,6 +238,11 @@ impl Study {
             .map(|(_, given)| given.key)
             .collect()
     }
+}
+
+/// Whether a comment speaks to editors, as `#:schema scene.schema.json` does, and not to readers.
+fn is_directive(comment: &str) -> bool {
+    comment.starts_with(':')
 }
 
 /// The comment at the end of a line of TOML: after the first `#` outside quotes.
@@ -308,6 +315,28 @@ mod tests {
             ),
         ] {
             assert_eq!(study(text).unsourced().len(), open, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_speaks_to_editors_is_no_source() {
+        let numbers = "[dimensionless]\n#:schema s\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n";
+        let silent = study(&format!("#:schema scene.schema.json\n{numbers}"));
+        assert_eq!((silent.head().as_str(), silent.unsourced().len()), ("", 3));
+        let sourced = study(&format!(
+            "#:schema scene.schema.json\n# Measured.\n{numbers}"
+        ));
+        assert_eq!(sourced.head(), "Measured.");
+        assert!(sourced.unsourced().is_empty());
+    }
+
+    #[test]
+    fn no_sketch_has_a_source() {
+        use passivity_scene::parse::Sketch;
+        for sketch in [Sketch::Rotary, Sketch::Linear, Sketch::Dimensionless] {
+            let study = study(sketch.text());
+            let given = study.scene.parameters().len();
+            assert_eq!(study.unsourced().len(), given, "{:?}", study.unsourced());
         }
     }
 
