@@ -10,7 +10,7 @@ fn lists_just_the_effects_in_the_scene() {
     let run = dir.run(&["explain", &name]);
     assert_eq!(run.code, 0, "{}", run.stderr);
     assert!(
-        run.stdout.contains("(3/5 − 1/2)·v + (3/5 − 1/2) ≥ 0"),
+        run.stdout.contains("(3/5 − 1/2) + (3/5 − 1/2)/v ≥ 0"),
         "{}",
         run.stdout
     );
@@ -39,4 +39,34 @@ fn explains_every_shipped_scene_in_both_formats() {
         );
         assert!(document["check"]["verdict"].is_string(), "{name}");
     }
+}
+
+/// The margin is the left side of (8), (β − ½) + (σ − ½)/V: 9e-3 − ½ + (…)/V at re35's bound of 3 rad/s.
+#[test]
+fn the_margin_is_the_left_side_of_the_criterion_that_is_printed() {
+    let dir = Dir::new();
+    let scene = shipped();
+    let scene = scene.iter().find(|path| path.ends_with("re35.toml"));
+    let scene = scene.and_then(|path| path.to_str()).expect("re35");
+    let text = dir.run(&["explain", scene]).stdout;
+    let number = |before: &str, after: &str| -> f64 {
+        let (_, rest) = text
+            .split_once(before)
+            .unwrap_or_else(|| panic!("{before}: {text}"));
+        let (figure, _) = rest.split_once(after).expect(after);
+        let (a, b) = figure.split_once('/').unwrap_or((figure, "1"));
+        a.parse::<f64>().expect(figure) / b.parse::<f64>().expect(figure)
+    };
+    let (beta, sigma) = (
+        number("              (", " − 1/2) + ("),
+        number(" − 1/2) + (", " − 1/2)/v ≥ 0"),
+    );
+    let speed = number("  V = ", " ticks/sample");
+    let margin = number("margin, the left side of (8), there ", "\n");
+    let expected = beta - 0.5 + (sigma - 0.5) / speed;
+    // Half a unit in the fifth digit of σ, and of V by (σ − ½)/V, which is less than one.
+    assert!(
+        (margin - expected).abs() < 1e-4 / speed,
+        "{margin} {expected}"
+    );
 }

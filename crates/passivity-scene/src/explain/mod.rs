@@ -123,7 +123,7 @@ fn given_texts<S: Serializer>(given: &[GivenText], serializer: S) -> Result<S::O
 ///
 /// let text = "[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n";
 /// let explanation = explain(&Scene::from_toml("point", text).unwrap());
-/// assert!(explanation.to_text().contains("(3/5 − 1/2)·v + (3/5 − 1/2) ≥ 0"));
+/// assert!(explanation.to_text().contains("(3/5 − 1/2) + (3/5 − 1/2)/v ≥ 0"));
 /// ```
 #[must_use]
 pub fn explain(scene: &Scene) -> Explanation {
@@ -221,11 +221,11 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
         Step::Criterion,
         "(8)",
         format!(
-            "(β − {})·v + (σ − {}) ≥ 0 at every speed v that occurs",
+            "(β − {}) + (σ − {})/v ≥ 0 at every speed v > 0 that occurs",
             cost.viscous, cost.coulomb
         ),
         format!(
-            "({beta} − {})·v + ({sigma} − {}) ≥ 0",
+            "({beta} − {}) + ({sigma} − {})/v ≥ 0",
             cost.viscous_number, cost.coulomb_number
         ),
     );
@@ -241,7 +241,11 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
     if let Some(v) = &report.speed_bound {
         let mut numbers = format!("V = {} ticks/sample", range(v));
         if let Some(margin) = &report.margin_at_speed_bound {
-            let _ = write!(numbers, ", margin (8) there {}", range(margin));
+            let _ = write!(
+                numbers,
+                ", margin, the left side of (8), there {}",
+                range(margin)
+            );
         }
         push(
             Step::SpeedBound,
