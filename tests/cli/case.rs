@@ -265,6 +265,47 @@ fn every_shipped_scene_has_a_case() {
     let html = read(&dir, "case/case.html");
     let (to, ids) = references(&html);
     assert!(to.iter().all(|reference| ids.contains(reference)));
+    // What is drawn at least is 0.0427919…; and an effect that theorems cover is not called uncovered.
+    let argument = read(&dir, "case/re35-limit-cycles.gsn.yaml");
+    assert!(
+        argument.contains("draws at least 0.042791 KΔ²"),
+        "{argument}"
+    );
+    assert!(html.contains("bandwidth of the drive beyond a first-order lag"));
+}
+
+#[test]
+fn an_untouched_sketch_is_no_argument() {
+    let dir = Dir::new();
+    assert_eq!(dir.run(&["init", "rotary", "--out", "r.toml"]).code, 0);
+    let run = dir.run(&[
+        "case",
+        &dir.path("r.toml").to_string_lossy(),
+        "--out",
+        "case",
+    ]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(run.stdout.contains("G-sources is open"), "{}", run.stdout);
+    let yaml = read(&dir, "case/r.gsn.yaml");
+    let goal = yaml.split("\nG-sources:").nth(1).expect("the goal");
+    for key in [
+        "device.viscous",
+        "device.coulomb",
+        "sampling.rate",
+        "wall.stiffness",
+    ] {
+        assert!(goal.contains(key), "{key}: {goal}");
+    }
+    // What the head says is quoted, and that the device is so is not claimed.
+    let scene = dir.write("h.toml", GOOD.replace("Measured on the bench.", "hello"));
+    let run = dir.run(&["case", &scene, "--out", "case"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let yaml = read(&dir, "case/h.gsn.yaml");
+    assert!(
+        yaml.contains("The head of the scene file, of 3 parameters: hello"),
+        "{yaml}"
+    );
+    assert!(yaml.contains("is to be shown on the bench"), "{yaml}");
 }
 
 #[test]

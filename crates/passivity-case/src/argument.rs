@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use passivity_scene::Effect;
 use passivity_scene::check::{Report, Verdict};
-use passivity_scene::display::{approx, range};
+use passivity_scene::display::{Rounding, approx, range, rounded};
 use passivity_scene::explain::Step;
 
 use crate::gsn::{Anchor, Argument, Kind, Node, Standing};
@@ -251,8 +251,8 @@ impl<'a> Builder<'a> {
 
     /// Where the parameters come from: what is not said is open.
     fn parameters(&mut self) {
-        let text = "The parameters of the device and its loop lie within the values and \
-                    tolerances of the scene file, for as long as it is used.";
+        let text = "The scene file says where the value of each parameter is from; that the device has \
+                    these values, for as long as it is used, is to be shown on the bench.";
         let goal = Node::new(Kind::Goal, PARAMETERS, text).at(self.parameters_section());
         self.argument.hang(STRATEGY, goal);
         let mut at_head = Vec::new();
@@ -274,8 +274,9 @@ impl<'a> Builder<'a> {
         }
         if !at_head.is_empty() {
             let text = format!(
-                "Sources that the head of the scene file names, of {} parameters.",
-                at_head.len()
+                "The head of the scene file, of {} parameters: {}",
+                at_head.len(),
+                clipped(&self.study.head().replace('\n', " "), 90)
             );
             let solution = Node::new(Kind::Solution, "Sn-head", text)
                 .at(self.parameters_section())
@@ -316,7 +317,7 @@ impl<'a> Builder<'a> {
              within one sampling interval, draws at least {} KΔ² in each round trip.",
             short(&witness.from),
             short(&witness.to),
-            short(&witness.gain_per_cycle),
+            at_least(&witness.gain_per_cycle),
         );
         let counter = Node::new(Kind::CounterGoal, "CG-cycle", text).at(self.derivation());
         self.argument.challenge(TOP, counter);
@@ -421,6 +422,16 @@ fn short(x: &passivity_core::BigRational) -> String {
         exact
     } else {
         format!("about {}", approx(x))
+    }
+}
+
+/// A number as it is when short, else rounded down.
+fn at_least(x: &passivity_core::BigRational) -> String {
+    let exact = x.to_string();
+    if exact.len() <= 24 {
+        exact
+    } else {
+        rounded(x, 5, Rounding::Down)
     }
 }
 

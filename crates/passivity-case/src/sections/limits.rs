@@ -25,7 +25,7 @@ pub(super) fn write(document: &mut Document, case: &Case) {
     let fixed = [
         (
             "Effects that no theorem covers: ",
-            "lag of the amplifier and the drive's bandwidth, friction that changes with speed or \
+            "bandwidth of the drive beyond a first-order lag, friction that changes with speed or \
              position (Stribeck, stiction above Coulomb's level), flexible structure between motor and \
              hand, backlash, and force ripple.",
         ),
