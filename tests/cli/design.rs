@@ -5,7 +5,7 @@ use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-use crate::harness::Dir;
+use crate::harness::{Dir, shipped};
 
 const RE35: &str = r#"
 [device]
@@ -93,6 +93,55 @@ re35: the stiffest wall in N m/rad that is passive at every speed up to 3 rad/s
         "{}",
         wrong.stderr
     );
+    for (flag, text, cause) in [
+        (
+            "--rates=0 Hz",
+            "`sampling.rate` cannot be `0 Hz`",
+            "above zero",
+        ),
+        (
+            "--rates=-1 kHz",
+            "`sampling.rate` cannot be `-1 kHz`",
+            "above zero",
+        ),
+        (
+            "--encoders=0.1 mm",
+            "`0.1 mm`",
+            "of another motion than the scene",
+        ),
+        ("--encoders=64 bit", "`64 bit`", "a whole number from 1 to"),
+    ] {
+        let wrong = dir.run(&["design", &scene, flag]);
+        assert_eq!(wrong.code, 2, "{flag}");
+        let said = &wrong.stderr;
+        assert!(
+            said.contains(text) && said.contains(cause),
+            "{flag}: {said}"
+        );
+    }
+}
+
+#[test]
+fn the_table_of_a_scene_without_units_is_in_its_own_stiffness() {
+    let dir = Dir::new();
+    let scene = dir.write(
+        "u.toml",
+        "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"\n",
+    );
+    let text = dir.run(&["design", &scene]).stdout;
+    assert!(
+        text.contains("the stiffest wall in K that is passive"),
+        "{text}"
+    );
+    assert!(
+        text.contains("wall of the scene, 1 K, or stiffer"),
+        "{text}"
+    );
+    let csv = dir.run(&["design", &scene, "--format", "csv"]).stdout;
+    assert!(
+        csv.starts_with("rate,encoder,stiffness [K],enough\n"),
+        "{csv}"
+    );
 }
 
 #[test]
@@ -125,7 +174,7 @@ fn constants_are_on_the_safe_side() {
     assert_eq!(header.code, 0, "{}", header.stderr);
     let text = std::fs::read_to_string(dir.path("wall.h")).expect("a header");
     assert!(
-        text.contains("#define RE35_MAX_STIFFNESS 1.0761 /* N m/rad */"),
+        text.contains("#define RE35_MAX_STIFFNESS 1.0761 /* N m/rad, with RE35_DAMPING */"),
         "{text}"
     );
     assert!(text.contains("What binds: friction at 3 rad/s"), "{text}");
@@ -141,10 +190,33 @@ fn constants_are_on_the_safe_side() {
     assert!(
         chai3d
             .stdout
-            .contains("info.m_maxAngularStiffness = 1.0761;"),
+            .contains("info.m_maxAngularStiffness = 1.0761;\ninfo.m_maxAngularDamping = 0.0;"),
         "{}",
         chai3d.stdout
     );
+    // The library reads both fields: together they pass.
+    let phantom = shipped()
+        .into_iter()
+        .find(|path| path.ends_with("phantom-premium.toml"))
+        .and_then(|path| std::fs::read_to_string(path).ok())
+        .expect("a scene");
+    let scene_of_phantom = dir.write("phantom.toml", &phantom);
+    let fields = dir
+        .run(&["export", &scene_of_phantom, "--for", "chai3d"])
+        .stdout;
+    let field = |name: &str| -> f64 {
+        let (_, rest) = fields.split_once(name).expect(name);
+        let (value, _) = rest.split_once(';').expect("a value");
+        value.parse().expect("a double")
+    };
+    let both = format!(
+        "stiffness = \"{:.80} N/m\"\ndamping = \"{:.80} N s/m\"",
+        field("info.m_maxLinearStiffness = "),
+        field("info.m_maxLinearDamping = ")
+    );
+    let stiffness = phantom.lines().find(|line| line.starts_with("stiffness"));
+    let typed = phantom.replace(stiffness.expect("a stiffness"), &both);
+    assert_eq!(dir.check(&typed).text("verdict"), "passive", "{both}");
     let hd = dir.run(&["export", &scene, "--for", "openhaptics"]);
     assert!(
         hd.stdout.contains("hdSetSchedulerRate(1000);"),

@@ -11,7 +11,7 @@ use super::{Report, check};
 use crate::diagnostic::SceneError;
 use crate::display::{Rounding, approx};
 use crate::json::shape;
-use crate::scene::{Given, Scene};
+use crate::scene::{Given, Motion, Scene};
 use crate::written::Form;
 
 /// A value of the sampling period or the encoder's resolution.
@@ -44,7 +44,7 @@ pub struct Design {
     pub scene: String,
     /// The speeds at which the walls are passive, in words.
     pub speeds: String,
-    /// The unit of `typed`.
+    /// The unit of `typed`; K, the scene's own stiffness, for a dimensionless one.
     pub unit: String,
     /// The scene's own stiffness, as it was given.
     pub asked: String,
@@ -110,8 +110,15 @@ pub fn design(scene: &Scene, rates: &[String], encoders: &[String]) -> Result<De
     Ok(Design {
         scene: scene.name.clone(),
         speeds: report.speeds_text(),
-        unit: scene.given.stiffness.written.unit().trim().to_owned(),
-        asked: scene.given.stiffness.text.clone(),
+        unit: match scene.motion {
+            Motion::Dimensionless => "K".to_owned(),
+            _ => scene.given.stiffness.written.unit().trim().to_owned(),
+        },
+        asked: match scene.given.stiffness.text.as_str() {
+            // What a dimensionless scene does not write is the unit.
+            "" => "1 K".to_owned(),
+            text => text.to_owned(),
+        },
         rates,
         encoders,
         stiffest,

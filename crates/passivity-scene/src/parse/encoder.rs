@@ -103,7 +103,21 @@ pub(super) fn counts_per_revolution(
                 reader.report(diagnostic);
                 return None;
             }
-            None => reader.whole(entry, key, (1, MAX_COUNTS))?,
+            None => match unknown(text) {
+                Some(kind) => {
+                    let found = format!("`{}`", shorten(text));
+                    let expected =
+                        format!("a whole number from 1 to {MAX_COUNTS}, or bits such as `14 bit`");
+                    let diagnostic = Diagnostic::new(kind, format!("`{key}` cannot be {found}"))
+                        .at(entry.node.span.clone())
+                        .key(key)
+                        .expected(expected)
+                        .found(found);
+                    reader.report(diagnostic);
+                    return None;
+                }
+                None => reader.whole(entry, key, (1, MAX_COUNTS))?,
+            },
         },
         _ => reader.whole(entry, key, (1, MAX_COUNTS))?,
     };
@@ -148,18 +162,33 @@ enum Words {
     Lines(u64),
 }
 
-/// `8192 cpr`, `14 bit` or `500 lines`; `None` for a plain number and for what is none of these.
-fn in_words(text: &str) -> Option<Words> {
+/// A number and the word behind it, which may be empty.
+fn parts(text: &str) -> Option<(BigRational, String)> {
     let text = text.trim();
     let limits = number::Limits {
         chars: 20,
         exponent: 12,
     };
     let (value, len) = parse_prefix(text, limits).ok()?;
-    let word = text
-        .get(len..)?
-        .trim_start_matches([' ', '-'])
-        .to_lowercase();
+    let word = text.get(len..)?.trim_start_matches([' ', '-']);
+    Some((value, word.to_lowercase()))
+}
+
+/// What is wrong with a number that has a word behind it: the number, where the word is one for counts.
+fn unknown(text: &str) -> Option<Kind> {
+    let (_, word) = parts(text)?;
+    let word = word.as_str();
+    match word {
+        "" => None,
+        "bit" | "bits" => Some(Kind::OutOfBounds),
+        _ if COUNTS.contains(&word) || LINES.contains(&word) => Some(Kind::OutOfBounds),
+        _ => Some(Kind::WrongUnit),
+    }
+}
+
+/// `8192 cpr`, `14 bit` or `500 lines`; `None` for a plain number and for what is none of these.
+fn in_words(text: &str) -> Option<Words> {
+    let (value, word) = parts(text)?;
     let whole = value
         .is_integer()
         .then(|| value.numer().to_u64())

@@ -177,15 +177,31 @@ impl Scene {
         let row = parameter.row();
         let others = [row.key].into_iter().chain(row.other_keys.iter().copied());
         let others = others.filter(|key| *key != now.key && !key.starts_with("motor."));
-        let mut attempts = [now.key].into_iter().chain(others).map(attempt);
-        let first = attempts.next().unwrap_or_else(|| Err(Vec::new()));
-        match first {
-            Ok(given) => Ok(given),
-            Err(problems) => match attempts.find_map(Result::ok) {
-                Some(given) => Ok(given),
-                None => Err(of_text(text, problems)),
-            },
+        // Where the unit is one of a key's, what is wrong with the value is the cause.
+        let is_of_key = |problems: &Vec<Diagnostic>| {
+            let causes = [
+                Kind::OutOfBounds,
+                Kind::ToleranceOutOfBounds,
+                Kind::MixedMotion,
+            ];
+            problems
+                .iter()
+                .any(|problem| causes.contains(&problem.kind))
+        };
+        let mut cause: Option<Vec<Diagnostic>> = None;
+        for attempt in [now.key].into_iter().chain(others).map(attempt) {
+            match attempt {
+                Ok(given) => return Ok(given),
+                Err(problems) => {
+                    let is_closer =
+                        |found: &Vec<Diagnostic>| is_of_key(&problems) && !is_of_key(found);
+                    if cause.as_ref().is_none_or(is_closer) {
+                        cause = Some(problems);
+                    }
+                }
+            }
         }
+        Err(of_text(text, cause.unwrap_or_default()))
     }
 
     /// A speed as it was typed, in ticks per sample: a plain number is one already, and one with a unit
