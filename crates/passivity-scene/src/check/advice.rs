@@ -1,6 +1,7 @@
 //! What uses up the friction of a device, and what to change: advice, not proof. What it tells to type
 //! has been checked like any limit.
 
+use num_traits::Signed as _;
 use passivity_core::verdict::{End, Speeds};
 use passivity_core::{BigRational, Cost, Enclosed, Interval, Loop, pi};
 use schemars::JsonSchema;
@@ -249,14 +250,26 @@ fn smallest(limits: &[Limit]) -> Option<Change> {
         // The end of the tolerance that must move the farthest.
         let ends = [now.lo(), now.hi()].map(|x| (*x != BigRational::default()).then_some(x));
         let [a, b] = ends;
-        let relative = |x: &BigRational| nearest_f64(&(border.lo() / x)) - 1.0;
-        let [a, b] = [relative(a?), relative(b?)];
-        let relative = if a.abs() > b.abs() { a } else { b };
-        Some(Change { limit, relative })
+        let [a, b] = [a?, b?].map(|x| border.lo() / x);
+        let one = BigRational::from_integer(1.into());
+        let ratio = if (&a - &one).abs() > (&b - &one).abs() {
+            a
+        } else {
+            b
+        };
+        if !ratio.is_positive() {
+            return None;
+        }
+        let grows = ratio > one;
+        let factor = if grows { ratio.clone() } else { ratio.recip() };
+        let relative = nearest_f64(&ratio) - 1.0;
+        Some((nearest_f64(&factor), grows, Change { limit, relative }))
     });
-    // A factor of two up is as far as one of two down.
-    let distance = |change: &Change| (1.0 + change.relative).ln().abs();
-    changes.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    // A factor of two up is as far as one of two down. On a tie the number that falls is taken: a softer
+    // wall or a shorter period is for the program to set, and more friction is not.
+    changes
+        .min_by(|(a, a_grows, _), (b, b_grows, _)| a.total_cmp(b).then(a_grows.cmp(b_grows)))
+        .map(|(.., change)| change)
 }
 
 impl Report {

@@ -79,6 +79,24 @@ fn the_smallest_change_is_said_and_is_enough() {
     );
 }
 
+/// Where only b ≥ KT/2 fails, b up, K down and T down by the same factor are enough: the softer wall
+/// is told, whatever the factor rounds to.
+#[test]
+fn of_changes_that_are_as_far_the_one_that_takes_away_is_said() {
+    for viscous in ["1e-6", "3e-6", "7e-6", "1.1e-5", "1.3e-5", "1.257e-6"] {
+        let text_of = DEVICE
+            .replace("9e-6", viscous)
+            .replace("2e-3 N m", "1 N m")
+            .replace("1 N m/rad", "0.377 N m/rad");
+        let scene = Scene::from_toml("wall", &text_of).unwrap();
+        let said = text(&scene);
+        assert!(
+            said.contains("Smallest single change: stiffness K"),
+            "{viscous}: {said}"
+        );
+    }
+}
+
 #[test]
 fn what_binds_is_said_in_percent() {
     let bound = scene("[operator]\nmax_speed = \"3 rad/s\"\n");
