@@ -13,6 +13,36 @@ fn help_shows_examples_and_exit_codes() {
 }
 
 #[test]
+fn help_wraps_as_it_was_written() {
+    let dir = Dir::new();
+    let verbs = [
+        "check", "explain", "design", "export", "init", "schema", "simulate", "sweep", "plane",
+        "accuracy", "audit", "identify", "oracle", "vectors", "case",
+    ];
+    for verb in verbs {
+        let help = dir.run(&["help", verb]).stdout;
+        assert!(!help.contains("\\\""), "{verb}: {help}");
+        let Some((_, after)) = help.split_once("\nExample") else {
+            continue;
+        };
+        // A line that was too long leaves a word or a few on a line of their own.
+        let lines: Vec<&str> = after.lines().collect();
+        for pair in lines.windows(2) {
+            let wrapped = !pair[0].starts_with(' ') && pair[0].chars().count() < 60;
+            let broken = wrapped && !pair[0].is_empty() && !pair[1].is_empty();
+            assert!(
+                !broken || pair[0].starts_with(['s', ':']),
+                "{verb}: {pair:?}"
+            );
+            let alone = pair[1].starts_with("  ") && pair[1].split_whitespace().count() == 1;
+            assert!(!alone || pair[0].ends_with('\\'), "{verb}: {pair:?}");
+        }
+    }
+    let oracle = dir.run(&["help", "oracle"]).stdout;
+    assert!(oracle.contains("`motion`"), "{oracle}");
+}
+
+#[test]
 fn completions_and_man_page_come_from_the_same_table() {
     let dir = Dir::new();
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {

@@ -30,16 +30,16 @@ use recordings::Options;
   passivity case --check case
 
 Logs are evidence about the device: each --log is audited as passivity audit does, and friction is
-identified from all --identification together as passivity identify does, with the scene as what is known.
-A log that fails its audit, a force that is not the wall's, and friction outside of what the scene says
-contradict the case: its top goal is then not shown. A case with logs is of one scene.
+identified from all --identification together as passivity identify does, with the scene as what is
+known. A log that fails its audit, a force that is not the wall's, and friction outside of what the
+scene says contradict the case: its top goal is then not shown. A case with logs is of one scene.
 
 The file of --info is TOML with the fields title, author, reviewer, approval, intended_use and date,
 each of which may be left out.
 
 Exit codes: 0 every scene is passive and every log supports it (with --check: the case is current);
-1 not, or with --strict something is stale, missing or open; 2 bad input, or --pdf found no browser to print with (the rest
-of the case is written); 3 a scene has an effect that no theorem covers.")]
+1 not, or with --strict something is stale, missing or open; 2 bad input, or --pdf found no browser
+to print with (the rest of the case is written); 3 a scene has an effect that no theorem covers.")]
 pub(crate) struct Args {
     /// Scene files.
     #[arg(

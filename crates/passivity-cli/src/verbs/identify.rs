@@ -28,12 +28,13 @@ use crate::verbs::audit::{delimiter, quoted, read_as};
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity identify push.csv --scene sketch.toml --out device.toml
-  passivity identify push.csv ramp.csv swing.csv --scene sketch.toml --out device.toml --plot fit.svg
+  passivity identify push.csv ramp.csv swing.csv --scene sketch.toml --out device.toml \\
+      --plot fit.svg
   passivity identify push.csv --scene sketch.toml --inertia free --format json
 
-Exit codes: 0 some parameters fit, and every bound is finite; 1 none fit (the answer says where in the
-log), or a bound is missing; 2 a log or the sketch is invalid; 3 the sketch has an effect that is not
-covered: an amplifier's lag, a latency, or a hand.")]
+Exit codes: 0 some parameters fit, and every bound is finite; 1 none fit (the answer says where in
+the log), or a bound is missing; 2 a log or the sketch is invalid; 3 the sketch has an effect that
+is not covered: an amplifier's lag, a latency, or a hand.")]
 pub(crate) struct Args {
     /// The logs, one experiment each.
     #[arg(value_name = "LOG", required = true)]

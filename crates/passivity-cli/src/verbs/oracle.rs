@@ -9,8 +9,8 @@ use crate::exit::{Exit, Failure};
 /// Answer requests on standard input, a JSON document a line, on standard output.
 ///
 /// Operations: `interval` (one row of the energy ledger), `run` (rows and totals of a list of
-/// positions or encoder counts), `check` (the verdict on a scene) and `version`. Numbers are exact.
-/// A bad line gets an answer with an `error`, and the next line is served.
+/// positions or encoder counts), `motion` (where a constant force takes the device), `check` (the
+/// verdict on a scene) and `version`. Numbers are exact. A bad line gets an answer with an `error`, and the next line is served.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:
   echo '{\"id\": 1, \"op\": \"interval\", \"xi0\": \"1\", \"xi1\": \"1/2\", \"beta\": \"3/5\", \"sigma\": \"3/5\"}' \\

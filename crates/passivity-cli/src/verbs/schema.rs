@@ -10,7 +10,7 @@ use crate::verbs;
 /// Print the JSON Schema of scene files, for editors, or of what a command answers as JSON.
 ///
 /// A scene file that begins with the line `#:schema scene.schema.json` gets completion, descriptions and
-/// marks under mistakes in editors with Taplo or \"Even Better TOML\".
+/// marks under mistakes in editors with Taplo or "Even Better TOML".
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity schema > scene.schema.json

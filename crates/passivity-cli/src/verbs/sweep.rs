@@ -28,7 +28,8 @@ use crate::progress::Progress;
   passivity sweep scenes/re35.toml --beta 0:1:41 --sigma 0:1.5:61 \\
       --merge part-*.parquet --out fig5.parquet
   passivity sweep scenes/re35-limit-cycles.toml --vary 'stiffness=0.05:0.5:31 N m/rad' \\
-      --vary 'viscous=0:2e-5:31 N m s/rad' --vary 'velocity=1,5 rad/s' --out grid.csv --plot grid.png")]
+      --vary 'viscous=0:2e-5:31 N m s/rad' --vary 'velocity=1,5 rad/s' \\
+      --out grid.csv --plot grid.png")]
 pub(crate) struct Args {
     /// Scene file.
     #[arg(value_name = "SCENE")]

@@ -22,7 +22,8 @@ use crate::output::Format;
   passivity plane scenes/re35.toml --plot plane.svg
   passivity plane scenes/re35*.toml --plot plane.png
   passivity plane scenes/re35.toml --axes stiffness,damping --plot zwidth.svg --out border.csv
-  passivity plane scenes/re35.toml --axes 'stiffness [mN m/deg],rate [kHz]' --log both --plot rate.svg
+  passivity plane scenes/re35.toml --axes 'stiffness [mN m/deg],rate [kHz]' --log both \\
+      --plot rate.svg
   passivity plane scenes/re35.toml --axes coulomb,viscous --x 0:4e-3 --plot friction.svg
   passivity plane arm.toml --axes stiffness,damping --measured bench.csv --plot bench.svg
 
