@@ -262,6 +262,24 @@ fn a_picture_that_cannot_be_written_is_refused_before_the_run() {
 }
 
 #[test]
+fn more_intervals_than_a_scene_may_have_are_refused() {
+    let dir = Dir::new();
+    let scene = cycling(&dir);
+    for verb in [
+        &["simulate"][..],
+        &["accuracy"],
+        &["sweep", "--beta", "1", "--sigma", "1"],
+    ] {
+        for count in ["0", "1000000001"] {
+            let run = dir.run(&[verb, &[&scene, "--intervals", count]].concat());
+            assert_eq!(run.code, 2, "{verb:?}");
+            let expected = format!("{count} is not in 1..=1000000000");
+            assert!(run.stderr.contains(&expected), "{}", run.stderr);
+        }
+    }
+}
+
+#[test]
 fn a_start_at_rest_says_so_and_another_speed_can_be_given() {
     let dir = Dir::new();
     let scene = dir.write(

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 #[cfg(feature = "plot")]
 use passivity_plot::save;
+use passivity_scene::parse::MAX_INTERVALS;
 use passivity_sim::accuracy::{Table, measure, methods};
 #[cfg(feature = "plot")]
 use passivity_sim::plot::accuracy::draw;
@@ -24,7 +25,7 @@ pub(crate) struct Args {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// The largest number of intervals to simulate; the reference method takes microseconds for each.
-    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u64).range(1..=MAX_INTERVALS))]
     intervals: u64,
     #[command(flatten)]
     start: Start,

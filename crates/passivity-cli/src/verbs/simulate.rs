@@ -9,6 +9,7 @@ use std::time::Instant;
 use passivity_plot::save;
 use passivity_scene::display::significant;
 use passivity_scene::number::nearest_f64;
+use passivity_scene::parse::MAX_INTERVALS;
 use passivity_scene::point::Units;
 use passivity_scene::{Point, Scene};
 #[cfg(feature = "plot")]
@@ -48,7 +49,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "METHOD", default_value = "closed-form")]
     method: String,
     /// The number of sampling intervals to simulate, in place of the scene's.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_INTERVALS))]
     intervals: Option<u64>,
     #[command(flatten)]
     start: Start,

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use passivity_scene::Point;
+use passivity_scene::parse::MAX_INTERVALS;
 use passivity_sim::report::{Outcomes, Sweep};
 use passivity_sim::sweep::{Asked, Grid, Row, Shard, merge, open, open_shard, run_range};
 
@@ -57,7 +58,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "KEY=RANGE UNIT", conflicts_with_all = ["beta", "sigma", "speed"])]
     vary: Vec<String>,
     /// The number of sampling intervals to simulate, in place of the scene's.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_INTERVALS))]
     intervals: Option<u64>,
     /// Write the outcomes to this file, one row per point: CSV, or Parquet if its name ends in .parquet.
     #[arg(long, value_name = "FILE")]
