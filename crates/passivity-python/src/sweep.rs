@@ -68,10 +68,9 @@ pub(crate) fn grid(
     scene: Source,
     ranges: Ranges,
 ) -> PyResult<(usize, Vec<String>, Vec<Vec<f64>>)> {
-    use passivity_scene::number::nearest_f64;
     let task = Task::new(py, &scene, &ranges)?;
     let values = task.grid.values.iter();
-    let values = values.map(|axis| axis.iter().map(nearest_f64).collect());
+    let values = values.map(|axis| axis.doubles().collect());
     Ok((task.grid.len(), task.grid.columns(), values.collect()))
 }
 

@@ -141,9 +141,7 @@ impl Scene {
         let step = self.critical.clone() * ratio(1, 20);
         let betas = (0..20).map(|i| step.clone() * ratio(2 * i + 1, 1));
         let range = |text| Range::parse(text).unwrap_or_else(|error| panic!("{error}"));
-        let beta = Range {
-            values: betas.collect(),
-        };
+        let beta = Range::from(betas.collect::<Vec<_>>());
         Grid::new(beta, range("3/80:117/80:20"), range("1/2,1,2,5"))
             .unwrap_or_else(|error| panic!("{error}"))
     }
@@ -154,7 +152,7 @@ impl Scene {
         let half = ratio(1, 2);
         let all = (0..grid.len()).filter(|index| {
             let [beta, sigma, _] = grid.values(*index);
-            !moving || (*beta > self.critical && *sigma < half)
+            !moving || (beta > self.critical && sigma < half)
         });
         all.map(|index| {
             Plan::compile(&grid.point(&self.point, index)).unwrap_or_else(|error| panic!("{error}"))

@@ -213,11 +213,10 @@ fn merged(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> {
 mod picture {
     use passivity_core::Interval;
     use passivity_plot::critical::Borders;
-    use passivity_scene::number::nearest_f64;
     use passivity_scene::plane::{Extent, Line, Plane, Region, Speeds};
     use passivity_scene::{Given, Point, Scene};
     use passivity_sim::plot::sweep::{MapBorders, draw as draw_fig5, draw_maps, shown};
-    use passivity_sim::sweep::{Grid, Row};
+    use passivity_sim::sweep::{Grid, Range, Row};
 
     pub(super) fn draw(scene: &Scene, point: &Point, grid: &Grid, rows: &[Option<Row>]) -> String {
         if grid.parameters().is_empty() {
@@ -245,8 +244,8 @@ mod picture {
         };
         let [xs, ys, thirds] = &grid.values;
         let mut scene = scene.clone();
-        if let (Some(axis), Some(value)) = (rest.first(), thirds.get(third)) {
-            let si = axis.si(value)?;
+        if let Some(axis) = rest.first() {
+            let si = axis.si(&thirds.value(third))?;
             let given = Given {
                 value: Interval::point(si.clone()),
                 nominal: si,
@@ -255,9 +254,11 @@ mod picture {
             scene.given = scene.given.with(axis.parameter(), given);
         }
         let plane = Plane::new(&scene, [x.clone(), y.clone()]).ok()?;
-        let extent = |values: &[passivity_core::BigRational]| {
-            let ends = [values.iter().min()?, values.iter().max()?].map(nearest_f64);
-            let [from, to] = ends;
+        let extent = |values: &Range| {
+            let [from, to] = [
+                values.doubles().reduce(f64::min)?,
+                values.doubles().reduce(f64::max)?,
+            ];
             (from < to).then_some(Extent {
                 from,
                 to,

@@ -3,7 +3,8 @@
 use passivity_scene::{Axis, Point, Scene};
 
 use crate::error::SimError;
-use crate::sweep::grid::{Grid, Range};
+use crate::sweep::grid::Grid;
+use crate::sweep::range::Range;
 
 /// The ranges of a sweep, as text: of β, σ and the speed at the start, or of parameters of the scene.
 ///
@@ -42,9 +43,7 @@ impl Asked<'_> {
                 Some(text) => Range::parse(text)?,
                 None => {
                     let [_, velocity] = point.start();
-                    Range {
-                        values: vec![velocity],
-                    }
+                    Range::from(vec![velocity])
                 }
             };
             return Grid::new(Range::parse(beta)?, Range::parse(sigma)?, speed);

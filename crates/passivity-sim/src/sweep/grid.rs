@@ -1,11 +1,13 @@
 //! The points of a sweep: ranges of β, σ and the speed at the start, or of parameters of the scene.
 
+use std::fmt;
+
 use passivity_core::{BigRational, Exact, Parameter, Scalar as _};
-use passivity_scene::{Axis, Point, number};
+use passivity_scene::{Axis, Point};
 
 use crate::error::SimError;
-use crate::number::to_double;
 use crate::plan::in_range;
+use crate::sweep::range::{Doubles, Range};
 use crate::sweep::shard::Shard;
 
 /// The most values of a range, and the most points that are simulated in one run.
@@ -14,83 +16,23 @@ pub const MOST_POINTS: usize = 100_000_000;
 /// The most points of a grid, which is then simulated in shards.
 const MOST_OF_GRID: usize = 1_000_000_000_000;
 
-/// The values of a parameter.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Range {
-    /// The values, exactly.
-    pub values: Vec<BigRational>,
-}
-
-impl Range {
-    /// Reads `start:stop:count`, both ends included, or a list `1,2,5`.
-    ///
-    /// # Errors
-    ///
-    /// Text that is neither, with what was expected.
-    ///
-    /// # Example
-    ///
-    /// ```
-    /// use passivity_sim::sweep::Range;
-    ///
-    /// let thirds = Range::parse("0:1:4").unwrap();
-    /// assert_eq!(thirds.values[1].to_string(), "1/3");
-    /// assert_eq!(Range::parse("1/2,3").unwrap().values.len(), 2);
-    /// let error = Range::parse("0:1").unwrap_err().to_string();
-    /// assert_eq!(error, "range `0:1`: expected start:stop:count or a list as in 1,2,5");
-    /// ```
-    pub fn parse(text: &str) -> Result<Self, SimError> {
-        let fail = |what: String| SimError::Method(format!("range `{text}`: {what}"));
-        let number = |part: &str| {
-            number::parse(part.trim()).map_err(|error| fail(format!("`{}`: {error}", part.trim())))
-        };
-        let parts: Vec<&str> = text.split(':').collect();
-        match parts.as_slice() {
-            [list] => {
-                let values: Result<Vec<_>, _> = list.split(',').map(number).collect();
-                Ok(Self { values: values? })
-            }
-            [start, stop, count] => {
-                let (start, stop) = (number(start)?, number(stop)?);
-                let count: Option<usize> = count.trim().parse().ok();
-                let count = count
-                    .filter(|n| (1..=MOST_POINTS).contains(n))
-                    .ok_or_else(|| fail(format!("expected a count from 1 to {MOST_POINTS}")))?;
-                if count == 1 && start != stop {
-                    return Err(fail(
-                        "a count of 1 needs start and stop to be equal".to_owned(),
-                    ));
-                }
-                let last = BigRational::from_integer(count.saturating_sub(1).max(1).into());
-                let step = (stop - &start) / last;
-                let values = (0..count)
-                    .map(|i| &start + &step * BigRational::from_integer(i.into()))
-                    .collect();
-                Ok(Self { values })
-            }
-            _ => Err(fail(
-                "expected start:stop:count or a list as in 1,2,5".to_owned(),
-            )),
-        }
-    }
-}
-
 /// A grid of points, the first axis outermost.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone)]
 pub struct Grid {
     /// The values of up to three axes; one that is not asked for has the one value 0.
-    pub values: [Vec<BigRational>; 3],
-    /// The same as doubles, rounded once and not for every point.
-    doubles: [Vec<f64>; 3],
+    pub values: [Range; 3],
     axes: Axes,
 }
 
-/// What the axes have at a point.
-#[expect(clippy::indexing_slicing, reason = "a panic that is announced")]
-fn at<T>([a, b, c]: &[Vec<T>; 3], index: usize) -> [&T; 3] {
-    let (rest, third) = (index / c.len(), index % c.len());
-    let (first, second) = (rest / b.len(), rest % b.len());
-    [&a[first], &b[second], &c[third]]
+/// What tells one grid from another.
+impl fmt::Debug for Grid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Grid")
+            .field("values", &self.values)
+            .field("doubles", &self.values.each_ref().map(Doubles))
+            .field("axes", &self.axes)
+            .finish()
+    }
 }
 
 /// What the values are of.
@@ -110,13 +52,13 @@ impl Grid {
     /// A friction below zero, or too many points.
     pub fn new(beta: Range, sigma: Range, speed: Range) -> Result<Self, SimError> {
         for (name, range) in [("β", &beta), ("σ", &sigma)] {
-            if let Some(x) = range.values.iter().find(|x| **x < BigRational::integer(0)) {
+            if let Some(x) = range.first_not(|x| *x >= BigRational::integer(0)) {
                 return Err(SimError::Method(format!(
                     "{name} = {x}: expected zero or a value above it"
                 )));
             }
         }
-        Self::of([beta.values, sigma.values, speed.values], Axes::Plane)
+        Self::of([beta, sigma, speed], Axes::Plane)
     }
 
     /// The grid of two or three different parameters, in the units of their axes.
@@ -131,8 +73,7 @@ impl Grid {
             return fail(format!("{count} parameters to vary: expected two or three"));
         }
         let mut axes: Vec<Axis> = Vec::new();
-        let mut values =
-            [const { Vec::new() }; 3].map(|_: Vec<BigRational>| vec![BigRational::integer(0)]);
+        let mut values = [(); 3].map(|()| Range::from(vec![BigRational::integer(0)]));
         for (slot, (axis, range)) in values.iter_mut().zip(parameters) {
             let name = axis.name();
             if axes
@@ -145,8 +86,8 @@ impl Grid {
                 return fail(format!("`{name}` has no part in the motion"));
             }
             let fits =
-                |x: &&BigRational| axis.si(x).is_some() && (!axis.is_whole() || x.is_integer());
-            if let Some(x) = range.values.iter().find(|x| !fits(x)) {
+                |x: &BigRational| axis.si(x).is_some() && (!axis.is_whole() || x.is_integer());
+            if let Some(x) = range.first_not(fits) {
                 let row = axis.parameter().row();
                 let expected = if axis.is_whole() {
                     "a whole number above zero"
@@ -155,28 +96,21 @@ impl Grid {
                 };
                 return fail(format!("`{name}` = {x}: expected {expected}"));
             }
-            *slot = range.values;
+            *slot = range;
             axes.push(axis);
         }
         Self::of(values, Axes::Parameters(axes))
     }
 
-    fn of(values: [Vec<BigRational>; 3], axes: Axes) -> Result<Self, SimError> {
-        let [a, b, c] = values.each_ref().map(Vec::len);
+    fn of(values: [Range; 3], axes: Axes) -> Result<Self, SimError> {
+        let [a, b, c] = values.each_ref().map(Range::len);
         let size = a.checked_mul(b).and_then(|size| size.checked_mul(c));
         if size.is_none_or(|size| size > MOST_OF_GRID) {
             return Err(SimError::Method(format!(
                 "a grid of {a} × {b} × {c} points: expected at most {MOST_OF_GRID}"
             )));
         }
-        let doubles = values
-            .each_ref()
-            .map(|axis| axis.iter().map(to_double).collect());
-        Ok(Self {
-            values,
-            doubles,
-            axes,
-        })
+        Ok(Self { values, axes })
     }
 
     /// The parameters that are varied; none where β, σ and the speed are.
@@ -224,8 +158,8 @@ impl Grid {
             Parameter::StartVelocity,
         ];
         for (parameter, values) in of.into_iter().zip(&self.values) {
-            for x in values {
-                in_range(x, parameter)?;
+            if let Some(x) = values.first_not(|x| in_range(x, parameter).is_ok()) {
+                in_range(&x, parameter)?;
             }
         }
         Ok(())
@@ -234,7 +168,7 @@ impl Grid {
     /// How many points there are.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.values.iter().map(Vec::len).product()
+        self.values.iter().map(Range::len).product()
     }
 
     /// Whether there is none.
@@ -250,24 +184,32 @@ impl Grid {
         (first * b.len() + second) * c.len() + third
     }
 
+    /// What each axis has at a point.
+    fn at<T>(&self, index: usize, value: impl Fn(&Range, usize) -> T) -> [T; 3] {
+        let [a, b, c] = &self.values;
+        let (rest, third) = (index / c.len(), index % c.len());
+        let (first, second) = (rest / b.len(), rest % b.len());
+        [value(a, first), value(b, second), value(c, third)]
+    }
+
     /// The values of a point.
     ///
     /// # Panics
     ///
     /// When `index` is not below [`Self::len`].
     #[must_use]
-    pub fn values(&self, index: usize) -> [&BigRational; 3] {
-        at(&self.values, index)
+    pub fn values(&self, index: usize) -> [BigRational; 3] {
+        self.at(index, Range::value)
     }
 
-    /// The values of a point as doubles.
+    /// The doubles nearest to the values of a point.
     ///
     /// # Panics
     ///
     /// When `index` is not below [`Self::len`].
     #[must_use]
     pub fn doubles(&self, index: usize) -> [f64; 3] {
-        at(&self.doubles, index).map(|x| *x)
+        self.at(index, Range::double)
     }
 
     /// A scene's point with the values of a point of the grid.
@@ -278,15 +220,15 @@ impl Grid {
             Axes::Plane => {
                 let [beta, sigma, speed] = values;
                 let mut point = scene.clone();
-                point.at.viscous = Some(beta.clone());
-                point.at.coulomb = Some(sigma.clone());
-                point.at.start_velocity = Some(speed.clone());
+                point.at.viscous = Some(beta);
+                point.at.coulomb = Some(sigma);
+                point.at.start_velocity = Some(speed);
                 point
             }
             Axes::Parameters(axes) => {
                 let varied = axes.iter().zip(values);
                 varied.fold(scene.clone(), |point, (axis, value)| {
-                    match axis.si(value).and_then(|si| near(&si)) {
+                    match axis.si(&value).and_then(|si| near(&si)) {
                         Some(si) => point.with(axis.parameter(), &si),
                         None => unreachable!("the values of a grid are those of its parameters"),
                     }

@@ -10,6 +10,7 @@ mod manifest;
 mod merge;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod range;
 mod row;
 mod shard;
 
@@ -27,8 +28,9 @@ use crate::run;
 
 pub use asked::Asked;
 pub use file::{Opened, Rows, open, open_shard, write_shard};
-pub use grid::{Grid, MOST_POINTS, Range};
+pub use grid::{Grid, MOST_POINTS};
 pub use merge::merge;
+pub use range::Range;
 pub use row::Row;
 pub use shard::Shard;
 

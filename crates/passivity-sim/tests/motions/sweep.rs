@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use crate::common::paper;
 use passivity_scene::Point;
-use passivity_sim::sweep::{Grid, Range, Row, Shard, open, run};
+use passivity_sim::sweep::{Grid, Range, Row, Shard, open, open_shard, run, run_range};
 use passivity_sim::{Method, SimError, simulate};
 
 fn grid(beta: &str, sigma: &str, speed: &str) -> Grid {
@@ -251,8 +251,41 @@ fn bad_ranges_say_what_was_expected() {
         large.points(Shard::parse("2/2").unwrap()).unwrap(),
         100_000_000..200_000_000
     );
-    let axis = || range("0:1:100000");
-    assert!(Grid::new(axis(), axis(), axis()).is_err());
+    let axis = || range("0:1:100000000");
+    let error = Grid::new(axis(), axis(), range("1")).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "a grid of 100000000 × 100000000 × 1 points: expected at most 1000000000000"
+    );
+}
+
+#[test]
+fn a_long_axis_costs_nothing() {
+    // A piece of 10¹² points, of axes whose values would be gigabytes.
+    let range = |text| Range::parse(text).unwrap();
+    let grid = Grid::new(range("0:1:100000000"), range("0:1:10000"), range("1")).unwrap();
+    let folder = folder("long");
+    let (scene, path) = (paper("1", "1", "1", 9), folder.join("sweep.csv"));
+    let last = Shard::parse("100000000000/100000000000").unwrap();
+    let points = grid.points(last).unwrap();
+    assert_eq!(points, grid.len() - 10..grid.len());
+    let mut opened = open_shard(&path, &scene, &grid, last, false).unwrap().rows;
+    let mut rows: Vec<Option<Row>> = vec![None; 10];
+    run_range(&scene, &grid, points.clone(), &[], 0, |index, row| {
+        rows[index - points.start] = Some(row);
+        opened.add(&grid, index, &row)
+    })
+    .unwrap();
+    opened.finish(&grid, &rows).unwrap();
+    assert_eq!(
+        open_shard(&path, &scene, &grid, last, true)
+            .unwrap()
+            .found
+            .len(),
+        10
+    );
+    assert_eq!(grid.doubles(grid.len() - 1), [1.0, 1.0, 1.0]);
+    fs::remove_dir_all(folder).unwrap();
 }
 
 #[test]

@@ -2,9 +2,7 @@
 
 use std::ops::Range;
 
-use passivity_core::BigRational;
-
-use crate::number::to_double;
+use crate::sweep::Range as Values;
 
 /// A value of an axis, and the edges half-way to its neighbours.
 pub(super) struct Cell {
@@ -21,8 +19,8 @@ impl Cell {
 }
 
 /// The cells of an axis, the least value first.
-pub(super) fn cells(values: &[BigRational]) -> Vec<Cell> {
-    let mut sorted: Vec<(usize, f64)> = values.iter().map(to_double).enumerate().collect();
+pub(super) fn cells(values: &Values) -> Vec<Cell> {
+    let mut sorted: Vec<(usize, f64)> = values.doubles().enumerate().collect();
     sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
     let edges: Vec<f64> = sorted
         .iter()

@@ -6,7 +6,6 @@ use passivity_plot::svg::{Anchor, BLACK, COLOURS, DARK, HATCHED, Pixel, Stroke, 
 
 use super::cells::{Cell, cells, span};
 use super::{cross, fill, frame, row, swatch, undecided};
-use crate::number::to_double;
 use crate::outcome::{ExactOutcome, PaperOutcome};
 use crate::plot::label;
 use crate::sweep::{Grid, Row};
@@ -64,7 +63,7 @@ struct Drawing<'a> {
 
 fn by_speed(grid: &Grid) -> Vec<(usize, f64)> {
     let [_, _, speeds] = &grid.values;
-    let speeds = speeds.iter().map(|v| to_double(v).abs());
+    let speeds = speeds.doubles().map(f64::abs);
     let mut order: Vec<(usize, f64)> = speeds.enumerate().collect();
     order.sort_by(|a, b| a.1.total_cmp(&b.1));
     order

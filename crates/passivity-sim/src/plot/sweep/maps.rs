@@ -6,7 +6,6 @@ use passivity_scene::plane::Line;
 
 use super::cells::cells;
 use super::{cross, fill, frame, row, swatch, undecided};
-use crate::number::to_double;
 use crate::outcome::ExactOutcome;
 use crate::plot::label;
 use crate::sweep::{Grid, Row};
@@ -92,8 +91,8 @@ pub fn draw(title: &str, grid: &Grid, rows: &[Option<Row>], borders: &Borders) -
                 .unwrap_or_default()
         });
         frame.draw(&mut svg, [&x, &y]);
-        if let (Some(axis), Some(value)) = (grid.parameters().get(2), values.get(*third)) {
-            let value = to_double(value);
+        if let Some(axis) = grid.parameters().get(2) {
+            let value = values.double(*third);
             let words = format!(
                 "{} = {} {}",
                 axis.name(),
