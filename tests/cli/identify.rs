@@ -76,6 +76,28 @@ fn a_scene_is_written_that_holds_what_is_true_and_is_checked() {
 }
 
 #[test]
+fn an_estimate_is_written_within_its_range() {
+    let dir = Dir::new();
+    let ramp = shipped("ramp.csv");
+    let run = identify(&dir, "push.csv", &[&ramp, "--out", "knob.toml"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let scene = std::fs::read_to_string(dir.path("knob.toml")).unwrap();
+    let number = |text: &str| text.trim().parse::<f64>().unwrap();
+    for name in ["viscous friction", "Coulomb friction"] {
+        let line = run.stdout.lines().find(|line| line.starts_with(name));
+        let (range, best) = line
+            .and_then(|line| line.split_once("; best estimate "))
+            .unwrap_or_else(|| panic!("{name}: {}", run.stdout));
+        let (lo, rest) = range.split_once(" … ").unwrap();
+        let lo = number(lo.rsplit(' ').next().unwrap());
+        let hi = number(rest.split(' ').next().unwrap());
+        assert!(lo <= number(best) && number(best) <= hi, "{}", run.stdout);
+        let noted = format!("# Best estimate of {name}: {best} N m");
+        assert!(scene.contains(&noted), "{noted}: {scene}");
+    }
+}
+
+#[test]
 fn the_json_answer_is_as_the_contract_and_its_schema_say() {
     let dir = Dir::new();
     let run = identify(&dir, "push.csv", &["--format", "json"]);

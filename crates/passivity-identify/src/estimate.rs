@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use crate::kept::Propagators;
 use crate::log::Log;
 use crate::motion::simulated;
-use crate::region::{Ends, Shear};
+use crate::region::{Ends, Part, Shear};
 
 /// What was measured less what is simulated, in ticks; where the device started is what fits best.
 pub(crate) fn residuals(log: &Log, at: [f64; 3]) -> Vec<f64> {
@@ -194,9 +194,17 @@ pub(crate) fn first(logs: &[Log], most: [f64; 2], inertia: Ends) -> [f64; 3] {
     best.map_or([most[0], most[1], middle], |(at, _)| at)
 }
 
-/// The parameters within a box with the least squares, from a start on that need not be in it. They may lie
-/// beside the parts that are left, where the errors of the counts are not evenly spread.
-pub(crate) fn best(logs: &[Log], hull: &[Ends; 3], start: [f64; 3]) -> [f64; 3] {
+/// The parameters with the least squares among those that are left, in a box around them; `first` are those
+/// of all, near which the squares grow with the weights of the coordinates.
+///
+/// Those of the whole box may lie beside the parts that are left, where the errors of the counts are not evenly
+/// spread. Then the place in a part is taken at which the squares have grown the least.
+pub(crate) fn best(
+    logs: &[Log],
+    (parts, hull): (&[Part], &[Ends; 3]),
+    (shear, weights): (&Shear, [f64; 3]),
+    first: [f64; 3],
+) -> [f64; 3] {
     let knobs = hull.map(|[lo, hi]| match hi > lo {
         true => Knob::Within([lo, hi]),
         false => Knob::Fixed(lo),
@@ -206,9 +214,13 @@ pub(crate) fn best(logs: &[Log], hull: &[Ends; 3], start: [f64; 3]) -> [f64; 3] 
         hull.map(|[lo, hi]| values.next().unwrap_or(lo).clamp(lo, hi))
     };
     let middle = hull.map(|[lo, hi]| 0.5 * lo + 0.5 * hi);
-    let tried = [inside(start), middle].map(|start| minimized(logs, knobs, start));
-    let [(first, least), (second, other)] = tried;
-    if least <= other { first } else { second }
+    let tried = [inside(first), middle].map(|start| minimized(logs, knobs, start).0);
+    let all = tried.into_iter().chain([first]).map(|at| {
+        let at = inside(shear.nearest(parts, weights, at));
+        (at, cost(logs, at))
+    });
+    let least = all.min_by(|a, b| a.1.total_cmp(&b.1));
+    least.map_or(middle, |(at, _)| at)
 }
 
 /// Coordinates in which the squares around a place do not mix, and the weight of each.
@@ -261,4 +273,37 @@ pub(crate) fn coordinates(logs: &[Log], at: [f64; 3]) -> (Shear, [f64; 3]) {
         mobility_in_viscous: delta,
     };
     (shear, [first, second, third].map(f64::sqrt))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use crate::identified::{identify, read};
+    use crate::options::Options;
+    use crate::region::{Corner, Part};
+    use crate::written::read_sketch;
+
+    #[test]
+    fn th_ident_the_estimate_is_not_refuted() {
+        // The errors of these counts have a mean, so that the least squares of all lie beside what fits.
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/identify");
+        let text = std::fs::read_to_string(folder.join("sketch.toml")).unwrap();
+        let sketch = read_sketch("sketch", &text).unwrap();
+        let log = |name| read(&folder.join(name), &sketch, &Default::default()).unwrap();
+        let (push, ramp) = (log("push.csv"), log("ramp.csv"));
+        let options = Options {
+            effort: 600_000,
+            ..Options::default()
+        };
+        for logs in [vec![push.clone()], vec![ramp.clone()], vec![push, ramp]] {
+            let found = identify(&logs, &sketch, &options, |_| true).unwrap();
+            let at = found.shear.around(&Corner::at(found.best.unwrap()));
+            let holds = |part: &Part| {
+                let mut all = part.ends.iter().zip(at.ends);
+                all.all(|([lo, hi], [least, most])| most >= *lo && least <= *hi)
+            };
+            assert!(found.found.parts.iter().any(holds), "{:?}", found.best);
+        }
+    }
 }

@@ -222,7 +222,10 @@ pub fn identify(
         effort: options.effort,
     };
     let found = task.search(parts(&shear, most, inertia, slabs), progress);
-    let best = found.hull.map(|hull| estimate::best(&logs, &hull, first));
+    let best = found.hull.map(|hull| {
+        let left = (found.parts.as_slice(), &hull);
+        estimate::best(&logs, left, (&shear, weights), first)
+    });
     let hull = found.hull;
     Ok(whole(found, shear, best, hull))
 }

@@ -6,7 +6,6 @@ use passivity_plot::PlotError;
 use passivity_plot::frame::Frame;
 use passivity_plot::svg::{Anchor, BLACK, COLOURS, DARK, LIGHT, Pixel, Stroke, Svg, rectangle};
 use passivity_scene::Motion;
-use passivity_scene::display::significant;
 use passivity_scene::plane::Extent;
 
 use crate::estimate::residuals;
@@ -15,7 +14,7 @@ use crate::kept::Propagators;
 use crate::log::Log;
 use crate::motion::simulated;
 use crate::region::{COULOMB, Ends, Part, VISCOUS};
-use crate::report::unit;
+use crate::report::{nearest, unit};
 
 const SIZE: [f64; 2] = [1240.0, 700.0];
 /// About how many points of a log are drawn.
@@ -260,7 +259,7 @@ impl Axis {
             };
         }
         Self {
-            words: format!("{name}, % from {}{unit}", significant(best * si)),
+            words: format!("{name}, % from {}{unit}", nearest(best * si)),
             origin: best,
             factor: 100.0 / best,
         }

@@ -150,7 +150,33 @@ impl Shear {
 
     /// b, c and m in the middle of a part, moved to zero where they are below.
     pub(crate) fn middle(&self, part: &Part) -> [f64; 3] {
-        let at = self.corner(part.ends.map(|[lo, hi]| 0.5 * lo + 0.5 * hi));
+        self.parameters(part.ends.map(|[lo, hi]| 0.5 * lo + 0.5 * hi))
+    }
+
+    /// The parameters b, c, m of one of the parts that are nearest to others, with a weight for each
+    /// coordinate: these themselves where a part holds them.
+    pub(crate) fn nearest(&self, parts: &[Part], weights: [f64; 3], at: [f64; 3]) -> [f64; 3] {
+        let own = self.around(&Corner::at(at)).ends;
+        let own = own.map(|[lo, hi]| 0.5 * lo + 0.5 * hi);
+        let places = parts.iter().map(|part| {
+            let mut place = own;
+            let mut distance = 0.0;
+            for ((t, [lo, hi]), weight) in place.iter_mut().zip(part.ends).zip(weights) {
+                let moved = t.clamp(lo, hi);
+                distance += ((moved - *t) * weight).powi(2);
+                *t = moved;
+            }
+            (distance, place)
+        });
+        match places.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            Some((distance, place)) if distance > 0.0 => self.parameters(place),
+            _ => at,
+        }
+    }
+
+    /// The parameters b, c and m that a place t stands for, moved to zero where they are below.
+    fn parameters(&self, place: [f64; 3]) -> [f64; 3] {
+        let at = self.corner(place);
         let [p, q, r] = [at.viscous, at.coulomb, at.mobility].map(|[lo, hi]| 0.5 * lo + 0.5 * hi);
         [(p / r).max(0.0), (q / r).max(0.0), 1.0 / r]
     }

@@ -1,7 +1,7 @@
 //! What `passivity identify` answers: for programs, and for people.
 
 use passivity_core::Parameter;
-use passivity_scene::display::significant;
+use passivity_scene::display::{figures, significant};
 use passivity_scene::{Motion, Scene};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -150,7 +150,7 @@ impl Report {
                 ),
             };
             let best = known.best.map_or_else(String::new, |best| {
-                format!("; best estimate {}", significant(best))
+                format!("; best estimate {}", nearest(best))
             });
             lines.push(format!("{:<17} {range}{best}", parameter.row().name));
         }
@@ -185,6 +185,9 @@ pub(crate) fn unit(parameter: Parameter, motion: Motion) -> &'static str {
     }
 }
 
+/// How many digits of a parameter are written.
+const DIGITS: u8 = 6;
+
 /// Six digits that are not above a bound.
 pub(crate) fn below(x: f64) -> String {
     digits(x, passivity_scene::display::Rounding::Down)
@@ -195,9 +198,14 @@ pub(crate) fn above(x: f64) -> String {
     digits(x, passivity_scene::display::Rounding::Up)
 }
 
+/// Six digits of an estimate: as many as its bounds have, so that it does not come to stand outside of them.
+pub(crate) fn nearest(x: f64) -> String {
+    figures(x, DIGITS)
+}
+
 fn digits(x: f64, to: passivity_scene::display::Rounding) -> String {
     match passivity_core::BigRational::from_float(x) {
-        Some(exact) => passivity_scene::display::rounded(&exact, 6, to),
+        Some(exact) => passivity_scene::display::rounded(&exact, DIGITS.into(), to),
         None => x.to_string(),
     }
 }

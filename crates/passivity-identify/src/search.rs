@@ -26,7 +26,6 @@ pub(crate) struct Place {
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     /// The parts that are left.
-    #[cfg_attr(not(feature = "plot"), expect(dead_code, reason = "for pictures"))]
     pub(crate) parts: Vec<Part>,
     /// The box around them, in b, c and m; `None` where nothing is left.
     pub(crate) hull: Option<[Ends; 3]>,

@@ -1,12 +1,11 @@
 //! The scene that is written: the sketch with what is known of the device.
 
 use passivity_core::{BigRational, Parameter};
-use passivity_scene::display::significant;
 use passivity_scene::{Motion, Scene, SceneError};
 use toml_edit::{DocumentMut, Item, Table, value};
 
 use crate::identified::{Identified, IdentifyError};
-use crate::report::{LogReport, above, below, unit};
+use crate::report::{LogReport, above, below, nearest, unit};
 
 /// A wall for sketches that have none: no parameter of the device depends on it.
 const WALLS: [&str; 2] = ["1 N m/rad", "1 N/m"];
@@ -123,10 +122,7 @@ impl Identified {
             if let Some(best) = bounds.best {
                 let unit = unit(*parameter, self.motion);
                 let name = parameter.row().name;
-                lines.push(format!(
-                    "Best estimate of {name}: {}{unit}",
-                    significant(best)
-                ));
+                lines.push(format!("Best estimate of {name}: {}{unit}", nearest(best)));
             }
         }
         let device = said

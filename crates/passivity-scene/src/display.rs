@@ -27,14 +27,21 @@ pub fn approx(x: &BigRational) -> String {
 /// Five significant digits of a double, plain between 10⁻⁴ and 10⁶ and with an exponent elsewhere.
 #[must_use]
 pub fn significant(x: f64) -> String {
+    figures(x, 5)
+}
+
+/// That many significant digits of a double, plain between 10⁻⁴ and 10⁶ and with an exponent elsewhere.
+#[must_use]
+pub fn figures(x: f64, digits: u8) -> String {
     if x == 0.0 || !x.is_finite() {
         return format!("{x}");
     }
-    let scientific = format!("{x:.4e}");
+    let after = i32::from(digits) - 1;
+    let scientific = format!("{x:.*e}", usize::try_from(after).unwrap_or(0));
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
     if (-4..6).contains(&exponent) {
-        let decimals = usize::try_from(4 - exponent).unwrap_or(0);
+        let decimals = usize::try_from(after - exponent).unwrap_or(0);
         return trimmed(&format!("{x:.decimals$}"));
     }
     format!("{}e{exponent}", trimmed(mantissa))
