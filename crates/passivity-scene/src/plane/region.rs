@@ -152,7 +152,8 @@ impl Finder<'_> {
         })
     }
 
-    /// Whether the spans of neighbouring columns do not go on into each other.
+    /// Whether the spans of neighbouring columns do not go on into each other: one of them ends, or its border
+    /// jumps, or leaves the window.
     fn jumps(&self, a: &Column, b: &Column) -> bool {
         if a.spans.len() != b.spans.len() {
             return true;
@@ -160,7 +161,7 @@ impl Finder<'_> {
         let near = b.share - a.share <= NEAREST;
         let step = |x: &End, y: &End| {
             let step = self.inner_extent.share(x.at) - self.inner_extent.share(y.at);
-            near && step.abs() > JUMP
+            near && (step.abs() > JUMP || x.is_border != y.is_border)
         };
         let mut pairs = a.spans.iter().zip(&b.spans);
         pairs.any(|(x, y)| x.ends.iter().zip(&y.ends).any(|(x, y)| step(x, y)))
@@ -313,6 +314,31 @@ mod tests {
             region.borders[0].last().unwrap(),
         ];
         assert!(ends[0][0] > 0.999 && ends[1][0] < 1e-5, "{ends:?}");
+    }
+
+    #[test]
+    fn a_border_leaves_the_window_where_the_formula_says() {
+        // K = 1 − 2B, in N/mm and N s/m, through each edge of the window.
+        let scene = scene("");
+        let plane = plane(&scene, "stiffness", "damping");
+        for log in [false, true] {
+            let extent = |from, to| Extent { from, to, log };
+            for (stiffness, damping, ends) in [
+                ([0.1, 3.0], [0.02, 0.6], [[0.96, 0.02], [0.1, 0.45]]),
+                ([0.1, 0.7], [0.02, 0.3], [[0.7, 0.15], [0.4, 0.3]]),
+            ] {
+                let window = [stiffness, damping].map(|[from, to]| extent(from, to));
+                let region = Region::of(&plane, &window, Speeds::Every);
+                let border = region.borders.first().unwrap();
+                for (found, expected) in [border.first(), border.last()].into_iter().zip(ends) {
+                    let [k, b] = *found.unwrap();
+                    let off = (k / expected[0] - 1.0)
+                        .abs()
+                        .max((b / expected[1] - 1.0).abs());
+                    assert!(off < 1e-6, "{log}: {k} {b}, {expected:?}");
+                }
+            }
+        }
     }
 
     #[test]
