@@ -150,6 +150,28 @@ fn a_plane_of_two_parameters_has_its_borders_as_data() {
 }
 
 #[test]
+fn a_scene_without_tolerances_has_none_in_the_key() {
+    let dir = Dir::new();
+    let rig = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/re35.toml");
+    // In degrees the stiffness has a π in it, and is known between two numbers only.
+    let axes = "stiffness [mN m/deg],rate [kHz]";
+    let rig = rig.to_str().expect("UTF-8");
+    let run = dir.run(&[
+        "plane",
+        rig,
+        "--axes",
+        axes,
+        "--log",
+        "both",
+        "--plot",
+        "plane.svg",
+    ]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
+    assert!(svg.contains("1: re35") && !svg.contains("its tolerances"));
+}
+
+#[test]
 fn thirteen_scenes_are_all_in_the_key_and_share_borders_where_they_can() {
     let dir = Dir::new();
     let mut args = vec!["plane".to_owned()];

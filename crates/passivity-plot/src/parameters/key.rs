@@ -2,7 +2,10 @@
 
 use passivity_scene::plane::{Prediction, Speeds};
 
-use super::{BOUNDED, EVERY, Group, Mark, Picture, colour, is_outside, measured, scene, stroke};
+use super::{
+    BOUNDED, EVERY, Group, Mark, Picture, colour, frame, is_outside, measured, scene, stroke,
+    tolerance_lines,
+};
 use crate::svg::{Anchor, BLACK, DARK, Pixel, Stroke, Svg, rectangle};
 
 const LINE: f64 = 20.0;
@@ -121,7 +124,8 @@ impl Key<'_> {
                 self.words(13.0, words);
             }
         }
-        let boxed = |mark: &Mark| mark.ranges.iter().flatten().any(|range| !range.is_point());
+        let frame = frame(picture);
+        let boxed = |mark: &Mark| !tolerance_lines(&frame, mark).is_empty();
         if picture.marks.iter().any(boxed) {
             let mut edge =
                 rectangle([self.x + 1.0, self.y + 1.0], [self.x + 21.0, self.y + 13.0]).to_vec();

@@ -80,13 +80,7 @@ pub(crate) const RADIUS: f64 = 5.0;
 /// scenes and short strokes on the side that is passive.
 #[must_use]
 pub fn draw(picture: &Picture<'_>) -> String {
-    let [x, y] = picture.window;
-    let frame = Frame {
-        x,
-        y,
-        from: FROM,
-        to: TO,
-    };
+    let frame = frame(picture);
     let lines = key::height(picture);
     let mut svg = Svg::new([WIDTH, lines.max(TO[1] + 60.0)]);
     let mut labels = Labels::new(&frame);
@@ -139,6 +133,17 @@ pub fn draw(picture: &Picture<'_>) -> String {
     }
     key::draw(&mut svg, picture, [TO[0] + 28.0, FROM[1]]);
     svg.finish()
+}
+
+/// Where the picture shows its window.
+const fn frame(picture: &Picture<'_>) -> Frame {
+    let [x, y] = picture.window;
+    Frame {
+        x,
+        y,
+        from: FROM,
+        to: TO,
+    }
 }
 
 /// The colour of the scene with a number, counted from 0.
@@ -270,16 +275,19 @@ fn strokes(way: &[Pixel]) -> Vec<[Pixel; 2]> {
 /// Half the length of the ends of a bar.
 const CAP: f64 = 9.0;
 
-/// The tolerances of a scene as a box, or as a bar where only one of the axes has one.
-fn tolerance_box(svg: &mut Svg, frame: &Frame, mark: &Mark, colour: &str) {
-    let Some(ranges) = &mark.ranges else { return };
+/// The lines of a scene's tolerances: a box, or a bar where only one of the axes has one; none where they
+/// are too small to be seen.
+fn tolerance_lines(frame: &Frame, mark: &Mark) -> Vec<Vec<Pixel>> {
+    let Some(ranges) = &mark.ranges else {
+        return Vec::new();
+    };
     let corner = |end: fn(&Interval<BigRational>) -> &BigRational| {
         frame.clamped(ranges.each_ref().map(|range| nearest_f64(end(range))))
     };
     let (a, b) = (corner(Interval::lo), corner(Interval::hi));
     let (wide, high) = (b[0] - a[0] >= 1.0, a[1] - b[1] >= 1.0);
     let (dx, dy) = (if wide { 0.0 } else { CAP }, if high { 0.0 } else { CAP });
-    let lines = if wide && high {
+    if wide && high {
         let mut edge = rectangle([a[0], b[1]], [b[0], a[1]]).to_vec();
         edge.extend(edge.first().copied());
         vec![edge]
@@ -289,12 +297,14 @@ fn tolerance_box(svg: &mut Svg, frame: &Frame, mark: &Mark, colour: &str) {
         vec![vec![a, b], end(a), end(b)]
     } else {
         Vec::new()
-    };
-    for (stroke, lines) in [
-        (Stroke::solid("#ffffff", 3.5), &lines),
-        (Stroke::solid(colour, 1.5), &lines),
-    ] {
-        for line in lines {
+    }
+}
+
+/// Draws the tolerances of a scene.
+fn tolerance_box(svg: &mut Svg, frame: &Frame, mark: &Mark, colour: &str) {
+    let lines = tolerance_lines(frame, mark);
+    for stroke in [Stroke::solid("#ffffff", 3.5), Stroke::solid(colour, 1.5)] {
+        for line in &lines {
             svg.line(line, stroke);
         }
     }
