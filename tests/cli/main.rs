@@ -22,6 +22,7 @@ mod oracle;
 mod pieces;
 mod plane;
 mod recordings;
+mod schema;
 mod simulate;
 mod sweep;
 mod usage;
