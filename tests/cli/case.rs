@@ -175,6 +175,34 @@ fn a_check_finds_what_has_changed() {
 }
 
 #[test]
+fn a_strict_check_refuses_what_a_strict_case_does() {
+    let dir = Dir::new();
+    let unsourced = GOOD.replace("# Measured on the bench.\n", "# TODO\n");
+    for (text, standing) in [
+        (GOOD, "shown"),
+        (BAD, "defeated"),
+        (unsourced.as_str(), "open"),
+    ] {
+        let scene = dir.write("scene.toml", text);
+        let written = dir.run(&[
+            "case", &scene, "--out", "case", "--strict", "--format", "json",
+        ]);
+        let objections = written.json()["objections"].clone();
+        let check = |more: &[&str]| dir.run(&[&["case", "--check", "case"], more].concat());
+        assert_eq!(check(&[]).code, 0, "{standing}: the case is current");
+        let run = check(&["--strict", "--format", "json"]);
+        assert_eq!(run.json()["objections"], objections);
+        assert_eq!(run.code, written.code, "{standing}: {}", run.stdout);
+        if standing != "shown" {
+            assert_eq!(run.json()["scenes"][0]["standing"], standing);
+            assert_eq!(run.code, 1);
+            let says = check(&[]).stdout;
+            assert!(says.contains(&format!("top goal {standing}")), "{says}");
+        }
+    }
+}
+
+#[test]
 fn history_grows_with_every_change_of_a_verdict() {
     let dir = Dir::new();
     for text in [GOOD, BAD, BAD, GOOD] {

@@ -6,7 +6,7 @@ use std::path::Path;
 use passivity_audit::legible;
 use passivity_evidence::Sha256;
 
-use crate::case::Case;
+use crate::case::{Case, Objection};
 use crate::error::CaseError;
 use crate::files::read_bytes;
 use crate::manifest::{FileEntry, Manifest, RecordedEntry, words};
@@ -28,6 +28,25 @@ pub struct Findings {
     pub unchanged: usize,
     /// What could not be compared, and why.
     pub not_at_hand: Vec<String>,
+    /// How each top goal stands now.
+    pub standing: Vec<Stands>,
+    /// What a strict reader objects to, as when the case is written.
+    pub objections: Vec<Objection>,
+}
+
+/// How the top goal of a scene stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stands {
+    /// What the scene is called.
+    pub scene: String,
+    /// Its name in file names.
+    pub name: String,
+    /// The verdict, as machine-readable output names it.
+    pub verdict: &'static str,
+    /// The verdict in a line.
+    pub headline: String,
+    /// How the top goal stands, in words.
+    pub standing: String,
 }
 
 impl Findings {
@@ -142,23 +161,36 @@ fn read_again(study: &mut Study, entry: &RecordedEntry, findings: &mut Findings)
 
 fn verdicts(manifest: &Manifest, studies: Vec<Study>, records: &Records, findings: &mut Findings) {
     let case = Case::new(studies, records.clone(), Vec::new());
+    findings.objections = case.objections();
     for (study, argument) in case.scenes() {
         let Some(entry) = manifest.scenes.get(&study.slug) else {
             continue;
         };
         let verdict = study.report().verdict.name();
+        // Without the recordings that it rests on, a goal is known to stand only as the case says.
+        let is_whole = entry.recorded.is_none() || study.recorded.is_some();
+        let standing = match is_whole {
+            true => argument.standing().words(),
+            false => &entry.standing,
+        };
+        findings.standing.push(Stands {
+            scene: study.name().to_owned(),
+            name: study.slug.clone(),
+            verdict,
+            headline: study.report().headline(),
+            standing: standing.to_owned(),
+        });
         if verdict != entry.verdict {
             findings.changed.push(format!(
                 "{}: the verdict is {verdict}, in the case it is {}",
                 study.slug, entry.verdict
             ));
         }
-        if entry.recorded.is_some() && study.recorded.is_none() {
+        if !is_whole {
             let what = "the top goal: a recording that it rests on could not be read again";
             findings.not_at_hand.push(format!("{}: {what}", study.slug));
             continue;
         }
-        let standing = argument.standing().words();
         if standing != entry.standing {
             findings.changed.push(format!(
                 "{}: the top goal is {standing}, in the case it is {}",

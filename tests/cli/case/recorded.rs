@@ -113,6 +113,10 @@ fn a_log_that_contradicts_leaves_the_top_goal_unsupported() {
         );
         let objections = run.json()["objections"].to_string();
         assert!(objections.contains("G-log-2 is defeated"), "{objections}");
+        let strict = dir.run(&["case", "--check", "case", "--strict"]);
+        assert_eq!(strict.code, 1, "{}", strict.stdout);
+        assert!(strict.stdout.contains("top goal open"), "{}", strict.stdout);
+        assert!(strict.stdout.contains("G-log-2 is defeated"));
         assert!(element(&dir, "G-log-2").contains("defeated: true"));
         assert!(element(&dir, "CG-log-2").contains("challenges: G-log-2"));
         let html = read(&dir, "case/case.html");

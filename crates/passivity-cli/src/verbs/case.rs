@@ -37,9 +37,10 @@ scene says contradict the case: its top goal is then not shown. A case with logs
 The file of --info is TOML with the fields title, author, reviewer, approval, intended_use and date,
 each of which may be left out.
 
-Exit codes: 0 every scene is passive and every log supports it (with --check: the case is current);
-1 not, or with --strict something is stale, missing or open; 2 bad input, or --pdf found no browser
-to print with (the rest of the case is written); 3 a scene has an effect that no theorem covers.")]
+Exit codes: 0 every scene is passive and every log supports it (with --check: the case is current,
+whatever it says); 1 not, or with --strict something is stale, missing, open or defeated; 2 bad input,
+or --pdf found no browser to print with (the rest of the case is written); 3 a scene has an effect that
+no theorem covers.")]
 pub(crate) struct Args {
     /// Scene files.
     #[arg(
@@ -59,7 +60,7 @@ pub(crate) struct Args {
     /// Check the case in this folder against the sources instead of writing one.
     #[arg(long, value_name = "DIR")]
     check: Option<PathBuf>,
-    /// Exit with 1 on anything that is stale, missing or open.
+    /// Exit with 1 on anything that is stale, missing, open or defeated.
     #[arg(long)]
     strict: bool,
     /// Where the claims and the sources are; by default the nearest folder, from here up, with
@@ -198,18 +199,23 @@ fn summary(case: &Case, out: &Path, objections: &[Objection]) -> String {
         text.push_str(&line);
         text.push_str(&recordings::summary(study));
     }
-    if objections.is_empty() {
-        text.push_str("  Nothing is open, stale or missing.\n");
-    } else {
-        text.push_str(&format!(
-            "  Open, stale, missing or defeated: {}\n",
-            objections.len()
-        ));
-        for objection in objections {
-            text.push_str(&format!("    {objection}\n"));
-        }
-    }
+    text.push_str(&points(objections));
     text
+}
+
+/// What a strict reader objects to, a line each.
+fn points(objections: &[Objection]) -> String {
+    if objections.is_empty() {
+        return "  Nothing is open, stale or missing.\n".to_owned();
+    }
+    let lines = objections
+        .iter()
+        .map(|objection| format!("    {objection}\n"));
+    let lines: String = lines.collect();
+    format!(
+        "  Open, stale, missing or defeated: {}\n{lines}",
+        objections.len()
+    )
 }
 
 fn document(case: &Case, out: &Path, pdf: bool, objections: &[Objection]) -> serde_json::Value {
@@ -235,10 +241,15 @@ fn compare(args: &Args, folder: &Path, records: &Records) -> Result<Exit, Failur
             "case": folder.to_string_lossy(), "current": findings.is_current(),
             "changed": findings.changed, "evidence": findings.stale,
             "unchanged": findings.unchanged, "not_compared": findings.not_at_hand,
+            "scenes": findings.standing.iter().map(|scene| json!({
+                "scene": scene.scene, "name": scene.name, "verdict": scene.verdict,
+                "standing": scene.standing,
+            })).collect::<Vec<_>>(),
+            "objections": findings.objections.iter().map(ToString::to_string).collect::<Vec<_>>(),
         }))?,
     }
-    let complete = !args.strict || findings.not_at_hand.is_empty();
-    Ok(if findings.is_current() && complete {
+    let complete = findings.not_at_hand.is_empty() && findings.objections.is_empty();
+    Ok(if findings.is_current() && (complete || !args.strict) {
         Exit::Holds
     } else {
         Exit::Fails
@@ -266,5 +277,12 @@ fn compared(folder: &Path, findings: &Findings) -> String {
             text.push_str(&format!("  {word}: {line}\n"));
         }
     }
+    for scene in &findings.standing {
+        text.push_str(&format!(
+            "  {}: {}; top goal {}\n",
+            scene.scene, scene.headline, scene.standing
+        ));
+    }
+    text.push_str(&points(&findings.objections));
     text
 }
