@@ -5,12 +5,13 @@ use std::path::Path;
 
 use passivity_audit::legible;
 use passivity_evidence::Sha256;
+use serde_json::Value;
 
 use crate::case::{Case, Objection};
 use crate::error::CaseError;
 use crate::files::read_bytes;
-use crate::manifest::{FileEntry, Manifest, RecordedEntry, words};
-use crate::recorded::{Recorded, sum};
+use crate::manifest::{FileEntry, MANIFEST, Manifest, RecordedEntry, SceneEntry, words};
+use crate::recorded::{Recorded, Recordings, record_name, sum};
 use crate::records::Records;
 use crate::study::Study;
 
@@ -81,10 +82,101 @@ pub fn check(folder: &Path, records: &Records) -> Result<Findings, CaseError> {
             Err(error) => findings.changed.push(error.to_string()),
         }
     }
+    for (name, entry) in &manifest.scenes {
+        if manifest.files.get(&format!("{name}.toml")) != Some(&entry.sha256) {
+            findings.changed.push(format!(
+                "`{name}.toml` is another scene than the one that `{MANIFEST}` has a hash of"
+            ));
+        }
+        differences(folder, name, entry, &mut findings);
+    }
     let studies = scenes(folder, &manifest, &mut findings);
     verdicts(&manifest, studies, records, &mut findings);
     evidence(&manifest, records, &mut findings);
     Ok(findings)
+}
+
+/// Compares what the manifest says of recordings with the record of them, of which it has the hash: what a
+/// reader of the document sees was written from that record.
+fn differences(folder: &Path, name: &str, entry: &SceneEntry, findings: &mut Findings) {
+    let file = record_name(name);
+    let path = folder.join(&file);
+    let Some(told) = &entry.recorded else {
+        if path.exists() {
+            let says = format!("`{file}` is of recordings that `{MANIFEST}` does not have");
+            findings.changed.push(says);
+        }
+        return;
+    };
+    let record = read_bytes(&path, MOST_BYTES).and_then(|bytes| {
+        let read = serde_json::from_slice::<Value>(&bytes);
+        read.map_err(|error| CaseError::within(&path, error))
+    });
+    let record = match record {
+        Ok(record) => record,
+        Err(error) => return findings.changed.push(error.to_string()),
+    };
+    let list = |value: Option<&Value>| value.and_then(Value::as_array).cloned().unwrap_or_default();
+    let text = |value: &Value, pointer: &str| {
+        let found = value.pointer(pointer).and_then(Value::as_str);
+        found.unwrap_or_default().to_owned()
+    };
+    let logs = list(record.get("logs"));
+    let identification = record
+        .get("identification")
+        .filter(|found| !found.is_null());
+    let files: Vec<[String; 3]> = logs
+        .iter()
+        .filter_map(|log| log.get("source").cloned())
+        .chain(list(record.pointer("/identification/sources")))
+        .map(|source| ["/path", "/date", "/sha256"].map(|field| text(&source, field)))
+        .collect();
+    let given = told.given.logs.iter().chain(&told.given.identification);
+    let told_files: Vec<[String; 3]> = given
+        .zip(&told.files)
+        .map(|(given, file)| {
+            let [path, date] = [&given.path, &given.date].map(Clone::clone);
+            // The path is there twice, and both must be that of the record.
+            let path = if file.path == path {
+                path
+            } else {
+                String::new()
+            };
+            [path, date, file.sha256.to_string()]
+        })
+        .collect();
+    let outcomes: Vec<String> = logs
+        .iter()
+        .chain(identification)
+        .map(|found| text(found, "/evidence/outcome"))
+        .collect();
+    let how = record.get("given");
+    if how.is_none() {
+        findings.not_at_hand.push(format!(
+            "how the logs were read: `{file}` is from before it says so; write the case again"
+        ));
+    }
+    let how = how.map(|how| serde_json::from_value::<Recordings>(how.clone()).ok());
+    for (is_same, what) in [
+        (
+            text(&record, "/device_as_given") == told.given.device,
+            "which device was recorded",
+        ),
+        (
+            files == told_files && files.len() == told.files.len(),
+            "the logs, their dates or their hashes",
+        ),
+        (outcomes == told.outcomes, "what the recordings come to"),
+        (
+            how.is_none_or(|how| how.as_ref() == Some(&told.given)),
+            "what was given with the recordings",
+        ),
+    ] {
+        if !is_same {
+            let says = format!("{what}: `{MANIFEST}` says other than `{file}`");
+            findings.changed.push(says);
+        }
+    }
 }
 
 /// The scenes as they are now, or as the case has them when they are no longer there.

@@ -11,6 +11,7 @@ use crate::draw::draw;
 use crate::error::CaseError;
 use crate::manifest::{MANIFEST, Manifest};
 use crate::print;
+use crate::recorded::record_name;
 use crate::{html, sections};
 
 /// The document, as HTML.
@@ -43,10 +44,7 @@ pub fn files(case: &Case) -> Result<BTreeMap<String, Vec<u8>>, CaseError> {
         if let Some(recorded) = &study.recorded {
             let text = serde_json::to_string_pretty(&recorded.to_json(&study.scene))
                 .map_err(|error| CaseError::new(format!("the recordings: {error}")))?;
-            files.insert(
-                format!("{name}.recorded.json"),
-                format!("{text}\n").into_bytes(),
-            );
+            files.insert(record_name(name), format!("{text}\n").into_bytes());
         }
     }
     let manifest = Manifest::of(case, &files);

@@ -247,6 +247,68 @@ fn a_changed_log_is_noticed_and_a_missing_one_is_said() {
 }
 
 #[test]
+fn a_manifest_that_says_other_than_the_record_is_noticed() {
+    let dir = Dir::new();
+    let (path, log) = (dir.write("scene.toml", SCENE), dir.write("run.csv", LAW));
+    assert_eq!(case(&dir, &path, &["--log", &log]).code, 0);
+    let manifest = read(&dir, "case/manifest.json");
+    let check = || dir.run(&["case", "--check", "case"]);
+    assert_eq!(check().code, 0, "{}", check().stdout);
+    let [before, after] = [LAW, &LAW.replace("1/2", "1/3")]
+        .map(|text| passivity_evidence::Sha256::of(text.as_bytes()).to_string());
+    for (old, new, says) in [
+        ("\"knob 3\"", "\"knob 4\"", "which device was recorded"),
+        (
+            "2026-11-20",
+            "2026-11-21",
+            "the logs, their dates or their hashes",
+        ),
+        (
+            before.as_str(),
+            after.as_str(),
+            "the logs, their dates or their hashes",
+        ),
+        (
+            "\"count_error\": 1.0",
+            "\"count_error\": 2.0",
+            "what was given",
+        ),
+        ("\"effort\": null", "\"effort\": 7", "what was given"),
+        ("\"supports\"", "\"open\"", "what the recordings come to"),
+    ] {
+        assert!(manifest.contains(old), "{old}: {manifest}");
+        dir.write("case/manifest.json", manifest.replace(old, new));
+        // The log is replaced along with its hash.
+        dir.write(
+            "run.csv",
+            LAW.replace("1/2", if new == after { "1/3" } else { "1/2" }),
+        );
+        let run = check();
+        assert_eq!(run.code, 1, "{new}: {}", run.stdout);
+        assert!(run.stdout.contains(says), "{new}: {}", run.stdout);
+    }
+    // So is a scene.
+    dir.write("run.csv", LAW);
+    let other = SCENE.replace("bench", "desk");
+    let [before, after] =
+        [SCENE, &other].map(|text| passivity_evidence::Sha256::of(text.as_bytes()).to_string());
+    dir.write("scene.toml", &other);
+    let entry = format!("\"path\": \"scene.toml\",\n      \"sha256\": \"{before}\"");
+    assert!(manifest.contains(&entry), "{manifest}");
+    dir.write(
+        "case/manifest.json",
+        manifest.replace(&entry, &entry.replace(&before, &after)),
+    );
+    let run = check();
+    assert_eq!(run.code, 1, "{}", run.stdout);
+    assert!(
+        run.stdout.contains("is another scene than"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
 fn names_that_are_hostile_stay_text() {
     let dir = Dir::new();
     let path = dir.write("scene.toml", SCENE);

@@ -163,7 +163,7 @@ impl Recorded {
     pub fn to_json(&self, scene: &Scene) -> Value {
         let logs: Vec<Value> = self.logs.iter().map(|log| log.to_json(scene)).collect();
         let identification = self.identification.as_ref();
-        json!({ "device_as_given": self.given.device, "logs": logs,
+        json!({ "device_as_given": self.given.device, "given": self.given, "logs": logs,
             "identification": identification.map(Identification::to_json) })
     }
 
@@ -233,6 +233,11 @@ impl Source {
         };
         Ok((source, found))
     }
+}
+
+/// The file of a case that has what was recorded of the device in a scene, by the scene's name in file names.
+pub(crate) fn record_name(slug: &str) -> String {
+    format!("{slug}.recorded.json")
 }
 
 /// The SHA-256 of a plain file, which may be of any size.
