@@ -239,6 +239,7 @@ fn every_vector_of_counts_or_with_a_law_agrees() {
 fn the_loop_in_c_against_the_simulator_agrees() {
     let dir = Dir::new();
     let program = compiled(&dir);
+    saturates(&program);
     for (name, velocity, push) in [
         ("left alone", 3.0, 0.0),
         ("pushed into the wall", 0.0, 40.0),
@@ -315,6 +316,26 @@ fn the_loop_in_c_against_the_simulator_agrees() {
         let moved = counts.windows(2).filter(|pair| pair[0] != pair[1]).count();
         assert!(moved > 4, "{name}: it moved in {moved} intervals");
     }
+}
+
+/// Counts whose force does not fit into 32 bits.
+fn saturates(program: &Path) {
+    let mut child = Command::new(program)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the loop starts");
+    let counts = b"2000000\n2147483647\n-2147483648\n0\n";
+    let mut counter = child.stdin.take().expect("a pipe");
+    counter.write_all(counts).expect("the loop reads");
+    drop(counter);
+    let output = child.wait_with_output().expect("the loop ends");
+    let forces = String::from_utf8(output.stdout).expect("text");
+    assert_eq!(
+        forces,
+        "-2000000500\n-2147483647\n2147483647\n-2147483647\n"
+    );
 }
 
 /// One interval of the simulator under a force: its own wall is on one side and far away.

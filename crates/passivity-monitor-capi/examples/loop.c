@@ -36,6 +36,11 @@ static void set_amplifier(int32_t force) {
     fflush(stdout);
 }
 
+/* What the amplifier can be told: a force beyond 32 bits is saturated, to either side alike. */
+static int32_t held(int64_t force) {
+    return (int32_t)(force > INT32_MAX ? INT32_MAX : force < -INT32_MAX ? -INT32_MAX : force);
+}
+
 /* In units of K D, exactly: a thousandth is three decimals. */
 static void write_log(FILE *log, int32_t count, int32_t force) {
     int32_t size = force < 0 ? -force : force;
@@ -57,9 +62,9 @@ int main(int argc, char **argv) {
         fputs("count,f\n", log);
     }
     for (int started = 0; read_counter(&count); started = 1) {
-        int32_t moved = started ? count - before : 0;
+        int64_t moved = started ? (int64_t)count - before : 0;
         /* The middle of the tick, as the count is its lower end. */
-        int32_t force = -(STIFFNESS * count + STIFFNESS / 2 + DAMPING * moved);
+        int32_t force = held(-(STIFFNESS * (int64_t)count + STIFFNESS / 2 + DAMPING * moved));
         set_amplifier(force);
         before = count;
         if (log) {
