@@ -183,6 +183,31 @@ fn a_device_that_is_none_of_the_model_is_refuted_at_its_place() {
 }
 
 #[test]
+fn what_is_wrong_with_a_sketch_without_a_wall_is_said_of_what_is_in_it() {
+    let dir = Dir::new();
+    let sketch = std::fs::read_to_string(shipped("sketch.toml")).unwrap();
+    let sketch = sketch.replace("[wall]\nstiffness = \"0.5 N m/rad\"\n", "");
+    for (old, new, says) in [
+        ("= 8192", "= 8192.5", "expected a whole number"),
+        ("kg m^2\"", "kgm2\"", "unknown unit `kgm`"),
+        ("kg m^2\"", "kg m^2 ± 100%\"", "as low as 0 kg m^2"),
+        ("rate = \"1 kHz\"", "", "`period` or `rate`"),
+        (
+            "inertia = \"2e-5 kg m^2\"",
+            "mass = \"1 kg\"",
+            "`device.mass` is linear",
+        ),
+    ] {
+        let path = dir.write("sketch.toml", sketch.replace(old, new));
+        let run = dir.run(&["identify", &shipped("push.csv"), "--scene", &path]);
+        assert_eq!(run.code, 2, "{new}");
+        assert!(run.stderr.contains(says), "{new}: {}", run.stderr);
+        assert!(!run.stderr.contains("wall"), "{new}: {}", run.stderr);
+        assert_eq!(run.stderr.lines().count(), 1, "{new}: {}", run.stderr);
+    }
+}
+
+#[test]
 fn a_log_without_motion_bounds_nothing() {
     let dir = Dir::new();
     let log = dir.write("still.csv", "count,f [N m]\n5,0\n5,0\n6,0\n5,0\n");

@@ -41,9 +41,15 @@ pub fn read_sketch(name: &str, text: &str) -> Result<Scene, SceneError> {
         document.insert("wall", Item::Table(wall));
         Scene::from_toml(name, &document.to_string())
     };
-    let [rotary, linear] = WALLS.map(with);
     // Of the motion that the rest of the sketch is of.
-    rotary.or(linear)
+    let [rotary, linear] = WALLS.map(with);
+    let with_wall = match rotary.or_else(|error| linear.map_err(|_| error)) {
+        Ok(scene) => return Ok(scene),
+        Err(error) => error,
+    };
+    // What is wrong is said of the file, not of a wall that is not in it.
+    let own = Scene::from_toml(name, text).err();
+    Err(own.and_then(|own| own.without("wall")).unwrap_or(with_wall))
 }
 
 impl Identified {

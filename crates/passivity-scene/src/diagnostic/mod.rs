@@ -168,6 +168,15 @@ impl SceneError {
         &self.diagnostics
     }
 
+    /// The error without what it says of a section or key, for readers of scenes that may lack it; `None` where
+    /// nothing else is wrong.
+    #[must_use]
+    pub fn without(mut self, key: &str) -> Option<Self> {
+        self.diagnostics
+            .retain(|diagnostic| diagnostic.scene_key() != Some(key));
+        (!self.diagnostics.is_empty()).then_some(self)
+    }
+
     /// The scene's file, or its name.
     #[must_use]
     pub fn name(&self) -> &str {
