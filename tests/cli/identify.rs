@@ -177,9 +177,29 @@ fn a_device_that_is_none_of_the_model_is_refuted_at_its_place() {
     assert!((refuted["time"].as_f64().unwrap() - (row - 1.0) * 1e-3).abs() < 1e-9);
     assert!(refuted["log"].as_str().unwrap().ends_with("backlash.csv"));
     assert!(answer["parameters"]["viscous"].is_null());
-    assert!(!dir.path("none.toml").exists() && run.stderr.contains("is not written"));
+    assert!(!dir.path("none.toml").exists());
+    let says = "none.toml is not written: no parameters fit the logs";
+    assert!(run.stderr.contains(says), "{}", run.stderr);
     let text = identify(&dir, "backlash.csv", &[]);
     assert!(text.stdout.contains("it may be: "), "{}", text.stdout);
+}
+
+#[test]
+fn an_inertia_that_may_be_as_small_as_zero_is_in_no_scene() {
+    let dir = Dir::new();
+    let run = identify(&dir, "push.csv", &["--inertia", "free", "--out", "x.toml"]);
+    assert!(
+        run.stdout.contains("inertia           0 … "),
+        "{}",
+        run.stdout
+    );
+    assert_eq!(
+        run.code, 0,
+        "some parameters fit, and every bound is finite"
+    );
+    let says = "x.toml is not written: the logs leave open how small the inertia is";
+    assert!(run.stderr.contains(says), "{}", run.stderr);
+    assert!(!dir.path("x.toml").exists());
 }
 
 #[test]

@@ -366,6 +366,24 @@ impl Identified {
                 .all(|(_, bounds)| bounds.hi.is_some())
     }
 
+    /// Why no scene can be written, if none can.
+    #[must_use]
+    pub fn unwritten(&self) -> Option<String> {
+        if !self.fits() {
+            return Some("no parameters fit the logs".to_owned());
+        }
+        if !self.is_bounded() {
+            return Some("a parameter has no bounds".to_owned());
+        }
+        let mut known = self.parameters.iter();
+        let inertia = known.find(|(parameter, _)| *parameter == Parameter::Inertia);
+        inertia.filter(|(_, bounds)| bounds.lo <= 0.0).map(|_| {
+            "the logs leave open how small the inertia is, and that of a scene must be above zero: give the \
+             inertia in the sketch, with a generous tolerance, or try more --effort"
+                .to_owned()
+        })
+    }
+
     /// Whether the box is narrow: every parameter within a fifth of its estimate, end to end.
     #[must_use]
     pub fn is_informative(&self) -> bool {

@@ -57,11 +57,11 @@ impl Identified {
     ///
     /// # Errors
     ///
-    /// [`IdentifyError`] where the sketch cannot be changed, or where nothing fits.
+    /// [`IdentifyError`] where the sketch cannot be changed, or where none can be written
+    /// ([`unwritten`](Self::unwritten)).
     pub fn scene(&self, sketch: &str, said: &Provenance) -> Result<String, IdentifyError> {
-        if !self.is_bounded() {
-            let message = "no scene is written: a parameter has no bounds";
-            return Err(IdentifyError::new(message));
+        if let Some(why) = self.unwritten() {
+            return Err(IdentifyError::new(format!("no scene is written: {why}")));
         }
         let refuse = |error: &dyn std::fmt::Display| IdentifyError::new(error.to_string());
         let mut document: DocumentMut = sketch.parse().map_err(|error| refuse(&error))?;

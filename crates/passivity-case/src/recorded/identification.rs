@@ -21,9 +21,11 @@ pub struct Identification {
     pub report: Report,
     /// Each parameter beside what the scene says of it.
     pub compared: Vec<Compared>,
-    /// The verdict for a scene with the identified ranges in place of its own; `None` where a parameter
-    /// has no bounds.
+    /// The verdict for a scene with the identified ranges in place of its own; `None` where there can be no such
+    /// scene.
     pub over: Option<Over>,
+    /// Why there can be no such scene.
+    pub unwritten: Option<String>,
     /// The verdict of the scene itself.
     own: Over,
 }
@@ -161,9 +163,10 @@ impl Identification {
             true
         })
         .map_err(refuse)?;
-        let over = match found.is_bounded() {
-            false => None,
-            true => {
+        let unwritten = found.unwritten();
+        let over = match unwritten {
+            Some(_) => None,
+            None => {
                 let text = found.scene(text, &Provenance::default()).map_err(refuse)?;
                 let scene = Scene::from_toml(&scene.name, &text);
                 let scene = scene.map_err(|error| CaseError::new(error.to_string()))?;
@@ -201,6 +204,7 @@ impl Identification {
             sources,
             report,
             over,
+            unwritten,
             own: Over::of(scene),
         })
     }
@@ -237,8 +241,9 @@ impl Identification {
         }
         match &self.over {
             None => {
-                let lacks = self.report.lacks.join("; ");
-                Outcome::Open(format!("a parameter has no bounds: {lacks}"))
+                let why = self.unwritten.iter().chain(&self.report.lacks);
+                let why: Vec<&str> = why.map(String::as_str).collect();
+                Outcome::Open(why.join("; "))
             }
             Some(over) if self.is_as_own(over) => Outcome::Supports,
             Some(over) => Outcome::Open(format!(

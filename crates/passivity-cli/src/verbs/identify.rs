@@ -168,11 +168,8 @@ fn write(
     logs: Vec<LogReport>,
     args: &Args,
 ) -> Result<(), Failure> {
-    if !found.is_bounded() {
-        tell(&format!(
-            "{} is not written: a parameter has no bounds",
-            out.display()
-        ));
+    if let Some(why) = found.unwritten() {
+        tell(&format!("{} is not written: {why}", out.display()));
         return Ok(());
     }
     let said = Provenance {
