@@ -134,3 +134,16 @@ fn a_verdict_that_part_of_the_identified_range_does_not_have_is_open() {
     assert_eq!((run.code, answer["standing"].as_str()), (1, Some("open")));
     assert!(element(&dir, "G-identification-open").contains("undeveloped: true"));
 }
+
+#[test]
+fn an_inertia_that_may_be_as_small_as_zero_leaves_the_case_open() {
+    let dir = Dir::new();
+    let text = KNOB.replace("inertia = \"2e-5 kg m^2\"\n", "");
+    let path = dir.write("scene.toml", text);
+    let push = shipped("push.csv");
+    let run = case(&dir, &path, &["--identification", &push, "--effort", "1"]);
+    let evidence = scene(&run)["recorded"]["identification"]["evidence"].clone();
+    assert_eq!((run.code, evidence["outcome"].as_str()), (1, Some("open")));
+    let why = evidence["because"].as_str().expect("a reason");
+    assert!(why.contains("how small the inertia is"), "{why}");
+}
