@@ -228,6 +228,31 @@ fn what_is_wrong_with_a_sketch_without_a_wall_is_said_of_what_is_in_it() {
 }
 
 #[test]
+fn the_delay_of_the_walls_law_is_not_that_of_the_log_and_said_so() {
+    let dir = Dir::new();
+    let sketch = std::fs::read_to_string(shipped("sketch.toml")).unwrap();
+    let late = dir.write(
+        "late.toml",
+        sketch.replace("\"1 kHz\"", "\"1 kHz\"\ndelay = 1"),
+    );
+    let words = [
+        "identify",
+        &shipped("push.csv"),
+        "--scene",
+        &late,
+        "--effort",
+        "1",
+    ];
+    let run = dir.run(&words);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(
+        run.stderr.contains("in effect from that row on"),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
 fn a_log_without_motion_bounds_nothing() {
     let dir = Dir::new();
     let log = dir.write("still.csv", "count,f [N m]\n5,0\n5,0\n6,0\n5,0\n");

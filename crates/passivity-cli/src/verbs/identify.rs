@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use passivity_audit::{Columns, Dialect, TraceError};
+use passivity_core::Effect;
 use passivity_identify::{
     Identified, Inertia, LogReport, Options, Provenance, Report, Sampled, identify, read,
     read_sketch,
@@ -20,7 +21,8 @@ use crate::verbs::audit::{delimiter, quoted, read_as};
 /// and a best estimate.
 ///
 /// Each log is one experiment: the device starts at rest, nobody touches it, and the commanded force, in
-/// the column `f [N]` or `f [N m]`, is held from each sample to the next. Positions are counts, or `x [unit]`,
+/// the column `f [N]` or `f [N m]`, is held from each sample to the next: where the force is late, `f` is the one
+/// in effect, whatever delay the sketch has. Positions are counts, or `x [unit]`,
 /// as `passivity audit` reads them. The sketch is a scene that says what is known: sampling period, encoder
 /// and, if known, the inertia; it may lack a wall. Friction in the sketch is not used, and is replaced in the scene that is
 /// written. The model is m·dv/dt = u − b·v − c·sgn(v); every part of the parameters that is left out is refuted by
@@ -106,6 +108,12 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     }
     crate::picture::check(args.plot.as_deref())?;
     let (text, sketch) = sketch(&args.scene)?;
+    if sketch.effects().contains(&Effect::Delay) {
+        tell(&format!(
+            "{}: the delay is that of the wall's law: the force of a row is taken to be in effect from that row on",
+            args.scene.display()
+        ));
+    }
     let (logs, files) = logs(args, &sketch)?;
     let rows = logs.iter().map(|log| log.positions.len()).sum();
     let options = Options {
