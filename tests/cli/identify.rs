@@ -203,6 +203,30 @@ fn an_inertia_that_may_be_as_small_as_zero_is_in_no_scene() {
 }
 
 #[test]
+fn motion_in_one_direction_is_not_enough() {
+    let dir = Dir::new();
+    let one = identify(&dir, "push.csv", &["--format", "json"]).json();
+    let says = one["lacks"][0].as_str().expect("a line");
+    assert!(says.contains("record one log each way"), "{says}");
+    assert_eq!(one["informative"], true, "the bounds are narrow");
+    let text = std::fs::read_to_string(shipped("push.csv")).unwrap();
+    let back = text.lines().map(|line| {
+        let fields: Vec<&str> = line.split(',').collect();
+        match fields[..] {
+            [t, count, f] if count != "count" => {
+                let count: i64 = count.parse().unwrap();
+                format!("{t},{},-{f}\n", -count).replace("--", "")
+            }
+            _ => format!("{line}\n"),
+        }
+    });
+    let back = dir.write("back.csv", back.collect::<String>());
+    let both = identify(&dir, "push.csv", &[&back]);
+    assert!(!both.stdout.contains("each way"), "{}", both.stdout);
+    assert_eq!(both.code, 0, "{}{}", both.stdout, both.stderr);
+}
+
+#[test]
 fn what_is_wrong_with_a_sketch_without_a_wall_is_said_of_what_is_in_it() {
     let dir = Dir::new();
     let sketch = std::fs::read_to_string(shipped("sketch.toml")).unwrap();

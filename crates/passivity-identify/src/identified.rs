@@ -52,7 +52,7 @@ pub struct Identified {
     pub refuted_by: Option<Refutation>,
     /// Whether the work came to its bound before the box was as narrow as it could be.
     pub stopped_early: bool,
-    /// What the logs lack, where the box is wide.
+    /// What the logs lack: where the box is wide, and where all motion is one way.
     pub lacks: Vec<Lack>,
     pub(crate) logs: Vec<Log>,
     pub(crate) found: Found,
@@ -322,10 +322,10 @@ fn inertia(sketch: &Scene, nominal: &Loop<Exact>) -> Result<Option<[f64; 2]>, Id
     Ok(Some([lo, hi]))
 }
 
-/// Refuses a log in which the device moves before there is a force.
+/// Refuses a log in which the device moves while there is surely no force. Where the force may be off there may
+/// be one in every row: the search tells whether it can have moved the device.
 fn starts_at_rest(log: &Log, number: usize, logs: usize) -> Result<(), IdentifyError> {
-    let is_free = |[lo, hi]: &[f64; 2]| *lo <= 0.0 && *hi >= 0.0;
-    let first = log.forces.iter().position(|force| !is_free(force));
+    let first = log.forces.iter().position(|force| *force != [0.0; 2]);
     let mut known = [f64::NEG_INFINITY, f64::INFINITY];
     let before = log
         .positions

@@ -32,6 +32,10 @@ pub enum Lack {
     Acceleration,
     /// The inertia was looked for as well, and the search for it did not come to its end.
     Inertia,
+    /// The force may be off by much beside friction.
+    ForceError,
+    /// All motion, or nearly all, is in one direction.
+    OtherWay,
     /// None of these: there is too little of it.
     Length,
 }
@@ -72,18 +76,47 @@ impl fmt::Display for Lack {
                 "the inertia was looked for over decades, and the search was not finished: give it in the \
                  sketch, with a generous tolerance",
             ),
+            Self::ForceError => f.write_str(
+                "the error of the force is not small beside friction, which makes the bounds wide: know the \
+                 force better, and give a smaller error of it",
+            ),
+            Self::OtherWay => f.write_str(
+                "all motion, or nearly all, is in one direction, so that a constant force, as of gravity or a \
+                 biased amplifier, cannot be told from friction: record one log each way",
+            ),
             Self::Length => f.write_str("there is too little motion: add a longer log, or a second one"),
         }
     }
 }
 
-/// What the logs lack: nothing where the box is narrow.
+/// What the logs lack. A box that is narrow may still be that of another device: one with a constant force of its
+/// own, which only motion in both directions shows.
 pub(crate) fn lacks(identified: &Identified) -> Vec<Lack> {
-    if identified.is_informative() {
-        return Vec::new();
+    let mut all = match identified.is_informative() {
+        true => Vec::new(),
+        false => of_wide(identified),
+    };
+    if goes_one_way(&identified.logs) {
+        all.push(Lack::OtherWay);
     }
+    all
+}
+
+/// Whether the device surely moves, and nowhere the other way by a tenth of that or more.
+fn goes_one_way(logs: &[Log]) -> bool {
+    /// So much of a way is nothing beside it: as where the device springs back.
+    const LITTLE: f64 = 0.1;
+    let ways = logs.iter().map(Log::sure_ways);
+    let [up, down] = ways.fold([0.0_f64; 2], |most, way| {
+        [most[0].max(way[0]), most[1].max(way[1])]
+    });
+    up.min(down) < LITTLE * up.max(down)
+}
+
+/// What the logs of a wide box lack.
+fn of_wide(identified: &Identified) -> Vec<Lack> {
     let logs = &identified.logs;
-    if logs.iter().all(|log| log.largest_force() == 0.0) {
+    if logs.iter().all(|log| largest_logged(log) == 0.0) {
         return vec![Lack::Force];
     }
     let ticks = logs.iter().map(Log::sure_way).fold(0.0, f64::max);
@@ -117,6 +150,12 @@ pub(crate) fn lacks(identified: &Identified) -> Vec<Lack> {
     if wide(COULOMB) && coulomb < 0.2 * viscous * speeds.slow {
         all.push(Lack::Slow);
     }
+    // About at this share of a friction the error alone makes its range a fifth wide, or wider.
+    let error = logs.iter().map(force_error).fold(0.0, f64::max);
+    let is_much = |friction: f64| error > 0.02 * friction;
+    if wide(COULOMB) && is_much(coulomb) || wide(VISCOUS) && is_much(viscous * speeds.fast) {
+        all.push(Lack::ForceError);
+    }
     if wide(INERTIA) && !wide(VISCOUS) && !wide(COULOMB) {
         all.push(Lack::Acceleration);
     }
@@ -140,13 +179,30 @@ fn steps(log: &Log, best: [f64; 3]) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Whether the device moves by some ticks while the force is next to nothing.
+/// The force that was logged, whatever its error may be.
+fn logged([lo, hi]: &[f64; 2]) -> f64 {
+    0.5 * lo + 0.5 * hi
+}
+
+/// The largest magnitude of the force that was logged.
+fn largest_logged(log: &Log) -> f64 {
+    let forces = log.intervals().map(|(force, _)| logged(force).abs());
+    forces.fold(0.0, f64::max)
+}
+
+/// By how much the force may be off.
+fn force_error(log: &Log) -> f64 {
+    let errors = log.intervals().map(|([lo, hi], _)| 0.5 * hi - 0.5 * lo);
+    errors.fold(0.0, f64::max)
+}
+
+/// Whether the device moves by some ticks while the logged force is next to nothing.
 fn coasts(log: &Log, steps: &[[f64; 2]]) -> bool {
     /// Ticks.
     const SOME: f64 = 10.0;
-    let little = 0.005 * log.largest_force();
+    let little = 0.005 * largest_logged(log);
     let free = log.intervals().zip(steps);
-    let free = free.filter(|((force, _), _)| force.iter().all(|end| end.abs() <= little));
+    let free = free.filter(|((force, _), _)| logged(force).abs() <= little);
     free.map(|(_, [way, _])| way.abs()).sum::<f64>() >= SOME
 }
 
@@ -178,12 +234,7 @@ impl Speeds {
 /// What it may be that no parameters fit up to a sample.
 pub(crate) fn suspicion(log: &Log, sample: usize) -> String {
     let middles: Vec<f64> = log.middles().take(sample + 1).collect();
-    let forces: Vec<f64> = log
-        .forces
-        .iter()
-        .take(sample)
-        .map(|[lo, hi]| 0.5 * lo + 0.5 * hi)
-        .collect();
+    let forces: Vec<f64> = log.forces.iter().take(sample).map(logged).collect();
     let pushed_both_ways = forces.iter().any(|f| *f > 0.0) && forces.iter().any(|f| *f < 0.0);
     let first = middles.first().copied().unwrap_or(0.0);
     let reached = |of: fn(f64, f64) -> f64| middles.iter().copied().fold(first, of);
@@ -196,6 +247,11 @@ pub(crate) fn suspicion(log: &Log, sample: usize) -> String {
         .map_or(3.0, |[lo, hi]| 2.0 * (hi - lo));
     let turned = (high - last).min(high - first) > slack || (last - low).min(first - low) > slack;
     let moved = high - low > slack;
+    if forces.iter().all(|force| *force == 0.0) {
+        return "the device moves before there is a force in the log: a log must start at rest, with no hand on \
+                the device"
+            .to_owned();
+    }
     match (moved, turned || pushed_both_ways) {
         (false, _) => "the device starts later than its friction explains: static friction above the \
                        sliding one, a force that acts late, or another scale of the force"

@@ -100,6 +100,19 @@ impl Log {
         add_down(highest, -lowest)
     }
 
+    /// How far the device surely goes up, and how far down, at the most over all pairs of samples in their
+    /// order.
+    pub(crate) fn sure_ways(&self) -> [f64; 2] {
+        let (mut highest, mut lowest) = (f64::NEG_INFINITY, f64::INFINITY);
+        let [mut up, mut down] = [0.0_f64; 2];
+        for [lo, hi] in &self.positions {
+            (highest, lowest) = (highest.max(*lo), lowest.min(*hi));
+            up = up.max(add_down(*lo, -lowest));
+            down = down.max(add_down(highest, -*hi));
+        }
+        [up, down]
+    }
+
     /// The largest magnitude of the force.
     pub(crate) fn largest_force(&self) -> f64 {
         let forces = self.intervals().flat_map(|(force, _)| *force);

@@ -24,7 +24,8 @@ pub struct Report {
     pub refuted_by: Option<RefutedBy>,
     /// Whether every parameter is known within a fifth of its estimate, end to end.
     pub informative: bool,
-    /// What the logs lack, in words.
+    /// What the logs lack, in words. An informative answer may lack something too: motion the other way, without
+    /// which a constant force cannot be told from friction.
     pub lacks: Vec<String>,
     /// Whether the work came to its bound before the box was as narrow as it could be.
     pub stopped_early: bool,

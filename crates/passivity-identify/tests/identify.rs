@@ -85,7 +85,7 @@ fn th_ident_an_inertia_within_a_tolerance_or_unknown_is_held_too() {
         let found = identify(&[trial.log], &sketch(1.0, 0.0), &free, |_| true).unwrap();
         assert_eq!(found.parameters.len(), 3);
         if found.stopped_early && !found.is_informative() {
-            assert_eq!(found.lacks, [Lack::Inertia]);
+            assert_eq!(found.lacks[0], Lack::Inertia);
         }
         // What is true of the device, not of the sketch.
         device.inertia = trial.device.inertia;
@@ -233,6 +233,93 @@ fn a_log_that_does_not_start_at_rest_is_refused() {
     let refused = identify(&[log], &sketch(20.0, 0.0), &quick(), |_| true);
     let message = refused.unwrap_err().to_string();
     assert!(message.contains("before there is a force"), "{message}");
+}
+
+#[test]
+fn a_log_that_does_not_start_at_rest_is_refuted_where_the_force_may_be_off() {
+    let mut log = pushed(20.0, 20, 200, 9);
+    log.positions.drain(..30);
+    log.forces.drain(..30);
+    log.durations.drain(..30);
+    let options = Options {
+        force_error: 1e-3,
+        ..quick()
+    };
+    let found = identify(&[log], &sketch(20.0, 0.0), &options, |_| true).unwrap();
+    let suspicion = found.refuted_by.unwrap().suspicion;
+    assert!(suspicion.contains("before there is a force"), "{suspicion}");
+}
+
+/// A force error above the whole force: the device may have moved before there was one in the log.
+#[test]
+fn a_force_error_refuses_no_log_that_starts_at_rest() {
+    let mut random = Random::new(5);
+    let log = recorded(
+        &DEVICE,
+        0.3,
+        &even(300),
+        &mut random,
+        true,
+        |row, _| match row {
+            0..60 => 0.1 * row as f64,
+            _ => 0.0,
+        },
+    );
+    for force_error in [5.0, 7.0] {
+        let options = Options {
+            force_error,
+            ..quick()
+        };
+        let found = identify(
+            std::slice::from_ref(&log),
+            &sketch(20.0, 0.0),
+            &options,
+            |_| true,
+        );
+        assert_holds(&found.unwrap(), &DEVICE, 0);
+    }
+}
+
+/// Pushed with a constant force of its own that the log does not have.
+fn biased(bias: f64, push: f64) -> Sampled {
+    let pushes = |row| if row < 20 { push } else { 0.0 };
+    let mut random = Random::new(6);
+    let mut log = recorded(&DEVICE, 0.3, &even(300), &mut random, true, |row, _| {
+        pushes(row) + bias
+    });
+    for (row, force) in log.forces.iter_mut().enumerate() {
+        *force = passivity_audit::Reading::Exact(Number::from_f64(pushes(row)).unwrap());
+    }
+    log
+}
+
+#[test]
+fn a_constant_force_is_told_from_friction_by_motion_both_ways_only() {
+    let (there, back) = (biased(-0.5, 20.0), biased(-0.5, -20.0));
+    let one = run(std::slice::from_ref(&there), &DEVICE);
+    let coulomb = bounds(&one, Parameter::Coulomb);
+    assert!(one.fits() && coulomb.lo > DEVICE.coulomb, "{coulomb:?}");
+    assert!(one.lacks.contains(&Lack::OtherWay), "{:?}", one.lacks);
+    let both = run(&[there, back], &DEVICE);
+    let refuted = both.refuted_by.expect("nothing fits");
+    assert_eq!(refuted.log, 1, "{refuted:?}");
+    let both = run(&[biased(0.0, 20.0), biased(0.0, -20.0)], &DEVICE);
+    assert_holds(&both, &DEVICE, 0);
+    assert!(!both.lacks.contains(&Lack::OtherWay), "{:?}", both.lacks);
+}
+
+#[test]
+fn an_error_of_the_force_that_makes_the_box_wide_is_named() {
+    let log = pushed(12.0, 20, 300, 1);
+    let options = Options {
+        force_error: 0.3,
+        ..quick()
+    };
+    let found = identify(&[log], &sketch(20.0, 0.0), &options, |_| true).unwrap();
+    assert!(!found.is_informative());
+    assert!(found.lacks.contains(&Lack::ForceError), "{:?}", found.lacks);
+    // It coasts at a logged force of zero.
+    assert!(!found.lacks.contains(&Lack::Coasting), "{:?}", found.lacks);
 }
 
 #[test]

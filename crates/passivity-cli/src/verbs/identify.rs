@@ -22,7 +22,8 @@ use crate::verbs::audit::{delimiter, quoted, read_as};
 ///
 /// Each log is one experiment: the device starts at rest, nobody touches it, and the commanded force, in
 /// the column `f [N]` or `f [N m]`, is held from each sample to the next: where the force is late, `f` is the one
-/// in effect, whatever delay the sketch has. Positions are counts, or `x [unit]`,
+/// in effect, whatever delay the sketch has. Give logs of motion in both directions: in one alone a constant force
+/// cannot be told from friction. Positions are counts, or `x [unit]`,
 /// as `passivity audit` reads them. The sketch is a scene that says what is known: sampling period, encoder
 /// and, if known, the inertia; it may lack a wall. Friction in the sketch is not used, and is replaced in the scene that is
 /// written. The model is m·dv/dt = u − b·v − c·sgn(v); every part of the parameters that is left out is refuted by
