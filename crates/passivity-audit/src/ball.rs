@@ -72,6 +72,13 @@ impl<const BRANCHES: bool> Ball<BRANCHES> {
         Ball { middle, radius }
     }
 
+    /// The same number, to be computed with on its own.
+    #[inline(always)]
+    pub(crate) const fn alone(self) -> Ball {
+        let (middle, radius) = self.parts();
+        Ball { middle, radius }
+    }
+
     /// Whether there are [`units`](Ball::units) of it.
     #[inline(always)]
     pub(crate) fn fits(self) -> bool {

@@ -180,7 +180,7 @@ impl Computed {
     fn defined(task: &Task<'_>, interval: &Logged, h: usize) -> Option<Self> {
         let quick = || {
             let force = known_force(interval)?;
-            let addend = match Known::of_interval(task.ledger, interval) {
+            let addend = match Known::of_interval(task, interval) {
                 Some(known) => known.addend(force)?,
                 None => counted::Figures::of_interval(task.ledger, interval)?.addend(),
             };

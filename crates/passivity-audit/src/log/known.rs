@@ -5,11 +5,13 @@ use passivity_core::{
     Controller, Criterion, Friction, Loop, Ordered as _, Scalar as _, Step, Truth, dissipation,
 };
 
-use crate::ball::Ball;
+use crate::ball::{Ball, Lane};
 use crate::ends::Ends;
 use crate::figure::not;
-use crate::ledger::{Ledger, Logged, Truths};
+use crate::ledger::{Logged, Truths};
 use crate::log::motion::{Addend, figures};
+use crate::log::task::Task;
+use crate::log::wall::{Held, Reach};
 use crate::reading::Reading;
 
 /// What an interval between two known positions comes to. Energies are in units of the grid, at the
@@ -55,10 +57,10 @@ impl Starts {
 
 impl Known {
     /// Of an interval of its own; `None` between counts, and of a loop whose force remembers earlier samples.
-    pub(crate) fn of_interval(ledger: &Ledger, interval: &Logged) -> Option<Self> {
+    pub(crate) fn of_interval(task: &Task<'_>, interval: &Logged) -> Option<Self> {
         match interval.samples.as_slice() {
-            [start] if !ledger.has_memory() => Self::of(
-                ledger.near(),
+            [start] if !task.ledger.has_memory() => Self::of(
+                (task.ledger.near(), task.reach()),
                 &mut Starts::default(),
                 [known(start)?, known(&interval.end)?],
                 start.is_same(&interval.end),
@@ -69,9 +71,9 @@ impl Known {
     }
 
     /// Of an interval between two positions, the same ones where the device stood still, that lasts so many
-    /// periods; `None` where doubles leave something open.
+    /// periods, at a wall that is linear within `reach` where that is told; `None` where doubles leave something open.
     pub(crate) fn of(
-        ends: &Ends<Ball>,
+        (ends, reach): (&Ends<Ball>, Option<&Reach>),
         starts: &mut Starts,
         [start, end]: [Ball; 2],
         is_still: bool,
@@ -98,15 +100,19 @@ impl Known {
             true => (taken, at_least),
             false => (dissipated(&ends.most)?, !moves || holds(most)?),
         };
-        let commanded = starts.commanded(&ends.controller, &start);
-        let held = HeldInterval {
-            step,
-            force: commanded,
-            // What is generated does not depend on it.
-            dtau: Ball::one(),
-            extra_storage: None,
-        };
-        let [linear, quantized] = ledger::generated(&ends.least, &held);
+        let in_part = reach.and_then(|reach| in_part(reach, [start, end], &step));
+        let (commanded, [linear, quantized], potential) = in_part.unwrap_or_else(|| {
+            let commanded = starts.commanded(&ends.controller, &start);
+            let held = HeldInterval {
+                step,
+                force: commanded,
+                // What is generated does not depend on it.
+                dtau: Ball::one(),
+                extra_storage: None,
+            };
+            let generated = ledger::generated(&ends.least, &held);
+            (commanded, generated, ends.least.law().potential(&end))
+        });
         Some(Self {
             displacement: d,
             commanded,
@@ -114,7 +120,7 @@ impl Known {
             observed: (-(commanded * d)).on_grid()?,
             dissipated: [taken, most_taken],
             criterion_holds: Truth::over(at_least, at_most),
-            potential: ends.least.law().potential(&end).on_grid()?,
+            potential: potential.on_grid()?,
         })
     }
 
@@ -155,6 +161,17 @@ impl Known {
             },
         })
     }
+}
+
+/// The force that is held over an interval in one part of a wall, what it generates and the potential where it ends:
+/// as where several are computed at a time; `None` of others.
+fn in_part(reach: &Reach, ends: [Ball; 2], step: &Step<Ball>) -> Option<(Ball, [Ball; 2], Ball)> {
+    let step = Step::new(step.start.lane(), step.end.lane());
+    let held = Held::of(Some(reach), ends.map(Ball::lane), &step);
+    (held.open == 0.0).then(|| {
+        let generated = held.generated.map(Lane::alone);
+        (held.commanded.alone(), generated, held.potential.alone())
+    })
 }
 
 /// What is known of a number that is no count.

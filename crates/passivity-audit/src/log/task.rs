@@ -8,7 +8,7 @@ use crate::log::computed::UNIT;
 use crate::log::error::TraceError;
 use crate::log::layout::Layout;
 use crate::log::step::{duration, interval, undefined};
-use crate::log::wall::{Part, Parts, Wall};
+use crate::log::wall::{Part, Parts, Reach, Wall};
 use crate::number::Number;
 use crate::reading::Reading;
 use crate::rows;
@@ -101,6 +101,11 @@ impl<'a> Task<'a> {
     pub(crate) fn part(&self, from: i64, to: i64) -> Option<Part> {
         let parts = self.parts.as_ref().filter(|_| !self.applied)?;
         parts.of(from, to)
+    }
+
+    /// Where a wall is linear, whose rows are computed several at a time; `None` for everywhere, and of other loops.
+    pub(crate) fn reach(&self) -> Option<&Reach> {
+        self.wall.as_ref()?.reach.as_ref()
     }
 
     /// How many samples before an interval's own a chunk must have for it to be accounted for.

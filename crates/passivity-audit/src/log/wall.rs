@@ -1,6 +1,8 @@
 //! A loop that is nothing but a wall behind an encoder, in doubles: linear, but for where it ends or is saturated.
 
-use passivity_core::{Criterion, Friction, Law, Loop, Ordered as _, Scalar as _};
+use passivity_core::{
+    Criterion, Friction, Law, Loop, Ordered as _, Scalar as _, Step, ledger, quantizer,
+};
 
 use crate::ball::{Ball, Lane, unless};
 use crate::ledger::Ledger;
@@ -116,6 +118,48 @@ pub(crate) struct Place {
     pub(crate) is_flat: bool,
     pub(crate) force: Lane,
     pub(crate) open: f64,
+}
+
+/// What an interval between two positions comes to under the force of a wall, in one part of it.
+pub(crate) struct Held {
+    /// The force that is held,
+    pub(crate) commanded: Lane,
+    /// what it generates against the wall's law and against its quantized form,
+    pub(crate) generated: [Lane; 2],
+    /// and the wall's potential where the interval ends.
+    pub(crate) potential: Lane,
+    /// Not zero where it is in no one part of the wall.
+    pub(crate) open: f64,
+}
+
+impl Held {
+    /// Of a wall that is linear within `reach`, or everywhere.
+    ///
+    /// The one text of rows that are computed several at a time and of those that are not: an interval may be of either,
+    /// by where a log is cut.
+    #[inline(always)]
+    pub(crate) fn of(reach: Option<&Reach>, [start, end]: [Lane; 2], step: &Step<Lane>) -> Self {
+        let mut commanded = quantizer::held_force(&start);
+        let mut generated = ledger::generated_by_spring(step, &commanded, true);
+        let mut potential = Law::bilateral().potential(&end);
+        let mut open = 0.0;
+        if let Some(reach) = reach {
+            let place = reach.place(start, end);
+            open = place.open;
+            if place.is_flat {
+                // A force that is the same everywhere generates nothing.
+                generated = [Lane::zero(); 2];
+                commanded = -place.force;
+                potential = end * place.force - place.force.square().half();
+            }
+        }
+        Self {
+            commanded,
+            generated,
+            potential,
+            open,
+        }
+    }
 }
 
 impl Reach {

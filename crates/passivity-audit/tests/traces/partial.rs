@@ -198,6 +198,64 @@ fn pieces_after_the_exact_rows_are_summed_up_whatever_their_durations() {
     }
 }
 
+/// Positions and counts around the ends of a wall, at rest at times, with forces near its own.
+fn around_the_ends(header: &str, rows: i32) -> Scratch {
+    let mut text = format!("{header}\n");
+    let (mut state, mut at, mut time) = (1_u32, 0, 0.0);
+    for row in 0..rows {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let step = i32::try_from(state >> 24).unwrap() - 128;
+        at += if row % 7 < 5 { step - at / 16 } else { 0 };
+        time += 1.0 + f64::from(step.abs() % 8) / 8.0;
+        // Some 16 ticks to both sides.
+        let xi = f64::from(at) / 32.0;
+        let force = f64::from(step) * 1e-5 - xi.clamp(0.0, 6.5) * 1.534e-3;
+        match header {
+            "xi" => text.push_str(&format!("{xi}\n")),
+            "tau,xi" => text.push_str(&format!("{time},{xi}\n")),
+            "tau,count" => text.push_str(&format!("{time},{}\n", xi.floor())),
+            "t [ms],count,f [N m]" => {
+                text.push_str(&format!("{time},{},{force:.6}\n", xi.floor()));
+            }
+            _ => text.push_str(&format!("{time},{:.7},{force:.6}\n", xi * 7.67e-4)),
+        }
+    }
+    Scratch::new("csv", text.as_bytes())
+}
+
+#[test]
+fn a_log_at_the_ends_of_a_wall_is_the_same_wherever_it_is_cut() {
+    let headers = [
+        "xi",
+        "tau,xi",
+        "tau,count",
+        "t [ms],count,f [N m]",
+        "t [ms],x [rad],f [N m]",
+    ];
+    let walls = ["unilateral = true\n", "max_force = \"0.01 N m\"\n"];
+    for header in headers {
+        // Behind the rows that are exact in any case.
+        let log = around_the_ends(header, 1250);
+        for wall in walls {
+            let scene = &scene(&format!("{ROTARY}{wall}"));
+            let whole = audit(&log, scene, Options::default()).unwrap();
+            let whole = whole.to_json().to_string();
+            // At nearly every row, and at some of them.
+            for block in [16, 500] {
+                let cut = audit(&log, scene, options(false, block)).unwrap();
+                assert_eq!(cut.to_json().to_string(), whole, "{header} {wall} {block}");
+            }
+            let parts = stretches(&[1001, 1002, 1003, 1066, 1200]);
+            let parts = parts
+                .into_iter()
+                .map(|stretch| part(&log, scene, stretch, false));
+            let parts = parts.collect::<Result<Vec<_>, _>>().unwrap();
+            let merged = merge_parts(&parts, scene).unwrap();
+            assert_eq!(merged.to_json().to_string(), whole, "{header} {wall}");
+        }
+    }
+}
+
 #[test]
 fn compressed_logs_and_streams_are_refused() {
     let scene = &scenes()[0];

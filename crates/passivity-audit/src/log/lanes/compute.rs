@@ -1,13 +1,12 @@
 //! The rows of a tile: the kernel's text on balls.
 
 use multiversion::multiversion;
-use passivity_core::ledger;
-use passivity_core::{Law, Scalar as _, dissipation, quantizer};
+use passivity_core::{Scalar as _, dissipation, quantizer};
 
 use super::{Intervals, TILE, Tile};
 use crate::ball::{Ball, Lane, split, unless};
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::wall::{Reach, Wall};
+use crate::log::wall::{Held, Reach, Wall};
 
 /// Zero where a number is surely not negative, else one; and the same of whether it surely is.
 #[inline(always)]
@@ -67,26 +66,18 @@ impl Tile {
             let ([start, end, lasts], step) = of.lanes(i);
             let d = step.displacement();
             let speed = dissipation::mean_speed(&d, &lasts);
-            let commanded = quantizer::held_force(&start);
             let taken = wall.frictions[0].dissipated_lower(&d, &speed);
             let most = match EXACT {
                 true => taken,
                 false => wall.frictions[1].dissipated_lower(&d, &speed),
             };
-            let [linear, quantized] = ledger::generated_by_spring(&step, &commanded, true);
-            let mut potential = Law::bilateral().potential(&end);
-            let (mut commanded, mut linear, mut quantized) = (commanded, linear, quantized);
-            let mut left = 0.0;
-            if let Some(reach) = reach {
-                let place = reach.place(start, end);
-                left = place.open;
-                if place.is_flat {
-                    // A force that is the same everywhere generates nothing.
-                    (linear, quantized) = (Lane::zero(), Lane::zero());
-                    commanded = -place.force;
-                    potential = end * place.force - place.force.square().half();
-                }
-            }
+            let held = Held::of(reach.as_ref(), [start, end], &step);
+            let Held {
+                commanded,
+                generated: [linear, quantized],
+                potential,
+                open: left,
+            } = held;
             let observed = -(commanded * d);
             let [rests, moves] = is_nonnegative(-speed);
             let mut open = rests * moves + left;

@@ -109,8 +109,9 @@ impl Tile {
 
 /// The row as it is computed on its own.
 fn alone(ledger: &Ledger, row: &Row, applied: bool) -> Option<Addend> {
+    let wall = Wall::of(ledger).unwrap();
     let known = Known::of(
-        ledger.near(),
+        (ledger.near(), wall.reach.as_ref()),
         &mut Starts::default(),
         row.ends,
         row.still,
@@ -145,28 +146,40 @@ proptest! {
         rows in prop::collection::vec(row(), 1..TILE + 1), exact: bool,
     ) {
         let ledger = ledger(if exact { EXACT } else { BETWEEN });
-        let wall = Wall::of(&ledger).unwrap().lanes();
+        let wall = Wall::of(&ledger).unwrap();
         prop_assert_eq!(wall.friction_is_exact, exact);
-        let mut tile = Tile::new();
-        tile.fill(&wall, &intervals(&rows), true);
-        for applied in [false, true] {
-            let mut at = 0;
-            while at < rows.len() {
-                let decided = at..tile.decided(at, TILE, applied);
-                for i in decided.clone() {
-                    let found = tile.addend(i, applied).unwrap();
-                    let expected = alone(&ledger, &rows[i], applied);
-                    let agrees = expected.as_ref().is_some_and(|expected| same(expected, &found));
-                    prop_assert!(agrees, "{:?} {found:?} {expected:?}", rows[i]);
-                    prop_assert_eq!(tile.truths(i, applied), found.truths);
-                }
-                if !decided.is_empty() {
-                    check_sums(&tile, &decided, applied)?;
-                }
-                at = decided.end + 1;
+        check_rows(&ledger, &rows)?;
+    }
+}
+
+/// How many rows of a tile are decided, under the force of the wall and under that in the log together: each is what it is
+/// when it is computed alone.
+fn check_rows(ledger: &Ledger, rows: &[Row]) -> Result<usize, TestCaseError> {
+    let wall = Wall::of(ledger).unwrap().lanes();
+    let mut tile = Tile::new();
+    tile.fill(&wall, &intervals(rows), true);
+    let mut several = 0;
+    for applied in [false, true] {
+        let mut at = 0;
+        while at < rows.len() {
+            let decided = at..tile.decided(at, TILE, applied);
+            for i in decided.clone() {
+                let found = tile.addend(i, applied).unwrap();
+                let expected = alone(ledger, &rows[i], applied);
+                let agrees = expected
+                    .as_ref()
+                    .is_some_and(|expected| same(expected, &found));
+                prop_assert!(agrees, "{:?} {found:?} {expected:?}", rows[i]);
+                prop_assert_eq!(tile.truths(i, applied), found.truths);
             }
+            if !decided.is_empty() {
+                check_sums(&tile, &decided, applied)?;
+            }
+            several += decided.len();
+            at = decided.end + 1;
         }
     }
+    Ok(several)
 }
 
 /// A wall on one side or on both, saturated at ten ticks.
@@ -175,6 +188,24 @@ const ENDS: &str = "[device]\nmass = \"75 g\"\nviscous = \"9 N s/m\"\ncoulomb = 
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(draws(250)))]
+
+    #[test]
+    fn rows_of_walls_that_end_are_those_that_are_computed_alone(
+        rows in prop::collection::vec((row(), -15.0..15.0, -1.0..1.0, 0.0..1e-12, any::<bool>()), 1..TILE + 1),
+        one_sided: bool,
+        // Of ticks that are whole and of others.
+        saturated in prop::sample::select(vec!["", "max_force = \"0.3 N\"\n", "max_force = \"0.31 N\"\n"]),
+    ) {
+        let ledger = ledger(&format!("{ENDS}unilateral = {one_sided}\n{saturated}"));
+        // Of all sizes, and around the ends of the wall.
+        let rows: Vec<Row> = rows.into_iter().map(|(row, start, step, off, any)| {
+            let near = |x: f64| Ball::from_parts((x * 64.0).round() / 64.0, if row.lasts == Ball::one() { 0.0 } else { off });
+            let ends = if row.still { [near(start); 2] } else { [near(start), near(start + step)] };
+            Row { ends: if any { row.ends } else { ends }, ..row }
+        }).collect();
+        let decided = check_rows(&ledger, &rows)?;
+        prop_assert!(decided > 0 || rows.len() < 12);
+    }
 
     #[test]
     fn rows_of_walls_that_end_hold_the_exact_ones(

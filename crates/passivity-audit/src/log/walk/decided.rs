@@ -107,7 +107,7 @@ impl Walk<'_> {
             return None;
         }
         let known = Known::of(
-            task.ledger.near(),
+            (task.ledger.near(), task.reach()),
             &mut self.starts,
             [samples.ball(i)?, samples.ball(i + 1)?],
             samples.written.is_same(i, i + 1),
