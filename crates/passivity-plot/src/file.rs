@@ -1,8 +1,10 @@
 //! Writing a picture to a file.
 
+use std::borrow::Cow;
 use std::fmt;
-use std::fs::OpenOptions;
 use std::path::Path;
+
+use passivity_scene::files::{self, Output};
 
 /// Why a picture could not be drawn or written.
 #[derive(Debug)]
@@ -28,21 +30,15 @@ impl fmt::Display for PlotError {
 impl std::error::Error for PlotError {}
 
 /// Says whether a picture can be written to a file, before it is drawn: its name, and whether the file
-/// can be opened.
+/// can be made.
 ///
 /// # Errors
 ///
 /// See [`save`].
 pub fn check_name(path: &Path) -> Result<(), PlotError> {
     kind(path)?;
-    let new = !path.exists();
-    let opened = OpenOptions::new().append(true).create(true).open(path);
-    opened.map_err(|error| unwritable(path, &error))?;
-    if new {
-        // Only the picture itself shall stay.
-        std::fs::remove_file(path).map_err(|error| unwritable(path, &error))?;
-    }
-    Ok(())
+    let made = Output::create(path);
+    made.map(drop).map_err(|error| unwritable(path, &error))
 }
 
 fn unwritable(path: &Path, error: &std::io::Error) -> PlotError {
@@ -76,11 +72,12 @@ fn kind(path: &Path) -> Result<Kind, PlotError> {
     }
 }
 
-/// Writes the picture: as SVG, or as PNG when the name ends in `.png`.
+/// Writes the picture: as SVG, or as PNG when the name ends in `.png`. Characters that no XML may have, as in names of
+/// files that became a title, are written by their numbers.
 ///
 /// # Errors
 ///
-/// A name that ends in neither, or a file that cannot be written.
+/// A name that ends in neither, or a file that cannot be written: then what was there stays.
 ///
 /// # Example
 ///
@@ -90,11 +87,31 @@ fn kind(path: &Path) -> Result<Kind, PlotError> {
 /// assert_eq!(error.to_string(), "`plane.bmp`: expected a name that ends in .svg or .png");
 /// ```
 pub fn save(svg: &str, path: &Path) -> Result<(), PlotError> {
+    let svg = valid(svg);
     let bytes = match kind(path)? {
         Kind::Svg => svg.as_bytes().to_vec(),
-        Kind::Png => png(svg)?,
+        Kind::Png => png(&svg)?,
     };
-    std::fs::write(path, bytes).map_err(|error| unwritable(path, &error))
+    files::write(path, bytes).map_err(|error| unwritable(path, &error))
+}
+
+/// XML with the characters that it may not have as `\u{1b}`.
+fn valid(svg: &str) -> Cow<'_, str> {
+    let is_refused = |c: char| {
+        let is_space = matches!(c, '\t' | '\n' | '\r');
+        (c.is_control() && !is_space) || matches!(c, '\u{fffe}' | '\u{ffff}')
+    };
+    if !svg.contains(is_refused) {
+        return Cow::Borrowed(svg);
+    }
+    let mut text = String::with_capacity(svg.len());
+    for c in svg.chars() {
+        match is_refused(c) {
+            true => text.extend(c.escape_default()),
+            false => text.push(c),
+        }
+    }
+    Cow::Owned(text)
 }
 
 #[cfg(feature = "png")]
@@ -105,4 +122,18 @@ fn png(svg: &str) -> Result<Vec<u8>, PlotError> {
 #[cfg(not(feature = "png"))]
 fn png(_: &str) -> Result<Vec<u8>, PlotError> {
     unreachable!("a name that ends in .png is refused by this build")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_picture_has_a_character_that_xml_refuses() {
+        assert_eq!(valid("<text>β\n</text>"), "<text>β\n</text>");
+        assert_eq!(
+            valid("a\u{1b}[2J\u{0}\u{ffff}"),
+            "a\\u{1b}[2J\\u{0}\\u{ffff}"
+        );
+    }
 }

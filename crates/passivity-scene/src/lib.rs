@@ -21,6 +21,7 @@ pub mod check;
 pub mod diagnostic;
 pub mod display;
 pub mod explain;
+pub mod files;
 pub mod joints;
 pub mod json;
 pub mod number;

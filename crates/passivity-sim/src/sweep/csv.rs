@@ -1,9 +1,11 @@
 //! The rows of a sweep as CSV.
 
 use std::fmt::Write as _;
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, Write as _};
 use std::path::Path;
+
+use passivity_scene::files::Output;
 
 use crate::error::SimError;
 use crate::outcome::{ExactOutcome, PaperOutcome};
@@ -94,13 +96,12 @@ pub(super) fn write_row(grid: &Grid, index: usize, row: &Row, out: &mut String) 
 
 /// A file of rows that are added in order.
 pub(super) struct Writer {
-    file: io::BufWriter<File>,
+    file: Output,
     line: String,
 }
 
 impl Writer {
-    pub(super) fn create(path: &Path, grid: &Grid) -> io::Result<Self> {
-        let mut file = io::BufWriter::new(File::create(path)?);
+    pub(super) fn new(mut file: Output, grid: &Grid) -> io::Result<Self> {
         writeln!(file, "{}", header(grid))?;
         let line = String::new();
         Ok(Self { file, line })
@@ -112,9 +113,8 @@ impl Writer {
         self.file.write_all(self.line.as_bytes())
     }
 
-    /// Has the rows reach the disk.
+    /// Has the rows reach the disk, and then their name.
     pub(super) fn finish(self) -> io::Result<()> {
-        let file = self.file.into_inner();
-        file.map_err(io::IntoInnerError::into_error)?.sync_all()
+        self.file.keep()
     }
 }

@@ -8,8 +8,7 @@
 //! more. Whatever is taken up, some of its points are simulated again, and must be the same to the last bit.
 //!
 //! Wherever a process is killed, rows stand beside a `.run` file only if they are of its sweep: a new
-//! sweep empties the file of rows before it says whose they are, and `.run` is written beside, synced and
-//! renamed. Taking a sweep up leaves it as it is.
+//! sweep empties the file of rows before it says whose they are, and `.run` is written whole. Taking a sweep up leaves it as it is.
 
 use std::collections::{HashMap, HashSet};
 use std::fs::{self, File, OpenOptions};
@@ -18,12 +17,13 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use passivity_scene::Point;
+use passivity_scene::files::{self, Output};
 
 use crate::error::SimError;
 use crate::plan::Plan;
 use crate::run;
 use crate::sweep::csv;
-use crate::sweep::disk::{failed, plain, put_in_place, with_suffix, write_whole};
+use crate::sweep::disk::{failed, plain, with_suffix};
 use crate::sweep::form::Form;
 use crate::sweep::grid::Grid;
 use crate::sweep::manifest::{Manifest, beside};
@@ -181,7 +181,7 @@ impl Rows {
         let mut file = File::create(journal).map_err(|error| failed(journal, &error))?;
         let written = writeln!(file, "{}", csv::header(grid)).and_then(|()| file.sync_all());
         written.map_err(|error| failed(journal, &error))?;
-        write_whole(mark, print).map_err(|error| failed(mark, &error))?;
+        files::write(mark, print).map_err(|error| failed(mark, &error))?;
         self.file = Some(file);
         Ok(())
     }
@@ -368,42 +368,36 @@ pub(super) fn write_ordered(
     manifest: Option<&Manifest>,
     rows: impl Iterator<Item = Result<(usize, Row), SimError>>,
 ) -> Result<(), SimError> {
-    let ordered = with_suffix(path, ".tmp");
     let said = manifest.map(Manifest::to_json);
     let wrong = |error: &dyn std::fmt::Display| failed(path, error);
-    let written = match form {
-        Form::Csv => csv::Writer::create(&ordered, grid)
-            .map_err(|error| wrong(&error))
-            .and_then(|mut file| {
-                for row in rows {
-                    let (index, row) = row?;
-                    let added = file.add(grid, index, &row);
-                    added.map_err(|error| wrong(&error))?;
-                }
-                file.finish().map_err(|error| wrong(&error))
-            }),
+    // What cannot be written whole is of no use; the rows are in the journal.
+    let output = Output::create(path).map_err(|error| wrong(&error))?;
+    match form {
+        Form::Csv => {
+            let mut file = csv::Writer::new(output, grid).map_err(|error| wrong(&error))?;
+            for row in rows {
+                let (index, row) = row?;
+                let added = file.add(grid, index, &row);
+                added.map_err(|error| wrong(&error))?;
+            }
+            file.finish().map_err(|error| wrong(&error))?;
+        }
         #[cfg(feature = "parquet")]
-        Form::Parquet => parquet::Writer::create(&ordered, grid, said.clone())
-            .map_err(|error| wrong(&error))
-            .and_then(|mut file| {
-                for row in rows {
-                    let (index, row) = row?;
-                    let added = file.add(grid, index, &row);
-                    added.map_err(|error| wrong(&error))?;
-                }
-                file.finish(grid).map_err(|error| wrong(&error))
-            }),
-    };
-    let placed =
-        written.and_then(|()| put_in_place(&ordered, path).map_err(|error| failed(path, &error)));
-    placed.inspect_err(|_| {
-        // What could not be written whole is of no use; the rows are in the journal.
-        let _ = fs::remove_file(&ordered);
-    })?;
+        Form::Parquet => {
+            let file = parquet::Writer::new(output, grid, said.clone());
+            let mut file = file.map_err(|error| wrong(&error))?;
+            for row in rows {
+                let (index, row) = row?;
+                let added = file.add(grid, index, &row);
+                added.map_err(|error| wrong(&error))?;
+            }
+            file.finish(grid).map_err(|error| wrong(&error))?;
+        }
+    }
     match (form, said) {
         (Form::Csv, Some(said)) => {
             let at = beside(path);
-            write_whole(&at, &said).map_err(|error| failed(&at, &error))
+            files::write(&at, &said).map_err(|error| failed(&at, &error))
         }
         _ => Ok(()),
     }

@@ -90,15 +90,7 @@ pub fn run_range(
     if range.is_empty() {
         return Ok(());
     }
-    // One point compiled stands for all where they differ in β, σ and speed alone.
-    let family = if grid.parameters().is_empty() {
-        let family = Family::of(&grid.point(scene, 0))?;
-        family.own()?;
-        grid.check()?;
-        Some(family)
-    } else {
-        None
-    };
+    let family = family(scene, grid)?;
     let next = AtomicUsize::new(range.start);
     let cancelled = AtomicBool::new(false);
     let take = || {
@@ -118,9 +110,8 @@ pub fn run_range(
     let worker = |deliver: &dyn Fn(Result<(usize, Row), SimError>)| {
         let Some(family) = &family else {
             while let Some(index) = take() {
-                let plan = Plan::compile(&grid.point(scene, index));
-                let row = plan.map(|plan| (index, Row::of(&run::outcome(&plan))));
-                deliver(row.map_err(|error| at_point(grid, index, &error)));
+                let plan = compiled(scene, grid, index);
+                deliver(plan.map(|plan| (index, Row::of(&run::outcome(&plan)))));
             }
             return;
         };
@@ -177,6 +168,40 @@ pub fn run_range(
         }
         result
     })
+}
+
+/// One point compiled stands for all where they differ in β, σ and speed alone.
+fn family(scene: &Point, grid: &Grid) -> Result<Option<Family>, SimError> {
+    if !grid.parameters().is_empty() {
+        return Ok(None);
+    }
+    let family = Family::of(&grid.point(scene, 0))?;
+    family.own()?;
+    grid.check()?;
+    Ok(Some(family))
+}
+
+/// Says whether these points of a grid can be simulated, by their indices, before a file is replaced for their rows.
+///
+/// # Errors
+///
+/// A scene that cannot be simulated, at the first point of which that is so.
+pub fn check_points(
+    scene: &Point,
+    grid: &Grid,
+    points: impl IntoIterator<Item = usize>,
+) -> Result<(), SimError> {
+    let family = family(scene, grid)?;
+    points.into_iter().try_for_each(|index| match &family {
+        Some(family) => family.with(grid.doubles(index)).map(drop),
+        None => compiled(scene, grid, index).map(drop),
+    })
+}
+
+/// The plan of one point, or why there is none, with its values.
+fn compiled(scene: &Point, grid: &Grid, index: usize) -> Result<Plan, SimError> {
+    let plan = Plan::compile(&grid.point(scene, index));
+    plan.map_err(|error| at_point(grid, index, &error))
 }
 
 /// An error with the values of the point at which it was met.

@@ -15,6 +15,7 @@ use parquet::file::reader::{FileReader as _, RowGroupReader};
 use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
+use passivity_scene::files::Output;
 
 use crate::outcome::{ExactOutcome, PaperOutcome};
 use crate::sweep::grid::Grid;
@@ -54,14 +55,14 @@ const GROUP: usize = 1 << 18;
 /// A file of rows that are added in the order of the grid. The bytes are the same however many are
 /// added at once.
 pub(super) struct Writer {
-    file: SerializedFileWriter<File>,
+    file: SerializedFileWriter<Output>,
     waiting: Vec<(usize, Row)>,
 }
 
 impl Writer {
     /// Starts a file; that of a shard says in `manifest` what it is.
-    pub(super) fn create(
-        path: &Path,
+    pub(super) fn new(
+        file: Output,
         grid: &Grid,
         manifest: Option<String>,
     ) -> Result<Self, ParquetError> {
@@ -72,7 +73,7 @@ impl Writer {
             .build();
         let (schema, properties) = (Arc::new(schema(grid)?), Arc::new(properties));
         Ok(Self {
-            file: SerializedFileWriter::new(File::create(path)?, schema, properties)?,
+            file: SerializedFileWriter::new(file, schema, properties)?,
             waiting: Vec::new(),
         })
     }
@@ -93,18 +94,18 @@ impl Writer {
         Ok(())
     }
 
-    /// Has the rows reach the disk.
+    /// Has the rows reach the disk, and then their name.
     pub(super) fn finish(mut self, grid: &Grid) -> Result<(), ParquetError> {
         if !self.waiting.is_empty() {
             self.put(grid)?;
         }
-        self.file.into_inner()?.sync_all()?;
+        self.file.into_inner()?.keep()?;
         Ok(())
     }
 }
 
 fn write_group(
-    group: &mut SerializedRowGroupWriter<'_, File>,
+    group: &mut SerializedRowGroupWriter<'_, Output>,
     grid: &Grid,
     rows: &[(usize, Row)],
 ) -> Result<(), ParquetError> {
@@ -137,7 +138,7 @@ fn write_group(
 }
 
 fn column<T: DataType>(
-    group: &mut SerializedRowGroupWriter<'_, File>,
+    group: &mut SerializedRowGroupWriter<'_, Output>,
     values: &[T::T],
     levels: Option<&[i16]>,
 ) -> Result<(), ParquetError> {
