@@ -116,7 +116,9 @@ pub(crate) fn in_order<W: Send, D: Send, S: Send, E>(
                 if done.len() > 1
                     && let Some(core) = others.next()
                 {
-                    scope.spawn(move || desk.work(each, core));
+                    let thread = std::thread::Builder::new();
+                    // Where the system has no more threads, those that there are do the work.
+                    let _ = thread.spawn_scoped(scope, move || desk.work(each, core));
                 }
             }
             let mut state = desk.lock();
