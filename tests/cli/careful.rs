@@ -46,6 +46,52 @@ fn names_never_move_the_cursor_or_turn_the_text_around() {
     }
 }
 
+#[test]
+fn what_was_typed_never_moves_the_cursor_either() {
+    let dir = Dir::new();
+    let hidden = "x\u{202e}\u{1b}[31m\u{2066}";
+    for args in [
+        &[hidden][..],
+        &["check", "--format", hidden, "scene.toml"],
+        &[
+            "audit",
+            "log.csv",
+            "--scene",
+            "scene.toml",
+            &format!("--{hidden}"),
+        ],
+        &["man", hidden],
+    ] {
+        let run = dir.run(args);
+        assert_eq!(run.code, 2, "{args:?}");
+        let bad = |c: char| c != '\n' && (c.is_control() || "\u{202e}\u{2066}".contains(c));
+        assert!(!run.stderr.contains(bad), "{:?}", run.stderr);
+        assert!(run.stderr.contains("\\u{202e}"), "{:?}", run.stderr);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_title_has_no_character_that_xml_refuses() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    dir.write("log\u{1b}[2J.csv", "count\n0\n1\n0\n");
+    for picture in ["energy.svg", "energy.png"] {
+        let args = [
+            "audit",
+            "log\u{1b}[2J.csv",
+            "--scene",
+            "scene.toml",
+            "--plot",
+            picture,
+        ];
+        assert_eq!(dir.run(&args).code, 0);
+    }
+    let svg = std::fs::read_to_string(dir.path("energy.svg")).unwrap();
+    assert!(svg.contains("log\\u{1b}[2J.csv"), "{svg}");
+    assert!(!svg.contains(|c: char| c.is_control() && c != '\n'));
+}
+
 #[cfg(unix)]
 #[test]
 fn nothing_but_a_plain_file_is_replaced() {

@@ -19,6 +19,7 @@ mod joints;
 mod logs;
 mod monitor;
 mod oracle;
+mod outputs;
 mod pieces;
 mod plane;
 mod recordings;

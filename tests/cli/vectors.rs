@@ -99,9 +99,10 @@ fn groups_are_chosen_by_name_and_written_byte_for_byte_as_committed() {
     let number = &committed["number_of_tests"];
     let last = format!("{number} tests, {number} differences\n");
     assert!(run.stdout.ends_with(&last), "{}", run.stdout);
-    // What stands there already is written anew.
+    // Vectors of another version are written anew.
     fs::create_dir(dir.path("two")).unwrap();
-    dir.write("two/edges.json", "old");
+    let old = "{\"schema\": \"schema.json\", \"group\": \"edges\"}";
+    dir.write("two/edges.json", old);
     let two = dir.run(&[
         "vectors",
         "--out",

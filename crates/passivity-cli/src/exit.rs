@@ -47,8 +47,6 @@ pub(crate) enum Failure {
     Input(String),
     /// A scene that cannot be read, with its diagnostics drawn out.
     Scene(String),
-    /// Whoever read the output has gone: there is nobody to tell.
-    Closed,
 }
 
 impl Failure {
@@ -59,9 +57,6 @@ impl Failure {
 
     /// A file or stream that cannot be read or written.
     pub(crate) fn io(what: impl Display, error: &io::Error) -> Self {
-        if error.kind() == io::ErrorKind::BrokenPipe {
-            return Self::Closed;
-        }
         let error = error.to_string();
         // The number of the system's error tells people nothing.
         let words = error.split(" (os error").next();
@@ -76,10 +71,9 @@ impl Failure {
                 Exit::BadInput.into()
             }
             Self::Scene(diagnostics) => {
-                eprintln!("{}", diagnostics.trim_end());
+                crate::output::tell_drawn(diagnostics);
                 Exit::BadInput.into()
             }
-            Self::Closed => Exit::Holds.into(),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Writing results: text or JSON on standard output, pictures as SVG or PNG files.
+//! What is said: text or JSON on standard output, the rest on standard error.
 
 use std::borrow::Cow;
 use std::io::{IsTerminal as _, Write as _};
@@ -32,26 +32,42 @@ pub(crate) fn legible(text: &str) -> Cow<'_, str> {
 
 /// Says something on standard error.
 pub(crate) fn tell(text: &str) {
-    eprintln!("{}", legible(text));
+    tell_drawn(&legible(text));
 }
 
-/// Writes `text` and a line break to standard output.
+/// Says on standard error what was drawn to be legible, perhaps in colours.
+pub(crate) fn tell_drawn(text: &str) {
+    // Where it cannot be written to, nothing is left to say that on; the exit code still speaks.
+    let _ = writeln!(std::io::stderr().lock(), "{}", text.trim_end());
+}
+
+/// Writes `text` and a line break to standard output. If its reader has gone there is nobody to tell, which
+/// changes nothing of what is said by the exit code.
 pub(crate) fn emit(text: &str) -> Result<(), Failure> {
-    let text = legible(text);
-    write_out(&text)
+    emit_to_reader(text).map(drop)
 }
 
-fn write_out(text: &str) -> Result<(), Failure> {
+/// Writes as [`emit`] does, and says whether the reader is still there.
+pub(crate) fn emit_to_reader(text: &str) -> Result<bool, Failure> {
+    write_out(&legible(text))
+}
+
+fn write_out(text: &str) -> Result<bool, Failure> {
     let mut out = std::io::stdout().lock();
-    out.write_all(text.as_bytes())
+    let written = out
+        .write_all(text.as_bytes())
         .and_then(|()| out.write_all(if text.ends_with('\n') { b"" } else { b"\n" }))
-        .and_then(|()| out.flush())
-        .map_err(|error| Failure::io("standard output", &error))
+        .and_then(|()| out.flush());
+    match written {
+        Ok(()) => Ok(true),
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(false),
+        Err(error) => Err(Failure::io("standard output", &error)),
+    }
 }
 
 /// Writes a JSON document to standard output, with the version of this program.
 pub(crate) fn emit_json(document: &impl serde::Serialize) -> Result<(), Failure> {
-    write_out(&json_text(document)?)
+    write_out(&json_text(document)?).map(drop)
 }
 
 /// A JSON document as text, with the version of this program.
@@ -91,32 +107,6 @@ fn without_hidden(text: &str, escape: impl Fn(char, &mut String)) -> Cow<'_, str
     Cow::Owned(shown)
 }
 
-/// Refuses to write over what is read, and over what is no plain file: a device, a pipe, a folder, or a
-/// link to whatever it may be.
-pub(crate) fn may_be_written(output: &Path, inputs: &[&Path], verb: &str) -> Result<(), Failure> {
-    let refuse = |why: &str| Err(Failure::input(format!("{}: {why}", output.display())));
-    // What does not exist yet is no input, and nothing that is lost.
-    let Ok(there) = output.symlink_metadata() else {
-        return Ok(());
-    };
-    let same = |input: &&Path| match (output.canonicalize(), input.canonicalize()) {
-        (Ok(output), Ok(input)) => output == input,
-        _ => false,
-    };
-    if inputs.iter().any(same) {
-        return refuse(&format!(
-            "is read by this {verb}, and cannot be written by it"
-        ));
-    }
-    if there.is_symlink() {
-        return refuse("is a symbolic link: give the name of the file itself");
-    }
-    match there.is_file() {
-        true => Ok(()),
-        false => refuse("is no plain file, and is not replaced"),
-    }
-}
-
 /// How diagnostics are drawn: in colours on a terminal unless `NO_COLOR` is set or the terminal is
 /// dumb, and in ASCII where the locale has no other characters.
 pub(crate) fn look() -> Look {
@@ -153,18 +143,4 @@ pub(crate) fn read_scene(path: &Path) -> Result<Scene, Failure> {
         Scene::read(path)
     };
     scene.map_err(|error| Failure::Scene(error.render(look())))
-}
-
-/// Writes a file that must not be there yet.
-pub(crate) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
-    let place = || path.display().to_string();
-    let mut file = std::fs::File::create_new(path).map_err(|error| match error.kind() {
-        std::io::ErrorKind::AlreadyExists => Failure::input(format!(
-            "{} is there already: it is not overwritten",
-            place()
-        )),
-        _ => Failure::io(place(), &error),
-    })?;
-    file.write_all(text.as_bytes())
-        .map_err(|error| Failure::io(place(), &error))
 }

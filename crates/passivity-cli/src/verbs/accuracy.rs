@@ -11,6 +11,7 @@ use passivity_sim::plot::accuracy::draw;
 use passivity_sim::report::Accuracy;
 
 use crate::exit::{Exit, Failure};
+use crate::files::{may_be_written, sources};
 use crate::output::{Format, emit, emit_json, read_scene};
 use crate::progress::Progress;
 use crate::verbs::simulate::{Start, words};
@@ -39,8 +40,10 @@ pub(crate) struct Args {
 
 /// Measures every method.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    crate::picture::check(args.plot.as_deref())?;
     let scene = read_scene(&args.scene)?;
+    let inputs = sources(&scene, &args.scene);
+    may_be_written(&[("--plot", args.plot.as_ref())], &inputs, "measurement")?;
+    crate::picture::check(args.plot.as_deref())?;
     let mut point = scene.point();
     args.start.put(&scene, &mut point)?;
     let mut bar = Progress::new(methods().len() as u64 + 1, "methods");

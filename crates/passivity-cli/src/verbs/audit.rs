@@ -1,7 +1,6 @@
 //! `passivity audit`: the exact ledger of a recorded trace.
 
-use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use passivity_audit::{
@@ -13,9 +12,11 @@ use passivity_plot::energy::{Point, draw};
 #[cfg(feature = "plot")]
 use passivity_plot::save;
 use passivity_scene::Scene;
+use passivity_scene::files::Output;
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, may_be_written, read_scene, tell};
+use crate::files::{may_be_written, sources, write};
+use crate::output::{Format, emit, emit_json, read_scene, tell};
 
 /// Compute the exact energy account of a recorded or simulated trace, interval by interval.
 ///
@@ -121,20 +122,16 @@ pub(crate) fn delimiter(text: &str) -> Result<u8, &'static str> {
 /// Audits and reports.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
-    let place = |what: &Path| what.display().to_string();
-    let inputs: Vec<&Path> = args
-        .traces
-        .iter()
-        .chain(&args.merge)
-        .chain([&args.scene])
-        .map(PathBuf::as_path)
-        .collect();
-    for output in [&args.out, &args.plot, &args.certificate, &args.partial]
-        .into_iter()
-        .flatten()
-    {
-        may_be_written(output, &inputs, "audit")?;
-    }
+    let mut inputs = sources(&scene, &args.scene);
+    inputs.extend(args.traces.iter().chain(&args.merge).cloned());
+    let outputs = [
+        ("--out", args.out.as_ref()),
+        ("--plot", args.plot.as_ref()),
+        ("--certificate", args.certificate.as_ref()),
+        ("--partial", args.partial.as_ref()),
+    ];
+    may_be_written(&outputs, &inputs, "audit")?;
+    crate::picture::check(args.plot.as_deref())?;
     if let Some(path) = &args.partial {
         return piece(args, &scene, path);
     }
@@ -142,10 +139,10 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         return reported(args, &merged(args, &scene)?);
     }
     let mut rows = match &args.out {
-        Some(path) => Some(BufWriter::with_capacity(
-            1 << 16,
-            File::create(path).map_err(|error| Failure::io(place(path), &error))?,
-        )),
+        Some(path) => {
+            let file = Output::create(path);
+            Some(file.map_err(|error| Failure::io(path.display(), &error))?)
+        }
         None => None,
     };
     let options = Options {
@@ -156,6 +153,10 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let traces = traces(args);
     let report = audit_files(&args.traces, &scene, options)
         .map_err(|error| Failure::input(refusal(args, &traces, &error)))?;
+    if let (Some(rows), Some(path)) = (rows, &args.out) {
+        rows.keep()
+            .map_err(|error| Failure::io(path.display(), &error))?;
+    }
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
         let course: Vec<Point> = report.points().iter().map(point).collect();
@@ -191,16 +192,7 @@ fn piece(args: &Args, scene: &Scene, path: &Path) -> Result<Exit, Failure> {
     let part = audit_part(trace, scene, stretch, options(args))
         .map_err(|error| Failure::input(refusal(args, &named, &error)))?;
     let text = part.to_json().map_err(Failure::input)?;
-    // A file that is there is whole.
-    let failed = |error: std::io::Error| Failure::io(path.display(), &error);
-    let mut beside = path.as_os_str().to_owned();
-    beside.push(".tmp");
-    let mut file = File::create(&beside).map_err(failed)?;
-    file.write_all(text.as_bytes())
-        .and_then(|()| file.write_all(b"\n"))
-        .and_then(|()| file.sync_all())
-        .and_then(|()| std::fs::rename(&beside, path))
-        .map_err(failed)?;
+    write(path, &(text + "\n"))?;
     match args.format {
         Format::Text => emit(&format!(
             "{}: {} intervals of {named}",
@@ -352,7 +344,7 @@ fn certify(report: &Audit, path: &Path) -> Result<(), Failure> {
     };
     let text = serde_json::to_string_pretty(certificate);
     let text = text.map_err(|error| Failure::input(format!("no certificate: {error}")))?;
-    std::fs::write(path, text + "\n").map_err(|error| Failure::io(path.display(), &error))
+    write(path, &(text + "\n"))
 }
 
 /// A point of the audit as the picture has it.

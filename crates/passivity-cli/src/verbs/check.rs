@@ -10,7 +10,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, look, may_be_written, scene_at, tell};
+use crate::files::{may_be_written, sources, write};
+use crate::output::{Format, emit_json, emit_to_reader, look, scene_at, tell, tell_drawn};
 
 /// Say whether the wall of each scene is passive, exactly.
 ///
@@ -61,15 +62,11 @@ const GLANCE: Duration = Duration::from_millis(200);
 
 /// Checks each scene; with `--watch` again whenever one of the files was saved.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    if let Some(path) = &args.certificate {
-        if args.scenes.len() > 1 {
-            return Err(Failure::input("a certificate is of one scene"));
-        }
-        let inputs: Vec<&Path> = args.scenes.iter().map(PathBuf::as_path).collect();
-        may_be_written(path, &inputs, "check")?;
+    if args.certificate.is_some() && args.scenes.len() > 1 {
+        return Err(Failure::input("a certificate is of one scene"));
     }
     if !args.watch {
-        return check_all(args);
+        return check_all(args).map(|(exit, _)| exit);
     }
     if args.scenes.iter().any(|path| path.as_os_str() == "-") {
         return Err(Failure::input(
@@ -78,8 +75,11 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     }
     loop {
         let seen = saved(&args.scenes);
-        check_all(args)?;
-        eprintln!("-- watching; interrupt to end");
+        let (exit, is_heard) = check_all(args)?;
+        if !is_heard {
+            return Ok(exit);
+        }
+        tell("-- watching; interrupt to end");
         while saved(&args.scenes) == seen {
             std::thread::sleep(GLANCE);
         }
@@ -95,9 +95,10 @@ fn saved(paths: &[PathBuf]) -> Vec<Option<(SystemTime, u64)>> {
     paths.iter().map(one).collect()
 }
 
-/// Checks each scene; one that cannot be read does not keep the others from being checked.
-fn check_all(args: &Args) -> Result<Exit, Failure> {
-    let mut exit = Exit::Holds;
+/// Checks each scene, and says whether somebody still reads that; one that cannot be read does not keep the others
+/// from being checked.
+fn check_all(args: &Args) -> Result<(Exit, bool), Failure> {
+    let (mut exit, mut is_heard) = (Exit::Holds, true);
     let mut document = Document {
         units: "SI: m, rad, s, kg, N, N m, J; ticks and samples where a name says nothing of SI",
         scenes: Vec::new(),
@@ -107,18 +108,18 @@ fn check_all(args: &Args) -> Result<Exit, Failure> {
         match scene_at(path) {
             Ok(scene) => {
                 let report = scene.check();
-                if let Some(path) = &args.certificate {
-                    certify(&scene, &report, path)?;
+                if let Some(certificate) = &args.certificate {
+                    certify(certificate, path, &scene, &report)?;
                 }
                 exit = exit.and(exit_of(&report));
                 if args.format == Format::Text {
-                    emit(&report.to_text())?;
+                    is_heard &= emit_to_reader(&report.to_text())?;
                 }
                 document.scenes.push(report);
             }
             Err(error) => {
                 exit = exit.and(Exit::BadInput);
-                eprintln!("{}", error.render(look()).trim_end());
+                tell_drawn(&error.render(look()));
                 document.errors.push(error.to_json());
             }
         }
@@ -126,16 +127,26 @@ fn check_all(args: &Args) -> Result<Exit, Failure> {
     if args.format == Format::Json {
         emit_json(&document)?;
     }
-    Ok(exit)
+    Ok((exit, is_heard))
 }
 
 /// Writes what shows the decision about viscous friction, or says why nothing does.
-fn certify(scene: &AnyScene, report: &AnyReport, path: &Path) -> Result<(), Failure> {
+fn certify(
+    certificate: &PathBuf,
+    path: &Path,
+    scene: &AnyScene,
+    report: &AnyReport,
+) -> Result<(), Failure> {
+    let inputs = match scene {
+        AnyScene::One(scene) => sources(scene, path),
+        AnyScene::Joints(_) => vec![path.to_owned()],
+    };
+    may_be_written(&[("--certificate", Some(certificate))], &inputs, "check")?;
     match scene.certificate(report) {
-        Ok(certificate) => {
-            let text = serde_json::to_string_pretty(&certificate);
+        Ok(shown) => {
+            let text = serde_json::to_string_pretty(&shown);
             let text = text.map_err(|error| Failure::input(format!("no certificate: {error}")))?;
-            std::fs::write(path, text + "\n").map_err(|error| Failure::io(path.display(), &error))
+            write(certificate, &(text + "\n"))
         }
         Err(because) => {
             tell(&format!("no certificate is written: {because}"));

@@ -25,7 +25,7 @@ pub(crate) struct Args {
     /// Draw what the loop costs of β at each frequency into this file, as SVG or PNG according to its
     /// extension; for a linear loop.
     #[cfg(feature = "plot")]
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
@@ -57,6 +57,8 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = scene_at(&args.scene).map_err(|error| Failure::Scene(error.render(look())))?;
     let (text, document) = match &scene {
         AnyScene::One(scene) => {
+            #[cfg(feature = "plot")]
+            may_be_drawn(args, scene)?;
             let explanation = explain(scene);
             #[cfg(feature = "plot")]
             if let Some(path) = &args.plot {
@@ -91,6 +93,14 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         Format::Json => emit_json(&document)?,
     }
     Ok(Exit::Holds)
+}
+
+/// Refuses a picture that cannot be written.
+#[cfg(feature = "plot")]
+fn may_be_drawn(args: &Args, scene: &passivity_scene::Scene) -> Result<(), Failure> {
+    let inputs = crate::files::sources(scene, &args.scene);
+    crate::files::may_be_written(&[("--plot", args.plot.as_ref())], &inputs, "explanation")?;
+    crate::picture::check(args.plot.as_deref())
 }
 
 fn with_plan(mut text: String, plan: &[String]) -> String {

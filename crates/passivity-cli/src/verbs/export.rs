@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use passivity_scene::check::{Target, constants};
 
 use crate::exit::{Exit, Failure};
-use crate::output::{emit, emit_json, json_text, read_scene, write_new};
+use crate::files::write_new;
+use crate::output::{emit, emit_json, json_text, read_scene, tell};
 
 /// Write the constants that a control program asks for: stiffness, damping, rate, speed.
 ///
@@ -64,10 +65,10 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         (None, Some(path)) => write_new(path, &json_text(&constants)?)?,
     }
     if !constants.is_passive {
-        eprintln!(
+        tell(&format!(
             "warning: the wall of the scene is not shown to be passive: {}",
             constants.headline
-        );
+        ));
         return Ok(Exit::Fails);
     }
     Ok(Exit::Holds)

@@ -13,7 +13,8 @@ use passivity_plot::save;
 use passivity_scene::Scene;
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, may_be_written, tell};
+use crate::files::may_be_written;
+use crate::output::{Format, emit, emit_json, tell};
 use crate::progress::Progress;
 use crate::verbs::audit::{delimiter, quoted, read_as};
 
@@ -98,15 +99,9 @@ enum Mass {
 
 /// Identifies and reports.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    let inputs: Vec<&Path> = args
-        .logs
-        .iter()
-        .chain([&args.scene])
-        .map(PathBuf::as_path)
-        .collect();
-    for output in [&args.out, &args.plot].into_iter().flatten() {
-        may_be_written(output, &inputs, "identification")?;
-    }
+    let inputs: Vec<PathBuf> = args.logs.iter().chain([&args.scene]).cloned().collect();
+    let outputs = [("--out", args.out.as_ref()), ("--plot", args.plot.as_ref())];
+    may_be_written(&outputs, &inputs, "identification")?;
     crate::picture::check(args.plot.as_deref())?;
     let (text, sketch) = sketch(&args.scene)?;
     if sketch.effects().contains(&Effect::Delay) {
@@ -187,7 +182,7 @@ fn write(
         date: args.date.clone(),
     };
     let scene = found.scene(text, &said).map_err(Failure::input)?;
-    std::fs::write(out, &scene).map_err(|error| Failure::io(out.display(), &error))?;
+    crate::files::write(out, &scene)?;
     if Scene::from_toml("scene", &scene).is_err() {
         tell(&format!(
             "{} has no wall yet: add a [wall] with its stiffness before you check it",

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use passivity_scene::parse::Sketch;
 
 use crate::exit::{Exit, Failure};
-use crate::output::{emit, write_new};
+use crate::files::write_new;
+use crate::output::emit;
 
 /// Write a commented scene file to begin with.
 #[derive(Debug, clap::Args)]

@@ -1,6 +1,6 @@
 //! `passivity oracle`: the line protocol.
 
-use std::io::BufReader;
+use std::io::{BufReader, ErrorKind};
 
 use passivity_oracle::protocol::serve;
 
@@ -24,6 +24,11 @@ const BUFFER: usize = 1 << 16;
 pub(crate) fn run(_args: &Args) -> Result<Exit, Failure> {
     let input = BufReader::with_capacity(BUFFER, std::io::stdin().lock());
     let output = std::io::stdout().lock();
-    serve(input, output).map_err(|error| Failure::io("the line protocol", &error))?;
-    Ok(Exit::Holds)
+    match serve(input, output) {
+        // Whoever asked has gone.
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(Failure::io("the line protocol", &error))
+        }
+        _ => Ok(Exit::Holds),
+    }
 }

@@ -1,13 +1,13 @@
 //! `passivity simulate`: the motion of a scene, with its energy ledger.
 
-use std::fs::File;
-use std::io::{BufWriter, IsTerminal as _, Write as _};
+use std::io::{IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 #[cfg(feature = "plot")]
 use passivity_plot::save;
 use passivity_scene::display::significant;
+use passivity_scene::files::Output;
 use passivity_scene::number::nearest_f64;
 use passivity_scene::parse::MAX_INTERVALS;
 use passivity_scene::point::Units;
@@ -21,7 +21,8 @@ use passivity_sim::trace::Table;
 use passivity_sim::{Detail, ExactOutcome, Line, Method, Plan, Simulated, simulate};
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, look, may_be_written, read_scene};
+use crate::files::{may_be_written, sources};
+use crate::output::{Format, emit, emit_json, look, read_scene};
 use crate::progress::Progress;
 
 /// Simulate a scene: the motion between samples in closed form, with the energy ledger.
@@ -79,15 +80,16 @@ pub(crate) struct Args {
 
 /// Simulates the scene.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    crate::picture::check(args.plot.as_deref())?;
     let scene = read_scene(&args.scene)?;
-    for output in [&args.out, &args.plot].into_iter().flatten() {
-        may_be_written(output, &[&args.scene], "simulation")?;
-    }
+    let inputs = sources(&scene, &args.scene);
+    let outputs = [("--out", args.out.as_ref()), ("--plot", args.plot.as_ref())];
+    may_be_written(&outputs, &inputs, "simulation")?;
+    crate::picture::check(args.plot.as_deref())?;
     let mut point = scene.point();
     if let Some(intervals) = args.intervals {
         point.intervals = intervals;
     }
+    something_to_draw(args, point.intervals)?;
     args.start.put(&scene, &mut point)?;
     let method = Method::parse(&args.method).map_err(Failure::input)?;
     let of_scene = |error| Failure::input(format!("`{}`: {error}", args.scene.display()));
@@ -98,10 +100,16 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         simulate(&point, &method, Some(&mut |line| watcher.see(line)))
     } else {
         simulate(&point, &method, None)
-    }
-    .map_err(of_scene)?;
+    };
+    let run = match run {
+        Ok(run) => run,
+        Err(error) => {
+            watcher.abandon()?;
+            return Err(of_scene(error));
+        }
+    };
     let seconds = begin.elapsed().as_secs_f64();
-    watcher.finish(args, &scene, run.end.outcome.exact)?;
+    watcher.finish(args, &scene, &run)?;
     let timed = (args.timing || args.format == Format::Text).then_some(seconds);
     let report = Simulation::new(&scene.name, &plan, &method, &run, timed).map_err(of_scene)?;
     match args.format {
@@ -112,6 +120,25 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         ExactOutcome::AtRest => Exit::Holds,
         _ => Exit::Fails,
     })
+}
+
+/// Refuses a picture of none of the intervals.
+fn something_to_draw(args: &Args, intervals: u64) -> Result<(), Failure> {
+    let from = args.plot_from;
+    if let Some(until) = args.plot_until
+        && until <= from
+    {
+        return Err(Failure::input(format!(
+            "--plot-until {until}: expected an interval after that of --plot-from, {from}"
+        )));
+    }
+    // Of a device that does not move there is a picture, with no interval.
+    match from == 0 || from < intervals {
+        true => Ok(()),
+        false => Err(Failure::input(format!(
+            "--plot-from {from}: there is nothing to draw, as the motion has {intervals} intervals, counted from 0"
+        ))),
+    }
 }
 
 /// What sees the intervals of a run: a trace, a picture and a progress bar.
@@ -164,20 +191,29 @@ impl Watcher {
         self.trace.as_mut().is_none_or(|trace| trace.take(line))
     }
 
+    /// Keeps the rows of a run that ended before its time, if there are any.
+    fn abandon(self) -> Result<(), Failure> {
+        match self.trace {
+            Some(trace) if self.seen > 0 => trace.finish(),
+            _ => Ok(()),
+        }
+    }
+
     /// Writes what is left to write.
-    fn finish(self, args: &Args, scene: &Scene, outcome: ExactOutcome) -> Result<(), Failure> {
+    fn finish(self, args: &Args, scene: &Scene, run: &Simulated) -> Result<(), Failure> {
         drop(self.bar);
         if let Some(trace) = self.trace {
             trace.finish()?;
         }
+        something_to_draw(args, run.end.intervals)?;
         #[cfg(feature = "plot")]
         if let (Some(path), Some(motion)) = (&args.plot, self.motion) {
-            let title = format!("{}: {}", scene.name, words(outcome));
+            let title = format!("{}: {}", scene.name, words(run.end.outcome.exact));
             let picture = draw(&title, motion, &Scales::of(scene));
             save(&picture, path).map_err(Failure::input)?;
         }
         #[cfg(not(feature = "plot"))]
-        let _ = (args, scene, outcome);
+        let _ = scene;
         Ok(())
     }
 }
@@ -223,7 +259,7 @@ fn table(args: &Args, point: &Point, method: &Method) -> Result<Table, Failure> 
 struct Trace {
     path: PathBuf,
     table: Table,
-    file: BufWriter<File>,
+    file: Output,
     line: String,
     failed: Option<Failure>,
 }
@@ -231,8 +267,7 @@ struct Trace {
 impl Trace {
     fn create(path: &Path, table: Table) -> Result<Self, Failure> {
         let name = format!("`{}`", path.display());
-        let file = File::create(path).map_err(|error| Failure::io(&name, &error))?;
-        let mut file = BufWriter::new(file);
+        let mut file = Output::create(path).map_err(|error| Failure::io(&name, &error))?;
         writeln!(file, "{}", table.header()).map_err(|error| Failure::io(&name, &error))?;
         Ok(Self {
             path: path.to_owned(),
@@ -263,7 +298,7 @@ impl Trace {
             Some(failure) => Err(failure),
             None => self
                 .file
-                .flush()
+                .keep()
                 .map_err(|error| Failure::io(format!("`{}`", self.path.display()), &error)),
         }
     }

@@ -5,11 +5,15 @@ use std::time::Instant;
 
 use passivity_scene::Point;
 use passivity_scene::parse::MAX_INTERVALS;
+use passivity_sim::SimError;
 use passivity_sim::report::{Outcomes, Sweep};
-use passivity_sim::sweep::{Asked, Grid, Row, Shard, merge, open, open_shard, run_range};
+use passivity_sim::sweep::{
+    Asked, Grid, Row, Shard, check_points, merge, open, open_shard, run_range,
+};
 
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, may_be_written, read_scene};
+use crate::files::{may_be_written, sources};
+use crate::output::{Format, emit, emit_json, read_scene};
 use crate::progress::Progress;
 
 /// Simulate every point of a grid, on all cores: of (β, σ, speed at the start), Fig. 5 of the paper, or
@@ -82,11 +86,12 @@ pub(crate) struct Args {
 
 /// Sweeps the grid.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    crate::picture::check(args.plot.as_deref())?;
     let scene = read_scene(&args.scene)?;
-    for output in [&args.out, &args.plot].into_iter().flatten() {
-        may_be_written(output, &[&args.scene], "sweep")?;
-    }
+    let mut inputs = sources(&scene, &args.scene);
+    inputs.extend(args.merge.iter().cloned());
+    let outputs = [("--out", args.out.as_ref()), ("--plot", args.plot.as_ref())];
+    may_be_written(&outputs, &inputs, "sweep")?;
+    crate::picture::check(args.plot.as_deref())?;
     let mut point = scene.point();
     if let Some(intervals) = args.intervals {
         point.intervals = intervals;
@@ -145,7 +150,14 @@ fn simulated(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> 
     let mut rows: Vec<Option<Row>> = vec![None; range.len()];
     let mut file = None;
     let mut before = 0;
+    let of_scene = |error: SimError| Failure::input(format!("`{}`: {error}", args.scene.display()));
     if let Some(path) = &args.out {
+        // All of them where rows are there that would be lost; one tells of what they have in common.
+        let most = match path.exists() && !args.resume {
+            true => range.len(),
+            false => 1,
+        };
+        check_points(point, grid, range.clone().take(most)).map_err(of_scene)?;
         let opened = match args.shard {
             Some(shard) => open_shard(path, point, grid, shard, args.resume),
             None => open(path, point, grid, args.resume),
@@ -173,7 +185,7 @@ fn simulated(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> 
         (Ok(()), Some(file)) => file.finish(grid, &rows),
         (result, _) => result,
     };
-    written.map_err(|error| Failure::input(format!("`{}`: {error}", args.scene.display())))?;
+    written.map_err(of_scene)?;
     Ok(Swept {
         outcomes: Outcomes::of(rows.iter().flatten()),
         points: range.len(),

@@ -1,15 +1,17 @@
 //! `passivity vectors`: test vectors for other implementations.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use passivity_scene::files::may_be_replaced;
 use passivity_vectors::{
     Difference, Group, PATIENCE, SCHEMA, against, all, end_children, named, names,
 };
 use serde_json::{Value, json};
 
 use crate::exit::{Exit, Failure};
+use crate::files::write;
 use crate::output::{Format, emit, emit_json};
 
 /// Write the test vectors with their JSON Schema, or drive another implementation through them.
@@ -49,14 +51,19 @@ const LISTED: usize = 20;
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let groups = chosen(&args.group)?;
     if let Some(folder) = &args.out {
-        let write = |name: String, text: &str| {
-            let path = folder.join(name);
-            fs::write(&path, text).map_err(|error| Failure::io(path.display(), &error))
-        };
         fs::create_dir_all(folder).map_err(|error| Failure::io(folder.display(), &error))?;
-        write("schema.json".to_owned(), SCHEMA)?;
-        for group in &groups {
-            write(format!("{}.json", group.name), &group.to_json())?;
+        let of_group = |group: &Group| (format!("{}.json", group.name), group.to_json());
+        let schema = ("schema.json".to_owned(), SCHEMA.to_owned());
+        let files = std::iter::once(schema).chain(groups.iter().map(of_group));
+        let files: Vec<(PathBuf, String)> = files
+            .map(|(name, text)| (folder.join(name), text))
+            .collect();
+        // Each of them before the first one is written.
+        for (path, text) in &files {
+            may_be_renewed(path, text)?;
+        }
+        for (path, text) in &files {
+            write(path, text)?;
         }
     }
     if let Some(command) = &args.against {
@@ -79,6 +86,29 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         }
     }
     Ok(Exit::Holds)
+}
+
+/// Refuses to write over a file that an earlier run has not written: vectors say of what group they are, and their schema
+/// has its title.
+fn may_be_renewed(path: &Path, text: &str) -> Result<(), Failure> {
+    may_be_replaced(path).map_err(|error| Failure::io(path.display(), &error))?;
+    let Ok(there) = fs::read(path) else {
+        return Ok(()); // What is not there yet, or else what writing it says.
+    };
+    let read = |bytes: &[u8]| serde_json::from_slice::<Value>(bytes).ok();
+    let is_ours = read(&there)
+        .zip(read(text.as_bytes()))
+        .is_some_and(|(there, new)| {
+            let is_same = |key: &&str| there.get(key) == new.get(key);
+            ["schema", "group", "title"].iter().all(is_same)
+        });
+    match is_ours {
+        true => Ok(()),
+        false => Err(Failure::input(format!(
+            "{} is there already and has no vectors of this program: it is not overwritten",
+            path.display()
+        ))),
+    }
 }
 
 /// The groups that are named; all where none is.

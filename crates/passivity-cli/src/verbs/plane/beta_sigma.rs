@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::{Args, Log};
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, read_scene};
+use crate::output::{Format, emit, emit_json};
 
 /// What `plane --format json` prints.
 #[derive(Serialize)]
@@ -50,10 +50,9 @@ pub(super) fn run(args: &Args) -> Result<Exit, Failure> {
     };
     let mut marks = Vec::new();
     let mut documents = Vec::new();
-    for path in &args.scenes {
-        let scene = read_scene(path)?;
-        let report = check(&scene);
-        let Some(mark) = Mark::of(&scene, &report) else {
+    for (scene, path) in super::scenes(args)?.iter().zip(&args.scenes) {
+        let report = check(scene);
+        let Some(mark) = Mark::of(scene, &report) else {
             return Err(Failure::input(format!(
                 "`{}`: the plane needs an encoder, and `{}` has none",
                 path.display(),

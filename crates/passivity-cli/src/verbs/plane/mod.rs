@@ -6,8 +6,11 @@ mod parameters;
 
 use std::path::PathBuf;
 
+use passivity_scene::Scene;
+
 use crate::exit::{Exit, Failure};
-use crate::output::Format;
+use crate::files::{may_be_written, sources};
+use crate::output::{Format, read_scene};
 
 /// Draw scenes in the plane of two parameters, with the border of what is passive.
 ///
@@ -83,7 +86,6 @@ impl Log {
 
 /// Draws the scenes.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
-    crate::picture::check(args.plot.as_deref())?;
     let names: Vec<&str> = args.axes.split(',').map(str::trim).collect();
     let [x, y] = names.as_slice() else {
         let axes = &args.axes;
@@ -95,4 +97,22 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         return beta_sigma::run(args);
     }
     parameters::run(args, [x, y])
+}
+
+/// Reads the scenes, once it is clear that what is asked for can be written.
+fn scenes(args: &Args) -> Result<Vec<Scene>, Failure> {
+    let scenes: Vec<Scene> = args
+        .scenes
+        .iter()
+        .map(|path| read_scene(path))
+        .collect::<Result<_, _>>()?;
+    let of_scenes = scenes.iter().zip(&args.scenes);
+    let mut inputs: Vec<PathBuf> = of_scenes
+        .flat_map(|(scene, path)| sources(scene, path))
+        .collect();
+    inputs.extend(args.measured.clone());
+    let outputs = [("--plot", args.plot.as_ref()), ("--out", args.out.as_ref())];
+    may_be_written(&outputs, &inputs, "plane")?;
+    crate::picture::check(args.plot.as_deref())?;
+    Ok(scenes)
 }

@@ -13,7 +13,7 @@ use passivity_scene::{Axis, Motion, Scene};
 use super::answer::{Compared, Comparison, Document, axis_document, borders, placed, table, text};
 use super::{Args, Log};
 use crate::exit::{Exit, Failure};
-use crate::output::{Format, emit, emit_json, read_scene};
+use crate::output::{Format, emit, emit_json};
 
 /// Scenes with the same border.
 pub(super) struct Family {
@@ -27,9 +27,7 @@ pub(super) fn run(args: &Args, names: [&str; 2]) -> Result<Exit, Failure> {
         let message = "nothing to write the plane to: give --plot, --out or --format json";
         return Err(Failure::input(message));
     }
-    let scenes: Result<Vec<Scene>, Failure> =
-        args.scenes.iter().map(|path| read_scene(path)).collect();
-    let scenes = scenes?;
+    let scenes = super::scenes(args)?;
     let axes = axes(names, &scenes)?;
     let mut families: Vec<Family> = Vec::new();
     for (number, scene) in scenes.iter().enumerate() {
@@ -69,8 +67,7 @@ pub(super) fn run(args: &Args, names: [&str; 2]) -> Result<Exit, Failure> {
     }
     if let Some(path) = &args.out {
         let table = table(&axes, &scenes, &families);
-        std::fs::write(path, table)
-            .map_err(|error| Failure::io(format!("`{}`", path.display()), &error))?;
+        crate::files::write(path, &table)?;
     }
     match args.format {
         Format::Text => emit(&text(args, &scenes, &families, comparison.as_ref()))?,

@@ -1,0 +1,63 @@
+//! The files that a command reads and writes.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use passivity_scene::Scene;
+use passivity_scene::files::{self, are_same, may_be_replaced};
+
+use crate::exit::Failure;
+
+/// Refuses, before any work is done, to write over what is read, over what is no plain file, and two results into one
+/// file. Each of the files that are to be written comes with the option that names it.
+pub(crate) fn may_be_written(
+    outputs: &[(&str, Option<&PathBuf>)],
+    inputs: &[PathBuf],
+    verb: &str,
+) -> Result<(), Failure> {
+    let mut before: Vec<(&str, &Path)> = Vec::new();
+    for (option, output) in outputs {
+        let Some(output) = output else { continue };
+        let refuse = |why: String| Err(Failure::input(format!("{}: {why}", output.display())));
+        // What does not exist yet is no input.
+        if output.exists() && inputs.iter().any(|input| are_same(output, input)) {
+            return refuse(format!(
+                "is read by this {verb}, and cannot be written by it"
+            ));
+        }
+        may_be_replaced(output).map_err(|error| Failure::io(output.display(), &error))?;
+        if let Some((other, _)) = before.iter().find(|(_, path)| are_same(path, output)) {
+            return refuse(format!(
+                "is the file of {other} and of {option}: give each a file of its own"
+            ));
+        }
+        before.push((option, output));
+    }
+    Ok(())
+}
+
+/// What a scene is read from: its own file, and that of the operator's forces.
+pub(crate) fn sources(scene: &Scene, path: &Path) -> Vec<PathBuf> {
+    let forces = scene.forces.iter().zip(path.parent());
+    let forces = forces.map(|(forces, folder)| folder.join(&forces.path));
+    std::iter::once(path.to_owned()).chain(forces).collect()
+}
+
+/// Writes a file whole, in place of what had its name.
+pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    files::write(path, text).map_err(|error| Failure::io(path.display(), &error))
+}
+
+/// Writes a file that must not be there yet.
+pub(crate) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
+    let place = || path.display().to_string();
+    let mut file = std::fs::File::create_new(path).map_err(|error| match error.kind() {
+        std::io::ErrorKind::AlreadyExists => Failure::input(format!(
+            "{} is there already: it is not overwritten",
+            place()
+        )),
+        _ => Failure::io(place(), &error),
+    })?;
+    file.write_all(text.as_bytes())
+        .map_err(|error| Failure::io(place(), &error))
+}

@@ -1,0 +1,360 @@
+//! What is written, and what stays: results beside what is read, refused commands, readers that have gone.
+
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::harness::Dir;
+
+const SCENE: &str = "[dimensionless]\nmu = \"50\"\nbeta = \"1\"\nsigma = \"1\"\n";
+
+/// A folder with a scene, one that takes its forces from a file, one that is not passive, logs, and measured points.
+fn folder() -> Dir {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    let forces = "[operator]\nforce = \"forces.csv\"\n[run]\nintervals = 9\n";
+    dir.write("forced.toml", format!("{SCENE}{forces}"));
+    dir.write("forces.csv", "f\n0\n1\n0\n");
+    dir.write("device.toml", crate::logs::SCENE);
+    dir.write(
+        "free.toml",
+        "[dimensionless]\nbeta = \"0\"\nsigma = \"0\"\n",
+    );
+    let stiff = crate::logs::SCENE.replace("\"1 N m/rad", "\"1000 N m/rad");
+    dir.write("stiff.toml", stiff);
+    dir.write("log.csv", "count\n0\n1\n0\n");
+    dir.write("log.tmp", "count\n0\n1\n0\n");
+    dir.write("torn.csv", "count\n0\n1\n0\nx\n");
+    let points = "stiffness [N m/rad],damping [N m s/rad],stable\n0.1,1e-5,stable\n";
+    dir.write("bench.csv", points);
+    dir
+}
+
+/// The files of a folder with what is in them; links are followed.
+fn files(dir: &Dir) -> Vec<(String, Vec<u8>)> {
+    let entries = std::fs::read_dir(dir.path("")).unwrap();
+    let mut files: Vec<_> = entries
+        .map(|entry| entry.unwrap())
+        .filter(|entry| !entry.path().is_dir())
+        .map(|entry| {
+            let name = entry.file_name().into_string().unwrap();
+            (name, std::fs::read(entry.path()).unwrap())
+        })
+        .collect();
+    files.sort();
+    files
+}
+
+/// Runs a command that is refused, and loses nothing and leaves nothing behind.
+#[track_caller]
+fn refused(dir: &Dir, command: &str, says: &str) {
+    let before = files(dir);
+    let run = dir.run(&command.split_whitespace().collect::<Vec<_>>());
+    assert_eq!(run.code, 2, "{command}: {}{}", run.stdout, run.stderr);
+    assert!(run.stderr.contains(says), "{command}: {}", run.stderr);
+    assert!(files(dir) == before, "{command}: the files are others");
+}
+
+#[test]
+fn what_is_read_is_not_written_over() {
+    let dir = folder();
+    let plane = "plane device.toml --axes stiffness,damping";
+    let read = "is read by this";
+    refused(&dir, &format!("{plane} --out device.toml"), read);
+    refused(
+        &dir,
+        &format!("{plane} --measured bench.csv --out bench.csv"),
+        read,
+    );
+    for verb in [
+        "simulate forced.toml --speed 1",
+        "sweep forced.toml --beta 1 --sigma 1 --speed 1",
+        "audit log.csv --scene forced.toml",
+    ] {
+        for file in ["forces.csv", "./forces.csv"] {
+            refused(&dir, &format!("{verb} --out {file}"), read);
+        }
+    }
+    refused(&dir, "check forced.toml --certificate forces.csv", read);
+    refused(
+        &dir,
+        "audit log.tmp --scene scene.toml --partial log.tmp",
+        read,
+    );
+    // Beside an input whose name was that of a file on the way.
+    let run = dir.run(&[
+        "audit",
+        "log.tmp",
+        "--scene",
+        "scene.toml",
+        "--partial",
+        "log",
+    ]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert_eq!(
+        std::fs::read(dir.path("log.tmp")).unwrap(),
+        b"count\n0\n1\n0\n"
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn links_lead_to_no_file_that_is_written() {
+    use std::os::unix::fs::symlink;
+    let dir = folder();
+    dir.write("kept.txt", "kept");
+    for link in ["link.csv", "link.svg", "part.tmp"] {
+        symlink("kept.txt", dir.path(link)).unwrap();
+    }
+    symlink("kept.txt", dir.path("rows.tmp")).unwrap();
+    for (name, of) in [("hard.csv", "log.csv"), ("hard.toml", "scene.toml")] {
+        std::fs::hard_link(dir.path(of), dir.path(name)).unwrap();
+    }
+    let (read, link) = ("is read by this", "is a symbolic link");
+    let audit = "audit log.csv --scene scene.toml";
+    refused(&dir, &format!("{audit} --out hard.csv"), read);
+    refused(&dir, &format!("{audit} --partial hard.toml"), read);
+    refused(&dir, "simulate scene.toml --speed 1 --out hard.toml", read);
+    refused(&dir, "explain device.toml --plot link.svg", link);
+    refused(&dir, "accuracy scene.toml --speed 1 --plot link.svg", link);
+    refused(&dir, "plane device.toml --plot link.svg", link);
+    refused(
+        &dir,
+        "plane device.toml --axes stiffness,damping --out link.csv",
+        link,
+    );
+    // Where a file on the way was written through a link.
+    let sweep = "sweep scene.toml --beta 1 --sigma 1 --speed 1 --intervals 9 --out rows";
+    for command in [&format!("{audit} --partial part"), sweep] {
+        let run = dir.run(&command.split_whitespace().collect::<Vec<_>>());
+        assert_eq!(run.code, 0, "{}", run.stderr);
+    }
+    assert_eq!(std::fs::read(dir.path("kept.txt")).unwrap(), b"kept");
+}
+
+#[test]
+fn a_command_that_is_refused_leaves_what_was_there() {
+    let dir = folder();
+    dir.write(
+        "light.toml",
+        "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n",
+    );
+    for there in [true, false] {
+        if there {
+            dir.write("rows.csv", "earlier rows\n");
+        } else {
+            std::fs::remove_file(dir.path("rows.csv")).unwrap();
+        }
+        for (command, says) in [
+            ("audit missing.csv --scene scene.toml", "missing.csv"),
+            ("audit rows.toml --scene scene.toml", "rows.toml"),
+            ("audit forces.csv --scene scene.toml", "forces.csv"),
+            (
+                "simulate scene.toml --speed 1 --method exact",
+                "viscous friction",
+            ),
+            (
+                "sweep light.toml --beta 1 --sigma 1 --speed 1",
+                "light.toml",
+            ),
+            (
+                "sweep scene.toml --beta 1 --sigma 1 --speed 1e300",
+                "scene.toml",
+            ),
+        ] {
+            refused(&dir, &format!("{command} --out rows.csv"), says);
+        }
+    }
+    // One point of many, where the others can be simulated.
+    dir.write("rows.csv", "earlier rows\n");
+    refused(
+        &dir,
+        "sweep scene.toml --vary beta=0:1:9 --vary velocity=1,1e300 --out rows.csv",
+        "1e120",
+    );
+}
+
+#[test]
+fn rows_before_a_mistake_are_kept() {
+    let dir = folder();
+    dir.write("rows.csv", "earlier rows\n");
+    let args = ["audit", "torn.csv", "--scene", "scene.toml", "--out"];
+    let run = dir.run(&[&args[..], &["rows.csv"]].concat());
+    assert_eq!(run.code, 2, "{}", run.stdout);
+    let rows = std::fs::read_to_string(dir.path("rows.csv")).unwrap();
+    // A header, and the two intervals before the mistake.
+    assert_eq!(rows.lines().count(), 3, "{rows}");
+}
+
+#[test]
+fn a_killed_command_leaves_what_was_there() {
+    use std::io::Write as _;
+    let dir = folder();
+    dir.write("rows.csv", "earlier rows\n");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_passivity"))
+        .args(["audit", "-", "--scene", "scene.toml", "--out", "rows.csv"])
+        .current_dir(dir.path(""))
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut log = child.stdin.take().unwrap();
+    log.write_all(b"count\n0\n1\n0\n").unwrap();
+    let is_beside = |(name, _): &(String, Vec<u8>)| name.starts_with(".passivity-");
+    let begin = Instant::now();
+    while !files(&dir).iter().any(is_beside) && begin.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    assert!(files(&dir).iter().any(is_beside));
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let rows = std::fs::read_to_string(dir.path("rows.csv")).unwrap();
+    assert_eq!(rows, "earlier rows\n");
+}
+
+#[test]
+fn two_results_have_two_files() {
+    let dir = folder();
+    dir.write("there.svg", "<svg/>");
+    let audit = "audit log.csv --scene scene.toml";
+    for (command, options) in [
+        (audit, ["--out", "--certificate"]),
+        (audit, ["--out", "--plot"]),
+        (audit, ["--plot", "--certificate"]),
+        ("simulate scene.toml --speed 1", ["--out", "--plot"]),
+        (
+            "sweep scene.toml --beta 1 --sigma 1 --speed 1",
+            ["--out", "--plot"],
+        ),
+        (
+            "plane device.toml --axes stiffness,damping",
+            ["--plot", "--out"],
+        ),
+        ("identify log.csv --scene device.toml", ["--out", "--plot"]),
+    ] {
+        let [first, second] = options;
+        let says = format!("is the file of {first} and of {second}");
+        for file in ["new.svg", "there.svg"] {
+            let command = format!("{command} {first} {file} {second} ./{file}");
+            refused(&dir, &command, &says);
+        }
+    }
+}
+
+#[test]
+fn vectors_replace_none_but_vectors() {
+    let dir = Dir::new();
+    let args = ["vectors", "--group", "errata", "--out", "."];
+    let run = |says: Option<&str>| {
+        let run = dir.run(&args);
+        assert_eq!(
+            run.code,
+            if says.is_some() { 2 } else { 0 },
+            "{}",
+            run.stderr
+        );
+        assert!(
+            run.stderr.contains(says.unwrap_or_default()),
+            "{}",
+            run.stderr
+        );
+    };
+    for foreign in ["{\"title\": \"my own\"}", "{}", "no JSON", ""] {
+        for name in ["schema.json", "errata.json"] {
+            dir.write(name, foreign);
+            run(Some("is not overwritten"));
+            assert_eq!(files(&dir), [(name.to_owned(), foreign.into())]);
+            std::fs::remove_file(dir.path(name)).unwrap();
+        }
+    }
+    run(None);
+    let written = files(&dir);
+    assert_eq!(written.len(), 2);
+    // Those of another version are made anew.
+    let path = dir.path("errata.json");
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(
+        &path,
+        text.replace("\"header\": \"", "\"header\": \"Earlier. "),
+    )
+    .unwrap();
+    assert_ne!(files(&dir), written);
+    run(None);
+    assert_eq!(files(&dir), written);
+}
+
+#[test]
+fn the_exit_code_says_the_verdict_when_nobody_reads() {
+    let dir = folder();
+    dir.write("wild.csv", "count\n0\n9\n-9\n0\n");
+    let wild = dir.run(&["audit", "wild.csv", "--scene", "free.toml"]);
+    assert_eq!(wild.code, 1, "{}", wild.stdout);
+    for (command, code) in [
+        ("audit log.csv --scene scene.toml", 0),
+        ("audit wild.csv --scene free.toml", 1),
+        ("audit wild.csv --scene free.toml --format json", 1),
+        ("audit torn.csv --scene scene.toml", 2),
+        ("check scene.toml", 0),
+        ("check free.toml", 1),
+        ("check free.toml scene.toml --format json", 1),
+        ("check --watch scene.toml", 0),
+    ] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let status = Command::new(env!("CARGO_BIN_EXE_passivity"))
+            .args(command.split_whitespace())
+            .current_dir(dir.path(""))
+            .stdout(writer)
+            .stderr(Stdio::null())
+            .status()
+            .unwrap();
+        assert_eq!(status.code(), Some(code), "{command}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_error_is_no_panic() {
+    let dir = folder();
+    dir.write("bad.toml", "[device]\n");
+    for (command, code) in [
+        ("audit missing.csv --scene scene.toml", 2),
+        ("check bad.toml", 2),
+        ("explain bad.toml", 2),
+        ("chek", 2),
+        ("export stiff.toml --for c", 1),
+        ("check --watch scene.toml bad.toml", 2),
+    ] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full");
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let status = Command::new(env!("CARGO_BIN_EXE_passivity"))
+            .args(command.split_whitespace())
+            .current_dir(dir.path(""))
+            .stdout(writer)
+            .stderr(full.unwrap())
+            .status()
+            .unwrap();
+        assert_eq!(status.code(), Some(code), "{command}");
+    }
+}
+
+#[test]
+fn a_picture_has_something_to_draw() {
+    let dir = folder();
+    let simulate = "simulate scene.toml --speed 1 --intervals 37 --plot motion.svg";
+    for (options, says) in [
+        ("--plot-from 1000", "--plot-from 1000"),
+        ("--plot-from 37", "37 intervals"),
+        ("--plot-from 10 --plot-until 5", "--plot-until 5"),
+        ("--plot-from 10 --plot-until 10", "--plot-until 10"),
+        ("--plot-until 0", "--plot-until 0"),
+    ] {
+        refused(&dir, &format!("{simulate} {options}"), says);
+    }
+    // Where the device comes to rest before; the rows are right, and stay.
+    let args = "simulate scene.toml --speed 1 --plot-from 49999 --plot motion.svg --out rows.csv";
+    let run = dir.run(&args.split_whitespace().collect::<Vec<_>>());
+    assert_eq!(run.code, 2, "{}", run.stdout);
+    assert!(run.stderr.contains("nothing to draw"), "{}", run.stderr);
+    assert!(dir.path("rows.csv").exists() && !dir.path("motion.svg").exists());
+}
