@@ -11,7 +11,7 @@ use pyo3::buffer::PyBuffer;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::output::rows_file;
+use crate::output::{Rows, rows_file};
 use crate::scene::{Source, of_trace};
 use crate::watch::follow;
 
@@ -95,15 +95,27 @@ pub(crate) fn audit_file(
     let mut rows = rows_file(out, &inputs)?;
     let dialect = reading.dialect(py)?;
     let scene = scene.read(py)?;
-    let audit = follow(py, progress.as_ref(), move |watch| {
+    let (audit, rows) = follow(py, progress.as_ref(), move |watch| {
         let look = |samples| watch.set(samples);
+        let written = rows.as_mut().map(|rows| &mut rows.file);
         let options = Options {
-            rows: rows.as_mut().map(|rows| rows as &mut (dyn Write + '_)),
+            rows: written.map(|file| file as &mut (dyn Write + '_)),
             ..reading.options(dialect, &look)
         };
-        audit_files(&traces, &scene, options)
+        (audit_files(&traces, &scene, options), rows)
     })?;
-    report(py, audit)
+    reported(py, audit, rows)
+}
+
+/// The report, once the rows have their name; without one, what was there stays.
+fn reported(
+    py: Python<'_>,
+    audit: Result<Audit, TraceError>,
+    rows: Option<Rows>,
+) -> PyResult<Report> {
+    let report = report(py, audit)?;
+    rows.map_or(Ok(()), Rows::keep)?;
+    Ok(report)
 }
 
 /// The numbers of an array of 64-bit integers or doubles.
@@ -139,15 +151,16 @@ pub(crate) fn audit_arrays(
         read.push((name, values));
     }
     let scene = scene.read(py)?;
-    let audit = follow(py, progress.as_ref(), move |watch| {
+    let (audit, rows) = follow(py, progress.as_ref(), move |watch| {
         let look = |samples| watch.set(samples);
+        let written = rows.as_mut().map(|rows| &mut rows.file);
         let options = Options {
-            rows: rows.as_mut().map(|rows| rows as &mut (dyn Write + '_)),
+            rows: written.map(|file| file as &mut (dyn Write + '_)),
             ..reading.options(dialect, &look)
         };
-        audit_columns(read, &scene, options)
+        (audit_columns(read, &scene, options), rows)
     })?;
-    report(py, audit)
+    reported(py, audit, rows)
 }
 
 /// The exact account of a piece of a trace, as JSON for `audit_merge`, with its numbers of samples and

@@ -145,7 +145,7 @@ fn answer(
         let written = written
             .as_ref()
             .map_err(|error| Failed::Search(error.clone()))?;
-        std::fs::write(out, written).map_err(|error| failed(out, &error))?;
+        passivity_scene::files::write(out, written).map_err(|error| failed(out, &error))?;
     }
     // Bounds such as an inertia down to zero are of no scene.
     Ok((report, written.ok(), picture))

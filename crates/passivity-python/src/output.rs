@@ -1,50 +1,46 @@
 //! Files that are written, with the protections of the command.
 
-use std::fs::File;
-use std::io::BufWriter;
 use std::path::{Path, PathBuf};
+
+use passivity_scene::files::{Output, are_same, may_be_replaced};
 
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 
 /// Refuses to write over what is read, and over what is no plain file: a device, a pipe, a folder, or a link.
 pub(crate) fn may_be_written(output: &Path, inputs: &[&Path]) -> PyResult<()> {
-    let refuse = |why: &str| {
-        Err(PyValueError::new_err(format!(
-            "{}: {why}",
-            output.display()
-        )))
-    };
-    // What does not exist yet is no input, and nothing that is lost.
-    let Ok(there) = output.symlink_metadata() else {
-        return Ok(());
-    };
-    let same = |input: &&Path| match (output.canonicalize(), input.canonicalize()) {
-        (Ok(output), Ok(input)) => output == input,
-        _ => false,
-    };
-    if inputs.iter().any(same) {
-        return refuse("is read, and cannot be written");
+    let refused = |why: &str| PyValueError::new_err(format!("{}: {why}", output.display()));
+    // What does not exist yet is no input.
+    if output.exists() && inputs.iter().any(|input| are_same(output, input)) {
+        return Err(refused("is read, and cannot be written"));
     }
-    if there.is_symlink() {
-        return refuse("is a symbolic link: give the name of the file itself");
-    }
-    match there.is_file() {
-        true => Ok(()),
-        false => refuse("is no plain file, and is not replaced"),
-    }
+    may_be_replaced(output).map_err(|error| refused(&error.to_string()))
 }
 
 /// Where rows are written.
-pub(crate) fn rows_file(
-    path: Option<PathBuf>,
-    inputs: &[&Path],
-) -> PyResult<Option<BufWriter<File>>> {
+pub(crate) fn rows_file(path: Option<PathBuf>, inputs: &[&Path]) -> PyResult<Option<Rows>> {
     let Some(path) = path else {
         return Ok(None);
     };
     may_be_written(&path, inputs)?;
-    let file = File::create(&path)
-        .map_err(|error| PyOSError::new_err(format!("{}: {error}", path.display())))?;
-    Ok(Some(BufWriter::new(file)))
+    let file = Output::create(&path).map_err(|error| failed(&path, &error))?;
+    Ok(Some(Rows { path, file }))
+}
+
+/// Rows that are written, and where they will be.
+pub(crate) struct Rows {
+    path: PathBuf,
+    pub(crate) file: Output,
+}
+
+impl Rows {
+    /// Gives the file its name, in place of what had it.
+    pub(crate) fn keep(self) -> PyResult<()> {
+        let Self { path, file } = self;
+        file.keep().map_err(|error| failed(&path, &error))
+    }
+}
+
+fn failed(path: &Path, error: &std::io::Error) -> PyErr {
+    PyOSError::new_err(format!("{}: {error}", path.display()))
 }

@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use passivity_scene::Point;
 use passivity_sim::SimError;
 use passivity_sim::report::{Outcomes, Sweep};
-use passivity_sim::sweep::{Asked, Grid, Row, Shard, merge, open, run_range, write_shard};
+use passivity_sim::sweep::{
+    Asked, Grid, Row, Shard, check_points, merge, open, run_range, write_shard,
+};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -116,6 +118,9 @@ fn swept(
     let (mut file, found) = match shard {
         Some(_) => (None, Vec::new()),
         None => {
+            if out.exists() && !resume {
+                check_points(point, grid, range.clone())?; // No rows are lost to what cannot be simulated.
+            }
             let opened = open(out, point, grid, resume)?;
             (Some(opened.rows), opened.found)
         }
