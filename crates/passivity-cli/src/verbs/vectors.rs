@@ -25,7 +25,7 @@ use crate::output::{Format, emit, emit_json};
 
 Exit codes: 0 written, or no difference; 1 the other implementation differs; 2 bad usage.")]
 pub(crate) struct Args {
-    /// Write one file per group of claims, and `schema.json`, to a directory.
+    /// Write one file per group of claims, and `schema.json`, to a directory; of what is there, only vectors are replaced.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Run a command that speaks the line protocol, and list where its answers differ.
