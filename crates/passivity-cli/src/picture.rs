@@ -25,7 +25,7 @@ pub(crate) fn check(path: Option<&std::path::Path>) -> Result<(), crate::exit::F
 }
 
 /// Nothing to check: a name was refused before.
-#[cfg(all(any(feature = "identify", feature = "simulate"), not(feature = "plot")))]
+#[cfg(not(feature = "plot"))]
 pub(crate) fn check(_: Option<&std::path::Path>) -> Result<(), crate::exit::Failure> {
     Ok(())
 }
