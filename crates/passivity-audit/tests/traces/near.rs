@@ -350,82 +350,49 @@ fn rows_of_large_counts_are_defined_wherever_a_block_ends() {
     }
 }
 
+/// Whether a log of so many rows at rest and then others says the same, whether these are among the exact rows or not.
+fn check_late(scene: &str, header: &str, rest: fn(usize) -> String, then: fn(usize) -> String) {
+    let scene = Scene::from_toml("s", scene).unwrap();
+    let [early, late] = [900, 1002].map(|rows| {
+        let at_rest: Vec<String> = (0..rows).map(rest).collect();
+        let text = format!("{header}\n{}\n{}\n", at_rest.join("\n"), then(rows - 1));
+        audited(&text, &scene, 0)
+    });
+    for audit in [&early, &late] {
+        assert!(audit.error().is_none(), "{header}: {:?}", audit.error());
+    }
+    let violated = |audit: &passivity_audit::Audit| {
+        let totals = audit.totals();
+        (totals.violates_linear, totals.depends_linear)
+    };
+    assert_eq!(early.verdict(), late.verdict(), "{header}");
+    assert_eq!(violated(&early), violated(&late), "{header}");
+    // More rows at rest leave more room.
+    let [early, late] = [&early, &late].map(|audit| &audit.totals().net_linear);
+    assert!(
+        late.lo() <= early.hi() && early.lo() <= late.hi(),
+        "{header}"
+    );
+}
+
 /// What has no room in the units in which rows are summed up is for exact numbers: late in a log as at its start.
 #[test]
 fn rows_of_large_energies_are_accounted_for_late_in_a_log_too() {
     let plain = |beta: &str| format!("[dimensionless]\nbeta = \"{beta}\"\nsigma = \"3/5\"\n");
+    let far = |_| "200000,-200000.5".to_owned();
+    check_late(&plain("1"), "count,f", |_| "0,-0.5".to_owned(), far);
+    let far = |i| format!("{},200000,0", i + 20_000);
+    check_late(&plain("1/3"), "tau,count,f", |i| format!("{i},0,-0.5"), far);
+    let soon = |i| format!("{i}.000000001,0");
+    check_late(&plain("100"), "tau,count", |i| format!("{i},0"), soon);
+    // From one saturated part of a wall to the other.
     let saturated = "[device]\nviscous = \"2 N s/m\"\ncoulomb = \"0.5 N\"\n[sampling]\nperiod = \"1 ms\"\n\
         [encoder]\nresolution = \"0.03 mm\"\n[wall]\nstiffness = \"10 N/mm\"\nmax_force = \"2 N\"\n";
-    // What stands at the start, and then one row.
-    let cases: [(String, &str, fn(usize) -> String, [&str; 2]); 4] = [
-        (
-            plain("1"),
-            "count,f",
-            |_| "0,-0.5".into(),
-            ["200000,-200000.5"; 2],
-        ),
-        (
-            plain("1/3"),
-            "tau,count,f",
-            |i| format!("{i},0,-0.5"),
-            ["20000,200000,0"; 2],
-        ),
-        (
-            plain("100"),
-            "tau,count",
-            |i| format!("{i},0"),
-            ["+0.000000001,0"; 2],
-        ),
-        (
-            saturated.to_owned(),
-            "t [s],count,f [N]",
-            |i| format!("{}.{:03},145,-2", i / 1000, i % 1000),
-            ["+0.12,-145,2", "+0.121,-145,2"],
-        ),
-    ];
-    for (scene, header, row, last) in cases {
-        let scene = Scene::from_toml("s", &scene).unwrap();
-        let report = |rows: usize| {
-            let mut text = format!("{header}\n");
-            for i in 0..rows {
-                writeln!(text, "{}", row(i)).unwrap();
-            }
-            for last in last {
-                // From the last time on.
-                let last = match last.strip_prefix('+') {
-                    Some(late) => {
-                        let (late, rest) = late.split_once(',').unwrap();
-                        let unit = if header.starts_with("tau") { 1.0 } else { 1e-3 };
-                        format!(
-                            "{:.9},{rest}",
-                            unit * (rows - 1) as f64 + late.parse::<f64>().unwrap()
-                        )
-                    }
-                    None => last.to_owned(),
-                };
-                writeln!(text, "{last}").unwrap();
-                if header.contains("tau") || header == "count,f" {
-                    break;
-                }
-            }
-            let audit = audited(&text, &scene, 0);
-            assert!(audit.error().is_none(), "{header}: {:?}", audit.error());
-            let totals = audit.totals();
-            let ends =
-                |of: &passivity_audit::Figure<BigRational>| [of.lo().clone(), of.hi().clone()];
-            (
-                audit.verdict(),
-                (totals.violates_linear, totals.depends_linear),
-                ends(&totals.net_linear),
-            )
-        };
-        let (early, late) = (report(900), report(1002));
-        assert_eq!((early.0, early.1), (late.0, late.1), "{header}");
-        // The rows in which the device stands add what a tick leaves room for.
-        let ((_, _, [lo, hi]), (_, _, [low, high])) = (early, late);
-        assert!(
-            low <= hi && lo <= high,
-            "{header}: {lo} … {hi}, {low} … {high}"
-        );
-    }
+    let across = |i| format!("{},-145,2\n{},-145,2", i + 120, i + 121);
+    check_late(
+        saturated,
+        "t [ms],count,f [N]",
+        |i| format!("{i},145,-2"),
+        across,
+    );
 }
