@@ -272,8 +272,9 @@ impl Plan {
         }];
         if law.has(law::DELAY) {
             lines.push(format!(
-                "delay: q ← the sample taken {} intervals earlier",
-                law.delay
+                "delay: q ← the sample taken {} interval{} earlier",
+                law.delay,
+                if law.delay == 1 { "" } else { "s" }
             ));
         }
         lines.push(if law.has(law::FILTER) {
