@@ -38,9 +38,9 @@ The file of --info is TOML with the fields title, author, reviewer, approval, in
 each of which may be left out.
 
 Exit codes: 0 every scene is passive and every log supports it (with --check: the case is current,
-whatever it says); 1 not, or with --strict something is stale, missing, open or defeated; 2 bad input,
-or --pdf found no browser to print with (the rest of the case is written); 3 a scene has an effect that
-no theorem covers.")]
+whatever it says); 1 not, or with --strict something is stale, missing, open or defeated; 2 bad
+input, or --pdf found no browser to print with (the rest of the case is written); 3 a scene has an
+effect that no theorem covers.")]
 pub(crate) struct Args {
     /// Scene files.
     #[arg(
