@@ -282,6 +282,19 @@ fn vectors_replace_none_but_vectors() {
     assert_eq!(files(&dir), written);
 }
 
+/// The exit code of a command whose standard output nobody reads.
+fn code_unread(dir: &Dir, command: &str, stderr: impl Into<Stdio>) -> Option<i32> {
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let status = Command::new(env!("CARGO_BIN_EXE_passivity"))
+        .args(command.split_whitespace())
+        .current_dir(dir.path(""))
+        .stdout(writer)
+        .stderr(stderr)
+        .status();
+    status.unwrap().code()
+}
+
 #[test]
 fn the_exit_code_says_the_verdict_when_nobody_reads() {
     let dir = folder();
@@ -298,16 +311,8 @@ fn the_exit_code_says_the_verdict_when_nobody_reads() {
         ("check free.toml scene.toml --format json", 1),
         ("check --watch scene.toml", 0),
     ] {
-        let (reader, writer) = std::io::pipe().unwrap();
-        drop(reader);
-        let status = Command::new(env!("CARGO_BIN_EXE_passivity"))
-            .args(command.split_whitespace())
-            .current_dir(dir.path(""))
-            .stdout(writer)
-            .stderr(Stdio::null())
-            .status()
-            .unwrap();
-        assert_eq!(status.code(), Some(code), "{command}");
+        let found = code_unread(&dir, command, Stdio::null());
+        assert_eq!(found, Some(code), "{command}");
     }
 }
 
@@ -325,16 +330,8 @@ fn a_full_standard_error_is_no_panic() {
         ("check --watch scene.toml bad.toml", 2),
     ] {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full");
-        let (reader, writer) = std::io::pipe().unwrap();
-        drop(reader);
-        let status = Command::new(env!("CARGO_BIN_EXE_passivity"))
-            .args(command.split_whitespace())
-            .current_dir(dir.path(""))
-            .stdout(writer)
-            .stderr(full.unwrap())
-            .status()
-            .unwrap();
-        assert_eq!(status.code(), Some(code), "{command}");
+        let found = code_unread(&dir, command, full.unwrap());
+        assert_eq!(found, Some(code), "{command}");
     }
 }
 

@@ -415,24 +415,19 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// A number as it is when short, else rounded.
+/// A number as it is when short, else near by.
 fn short(x: &passivity_core::BigRational) -> String {
-    let exact = x.to_string();
-    if exact.len() <= 24 {
-        exact
-    } else {
-        format!("about {}", approx(x))
-    }
+    exactly(x).unwrap_or_else(|| format!("about {}", approx(x)))
 }
 
 /// A number as it is when short, else rounded down.
 fn at_least(x: &passivity_core::BigRational) -> String {
-    let exact = x.to_string();
-    if exact.len() <= 24 {
-        exact
-    } else {
-        rounded(x, 5, Rounding::Down)
-    }
+    exactly(x).unwrap_or_else(|| rounded(x, 5, Rounding::Down))
+}
+
+/// A number as it is; `None` where that is long.
+fn exactly(x: &passivity_core::BigRational) -> Option<String> {
+    Some(x.to_string()).filter(|exact| exact.len() <= 24)
 }
 
 /// A text that fits an element of the drawing.

@@ -70,12 +70,6 @@ pub(crate) struct Found {
     pub(crate) reversed: bool,
 }
 
-impl Found {
-    pub(crate) const fn is_position(&self) -> bool {
-        matches!(self.role, Role::Xi | Role::X | Role::Count)
-    }
-}
-
 /// What the columns of a log say, by their names: `t=timestep [us], x=encoder_paddle_pos [deg]`.
 ///
 /// A name is written as in the header, with or without its unit; a unit in brackets is for a header

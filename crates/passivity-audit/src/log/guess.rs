@@ -155,6 +155,12 @@ impl Kind {
     }
 }
 
+impl Found {
+    pub(crate) fn is_position(&self) -> bool {
+        Kind::of(self.role) == Kind::Position
+    }
+}
+
 /// From this score on a column is taken for what it looks like.
 const LIKELY: i32 = 2;
 

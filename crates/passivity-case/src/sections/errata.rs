@@ -195,36 +195,28 @@ mod tests {
         }
     }
 
-    fn values(document: &Document) -> Vec<Vec<Line>> {
+    /// Checks the numbers of the only table that is written.
+    fn check(write: impl Fn(&mut Document), expected: [&str; 6]) {
+        let mut document = Document::new("", "");
+        write(&mut document);
         let tables = document.blocks.iter().filter_map(|block| match block {
             Block::Table(table) => Some(table),
             _ => None,
         });
         let value = |row: &Row| row.cells.get(1).cloned();
-        tables
+        let values: Vec<Vec<Line>> = tables
             .map(|table| table.rows.iter().filter_map(value).collect())
-            .collect()
+            .collect();
+        assert_eq!(values, [expected.map(|x| Line::code(x.to_owned()))]);
     }
 
     #[test]
     fn err_27_is_printed_with_the_margin_of_the_ledger() {
-        let mut document = Document::new("", "");
-        step(&mut document);
-        let expected = ["1/2", "3/8", "1/2", "3/8", "9/20", "3/10"];
-        assert_eq!(
-            values(&document),
-            [expected.map(|x| Line::code(x.to_owned()))]
-        );
+        check(step, ["1/2", "3/8", "1/2", "3/8", "9/20", "3/10"]);
     }
 
     #[test]
     fn err_iv_c_is_printed_with_its_numbers() {
-        let mut document = Document::new("", "");
-        switching(&mut document);
-        let expected = ["0", "8", "12", "4", "8", "-8"];
-        assert_eq!(
-            values(&document),
-            [expected.map(|x| Line::code(x.to_owned()))]
-        );
+        check(switching, ["0", "8", "12", "4", "8", "-8"]);
     }
 }
