@@ -44,8 +44,10 @@ pub struct Account<W> {
     pub most: W,
     /// s in (1).
     pub slope: W,
-    /// The least U with the position at the lower and at the upper end of the tick.
-    pub least: [W; 2],
+    /// The least U with the position at the lower end of the tick.
+    pub least: W,
+    /// How much more it is at the upper end.
+    pub apart: W,
 }
 
 impl<W: Width> Account<W> {
@@ -58,17 +60,20 @@ impl<W: Width> Account<W> {
             return Some(Self {
                 most: given,
                 slope: stiffness,
-                least: [given; 2],
+                least: given,
+                apart: W::ZERO,
             });
         }
         let force = |position: W| W::ZERO.minus(stiffness).checked_times(position);
         let after = count.checked_plus(W::from_i64(1))?;
         let [lower, upper] = [force(count)?, force(after)?];
         let most = lower.checked_times(count)?;
+        upper.checked_times(after)?;
         Some(Self {
             most,
             slope: lower.checked_plus(lower)?,
-            least: [most, upper.checked_times(after)?],
+            least: most,
+            apart: lower.checked_plus(upper)?,
         })
     }
 
@@ -76,7 +81,7 @@ impl<W: Width> Account<W> {
     /// a sum does not fit, and the account is lost.
     ///
     /// Force and ticks are within [`FORCE_MAX`](Width::FORCE_MAX) and [`STEP_MAX`](Width::STEP_MAX), and
-    /// the slope is one that [`start`](Self::start) or a step leads to.
+    /// the slope and how far the least is apart are what [`start`](Self::start) or a step leads to.
     #[inline]
     pub fn advance(&mut self, config: &Config, force: W, ticks: i64) -> Option<()> {
         let (twice, slope) = under(config, force);
@@ -107,12 +112,12 @@ impl<W: Width> Account<W> {
         let taken = W::of_size(taken);
         let rose = further.minus(taken);
         let fell = W::ZERO.minus(further).minus(taken);
-        let [lower, upper] = self.least;
-        let (lower, upper) = (lower.checked_plus(stays)?, upper.checked_plus(stays)?);
-        self.least = [
-            lower.min(upper.checked_plus(fell)?),
-            upper.min(lower.checked_plus(rose)?),
-        ];
+        // From the lower end or from the upper one, whichever gives less, to either end.
+        let lower = self.apart.plus(fell).min(W::ZERO);
+        let apart = self.apart.min(rose).minus(lower);
+        let least = self.least.checked_plus(stays.plus(lower))?;
+        least.checked_plus(apart)?;
+        (self.least, self.apart) = (least, apart);
         Some(())
     }
 
@@ -176,15 +181,13 @@ impl<W: Width> Account<W> {
     #[inline]
     #[must_use]
     pub fn at_least(&self) -> W {
-        let [lower, upper] = self.least;
-        lower.min(upper)
+        self.least.plus(self.apart.min(W::ZERO))
     }
 
     /// Whether [`at_least`](Self::at_least) is above zero.
     #[inline]
     pub(crate) fn is_positive(&self) -> bool {
-        let [lower, upper] = self.least;
-        lower > W::ZERO && upper > W::ZERO
+        self.least > W::ZERO && self.least.plus(self.apart) > W::ZERO
     }
 }
 

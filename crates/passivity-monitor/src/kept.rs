@@ -39,7 +39,7 @@ pub trait Keep: Copy + Debug {
     /// use passivity_monitor::account::Account;
     /// use passivity_monitor::kept::Keep;
     ///
-    /// let account = Account { most: -1_i128 << 80, slope: 5, least: [7, 9] };
+    /// let account = Account { most: -1_i128 << 80, slope: 5, least: 7, apart: 2 };
     /// let kept = i128::kept(account);
     /// assert_eq!(kept.account.most, -1 << 62);
     /// assert_eq!(i128::whole(&kept), account);
@@ -77,17 +77,15 @@ impl Keep for i128 {
     const IS_WIDE: bool = true;
 
     /// A small sum is all in the account of 64 bits. Of any other the account has −2⁶², halfway to its end, and the rest
-    /// is beside it. Where a sum is not above zero, neither is that rest; nor is that of the least, where only one of
-    /// its two is not.
+    /// is beside it. Where a sum is not above zero, neither is that rest; nor is that of the least, where it is not above
+    /// zero at the upper end of the tick only.
     #[inline]
     fn kept(whole: Account<Self>) -> Kept<Self> {
-        let [lower, upper] = whole.least;
-        let apart = upper.minus(lower);
         let is_up_to = |n: Self, most: Self| n.is_within(most, most.plus(most));
         let goes_on = is_up_to(whole.most, SUM_MAX)
-            && is_up_to(lower, SUM_MAX)
+            && is_up_to(whole.least, SUM_MAX)
             && is_up_to(whole.slope, APART_MAX)
-            && is_up_to(apart, APART_MAX);
+            && is_up_to(whole.apart, APART_MAX);
         if !goes_on {
             return Kept {
                 account: NOTHING,
@@ -100,18 +98,19 @@ impl Keep for i128 {
             true => 0,
             false => sum.plus(PART_MAX),
         };
-        let (most, least) = (rest(whole.most), rest(lower));
-        let lower = lower.minus(least).low();
+        let (most, least) = (rest(whole.most), rest(whole.least));
         Kept {
             account: Account {
                 most: whole.most.minus(most).low(),
                 slope: whole.slope.low(),
-                least: [lower, lower.plus(apart.low())],
+                least: whole.least.minus(least).low(),
+                apart: whole.apart.low(),
             },
             beside: Account {
                 most,
                 slope: 0,
-                least: [least; 2],
+                least,
+                apart: 0,
             },
             is_parted: most != 0 || least != 0,
             steps: STEPS,
@@ -122,11 +121,11 @@ impl Keep for i128 {
     fn whole(kept: &Kept<Self>) -> Account<Self> {
         let sum = |low: i64, beside: Self| beside.plus(low.into());
         let (account, beside) = (&kept.account, &kept.beside);
-        let ([lower, upper], [below, above]) = (account.least, beside.least);
         Account {
             most: sum(account.most, beside.most),
             slope: sum(account.slope, beside.slope),
-            least: [sum(lower, below), sum(upper, above)],
+            least: sum(account.least, beside.least),
+            apart: sum(account.apart, beside.apart),
         }
     }
 }
@@ -134,7 +133,8 @@ impl Keep for i128 {
 const NOTHING: Account<i64> = Account {
     most: 0,
     slope: 0,
-    least: [0; 2],
+    least: 0,
+    apart: 0,
 };
 
 /// Sums up to this leave room for any change of the 64 bits.

@@ -103,7 +103,8 @@ impl<W: Width> Monitor<W> {
         let nothing = Account {
             most: W::ZERO,
             slope: W::ZERO,
-            least: [W::ZERO; 2],
+            least: W::ZERO,
+            apart: W::ZERO,
         };
         let mut monitor = Self {
             config,

@@ -69,7 +69,8 @@ fn th_monitor_most_bounds_every_motion() {
     let before = Account {
         most: 0,
         slope,
-        least: [0; 2],
+        least: 0,
+        apart: 0,
     };
     let after = advanced(before, &config, force, ticks);
     let bound = |account: &Account<i64>, r: i64| {
@@ -94,12 +95,12 @@ fn th_monitor_least_bounds_every_motion() {
     let before = Account {
         most: 0,
         slope: 0,
-        least: [0, rise],
+        least: 0,
+        apart: rise,
     };
     let after = advanced(before, &config, force, ticks);
     let bound = |account: &Account<i64>, r: i64| {
-        let [lower, upper] = account.least;
-        4 * (lower * (4 - r) + upper * r)
+        4 * (4 * account.least + account.apart * r)
     };
     let q = 4 * ticks + to - from;
     let now = bound(&before, from) + given_in_sixteenths(&config, force, q);
@@ -120,10 +121,11 @@ fn th_monitor_least_is_reached() {
     let before = Account {
         most: 0,
         slope: 0,
-        least: [0, rise],
+        least: 0,
+        apart: rise,
     };
-    let [lower, upper] = advanced(before, &config, force, ticks).least;
-    let least = if to == 0 { lower } else { upper };
+    let after = advanced(before, &config, force, ticks);
+    let least = after.least + after.apart * to;
     let from_lower = given(&config, force, ticks + to);
     let from_upper = rise + given(&config, force, ticks + to - 1);
     kani::cover!(from_upper < from_lower, "it came from the upper end");
@@ -167,7 +169,8 @@ fn th_monitor_passive_wall_stays_passive() {
     let before = Account {
         most: -stored(count),
         slope: -4 * half * count,
-        least: [0; 2],
+        least: 0,
+        apart: 0,
     };
     let own = -half * (2 * count + 1);
     let after = advanced(before, &config, own, ticks);
@@ -190,7 +193,8 @@ fn th_monitor_is_passive_where_the_most_is_not_positive() {
     let account = Account {
         most: up_to(64),
         slope: up_to(64),
-        least: [0; 2],
+        least: 0,
+        apart: 0,
     };
     let most = account.at_most(&config);
     kani::cover!(
@@ -273,20 +277,27 @@ const fn at(stiffness: i64, viscous: i64, coulomb: i64) -> Config {
     }
 }
 
-/// Advances an account of any numbers, the slope as far as a start can lead, by any force and a step:
+/// Advances an account of any numbers, the slope and the leasts as far as a start can lead, by any force and a step:
 /// what it is then, if it fits, and how it slopes by the definition, in wider integers. The step is a
 /// number that the compiler knows, so that nothing is left to multiply but by numbers.
 fn advances(config: &Config, ticks: i64) -> (Option<Account<i64>>, i128) {
+    let far = || kani::any_where(|far: &i64| *far >= -(1 << 62) && *far <= 1 << 62);
     let mut account = Account {
         most: kani::any(),
-        slope: kani::any_where(|slope: &i64| *slope >= -(1 << 62) && *slope <= 1 << 62),
-        least: [kani::any(), kani::any()],
+        slope: far(),
+        least: kani::any(),
+        apart: far(),
     };
     let force = kani::any_where(|n: &i64| *n >= -i64::FORCE_MAX && *n <= i64::FORCE_MAX);
     let fits = account.advance(config, force, ticks);
     let stiffness = i128::from(config.stiffness());
     let slope = stiffness + 2 * i128::from(force) - 2 * stiffness * i128::from(ticks);
     (fits.map(|()| account), slope)
+}
+
+/// Whether it slopes so, and its leasts at both ends of the tick fit.
+fn is_exact(account: &Account<i64>, slope: i128) -> bool {
+    i128::from(account.slope) == slope && account.at_least() <= account.least
 }
 
 /// TH-MONITOR: with the largest parameters, the longest step forward after any samples makes no account panic or wrap.
@@ -296,7 +307,7 @@ fn th_monitor_never_wraps_with_the_largest_parameters_forward() {
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account.is_none_or(|account| i128::from(account.slope) == slope),
+        account.is_none_or(|account| is_exact(&account, slope)),
         "TH-MONITOR: an account that fits is exact",
     );
 }
@@ -308,7 +319,7 @@ fn th_monitor_never_wraps_with_the_largest_parameters_back() {
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account.is_none_or(|account| i128::from(account.slope) == slope),
+        account.is_none_or(|account| is_exact(&account, slope)),
         "TH-MONITOR: an account that fits is exact",
     );
 }
@@ -320,7 +331,7 @@ fn th_monitor_never_wraps_without_friction_forward() {
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account.is_none_or(|account| i128::from(account.slope) == slope),
+        account.is_none_or(|account| is_exact(&account, slope)),
         "TH-MONITOR: an account that fits is exact",
     );
 }
@@ -332,7 +343,7 @@ fn th_monitor_never_wraps_without_friction_back() {
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account.is_none_or(|account| i128::from(account.slope) == slope),
+        account.is_none_or(|account| is_exact(&account, slope)),
         "TH-MONITOR: an account that fits is exact",
     );
 }
@@ -344,7 +355,7 @@ fn th_monitor_never_wraps_without_a_spring_forward() {
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account.is_none_or(|account| i128::from(account.slope) == slope),
+        account.is_none_or(|account| is_exact(&account, slope)),
         "TH-MONITOR: an account that fits is exact",
     );
 }
@@ -356,7 +367,7 @@ fn th_monitor_never_wraps_without_a_spring_back() {
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account.is_none_or(|account| i128::from(account.slope) == slope),
+        account.is_none_or(|account| is_exact(&account, slope)),
         "TH-MONITOR: an account that fits is exact",
     );
 }
