@@ -70,3 +70,36 @@ fn the_margin_is_the_left_side_of_the_criterion_that_is_printed() {
         "{margin} {expected}"
     );
 }
+
+/// A force that changes within an interval may be moved against there and back: what is generated then, with no distance
+/// from sample to sample, grows with the way that was gone. So an actuator is charged by the velocity at every instant
+/// (TH-LAG, TH-LATENCY), and friction takes it so (23).
+#[test]
+fn an_actuator_is_charged_by_the_velocity_at_every_instant() {
+    let dir = Dir::new();
+    let plain = "[dimensionless]\nmu = \"50\"\nbeta = \"3\"\nsigma = \"3\"\n";
+    for (more, generated, friction) in [
+        ("", "E_g ≤ ½·d² + ½·|d|\n", "E_d ≥ β·d²/Δτ + σ·|d|\n"),
+        (
+            "[sampling]\nlatency = \"1/2\"\n",
+            "ΣE_g ≤ Σ(κ·∫ξ̇²dτ + ½·∫|ξ̇|dτ) + the decrease of the extra storage\n",
+            "E_d ≥ β·∫ξ̇²dτ + σ·∫|ξ̇|dτ\n",
+        ),
+        (
+            "[amplifier]\ntime_constant = \"1/2\"\n[wall]\ndamping = \"1/4\"\n",
+            "ΣE_g ≤ Σ((H(1)·κ + Σ|g_j|)·∫ξ̇²dτ + (½ + B)·∫|ξ̇|dτ) + the decrease of the extra storage\n",
+            "E_d ≥ β·∫ξ̇²dτ + σ·∫|ξ̇|dτ\n",
+        ),
+    ] {
+        let scene = dir.write("scene.toml", &format!("{plain}{more}"));
+        let run = dir.run(&["explain", &scene]);
+        for line in [generated, friction] {
+            assert!(
+                run.stdout.contains(line),
+                "{more}{line}{}{}",
+                run.stdout,
+                run.stderr
+            );
+        }
+    }
+}

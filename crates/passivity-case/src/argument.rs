@@ -44,11 +44,7 @@ pub fn argue(study: &Study, records: &Records) -> Argument {
     };
     build.surroundings();
     build.generation();
-    build.claims_goal(
-        DISSIPATION,
-        "In every sampling interval friction dissipates at least β·d²/Δτ + σ·|d|.",
-        &["EQ-23..26"],
-    );
+    build.dissipation();
     build.sum();
     build.criterion();
     build.numerics();
@@ -82,6 +78,25 @@ fn claims_section() -> Anchor {
 /// What the case does not say.
 fn limits_section() -> Anchor {
     Anchor::Section("limits".to_owned(), "Limits")
+}
+
+/// The theorems of the scene's effects, but for those of the plain wall.
+fn of_effects(report: &Report) -> Vec<&'static str> {
+    const PLAIN: [&str; 5] = [
+        "TH-REGION",
+        "TH-INTERVAL",
+        "TH-RUN",
+        "TH-ACTIVE",
+        "TH-SMOOTH",
+    ];
+    let effects = report.effects.iter().filter_map(|effect| effect.theorem());
+    let mut ids = Vec::new();
+    for id in report.because.iter().copied().chain(effects) {
+        if !PLAIN.contains(&id) && !ids.contains(&id) {
+            ids.push(id);
+        }
+    }
+    ids
 }
 
 struct Builder<'a> {
@@ -139,8 +154,17 @@ impl<'a> Builder<'a> {
         for node in nodes {
             self.argument.hang(TOP, node);
         }
-        let strategy = "Argue over the energy of each sampling interval: what the held force \
-                        generates is covered by what friction dissipates; then sum.";
+        let strategy = match self.has_memory() {
+            true => {
+                "Argue over the energy of a run of sampling intervals: what the held force generates, \
+                 beside what the loop's memory stores and gives up, is covered by what friction \
+                 dissipates."
+            }
+            false => {
+                "Argue over the energy of each sampling interval: what the held force generates is \
+                 covered by what friction dissipates; then sum."
+            }
+        };
         self.argument
             .hang(TOP, Node::new(Kind::Strategy, STRATEGY, strategy));
         let storage = "Energy is measured against the linear spring. Against the quantized spring \
@@ -158,8 +182,14 @@ impl<'a> Builder<'a> {
         let text = bound.map_or_else(
             || "What the held force generates in a sampling interval is bounded.".to_owned(),
             |line| {
-                let bound = &line.formula;
-                format!("In every sampling interval the held force generates at most {bound}.")
+                let of = match self.study.scene.point().at.has_computed_costs() {
+                    true => "Over any number of sampling intervals from the first on",
+                    false => "In every sampling interval",
+                };
+                format!(
+                    "{of}, what the held force generates is bounded: {}.",
+                    line.formula
+                )
             },
         );
         let mut ids = vec![if report.sigma.is_some() {
@@ -167,21 +197,43 @@ impl<'a> Builder<'a> {
         } else {
             "TH-SMOOTH"
         }];
-        let plain = ["TH-INTERVAL", "TH-RUN"];
-        for id in report.effects.iter().filter_map(|effect| effect.theorem()) {
-            if !plain.contains(&id) && !ids.contains(&id) {
+        for id in of_effects(report) {
+            if !ids.contains(&id) {
                 ids.push(id);
             }
         }
         self.claims_goal(GENERATION, &text, &ids);
     }
 
+    /// What friction dissipates, as the derivation has it.
+    fn dissipation(&mut self) {
+        let line = self.study.explanation.line(Step::Dissipated);
+        let formula = line.map_or("E_d ≥ 0", |line| line.formula.as_str());
+        let text = format!("In every sampling interval, of what friction dissipates: {formula}.");
+        self.claims_goal(DISSIPATION, &text, &["EQ-23..26"]);
+    }
+
     /// From one interval to a whole motion.
     fn sum(&mut self) {
-        let ids = ["TH-INTERVAL", "TH-RUN"];
-        let text = "Where the criterion holds at the speed of every interval, no interval gains \
-                    energy, and over any number of them the hand draws no more than was stored.";
+        let (ids, text) = match self.has_memory() {
+            // An interval alone may gain what the memory gives up.
+            true => (
+                of_effects(self.report()),
+                "Where the criterion holds at every speed that occurs, over any number of sampling \
+                 intervals the hand draws no more than was stored, what the loop remembered at the \
+                 start included.",
+            ),
+            false => (
+                vec!["TH-INTERVAL", "TH-RUN"],
+                "Where the criterion holds at the speed of every interval, no interval gains energy, \
+                 and over any number of them the hand draws no more than was stored.",
+            ),
+        };
         self.claims_goal(SUM, text, &ids);
+    }
+
+    fn has_memory(&self) -> bool {
+        self.study.scene.given.has_memory()
     }
 
     /// The criterion with the numbers of the scene.

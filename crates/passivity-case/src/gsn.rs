@@ -261,7 +261,10 @@ impl Argument {
             } else {
                 &mut above.in_context_of
             };
-            list.push(node.id.clone());
+            // What supports several elements is there once, with its own support.
+            if !list.contains(&node.id) {
+                list.push(node.id.clone());
+            }
         }
         if self.node(&node.id).is_none() {
             self.others.push(node);
@@ -280,14 +283,21 @@ impl Argument {
     /// Carries the standing of the evidence up: an element stands as its worst support does, one
     /// that a counter goal defeated stays defeated, and what rests on a defeated element is open.
     pub fn settle(&mut self) {
-        // Supports are added after what they support, so one pass from the end sees them first.
+        // Supports are added after what they support, so a pass from the end sees them first, but for those of
+        // several elements: another pass has them. No support goes in a circle, so this comes to an end.
         let ids: Vec<String> = self.nodes().rev().map(|node| node.id.clone()).collect();
-        for id in ids {
-            let worst = self.worst_support(&id);
-            if let (Some(node), Some(worst)) = (self.node_mut(&id), worst)
-                && !node.is_defeated()
-            {
-                node.standing = Some(worst);
+        let mut changed = true;
+        while changed {
+            changed = false;
+            for id in &ids {
+                let worst = self.worst_support(id);
+                if let (Some(node), Some(worst)) = (self.node_mut(id), worst)
+                    && !node.is_defeated()
+                    && node.standing != Some(worst)
+                {
+                    node.standing = Some(worst);
+                    changed = true;
+                }
             }
         }
     }

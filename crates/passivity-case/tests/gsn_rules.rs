@@ -269,6 +269,9 @@ fn records() -> Records {
         "TH-DAC",
         "TH-DELAY",
         "TH-DAMP",
+        "TH-LTI",
+        "TH-LATENCY",
+        "TH-LAG",
         "EQ-23..26",
         "TH-INTERVAL",
         "TH-RUN",
@@ -361,6 +364,31 @@ fn the_arguments_of_the_shipped_scenes_keep_every_rule() {
     }
     assert!(defeated >= 4, "some shipped scene is not passive");
     assert!(open > 0, "without records every part is open");
+}
+
+/// A delay may leave an interval with more than friction takes: from rest over one tick and then ten more, the second
+/// interval of a passive loop of one sample generates 10 and dissipates 2 (TH-DELAY).
+#[test]
+fn only_of_a_wall_without_memory_is_it_said_that_no_interval_gains_energy() {
+    let mut with_memory = 0;
+    for study in shipped() {
+        let remembers = study.scene.given.has_memory();
+        let argument = argue(&study, &records()).to_yaml();
+        for said in [
+            "no interval gains energy",
+            "TH-INTERVAL",
+            "each sampling interval: what",
+        ] {
+            assert_eq!(
+                argument.contains(said),
+                !remembers,
+                "{}: {said}",
+                study.name()
+            );
+        }
+        with_memory += usize::from(remembers);
+    }
+    assert!(with_memory >= 3, "some shipped scene has memory");
 }
 
 #[test]

@@ -7,7 +7,9 @@ use crate::law::Law;
 use crate::parameter::{Loop, Parameter, Unit};
 use crate::scalar::Scalar;
 
-/// What a step may generate at most: `viscous`·d² + `coulomb`·|d|, beside changes of storage.
+/// What a step may generate at most: `viscous`·d² + `coulomb`·|d|, beside changes of storage. Of a controller, of delay
+/// and damping together and of an actuator it is a bound of the sum over a run; of an actuator with ∫ξ̇² and ∫|ξ̇| over
+/// each interval in place of d² and |d|.
 ///
 /// Dimensionless it is what the scene's effects ask of β and σ; with units, of b/T and c.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,7 +21,8 @@ pub struct Cost<S> {
 }
 
 impl<S: Scalar> Cost<S> {
-    /// The bound `viscous`·d² + `coulomb`·|d| on what a step of displacement d generates, in KΔ².
+    /// The bound `viscous`·d² + `coulomb`·|d| on what a step of displacement d generates, in KΔ², where the loop has no
+    /// computed costs.
     #[must_use]
     pub fn bound(&self, displacement: &S) -> S {
         let d = displacement.abs();
@@ -84,7 +87,15 @@ impl<V> Loop<V> {
             || self.has_actuator()
     }
 
-    /// Whether the force follows its command within an interval: a latency or an amplifier.
+    /// Whether the force over an interval depends on more than its first sample: delay, damping, a digital controller,
+    /// a latency or an amplifier. What the loop remembers is stored beside the wall's spring, so that friction covers
+    /// what is generated in a run, and in a single interval only with what that storage gives up.
+    pub const fn has_memory(&self) -> bool {
+        self.delay > 0 || self.damping.is_some() || self.has_computed_costs()
+    }
+
+    /// Whether the force follows its command within an interval: a latency or an amplifier. It is charged by the square
+    /// of the velocity at every instant, as friction takes it, not by the distance from sample to sample.
     pub const fn has_actuator(&self) -> bool {
         self.latency.is_some() || self.time_constant.is_some()
     }

@@ -99,9 +99,7 @@ fn th_monitor_least_bounds_every_motion() {
         apart: rise,
     };
     let after = advanced(before, &config, force, ticks);
-    let bound = |account: &Account<i64>, r: i64| {
-        4 * (4 * account.least + account.apart * r)
-    };
+    let bound = |account: &Account<i64>, r: i64| 4 * (4 * account.least + account.apart * r);
     let q = 4 * ticks + to - from;
     let now = bound(&before, from) + given_in_sixteenths(&config, force, q);
     kani::cover!(now == bound(&after, to), "the bound is reached");

@@ -310,13 +310,17 @@ fn because(scene: &Scene, verdict: Verdict) -> Vec<&'static str> {
         Verdict::NotCovered => return ids,
         Verdict::NotPassive if scene.given.is_plain() => ids.push("TH-ACTIVE"),
         Verdict::NotPassive => ids.push("TH-LTI"),
+        // What a loop remembers has theorems of its own, of runs.
+        _ if scene.given.has_memory() => ids.push("TH-REGION"),
         _ => ids.extend(["TH-REGION", "TH-INTERVAL", "TH-RUN"]),
     }
     if !scene.given.has_encoder() {
         ids.push("TH-SMOOTH");
     }
-    // A cycle that gains energy is no matter of what an interval generates at most.
-    let beside = (verdict == Verdict::NotPassive).then_some("TH-INTERVAL");
+    // A cycle that gains energy is no matter of what an interval generates at most, and in a loop with memory an interval
+    // may generate more than friction takes.
+    let aside = verdict == Verdict::NotPassive || scene.given.has_memory();
+    let beside = aside.then_some("TH-INTERVAL");
     // A delay and damping that partly cancel are one controller.
     let together = scene.given.delay > 0 && scene.has(Effect::Damping) && scene.given.is_linear();
     if together && !ids.contains(&"TH-LTI") {

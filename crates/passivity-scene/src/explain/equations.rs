@@ -106,13 +106,12 @@ pub(super) fn motion(scene: &Scene) -> String {
 
 /// What a step may generate, in letters and numbers.
 pub(super) struct Cost {
-    /// Whether a bound holds of whole motions only: a computed cost does.
-    pub(super) of_whole_motions: bool,
+    /// What is generated at most, beside what the storage gives up.
+    pub(super) bound: String,
     pub(super) viscous: String,
     pub(super) viscous_number: String,
     pub(super) coulomb: String,
     pub(super) coulomb_number: String,
-    pub(super) storage: &'static str,
     pub(super) id: &'static str,
 }
 
@@ -121,37 +120,71 @@ impl Cost {
         let at = scene.point().at;
         let cost = at.cost();
         let (viscous, id) = viscous(&at);
-        let coulomb = coulomb(&at);
         let sum = |terms: &[String]| match terms {
             [] => "0".to_owned(),
             [one] => one.clone(),
             many => format!("({})", many.join(" + ")),
         };
-        let stored = at.delay > 0 || at.damping.is_some() || at.has_computed_costs();
+        let (viscous, coulomb) = (sum(&viscous), sum(&coulomb(&at)));
+        let [square, distance] = measures(&at);
+        let charged = format!("{viscous}·{square} + {coulomb}·{distance}");
+        let bound = match (at.has_computed_costs(), at.has_memory()) {
+            (true, _) => format!("ΣE_g ≤ Σ({charged}) + the decrease of the extra storage"),
+            (false, true) => format!("E_g ≤ {charged} + the decrease of the extra storage"),
+            (false, false) => format!("E_g ≤ {charged}"),
+        };
         Self {
-            of_whole_motions: at.has_computed_costs(),
-            viscous: sum(&viscous),
+            bound,
+            viscous,
             viscous_number: readable(&cost.viscous),
-            coulomb: sum(&coulomb),
+            coulomb,
             coulomb_number: readable(&cost.coulomb),
-            storage: if stored {
-                " + the decrease of the extra storage"
-            } else {
-                ""
-            },
             id,
         }
     }
 }
 
+/// What the cost in β and in σ is times: a force that changes within an interval is charged by the instant.
+fn measures(at: &Loop<BigRational>) -> [&'static str; 2] {
+    match at.has_actuator() {
+        true => ["∫ξ̇²dτ", "∫|ξ̇|dτ"],
+        false => ["d²", "|d|"],
+    }
+}
+
+/// What friction takes of an interval at least, with the equation that says it.
+pub(super) fn dissipated(scene: &Scene) -> (&'static str, String) {
+    let at = scene.point().at;
+    let [square, distance] = measures(&at);
+    let mut terms = Vec::new();
+    if scene.has(Effect::Viscous) {
+        let per_time = if at.has_actuator() { "" } else { "/Δτ" };
+        terms.push(format!("β·{square}{per_time}"));
+    }
+    if scene.has(Effect::Coulomb) {
+        terms.push(format!("σ·{distance}"));
+    }
+    let id = if at.has_actuator() { "(23)" } else { "(26)" };
+    let text = match terms.is_empty() {
+        true => "E_d ≥ 0: the device has no friction".to_owned(),
+        false => format!("E_d ≥ {}", terms.join(" + ")),
+    };
+    (id, text)
+}
+
 /// What is asked of β, and the theorem that says it.
 fn viscous(at: &Loop<BigRational>) -> (Vec<String>, &'static str) {
     let one = |symbol: &str| vec![symbol.to_owned()];
-    if at.time_constant.is_some() {
-        return (one("κ"), "TH-LAG");
-    }
-    if at.latency.is_some() {
-        return (one("κ"), "TH-LATENCY");
+    if at.has_actuator() {
+        let id = match at.time_constant {
+            Some(_) => "TH-LAG",
+            None => "TH-LATENCY",
+        };
+        let terms = match at.controller.is_some() || at.damping.is_some() {
+            true => vec!["H(1)·κ".to_owned(), "Σ|g_j|".to_owned()],
+            false => one("κ"),
+        };
+        return (terms, id);
     }
     if at.has_computed_costs() {
         return (one("λ"), "TH-LTI");

@@ -197,24 +197,12 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
     push(Step::HeldForce, law_id, law, String::new());
     push(Step::Motion, "(6)", motion(scene), String::new());
     let cost = Cost::of(scene);
-    let (viscous, coulomb) = (&cost.viscous, &cost.coulomb);
-    let charged = format!("{viscous}·d² + {coulomb}·|d|");
-    let bound = if cost.of_whole_motions {
-        format!("ΣE_g ≤ Σ({charged}){}", cost.storage)
-    } else {
-        format!("E_g ≤ {charged}{}", cost.storage)
-    };
-    push(Step::Generated, cost.id, bound, String::new());
+    push(Step::Generated, cost.id, cost.bound.clone(), String::new());
     if let Some((id, [formula, numbers])) = equations::computed(scene, report) {
         push(Step::Cost, id, formula, numbers);
     }
-    let friction = match (scene.has(Effect::Viscous), scene.has(Effect::Coulomb)) {
-        (true, true) => "E_d ≥ β·d²/Δτ + σ·|d|",
-        (true, false) => "E_d ≥ β·d²/Δτ",
-        (false, true) => "E_d ≥ σ·|d|",
-        (false, false) => "E_d ≥ 0: the device has no friction",
-    };
-    push(Step::Dissipated, "(26)", friction.to_owned(), String::new());
+    let (id, friction) = equations::dissipated(scene);
+    push(Step::Dissipated, id, friction, String::new());
     let beta = readable(&point.at.viscous_friction());
     let sigma = readable(&point.at.coulomb_friction());
     push(

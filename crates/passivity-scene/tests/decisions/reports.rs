@@ -139,6 +139,8 @@ fn comparisons_are_the_papers() {
 fn a_verdict_says_which_theorems_it_rests_on() {
     let holds = ["TH-REGION", "TH-INTERVAL", "TH-RUN"];
     let or_more = |more: &[&'static str]| [&holds[..], more].concat();
+    // What a loop remembers may leave an interval with more than friction takes: there only runs are covered.
+    let with_memory = |more: &[&'static str]| [&["TH-REGION"], more].concat();
     for (values, verdict, because) in [
         ("viscous 2, coulomb 2", Verdict::Passive, or_more(&[])),
         (
@@ -159,22 +161,22 @@ fn a_verdict_says_which_theorems_it_rests_on() {
         (
             "viscous 2, coulomb 2, delay 1",
             Verdict::Passive,
-            or_more(&["TH-DELAY"]),
+            with_memory(&["TH-DELAY"]),
         ),
         (
             "viscous 2, coulomb 2, damping 1/2",
             Verdict::Passive,
-            or_more(&["TH-DAMP"]),
+            with_memory(&["TH-DAMP"]),
         ),
         (
             "viscous 2, coulomb 2, delay 1, damping 1/2",
             Verdict::Passive,
-            or_more(&["TH-LTI", "TH-DELAY", "TH-DAMP"]),
+            with_memory(&["TH-LTI", "TH-DELAY", "TH-DAMP"]),
         ),
         (
             "viscous 2, coulomb 2, delay 1, damping 1/2, unilateral true",
             Verdict::Passive,
-            or_more(&["TH-DELAY", "TH-UNI", "TH-DAMP"]),
+            with_memory(&["TH-DELAY", "TH-UNI", "TH-DAMP"]),
         ),
         (
             "viscous 1, coulomb 2, delay 1, damping 1/2",
@@ -184,7 +186,7 @@ fn a_verdict_says_which_theorems_it_rests_on() {
         (
             "viscous 2, coulomb 2, damping 1/2, damping_time_constant 1",
             Verdict::Passive,
-            or_more(&["TH-DAMP", "TH-LTI"]),
+            with_memory(&["TH-DAMP", "TH-LTI"]),
         ),
         (
             "viscous 2, coulomb 2, max_force 20, force_step 1/10",
@@ -194,7 +196,7 @@ fn a_verdict_says_which_theorems_it_rests_on() {
         (
             "viscous 2, coulomb 2, latency 0.1, time_constant 0.1",
             Verdict::Passive,
-            or_more(&["TH-LATENCY", "TH-LAG"]),
+            with_memory(&["TH-LATENCY", "TH-LAG"]),
         ),
     ] {
         let report = report(values);
