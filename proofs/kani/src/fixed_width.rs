@@ -81,9 +81,10 @@ fn is_sound(x: &Fraction<i32>) -> bool {
     x.parts().is_none_or(|(_, d)| *d > 0)
 }
 
-/// TH-INTERVAL: a sum of any two 32-bit fractions is right or undefined; it never panics.
+/// NUM-EXACT: a sum, a difference or the larger or smaller one of any two 32-bit fractions is a fraction or undefined; none
+/// panics.
 #[kani::proof]
-fn th_interval_sums_never_panic() {
+fn num_exact_sums_never_panic() {
     let (x, y) = (anything(), anything());
     let sum = x + y;
     kani::cover!(
@@ -92,13 +93,14 @@ fn th_interval_sums_never_panic() {
     );
     kani::assert(
         [sum, x - y, x.max(y), x.min(y)].iter().all(is_sound),
-        "TH-INTERVAL: a defined sum has a denominator above zero",
+        "NUM-EXACT: a defined sum has a denominator above zero",
     );
 }
 
-/// TH-INTERVAL: a product of any two 32-bit fractions is right or undefined; it never panics.
+/// NUM-EXACT: a product or a quotient of any two 32-bit fractions is a fraction or undefined, and so is half, the size or the
+/// negative of one; none panics.
 #[kani::proof]
-fn th_interval_products_never_panic() {
+fn num_exact_products_never_panic() {
     let (x, y) = (anything(), anything());
     let quotient = x.over(y);
     kani::cover!(quotient.is_defined(), "a quotient is defined");
@@ -106,15 +108,39 @@ fn th_interval_products_never_panic() {
         [x * y, quotient, -x, x.half(), x.abs()]
             .iter()
             .all(is_sound),
-        "TH-INTERVAL: a defined product has a denominator above zero",
+        "NUM-EXACT: a defined product has a denominator above zero",
     );
 }
 
-/// TH-INTERVAL: ⌊x⌋ is an integer n with n ≤ x < n + 1.
+/// NUM-EXACT: products and quotients of fractions are those of their numerators and denominators, and nothing is divided by
+/// zero.
+#[kani::proof]
+fn num_exact_products_are_right() {
+    let [b, d] = DENOMINATORS;
+    let (a, c) = (i32::from(kani::any::<i8>()), i32::from(kani::any::<i8>()));
+    let (x, y) = (Fraction::new(a, b), Fraction::new(c, d));
+    let (product, quotient) = (x * y, x.over(y));
+    kani::cover!(a < 0 && c < 0, "both are below zero");
+    kani::assert(
+        product.parts() == Some((&(a * c), &(b * d))),
+        "NUM-EXACT: a product is right",
+    );
+    let [n, over] = if c < 0 {
+        [-a * d, -b * c]
+    } else {
+        [a * d, b * c]
+    };
+    kani::assert(
+        quotient.parts() == (c != 0).then_some((&n, &over)),
+        "NUM-EXACT: a quotient is right, and undefined over zero",
+    );
+}
+
+/// NUM-EXACT: ⌊x⌋ is an integer n with n ≤ x < n + 1.
 ///
 /// 8 bits over 4: the quotient is multiplied with the denominator again.
 #[kani::proof]
-fn th_interval_floor_is_just_below() {
+fn num_exact_floor_is_just_below() {
     let n = kani::any_where(|n: &i16| *n > -128 && *n < 128);
     let d = kani::any_where(|d: &u8| *d > 0 && *d < 16);
     let (n, d) = (i32::from(n), i32::from(d));
@@ -123,10 +149,10 @@ fn th_interval_floor_is_just_below() {
     if let Some((q, one)) = floor.parts() {
         kani::assert(
             *one == 1 && q * d <= n && n < q * d + d,
-            "TH-INTERVAL: the floor is the integer just below",
+            "NUM-EXACT: the floor is the integer just below",
         );
     } else {
-        kani::assert(false, "TH-INTERVAL: a floor is always defined");
+        kani::assert(false, "NUM-EXACT: a floor is always defined");
     }
 }
 
