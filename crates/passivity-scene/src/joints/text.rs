@@ -46,7 +46,10 @@ impl JointReport {
 
     fn wall_text(&self) -> String {
         match self.direction_texts.as_slice() {
-            [] => format!("a stiffness matrix for {} joints", self.joints.len()),
+            [] => match self.joints.len() {
+                1 => "a stiffness matrix for 1 joint".to_owned(),
+                n => format!("a stiffness matrix for {n} joints"),
+            },
             ways => format!("moves by {}, one entry a joint", ways.join(", ")),
         }
     }
@@ -123,7 +126,9 @@ impl JointReport {
         let joint = limit.place.joint;
         let motion = match (joint.and_then(|joint| self.joints.get(joint)), joint) {
             (Some(joint), _) => joint.moves(),
-            (None, _) => self.wall,
+            // Of a matrix it is a factor; the period is one in any case.
+            (None, _) if limit.limit.parameter == Parameter::Stiffness => self.wall,
+            (None, _) => Motion::Rotary,
         };
         let name = joint.and_then(|joint| self.joint_names.get(joint));
         let of_joint = name.map_or_else(String::new, |name| format!(", {name}"));

@@ -69,9 +69,11 @@ impl Parameters {
             keys => keys.iter().map(|key| (*key, section.take(key))).collect(),
         };
         let is_there = found.iter().any(|(_, entry)| entry.is_some());
+        // Two keys of one section were told of already.
+        let elsewhere = self.get(parameter).cloned();
         for (key, entry) in found {
             let given = entry.and_then(|entry| value(parameter, key, false, entry, reader));
-            if let (Some(own), Some(other)) = (&given, self.get(parameter))
+            if let (Some(own), Some(other)) = (&given, &elsewhere)
                 && parameter != Parameter::Inertia
             {
                 reader.report(twice(own, other));

@@ -1,6 +1,7 @@
 //! Whether all units of a scene tell of one motion, linear or rotary.
 
 use crate::diagnostic::{Diagnostic, Kind};
+use crate::parse::measure::Measure;
 use crate::parse::reader::Reader;
 use crate::scene::Motion;
 
@@ -41,10 +42,19 @@ pub(super) fn check_motion(reader: &mut Reader<'_>) {
                 word(kept),
                 anchor.unit
             );
-            let expected = note.measure.map_or_else(
-                || "`resolution`, a length".to_owned(),
-                |measure| measure.expected(Some(kept)),
-            );
+            let expected = match (note.key, note.measure) {
+                ("device.mass", _) => {
+                    format!("`inertia`, {}", Measure::Inertia.expected(Some(kept)))
+                }
+                ("transmission.ratio", _) if kept == Motion::Rotary => {
+                    "a plain number, such as `9.375`, of turns to turns".to_owned()
+                }
+                ("transmission.ratio", _) => {
+                    "a way in a turn, such as `\"10 mm/rev\"`, or the radii of pulleys".to_owned()
+                }
+                (_, Some(measure)) => measure.expected(Some(kept)),
+                (_, None) => "`resolution`, a length".to_owned(),
+            };
             Diagnostic::new(Kind::MixedMotion, message)
                 .at(note.span.clone())
                 .key(note.key)

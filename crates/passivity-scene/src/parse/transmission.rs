@@ -48,7 +48,10 @@ pub(super) fn read(mut section: Section, reader: &mut Reader<'_>) -> Option<Tran
             given.push((key, text.clone()));
         }
     }
-    let span = section.span.clone();
+    let span = ratio
+        .as_ref()
+        .map_or(&section.span, |ratio| &ratio.node.span);
+    let span = span.clone();
     reader.leftovers(section);
     if conflicting || incomplete {
         return None;

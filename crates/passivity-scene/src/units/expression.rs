@@ -116,7 +116,7 @@ impl<'a> Reader<'a> {
         let mut compound = false;
         let base = if self.take_if(&['(']).is_some() {
             self.group(start)?
-        } else if self.take_if(&['1']).is_some() {
+        } else if self.take_one() {
             Unit::one()
         } else {
             let symbol = self.symbol()?;
@@ -138,7 +138,25 @@ impl<'a> Reader<'a> {
             .ok_or_else(|| malformed(start..self.at, "the powers in this unit are too large"))
     }
 
+    /// The `1` of `1/s`, which is no factor anywhere else: in `3.45(12) N` the digits are an uncertainty.
+    fn take_one(&mut self) -> bool {
+        let divided = self.rest().strip_prefix('1');
+        let is_one = divided.is_some_and(|rest| rest.trim_start().starts_with('/'));
+        if is_one {
+            self.at += 1;
+        }
+        is_one
+    }
+
     fn group(&mut self, start: usize) -> Result<Unit, UnitError> {
+        let digits = self.rest().split(')').next().unwrap_or_default();
+        if !digits.is_empty() && digits.bytes().all(|c| c.is_ascii_digit() || c == b'.') {
+            let message = format!("expected a unit in these parentheses, found `{digits}`");
+            let mut error = malformed(start..self.at + digits.len() + 1, message);
+            error.help =
+                Some("a tolerance is written with `±`, as in `3.45 ± 0.12 mN m`".to_owned());
+            return Err(error);
+        }
         self.depth += 1;
         if self.depth > MAX_DEPTH {
             let message = format!("parentheses more than {MAX_DEPTH} deep");

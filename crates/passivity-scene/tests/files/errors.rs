@@ -23,7 +23,7 @@ fn after_good(more: &str) -> SceneError {
 
 /// Mistakes: what stands after the good sections, kind, line, column, a part of the message.
 #[rustfmt::skip]
-const CASES: [(&str, &str, usize, usize, &str); 57] = [
+const CASES: [(&str, &str, usize, usize, &str); 59] = [
     ("[divice]\n", "unknown_section", 5, 2, "a scene has no section `[divice]`"),
     ("[device]\nviscosity = \"1 N m s\"\n", "unknown_key", 6, 1, "`viscosity` is not a key of [device]"),
     ("[device]\ninertia.x = 1\n", "wrong_type", 6, 1, "`device.inertia` is a table"),
@@ -76,6 +76,8 @@ const CASES: [(&str, &str, usize, usize, &str); 57] = [
     ("[run]\nintervals = \"x\"\n", "malformed_number", 6, 13, "a whole number from 1 to"),
     ("[device]\ncoulomb = \"1 N\"\n", "mixed_motion", 6, 14, "`device.coulomb` is linear (`N`), but `wall.stiffness` is rotary (`N m/rad`)"),
     ("[device]\nmass = \"1 kg\"\n", "mixed_motion", 6, 11, "`device.mass` is linear"),
+    ("[device]\nmass = \"1 kg\"\n", "mixed_motion", 6, 11, "expected `inertia`, a moment of inertia such as `\"6.28e-6 kg m^2\"`"),
+    ("[transmission]\nratio = \"10 mm/rev\"\n", "mixed_motion", 6, 9, "expected a plain number, such as `9.375`, of turns to turns"),
     ("[device]\nmass = \"1 kg m^2\"\n", "wrong_unit", 6, 11, "of a moment of inertia"),
     ("[encoder]\nresolution = \"1 mm\"\n", "mixed_motion", 6, 17, "expected an angle such as `\"0.1 deg\"`"),
     ("[operator]\nforce = \"forces.csv\"\n", "samples", 6, 9, "only a scene that is a file itself can name one"),
@@ -113,6 +115,40 @@ fn every_mistake_has_its_kind_and_its_place() {
         let found = listed.iter().find(|e| e["kind"] == kind).unwrap();
         assert_eq!(found["at"]["line"], line);
         assert_eq!(found["at"]["column"], column);
+    }
+}
+
+#[test]
+fn two_keys_of_one_parameter_are_one_mistake() {
+    for (section, keys) in [
+        ("sampling", ["period = \"1 ms\"", "rate = \"1 kHz\""]),
+        (
+            "encoder",
+            ["resolution = \"1 deg\"", "counts_per_revolution = 4"],
+        ),
+        (
+            "wall",
+            [
+                "damping_cutoff = \"9 Hz\"",
+                "damping_time_constant = \"1 ms\"",
+            ],
+        ),
+    ] {
+        let wall = "[wall]\nstiffness = \"1 N m/rad\"\ndamping = \"1e-4 N m s/rad\"\n";
+        let [mut wall, mut sampling] = [wall.to_owned(), "[sampling]\n".to_owned()];
+        let mut rest = String::new();
+        let both = keys.join("\n") + "\n";
+        match section {
+            "wall" => wall += &both,
+            "sampling" => sampling += &both,
+            _ => rest = format!("[{section}]\n{both}"),
+        }
+        if section != "sampling" {
+            sampling += "period = \"1 ms\"\n";
+        }
+        let error = error(&format!("{wall}{sampling}{rest}"));
+        assert_eq!(error.diagnostics().len(), 1, "{error}");
+        assert!(!error.to_string().contains("side"), "{error}");
     }
 }
 
