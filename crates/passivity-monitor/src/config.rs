@@ -283,7 +283,8 @@ impl Config {
     /// place of the spring's ½Kx²: for a wall that the device starts outside of, or a device that is
     /// moving.
     ///
-    /// KΔ²/8, which the account does not tell from nothing, is allowed on top.
+    /// KΔ²/8, which the account does not tell from nothing, is allowed on top, rounded up to a whole one of these
+    /// halves: both bounds are of the energy beyond that.
     ///
     /// # Errors
     ///

@@ -377,13 +377,17 @@ fn whole(field: &[u8], notation: Notation) -> Result<i64, TraceError> {
     }
 }
 
-/// A number, and half a unit of its last digit.
+/// A number, and half a unit of its last digit: none of a fraction, which is exact.
 fn rounded(text: &[u8], notation: Notation) -> Result<(Number, f64), TraceError> {
     if let Some((n, power)) = decimal(text) {
         let decimals = u8::try_from(power.ilog10()).unwrap_or(u8::MAX);
         return Ok((Number::Small(n, power), half_a_unit(decimals)));
     }
-    Ok((number(text, notation)?, half_last_digit(text)))
+    let half = match memchr::memchr(b'/', text) {
+        Some(_) => 0.0,
+        None => half_last_digit(text),
+    };
+    Ok((number(text, notation)?, half))
 }
 
 /// Half a unit of the last digit of a decimal: how far off its rounding may be.

@@ -62,6 +62,27 @@ fn trace(column: &str, path: &[i64], force: impl Fn(usize) -> f64) -> String {
     csv
 }
 
+/// A fraction has no last digit within which it might be another number: the same forces, as fractions and as decimals,
+/// have the same verdict.
+#[test]
+fn forces_as_fractions_are_exact() {
+    let thousandths = [
+        -3359_i64, -7606, -6476, -5382, -9275, -10_210, -12_557, -13_470,
+    ];
+    let counts = [3_i64, 7, 6, 5, 9, 10, 12, 13];
+    let scene = scene("[dimensionless]\nbeta = \"0\"\nsigma = \"2/5\"");
+    let mut texts = ["count,f\n"; 2].map(str::to_owned);
+    for (count, force) in counts.iter().zip(thousandths) {
+        let [fraction, decimal] = &mut texts;
+        writeln!(fraction, "{count},{force}/1000").unwrap();
+        writeln!(decimal, "{count},{}", force as f64 / 1000.0).unwrap();
+    }
+    let [fraction, decimal] = texts.map(|text| audited(&text, &scene));
+    assert_eq!(fraction.to_json(), decimal.to_json());
+    let force = fraction.report().force.as_ref().unwrap();
+    assert_eq!((force.agrees, force.mismatches), (false, force.compared));
+}
+
 #[test]
 fn a_doubled_reversed_or_late_force_does_not_hold_by_the_law() {
     let scene = three_fifths();

@@ -242,7 +242,10 @@ fn limits_of_a_matrix_are_those_of_the_formulas() {
     let plain = report(TWO, MATRIX);
     // Of the matrix the limit is a factor; the period's is a time.
     let text = plain.to_text();
-    assert!(text.contains("    sampling period T: at most 3.6246 s"), "{text}");
+    assert!(
+        text.contains("    sampling period T: at most 3.6246 s"),
+        "{text}"
+    );
     assert_eq!(
         plain.max_matrix_factor.as_ref().map(range).as_deref(),
         Some("64/25")
