@@ -5,11 +5,12 @@
 //! box of loops without filter and actuator, because the margin is a concave function of each of its
 //! parameters: KT·λ is the largest of functions that are linear in KT and in B, and −BΔ/T is concave in
 //! T. If none holds, neither does a box whose cost is the same multiple of KT everywhere. Any other box
-//! is cut into cells, over each of which the costs are enclosed.
+//! is cut into cells, over each of which the costs are enclosed ([`cells`](crate::cells)).
 
 use num_rational::BigRational;
 
 use crate::actuator::Actuator;
+use crate::cells::over_cells;
 use crate::fraction::Wide;
 use crate::interval::{Interval, Truth};
 use crate::linear_part::{Command, LinearPart};
@@ -49,7 +50,7 @@ impl Enclosed for Exact {
 }
 
 /// The parameters that a computed cost depends on.
-const SHAPING: [Parameter; 6] = [
+pub(crate) const SHAPING: [Parameter; 6] = [
     Parameter::Stiffness,
     Parameter::Period,
     Parameter::Damping,
@@ -60,12 +61,6 @@ const SHAPING: [Parameter; 6] = [
 
 /// The bits with which a single loop is decided, one after the other.
 const BITS: [u32; 4] = [64, 256, 1024, 4096];
-
-/// Bits of the costs over a cell.
-const CELL_BITS: u32 = 40;
-
-/// How many cells a box is cut into at most.
-const MOST_CELLS: usize = 32;
 
 impl<S: Enclosed> Loop<Interval<S>> {
     /// The linear part of the loops of the box, where its costs have to be computed; `None` where a
@@ -205,11 +200,11 @@ impl<S: Enclosed> Loop<Interval<S>> {
         }
         match all {
             true if self.corners_are_hardest() => Some(Truth::Holds),
-            true => self.over_cells(speeds, Truth::Holds),
+            true => over_cells(self, speeds, Truth::Holds),
             false if (constant && self.damping.is_none()) || self.has_one_shape() => {
                 Some(Truth::Fails)
             }
-            false => self.over_cells(speeds, Truth::Fails),
+            false => over_cells(self, speeds, Truth::Fails),
         }
     }
 
@@ -219,14 +214,12 @@ impl<S: Enclosed> Loop<Interval<S>> {
         if !self.has_computed_costs() {
             return self.decide(speeds) == Some(Truth::Holds);
         }
-        if self.is_surely(Truth::Holds, speeds) == Some(true) {
-            return true;
+        if !self.corners_are_hardest() {
+            return over_cells(self, speeds, Truth::Holds) == Some(Truth::Holds);
         }
         let hardest = speeds.at(End::Hardest);
         let holds = |corner: Self| corner.at(End::Hardest).met_at(&hardest) == Some(Truth::Holds);
         self.corners().into_iter().all(holds)
-            && (self.corners_are_hardest()
-                || self.over_cells(speeds, Truth::Holds) == Some(Truth::Holds))
     }
 
     /// Whether no loop of the box is harder than its corners.
@@ -250,12 +243,21 @@ impl<S: Enclosed> Loop<Interval<S>> {
     /// Without a filter and an actuator the stiffest wall is the hardest: where KT·w(θ) + B·r(θ) is
     /// largest, w(θ) is at least ½, because it is ½ where r is 1.
     fn corners(&self) -> alloc::vec::Vec<Self> {
+        let split = |parameter: &Parameter| {
+            let skipped = *parameter == Parameter::Stiffness && self.is_unfiltered();
+            !skipped && self.get(*parameter).is_some_and(|range| !range.is_point())
+        };
+        self.at_both_ends(SHAPING.into_iter().filter(split))
+    }
+
+    /// The box with each of these parameters at either end.
+    pub(crate) fn at_both_ends(
+        &self,
+        parameters: impl Iterator<Item = Parameter>,
+    ) -> alloc::vec::Vec<Self> {
         let mut corners = alloc::vec![self.clone()];
-        for parameter in SHAPING {
-            if parameter == Parameter::Stiffness && self.is_unfiltered() {
-                continue;
-            }
-            let Some(range) = self.get(parameter).filter(|range| !range.is_point()) else {
+        for parameter in parameters {
+            let Some(range) = self.get(parameter) else {
                 continue;
             };
             let ends = [range.lo(), range.hi()].map(|end| Interval::point(end.clone()));
@@ -263,82 +265,6 @@ impl<S: Enclosed> Loop<Interval<S>> {
             corners = corners.into_iter().flat_map(both).collect();
         }
         corners
-    }
-
-    /// `wanted` where it is so over every cell that the box is cut into, else that it depends.
-    fn over_cells(&self, speeds: &Speeds<Interval<S>>, wanted: Truth) -> Option<Truth> {
-        let mut cells = alloc::vec![self.clone()];
-        let mut seen = 1;
-        while let Some(cell) = cells.pop() {
-            if cell.is_surely(wanted, speeds)? {
-                continue;
-            }
-            seen += 2;
-            let halves = cell.halves()?;
-            if seen > MOST_CELLS || halves.is_empty() {
-                return Some(Truth::Depends);
-            }
-            cells.extend(halves);
-        }
-        Some(wanted)
-    }
-
-    /// Whether the criterion holds, or fails, for all loops of a cell, by what its costs are at most, or
-    /// at least.
-    fn is_surely(&self, wanted: Truth, speeds: &Speeds<Interval<S>>) -> Option<bool> {
-        let (end, period) = match wanted {
-            Truth::Holds => (End::Hardest, self.period.lo()),
-            _ => (End::Easiest, self.period.hi()),
-        };
-        if let Speeds::UpToSquared(_) = speeds {
-            return Some(self.with_costs(CELL_BITS)?.decide(speeds)? == wanted);
-        }
-        let width = BigRational::new(1.into(), num_bigint::BigInt::from(1) << CELL_BITS);
-        let part = self.linear_part(CELL_BITS)?;
-        let coulomb = part.coulomb_cost(&width)?;
-        let cost = match wanted {
-            Truth::Holds => coulomb.hi(),
-            _ => coulomb.lo(),
-        };
-        // What Coulomb friction has to spare is least at the shortest period.
-        let corner = self.at(end);
-        let other = corner.clone().with(Parameter::Period, period.clone());
-        let left = corner.left_by(cost, &other, &speeds.at(end))?;
-        let Some(beta) = left else {
-            return Some(wanted == Truth::Fails);
-        };
-        let beta = beta.enclosed(CELL_BITS)?;
-        let decided = part.decide(&beta, &width);
-        Some(decided == Some(wanted == Truth::Holds))
-    }
-
-    /// The box cut in two along the shaping parameter with the largest relative width; none for a
-    /// point.
-    fn halves(&self) -> Option<alloc::vec::Vec<Self>> {
-        let mut widest: Option<(Parameter, S)> = None;
-        for parameter in SHAPING {
-            let Some(range) = self.get(parameter).filter(|range| !range.is_point()) else {
-                continue;
-            };
-            let relative = (range.hi().clone() - range.lo().clone()).over(range.hi().clone());
-            let wider = match &widest {
-                Some((_, width)) => relative.compare(width)?.is_gt(),
-                None => true,
-            };
-            if wider {
-                widest = Some((parameter, relative));
-            }
-        }
-        let Some((parameter, _)) = widest else {
-            return Some(alloc::vec::Vec::new());
-        };
-        let range = self.get(parameter)?;
-        let middle = (range.lo().clone() + range.hi().clone()).half();
-        let halves = [range.lo(), range.hi()].map(|end| {
-            let half = Interval::hull(end.clone(), middle.clone());
-            self.clone().with(parameter, half)
-        });
-        Some(halves.into())
     }
 }
 
@@ -387,7 +313,7 @@ impl<S: Enclosed> Loop<S> {
     /// The β that viscous friction and what Coulomb friction has to spare amount to at the speed
     /// bound, where the encoder of a controller costs `coulomb`; what is spared is that of another loop.
     /// The inner `None` where Coulomb friction falls short.
-    fn left_by(
+    pub(crate) fn left_by(
         &self,
         coulomb: &BigRational,
         sparing: &Self,

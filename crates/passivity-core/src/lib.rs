@@ -51,6 +51,7 @@ extern crate alloc;
 
 pub mod absolute_sum;
 pub mod actuator;
+mod cells;
 pub mod circle;
 pub mod control_loop;
 pub mod controller;

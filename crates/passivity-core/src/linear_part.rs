@@ -23,13 +23,16 @@ use crate::actuator::Actuator;
 use crate::control_loop::Cost;
 use crate::frequency::ViscousCost;
 use crate::interval::Interval;
-use crate::rational::{from_wide, to_wide};
+use crate::rational::{self, from_wide, to_wide};
 use crate::scalar::{Ordered as _, Scalar};
 use crate::transfer::TransferFunction;
 
 /// The highest degree of the polynomial in cos θ that λ is decided with. Beyond it the absolute tail
 /// sums are used.
 pub const MOST_DEGREE: usize = 24;
+
+/// Bits of the numbers that a decision is tried with first.
+const SHORT: u64 = 64;
 
 /// The law that makes a command of the measured positions.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,13 +97,19 @@ impl LinearPart {
     /// For a point, and a point β, a linear loop's answer is exact.
     #[must_use]
     pub fn decide(&self, beta: &Interval<BigRational>, width: &BigRational) -> Option<bool> {
-        if self.actuator.is_none() && self.linear {
-            if let Some((cost, wobble)) = self.by_frequency() {
-                let enough = |beta: &BigRational| cost.is_enough(beta);
-                if enough(&(beta.lo() - &wobble)) {
-                    return Some(true);
-                }
-                return (!enough(&(beta.hi() + &wobble))).then_some(false);
+        if self.costs_lambda() {
+            // Of short numbers around these, in less time; of these, exactly.
+            let around = |x: &Interval<BigRational>| {
+                let [lo, hi] = [x.lo(), x.hi()].map(|end| rational::short(end, SHORT));
+                Interval::hull(lo.lo().clone(), hi.hi().clone())
+            };
+            let near = self.map(around).by_frequency();
+            let near = near.and_then(|near| decided_by(&near, &around(beta)));
+            if near.is_some() {
+                return near;
+            }
+            if let Some(exact) = self.by_frequency() {
+                return decided_by(&exact, beta);
             }
         }
         if let (Some(answer), true) = (self.decide_actuator(beta), beta.is_point()) {
@@ -111,6 +120,28 @@ impl LinearPart {
             return Some(true);
         }
         (beta.hi().compare(cost.lo())? == Ordering::Less).then_some(false)
+    }
+
+    /// Whether λ, the largest cost over all frequencies, is what a linear loop costs.
+    const fn costs_lambda(&self) -> bool {
+        self.actuator.is_none() && self.linear
+    }
+
+    /// The same law with the intervals of its damping and its pole taken to others around them.
+    fn map(&self, around: impl Fn(&Interval<BigRational>) -> Interval<BigRational>) -> Self {
+        let command = match &self.command {
+            Command::Spring { damping, pole } if around(pole).hi() < &BigRational::one() => {
+                Command::Spring {
+                    damping: around(damping),
+                    pole: around(pole),
+                }
+            }
+            exact => exact.clone(),
+        };
+        Self {
+            command,
+            ..self.clone()
+        }
     }
 
     /// The exact decision behind an actuator whose parameters and tail sums are points.
@@ -259,6 +290,17 @@ impl LinearPart {
         let [lo, hi] = ends.map(|(mean, error)| at_middle.cost_with(&mean, &error, width));
         Some(lo?.joined(&hi?))
     }
+}
+
+/// Whether β is at least a cost that is off by so much at most, for every β of an interval, or for none.
+fn decided_by(
+    (cost, wobble): &(ViscousCost, BigRational),
+    beta: &Interval<BigRational>,
+) -> Option<bool> {
+    if cost.is_enough(&(beta.lo() - wobble)) {
+        return Some(true);
+    }
+    (!cost.is_enough(&(beta.hi() + wobble))).then_some(false)
 }
 
 /// What the wall with virtual damping behind a one-pole filter costs, 1 + B(1 − z⁻¹)(1 − a)/(1 − az⁻¹),

@@ -9,6 +9,7 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive};
 
 use crate::fraction::{Fixed, Wide};
+use crate::interval::Interval;
 use crate::scalar::{Ordered, Scalar};
 use crate::whole::{fraction, over_common};
 
@@ -145,6 +146,37 @@ pub fn to_scalar<S: Scalar>(x: &BigRational) -> S {
         return whole(x.numer());
     }
     whole(x.numer()).over(whole(x.denom()))
+}
+
+/// The value where numerator and denominator have at most so many bits, else two dyadic numbers around it whose numerators
+/// have one more at most.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::{BigRational, Scalar, rational};
+///
+/// let third = BigRational::integer(1).over(BigRational::integer(3));
+/// let around = rational::short(&third, 1);
+/// assert_eq!((around.lo().to_string(), around.hi().to_string()), ("1/4".to_owned(), "1/2".to_owned()));
+/// assert!(rational::short(&third, 2).is_point());
+/// ```
+#[must_use]
+pub fn short(x: &BigRational, bits: u64) -> Interval<BigRational> {
+    let (above, below) = (x.numer().bits(), x.denom().bits());
+    if above.max(below) <= bits {
+        return Interval::point(x.clone());
+    }
+    let raised = bits + below;
+    let scaled = |lo: BigInt| match raised.checked_sub(above) {
+        Some(up) => BigRational::new(lo, BigInt::from(1) << up),
+        None => BigRational::from_integer(lo << (above - raised)),
+    };
+    let whole = match raised.checked_sub(above) {
+        Some(up) => (x.numer() << up).div_floor(x.denom()),
+        None => x.numer().div_floor(&(x.denom() << (above - raised))),
+    };
+    Interval::hull(scaled(whole.clone()), scaled(whole + 1))
 }
 
 /// The value in lowest terms, or `None` when it is undefined.

@@ -27,6 +27,7 @@ mod exact;
 mod exponential;
 mod extra_storage;
 mod extremes;
+mod filtered_boxes;
 mod fraction;
 mod frequency;
 mod generation;
