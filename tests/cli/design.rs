@@ -172,7 +172,9 @@ fn constants_are_on_the_safe_side() {
     assert_eq!(header.code, 0, "{}", header.stderr);
     let text = std::fs::read_to_string(dir.path("wall.h")).expect("a header");
     assert!(
-        text.contains("#define RE35_MAX_STIFFNESS 1.0761 /* N m/rad, with RE35_DAMPING */"),
+        text.contains(
+            "#define RE35_MAX_STIFFNESS 1.0761 /* N m/rad, with RE35_DAMPING and under the conditions below */"
+        ),
         "{text}"
     );
     assert!(text.contains("What binds: friction at 3 rad/s"), "{text}");
@@ -225,13 +227,39 @@ fn constants_are_on_the_safe_side() {
 
 #[test]
 fn a_header_compiles() {
+    let own = "stiffness = \"1 N m/rad\"";
+    let soft = "stiffness = \"0.001 N m/rad\"";
+    let damping = "damping = \"1e-6 N m s/rad\"\ndamping_cutoff = \"50 Hz\"";
+    let filtered = RE35.replace(own, &format!("{soft}\n{damping}"));
+    let led = RE35.replace(own, soft) + "[controller]\nnumerator = [\"1.5\", \"-0.5\"]\n";
+    for (text, also) in [
+        (RE35, "RE35_ENCODER_RESOLUTION > 0"),
+        (
+            &filtered,
+            "RE35_DAMPING_POLE < 1 && RE35_DAMPING_TIME_CONSTANT > 0",
+        ),
+        (&led, "numerator[0] > 1 && numerator[1] < 0"),
+    ] {
+        compiles(text, also);
+    }
+}
+
+/// Compiles the header of a scene, and runs a program with it that asks whether something is so.
+#[track_caller]
+fn compiles(text: &str, also: &str) {
     let dir = Dir::new();
-    let scene = dir.write("re35.toml", RE35);
+    let scene = dir.write("re35.toml", text);
     let run = dir.run(&["export", &scene, "--for", "c", "--out", "wall.h"]);
     assert_eq!(run.code, 0, "{}", run.stderr);
+    let numerator = match also.contains("numerator") {
+        true => "static const double numerator[] = RE35_CONTROLLER_NUMERATOR;\n",
+        false => "",
+    };
     dir.write(
         "main.c",
-        "#include \"wall.h\"\nint main(void) { return RE35_STIFFNESS <= RE35_MAX_STIFFNESS ? 0 : 1; }\n",
+        format!(
+            "#include \"wall.h\"\n{numerator}int main(void) {{ return RE35_STIFFNESS <= RE35_MAX_STIFFNESS && {also} ? 0 : 1; }}\n"
+        ),
     );
     let compiled = Command::new("cc")
         .args(["-Wall", "-Werror", "-o", "main", "main.c"])

@@ -1,14 +1,13 @@
 //! The constants that a control program asks for, on the safe side as doubles.
 
-use num_traits::Signed as _;
-use passivity_core::verdict::{End, Speeds};
-use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Parameter, Wide};
+use passivity_core::verdict::Speeds;
+use passivity_core::{BigRational, Enclosed, Interval, Loop, Parameter, Wide};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::limits;
-use super::{BITS, Report, Verdict, check};
-use crate::display::{Rounding, rounded};
+pub use self::conditions::{Amount, Condition};
+use self::typed::Typed;
+use super::{Report, Verdict, check};
 use crate::number::nearest_f64;
 use crate::scene::{Motion, Scene};
 
@@ -34,6 +33,14 @@ pub struct Constants {
     pub because: Vec<&'static str>,
     /// What uses up the friction, in words.
     pub binds: String,
+    /// The effects in the scene, in words.
+    pub effects: Vec<&'static str>,
+    /// The values of the scene that the numbers rest on, as it writes them, and what its transmission does.
+    pub given: Vec<String>,
+    /// The effects, in words, with which nothing is shown, because the scene does not have them.
+    pub not_shown_with: Vec<&'static str>,
+    /// What the control program, the device and its amplifier must be like for the numbers to hold.
+    pub conditions: Vec<Condition>,
     /// How the device moves.
     #[serde(skip)]
     pub motion: Motion,
@@ -101,48 +108,21 @@ fn of_loop<S: Enclosed>(
     report: &Report,
     bounds: &Loop<Interval<S>>,
 ) -> Option<Constants> {
-    let of = |parameter: Parameter| scene.given.get(parameter)?.nominal.enclosure(BITS);
-    let lower = |parameter: Parameter| of(parameter).map(|x| below(x.lo()));
-    let period = of(Parameter::Period)?;
-    let damping = of(Parameter::Damping);
-    let typed = Typed {
-        scene,
-        bounds,
-        speeds: match report.at_every_speed {
-            true => Speeds::All,
-            false => bounds.speeds(),
-        },
-        stiffness: lower(Parameter::Stiffness)?,
-        damping: damping.as_ref().map_or(0.0, |b| below(b.lo())),
-        rate: above(&period.lo().recip()),
+    let speeds = match report.at_every_speed {
+        true => Speeds::All,
+        false => bounds.speeds(),
     };
-    // More samples and less damping are safe, but where the damping reads an encoder, or is late, the
-    // other neighbour may be.
-    let tries = [typed.rate, below(&period.hi().recip())].into_iter();
-    let mut tries = tries.flat_map(|rate| {
-        let other = damping.as_ref().map_or(0.0, |b| above(b.hi()));
-        [typed.damping, other].map(|damping| Typed {
-            rate,
-            damping,
-            ..typed.clone()
-        })
-    });
     let is_passive = report.verdict == Verdict::Passive;
-    let typed = tries.find(Typed::holds).unwrap_or(typed);
-    let max_stiffness = typed.largest(Parameter::Stiffness);
-    let max_damping = typed.largest(Parameter::Damping);
-    let whole_rate = [typed.rate.ceil(), typed.rate.floor()]
+    let typed = Typed::of(scene, bounds, speeds)?;
+    let written = typed.with_largest(is_passive);
+    let pole = written.pole();
+    let whole_rate = [typed.rate()?.ceil(), typed.rate()?.floor()]
         .into_iter()
         .find(|rate| {
-            let at = Typed {
-                rate: *rate,
-                ..typed.clone()
-            };
-            let passes =
-                |parameter, most: Option<f64>| most.is_none_or(|x| at.holds_with(parameter, x));
-            (!is_passive || at.holds())
-                && passes(Parameter::Stiffness, max_stiffness)
-                && passes(Parameter::Damping, max_damping)
+            let at = written.at_rate(*rate);
+            let pass = |pole| at.as_ref()?.with_pole(pole);
+            at.as_ref().is_some_and(|at| at.passes())
+                && pole.is_none_or(|pole| pass(pole).is_some_and(|at| at.passes()))
         });
     let bound = match &report.speed_bound_si {
         Some(v) if !report.at_every_speed => Some(below(v.lo())),
@@ -153,102 +133,26 @@ fn of_loop<S: Enclosed>(
         headline: report.headline(),
         because: report.because.clone(),
         binds: report.binds_text(),
+        effects: scene
+            .effects()
+            .iter()
+            .map(|effect| effect.words())
+            .collect(),
+        given: conditions::given(scene),
+        not_shown_with: conditions::not_shown_with(&written),
+        conditions: conditions::of(&typed, pole),
         motion: scene.motion,
-        stiffness: typed.stiffness,
-        max_stiffness,
-        damping: typed.damping,
-        max_damping,
+        stiffness: typed.double(Parameter::Stiffness)?,
+        max_stiffness: written.max_stiffness,
+        damping: typed.double(Parameter::Damping).unwrap_or(0.0),
+        max_damping: written.max_damping,
         has_controller: bounds.controller.is_some(),
-        rate: typed.rate,
+        rate: typed.rate()?,
         whole_rate,
         max_speed: bound,
-        max_force: lower(Parameter::MaxForce),
+        max_force: typed.double(Parameter::MaxForce),
         is_passive,
     })
-}
-
-/// The doubles that are written, as if they were typed into the scene together.
-#[derive(Clone)]
-struct Typed<'a, S> {
-    scene: &'a Scene,
-    bounds: &'a Loop<Interval<S>>,
-    speeds: Speeds<Interval<S>>,
-    stiffness: f64,
-    damping: f64,
-    rate: f64,
-}
-
-impl<S: Enclosed> Typed<'_, S> {
-    /// The loop with these values, each with the tolerance that it has in the scene.
-    fn bounds(&self) -> Option<Loop<Interval<S>>> {
-        let period = BigRational::from_float(self.rate)?;
-        let values = [
-            (
-                Parameter::Stiffness,
-                BigRational::from_float(self.stiffness)?,
-            ),
-            (Parameter::Damping, BigRational::from_float(self.damping)?),
-            (
-                Parameter::Period,
-                period.is_positive().then(|| period.recip())?,
-            ),
-        ];
-        values
-            .into_iter()
-            .try_fold(self.bounds.clone(), |bounds, (parameter, value)| {
-                let Some(given) = self.scene.given.get(parameter) else {
-                    return Some(bounds);
-                };
-                let nominal = S::of(&given.nominal)?;
-                if nominal.is_positive() != Some(true) {
-                    return Some(bounds);
-                }
-                let scale = S::of(&Exact::of(&value))?.over(nominal);
-                let moved = bounds
-                    .get(parameter)?
-                    .map(|end| end.clone() * scale.clone());
-                Some(bounds.with(parameter, moved))
-            })
-    }
-
-    fn holds(&self) -> bool {
-        let bounds = self.bounds();
-        bounds.is_some_and(|bounds| bounds.surely_holds(&self.speeds))
-    }
-
-    /// Whether the criterion holds with another value of one parameter.
-    fn holds_with(&self, parameter: Parameter, value: f64) -> bool {
-        let moved = || {
-            let value = S::of(&Exact::of(&BigRational::from_float(value)?))?;
-            Some(self.bounds()?.with(parameter, Interval::point(value)))
-        };
-        moved().is_some_and(|bounds| bounds.surely_holds(&self.speeds))
-    }
-
-    /// The shortest double of at least five digits at or below the limit of a parameter, beside the
-    /// other values, that passes; also of damping where the scene has none yet.
-    fn largest(&self, parameter: Parameter) -> Option<f64> {
-        let mut bounds = self.bounds()?;
-        if parameter == Parameter::Damping {
-            if bounds.controller.is_some() {
-                return None;
-            }
-            if bounds.damping.is_none() {
-                // From where it is looked for: as much as a sample of the spring.
-                bounds.damping = Some(Interval::point(bounds.at(End::Hardest).viscous_unit()));
-            }
-        }
-        let limit = limits::limit(parameter, self.scene, &bounds, &self.speeds)?;
-        let border = limit.border.lo();
-        let most = below(border);
-        let short = (5..17).filter_map(|digits| {
-            let text = rounded(border, digits, Rounding::Down);
-            let double = nearest_f64(&crate::number::parse(&text).ok()?);
-            (double <= most).then_some(double)
-        });
-        let mut doubles = short.chain([most]);
-        doubles.find(|double| self.holds_with(parameter, *double))
-    }
 }
 
 /// The smallest double that is not below a number.
@@ -265,4 +169,6 @@ fn below(x: &BigRational) -> f64 {
     }
 }
 
+mod conditions;
 mod text;
+mod typed;

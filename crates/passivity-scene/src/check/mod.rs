@@ -18,7 +18,7 @@ mod witness;
 
 pub use advice::{Advice, Binds, Change, Share, SpeedToSet};
 pub use certificate::{Certificate, NotCertified};
-pub use constants::{Constants, Target, constants};
+pub use constants::{Amount, Condition, Constants, Target, constants};
 pub use decide::Verdict;
 pub use design::{Design, Setting, Stiffest, design};
 pub use limits::{Limit, Side};

@@ -2,7 +2,7 @@
 
 use passivity_core::BigRational;
 use passivity_scene::Scene;
-use passivity_scene::check::{Constants, Target, Verdict, check, constants};
+use passivity_scene::check::{Amount, Condition, Constants, Target, Verdict, check, constants};
 use proptest::prelude::*;
 
 use crate::wall::{q, scene};
@@ -84,19 +84,56 @@ fn constants_are_on_the_safe_side() {
     );
 }
 
-/// The numbers that stand together, typed into the scene together.
-fn typed_back(values: &str, stiffness: f64, damping: f64, rate: f64) -> Verdict {
-    let ours = ["stiffness ", "damping ", "period "];
-    let is_ours = |value: &&str| ours.iter().any(|key| value.starts_with(key));
-    let others: Vec<&str> = values.split(", ").filter(|v| !is_ours(v)).collect();
+/// The numbers that stand together, typed into the scene together with the conditions; once more with
+/// the filter's pole a in place of its time constant aT/(1 − a).
+fn typed_back(
+    values: &str,
+    conditions: &[Condition],
+    stiffness: f64,
+    damping: f64,
+    rate: f64,
+) -> Vec<Verdict> {
     let period = exact(rate).recip();
-    let (k, b) = (exact(stiffness), exact(damping));
-    let numbers = format!("{}, stiffness {k}, period {period}", others.join(", "));
-    let damped = match damping {
-        0.0 => numbers,
-        _ => format!("{numbers}, damping {b}"),
+    let numbers = [("stiffness", exact(stiffness)), ("period", period.clone())];
+    let mut numbers = numbers.to_vec();
+    if damping != 0.0 {
+        numbers.push(("damping", exact(damping)));
+    }
+    let mut pole = None;
+    for condition in conditions {
+        let value = match condition.value {
+            Amount::Double(value) => exact(value),
+            _ => continue,
+        };
+        match condition.name {
+            "encoder_resolution" => numbers.push(("resolution", value)),
+            "amplifier_time_constant" => numbers.push(("time_constant", value)),
+            "damping_pole" => pole = Some(&period * &value / (q("1") - &value)),
+            name => numbers.push((name, value)),
+        }
+    }
+    let filtered = pole.map(|tau| {
+        let others = numbers
+            .iter()
+            .filter(|(key, _)| *key != "damping_time_constant");
+        let others = others.cloned();
+        others.chain([("damping_time_constant", tau)]).collect()
+    });
+    let with = |numbers: Vec<(&str, BigRational)>| {
+        let is_ours = |value: &&str| {
+            let key = value.split(' ').next();
+            numbers.iter().any(|(ours, _)| key == Some(ours)) || key == Some("damping")
+        };
+        let others = values.split(", ").filter(|value| !is_ours(value));
+        let ours = numbers.iter().map(|(key, value)| format!("{key} {value}"));
+        let all: Vec<String> = others.map(str::to_owned).chain(ours).collect();
+        check(&scene(&all.join(", "))).verdict
     };
-    check(&scene(&damped)).verdict
+    [Some(numbers), filtered]
+        .into_iter()
+        .flatten()
+        .map(with)
+        .collect()
 }
 
 fn exact(x: f64) -> BigRational {
@@ -117,9 +154,10 @@ fn pass_together(values: &str) {
             let (Some(stiffness), Some(damping)) = (stiffness, damping) else {
                 continue;
             };
-            let verdict = typed_back(values, stiffness, damping, rate);
-            let numbers = format!("{values}: {stiffness}, {damping}, {rate}");
-            assert_eq!(verdict, Verdict::Passive, "{numbers}");
+            for verdict in typed_back(values, &found.conditions, stiffness, damping, rate) {
+                let numbers = format!("{values}: {stiffness}, {damping}, {rate}");
+                assert_eq!(verdict, Verdict::Passive, "{numbers}");
+            }
         }
     }
 }
@@ -356,7 +394,8 @@ hlMaterialf(HL_FRONT_AND_BACK, HL_STIFFNESS, kMaxStiffness < nominal ? nextafter
     );
     let bounded = source("bounded", &bounded, Target::OpenHaptics);
     assert!(
-        bounded.ends_with("/* Only while the hand is never faster than 0.5 m/s. */\n"),
+        bounded
+            .contains("\n/* Only while the hand is never faster than 0.5 m/s. */\n/* Conditions: "),
         "{bounded}"
     );
 }

@@ -1,5 +1,6 @@
 //! What `check` decides and prints: the tests that must notice a change of what decides.
 
+mod conditions;
 mod constants;
 mod dimensionless;
 mod joint_reports;

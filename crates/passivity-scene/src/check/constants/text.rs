@@ -1,10 +1,10 @@
 //! The constants as the text of a program.
 
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 
 use passivity_core::{BigRational, Parameter};
 
-use super::{Constants, Target, below};
+use super::{Amount, Condition, Constants, Target, below};
 use crate::check::text::unit_of;
 use crate::display::wrapped;
 use crate::scene::Motion;
@@ -54,12 +54,64 @@ impl Constants {
         say(&format!(
             "Every number is a double on the safe side of what was proved.{largest}"
         ));
+        say(&format!(
+            "The loop for which it was proved has {}.",
+            self.effects.join(", ")
+        ));
+        say(&format!("In the scene: {}.", self.given.join("; ")));
+        if let Some(law) = self.law() {
+            say(law);
+        }
+        if !self.not_shown_with.is_empty() {
+            say(&format!(
+                "Nothing is shown of a loop that also has {}: put it into the scene and export again.",
+                self.not_shown_with.join(", or ")
+            ));
+        }
         out.push_str(" */\n");
         out
     }
 
+    /// How the program makes the force, where it is more than a spring.
+    fn law(&self) -> Option<&'static str> {
+        let is_filtered = |condition: &Condition| condition.name == "damping_time_constant";
+        if self.has_controller {
+            return Some(
+                "The force is minus the stiffness times H(z) of the measured position, \
+                 H(z) = (n0 + n1 z^-1 + ...)/(d0 + d1 z^-1 + ...).",
+            );
+        }
+        if self.conditions.iter().any(is_filtered) {
+            return Some(
+                "The force of damping is minus the damping times the sampling rate times y, where \
+                 y = a y + (1 - a) d at each sample: d is the measured position less that of the sample \
+                 before, and a = tau/(T + tau) of the filter's time constant and the sampling period. \
+                 Without the filter the damping is not shown to be passive.",
+            );
+        }
+        self.max_damping.map(|_| {
+            "The force of damping is minus the damping times the sampling rate times d: d is the \
+             measured position less that of the sample before."
+        })
+    }
+
+    /// What a number holds with, behind its unit: another number, and the conditions.
+    fn with(&self, other: &str) -> String {
+        match (other, self.conditions.is_empty()) {
+            ("", true) => String::new(),
+            ("", false) => ", under the conditions below".to_owned(),
+            (_, true) => format!(", with {other}"),
+            (_, false) => format!(", with {other} and under the conditions below"),
+        }
+    }
+
     fn unit(&self, parameter: Parameter) -> &'static str {
         unit_of(parameter, self.motion)
+    }
+
+    fn force_limit(&self) -> String {
+        let unit = self.unit(Parameter::MaxForce);
+        format!("{unit}, to which the force is limited")
     }
 
     /// Why there is no largest damping.
@@ -82,18 +134,19 @@ impl Constants {
         };
         let stiffness = self.unit(Parameter::Stiffness);
         let damping = self.unit(Parameter::Damping);
-        define("STIFFNESS", Some(self.stiffness), stiffness, "");
+        let own = |unit: &str| format!("{unit}{}", self.with(""));
+        define("STIFFNESS", Some(self.stiffness), &own(stiffness), "");
         define(
             "MAX_STIFFNESS",
             self.max_stiffness,
-            &format!("{stiffness}, with {name}_DAMPING"),
+            &format!("{stiffness}{}", self.with(&format!("{name}_DAMPING"))),
             "no wall is passive",
         );
-        define("DAMPING", Some(self.damping), damping, "");
+        define("DAMPING", Some(self.damping), &own(damping), "");
         define(
             "MAX_DAMPING",
             self.max_damping,
-            &format!("{damping}, with {name}_STIFFNESS"),
+            &format!("{damping}{}", self.with(&format!("{name}_STIFFNESS"))),
             self.no_damping(),
         );
         define("SAMPLING_RATE", Some(self.rate), "Hz", "");
@@ -106,9 +159,13 @@ impl Constants {
         define(
             "MAX_FORCE",
             self.max_force,
-            self.unit(Parameter::MaxForce),
+            &self.force_limit(),
             "not in the scene",
         );
+        write_conditions(out, &self.conditions, |condition| {
+            let key = condition.name.to_ascii_uppercase();
+            format!("#define {name}_{key} {}", condition.value)
+        });
         let _ = writeln!(out, "\n#endif");
     }
 
@@ -126,8 +183,9 @@ impl Constants {
             Some(most) => writeln!(
                 out,
                 "info.m_max{kind}Stiffness = {most:?};\n\
-                 info.m_max{kind}Damping = {:?}; /* the scene's */",
-                self.damping
+                 info.m_max{kind}Damping = {:?}; /* the scene's{} */",
+                self.damping,
+                self.with("")
             ),
             None => writeln!(
                 out,
@@ -144,6 +202,9 @@ impl Constants {
             self.rate
         );
         self.speed_comment(out);
+        write_conditions(out, &self.conditions, |condition| {
+            declaration("const", "double", "", condition)
+        });
     }
 
     fn as_open_haptics(&self, out: &mut String) {
@@ -176,16 +237,20 @@ impl Constants {
                 "static const HDdouble {name} = {value:?}; /* {about} */"
             );
         };
-        constant("kStiffness", self.stiffness, unit);
-        constant("kDamping", self.damping, damping_unit);
+        let about = |unit: &str, other: &str| format!("{unit}{}", self.with(other));
+        constant("kStiffness", self.stiffness, &about(unit, ""));
+        constant("kDamping", self.damping, &about(damping_unit, ""));
         if let Some(most) = self.max_stiffness {
-            constant("kMaxStiffness", most, &format!("{unit}, with kDamping"));
+            constant("kMaxStiffness", most, &about(unit, "kDamping"));
         }
         if let Some(most) = self.max_damping {
-            constant(
-                "kMaxDamping",
-                most,
-                &format!("{damping_unit}, with kStiffness"),
+            constant("kMaxDamping", most, &about(damping_unit, "kStiffness"));
+        }
+        if let Some(most) = self.max_force {
+            let about = self.force_limit();
+            let _ = writeln!(
+                out,
+                "static const HDdouble kMaxForce = {most:?}; /* {about} */"
             );
         }
         let _ = match (self.max_stiffness, self.motion) {
@@ -208,6 +273,10 @@ impl Constants {
             let _ = writeln!(out, "/* kMaxDamping: {}. */", self.no_damping());
         }
         self.speed_comment(out);
+        let conditions: Vec<Condition> = self.conditions.iter().map(in_millimetres).collect();
+        write_conditions(out, &conditions, |condition| {
+            declaration("static const", "HDdouble", "k", condition)
+        });
     }
 
     fn speed_comment(&self, out: &mut String) {
@@ -218,6 +287,79 @@ impl Constants {
                 "/* Only while the hand is never faster than {v:?} {unit}. */"
             );
         }
+    }
+}
+
+impl fmt::Display for Amount {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Whole(n) => write!(f, "{n}"),
+            Self::Double(x) => write!(f, "{x:?}"),
+            Self::Coefficients(all) => {
+                let all: Vec<String> = all.iter().map(|x| format!("{x:?}")).collect();
+                write!(f, "{{ {} }}", all.join(", "))
+            }
+        }
+    }
+}
+
+/// The conditions, each as `declared` writes it, with what it is behind it.
+fn write_conditions(
+    out: &mut String,
+    conditions: &[Condition],
+    declared: impl Fn(&Condition) -> String,
+) {
+    if conditions.is_empty() {
+        return;
+    }
+    let _ = writeln!(
+        out,
+        "/* Conditions: the numbers above hold only with all of these. */"
+    );
+    for condition in conditions {
+        let about = [condition.unit, condition.about].into_iter();
+        let about: Vec<&str> = about.filter(|text| !text.is_empty()).collect();
+        let _ = writeln!(
+            out,
+            "{} /* {} */",
+            declared(condition),
+            about.join(", ").trim_end()
+        );
+    }
+}
+
+/// A condition as a constant of C++: `prefix` and its words, each but the first with a capital.
+fn declaration(before: &str, double: &str, prefix: &str, condition: &Condition) -> String {
+    let mut name = prefix.to_owned();
+    for word in condition.name.split('_') {
+        let (first, rest) = word.split_at(1);
+        match name.is_empty() {
+            true => name += first,
+            false => name += &first.to_ascii_uppercase(),
+        }
+        name += rest;
+    }
+    let (kind, brackets) = match &condition.value {
+        Amount::Whole(_) => ("int", ""),
+        Amount::Double(_) => (double, ""),
+        Amount::Coefficients(_) => (double, "[]"),
+    };
+    format!("{before} {kind} {name}{brackets} = {};", condition.value)
+}
+
+/// A condition with its length in millimetres.
+fn in_millimetres(condition: &Condition) -> Condition {
+    let value = match (&condition.value, condition.unit) {
+        (Amount::Double(metres), "m") => BigRational::from_float(*metres),
+        _ => return condition.clone(),
+    };
+    let millimetres = value.map_or(0.0, |x| {
+        below(&(x * BigRational::from_integer(1000.into())))
+    });
+    Condition {
+        value: Amount::Double(millimetres),
+        unit: "mm",
+        ..condition.clone()
     }
 }
 
