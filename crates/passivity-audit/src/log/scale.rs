@@ -285,6 +285,7 @@ pub(crate) fn velocity_scale(text: Option<&str>, scene: &Scene) -> Result<f64, T
 
 #[cfg(test)]
 mod tests {
+    use passivity_random::draws;
     use proptest::prelude::*;
 
     use super::*;
@@ -300,7 +301,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { cases: 4000, ..ProptestConfig::default() })]
+        #![proptest_config(ProptestConfig::with_cases(draws(4000)))]
 
         #[test]
         fn a_product_is_known_as_closely_as_by_big_numbers(

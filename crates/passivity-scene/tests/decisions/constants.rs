@@ -1,6 +1,7 @@
 //! Constants for control programs: doubles on the safe side, and the source text around them.
 
 use passivity_core::BigRational;
+use passivity_random::draws;
 use passivity_scene::Scene;
 use passivity_scene::check::{Amount, Condition, Constants, Target, Verdict, check, constants};
 use proptest::prelude::*;
@@ -163,7 +164,7 @@ fn pass_together(values: &str) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(draws(24)))]
 
     #[test]
     fn numbers_of_random_scenes_pass_together(

@@ -8,6 +8,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use passivity_core::BigRational;
+use passivity_random::draws;
 use passivity_scene::Scene;
 use passivity_scene::check::{Report, Verdict, check};
 use passivity_scene::number::parse;
@@ -152,6 +153,7 @@ fn on_drawn_scenes<S: Strategy>(
 {
     let started = Instant::now();
     // `PROPTEST_CASES` draws fewer.
+    let cases = draws(cases);
     let cases = cases.min(std::env::var("PROPTEST_CASES").map_or(cases, |n| n.parse().unwrap()));
     let mut runner = TestRunner::new(ProptestConfig {
         cases,

@@ -6,6 +6,7 @@
 
 use num_traits::ToPrimitive as _;
 use passivity_core::BigRational;
+use passivity_random::draws;
 use passivity_scene::Scene;
 use passivity_scene::check::{Verdict, check};
 use proptest::prelude::*;
@@ -173,7 +174,7 @@ fn double(x: &BigRational) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(draws(40)))]
 
     #[test]
     fn no_short_cycle_draws_energy_at_the_least_friction_called_passive(

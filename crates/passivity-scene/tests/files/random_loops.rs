@@ -3,6 +3,7 @@
 
 use num_traits::{Signed as _, Zero as _};
 use passivity_core::BigRational;
+use passivity_random::draws;
 use passivity_scene::Scene;
 use passivity_scene::check::{Report, Verdict, check};
 use proptest::prelude::*;
@@ -101,10 +102,7 @@ fn drawn(
 
 #[test]
 fn random_controllers_cost_the_largest_value_over_all_frequencies() {
-    let config = ProptestConfig {
-        cases: 20,
-        ..ProptestConfig::default()
-    };
+    let config = ProptestConfig::with_cases(draws(20));
     let mut runner = proptest::test_runner::TestRunner::new_with_rng(
         config,
         proptest::test_runner::TestRng::deterministic_rng(
@@ -241,7 +239,7 @@ fn device(parameters: &Toleranced, places: Option<&[i64]>, delay: u16) -> Report
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 6, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(draws(6)))]
 
     /// What is said of all devices within the tolerances is so of each: at corners and inside.
     #[test]
