@@ -1,4 +1,6 @@
-//! Help, completions, man page, and mistakes in typing.
+//! Help, completions, man page, mistakes in typing, and the licences that come with each package.
+
+use std::path::Path;
 
 use crate::harness::Dir;
 
@@ -73,4 +75,31 @@ fn mistakes_in_typing_exit_with_2() {
         assert_eq!(run.code, 2, "{args:?}");
         assert!(!run.stderr.is_empty() && run.stdout.is_empty(), "{args:?}");
     }
+}
+
+/// Cargo packs what is in the folder of a crate: the licences of the repository are to be there too.
+#[test]
+fn every_crate_that_is_published_has_both_licences() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut published = 0;
+    for entry in std::fs::read_dir(root.join("crates")).expect("the crates") {
+        let folder = entry.expect("an entry").path();
+        let Ok(manifest) = std::fs::read_to_string(folder.join("Cargo.toml")) else {
+            continue;
+        };
+        if manifest.contains("\npublish = false\n") {
+            continue;
+        }
+        for licence in ["LICENSE-APACHE", "LICENSE-MIT"] {
+            let own = std::fs::read(folder.join(licence));
+            let shared = std::fs::read(root.join(licence)).expect("a licence");
+            assert!(
+                own.is_ok_and(|own| own == shared),
+                "{}: {licence}",
+                folder.display()
+            );
+        }
+        published += 1;
+    }
+    assert!(published > 10, "{published}");
 }
