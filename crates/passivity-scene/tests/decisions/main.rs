@@ -13,4 +13,5 @@ mod scenes;
 mod unforced;
 mod verdicts;
 mod wall;
+mod witness_tolerances;
 mod witnesses;

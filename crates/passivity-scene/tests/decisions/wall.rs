@@ -2,6 +2,7 @@
 
 use passivity_core::BigRational;
 use passivity_scene::Scene;
+use passivity_scene::check::{Report, check};
 use passivity_scene::number::parse;
 
 /// Keys with their section and unit.
@@ -49,6 +50,11 @@ pub(crate) fn scene(values: &str) -> Scene {
         };
     }
     Scene::from_toml("test", &text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
+/// What is said of such a scene.
+pub(crate) fn report(values: &str) -> Report {
+    check(&scene(values))
 }
 
 pub(crate) fn q(text: &str) -> BigRational {

@@ -1,0 +1,71 @@
+//! Logs that have the force: what is said of the wall's law beside it, and what is accounted for without one.
+
+use std::fmt::Write as _;
+
+use passivity_audit::Verdict;
+
+use super::{audited, scene, three_fifths};
+
+#[test]
+fn forces_are_compared_with_the_law_and_their_delay_found() {
+    let law = |n: i64| -(n as f64 + 0.5);
+    let counts = [0_i64, 1, 3, 6, 8, 9, 9, 8, 4, 0, -3, -7, -5, 0, 2, 3];
+    let trace = |lag: usize, sign: f64, off: f64| {
+        let mut csv = "count,f\n".to_owned();
+        for (i, n) in counts.iter().enumerate() {
+            let force = sign * law(counts[i.saturating_sub(lag)]) + if i == 9 { off } else { 0.0 };
+            writeln!(csv, "{n},{force}").unwrap();
+        }
+        audited(csv.as_bytes(), &three_fifths(), 1, 30).0.to_json()["force"].clone()
+    };
+    assert_eq!(trace(0, 1.0, 0.0)["agrees"], true);
+    let wrong = trace(0, 1.0, 0.25);
+    assert_eq!(
+        (&wrong["mismatches"], &wrong["first_mismatch_row"]),
+        (&1.into(), &10.into())
+    );
+    assert_eq!(wrong["found"]["delay"], 0);
+    let late = trace(3, 1.0, 0.0);
+    assert_eq!(late["agrees"], false);
+    assert_eq!(
+        (&late["found"]["delay"], &late["found"]["mismatches"]),
+        (&3.into(), &0.into())
+    );
+    assert_eq!(trace(0, -1.0, 0.0)["found"]["reversed"], true);
+}
+
+#[test]
+fn a_logged_force_is_accounted_for_whatever_filter_or_controller_made_it() {
+    let plain = "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n";
+    let filter = "[wall]\ndamping = \"1/2\"\ndamping_time_constant = \"2\"\n";
+    let controller = "[controller]\nnumerator = [\"1\", \"1\"]\ndenominator = [\"2\"]\n";
+    let latency = "[sampling]\nlatency = \"1/4\"\n";
+    let of = |more: &str, log: &[u8]| audited(log, &scene(&format!("{plain}{more}")), 1, 0).0;
+    // There and back: friction takes 2 (β + σ) = 4 and the spring stores nothing at the ends. A force
+    // of 5 along the motion gives the operator 10; a force of 1 gives less than friction takes.
+    let logs: [(&[u8], Verdict); 2] = [
+        (b"xi,f\n0,5\n1,-5\n0,0\n", Verdict::Fails),
+        (b"xi,f\n0,1\n1,-1\n0,0\n", Verdict::Holds),
+    ];
+    for (log, expected) in logs {
+        for more in [filter, controller] {
+            let audit = of(more, log);
+            assert_eq!(audit.verdict(), expected, "{more}");
+            // Its account is that of the wall alone, and beside it nothing is said of the law.
+            assert_eq!(audit.totals().net_linear, of("", log).totals().net_linear);
+            let said = audit.to_json();
+            assert_eq!(said["not_covered"], serde_json::json!([]));
+            assert!(said["force"].is_null() && said["law"].is_null(), "{said}");
+            assert!(
+                audit.to_text().contains("the wall's spring"),
+                "{}",
+                audit.to_text()
+            );
+        }
+        assert_eq!(of(latency, log).verdict(), Verdict::NotCovered);
+    }
+    // Without forces, or where the law is asked for, nothing is known of what the memory held.
+    for more in [filter, controller] {
+        assert_eq!(of(more, b"xi\n0\n1\n").verdict(), Verdict::NotCovered);
+    }
+}
