@@ -61,6 +61,25 @@ fn lambda_at(theta: f64, n: &[f64], d: &[f64], delay: u16) -> f64 {
     times((1.0 - cos, sin), h).0 / (2.0 * (1.0 - cos))
 }
 
+/// The most that |λ″| can be: λ(θ) = ½H(1) + Σ gⱼcos jθ with tail sums gⱼ, so that it is Σ j²|gⱼ|.
+fn bend(n: &[f64], d: &[f64], delay: u16) -> f64 {
+    // The poles are below 0.9: after 800 samples what is left is below 10⁻³⁰.
+    let late = usize::from(delay);
+    let mut response: Vec<f64> = Vec::new();
+    for j in 0..800_usize {
+        let driven = j.checked_sub(late).and_then(|i| n.get(i));
+        let past = d.iter().skip(1).zip(response.iter().rev());
+        let past: f64 = past.map(|(d, c)| d * c).sum();
+        response.push((driven.unwrap_or(&0.0) - past) / d[0]);
+    }
+    let mut tail = 0.0;
+    let from_the_end = response.iter().enumerate().skip(1).rev();
+    from_the_end.fold(0.0, |sum, (j, c)| {
+        tail += c;
+        sum + (j * j) as f64 * f64::abs(tail)
+    })
+}
+
 /// Σ gain of a motion round its period, by running the difference equation until it repeats.
 fn drawn(
     positions: &[BigRational],
@@ -127,8 +146,6 @@ fn random_controllers_cost_the_largest_value_over_all_frequencies() {
         let grid = (1..=4000)
             .map(|i| lambda_at(std::f64::consts::PI * f64::from(i) / 4000.0, &n, &d, delay));
         let most = grid.fold(f64::NEG_INFINITY, f64::max);
-        // A grid of 4000 angles misses the largest value by |λ″|(π/8000)²/2, which the bound on the
-        // poles keeps below 10⁻³ of the sums that λ(θ) is made of.
         let size: f64 =
             n.iter().map(|c| c.abs()).sum::<f64>() / d.iter().sum::<f64>().abs().min(1.0);
         prop_assert!(
@@ -136,9 +153,12 @@ fn random_controllers_cost_the_largest_value_over_all_frequencies() {
             "{} {most}",
             approx(hi)
         );
+        // The largest value is at most a step from an angle of the grid, as it is at θ = 0, and λ′ is 0
+        // there: the grid misses it by at most |λ″|(π/4000)²/2.
+        let missed = bend(&n, &d, delay) * (std::f64::consts::PI / 4000.0).powi(2) / 2.0;
         prop_assert!(
-            approx(lo) < most + 0.02 * (1.0 + size),
-            "{} {most}",
+            approx(lo) < most + missed + 1e-9 * (1.0 + most.abs()),
+            "{} {most} {missed}",
             approx(lo)
         );
         // 10⁻⁴ on both sides, with as much Coulomb friction as is asked for.
