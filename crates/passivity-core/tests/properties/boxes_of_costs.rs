@@ -127,8 +127,8 @@ fn th_latency_boxes_are_cut_into_cells() {
             // All corners hold, or none does, by less than the cells tell.
             "b=0.962347538298 L=0.2..0.4",
             "b=0.7531128874149 L=0.2..0.4",
-            "b=1.4437 L=0.2..0.4 K=1..1.5",
-            "b=0.753 L=0.2..0.4 K=1..1.5",
+            "b=1.443521307447 L=0.2..0.4 K=1..1.5",
+            "b=0.7531128874149 L=0.2..0.4 K=1..1.5",
         ],
     );
 }
