@@ -296,7 +296,7 @@ fn every_shipped_scene_has_a_case() {
     // What is drawn at least is 0.0427919…; and an effect that theorems cover is not called uncovered.
     let argument = read(&dir, "case/re35-limit-cycles.gsn.yaml");
     assert!(
-        argument.contains("draws at least 0.042791 KΔ²"),
+        argument.contains("draws at least 1.5466e-5 J (0.042791 KΔ²)"),
         "{argument}"
     );
     assert!(html.contains("bandwidth of the drive beyond a first-order lag"));

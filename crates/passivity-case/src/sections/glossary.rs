@@ -71,7 +71,7 @@ const TERMS: [(&str, &str); 26] = [
     ),
     (
         "Witness",
-        "A cycle of motion, in exact numbers, that draws energy from the display in each round.",
+        "A motion, in exact numbers, that draws energy from the display each time round.",
     ),
     (
         "Log, audit",

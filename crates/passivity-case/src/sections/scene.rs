@@ -2,7 +2,7 @@
 
 use passivity_core::Truth;
 use passivity_scene::check::enclosure;
-use passivity_scene::display::{Rounding, range, rounded};
+use passivity_scene::display::range;
 use passivity_scene::explain::{self, Step};
 
 use super::recorded;
@@ -85,20 +85,8 @@ fn verdict(document: &mut Document, study: &Study) {
     );
     document.table(&caption, &[("Figure", 52), ("Value", 48)], rows);
     limits(document, study);
-    if let Some(witness) = &report.witness {
-        let unit = if report.sigma.is_some() {
-            "ticks"
-        } else {
-            "SI units of length"
-        };
-        document.say(format!(
-            "Witness: moving from {} to {} {unit} and back, each way at constant speed within one \
-             sampling interval, draws at least {} KΔ² in each round trip, if friction is no more \
-             than the scene allows.",
-            witness.from,
-            witness.to,
-            rounded(&witness.gain_per_cycle, 5, Rounding::Down)
-        ));
+    if let Some(witness) = report.witness_text() {
+        document.say(format!("Witness: {witness}"));
     }
     if !report.decided_by.is_empty() {
         let names = report.decided_by.join(", ");

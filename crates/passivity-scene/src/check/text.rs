@@ -59,7 +59,9 @@ impl Report {
             lines.add("with the hand off", &text);
         }
         let mut text = format!("{}: {}\n{}", self.scene, self.headline(), lines.0);
-        text.push_str(&self.witness_text());
+        if let Some(witness) = self.witness_text() {
+            text += &format!("  {}\n", wrapped(&format!("Witness: {witness}"), 2));
+        }
         text.push_str(&self.limits_text());
         text.push_str(&self.advice_text());
         text
@@ -168,10 +170,11 @@ impl Report {
         })
     }
 
-    fn witness_text(&self) -> String {
-        let Some(witness) = &self.witness else {
-            return String::new();
-        };
+    /// How to move so that the display gives energy, and how much it gives at least each time round; `None` where
+    /// the report has no witness.
+    #[must_use]
+    pub fn witness_text(&self) -> Option<String> {
+        let witness = self.witness.as_ref()?;
         let unit = match (&self.sigma, self.motion) {
             (Some(_), _) => "ticks",
             (None, Motion::Linear) => "m",
@@ -203,11 +206,9 @@ impl Report {
                 listed(positions)
             ),
         };
-        let text = format!(
-            "Witness: {way}. Each time round draws at least {energy}, if friction is no more than \
-             the scene allows."
-        );
-        format!("  {}\n", wrapped(&text, 2))
+        Some(format!(
+            "{way}. Each time round draws at least {energy}, if friction is no more than the scene allows."
+        ))
     }
 
     fn limits_text(&self) -> String {
@@ -281,7 +282,7 @@ pub(crate) fn words(effects: &[Effect]) -> String {
 
 /// Positions as a list; of a long one the beginning, with how many there are.
 fn listed(positions: &[BigRational]) -> String {
-    const SHOWN: usize = 12;
+    const SHOWN: usize = 24;
     let first: Vec<String> = positions.iter().take(SHOWN).map(short).collect();
     let more = positions.len().saturating_sub(SHOWN);
     let rest = match more {

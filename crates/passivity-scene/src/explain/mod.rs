@@ -242,16 +242,9 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
             numbers,
         );
     }
-    if let Some(witness) = &report.witness {
-        push(
-            Step::Witness,
-            "TH-ACTIVE",
-            "a cycle ξ → ξ + d → ξ that draws energy".to_owned(),
-            format!(
-                "{} → {} → {}: draws {} KΔ² in each round trip",
-                witness.from, witness.to, witness.from, witness.gain_per_cycle
-            ),
-        );
+    if let (Some(witness), Some(id)) = (report.witness_text(), report.because.first()) {
+        let formula = "a motion that draws energy each time round".to_owned();
+        push(Step::Witness, id, formula, witness);
     }
     lines
 }
@@ -309,9 +302,9 @@ impl Explanation {
         }
         out.push_str("\nDerivation\n");
         for line in &self.lines {
-            let _ = writeln!(out, "  {:<12}{}", line.id, line.formula);
+            let _ = writeln!(out, "  {:<12}{}", line.id, wrapped(&line.formula, 14));
             if !line.numbers.is_empty() {
-                let _ = writeln!(out, "  {:<12}{}", "", line.numbers);
+                let _ = writeln!(out, "  {:<12}{}", "", wrapped(&line.numbers, 14));
             }
         }
         if !self.theorems.is_empty() {
