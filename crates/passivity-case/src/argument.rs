@@ -272,11 +272,12 @@ impl<'a> Builder<'a> {
             Verdict::NotCovered | Verdict::Depends => {}
             Verdict::NotGuaranteed | Verdict::NotPassive => {
                 self.hang_claim(CRITERION, "TH-REGION");
-                let counter = Node::new(
-                    Kind::CounterGoal,
-                    "CG-criterion",
-                    format!("The criterion fails {}.", self.study.speeds()),
+                let text = format!(
+                    "The criterion does not hold {}: at some of them it fails, whatever the values \
+                     within the tolerances.",
+                    self.study.speeds()
                 );
+                let counter = Node::new(Kind::CounterGoal, "CG-criterion", text);
                 self.argument.challenge(CRITERION, counter);
                 let solution = Node::new(Kind::CounterSolution, "CSn-margin", figure)
                     .at(self.derivation())

@@ -1,5 +1,6 @@
 //! What the document of a case and its argument say of a scene is so.
 
+mod text;
 mod witnesses;
 
 use std::path::Path;
