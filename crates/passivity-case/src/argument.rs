@@ -424,7 +424,8 @@ impl<'a> Builder<'a> {
             .stands(self.records.standing(id))
     }
 
-    /// The assumptions of the claims used: at the one part that needs it, else at the strategy.
+    /// The assumptions of the claims used: at the one part that needs it, else at the strategy, and what only a
+    /// counterexample needs at that.
     fn assumptions(&mut self) {
         let mut users: BTreeMap<String, Vec<&str>> = BTreeMap::new();
         for part in PARTS {
@@ -435,21 +436,31 @@ impl<'a> Builder<'a> {
                 }
             }
         }
+        let of_cycle = self.assumptions_under(CYCLE);
+        // The gain is what is left of the work if friction takes no more than the scene allows.
+        let at_most = self.report().witness.as_ref().map(|_| "A-FRICTION-AT-MOST");
         for assumption in &self.records.claims.assumptions {
-            let Some(places) = users.get(&assumption.id) else {
-                continue;
-            };
-            let place = match places[..] {
+            let part = users.get(&assumption.id).map(|places| match places[..] {
                 [only] => only,
                 _ => STRATEGY,
-            };
-            let text = clipped(&assumption.sentence, 160);
-            let node = Node::new(Kind::Assumption, &assumption.id, text)
-                .at(Anchor::Assumption(assumption.id.clone()));
-            self.argument.hang(place, node);
+            });
+            let is_of_cycle_alone = part.is_none() && of_cycle.contains(&assumption.id);
+            let is_of_cycle = is_of_cycle_alone || at_most == Some(assumption.id.as_str());
+            let cycle = is_of_cycle.then_some(CYCLE);
+            for place in part.into_iter().chain(cycle) {
+                let text = clipped(&assumption.sentence, 160);
+                let node = Node::new(Kind::Assumption, &assumption.id, text)
+                    .at(Anchor::Assumption(assumption.id.clone()));
+                self.argument.hang(place, node);
+            }
         }
     }
 
+        let mut of_cycle = self.assumptions_under(CYCLE);
+        // The gain is what is left of the work if friction takes no more than the scene allows.
+        if self.report().witness.is_some() {
+            of_cycle.push("A-FRICTION-AT-MOST".to_owned());
+        }
     /// The assumptions of the claims that support a goal.
     fn assumptions_under(&self, goal: &str) -> Vec<String> {
         let supports = self.argument.node(goal).map(|node| &node.supported_by);

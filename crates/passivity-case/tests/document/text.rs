@@ -1,11 +1,11 @@
 //! The sentences of a case, scene by scene.
 
-use passivity_case::gsn::Argument;
+use passivity_case::gsn::{Argument, Kind};
 use passivity_case::{Case, Study};
 use passivity_core::BigRational;
 use passivity_scene::check::Verdict;
 
-use crate::{case, shipped};
+use crate::{case, dimensionless, page, shipped};
 
 const SHIPPED: [&str; 16] = [
     "amplifier-lag.toml",
@@ -72,4 +72,28 @@ fn where_the_criterion_is_challenged_it_fails_at_some_speed() {
         holds_at_another > 0,
         "that it fails at every speed would be false"
     );
+}
+
+/// A counterexample rests on friction taking no more than the scene allows, whichever theorem it is of.
+#[test]
+fn a_counterexample_names_what_it_assumes() {
+    for name in ["re35-limit-cycles.toml", "devices/smartknob.toml"] {
+        let case = case(shipped(name));
+        let (_, argument) = only(&case);
+        let counter = argument.node("CG-cycle").expect("a counterexample");
+        let assumed = &counter.in_context_of;
+        assert!(
+            assumed.contains(&"A-FRICTION-AT-MOST".to_owned()),
+            "{name}: {assumed:?}"
+        );
+        let node = argument.node("A-FRICTION-AT-MOST").expect("the assumption");
+        assert_eq!(node.kind, Kind::Assumption);
+        let page = page(&case);
+        let at = |text: &str| page.find(text).unwrap_or_else(|| panic!("{name}: {text}"));
+        let row = at("id=\"assumption-A-FRICTION-AT-MOST\"");
+        let first = at("Assumptions that this case stands on");
+        assert!(first < row && row < at("Assumptions that only other claims are made under"));
+    }
+    let case = case(dimensionless("3/5", "3/5", ""));
+    assert_eq!(only(&case).1.node("A-FRICTION-AT-MOST"), None);
 }
