@@ -4,10 +4,10 @@ mod recorded;
 
 use std::collections::BTreeMap;
 
-use passivity_scene::Effect;
 use passivity_scene::check::{Report, Verdict};
 use passivity_scene::display::range;
 use passivity_scene::explain::Step;
+use passivity_scene::{Effect, Motion};
 
 use crate::gsn::{Anchor, Argument, Kind, Node, Standing};
 use crate::records::{Records, standing};
@@ -266,12 +266,12 @@ impl<'a> Builder<'a> {
                     .at(self.derivation())
                     .stands(Standing::Shown);
                 self.argument.hang(CRITERION, solution);
-                self.hang_claim(CRITERION, "TH-REGION");
+                self.links_to_verdict();
             }
             // What no theorem covers takes the meaning from the figures; what depends is open.
             Verdict::NotCovered | Verdict::Depends => {}
             Verdict::NotGuaranteed | Verdict::NotPassive => {
-                self.hang_claim(CRITERION, "TH-REGION");
+                self.links_to_verdict();
                 let text = format!(
                     "The criterion does not hold {}: at some of them it fails, whatever the values \
                      within the tolerances.",
@@ -284,6 +284,21 @@ impl<'a> Builder<'a> {
                     .stands(Standing::Shown);
                 self.argument.hang("CG-criterion", solution);
             }
+        }
+    }
+
+    /// What leads from the scene file to the criterion and from the criterion to the verdict.
+    fn links_to_verdict(&mut self) {
+        let has_units = self.study.scene.motion != Motion::Dimensionless;
+        let links = [
+            (has_units, "EQ-1..7"),
+            (self.study.has_speed_limit(), "EQ-28"),
+            (true, "TH-REGION"),
+            (true, "TH-CHECK"),
+            (true, "CHECK-VERDICT"),
+        ];
+        for (_, id) in links.into_iter().filter(|(is_needed, _)| *is_needed) {
+            self.hang_claim(CRITERION, id);
         }
     }
 
@@ -456,11 +471,6 @@ impl<'a> Builder<'a> {
         }
     }
 
-        let mut of_cycle = self.assumptions_under(CYCLE);
-        // The gain is what is left of the work if friction takes no more than the scene allows.
-        if self.report().witness.is_some() {
-            of_cycle.push("A-FRICTION-AT-MOST".to_owned());
-        }
     /// The assumptions of the claims that support a goal.
     fn assumptions_under(&self, goal: &str) -> Vec<String> {
         let supports = self.argument.node(goal).map(|node| &node.supported_by);

@@ -74,6 +74,37 @@ fn where_the_criterion_is_challenged_it_fails_at_some_speed() {
     );
 }
 
+/// What leads from the file to the criterion, and from the criterion to the verdict, is cited.
+#[test]
+fn the_criterion_rests_on_what_links_it_to_the_verdict() {
+    for (study, units, bound) in [
+        (dimensionless("3/5", "3/5", ""), false, false),
+        (dimensionless("2/5", "2/5", ""), false, false),
+        (shipped("re35.toml"), true, true),
+        (shipped("re35-limit-cycles.toml"), true, false),
+        // It holds at every speed: the bound is not what it rests on.
+        (
+            dimensionless("3/5", "3/5", "[operator]\nmax_speed = \"3\"\n"),
+            false,
+            false,
+        ),
+    ] {
+        let case = case(study);
+        let (study, argument) = only(&case);
+        let goal = argument.node("G-criterion").expect("the goal");
+        for (id, is_cited) in [
+            ("EQ-1..7", units),
+            ("EQ-28", bound),
+            ("TH-REGION", true),
+            ("TH-CHECK", true),
+            ("CHECK-VERDICT", true),
+        ] {
+            let cited = goal.supported_by.contains(&format!("G-{id}"));
+            assert_eq!(cited, is_cited, "{}: {id}", study.name());
+        }
+    }
+}
+
 /// A counterexample rests on friction taking no more than the scene allows, whichever theorem it is of.
 #[test]
 fn a_counterexample_names_what_it_assumes() {
