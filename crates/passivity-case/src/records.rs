@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use passivity_evidence as evidence;
 use passivity_evidence::{
-    Assessed, Change, Claim, Claims, Engine, Evidence, EvidenceError, Freshness, Now, Sha256,
-    assess, in_tree,
+    Assessed, Change, Claim, Claims, Engine, Evidence, EvidenceError, Freshness, Now, Outcome,
+    Record, Sha256, Shown, assess, in_tree,
 };
 
 use crate::error::CaseError;
@@ -132,6 +132,16 @@ impl Records {
         self.assessed.iter().filter(move |a| a.claim == claim)
     }
 
+    /// By what a claim is shown: the strongest of its fresh records. `None` where it is not shown.
+    #[must_use]
+    pub fn strength(&self, claim: &str) -> Option<Strength> {
+        let fresh = self.of_claim(claim);
+        let fresh = fresh.filter(|assessed| assessed.freshness == Freshness::Fresh);
+        let strongest = fresh.filter_map(|assessed| Strength::of(assessed.record.as_ref()?));
+        let strongest = strongest.max();
+        strongest.filter(|_| self.standing(claim) == Standing::Shown)
+    }
+
     /// How a claim stands: shown when some record shows it and none is stale or failed.
     ///
     /// A record that was not run does not speak against the claim while another one shows it, but
@@ -190,6 +200,58 @@ impl Records {
             Some(commit) => format!("{}, at commit {commit}", tools.join(", ")),
             None => tools.join(", "),
         }
+    }
+}
+
+/// By what a claim is shown, from the weakest to the strongest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Strength {
+    /// Inputs were drawn.
+    Sampled,
+    /// Every input of some domains was run.
+    Exhausted,
+    /// A model checker proved it for all inputs within bounds.
+    AllInputs,
+    /// A part of it, which the record names, is proved for all reals.
+    InPart,
+    /// It is proved for all reals.
+    AllReals,
+}
+
+impl Strength {
+    /// All of them, the strongest first.
+    pub const ALL: [Self; 5] = [
+        Self::AllReals,
+        Self::InPart,
+        Self::AllInputs,
+        Self::Exhausted,
+        Self::Sampled,
+    ];
+
+    /// The evidence in words.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::AllReals => "proved for all reals",
+            Self::InPart => "proved for all reals in a part that the record names",
+            Self::AllInputs => "proved for all inputs within bounds",
+            Self::Exhausted => "exhausted on domains, not proved",
+            Self::Sampled => "only sampled by tests",
+        }
+    }
+
+    fn of(record: &Record) -> Option<Self> {
+        let Outcome::Shown(ways) = &record.outcome else {
+            return None;
+        };
+        let strengths = ways.iter().map(|shown| match shown {
+            Shown::AllReals if record.scope.is_some() => Self::InPart,
+            Shown::AllReals => Self::AllReals,
+            Shown::AllInputs { .. } => Self::AllInputs,
+            Shown::Exhausted { .. } => Self::Exhausted,
+            Shown::Sampled { .. } => Self::Sampled,
+        });
+        strengths.max()
     }
 }
 

@@ -8,6 +8,7 @@ use crate::document::{Block, Document, Line, Row};
 use crate::gsn::{Argument, Standing};
 use crate::info::Info;
 use crate::recorded::Outcome;
+use crate::records::{Records, Strength};
 use crate::study::Study;
 use passivity_scene::check::Verdict;
 
@@ -138,17 +139,10 @@ fn shown(case: &Case) -> Vec<Line> {
     let records = &case.records;
     let fresh = records.assessed.iter();
     let fresh = fresh.filter(|a| a.freshness == Freshness::Fresh).count();
-    let claims = &records.claims.claims;
-    let shown = claims.iter();
-    let shown = shown.filter(|c| records.standing(&c.id) == Standing::Shown);
     items.push(
-        Line::text(format!(
-            "{} of {} claims are shown, by {fresh} fresh records of evidence (",
-            shown.count(),
-            claims.len(),
-        ))
-        .and(Line::link("claims", "Claims and evidence"))
-        .and(format!("). They were compared with {}.", records.origin.words()).into()),
+        Line::text(format!("{}, by {fresh} fresh records of evidence (", counted(records)))
+            .and(Line::link("claims", "Claims and evidence"))
+            .and(format!("). They were compared with {}.", records.origin.words()).into()),
     );
     if let Some(run) = &records.evidence.mutation {
         let (caught, mutants) = (run.caught, run.mutants);
@@ -164,6 +158,20 @@ fn shown(case: &Case) -> Vec<Line> {
         )));
     }
     items
+}
+
+/// How many claims are shown, by the kind of evidence: a proof is more than a test.
+fn counted(records: &Records) -> String {
+    let claims = &records.claims.claims;
+    let strengths: Vec<_> = claims.iter().map(|c| records.strength(&c.id)).collect();
+    let kinds = Strength::ALL.into_iter().map(Some).chain([None]);
+    let counts = kinds.filter_map(|kind| {
+        let count = strengths.iter().filter(|found| **found == kind).count();
+        let words = kind.map_or("not shown", Strength::words);
+        (count > 0).then(|| format!("{count} {words}"))
+    });
+    let counts: Vec<String> = counts.collect();
+    format!("Of {} claims: {}", claims.len(), counts.join(", "))
 }
 
 fn shown_of(study: &Study, argument: &Argument) -> Option<Line> {

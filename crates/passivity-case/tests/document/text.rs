@@ -1,8 +1,10 @@
 //! The sentences of a case, scene by scene.
 
 use passivity_case::gsn::{Argument, Kind};
+use passivity_case::records::Strength;
 use passivity_case::{Case, Study};
 use passivity_core::BigRational;
+use passivity_evidence::Freshness;
 use passivity_scene::check::Verdict;
 
 use crate::{case, dimensionless, page, shipped};
@@ -127,4 +129,49 @@ fn a_counterexample_names_what_it_assumes() {
     }
     let case = case(dimensionless("3/5", "3/5", ""));
     assert_eq!(only(&case).1.node("A-FRICTION-AT-MOST"), None);
+}
+
+/// A claim that tests have only sampled is not counted with those that a machine has proved.
+#[test]
+fn claims_are_counted_by_what_shows_them() {
+    let mut case = case(dimensionless("3/5", "3/5", ""));
+    let records = &mut case.records;
+    for (id, strength) in [
+        ("TH-LIN", Strength::AllReals),
+        ("TH-START", Strength::InPart),
+        ("NUM-EXACT", Strength::Sampled),
+        ("TH-IDENT", Strength::Sampled),
+    ] {
+        for assessed in &mut records.assessed {
+            if assessed.claim == id && assessed.record.is_some() {
+                assessed.freshness = Freshness::Fresh;
+            }
+        }
+        records
+            .assessed
+            .retain(|a| a.claim != id || a.freshness == Freshness::Fresh);
+        assert_eq!(records.strength(id), Some(strength), "{id}");
+    }
+    records
+        .assessed
+        .retain(|assessed| assessed.claim != "TH-RUN");
+    assert_eq!(records.strength("TH-RUN"), None);
+    let page = page(&case);
+    let claims = &case.records.claims.claims;
+    let (_, counted) = page
+        .split_once(&format!("Of {} claims: ", claims.len()))
+        .expect("the count");
+    let (counted, _) = counted.split_once(", by ").expect("its end");
+    let numbers = counted
+        .split(", ")
+        .filter_map(|part| part.split(' ').next()?.parse::<usize>().ok());
+    assert_eq!(numbers.sum::<usize>(), claims.len(), "{counted}");
+    for says in [
+        Strength::AllReals.words(),
+        Strength::Sampled.words(),
+        "not shown",
+    ] {
+        assert!(counted.contains(says), "{counted}");
+    }
+    assert!(!page.contains("claims are shown"));
 }
