@@ -5,7 +5,7 @@ use passivity_core::BigRational;
 use passivity_core::parameter::Hurts;
 use passivity_core::verdict::End;
 use passivity_plot::plane::{self, Mark};
-use passivity_scene::display::range;
+use passivity_scene::display::{range, significant};
 use passivity_scene::{Point, Scene};
 use passivity_sim::plot::motion::{self, Motion};
 use passivity_sim::plot::scales::Scales;
@@ -138,19 +138,28 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
         ExactOutcome::NeverAtRest => "never comes to rest".to_owned(),
         ExactOutcome::Undecided => format!("is undecided after {} intervals", end.intervals),
     };
+    let (scene, _) = at_hardest_end(&study.scene);
+    let scales = Scales::of(&scene);
+    let energy = |x: f64| match scales.ticks {
+        true => format!("{} KΔ²", significant(x)),
+        false => format!(
+            "{} {}",
+            significant(x * scales.energy.one),
+            scales.energy.unit
+        ),
+    };
     let caption = format!(
         "One motion of «{}», {from}, simulated in double precision: it {outcome}. The lowest panel \
-         is the energy ledger, interval by interval: {:.5} KΔ² generated and {:.5} KΔ² dissipated in all; the energy \
-         balance (13) is met within {:.1e} KΔ² in every interval. The picture is no part of the proof.",
+         is the energy ledger, interval by interval: {} generated and {} dissipated in all; the energy \
+         balance (13) is met within {} in every interval. The picture is no part of the proof.",
         study.name(),
-        totals.generated_linear,
-        totals.dissipated,
-        totals.residual_max,
+        energy(totals.generated_linear),
+        energy(totals.dissipated),
+        energy(totals.residual_max),
     );
-    let (scene, _) = at_hardest_end(&study.scene);
     vec![Block::Figure(Figure {
         id: study.anchor("motion"),
-        svg: motion::draw(study.name(), samples, &Scales::of(&scene)),
+        svg: motion::draw(study.name(), samples, &scales),
         alt: format!("Position, velocity, held force and energy over time. {caption}"),
         caption,
         small: false,

@@ -57,8 +57,15 @@ fn divergence(report: &Report) -> Row {
         }
         Some(Region::LocallyStable) => format!(
             "Excluded up to the critical speed{}; above it the hold generates more than friction \
-             dissipates. It is the bound on the speed that excludes it.",
-            speed(report)
+             dissipates. {}",
+            speed(report),
+            match (report.verdict, &report.speed_bound) {
+                (_, None) => "Nothing bounds the speed, so it is not excluded.",
+                (Verdict::Passive, Some(_)) => "It is the bound on the speed that excludes it.",
+                (Verdict::Depends, Some(_)) =>
+                    "Whether the bound on the speed excludes it depends on the tolerances.",
+                (_, Some(_)) => "The bound on the speed is too high to exclude it.",
+            }
         ),
         Some(Region::Unstable) => {
             "Not excluded: viscous friction does not cover what the hold generates.".to_owned()
@@ -101,6 +108,9 @@ fn oscillation(report: &Report) -> Row {
 
 fn single(report: &Report) -> Row {
     let here = match report.verdict {
+        Verdict::Passive if report.sigma.is_none() => {
+            "Excluded: measured by the linear spring a motion yields nothing.".to_owned()
+        }
         Verdict::Passive => {
             "Bounded: measured by the paper's quantized spring a motion may seem to yield up to 1/8 \
              KΔ² once, not each time; by the linear spring it yields nothing."

@@ -25,9 +25,10 @@ pub(super) fn write(document: &mut Document, case: &Case) {
     let fixed = [
         (
             "Effects that no theorem covers: ",
-            "bandwidth of the drive beyond a first-order lag, friction that changes with speed or \
-             position (Stribeck, stiction above Coulomb's level), flexible structure between motor and \
-             hand, backlash, and force ripple.",
+            "bandwidth of the drive beyond a first-order lag, friction that falls at some speed or \
+             position below the viscous and Coulomb friction of the scene, flexible structure between \
+             motor and hand, backlash, and force ripple. More friction than that, as of Stribeck or of \
+             stiction, takes nothing from a verdict that the wall is passive (A-FRICTION).",
         ),
         (
             "One degree of freedom: ",

@@ -1,7 +1,6 @@
 //! One scene: its verdict and figures, its parameters, the derivation, and its pictures.
 
-use passivity_core::Truth;
-use passivity_scene::check::enclosure;
+use passivity_scene::check::{comparison, enclosure};
 use passivity_scene::display::range;
 use passivity_scene::explain::{self, Step};
 
@@ -67,17 +66,13 @@ fn verdict(document: &mut Document, study: &Study) {
     if let Some(speed) = report.critical_speed_text() {
         row("Critical speed", speed);
     }
-    let applies = |truth: Option<Truth>| match truth {
-        Some(truth) => truth.name().to_owned(),
-        None => "does not apply to a loop with a delay".to_owned(),
-    };
     row(
         "Colgate's condition b ≥ KT/2, for comparison",
-        applies(report.colgate),
+        comparison(report.colgate).to_owned(),
     );
     row(
         "The condition of Abbott and Okamura, for comparison",
-        applies(report.abbott_okamura),
+        comparison(report.abbott_okamura).to_owned(),
     );
     let caption = format!(
         "Figures of «{}», exact or exactly enclosed over the tolerances, printed to five digits",

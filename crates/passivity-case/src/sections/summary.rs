@@ -204,8 +204,8 @@ fn not_shown(case: &Case) -> Vec<Line> {
         if study.is_passive() && study.has_speed_limit() {
             let name = study.name();
             items.push(Line::text(format!(
-                "«{name}»: anything about other motions than {}.",
-                study.speeds()
+                "«{name}»: anything about motions faster than {}.",
+                report.speed_bound_text()
             )));
         }
         let effects: Vec<&str> = report.not_covered.iter().map(|e| e.words()).collect();

@@ -7,7 +7,7 @@ use passivity_core::BigRational;
 use passivity_evidence::Freshness;
 use passivity_scene::check::Verdict;
 
-use crate::{case, dimensionless, page, shipped};
+use crate::{case, dimensionless, page, shipped, study};
 
 const SHIPPED: [&str; 16] = [
     "amplifier-lag.toml",
@@ -27,6 +27,9 @@ const SHIPPED: [&str; 16] = [
     "tolerance-straddling.toml",
     "tolerances.toml",
 ];
+
+const SMOOTH: &str = "[device]\nmass = \"50 kg\"\nviscous = \"1 N s/m\"\n[sampling]\nperiod = \"1 s\"\n\
+                      [wall]\nstiffness = \"1 N/m\"\n[start]\nposition = \"1 m\"\n";
 
 fn cases() -> impl Iterator<Item = Case> {
     SHIPPED.into_iter().map(|name| case(shipped(name)))
@@ -129,6 +132,75 @@ fn a_counterexample_names_what_it_assumes() {
     }
     let case = case(dimensionless("3/5", "3/5", ""));
     assert_eq!(only(&case).1.node("A-FRICTION-AT-MOST"), None);
+}
+
+#[test]
+fn hazards_are_said_to_be_excluded_only_where_they_are() {
+    let bounded = |v: &str| {
+        let operator = format!("[operator]\nmax_speed = \"{v}\"\n");
+        // v_c = 1.
+        dimensionless("2/5", "3/5", &operator)
+    };
+    let excludes = "It is the bound on the speed that excludes it.";
+    for (study, says) in [
+        (shipped("re35.toml"), excludes),
+        (bounded("1"), excludes),
+        (
+            bounded("2"),
+            "The bound on the speed is too high to exclude it.",
+        ),
+        (
+            bounded("1 ± 1/2"),
+            "Whether the bound on the speed excludes it depends on the tolerances.",
+        ),
+        (
+            shipped("re35-locally-stable.toml"),
+            "Nothing bounds the speed, so it is not excluded.",
+        ),
+    ] {
+        let name = study.report().headline();
+        let page = page(&case(study));
+        assert!(page.contains(says), "{name}");
+        assert_eq!(page.contains(excludes), says == excludes, "{name}");
+    }
+    let smooth = page(&case(study(SMOOTH)));
+    assert!(smooth.contains("Excluded: measured by the linear spring a motion yields nothing."));
+    // There is no Δ, and so no energy in its units.
+    let (_, caption) = smooth
+        .split_once("is the energy ledger, ")
+        .expect("a caption");
+    let (caption, _) = caption.split_once("in every interval").expect("its end");
+    assert_eq!(
+        (caption.matches(" J ").count(), caption.matches('Δ').count()),
+        (3, 0),
+        "{caption}"
+    );
+}
+
+#[test]
+fn what_does_not_apply_is_said_in_the_words_of_check() {
+    for name in ["devices/smartknob.toml", "amplifier-lag.toml"] {
+        let study = shipped(name);
+        let says = "does not apply: delay, filter, controller or amplifier";
+        assert!(study.report().to_text().contains(says), "{name}");
+        let page = page(&case(study));
+        assert!(
+            page.contains(says) && !page.contains("to a loop with a delay"),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn the_limits_are_those_of_the_assumptions() {
+    let page = page(&case(shipped("re35.toml")));
+    // More static friction only helps: Sec. IV-B, A-FRICTION.
+    assert!(!page.contains("friction that changes with speed"));
+    assert!(page.contains("takes nothing from a verdict that the wall is passive (A-FRICTION)"));
+    assert!(
+        page.contains("anything about motions faster than 3 rad/s."),
+        "{page}"
+    );
 }
 
 /// A claim that tests have only sampled is not counted with those that a machine has proved.

@@ -26,6 +26,7 @@ pub(crate) use limits::{border, is_searched, typed_back};
 pub(crate) use lines::{Lines, headline, limits_heading};
 pub(crate) use report::LimitFigures;
 pub use report::{Costs, Report, Spare, check};
+pub use text::comparison;
 pub(crate) use text::{short, unit_of};
 pub use unforced::Unforced;
 pub(crate) use witness::rationals;

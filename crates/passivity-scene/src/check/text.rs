@@ -46,14 +46,8 @@ impl Report {
         }
         line("what binds", &self.binds_text());
         self.add_stiffest(&mut lines);
-        let applies = |truth: Option<Truth>| {
-            truth.map_or(
-                "does not apply: delay, filter, controller or amplifier",
-                Truth::name,
-            )
-        };
-        lines.add("Colgate, b ≥ KT/2", applies(self.colgate));
-        lines.add("Abbott and Okamura", applies(self.abbott_okamura));
+        lines.add("Colgate, b ≥ KT/2", comparison(self.colgate));
+        lines.add("Abbott and Okamura", comparison(self.abbott_okamura));
         lines.add_grounds(&self.effects, &self.because, &self.remarks);
         if let Some(text) = self.unforced_text() {
             lines.add("with the hand off", &text);
@@ -122,11 +116,21 @@ impl Report {
         })
     }
 
-    /// The critical speed in ticks per sample.
+    /// The critical speed in ticks per sample, or in the unit of length without an encoder.
     #[must_use]
     pub fn critical_ticks_text(&self) -> Option<String> {
         let (ticks, side) = self.safe_end(self.critical_speed.as_ref()?);
-        Some(format!("{} ticks/sample", rounded(ticks, 5, side)))
+        let unit = self.length_unit();
+        Some(format!("{} {unit}/sample", rounded(ticks, 5, side)))
+    }
+
+    /// The unit of positions in figures without units: the tick, and without an encoder that of SI.
+    pub(crate) const fn length_unit(&self) -> &'static str {
+        match (&self.sigma, self.motion) {
+            (Some(_), _) => "ticks",
+            (None, Motion::Linear) => "m",
+            (None, _) => "rad",
+        }
     }
 
     /// The end of a critical speed from which the criterion holds over all tolerances, and the side
@@ -175,11 +179,7 @@ impl Report {
     #[must_use]
     pub fn witness_text(&self) -> Option<String> {
         let witness = self.witness.as_ref()?;
-        let unit = match (&self.sigma, self.motion) {
-            (Some(_), _) => "ticks",
-            (None, Motion::Linear) => "m",
-            (None, _) => "rad",
-        };
+        let unit = self.length_unit();
         let least = |x: &BigRational| rounded(x, 5, Rounding::Down);
         let energy = match (&witness.gain_per_cycle_joules, &self.sigma) {
             (Some(joules), Some(_)) => {
@@ -289,6 +289,15 @@ fn listed(positions: &[BigRational]) -> String {
         0 => String::new(),
         _ => format!(", … ({} positions)", positions.len()),
     };
+/// What a condition that is only for comparison says, in words.
+#[must_use]
+pub fn comparison(truth: Option<Truth>) -> &'static str {
+    truth.map_or(
+        "does not apply: delay, filter, controller or amplifier",
+        Truth::name,
+    )
+}
+
     format!("{}{rest}", first.join(", "))
 }
 

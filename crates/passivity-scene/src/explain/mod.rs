@@ -227,7 +227,7 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
         );
     }
     if let Some(v) = &report.speed_bound {
-        let mut numbers = format!("V = {} ticks/sample", range(v));
+        let mut numbers = format!("V = {} {}/sample", range(v), report.length_unit());
         if let Some(margin) = &report.margin_at_speed_bound {
             let _ = write!(
                 numbers,
