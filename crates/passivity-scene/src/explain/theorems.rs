@@ -19,13 +19,14 @@ pub(crate) fn sentence(id: &str) -> &'static str {
             "if β or σ is below ½, an explicit cycle of motion draws energy in each round trip"
         }
         "TH-SMOOTH" => "without an encoder the terms of quantization vanish",
-        "TH-UNI" => "a one-sided wall generates no more energy than a two-sided one",
+        "TH-UNI" => "the bound on what a spring generates is the same on one side as on both",
         "TH-LAW" => {
-            "a force law that is nowhere stiffer than K generates no more energy than the spring"
+            "the bound on what the spring generates is one for every force law that is nowhere stiffer \
+             than K"
         }
         "TH-DAC" => "a force step δ costs ½δ of Coulomb friction",
-        "TH-DELAY" => "each sample of delay raises the β that is required by 1",
-        "TH-DAMP" => "virtual damping B raises the β and the σ that are required by B each",
+        "TH-DELAY" => "each sample of delay raises the β that a spring requires by at most 1",
+        "TH-DAMP" => "virtual damping B raises the β and the σ that are required by at most B each",
         "TH-NDOF" => {
             "a wall of several joints draws nothing at any speed exactly when viscous friction \
              outweighs sampling in every direction, diag(b) − (T/2)K positive semidefinite, and the \

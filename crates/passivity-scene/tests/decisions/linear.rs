@@ -6,6 +6,7 @@ use num_traits::{Signed as _, Zero as _};
 use passivity_core::{BigRational, Interval};
 use passivity_scene::Scene;
 use passivity_scene::check::{Report, Verdict};
+use passivity_scene::explain::explain;
 
 use crate::dimensionless::{approx, q, report};
 
@@ -32,6 +33,44 @@ fn a_delay_and_damping_partly_cancel() {
         (Verdict::Passive, Verdict::NotPassive)
     );
     assert!(at.because.contains(&"TH-LTI"));
+}
+
+/// What the theorems say beside a computed cost is true there.
+#[test]
+fn effects_together_cost_at_most_what_the_theorems_say() {
+    let sections =
+        "[sampling]\ndelay = 1\n[wall]\ndamping = \"2\"\ndamping_time_constant = \"3\"\n";
+    let text = format!("[dimensionless]\nbeta = \"3\"\nsigma = \"3\"\n{sections}");
+    let explanation = explain(&Scene::from_toml("scene", &text).unwrap());
+    let says = |id: &str| {
+        let mut theorems = explanation.theorems.iter();
+        theorems.find(|theorem| theorem.id == id).expect(id).says
+    };
+    assert!(says("TH-DELAY").contains("by at most 1"));
+    assert!(says("TH-DAMP").contains("by at most B each"));
+    // Of 3/2 for the delay and 2 for the damping.
+    let cost = &explanation.report.cost;
+    assert!(*cost.viscous.hi() < q("7/2") && *cost.viscous.lo() > q("3/2"));
+    assert!(*cost.coulomb.hi() < q("5/2"));
+}
+
+/// From ξ = −2 to −17/10 a wall on one side generates nothing, and one on both sides less than that: ½d² + (ρ₀ − ½)d.
+/// It is the bound that they share.
+#[test]
+fn a_one_sided_wall_may_generate_more_and_has_the_same_bound() {
+    let d = q("3/10");
+    let half = q("1/2");
+    let two_sided = &half * &d * &d - &half * &d;
+    assert_eq!(two_sided, q("-0.105"));
+    let bound = &half * &d * &d + &half * &d;
+    assert!(two_sided < q("0") && q("0") <= bound);
+    let text = "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n[wall]\nunilateral = true\nmax_force = \"9\"\n";
+    let explanation = explain(&Scene::from_toml("scene", text).unwrap());
+    for id in ["TH-UNI", "TH-LAW"] {
+        let theorem = explanation.theorems.iter().find(|theorem| theorem.id == id);
+        let says = theorem.expect(id).says;
+        assert!(says.starts_with("the bound on what "), "{id}: {says}");
+    }
 }
 
 #[test]
