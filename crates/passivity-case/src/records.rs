@@ -2,7 +2,7 @@
 //! carries, and how fresh the evidence is.
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use passivity_evidence as evidence;
 use passivity_evidence::{
@@ -18,7 +18,7 @@ use crate::tree;
 /// Claims and evidence are no larger than this.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// Where evidence is recorded: by the last run here, or by the last one that was committed.
+/// Where evidence is recorded: by the last run here, and by the last one that was committed.
 const EVIDENCE: [&str; 2] = ["target/evidence.json", "proofs/evidence.json"];
 
 /// The sources that evidence was compared with.
@@ -59,6 +59,8 @@ pub struct Records {
     pub origin: Origin,
     /// SHA-256 of the claims' text.
     pub claims_sha256: Sha256,
+    /// Where the recorded evidence is from, in words: its file, as it was given or within the tree.
+    pub evidence_from: String,
     /// SHA-256 of the recorded evidence.
     pub evidence_sha256: Sha256,
     /// The commit of the sources, when known.
@@ -81,12 +83,12 @@ impl Records {
         match root {
             Some(root) => {
                 let claims = Text::read(&root.join(Claims::PATH))?;
-                let evidence = match given {
-                    Some(evidence) => evidence,
-                    None => Text::read(&recorded_in(root)?)?,
-                };
                 let now = |path: &str| in_tree(root, path);
-                let mut records = Self::of_texts(&claims, &evidence, Origin::Tree, now)?;
+                let of = |evidence: &Text| Self::of_texts(&claims, evidence, Origin::Tree, now);
+                let mut records = match given {
+                    Some(evidence) => of(&evidence)?,
+                    None => Self::recorded_in(root, of)?,
+                };
                 records.commit = tree::commit(root);
                 Ok(records)
             }
@@ -101,6 +103,40 @@ impl Records {
         }
     }
 
+    /// The records of the last run in a tree. Where the ones that were committed show more of the sources as they
+    /// are now, those: a run of a few engines, or of long ago, may have been left behind. What failed in the last
+    /// run is never passed over.
+    fn recorded_in(
+        root: &Path,
+        of: impl Fn(&Text) -> Result<Self, CaseError>,
+    ) -> Result<Self, CaseError> {
+        let mut found = Vec::new();
+        for file in EVIDENCE {
+            let path = root.join(file);
+            if path.is_file() {
+                let mut records = of(&Text::read(&path)?)?;
+                records.evidence_from = file.to_owned();
+                found.push(records);
+            }
+        }
+        let mut found = found.into_iter();
+        let last = found.next().ok_or_else(|| {
+            let what = "no evidence is recorded: `make prove` records it";
+            CaseError::within(&root.join("proofs/evidence.json"), what)
+        })?;
+        let failed = |assessed: &Assessed| matches!(assessed.freshness, Freshness::Failed(_));
+        Ok(match found.next() {
+            Some(mut committed)
+                if committed.fresh() > last.fresh() && !last.assessed.iter().any(failed) =>
+            {
+                committed.evidence_from +=
+                    &format!(", of which more is fresh than of {}", last.evidence_from);
+                committed
+            }
+            _ => last,
+        })
+    }
+
     /// The claims and the evidence of two texts, compared with the sources as `now` gives them.
     fn of_texts(
         claims: &Text,
@@ -109,6 +145,7 @@ impl Records {
         now: impl Fn(&str) -> Result<Now, EvidenceError>,
     ) -> Result<Self, CaseError> {
         let (claims_sha256, evidence_sha256) = (claims.sum(), evidence.sum());
+        let evidence_from = evidence.name.clone();
         let claims = Claims::parse(&claims.name, &claims.text)?;
         let evidence = Evidence::parse(&evidence.name, &evidence.text)?;
         let mutation_changes = match &evidence.mutation {
@@ -122,6 +159,7 @@ impl Records {
             mutation_changes,
             origin,
             claims_sha256,
+            evidence_from,
             evidence_sha256,
             commit: None,
         })
@@ -130,6 +168,13 @@ impl Records {
     /// What was recorded of a claim, and what should have been, an entry for each engine.
     pub fn of_claim(&self, claim: &str) -> impl Iterator<Item = &Assessed> {
         self.assessed.iter().filter(move |a| a.claim == claim)
+    }
+
+    /// How many records are fresh.
+    #[must_use]
+    pub fn fresh(&self) -> usize {
+        let all = self.assessed.iter();
+        all.filter(|a| a.freshness == Freshness::Fresh).count()
     }
 
     /// By what a claim is shown: the strongest of its fresh records. `None` where it is not shown.
@@ -303,17 +348,6 @@ impl Text {
     fn sum(&self) -> Sha256 {
         Sha256::of(self.text.as_bytes())
     }
-}
-
-fn recorded_in(root: &Path) -> Result<PathBuf, CaseError> {
-    let paths = EVIDENCE.map(|file| root.join(file));
-    paths
-        .into_iter()
-        .find(|path| path.is_file())
-        .ok_or_else(|| {
-            let what = "no evidence is recorded: `make prove` records it";
-            CaseError::within(&root.join("proofs/evidence.json"), what)
-        })
 }
 
 /// A source file as this build has it: of the kernel every file, and no other.

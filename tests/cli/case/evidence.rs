@@ -4,7 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use passivity_evidence::{Claim, Claims, Engine, Evidence, Outcome, Record, Sha256, Shown, Tool};
+use passivity_evidence::{
+    Claim, Claims, Engine, Evidence, Failure, Outcome, Record, Sha256, Shown, Tool,
+};
 
 use super::{GOOD, one_error, read};
 use crate::harness::Dir;
@@ -359,4 +361,45 @@ fn missing_and_corrupt_evidence_is_said_and_writes_nothing() {
     fs::write(root.join("proofs/claims.toml"), "[[claim]]\nid = 1\n").expect("claims");
     one_error(&run(&[]), "claims.toml");
     assert!(!dir.path("case").exists());
+}
+
+#[test]
+fn a_run_that_was_left_behind_does_not_hide_what_was_committed() {
+    let dir = Dir::new();
+    let root = tree(&dir);
+    let scene = dir.write("good.toml", GOOD);
+    let full = recorded_now(&root);
+    fs::create_dir_all(root.join("target")).expect("a folder");
+    let write = |file: &str, evidence: &Evidence| {
+        let text = evidence.to_text().expect("text");
+        fs::write(root.join(file), text).expect("evidence");
+        let run = dir.run(&["case", "--root", "tree", &scene, "--out", "case"]);
+        assert_ne!(run.code, 2, "{}", run.stderr);
+        let html = read(&dir, "case/case.html");
+        let (_, from) = html.split_once("Recorded evidence: ").expect("the file");
+        let (from, _) = from.split_once(';').expect("its end");
+        (from.to_owned(), records(&dir))
+    };
+    let (from, committed) = write("proofs/evidence.json", &full);
+    assert_eq!(from, "proofs/evidence.json");
+    let mut few = full.clone();
+    few.records.retain(|record| record.claim == "TH-LIN");
+    let (from, taken) = write("target/evidence.json", &few);
+    let both = "proofs/evidence.json, of which more is fresh than of target/evidence.json";
+    assert_eq!((from.as_str(), &taken), (both, &committed));
+    // What failed here is said.
+    few.records[0].outcome = Outcome::Failed(vec![Failure {
+        part: "a_part".into(),
+        why: "wrong".into(),
+    }]);
+    let id = few.records[0].id();
+    let (from, taken) = write("target/evidence.json", &few);
+    assert_eq!(from, "target/evidence.json");
+    assert!(taken[&id].starts_with("failed"), "{}", taken[&id]);
+    // Of two that show as much it is the last run.
+    let (from, taken) = write("target/evidence.json", &full);
+    assert_eq!(
+        (from.as_str(), &taken),
+        ("target/evidence.json", &committed)
+    );
 }

@@ -44,6 +44,11 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         ]
         .into(),
         [
+            "Recorded evidence".into(),
+            case.records.evidence_from.as_str().into(),
+        ]
+        .into(),
+        [
             "SHA-256 of the recorded evidence".into(),
             Line::hash(&case.records.evidence_sha256),
         ]

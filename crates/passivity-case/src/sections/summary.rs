@@ -1,7 +1,5 @@
 //! The first page: what is claimed, what is shown, and what is not.
 
-use passivity_evidence::Freshness;
-
 use super::to_claim;
 use crate::case::Case;
 use crate::document::{Block, Document, Line, Row};
@@ -137,12 +135,21 @@ fn shown(case: &Case) -> Vec<Line> {
     let mut items: Vec<Line> = case.scenes().filter_map(|(s, a)| shown_of(s, a)).collect();
     items.extend(case.studies.iter().flat_map(supporting));
     let records = &case.records;
-    let fresh = records.assessed.iter();
-    let fresh = fresh.filter(|a| a.freshness == Freshness::Fresh).count();
+    let fresh = records.fresh();
     items.push(
-        Line::text(format!("{}, by {fresh} fresh records of evidence (", counted(records)))
-            .and(Line::link("claims", "Claims and evidence"))
-            .and(format!("). They were compared with {}.", records.origin.words()).into()),
+        Line::text(format!(
+            "{}, by {fresh} fresh records of evidence (",
+            counted(records)
+        ))
+        .and(Line::link("claims", "Claims and evidence"))
+        .and(
+            format!(
+                "). Recorded evidence: {}; it was compared with {}.",
+                records.evidence_from,
+                records.origin.words()
+            )
+            .into(),
+        ),
     );
     if let Some(run) = &records.evidence.mutation {
         let (caught, mutants) = (run.caught, run.mutants);

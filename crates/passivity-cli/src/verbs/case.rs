@@ -67,7 +67,8 @@ pub(crate) struct Args {
     /// proofs/claims.toml in it, and without one what this build carries.
     #[arg(long, value_name = "DIR")]
     root: Option<PathBuf>,
-    /// Recorded evidence to read; by default what `make prove` recorded last under the root.
+    /// Recorded evidence to read; by default what `make prove` recorded last under the root, or what was
+    /// committed there if more of that is fresh.
     #[arg(long, value_name = "FILE")]
     evidence: Option<PathBuf>,
     /// Who wrote the case, who reviewed and approved it, for which use, and when: a small TOML file.
