@@ -75,12 +75,27 @@ pub enum Rounding {
 /// ```
 #[must_use]
 pub fn rounded(x: &BigRational, digits: u32, to: Rounding) -> String {
+    let away = match to {
+        Rounding::Down => x.is_negative(),
+        Rounding::Up => !x.is_negative(),
+    };
+    let whole = if away {
+        BigRational::ceil
+    } else {
+        BigRational::floor
+    };
+    with_digits(x, digits, whole)
+}
+
+/// A number rounded to the nearest with that many significant digits, written like [`rounded`].
+pub(crate) fn nearest(x: &BigRational, digits: u32) -> String {
+    with_digits(x, digits, BigRational::round)
+}
+
+/// A number with so many significant digits, `whole` of its size.
+fn with_digits(x: &BigRational, digits: u32, whole: fn(&BigRational) -> BigRational) -> String {
     if x.is_negative() {
-        let opposite = match to {
-            Rounding::Down => Rounding::Up,
-            Rounding::Up => Rounding::Down,
-        };
-        return format!("-{}", rounded(&-x, digits, opposite));
+        return format!("-{}", with_digits(&-x, digits, whole));
     }
     if !x.is_positive() {
         return "0".to_owned();
@@ -94,11 +109,7 @@ pub fn rounded(x: &BigRational, digits: u32, to: Rounding) -> String {
     }
     let last = exponent + 1 - i32::try_from(digits).unwrap_or(i32::MAX);
     let scaled = x / ten.pow(last);
-    let mantissa = match to {
-        Rounding::Down => scaled.floor(),
-        Rounding::Up => scaled.ceil(),
-    };
-    let mut figures = mantissa.to_integer().to_string();
+    let mut figures = whole(&scaled).to_integer().to_string();
     if figures.len() > usize::try_from(digits).unwrap_or(usize::MAX) {
         exponent += 1;
     }
@@ -134,9 +145,17 @@ fn trimmed(decimal: &str) -> String {
 /// An interval: one figure when both ends read the same, else both.
 #[must_use]
 pub fn range(x: &Interval<BigRational>) -> String {
-    let (lo, hi) = (approx(x.lo()), approx(x.hi()));
+    joined(&approx(x.lo()), &approx(x.hi()))
+}
+
+/// An interval like [`range`], with that many significant digits.
+pub(crate) fn range_with(x: &Interval<BigRational>, digits: u32) -> String {
+    joined(&nearest(x.lo(), digits), &nearest(x.hi(), digits))
+}
+
+fn joined(lo: &str, hi: &str) -> String {
     if lo == hi {
-        lo
+        lo.to_owned()
     } else {
         format!("{lo} … {hi}")
     }

@@ -7,7 +7,7 @@ use num_traits::Signed;
 use passivity_core::{BigRational, Exact, Interval, Scalar};
 
 use crate::check::enclosure;
-use crate::display::{Rounding, approx, range, rounded};
+use crate::display::{Rounding, approx, range, range_with, rounded};
 use crate::number::parse;
 
 /// What a scene file writes for a parameter.
@@ -117,9 +117,28 @@ impl Written {
     /// SI values as people read them, with the unit; in SI where the file cannot write them.
     #[must_use]
     pub fn text(&self, si: &Interval<BigRational>, si_unit: &str) -> String {
+        self.text_by(si, si_unit, range)
+    }
+
+    /// The same with that many significant digits.
+    pub(crate) fn text_with(
+        &self,
+        si: &Interval<BigRational>,
+        si_unit: &str,
+        digits: u32,
+    ) -> String {
+        self.text_by(si, si_unit, |x| range_with(x, digits))
+    }
+
+    fn text_by(
+        &self,
+        si: &Interval<BigRational>,
+        si_unit: &str,
+        figures: impl Fn(&Interval<BigRational>) -> String,
+    ) -> String {
         match self.of(si) {
-            Some(written) => format!("{}{}", range(&written), self.unit()),
-            None => format!("{} {si_unit}", range(si)),
+            Some(written) => format!("{}{}", figures(&written), self.unit()),
+            None => format!("{} {si_unit}", figures(si)),
         }
     }
 

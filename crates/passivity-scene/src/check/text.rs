@@ -243,12 +243,26 @@ impl Limit {
         }
     }
 
-    /// What the parameter is now, with its unit.
+    /// What the parameter is now, with its unit: with more digits than usual where it would read like what it
+    /// has to be and is not that.
     #[must_use]
     pub fn now(&self, motion: Motion) -> String {
+        /// The figures of a report are enclosed to 200 bits: about 60 digits.
+        const MOST_DIGITS: u32 = 50;
         let si_unit = unit_of(self.parameter, motion);
-        let text = self.written.text(&self.now, si_unit);
-        text.trim_end().to_owned()
+        let promise = self.promise(motion);
+        let reads_like_it = |now: &String| {
+            let number = promise.strip_prefix("at least ");
+            number.or(promise.strip_prefix("at most ")) == Some(now.as_str())
+        };
+        let with = |digits| self.written.text_with(&self.now, si_unit, digits);
+        let usual = self.written.text(&self.now, si_unit);
+        let usual = usual.trim_end().to_owned();
+        if !reads_like_it(&usual) {
+            return usual;
+        }
+        let mut more = (6..=MOST_DIGITS).map(|digits| with(digits).trim_end().to_owned());
+        more.find(|now| !reads_like_it(now)).unwrap_or(usual)
     }
 
     /// What the parameter has to be, rounded to the safe side, with its unit: `at most 1.07 N/m`.
@@ -275,6 +289,15 @@ impl Limit {
     }
 }
 
+/// What a condition that is only for comparison says, in words.
+#[must_use]
+pub fn comparison(truth: Option<Truth>) -> &'static str {
+    truth.map_or(
+        "does not apply: delay, filter, controller or amplifier",
+        Truth::name,
+    )
+}
+
 pub(crate) fn words(effects: &[Effect]) -> String {
     let words: Vec<&str> = effects.iter().map(|effect| effect.words()).collect();
     words.join("; ")
@@ -289,15 +312,6 @@ fn listed(positions: &[BigRational]) -> String {
         0 => String::new(),
         _ => format!(", … ({} positions)", positions.len()),
     };
-/// What a condition that is only for comparison says, in words.
-#[must_use]
-pub fn comparison(truth: Option<Truth>) -> &'static str {
-    truth.map_or(
-        "does not apply: delay, filter, controller or amplifier",
-        Truth::name,
-    )
-}
-
     format!("{}{rest}", first.join(", "))
 }
 

@@ -376,3 +376,36 @@ fn borders_over_a_period_that_pulls_both_ways() {
         "{border:?}"
     );
 }
+
+/// Five digits do not tell 1.24999 from the 1.25 that is needed; as many are printed as do.
+#[test]
+fn what_just_misses_its_limit_does_not_read_like_it() {
+    let late = "coulomb 9, delay 1, damping 1/2";
+    for (values, says) in [
+        (
+            format!("viscous 1.24999, {late}"),
+            "at least 1.25 N s/m (now 1.24999 N s/m)",
+        ),
+        (
+            format!("viscous 1.24999999999999999999999999, {late}"),
+            "at least 1.25 N s/m (now 1.24999999999999999999999999 N s/m)",
+        ),
+        // It is what it has to be.
+        (
+            format!("viscous 1.25, {late}"),
+            "at least 1.25 N s/m (now 1.25 N s/m)",
+        ),
+        (
+            "viscous 1/2, coulomb 9, stiffness 1.0000004".to_owned(),
+            "at most 1 N/m (now 1.0000004 N/m)",
+        ),
+        // Five digits are enough.
+        (
+            format!("viscous 1.2499, {late}"),
+            "at least 1.25 N s/m (now 1.2499 N s/m)",
+        ),
+    ] {
+        let text = report(&values).to_text();
+        assert!(text.contains(says), "{says}: {text}");
+    }
+}
