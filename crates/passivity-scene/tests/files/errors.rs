@@ -77,7 +77,7 @@ const CASES: [(&str, &str, usize, usize, &str); 59] = [
     ("[device]\ncoulomb = \"1 N\"\n", "mixed_motion", 6, 14, "`device.coulomb` is linear (`N`), but `wall.stiffness` is rotary (`N m/rad`)"),
     ("[device]\nmass = \"1 kg\"\n", "mixed_motion", 6, 11, "`device.mass` is linear"),
     ("[device]\nmass = \"1 kg\"\n", "mixed_motion", 6, 11, "expected `inertia`, a moment of inertia such as `\"6.28e-6 kg m^2\"`"),
-    ("[transmission]\nratio = \"10 mm/rev\"\n", "mixed_motion", 6, 9, "expected a plain number, such as `9.375`, of turns to turns"),
+    ("[device]\ncoulomb = \"1 N m\"\n[transmission]\nratio = \"10 mm/rev\"\n", "mixed_motion", 8, 9, "expected a plain number, such as `9.375`, of turns to turns"),
     ("[device]\nmass = \"1 kg m^2\"\n", "wrong_unit", 6, 11, "of a moment of inertia"),
     ("[encoder]\nresolution = \"1 mm\"\n", "mixed_motion", 6, 17, "expected an angle such as `\"0.1 deg\"`"),
     ("[operator]\nforce = \"forces.csv\"\n", "samples", 6, 9, "only a scene that is a file itself can name one"),
