@@ -8,6 +8,8 @@ pub(crate) struct After {
     /// The node of the table that is nearest to where the motion on begins, and how long after it that is.
     pub(crate) node: usize,
     pub(crate) time: f64,
+    /// Whether it turned there; else friction held it, or does.
+    pub(super) turned: bool,
     /// The force and the excess that act from there on.
     pub(crate) push: f64,
     pub(crate) excess: f64,
@@ -118,6 +120,7 @@ impl Fast {
         After {
             node,
             time,
+            turned: true,
             push: (2.0 * self.sigma).copysign(v),
             excess: 0.0,
             way: attempt.way,
@@ -132,6 +135,7 @@ impl Fast {
         let mut after = After {
             node: self.table.cells(),
             time: 0.0,
+            turned: false,
             push: 0.0,
             excess: 0.0,
             way,

@@ -159,7 +159,7 @@ impl Fast {
 
     /// v, p and e where the motion on begins.
     fn begins(&self, attempt: &Attempt, after: &After, reached: [f64; 2]) -> Inner {
-        if after.push == 0.0 {
+        if !after.turned {
             return [0.0, 0.0, after.excess];
         }
         let [.., excess] = reached;

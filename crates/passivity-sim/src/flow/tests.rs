@@ -122,7 +122,7 @@ fn too_fast_an_amplifier_is_refused() {
 fn flows() -> Vec<Flow<Double>> {
     let mut flows = Vec::new();
     for (mass, beta) in [(50.0, 0.6), (2.0, 1.0), (1.0, 5.0), (40.0, 0.0)] {
-        for sigma in [None, Some(0.3)] {
+        for sigma in [None, Some(0.0), Some(0.3)] {
             for rate in [None, Some(0.5), Some(2.0), Some(5.0), Some(40.0)] {
                 for arm in [None, Some([0.2, 2.0]), Some([0.0, 0.1]), Some([1.0, 30.0])] {
                     let mut flow = plain(mass, beta, 0.0);

@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::common::{paper, point, q};
+use crate::common::{double, paper, point, q};
+use passivity_core::BigRational;
 use passivity_core::transfer::TransferFunction;
+use passivity_random::Random;
 use passivity_scene::{Effect, Point};
-use passivity_sim::{Detail, ExactOutcome, Line, Method, SimError, simulate};
+use passivity_sim::{Detail, Entry, ExactOutcome, Line, Method, SimError, Simulated, simulate};
 
 const REFERENCE: Method = Method::Reference { digits: 30 };
 
@@ -130,6 +132,52 @@ fn closed_form_is_the_reference_with_every_effect() {
             "{name}: {slow:?}"
         );
     }
+}
+
+#[test]
+fn no_coulomb_friction_and_one_of_zero_are_the_same() {
+    let mut random = Random::new(1);
+    let mut compared = 0;
+    for _ in 0..60 {
+        let mut part = |lo, hi| q(&format!("{}/10", lo + random.below(hi - lo)));
+        let mut scene = point("1", "0", "0", ["0", "0"], 25);
+        scene.at.inertia = Some(part(5, 400));
+        scene.at.viscous = Some(part(0, 20));
+        scene.at.start_position = Some(part(0, 80));
+        scene.at.start_velocity = Some(part(0, 40));
+        let [lag, stiffness] = [part(0, 10), part(0, 20)];
+        scene.at.time_constant = (lag != q("0")).then_some(lag);
+        scene.at.arm_mass = Some(part(0, 200));
+        scene.at.arm_stiffness = Some(stiffness);
+        scene.forces = Some(vec![part(0, 40)]);
+        let mut reach = 1.0_f64;
+        let mut run = |coulomb: Option<BigRational>| {
+            scene.at.coulomb = coulomb;
+            let mut see = |line: &Line<'_>| {
+                let Entry { xi1, v1, .. } = line.entry();
+                let mass = double(scene.at.inertia.as_ref().unwrap());
+                reach = reach.max(xi1.abs()).max(v1.abs() * (1.0 + mass));
+                true
+            };
+            simulate(&scene, &Method::ClosedForm, Some(&mut see)).unwrap()
+        };
+        let [zero, none] = [Some(q("0")), None].map(&mut run);
+        if none.end.within_rounding_of_edge.is_some() {
+            continue;
+        }
+        compared += 1;
+        // 25 intervals of some 30 roundings each of numbers up to the reach, and energies up to its square.
+        let rounding = 25.0 * 30.0 * f64::EPSILON * reach * reach;
+        let sums = |run: &Simulated| {
+            let of = run.totals;
+            let energies = [of.generated_linear, of.generated_quantized, of.dissipated];
+            [[run.end.xi, run.end.velocity].as_slice(), &energies].concat()
+        };
+        for (a, b) in sums(&zero).into_iter().zip(sums(&none)) {
+            assert!((a - b).abs() < rounding, "{a} {b} {rounding:e} {scene:?}");
+        }
+    }
+    assert!(compared > 50, "{compared}");
 }
 
 #[test]
