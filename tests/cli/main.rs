@@ -16,6 +16,7 @@ mod guides;
 mod harness;
 mod identify;
 mod joints;
+mod ledgers;
 mod logs;
 mod monitor;
 mod oracle;

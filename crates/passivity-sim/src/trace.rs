@@ -1,12 +1,12 @@
 //! A run as a table: the ledger row of every interval, with velocities and dissipated energy.
 
-use std::cmp::Ordering;
+use std::collections::VecDeque;
 use std::fmt::Write as _;
 
-use passivity_core::{BigRational, Criterion, Loop, Step, ledger};
-use passivity_scene::Point;
+use passivity_core::{BigRational, Criterion, Loop, Step, extra_storage, ledger};
 use passivity_scene::number::nearest_f64;
 use passivity_scene::point::Units;
+use passivity_scene::{Point, Scene};
 
 use crate::error::SimError;
 use crate::method::Method;
@@ -60,11 +60,16 @@ struct Account<R> {
     dimensionless: Loop<R>,
     /// Computed exactly and rounded once.
     criterion: Criterion<R>,
+    /// The latest displacements, the last one first: as many as delay and damping have in store; `None` where
+    /// it is not known of each interval what the loop's memory has in store.
+    stored: Option<VecDeque<R>>,
 }
 
 /// A row of the table.
 struct Figures<R> {
-    row: [R; 9],
+    row: [R; 7],
+    /// What is left of what friction dissipates at least, against either spring; `None` where that is not known.
+    net: [Option<R>; 2],
     /// At the mean speed; `None` where there is none.
     margin: Option<R>,
     truths: [Option<bool>; 3],
@@ -73,12 +78,16 @@ struct Figures<R> {
 
 impl Table {
     /// The table of a scene's point by a method.
+    ///
+    /// The net energies and what they violate are left empty where `audit` does not account for logs of the
+    /// scene, [`Scene::unaccounted`]: what the loop's memory has in store is not known of each interval.
     #[must_use]
-    pub fn new(point: &Point, method: &Method) -> Self {
+    pub fn new(scene: &Scene, point: &Point, method: &Method) -> Self {
+        let known = scene.unaccounted(false).is_empty();
         Self {
-            doubles: Account::new(point, |x| Double::from(x)),
-            rationals: Account::new(point, BigRational::clone),
-            enclosures: Account::new(point, |x| Enclosed::from(x)),
+            doubles: Account::new(point, known, |x| Double::from(x)),
+            rationals: Account::new(point, known, BigRational::clone),
+            enclosures: Account::new(point, known, |x| Enclosed::from(x)),
             encloses: *method == Method::Enclosure,
             si: None,
         }
@@ -144,7 +153,7 @@ impl Table {
     /// # Errors
     ///
     /// A figure that is undefined.
-    pub fn write(&self, line: &Line<'_>, out: &mut String) -> Result<(), SimError> {
+    pub fn write(&mut self, line: &Line<'_>, out: &mut String) -> Result<(), SimError> {
         match line {
             Line::Double(entry) => {
                 let row = IntervalRow {
@@ -209,17 +218,18 @@ impl Table {
         };
         // Writing to a string does not fail.
         let _ = write!(out, "{h}");
-        for (name, x) in ROW.into_iter().zip(&figures.row) {
-            let _ = write!(out, ",{}", shown(x, name)?);
+        let known = figures.row.iter().map(Some);
+        let rest = figures.net.iter().chain([&figures.margin]);
+        for (name, x) in ROW.into_iter().zip(known.chain(rest.map(Option::as_ref))) {
+            out.push(',');
+            match x {
+                Some(x) => out.push_str(&shown(x, name)?),
+                None if self.encloses => out.push(','),
+                None => {}
+            }
             if name == "xi1" {
                 out.push_str(",1"); // Δτ
             }
-        }
-        out.push(',');
-        match &figures.margin {
-            Some(margin) => out.push_str(&shown(margin, "margin")?),
-            None if self.encloses => out.push(','),
-            None => {}
         }
         for truth in figures.truths {
             let _ = match truth {
@@ -276,9 +286,12 @@ impl Si {
 }
 
 impl<R: Real> Account<R> {
-    fn new(point: &Point, of: impl Fn(&BigRational) -> R) -> Self {
+    fn new(point: &Point, known: bool, of: impl Fn(&BigRational) -> R) -> Self {
         let criterion = point.at.dimensionless_criterion();
+        // Before the first sample nothing moved.
+        let late = usize::from(point.at.delay);
         Self {
+            stored: known.then(|| vec![R::zero(); late + 1].into()),
             dimensionless: point.at.map(|_, x| of(x)),
             criterion: Criterion {
                 viscous: of(&criterion.viscous),
@@ -287,8 +300,27 @@ impl<R: Real> Account<R> {
         }
     }
 
+    /// What the extra storages of delay and damping gain over an interval (TH-DELAY, TH-DAMP).
+    fn gained(&mut self, displacement: &R) -> Option<R> {
+        let Loop { delay, damping, .. } = &self.dimensionless;
+        let steps = self.stored.as_mut()?;
+        let storage = |steps: &mut VecDeque<R>| {
+            let steps = steps.make_contiguous();
+            let late = steps.get(..usize::from(*delay)).unwrap_or_default();
+            let delayed = extra_storage::delay_storage(late);
+            match damping {
+                Some(damping) => delayed + extra_storage::damping_storage(damping, steps),
+                None => delayed,
+            }
+        };
+        let before = storage(steps);
+        steps.pop_back();
+        steps.push_front(displacement.clone());
+        Some(storage(steps) - before)
+    }
+
     /// The kernel's row of an interval of a run, which knows what was generated.
-    fn figures(&self, interval: &IntervalRow<R>) -> Figures<R> {
+    fn figures(&mut self, interval: &IntervalRow<R>) -> Figures<R> {
         let step = &interval.step;
         let row = ledger::row_of(
             &self.dimensionless,
@@ -296,11 +328,16 @@ impl<R: Real> Account<R> {
             &R::one(),
             interval.generated.clone(),
         );
+        let gained = self.gained(&step.displacement());
+        let net = [row.net_linear, row.net_quantized];
+        let net = net.map(|net| Some(net - gained.clone()?));
+        let violates = |net: &Option<R>| net.as_ref()?.is_nonnegative().map(|ok| !ok);
+        let [violates_linear, violates_quantized] = net.each_ref().map(violates);
         let speed = step.displacement().abs();
-        let still = speed.sign() == Some(Ordering::Equal);
-        let at_speed = self.criterion.margin(&speed);
         // Where a step may be none, its mean speed has no margin.
         let moved = speed.is_positive() == Some(true);
+        let holds = self.criterion.margin(&speed).is_nonnegative();
+        let holds = holds.filter(|_| speed.is_positive() != Some(false));
         let over_speed = || self.criterion.coulomb.clone().over(speed);
         let bound_quantized = if row.bound_quantized.is_defined() {
             row.bound_quantized.clone()
@@ -312,11 +349,7 @@ impl<R: Real> Account<R> {
         let [v0, v1] = interval.velocity.clone();
         Figures {
             margin: moved.then(|| self.criterion.viscous.clone() + over_speed()),
-            truths: [
-                at_speed.is_nonnegative().filter(|_| !still),
-                row.violates_linear(),
-                row.violates_quantized(),
-            ],
+            truths: [holds, violates_linear, violates_quantized],
             row: [
                 step.start.clone(),
                 step.end.clone(),
@@ -325,9 +358,8 @@ impl<R: Real> Account<R> {
                 row.bound_22,
                 bound_quantized,
                 row.dissipated_lower,
-                row.net_linear,
-                row.net_quantized,
             ],
+            net,
             motion: [v0, v1, interval.dissipated.clone()],
         }
     }

@@ -94,7 +94,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let method = Method::parse(&args.method).map_err(Failure::input)?;
     let of_scene = |error| Failure::input(format!("`{}`: {error}", args.scene.display()));
     let plan = Plan::compile(&point).map_err(of_scene)?;
-    let mut watcher = Watcher::new(args, &point, &plan, &method)?;
+    let mut watcher = Watcher::new(args, &scene, &point, &plan, &method)?;
     let begin = Instant::now();
     let run = if watcher.wants_to_see(args) {
         simulate(&point, &method, Some(&mut |line| watcher.see(line)))
@@ -155,12 +155,18 @@ impl Watcher {
     /// Intervals between two looks at the clock.
     const BETWEEN: u64 = 1 << 10;
 
-    fn new(args: &Args, point: &Point, plan: &Plan, method: &Method) -> Result<Self, Failure> {
+    fn new(
+        args: &Args,
+        scene: &Scene,
+        point: &Point,
+        plan: &Plan,
+        method: &Method,
+    ) -> Result<Self, Failure> {
         #[cfg(not(feature = "plot"))]
         let _ = plan;
         Ok(Self {
             trace: match &args.out {
-                Some(path) => Some(Trace::create(path, table(args, point, method)?)?),
+                Some(path) => Some(Trace::create(path, table(args, scene, point, method)?)?),
                 None => None,
             },
             #[cfg(feature = "plot")]
@@ -245,8 +251,8 @@ impl Start {
 }
 
 /// The table of the run, in the units that were asked for.
-fn table(args: &Args, point: &Point, method: &Method) -> Result<Table, Failure> {
-    let table = Table::new(point, method);
+fn table(args: &Args, scene: &Scene, point: &Point, method: &Method) -> Result<Table, Failure> {
+    let table = Table::new(scene, point, method);
     if !args.si {
         return Ok(table);
     }

@@ -1,0 +1,118 @@
+//! The ledger that `passivity simulate` writes and prints.
+
+use crate::harness::Dir;
+
+/// A device that moves through several intervals, with this beside it.
+fn scene(more: &str) -> String {
+    let start = match more.contains("[start]") {
+        true => "",
+        false => "[start]\nvelocity = \"4\"\n",
+    };
+    format!("[dimensionless]\nmu = \"50\"\nsigma = \"3/5\"\n{more}\n{start}[run]\nintervals = 12\n")
+}
+
+/// The columns of a table with these names, row by row.
+fn columns(text: &str, names: &[&str]) -> Vec<Vec<String>> {
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let find = |name: &&str| header.iter().position(|column| column == name);
+    let places: Vec<usize> = names
+        .iter()
+        .map(|name| find(name).expect("a column"))
+        .collect();
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        places.iter().map(|at| cells[*at].to_owned()).collect()
+    };
+    lines.map(row).collect()
+}
+
+/// The rows of `simulate --out`, and those that `audit --out` makes of them.
+fn rows(scene: &str, method: &str, names: &[&str]) -> [Vec<Vec<String>>; 2] {
+    let dir = Dir::new();
+    let scene = dir.write("scene.toml", scene);
+    let args = ["simulate", &scene, "--method", method, "--out", "own.csv"];
+    let run = dir.run(&args);
+    assert!(run.code < 2, "{}", run.stderr);
+    let run = dir.run(&["audit", "--scene", &scene, "own.csv", "--out", "audit.csv"]);
+    assert_ne!(run.code, 2, "{}", run.stderr);
+    let read = |file| std::fs::read_to_string(dir.path(file)).expect("a table");
+    let [own, audit] = ["own.csv", "audit.csv"].map(|file| columns(&read(file), names));
+    assert!(!own.is_empty() && own.len() == audit.len());
+    [own, audit]
+}
+
+#[test]
+fn rows_are_those_that_an_audit_makes_of_them() {
+    let friction = "beta = \"4\"\n";
+    for (effect, known) in [
+        ("", true),
+        ("[sampling]\ndelay = 1", true),
+        ("[sampling]\ndelay = 2\n[start]\nposition = \"1/5\"", true),
+        ("[wall]\ndamping = \"1\"", true),
+        ("[wall]\ndamping = \"1/2\"\n[sampling]\ndelay = 3", true),
+        ("[wall]\nunilateral = true", true),
+        ("[wall]\nmax_force = \"3\"\nforce_step = \"1/4\"", true),
+        ("[operator]\nforce = \"2\"", true),
+        (
+            "[operator]\narm = { mass = \"5\", damping = \"1/5\", stiffness = \"1/2\" }",
+            true,
+        ),
+        ("[sampling]\nlatency = \"1/2\"", false),
+        ("[amplifier]\ntime_constant = \"1/5\"", false),
+        (
+            "[wall]\ndamping = \"1\"\ndamping_time_constant = \"2\"",
+            false,
+        ),
+        (
+            "[controller]\nnumerator = [\"1/2\", \"1/4\", \"1/4\"]\ndenominator = [\"1\", \"0\", \"0\"]",
+            false,
+        ),
+    ] {
+        let names = [
+            "net_linear",
+            "net_quantized",
+            "violates_linear",
+            "violates_quantized",
+        ];
+        let [own, audit] = rows(
+            &scene(&format!("{friction}{effect}")),
+            "closed-form",
+            &names,
+        );
+        for (own, audit) in own.iter().zip(&audit) {
+            if !known {
+                assert!(own.iter().all(String::is_empty), "{effect}: {own:?}");
+                continue;
+            }
+            for (net, violates) in [(0, 2), (1, 3)] {
+                let [a, b] = [own, audit].map(|row| {
+                    let (n, d) = row[net].split_once('/').unwrap_or((&row[net], "1"));
+                    let [n, d] = [n, d].map(|x| x.parse::<f64>().expect("a number"));
+                    n / d
+                });
+                // Some dozen roundings of energies below 400, the reach being below 20.
+                let rounding = 30.0 * f64::EPSILON * 400.0;
+                assert!((a - b).abs() < rounding, "{effect}: {own:?} {audit:?}");
+                let decided = b == 0.0 || b.abs() > rounding;
+                assert!(!decided || own[violates] == audit[violates], "{effect}");
+            }
+        }
+    }
+}
+
+#[test]
+fn exact_rows_are_those_of_an_audit_to_the_last_digit() {
+    let names = [
+        "net_linear",
+        "net_quantized",
+        "margin",
+        "violates_linear",
+        "violates_quantized",
+    ];
+    for effect in ["", "[wall]\ndamping = \"1/2\"\n[sampling]\ndelay = 2"] {
+        let start = "[start]\nposition = \"3/7\"\nvelocity = \"1/4\"";
+        let [own, audit] = rows(&scene(&format!("{effect}\n{start}")), "exact", &names);
+        assert_eq!(own, audit, "{effect}");
+    }
+}
