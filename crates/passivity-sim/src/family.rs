@@ -7,7 +7,7 @@ use crate::error::SimError;
 use crate::flow::{Fast, Flow};
 use crate::growth::{Growth, System};
 use crate::latency;
-use crate::law::{HeldForce, controller_in_doubles};
+use crate::law::{self, HeldForce, controller_in_doubles, least_holding_force};
 use crate::motion::Constants;
 use crate::number::{Double, to_double};
 use crate::plan::{Forces, Plan, in_range};
@@ -24,6 +24,9 @@ pub(crate) struct Family {
     times: Option<[f64; 2]>,
     /// How far the position at the start may be from the scene's.
     start_error: f64,
+    /// See [`Plan`]; the second one of the scene's own friction.
+    least_holding_force: f64,
+    holding: f64,
     intervals: u64,
 }
 
@@ -37,6 +40,9 @@ impl Family {
         let the_loop = in_doubles(point)?;
         the_loop.inertia.ok_or(SimError::NoInertia)?;
         let controller = controller_in_doubles(&point.at)?;
+        let least = least_holding_force(&law::controller(&point.at, BigRational::clone)?);
+        let sigma = point.at.coulomb_friction();
+        let [least_holding_force, nearest] = [&least, &sigma].map(to_double);
         let [position, _] = point.start();
         let near = to_double(&position);
         let is_exact = BigRational::from_float(near).is_some_and(|near| near == position);
@@ -56,6 +62,12 @@ impl Family {
             } else {
                 f64::EPSILON * near.abs() + f64::MIN_POSITIVE
             },
+            least_holding_force,
+            holding: if least > sigma {
+                nearest.min(least_holding_force.next_down())
+            } else {
+                nearest.max(least_holding_force)
+            },
             intervals: point.intervals,
         })
     }
@@ -66,7 +78,10 @@ impl Family {
     ///
     /// A motion within the interval that is too fast.
     pub(crate) fn own(&self) -> Result<Plan, SimError> {
-        self.plan(self.the_loop.clone())
+        Ok(Plan {
+            holding: self.holding,
+            ..self.plan(self.the_loop.clone())?
+        })
     }
 
     /// The plan of the scene with these β, σ and speed at the start, all of them in range.
@@ -115,6 +130,8 @@ impl Family {
             viscous: the_loop.viscous.is_some(),
             coulomb: the_loop.coulomb.is_some(),
             constants,
+            least_holding_force: self.least_holding_force,
+            holding: sigma,
             law: self.law.clone(),
             forces: self.forces.clone(),
             fast: flow.as_ref().map(Fast::new),

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 use passivity_core::controller::Filter;
-use passivity_core::{BigRational, Controller, Loop, Ordered};
+use passivity_core::{BigRational, Controller, Loop, Ordered, Scalar};
 
 use crate::error::SimError;
 use crate::latency;
@@ -84,6 +84,23 @@ pub(crate) const FORCE_STEP: u8 = 16;
 pub(crate) const SATURATION: u8 = 32;
 /// Any digital filter, in place of virtual damping.
 pub(crate) const FILTER: u8 = 64;
+
+/// The least magnitude of a force held at rest, in KΔ: what must not be above σ for rest.
+///
+/// With an encoder it is that of the tick at the origin, ½ unless a D/A converter or saturation
+/// or a controller changes it; 0 for a one-sided wall, without an encoder, and where nothing is
+/// claimed.
+pub(crate) fn least_holding_force(controller: &Controller<BigRational>) -> BigRational {
+    // Rounded from one side for ever, a force that lingers need not round like its limit.
+    let may_round = !controller.filter.ends() && controller.force_step.is_some();
+    if !controller.encoder || may_round {
+        return BigRational::zero();
+    }
+    let half = BigRational::one().half();
+    // Sampled in the tick [0, 1) and in [−1, 0); the law is monotone, so no other is less.
+    let [above, below] = [half.clone(), -half].map(|q| controller.settled(&q).abs());
+    Ord::min(above, below)
+}
 
 /// A controller in doubles; parameters of an effect that is not in `effects` are of no meaning.
 #[derive(Clone, Debug, PartialEq)]

@@ -119,6 +119,8 @@ pub(crate) struct Facts {
     pub mu: f64,
     /// σ.
     pub sigma: f64,
+    /// The largest force that friction takes, see [`Plan`](crate::Plan).
+    pub holding: f64,
     /// The least force held at rest; `None` when the scene is forced.
     pub least_holding_force: Option<f64>,
     /// Whether the linear part of the loop has a growing mode (or is not known not to).
@@ -152,12 +154,17 @@ impl Facts {
             ),
             Stop::Growing(h) => (ExactOutcome::Growing, Some(h), format!("past {growing}")),
             Stop::Ran(_) => match self.least_holding_force {
-                Some(least) if least > self.sigma => (
+                Some(least) if least > self.holding => (
                     ExactOutcome::NeverAtRest,
                     None,
                     format!(
-                        "unforced, and the least force held at rest, {least}, is above σ = {}",
-                        self.sigma
+                        "unforced, and the least force held at rest, {least}, is above σ = {}{}",
+                        self.sigma,
+                        if least > self.sigma {
+                            ""
+                        } else {
+                            ", by less than a double tells"
+                        }
                     ),
                 ),
                 _ => (

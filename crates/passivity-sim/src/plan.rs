@@ -58,6 +58,11 @@ pub struct Plan {
     pub(crate) coulomb: bool,
     /// The constants of the motion.
     pub(crate) constants: Constants,
+    /// The least magnitude of a force held at rest, see [`law::least_holding_force`].
+    pub(crate) least_holding_force: f64,
+    /// The largest force that friction takes: σ, on that side of the least force held at rest where it is
+    /// exactly, though doubles may not tell them apart.
+    pub(crate) holding: f64,
     /// The controller.
     pub(crate) law: HeldForce,
     /// The operator's force, when there is one.
@@ -114,6 +119,8 @@ impl Plan {
             viscous: true,
             coulomb: true,
             constants,
+            least_holding_force: 0.5,
+            holding: plain.sigma,
             law: HeldForce::encoder(),
             forces: None,
             flow: None,
@@ -205,22 +212,6 @@ impl Plan {
         } else {
             "law"
         }
-    }
-
-    /// The least magnitude of a force held at rest, in KΔ: what must not be above σ for rest.
-    ///
-    /// With an encoder it is that of the tick at the origin, ½ unless a D/A converter or saturation
-    /// or a controller changes it; 0 for a one-sided wall, without an encoder, and where nothing is
-    /// claimed.
-    pub(crate) fn least_holding_force(&self) -> f64 {
-        // Rounded from one side for ever, a force that lingers need not round like its limit.
-        let may_round = self.law.lingers() && self.law.has(law::FORCE_STEP);
-        if !self.law.has(law::ENCODER) || may_round {
-            return 0.0;
-        }
-        let at = |xi: f64| self.law.settled(xi).abs();
-        // Sampled in the tick [0, 1) and in [−1, 0); the law is monotone, so no other is less.
-        at(0.5).min(at(-0.5))
     }
 
     /// What is computed in each interval, a line for each step: for `explain`.

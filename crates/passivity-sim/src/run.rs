@@ -260,7 +260,8 @@ pub(crate) fn facts(plan: &Plan) -> Facts {
     Facts {
         mu: plan.mass(),
         sigma: plan.constants.sigma,
-        least_holding_force: plan.is_unforced().then(|| plan.least_holding_force()),
+        holding: plan.holding,
+        least_holding_force: plan.is_unforced().then_some(plan.least_holding_force),
         may_grow: plan.growth.is_possible(),
         start: plan.start,
     }

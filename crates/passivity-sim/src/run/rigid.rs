@@ -135,7 +135,7 @@ pub(super) fn advance<const VISCOUS: bool, const COULOMB: bool, W: Watch>(
 /// Whether the held force, with every force of the operator from now on, is one that friction takes.
 #[inline(always)]
 fn holds<const FORCE: bool>(plan: &Plan, held: f64, h: u64) -> bool {
-    let sigma = plan.constants.sigma;
+    let sigma = plan.holding;
     match &plan.forces {
         Some(forces) if FORCE => {
             let [least, most] = forces.range_from(h);

@@ -246,7 +246,7 @@ fn rests(plan: &Plan, state: &State<f64>, [earlier, held]: [f64; 2], h: u64) -> 
         .forces
         .as_ref()
         .map_or([0.0; 2], |forces| forces.range_from(h));
-    let sigma = plan.constants.sigma;
+    let sigma = plan.holding;
     let (lags, stiffness) = match &plan.flow {
         Some(flow) => (
             flow.rate.is_some(),

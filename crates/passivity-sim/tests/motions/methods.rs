@@ -135,6 +135,38 @@ fn closed_form_is_the_reference_with_every_effect() {
 }
 
 #[test]
+fn friction_just_below_what_holds_never_holds() {
+    for (sigma, outcome) in [
+        ("0.49999999999999999", ExactOutcome::NeverAtRest),
+        ("0.50000000000000001", ExactOutcome::AtRest),
+    ] {
+        for delay in [0, 2] {
+            let mut scene = point("50", "0", sigma, ["1/4", "0"], 20);
+            (scene.at.viscous, scene.at.delay) = (None, delay);
+            for method in [
+                Method::ClosedForm,
+                Method::Exact,
+                Method::Enclosure,
+                REFERENCE,
+            ] {
+                let end = simulate(&scene, &method, None).unwrap().end;
+                assert_eq!(end.outcome.exact, outcome, "{method}: {end:?}");
+            }
+            scene.at.time_constant = Some(q("1/5"));
+            scene.at.delay = delay;
+            let end = simulate(&scene, &Method::ClosedForm, None).unwrap().end;
+            assert_eq!(end.outcome.exact, outcome, "{end:?}");
+        }
+    }
+    // A step of a D/A converter that is no double, as large as σ.
+    let mut scene = point("50", "0", "1/10", ["1/4", "0"], 20);
+    scene.at.force_step = Some(q("1/10"));
+    scene.at.max_force = Some(q("1/10"));
+    let end = simulate(&scene, &Method::ClosedForm, None).unwrap().end;
+    assert_eq!(end.outcome.exact, ExactOutcome::AtRest, "{end:?}");
+}
+
+#[test]
 fn no_coulomb_friction_and_one_of_zero_are_the_same() {
     let mut random = Random::new(1);
     let mut compared = 0;
