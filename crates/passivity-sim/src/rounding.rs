@@ -193,8 +193,16 @@ impl Rounding {
             + damping * acting.velocity.abs();
         let rounded = each * (acting.velocity.abs() + forces * inverse_mass) + f64::MIN_POSITIVE;
         self.output = lag * self.output + each * outputs;
-        let rounded = rounded + self.output * inverse_mass;
-        let of_position = rounded + OF_POSITION * self.reach;
+        // What friction surely takes, all the interval long, moves nothing, and nothing is rounded. (Friction
+        // takes energy of the difference to a device that is still moving.)
+        let output = acting.held.abs().max(acting.output.abs());
+        let taken = output + self.output + acting.force.abs() + stiffness * from.abs();
+        let [rounded, of_position] = if acting.velocity == 0.0 && taken <= sigma {
+            [0.0; 2]
+        } else {
+            let rounded = rounded + self.output * inverse_mass;
+            [rounded, rounded + OF_POSITION * self.reach]
+        };
         let drift = self.position + self.velocity + of_position;
         if stiffness > 0.0 {
             // √(M·δξ̇² + k·δξ²) over √M, and what it says of either.

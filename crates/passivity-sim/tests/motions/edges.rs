@@ -110,6 +110,25 @@ fn the_first_sample_on_an_edge_is_named() {
 }
 
 #[test]
+fn a_device_that_friction_holds_on_an_edge_stays_on_it() {
+    // The controller remembers other samples, and the force acts late or behind an amplifier.
+    let changes: [&dyn Fn(&mut Point); 3] = [
+        &|p| (p.at.latency, p.at.damping) = (Some(q("1/2")), Some(q("1"))),
+        &|p| (p.at.delay, p.at.time_constant) = (2, Some(q("1/5"))),
+        &|p| (p.at.delay, p.at.arm_mass, p.at.arm_stiffness) = (3, Some(q("2")), Some(q("1"))),
+    ];
+    for change in changes {
+        let mut scene = point("50", "3/5", "3/5", ["0", "0"], 40);
+        change(&mut scene);
+        for method in [Method::ClosedForm, Method::Adaptive { tolerance: 1e-9 }] {
+            let end = simulate(&scene, &method, None).unwrap().end;
+            assert_eq!(end.outcome.exact, ExactOutcome::AtRest, "{end:?}");
+            assert_eq!(end.within_rounding_of_edge, None, "{end:?}");
+        }
+    }
+}
+
+#[test]
 fn motions_off_the_edges_are_not_suspected() {
     // Of 200 scenes of 500 intervals with numbers of any kind.
     let mut random = Random(2);
