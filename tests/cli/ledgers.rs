@@ -70,6 +70,7 @@ fn rows_are_those_that_an_audit_makes_of_them() {
         ),
     ] {
         let names = [
+            "criterion_holds",
             "net_linear",
             "net_quantized",
             "violates_linear",
@@ -81,11 +82,12 @@ fn rows_are_those_that_an_audit_makes_of_them() {
             &names,
         );
         for (own, audit) in own.iter().zip(&audit) {
+            assert_eq!(own[0], audit[0], "{effect}");
             if !known {
-                assert!(own.iter().all(String::is_empty), "{effect}: {own:?}");
+                assert!(own[1..].iter().all(String::is_empty), "{effect}: {own:?}");
                 continue;
             }
-            for (net, violates) in [(0, 2), (1, 3)] {
+            for (net, violates) in [(1, 3), (2, 4)] {
                 let [a, b] = [own, audit].map(|row| {
                     let (n, d) = row[net].split_once('/').unwrap_or((&row[net], "1"));
                     let [n, d] = [n, d].map(|x| x.parse::<f64>().expect("a number"));
@@ -107,6 +109,7 @@ fn exact_rows_are_those_of_an_audit_to_the_last_digit() {
         "net_linear",
         "net_quantized",
         "margin",
+        "criterion_holds",
         "violates_linear",
         "violates_quantized",
     ];

@@ -334,10 +334,15 @@ impl<R: Real> Account<R> {
         let violates = |net: &Option<R>| net.as_ref()?.is_nonnegative().map(|ok| !ok);
         let [violates_linear, violates_quantized] = net.each_ref().map(violates);
         let speed = step.displacement().abs();
-        // Where a step may be none, its mean speed has no margin.
-        let moved = speed.is_positive() == Some(true);
-        let holds = self.criterion.margin(&speed).is_nonnegative();
-        let holds = holds.filter(|_| speed.is_positive() != Some(false));
+        // Where a step may be none, its mean speed has no margin, and where it is none the criterion holds.
+        let moves = speed.is_positive();
+        let moved = moves == Some(true);
+        let at_speed = self.criterion.margin(&speed).is_nonnegative();
+        let holds = match moves {
+            Some(false) => Some(true),
+            Some(true) => at_speed,
+            None => at_speed.filter(|holds| *holds),
+        };
         let over_speed = || self.criterion.coulomb.clone().over(speed);
         let bound_quantized = if row.bound_quantized.is_defined() {
             row.bound_quantized.clone()
