@@ -119,3 +119,45 @@ fn exact_rows_are_those_of_an_audit_to_the_last_digit() {
         assert_eq!(own, audit, "{effect}");
     }
 }
+
+#[test]
+fn a_scene_without_an_encoder_has_no_ticks() {
+    let dir = Dir::new();
+    let run = |viscous: &str, coulomb: &str| {
+        let text = format!(
+            "[device]\nmass = \"0.5 kg\"\nviscous = \"{viscous} N s/m\"\ncoulomb = \"{coulomb} N\"\n[sampling]\n\
+             rate = \"1 kHz\"\n[wall]\nstiffness = \"1 N/mm\"\n[start]\nvelocity = \"0.01 m/s\"\n"
+        );
+        let scene = dir.write("slide.toml", &text);
+        let run = dir.run(&["simulate", &scene, "--intervals", "3000"]);
+        assert!(run.code < 2, "{}", run.stderr);
+        assert!(!run.stdout.contains("tick"), "{}", run.stdout);
+        assert!(!run.stdout.contains("KΔ²"), "{}", run.stdout);
+        run.stdout
+    };
+    let damped = run("1", "1/100");
+    for expected in [
+        "start       x = 0 m, v = 0.01 m/s",
+        "energy      generated ",
+        " J\n",
+    ] {
+        assert!(damped.contains(expected), "{damped}");
+    }
+    let growing = run("1/10", "1/10000");
+    let radius = growing.split("past the radius ").nth(1).expect("a radius");
+    let (radius, _) = radius.split_once(" m of").expect("metres");
+    assert!(radius.parse::<f64>().is_ok_and(|x| x > 0.0), "{growing}");
+}
+
+#[test]
+fn one_interval_and_one_tick_are_in_the_singular() {
+    let dir = Dir::new();
+    let scene = dir.write(
+        "scene.toml",
+        scene("beta = \"4\"\n[start]\nposition = \"2\"\nvelocity = \"1\""),
+    );
+    let run = dir.run(&["simulate", &scene, "--intervals", "1"]);
+    for expected in ["ξ = 2 ticks, ξ̇ = 1 tick/sample", ", 1 interval in "] {
+        assert!(run.stdout.contains(expected), "{}", run.stdout);
+    }
+}

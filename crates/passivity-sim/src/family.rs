@@ -27,6 +27,7 @@ pub(crate) struct Family {
     /// See [`Plan`]; the second one of the scene's own friction.
     least_holding_force: f64,
     holding: f64,
+    length_unit: &'static str,
     intervals: u64,
 }
 
@@ -67,6 +68,10 @@ impl Family {
                 nearest.min(least_holding_force.next_down())
             } else {
                 nearest.max(least_holding_force)
+            },
+            length_unit: match point.units.length_unit {
+                Some(unit) if !point.has(Effect::Encoder) => unit,
+                _ => "ticks",
             },
             intervals: point.intervals,
         })
@@ -138,6 +143,7 @@ impl Family {
             flow,
             start: [the_loop.start_position, the_loop.start_velocity].map(or_zero),
             start_error: self.start_error,
+            length_unit: self.length_unit,
             intervals: self.intervals,
             growth,
         })

@@ -21,6 +21,7 @@ mod modes;
 use std::cmp::Ordering;
 
 use passivity_core::{Controller, controller::Filter};
+use passivity_scene::display::significant;
 
 use crate::flow::{Flow, State};
 use crate::motion::Constants;
@@ -205,16 +206,16 @@ impl Growth {
         real.hypot(imaginary) > mode.radius
     }
 
-    /// The radius in words.
+    /// The radius in words, in this unit of length.
     #[must_use]
-    pub(crate) fn words(&self) -> String {
+    pub(crate) fn words(&self, unit: &str) -> String {
         match self.factor {
             Some(factor) if self.square < OVERFLOW * OVERFLOW => format!(
-                "the radius {:.6} ticks of the growing mode (a factor of {factor:.9} a sample): \
+                "the radius {} {unit} of the growing mode (a factor of {factor:.9} a sample): \
                  beyond it quantization and Coulomb friction cannot stop the growth",
-                self.mode.as_ref().map_or(self.square.sqrt(), |m| m.radius)
+                significant(self.mode.as_ref().map_or(self.square.sqrt(), |m| m.radius))
             ),
-            _ => format!("{OVERFLOW:e} ticks, where numbers end"),
+            _ => format!("{OVERFLOW:e} {unit}, where numbers end"),
         }
     }
 

@@ -78,6 +78,8 @@ pub struct Plan {
     pub(crate) start: [f64; 2],
     /// How far ξ(0) may be from the scene's.
     pub(crate) start_error: f64,
+    /// The unit of length: a tick, or without an encoder that of the scene's units.
+    pub(crate) length_unit: &'static str,
     /// How many intervals are run.
     pub(crate) intervals: u64,
     /// When divergence is certain.
@@ -128,6 +130,7 @@ impl Plan {
             parts: Vec::new(),
             start: [plain.xi, plain.velocity],
             start_error: 0.0,
+            length_unit: "ticks",
             intervals,
             growth: Growth::plain(&constants, 0.5),
         }
@@ -194,6 +197,11 @@ impl Plan {
         self.law.effects == law::ENCODER && unforced && self.parts.is_empty()
     }
 
+    /// Past what divergence is certain, in words.
+    pub(crate) fn growth_words(&self) -> String {
+        self.growth.words(self.length_unit)
+    }
+
     /// Whether nothing but the wall acts on the device.
     pub(crate) fn is_unforced(&self) -> bool {
         self.forces.as_ref().is_none_or(Forces::is_zero)
@@ -249,7 +257,7 @@ impl Plan {
         }
         lines.push(self.describe_motion());
         if self.growth.is_possible() {
-            lines.push(format!("growing past {}", self.growth.words()));
+            lines.push(format!("growing past {}", self.growth_words()));
         }
         lines
     }

@@ -272,7 +272,7 @@ pub(crate) fn end(plan: &Plan, stop: Stop, intervals: u64, xi: f64, velocity: f6
         intervals,
         xi,
         velocity,
-        outcome: facts(plan).judge(stop, xi, velocity, &plan.growth.words()),
+        outcome: facts(plan).judge(stop, xi, velocity, &plan.growth_words()),
         within_rounding_of_edge: None,
     }
 }

@@ -11,7 +11,7 @@ use passivity_scene::files::Output;
 use passivity_scene::number::nearest_f64;
 use passivity_scene::parse::MAX_INTERVALS;
 use passivity_scene::point::Units;
-use passivity_scene::{Point, Scene};
+use passivity_scene::{Effect, Point, Scene};
 #[cfg(feature = "plot")]
 use passivity_sim::plot::motion::{Motion, draw};
 #[cfg(feature = "plot")]
@@ -312,6 +312,7 @@ impl Trace {
 
 fn text(report: &Simulation, plan: &Plan, run: &Simulated, units: &Units) -> String {
     let (end, totals) = (&run.end, &report.totals);
+    let ticks = plan.effects().contains(&Effect::Encoder) || units.length_unit.is_none();
     let effects: Vec<&str> = plan.effects().iter().map(|effect| effect.words()).collect();
     let [xi, velocity] = plan.start();
     let at = end
@@ -332,34 +333,42 @@ fn text(report: &Simulation, plan: &Plan, run: &Simulated, units: &Units) -> Str
         ));
     }
     lines.extend([
-        format!("  start       {}", state(xi, velocity, units)),
+        format!("  start       {}", state(xi, velocity, units, ticks)),
         format!(
             "  by the paper's detector (|ξ̇| < 0.01 at the end): {}",
             end.outcome.paper.name().replace('_', " ")
         ),
         format!(
-            "  method      {}, {} intervals{}",
-            report.method_parameter, end.intervals, took
+            "  method      {}, {} interval{}{took}",
+            report.method_parameter,
+            end.intervals,
+            if end.intervals == 1 { "" } else { "s" },
         ),
         format!("  effects     {}", effects.join(", ")),
-        format!("  end         {}", state(end.xi, end.velocity, units)),
+        format!(
+            "  end         {}",
+            state(end.xi, end.velocity, units, ticks)
+        ),
     ]);
     lines.extend(detail(&run.detail));
-    lines.push(format!(
-        "  energy      generated {:.6} (linear spring), {:.6} (quantized spring), dissipated {:.6} KΔ²",
-        totals.generated_linear, totals.generated_quantized, totals.dissipated
-    ));
-    if units.length_unit.is_some() {
-        let joule = nearest_f64(&(&units.stiffness * &units.length * &units.length));
+    let energies = |unit: f64, name: &str| {
         let [linear, quantized, dissipated] = [
             totals.generated_linear,
             totals.generated_quantized,
             totals.dissipated,
         ]
-        .map(|energy| significant(energy * joule));
-        lines.push(format!(
-            "              {linear} J (linear spring), {quantized} J (quantized spring), {dissipated} J"
-        ));
+        .map(|energy| significant(energy * unit));
+        format!(
+            "generated {linear} (linear spring), {quantized} (quantized spring), dissipated {dissipated} {name}"
+        )
+    };
+    let joule = nearest_f64(&(&units.stiffness * &units.length * &units.length));
+    let both = [
+        ticks.then(|| energies(1.0, "KΔ²")),
+        units.length_unit.map(|_| energies(joule, "J")),
+    ];
+    for (line, start) in both.into_iter().flatten().zip(["  energy      ", INDENT]) {
+        lines.push(format!("{start}{line}"));
     }
     if end.intervals == 0 && end.outcome.exact == ExactOutcome::AtRest {
         lines.push(
@@ -367,23 +376,35 @@ fn text(report: &Simulation, plan: &Plan, run: &Simulated, units: &Units) -> Str
                 .to_owned(),
         );
     }
+    let (unit, name) = if ticks { (1.0, "KΔ²") } else { (joule, "J") };
     lines.push(format!(
-        "  balance     (13) holds in every interval to {:.1e} KΔ²",
-        totals.residual_max
+        "  balance     (13) holds in every interval to {:.1e} {name}",
+        totals.residual_max * unit
     ));
     lines.join("\n")
 }
 
-/// A position and a velocity, in SI units too where the scene has units.
-fn state(xi: f64, velocity: f64, units: &Units) -> String {
-    let ticks = format!("ξ = {xi} ticks, ξ̇ = {velocity} ticks/sample");
-    let Some(unit) = units.length_unit else {
-        return ticks;
-    };
-    let length = nearest_f64(&units.length);
-    let x = significant(xi * length);
-    let v = significant(velocity * length / nearest_f64(&units.period));
-    format!("{ticks}\n              x = {x} {unit}, v = {v} {unit}/s")
+/// What stands before a line that goes on.
+const INDENT: &str = "              ";
+
+/// A position and a velocity: in ticks where the scene has any, in SI units where it has units.
+fn state(xi: f64, velocity: f64, units: &Units, ticks: bool) -> String {
+    let in_ticks = ticks.then(|| {
+        let of = |x: f64| if x.abs() == 1.0 { "tick" } else { "ticks" };
+        format!(
+            "ξ = {xi} {}, ξ̇ = {velocity} {}/sample",
+            of(xi),
+            of(velocity)
+        )
+    });
+    let in_si = units.length_unit.map(|unit| {
+        let length = nearest_f64(&units.length);
+        let x = significant(xi * length);
+        let v = significant(velocity * length / nearest_f64(&units.period));
+        format!("x = {x} {unit}, v = {v} {unit}/s")
+    });
+    let both: Vec<String> = in_ticks.into_iter().chain(in_si).collect();
+    both.join(&format!("\n{INDENT}"))
 }
 
 /// The state at the end in the method's own numbers.

@@ -70,7 +70,7 @@ pub(super) fn simulated<R: Real>(
         Halt::Growing(h) => Stop::Growing(h),
         Halt::Ran(h) | Halt::Undecided(h) | Halt::TooLong(h) => Stop::Ran(h),
     };
-    let mut outcome = run::facts(plan).judge(stop, xi, velocity, &plan.growth.words());
+    let mut outcome = run::facts(plan).judge(stop, xi, velocity, &plan.growth_words());
     if let Halt::Undecided(h) = ended.halt {
         outcome.exact = ExactOutcome::Undecided;
         outcome.at_interval = Some(h);
