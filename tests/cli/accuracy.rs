@@ -62,3 +62,23 @@ fn every_method_has_its_error_and_its_time() {
         assert!(svg.contains(word), "{word}");
     }
 }
+
+#[test]
+fn a_method_that_stopped_undecided_is_compared_with_nothing() {
+    // Without friction the first sample is on an edge, but for what no enclosure tells apart.
+    let dir = Dir::new();
+    let scene = dir.write(
+        "edge.toml",
+        "[dimensionless]\nmu = \"12553/10\"\nbeta = \"0\"\nsigma = \"0\"\n[start]\nvelocity = \"-1\"\n",
+    );
+    let run = dir.run(&["accuracy", &scene, "--intervals", "8"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let line = |start: &str| run.stdout.lines().find(|line| line.starts_with(start));
+    let enclosure = line("enclosure").expect("a line");
+    assert!(
+        enclosure.contains("left out: it stopped undecided: in interval 1 "),
+        "{enclosure}"
+    );
+    let errors = line("Errors").expect("a line");
+    assert!(errors.contains("1 where that is 0"), "{errors}");
+}

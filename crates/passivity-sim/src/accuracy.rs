@@ -24,6 +24,8 @@ pub struct Measured {
     /// |ξ̇ − ξ̇_ref| at the end over the greatest speed of the motion.
     pub velocity: f64,
     /// The largest difference in the sums of E_gᴸ, E_g and E_d, over the energy dissipated.
+    ///
+    /// Each error is over 1 where what it is compared with is 0.
     pub energy: f64,
     /// The outcome.
     pub exact: ExactOutcome,
@@ -44,7 +46,7 @@ pub struct Table {
     pub reference: ExactOutcome,
     /// A row for each method that can do the scene.
     pub rows: Vec<Measured>,
-    /// The methods that cannot, with the reason.
+    /// The methods that cannot, or that stopped before they knew, with the reason.
     pub left_out: Vec<(Method, String)>,
 }
 
@@ -89,7 +91,7 @@ pub fn measure(
         true
     };
     let truth = simulate(&point, &REFERENCE, Some(&mut watch))?;
-    // A motion that never was anywhere has no scale: one tick, one tick a sample.
+    // A motion that never was anywhere has no scale: one tick, one tick a sample, and KΔ² without friction.
     let scale = |x: f64| if x > 0.0 { x } else { 1.0 };
     let scales = [scale(reach), scale(fastest), scale(truth.totals.dissipated)];
     let plan = Plan::compile(&point)?;
@@ -102,6 +104,10 @@ pub fn measure(
     for method in methods() {
         progress(&method);
         match timed(&point, &plan, &method) {
+            Ok((run, _)) if run.is_cut_short() => {
+                let because = format!("it stopped undecided: {}", run.end.outcome.because);
+                table.left_out.push((method, because));
+            }
             Ok((run, nanoseconds)) => {
                 table
                     .rows

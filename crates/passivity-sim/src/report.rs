@@ -309,7 +309,7 @@ pub struct Accuracy {
     pub reference: ExactOutcome,
     /// A row for each method that can do the scene.
     pub rows: Vec<AccuracyRow>,
-    /// The methods that cannot.
+    /// The methods that cannot, or that stopped undecided.
     pub left_out: Vec<LeftOut>,
 }
 
@@ -322,7 +322,8 @@ pub struct AccuracyRow {
     pub position: f64,
     /// The error of the velocity at the end over the greatest speed.
     pub velocity: f64,
-    /// The largest error of the energies over the energy dissipated.
+    /// The largest error of the energies over the energy dissipated; each error is over 1 where what it is
+    /// compared with is 0.
     pub energy: f64,
     /// The outcome.
     pub outcome: ExactOutcome,
@@ -334,7 +335,7 @@ pub struct AccuracyRow {
     pub nanoseconds_per_interval: f64,
 }
 
-/// A method that cannot do a scene.
+/// A method that cannot do a scene, or that stopped undecided.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct LeftOut {
     /// The method with its parameter.

@@ -5,7 +5,7 @@ use passivity_core::BigRational;
 use crate::ledger::{Entry, Totals};
 use crate::model::IntervalRow;
 use crate::number::{Double, Enclosed};
-use crate::outcome::End;
+use crate::outcome::{End, ExactOutcome};
 
 /// An interval of a run, in the numbers of the method.
 #[derive(Clone, Debug)]
@@ -57,6 +57,14 @@ pub struct Simulated {
     pub totals: Totals,
     /// The state at the end in the method's own numbers.
     pub detail: Detail,
+}
+
+impl Simulated {
+    /// Whether the numbers could not tell how the motion goes on after its end.
+    pub(crate) fn is_cut_short(&self) -> bool {
+        let outcome = &self.end.outcome;
+        outcome.exact == ExactOutcome::Undecided && outcome.at_interval.is_some()
+    }
 }
 
 /// Who sees every interval of a run; saying `false` stops it.

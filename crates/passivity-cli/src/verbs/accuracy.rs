@@ -109,7 +109,7 @@ fn text(name: &str, table: &Table) -> String {
         );
     }
     lines.push(
-        "Errors are relative to the largest displacement, the largest speed and the energy dissipated."
+        "Errors are relative to the largest displacement, the largest speed and the energy dissipated, to 1 where that is 0."
             .to_owned(),
     );
     lines.join("\n")
