@@ -161,3 +161,38 @@ fn one_interval_and_one_tick_are_in_the_singular() {
         assert!(run.stdout.contains(expected), "{}", run.stdout);
     }
 }
+
+#[test]
+fn an_audit_finds_nothing_in_the_velocities_of_a_simulation() {
+    let dir = Dir::new();
+    let slide = "[device]\nmass = \"0.5 kg\"\nviscous = \"1 N s/m\"\ncoulomb = \"0.01 N\"\n[sampling]\nrate = \"1 kHz\"\n\
+                 [encoder]\nresolution = \"0.01 mm\"\n[wall]\nstiffness = \"1 N/mm\"\n[start]\nvelocity = \"20 mm/s\"\n";
+    let slide = dir.write("slide.toml", slide);
+    // A swing of half a period, and several slow ones.
+    let swing = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../scenes/re35-locally-stable.toml"
+    );
+    let found = |scene: &str, columns: &[&str]| {
+        let args = [
+            "simulate",
+            scene,
+            "--intervals",
+            "400",
+            "--si",
+            "--out",
+            "si.csv",
+        ];
+        let run = dir.run(&args);
+        assert!(run.code < 2, "{}", run.stderr);
+        let run = dir.run(&[&["audit", "--scene", scene, "si.csv"], columns].concat());
+        assert!(run.code < 2, "{}", run.stderr);
+        run.stdout.contains("finding  ")
+    };
+    assert!(!found(swing, &[]));
+    assert!(!found(&slide, &[]));
+    assert!(
+        found(&slide, &["--columns", "t=t,x=x,v=-v"]),
+        "the other sign"
+    );
+}

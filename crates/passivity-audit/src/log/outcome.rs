@@ -20,6 +20,7 @@ use crate::log::running::{Lowest, RunningSum};
 use crate::log::step::undefined;
 use crate::log::supply::{is_below_zero, potential};
 use crate::log::task::Task;
+use crate::log::velocity::Velocities;
 use crate::number::Number;
 use crate::run::{Tallies, Totals, tightened};
 use crate::sum::FigureSum;
@@ -73,7 +74,8 @@ impl Audit {
         let forced = agreement
             .iter()
             .flat_map(|a| of_force(a, task.layout, scene));
-        let moving = moved.iter().flat_map(of_velocity);
+        let agree = findings.velocities.as_ref().is_some_and(Velocities::agree);
+        let moving = moved.iter().filter(|_| !agree).flat_map(of_velocity);
         let found = task.layout.finding.clone().into_iter().chain(forced);
         let found: Vec<Finding> = found.chain(moving).collect();
         let is_its_law = !task.applied || agreement.as_ref().is_some_and(|a| a.agrees);

@@ -34,6 +34,7 @@ struct SavedComparison {
 struct SavedVelocities {
     compared: u64,
     squares: Option<String>,
+    spare: Option<String>,
     products: Vec<[Option<String>; 2]>,
 }
 
@@ -120,6 +121,7 @@ impl SavedFindings {
             velocities: x.velocities.as_ref().map(|found| SavedVelocities {
                 compared: found.compared,
                 squares: found.squares.to_text(),
+                spare: found.spare.to_text(),
                 products: found
                     .products
                     .iter()
@@ -178,6 +180,7 @@ impl SavedFindings {
                 let mut found = Velocities::default();
                 found.compared = saved.compared;
                 found.squares = exact_sum(&saved.squares)?;
+                found.spare = exact_sum(&saved.spare)?;
                 if found.products.len() != saved.products.len() {
                     return Err(wrong("velocities that are compared at other delays"));
                 }

@@ -20,8 +20,8 @@ const LAGS: usize = 8;
 /// The velocities of a log compared with the mean velocities between its samples.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Velocities {
-    /// The latest sample, in ticks, and its time.
-    latest: Option<(f64, Option<Number>)>,
+    /// The latest sample, in ticks, with its velocity and its time.
+    latest: Option<(f64, f64, Option<Number>)>,
     /// Mean velocities, the latest first, in ticks per period.
     means: VecDeque<f64>,
     pub(crate) compared: u64,
@@ -29,6 +29,8 @@ pub(crate) struct Velocities {
     pub(crate) products: [[ExactSum; 2]; LAGS + 1],
     /// Σ v².
     pub(crate) squares: ExactSum,
+    /// Σ (w′ − w)² − (v − w)², with w and w′ the mean velocities before and after.
+    pub(crate) spare: ExactSum,
 }
 
 impl Velocities {
@@ -43,8 +45,8 @@ impl Velocities {
             let sample = chunk.samples.get(i).ok_or_else(undefined)?;
             let position = near_reading(&sample);
             let time = chunk.times.get(i);
-            let before = self.latest.replace((position, time.clone()));
-            let Some((from, since)) = before else {
+            let before = self.latest.replace((position, *velocity, time.clone()));
+            let Some((from, left, since)) = before else {
                 continue;
             };
             let lasts = match since.zip(time) {
@@ -64,6 +66,11 @@ impl Velocities {
                 own.add(mean * mean);
             }
             self.squares.add(velocity * velocity);
+            let mut means = self.means.iter();
+            if let (Some(after), Some(mean)) = (means.next(), means.next()) {
+                self.spare.add((after - mean) * (after - mean));
+                self.spare.add(-(left - mean) * (left - mean));
+            }
             self.compared += 1;
         }
         Ok(())
@@ -77,25 +84,37 @@ impl Velocities {
         self.compared = 0;
         self.products = Default::default();
         self.squares = ExactSum::default();
+        self.spare = ExactSum::default();
     }
 
     /// Goes on with what was found of the velocities that follow.
     pub(crate) fn append(&mut self, other: &Self) {
         self.compared += other.compared;
         self.squares.add_sum(&other.squares);
+        self.spare.add_sum(&other.spare);
         let products = self.products.iter_mut().flatten();
         for (own, other) in products.zip(other.products.iter().flatten()) {
             own.add_sum(other);
         }
     }
 
-    /// The multiple of the mean velocities, at some lag, that the velocities come nearest to; `None` when
-    /// nothing moved.
+    /// Whether the velocities are those of the motion as far as its samples tell.
+    ///
+    /// A velocity that rises or falls all the time is at a sample between the mean velocities before and after
+    /// it, and so no farther from the one than the other is. Velocities that as a whole are no farther need no
+    /// lag, sign or scale, whatever else they are near to.
+    pub(crate) fn agree(&self) -> bool {
+        self.spare.value() >= 0.0
+    }
+
+    /// The multiple of the mean velocities, at some lag where they do not [`agree`](Self::agree), that the
+    /// velocities come nearest to; `None` when nothing moved.
     pub(crate) fn fit(&self) -> Option<Fitted> {
         let squares = self.squares.value();
         let fits = self
             .products
             .iter()
+            .take(if self.agree() { 1 } else { LAGS + 1 })
             .enumerate()
             .filter_map(|(delay, sums)| {
                 let [mixed, own] = sums.each_ref().map(ExactSum::value);
