@@ -20,7 +20,7 @@ use num_rational::BigRational;
 use crate::decision::{Enclosed, SHAPING};
 use crate::fraction::Wide;
 use crate::interval::{Interval, Truth};
-use crate::linear_part::Command;
+use crate::linear_part::{Command, bend};
 use crate::parameter::{Loop, Parameter};
 use crate::rational::{self, to_wide};
 use crate::scalar::{Ordered as _, Scalar};
@@ -124,20 +124,8 @@ impl Loop<Interval<Wide>> {
         if part.delay == 0 {
             return Some(BigRational::zero());
         }
-        let [from, to] = [rational::from_wide(from)?, rational::from_wide(to)?];
-        let step = to - &from;
-        let one = BigRational::one();
-        // 4/(3√3) is below 77/100.
-        let (most, bent) = (BigRational::integer(8), BigRational::integer(77));
-        let curvature = match from.is_positive()? {
-            true => {
-                let around = (from.clone() * (one + from)) * BigRational::integer(100);
-                Scalar::min(bent.over(around), most)
-            }
-            false => most,
-        };
-        let bend = damping.hi() * curvature * step.square() / BigRational::integer(8);
-        Some(rational::short(&bend, SHORT).hi().clone())
+        let ends = [rational::from_wide(from)?, rational::from_wide(to)?];
+        Some(bend(damping.hi(), &ends))
     }
 
     /// Whether the criterion holds, or fails, for all loops of a cell, by what its costs are at most, or

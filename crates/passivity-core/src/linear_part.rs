@@ -14,6 +14,7 @@
 //! - An encoder costs ½‖c‖₁ of Coulomb friction in each of them.
 
 use alloc::sync::Arc;
+use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use num_rational::BigRational;
@@ -33,6 +34,9 @@ pub const MOST_DEGREE: usize = 24;
 
 /// Bits of the numbers that a decision is tried with first.
 const SHORT: u64 = 64;
+
+/// In how many pieces a range of the filter's pole is looked at for what it costs.
+const PIECES: i32 = 8;
 
 /// The law that makes a command of the measured positions.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,7 +83,10 @@ impl LinearPart {
                 sum(&scaled(&kappa, &self.at_one()), &self.tails(width)?)
             }
             (None, true) => match self.by_frequency() {
-                Some((cost, wobble)) => widened(&cost.enclosure(width), &wobble),
+                Some((cost, wobble)) => match self.over_pieces(width) {
+                    Some(range) => range,
+                    None => widened(&cost.enclosure(width), &wobble),
+                },
                 None if self.delay == 0 => self.without_delay(width)?,
                 None => self.crude(width)?,
             },
@@ -240,7 +247,82 @@ impl LinearPart {
             return None;
         }
         let (middle, wobble) = self.middle()?;
+        let wobble = match self.swing() {
+            Some(swing) => Scalar::min(wobble, swing),
+            None => wobble,
+        };
         Some((self.cost_of(middle)?, wobble))
+    }
+
+    /// How far λ of filtered damping is at most from that at the middle of its parameters: with u = a/(1 − a) a change of u
+    /// changes the filter 1/(1 + uw), w = 1 − e^(−iθ), by at most Δu/(2√(u(1 + u))), which is less than Δu/2u. `None` of
+    /// another law, and of a filter that may be none.
+    fn swing(&self) -> Option<BigRational> {
+        let Command::Spring { damping, pole } = &self.command else {
+            return None;
+        };
+        let [from, middle, to] = [pole.lo(), &pole.middle(), pole.hi()].map(periods);
+        let twice = from.clone().double();
+        let off = Scalar::max(&middle - &from, to - middle);
+        let relative = (twice != BigRational::zero()).then(|| off / twice)?;
+        Some(damping.radius() + damping.hi() * relative)
+    }
+
+    /// The viscous cost of filtered damping over a wide range of the pole, in pieces: at most what the ends of one cost with
+    /// what it bends between them, at least what its middle costs less its swing. `None` where the pole is known.
+    fn over_pieces(&self, width: &BigRational) -> Option<Interval<BigRational>> {
+        let Command::Spring { damping, pole } = &self.command else {
+            return None;
+        };
+        let narrow = BigRational::new(1.into(), (1 << 20).into());
+        if pole.radius() <= narrow || damping.hi() == &BigRational::zero() {
+            return None;
+        }
+        // Costs are at least ½.
+        let close = BigRational::new(1.into(), (1 << 24).into());
+        let width = Scalar::max(width.clone(), close);
+        let short = |x: &BigRational| rational::short(x, SHORT);
+        let damping = Interval::hull(
+            short(damping.lo()).lo().clone(),
+            short(damping.hi()).hi().clone(),
+        );
+        let share = |i: i32| BigRational::new(i.into(), PIECES.into());
+        let inner = |i| pole.lo() + (pole.hi() - pole.lo()) * share(i);
+        let mut cuts = alloc::vec![short(pole.lo()).lo().clone()];
+        cuts.extend((1..PIECES).map(|i| short(&inner(i)).lo().clone()));
+        cuts.push(Some(short(pole.hi()).hi().clone()).filter(|last| last < &BigRational::one())?);
+        let of = |damping: Interval<BigRational>, pole| {
+            let command = Command::Spring { damping, pole };
+            let part = Self {
+                command,
+                ..self.clone()
+            };
+            let (cost, wobble) = part.by_frequency()?;
+            Some(widened(&cost.enclosure(&width), &wobble))
+        };
+        let mut at_cuts = Vec::new();
+        for cut in &cuts {
+            let at = |b: &BigRational| of(Interval::point(b.clone()), Interval::point(cut.clone()));
+            at_cuts.push(Scalar::max(
+                at(damping.lo())?.hi().clone(),
+                at(damping.hi())?.hi().clone(),
+            ));
+        }
+        let mut range: Option<Interval<BigRational>> = None;
+        for (ends, costs) in cuts.windows(2).zip(at_cuts.windows(2)) {
+            let ([from, to], [first, last]) = (ends, costs) else {
+                return None;
+            };
+            let most = Scalar::max(first.clone(), last.clone());
+            let most = most + bend(damping.hi(), &[periods(from), periods(to)]);
+            let least = of(damping.clone(), Interval::hull(from.clone(), to.clone()))?;
+            let here = Interval::hull(least.lo().clone(), most);
+            range = Some(match range {
+                Some(range) => range.joined(&here),
+                None => here,
+            });
+        }
+        range
     }
 
     /// The law at the middle of its parameters, and Σ|Δgⱼ| from it at most: with
@@ -290,6 +372,26 @@ impl LinearPart {
         let [lo, hi] = ends.map(|(mean, error)| at_middle.cost_with(&mean, &error, width));
         Some(lo?.joined(&hi?))
     }
+}
+
+/// u = a/(1 − a) of a pole a: the filter's time constant in sampling periods.
+fn periods(pole: &BigRational) -> BigRational {
+    pole / (BigRational::one() - pole)
+}
+
+/// How far λ of filtered damping up to B is at most, between two values of u, above what the harder one costs: |φ″|(Δu)²/8 of
+/// B, see [`cells`](crate::cells).
+pub(crate) fn bend(damping: &BigRational, [from, to]: &[BigRational; 2]) -> BigRational {
+    let step = to - from;
+    // 4/(3√3) is below 77/100.
+    let (most, bent) = (BigRational::integer(8), BigRational::integer(77));
+    let around = from * (BigRational::one() + from) * BigRational::integer(100);
+    let curvature = match around > BigRational::zero() {
+        true => Scalar::min(bent / around, most),
+        false => most,
+    };
+    let bend = damping * curvature * step.square() / BigRational::integer(8);
+    rational::short(&bend, SHORT).hi().clone()
 }
 
 /// Whether β is at least a cost that is off by so much at most, for every β of an interval, or for none.

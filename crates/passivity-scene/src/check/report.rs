@@ -182,7 +182,15 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
         Truth::Fails if cycle.is_some() => Verdict::NotPassive,
         Truth::Fails => Verdict::NotGuaranteed,
     };
-    let region = bounds.region();
+    // What is decided of all loops says more than figures that are enclosed one by one.
+    let region = match at_every_speed {
+        true => Some(Region::GloballyStable),
+        false => bounds.region(),
+    };
+    let decided = |range: Interval<BigRational>, holds: bool| match holds {
+        true => range.map(|end| Scalar::max(end.clone(), Scalar::zero())),
+        false => range,
+    };
     let has_units = scene.motion != Motion::Dimensionless;
     let optional = |range: Option<Interval<S>>| match range {
         Some(range) => figure(&range).map(Some),
@@ -232,14 +240,15 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
             coulomb: figure(&coulomb_cost)?,
         },
         spare: Spare {
-            viscous: figure(&viscous_spare)?,
-            coulomb: figure(&coulomb_spare)?,
+            viscous: decided(figure(&viscous_spare)?, at_every_speed),
+            coulomb: decided(figure(&coulomb_spare)?, at_every_speed),
         },
         critical_speed_si: si(&critical)?,
         critical_speed: optional(critical.map(|v| figures.in_ticks(&v)))?,
         speed_bound: optional(bounded.map(|v| figures.in_ticks(v)))?,
         speed_bound_si: si(&bounds.max_speed)?,
-        margin_at_speed_bound: optional(bounded.map(|v| figures.margin_at(v)))?,
+        margin_at_speed_bound: optional(bounded.map(|v| figures.margin_at(v)))?
+            .map(|margin| decided(margin, truth == Truth::Holds)),
         max_stiffness_all_speeds: has_units
             .then(|| stiffest(at_every_speed || bounded.is_none(), &Speeds::All)),
         max_stiffness_at_speed_bound: bounded
