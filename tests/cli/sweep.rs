@@ -291,7 +291,7 @@ fn mistakes_in_what_is_varied_are_said() {
         ),
         (
             &["stiffness=1:2:3 N/m"],
-            "1 parameters to vary: expected two or three",
+            "1 parameter to vary: expected two or three",
         ),
         (
             &["stiffness=0:2:3 N/m", "rate=1 kHz"],
@@ -301,6 +301,15 @@ fn mistakes_in_what_is_varied_are_said() {
             &["stiffness=1 N/m", "max_speed=1 mm/s"],
             "`max_speed` has no part in the motion",
         ),
+        // As where they are typed in.
+        (
+            &["damping_cutoff=10:100:3 Hz", "rate=1,2 kHz"],
+            "`damping_cutoff`: the filter on the virtual damping has no damping to filter in `arm`",
+        ),
+        (
+            &["counts_per_revolution=100,200", "rate=1,2 kHz"],
+            "`counts_per_revolution`: `arm` is linear: expected `resolution`",
+        ),
     ] {
         let mut args = vec!["sweep", &arm];
         args.extend(vary.iter().flat_map(|text| ["--vary", text]));
@@ -308,6 +317,17 @@ fn mistakes_in_what_is_varied_are_said() {
         assert_eq!(run.code, 2, "{vary:?}");
         assert!(run.stderr.contains(expected), "{vary:?}: {}", run.stderr);
     }
+    let controlled = format!("{ARM}[controller]\nnumerator = [\"1.5\", \"-0.5\"]\n");
+    let controlled = dir.write("controlled.toml", controlled);
+    let damped = ["--vary", "damping=0,1 N s/m", "--vary", "rate=1,2 kHz"];
+    let run = dir.run(&[&["sweep", &controlled][..], &damped].concat());
+    assert_eq!(run.code, 2);
+    let expected = "`damping`: [controller] and `wall.damping` cannot both be given";
+    assert!(run.stderr.contains(expected), "{}", run.stderr);
+    // A filter on damping that is varied itself has something to filter.
+    let filtered = ["--vary", "damping_cutoff=10,20 Hz"];
+    let run = dir.run(&[&["sweep", &arm][..], &damped, &filtered].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
     let run = dir.run(&[
         "sweep",
         &arm,

@@ -9,6 +9,7 @@ use crate::check::{enclosure, unit_of};
 use crate::display::range;
 use crate::number;
 use crate::parse::amount::Amount;
+use crate::parse::controller::{nothing_to_filter, two_laws};
 use crate::parse::measure::{Measure, describe};
 use crate::parse::reader::Spec;
 use crate::scene::{Motion, Scene};
@@ -118,6 +119,10 @@ impl Axis {
             let key = short(parameter.row().key);
             return Err(format!("`{name}` has units: expected `{key}`"));
         }
+        if key == "encoder.counts_per_revolution" && scene.motion == Motion::Linear {
+            let name = &scene.name;
+            return Err(format!("`{name}` is linear: expected `resolution`"));
+        }
         let form = match key {
             "sampling.rate" => Form::Reciprocal,
             "encoder.counts_per_revolution" => Form::Count,
@@ -145,6 +150,25 @@ impl Axis {
             written,
             motion: scene.motion,
         })
+    }
+
+    /// Whether a scene can have these parameters together, as where they are typed into its file.
+    ///
+    /// # Errors
+    ///
+    /// Damping beside a controller, or a filter without the damping that it filters.
+    pub fn fit(axes: &[Self], scene: &Scene) -> Result<(), AxisError> {
+        let axis = |parameter| axes.iter().find(|axis| axis.parameter == parameter);
+        let [damping, filter] = [Parameter::Damping, Parameter::DampingTimeConstant].map(axis);
+        let is_damped = damping.is_some() || scene.given.damping.is_some();
+        let wrong = two_laws(scene.given.controller.is_some(), damping.is_some())
+            .or_else(|| nothing_to_filter(filter.is_some(), is_damped));
+        match (wrong, damping.or(filter)) {
+            (Some(wrong), Some(axis)) => Err(AxisError {
+                message: format!("`{}`: {} in `{}`", axis.name(), wrong.message(), scene.name),
+            }),
+            _ => Ok(()),
+        }
     }
 
     /// The parameter.

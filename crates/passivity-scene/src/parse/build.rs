@@ -343,13 +343,8 @@ fn read_wall(
     let [is_filtered, _, _] =
         rest.map(|parameter| parameters.read(parameter, &mut section, reader));
     let is_damped = parameters.read(Parameter::Damping, &mut section, reader);
-    if is_filtered && !is_damped {
-        let message = "the filter on the virtual damping has no damping to filter";
-        let diagnostic = Diagnostic::new(Kind::MissingKey, message)
-            .at(filter)
-            .key("wall.damping")
-            .expected("`damping` beside `damping_cutoff` or `damping_time_constant`");
-        reader.report(diagnostic);
+    if let Some(diagnostic) = controller::nothing_to_filter(is_filtered, is_damped) {
+        reader.report(diagnostic.at(filter));
     }
     for key in ["direction", "stiffness_matrix"] {
         if let Some(entry) = section.take(key) {

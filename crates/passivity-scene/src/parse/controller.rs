@@ -15,6 +15,24 @@ use crate::parse::reader::{Reader, Section};
 /// The most coefficients of a numerator or a denominator.
 const MAX_COEFFICIENTS: usize = 64;
 
+/// What is wrong with a controller that has virtual damping beside it.
+pub(super) fn two_laws(is_controlled: bool, is_damped: bool) -> Option<Diagnostic> {
+    let message = "[controller] and `wall.damping` cannot both be given";
+    let diagnostic = Diagnostic::new(Kind::ConflictingKeys, message)
+        .key("controller")
+        .expected("one of the two: a controller says what damping it has");
+    (is_controlled && is_damped).then_some(diagnostic)
+}
+
+/// What is wrong with a filter on virtual damping that is not there.
+pub(super) fn nothing_to_filter(is_filtered: bool, is_damped: bool) -> Option<Diagnostic> {
+    let message = "the filter on the virtual damping has no damping to filter";
+    let diagnostic = Diagnostic::new(Kind::MissingKey, message)
+        .key("wall.damping")
+        .expected("`damping` beside `damping_cutoff` or `damping_time_constant`");
+    (is_filtered && !is_damped).then_some(diagnostic)
+}
+
 /// Reads H(z) = (n₀ + n₁z⁻¹ + …)/(d₀ + d₁z⁻¹ + …), in units of the stiffness.
 pub(super) fn read(
     mut section: Section,
@@ -22,13 +40,8 @@ pub(super) fn read(
     reader: &mut Reader<'_>,
 ) -> Option<Arc<TransferFunction<BigRational>>> {
     let span = section.span.clone();
-    if parameters.get(Parameter::Damping).is_some() {
-        let message = "[controller] and `wall.damping` cannot both be given";
-        let diagnostic = Diagnostic::new(Kind::ConflictingKeys, message)
-            .at(span.clone())
-            .key("controller")
-            .expected("one of the two: a controller says what damping it has");
-        reader.report(diagnostic);
+    if let Some(diagnostic) = two_laws(true, parameters.get(Parameter::Damping).is_some()) {
+        reader.report(diagnostic.at(span.clone()));
     }
     let numerator = section.take("numerator");
     let denominator = section.take("denominator");

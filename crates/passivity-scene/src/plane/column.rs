@@ -73,8 +73,9 @@ impl Plane {
             return Err(PlaneError::new(message));
         }
         for axis in &axes {
-            refuse(scene, axis)?;
+            refuse(axis)?;
         }
+        Axis::fit(&axes, scene).map_err(|error| PlaneError::new(error.to_string()))?;
         if let Some(effect) = scene.not_covered().first() {
             let message = format!("no theorem covers {} in `{}`", effect.words(), scene.name);
             return Err(PlaneError::new(message));
@@ -251,28 +252,13 @@ fn value<S: Enclosed>(x: &Exact) -> Option<Interval<S>> {
 }
 
 /// Refuses an axis that the criterion does not know, or that a scene cannot have.
-fn refuse(scene: &Scene, axis: &Axis) -> Result<(), PlaneError> {
-    let (parameter, name, given) = (axis.parameter(), axis.name(), &scene.given);
-    if parameter.row().hurts == Hurts::Neither {
+fn refuse(axis: &Axis) -> Result<(), PlaneError> {
+    let name = axis.name();
+    if axis.parameter().row().hurts == Hurts::Neither {
         let message = format!("`{name}` has no part in the criterion, so no border depends on it");
         return Err(PlaneError::new(message));
     }
-    let needs = match parameter {
-        Parameter::Damping | Parameter::DampingTimeConstant if given.controller.is_some() => {
-            Some("a scene without a [controller]")
-        }
-        Parameter::DampingTimeConstant if given.damping.is_none() => {
-            Some("a scene with wall.damping")
-        }
-        _ => None,
-    };
-    match needs {
-        Some(needs) => {
-            let message = format!("`{name}` needs {needs}: `{}` is not one", scene.name);
-            Err(PlaneError::new(message))
-        }
-        None => Ok(()),
-    }
+    Ok(())
 }
 
 /// The loop at a point of the plane.

@@ -212,12 +212,12 @@ fn axes_that_have_no_border_are_refused() {
     );
     assert_eq!(
         plane(plain, "stiffness", "damping_cutoff"),
-        "`damping_cutoff` needs a scene with wall.damping: `device` is not one"
+        "`damping_cutoff`: the filter on the virtual damping has no damping to filter in `device`"
     );
     let controlled = format!("{plain}[controller]\nnumerator = [\"1.5\", \"-0.5\"]\n");
     assert_eq!(
         plane(&controlled, "stiffness", "damping"),
-        "`damping` needs a scene without a [controller]: `device` is not one"
+        "`damping`: [controller] and `wall.damping` cannot both be given in `device`"
     );
 }
 

@@ -54,7 +54,8 @@ impl Asked<'_> {
         }
         let varied = self.vary.iter().map(|text| varied(text, scene));
         let varied = varied.collect::<Result<Vec<_>, _>>()?;
-        Grid::of_parameters(varied).map_err(|error| SimError::Method(format!("--vary {error}")))
+        Grid::of_parameters(varied, scene)
+            .map_err(|error| SimError::Method(format!("--vary {error}")))
     }
 }
 

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use passivity_core::{BigRational, Exact, Parameter, Scalar as _};
-use passivity_scene::{Axis, Point};
+use passivity_scene::{Axis, Point, Scene};
 
 use crate::error::SimError;
 use crate::plan::in_range;
@@ -61,16 +61,24 @@ impl Grid {
         Self::of([beta, sigma, speed], Axes::Plane)
     }
 
-    /// The grid of two or three different parameters, in the units of their axes.
+    /// The grid of two or three different parameters of a scene, in the units of their axes.
     ///
     /// # Errors
     ///
-    /// Another number of parameters, a value that its parameter cannot have, or too many points.
-    pub fn of_parameters(parameters: Vec<(Axis, Range)>) -> Result<Self, SimError> {
+    /// Another number of parameters, one that the scene cannot have, a value that its parameter cannot have,
+    /// or too many points.
+    pub fn of_parameters(parameters: Vec<(Axis, Range)>, scene: &Scene) -> Result<Self, SimError> {
         let fail = |message: String| Err(SimError::Method(message));
         if !(2..=3).contains(&parameters.len()) {
             let count = parameters.len();
-            return fail(format!("{count} parameters to vary: expected two or three"));
+            let parameters = if count == 1 {
+                "parameter"
+            } else {
+                "parameters"
+            };
+            return fail(format!(
+                "{count} {parameters} to vary: expected two or three"
+            ));
         }
         let mut axes: Vec<Axis> = Vec::new();
         let mut values = [(); 3].map(|()| Range::from(vec![BigRational::integer(0)]));
@@ -99,6 +107,7 @@ impl Grid {
             *slot = range;
             axes.push(axis);
         }
+        Axis::fit(&axes, scene).map_err(|error| SimError::Method(error.to_string()))?;
         Self::of(values, Axes::Parameters(axes))
     }
 
@@ -258,8 +267,6 @@ fn near(x: &Exact) -> Option<BigRational> {
 
 #[cfg(test)]
 mod tests {
-    use passivity_scene::Scene;
-
     use super::*;
 
     const TEXT: &str = "[device]\nmass = \"75 g\"\nviscous = \"0.5 N s/m\"\ncoulomb = \"0.04 N\"\n\
@@ -281,7 +288,8 @@ mod tests {
             let axis = Axis::parse(name, &scene).unwrap();
             let range = |text| Range::parse(text).unwrap();
             let grid =
-                Grid::of_parameters(vec![(axis, range(values)), (other, range("1/2"))]).unwrap();
+                Grid::of_parameters(vec![(axis, range(values)), (other, range("1/2"))], &scene)
+                    .unwrap();
             let typed = Scene::from_toml("arm", &TEXT.replace(from, to)).unwrap();
             assert_eq!(grid.point(&scene.point(), 1), typed.point(), "{name}");
         }
@@ -297,12 +305,12 @@ mod tests {
                     Range::parse(range).unwrap(),
                 )
             };
-            let grid = Grid::of_parameters(parameters.iter().map(of).collect());
+            let grid = Grid::of_parameters(parameters.iter().map(of).collect(), &scene);
             grid.unwrap_err().to_string()
         };
         assert_eq!(
             error(&[("stiffness", "1")]),
-            "1 parameters to vary: expected two or three"
+            "1 parameter to vary: expected two or three"
         );
         assert_eq!(
             error(&[("stiffness", "0:1:3"), ("viscous", "1")]),
