@@ -27,5 +27,6 @@ mod recordings;
 mod schema;
 mod simulate;
 mod sweep;
+mod sweep_files;
 mod usage;
 mod vectors;

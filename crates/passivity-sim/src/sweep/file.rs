@@ -147,12 +147,13 @@ fn open_as(
     if resume && unfinished {
         return rows.take_up(&mark, scene, grid, shard);
     }
-    if resume && path.exists() {
+    let is_begun = is_only_begun(&rows.journal, grid)?;
+    if resume && !is_begun && path.exists() {
         let found = finished(path, form, scene, grid, &rows.range)?;
         rows.written = found.len();
         return Ok(Opened { rows, found });
     }
-    if resume && rows.journal.exists() {
+    if resume && !is_begun && rows.journal.exists() {
         return Err(unbound(&rows.journal, "it has rows"));
     }
     rows.start(&mark, &fingerprint(scene, grid, shard), grid)?;
@@ -160,6 +161,18 @@ fn open_as(
         rows,
         found: Vec::new(),
     })
+}
+
+/// Whether a start was killed before it said of which sweep the rows will be: there is no more than the header.
+fn is_only_begun(journal: &Path, grid: &Grid) -> Result<bool, SimError> {
+    let header = format!("{}\n", csv::header(grid));
+    match fs::metadata(journal) {
+        Ok(there) if there.len() <= header.len() as u64 => {
+            let text = fs::read(journal).map_err(|error| failed(journal, &error))?;
+            Ok(header.as_bytes().starts_with(&text))
+        }
+        Ok(_) | Err(_) => Ok(false),
+    }
 }
 
 /// The error of rows that nothing says the sweep of.

@@ -168,9 +168,15 @@ fn a_finished_sweep_of_another_scene_is_refused() {
         assert_eq!(fs::read(&path).unwrap(), kept);
     }
     let path = folder.join("part.csv");
-    let header = "beta,sigma,speed,paper,exact,at_interval,xi,velocity\n";
-    fs::write(&path, header).unwrap();
-    let error = open(&path, &paper("1", "1", "1", 9), &grid("1", "1", "1"), true).unwrap_err();
+    let rows = "beta,sigma,speed,paper,exact,at_interval,xi,velocity\n1.0,1.0,1.0,converged,at_rest,3,0.5,0.0\n";
+    fs::write(&path, rows).unwrap();
+    let error = open(
+        &path,
+        &paper("1", "1", "1", 9),
+        &grid("1", "1", "1,2"),
+        true,
+    )
+    .unwrap_err();
     assert!(error.to_string().contains("not every point"), "{error}");
     fs::remove_dir_all(folder).unwrap();
 }

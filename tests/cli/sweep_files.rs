@@ -1,0 +1,54 @@
+//! `passivity sweep`: its files, and those beside them.
+
+use crate::harness::{Dir, Run};
+
+/// Sweeps three points in a folder that has the scene.
+fn sweep(dir: &Dir, more: &str) -> Run {
+    let all = format!("sweep scene.toml --beta 1 --sigma 0,1/2,1 --speed 1 --format json {more}");
+    dir.run(&all.split_whitespace().collect::<Vec<_>>())
+}
+
+fn folder() -> Dir {
+    let dir = Dir::new();
+    let text = "[dimensionless]\nmu = \"50\"\nbeta = \"1\"\nsigma = \"1\"\n[run]\nintervals = 99\n";
+    dir.write("scene.toml", text);
+    dir
+}
+
+fn read(dir: &Dir, name: &str) -> String {
+    String::from_utf8_lossy(&std::fs::read(dir.path(name)).expect(name)).into_owned()
+}
+
+#[track_caller]
+fn refused(run: &Run, says: &str) {
+    assert_eq!(run.code, 2, "{}{}", run.stdout, run.stderr);
+    assert!(run.stderr.contains(says), "{}", run.stderr);
+}
+
+#[test]
+fn a_sweep_that_was_killed_before_its_first_row_goes_on() {
+    let dir = folder();
+    assert_eq!(sweep(&dir, "--out whole.csv").code, 0);
+    for (out, journal) in [
+        ("a.csv", "a.csv"),
+        ("a.parquet", "a.parquet.rows"),
+        ("b.csv --shard 1/1", "b.csv"),
+    ] {
+        for part in [
+            "",
+            "beta,sig",
+            "beta,sigma,speed,paper,exact,at_interval,xi,velocity\n",
+        ] {
+            let _ = std::fs::remove_file(dir.path("a.parquet"));
+            dir.write(journal, part);
+            let run = sweep(&dir, &format!("--resume --out {out}"));
+            assert_eq!(run.code, 0, "{}", run.stderr);
+            assert_eq!(run.json()["simulated"], 3);
+        }
+    }
+    assert_eq!(read(&dir, "a.csv"), read(&dir, "whole.csv"));
+    // Any other text is not for this command to replace.
+    dir.write("a.csv", "beta,sigma\n");
+    refused(&sweep(&dir, "--resume --out a.csv"), "expected the header");
+    assert_eq!(read(&dir, "a.csv"), "beta,sigma\n");
+}
