@@ -52,3 +52,19 @@ fn a_sweep_that_was_killed_before_its_first_row_goes_on() {
     refused(&sweep(&dir, "--resume --out a.csv"), "expected the header");
     assert_eq!(read(&dir, "a.csv"), "beta,sigma\n");
 }
+
+#[test]
+fn a_merge_spares_a_sweep_that_was_not_finished() {
+    let dir = folder();
+    for part in ["1", "2"] {
+        let run = sweep(&dir, &format!("--shard {part}/2 --out part-{part}.csv"));
+        assert_eq!(run.code, 0, "{}", run.stderr);
+    }
+    for (out, journal) in [("a.csv", "a.csv"), ("a.parquet", "a.parquet.rows")] {
+        dir.write(journal, "rows of hours");
+        dir.write(&format!("{out}.run"), "passivity sweep 2\n");
+        let run = sweep(&dir, &format!("--merge part-1.csv part-2.csv --out {out}"));
+        refused(&run, "is of a sweep that was not finished");
+        assert_eq!(read(&dir, journal), "rows of hours");
+    }
+}

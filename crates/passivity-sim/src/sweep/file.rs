@@ -63,6 +63,28 @@ fn marker(path: &Path) -> PathBuf {
     with_suffix(path, ".run")
 }
 
+/// Where rows go as they finish.
+fn journal(path: &Path, form: Form) -> PathBuf {
+    match form {
+        Form::Csv => path.to_owned(),
+        #[cfg(feature = "parquet")]
+        Form::Parquet => with_suffix(path, ".rows"),
+    }
+}
+
+/// Refuses to replace the rows of a sweep that was left unfinished.
+pub(super) fn spare_unfinished(path: &Path, form: Form) -> Result<(), SimError> {
+    let mark = marker(path);
+    match mark.exists() && journal(path, form).exists() {
+        true => Err(SimError::File(format!(
+            "`{}` is of a sweep that was not finished: take it up with --resume, or remove `{}`",
+            path.display(),
+            mark.display()
+        ))),
+        false => Ok(()),
+    }
+}
+
 /// What tells one sweep from another: a hash of the scene, the grid and the shard, exactly.
 fn fingerprint(scene: &Point, grid: &Grid, shard: Option<Shard>) -> String {
     let scene = grid.without(scene);
@@ -118,21 +140,13 @@ fn open_as(
 ) -> Result<Opened, SimError> {
     let mark = marker(path);
     let form = Form::of(path)?;
-    let journal = match form {
-        Form::Csv => path.to_owned(),
-        #[cfg(feature = "parquet")]
-        Form::Parquet => with_suffix(path, ".rows"),
-    };
+    let journal = journal(path, form);
     for file in [path, &mark, &journal] {
         plain(file)?;
     }
     let unfinished = mark.exists() && journal.exists();
-    if !resume && unfinished {
-        return Err(SimError::File(format!(
-            "`{}` is of a sweep that was not finished: take it up with --resume, or remove `{}`",
-            path.display(),
-            mark.display()
-        )));
+    if !resume {
+        spare_unfinished(path, form)?;
     }
     let mut rows = Rows {
         path: path.to_owned(),
@@ -366,10 +380,12 @@ pub fn write_shard(
     rows: &[Option<Row>],
 ) -> Result<(), SimError> {
     plain(path)?;
+    let form = Form::of(path)?;
+    spare_unfinished(path, form)?;
     let manifest = Manifest::new(scene, grid, shard);
     let named = shard.range(grid.len()).zip(rows);
     let rows = named.filter_map(|(index, row)| row.map(|row| Ok((index, row))));
-    write_ordered(path, Form::of(path)?, grid, Some(&manifest), rows)
+    write_ordered(path, form, grid, Some(&manifest), rows)
 }
 
 /// Writes rows that come in the order of the grid, and puts the file in its place when all of them are

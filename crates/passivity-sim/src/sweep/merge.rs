@@ -8,7 +8,7 @@ use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::sweep::disk::{failed, plain};
-use crate::sweep::file::write_ordered;
+use crate::sweep::file::{spare_unfinished, write_ordered};
 use crate::sweep::form::Form;
 use crate::sweep::grid::Grid;
 use crate::sweep::manifest::Manifest;
@@ -30,6 +30,7 @@ pub fn merge(
 ) -> Result<(), SimError> {
     plain(path)?;
     let form = Form::of(path)?;
+    spare_unfinished(path, form)?;
     let parts = in_order(parts, path, scene, grid)?;
     std::thread::scope(|scope| {
         // One shard is read while the one before it is written.
