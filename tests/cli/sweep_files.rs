@@ -68,3 +68,18 @@ fn a_merge_spares_a_sweep_that_was_not_finished() {
         assert_eq!(read(&dir, journal), "rows of hours");
     }
 }
+
+#[test]
+fn a_finished_shard_says_again_what_it_is() {
+    let dir = folder();
+    let shards = ["--shard 1/2 --out one.csv", "--shard 2/2 --out two.csv"];
+    for shard in shards {
+        assert_eq!(sweep(&dir, shard).code, 0);
+    }
+    let said = read(&dir, "one.csv.manifest");
+    std::fs::remove_file(dir.path("one.csv.manifest")).expect("a manifest");
+    let run = sweep(&dir, &format!("--resume {}", shards[0]));
+    assert_eq!((run.code, &run.json()["simulated"]), (0, &0.into()));
+    assert_eq!(read(&dir, "one.csv.manifest"), said);
+    assert_eq!(sweep(&dir, "--merge one.csv two.csv --out all.csv").code, 0);
+}

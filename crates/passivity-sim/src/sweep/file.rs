@@ -353,7 +353,11 @@ impl Rows {
     /// A file that cannot be written: the unordered one stays.
     pub fn finish(self, grid: &Grid, rows: &[Option<Row>]) -> Result<(), SimError> {
         if self.file.is_none() {
-            return Ok(()); // It was finished before.
+            // It was finished before; what it is may not have been said, or be said of another sweep.
+            return match (self.form, &self.manifest) {
+                (Form::Csv, Some(manifest)) => manifest.write(&self.path),
+                _ => Ok(()),
+            };
         }
         let named = self.range.clone().zip(rows);
         let rows = named.filter_map(|(index, row)| row.map(|row| Ok((index, row))));
@@ -397,7 +401,6 @@ pub(super) fn write_ordered(
     manifest: Option<&Manifest>,
     rows: impl Iterator<Item = Result<(usize, Row), SimError>>,
 ) -> Result<(), SimError> {
-    let said = manifest.map(Manifest::to_json);
     let wrong = |error: &dyn std::fmt::Display| failed(path, error);
     // What cannot be written whole is of no use; the rows are in the journal.
     let output = Output::create(path).map_err(|error| wrong(&error))?;
@@ -413,7 +416,8 @@ pub(super) fn write_ordered(
         }
         #[cfg(feature = "parquet")]
         Form::Parquet => {
-            let file = parquet::Writer::new(output, grid, said.clone());
+            let said = manifest.map(Manifest::to_json);
+            let file = parquet::Writer::new(output, grid, said);
             let mut file = file.map_err(|error| wrong(&error))?;
             for row in rows {
                 let (index, row) = row?;
@@ -423,11 +427,8 @@ pub(super) fn write_ordered(
             file.finish(grid).map_err(|error| wrong(&error))?;
         }
     }
-    match (form, said) {
-        (Form::Csv, Some(said)) => {
-            let at = beside(path);
-            files::write(&at, &said).map_err(|error| failed(&at, &error))
-        }
+    match (form, manifest) {
+        (Form::Csv, Some(manifest)) => manifest.write(path),
         _ => Ok(()),
     }
 }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use passivity_scene::Point;
+use passivity_scene::{Point, files};
 use serde::{Deserialize, Serialize};
 
 use crate::error::SimError;
@@ -61,6 +61,12 @@ impl Manifest {
             self.of,
             self.points
         )
+    }
+
+    /// Says it beside a shard in CSV.
+    pub(super) fn write(&self, path: &Path) -> Result<(), SimError> {
+        let at = beside(path);
+        files::write(&at, self.to_json()).map_err(|error| failed(&at, &error))
     }
 
     /// That of a file.
