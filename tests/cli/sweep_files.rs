@@ -83,3 +83,29 @@ fn a_finished_shard_says_again_what_it_is() {
     assert_eq!(read(&dir, "one.csv.manifest"), said);
     assert_eq!(sweep(&dir, "--merge one.csv two.csv --out all.csv").code, 0);
 }
+
+#[test]
+fn no_file_beside_a_sweep_takes_the_name_of_what_is_read() {
+    let dir = folder();
+    let scene = read(&dir, "scene.toml");
+    for (name, out) in [
+        ("s.csv.run", "s.csv"),
+        ("s.csv.manifest", "s.csv"),
+        ("s.parquet.rows", "s.parquet"),
+    ] {
+        dir.write(name, &scene);
+        let run = dir.run(&["sweep", name, "--beta", "1", "--sigma", "1", "--out", out]);
+        refused(&run, &format!("{name}: is read by this sweep"));
+        assert_eq!(read(&dir, name), scene);
+    }
+    for part in ["1", "2"] {
+        let run = sweep(&dir, &format!("--shard {part}/2 --out part-{part}.csv"));
+        assert_eq!(run.code, 0, "{}", run.stderr);
+    }
+    let merge = "--merge part-1.csv part-2.csv --out";
+    refused(
+        &sweep(&dir, &format!("{merge} part-1.csv.manifest")),
+        "is read by this sweep",
+    );
+    assert_eq!(sweep(&dir, &format!("{merge} all.csv")).code, 0);
+}

@@ -6,7 +6,7 @@ use passivity_scene::Point;
 use passivity_sim::SimError;
 use passivity_sim::report::{Outcomes, Sweep};
 use passivity_sim::sweep::{
-    Asked, Grid, Row, Shard, check_points, merge, open, run_range, write_shard,
+    Asked, Grid, Row, Shard, check_points, merge, open, run_range, side_files, write_shard,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -55,6 +55,15 @@ impl Task {
     }
 }
 
+/// Refuses to write the rows of a sweep, and the files beside them, over what is read or no plain file.
+fn may_be_swept(out: &Path, inputs: &[&Path]) -> PyResult<()> {
+    may_be_written(out, inputs)?;
+    let beside = side_files(out);
+    beside
+        .iter()
+        .try_for_each(|path| may_be_written(path, inputs))
+}
+
 fn stopped() -> SimError {
     SimError::File("the sweep was stopped".to_owned())
 }
@@ -92,7 +101,7 @@ pub(crate) fn sweep(
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<String> {
     let inputs: Vec<&Path> = scene.path().into_iter().collect();
-    may_be_written(&out, &inputs)?;
+    may_be_swept(&out, &inputs)?;
     let task = Task::new(py, &scene, &ranges)?;
     let shard = shard.map(|(first, last, count)| Shard::run(first, last, count));
     let shard = shard.transpose().map_err(|error| of_simulation(&error))?;
@@ -170,12 +179,10 @@ pub(crate) fn sweep_merge(
     out: PathBuf,
     progress: Option<Bound<'_, PyAny>>,
 ) -> PyResult<String> {
-    let inputs: Vec<&Path> = parts
-        .iter()
-        .map(PathBuf::as_path)
-        .chain(scene.path())
-        .collect();
-    may_be_written(&out, &inputs)?;
+    let beside: Vec<PathBuf> = parts.iter().flat_map(|part| side_files(part)).collect();
+    let read = parts.iter().chain(&beside).map(PathBuf::as_path);
+    let inputs: Vec<&Path> = read.chain(scene.path()).collect();
+    may_be_swept(&out, &inputs)?;
     let task = Task::new(py, &scene, &ranges)?;
     let report = follow(py, progress.as_ref(), move |watch| {
         let mut outcomes = Outcomes::default();

@@ -8,7 +8,7 @@ use passivity_scene::parse::MAX_INTERVALS;
 use passivity_sim::SimError;
 use passivity_sim::report::{Outcomes, Sweep};
 use passivity_sim::sweep::{
-    Asked, Grid, Row, Shard, check_points, merge, open, open_shard, run_range,
+    Asked, Grid, Row, Shard, check_points, merge, open, open_shard, run_range, side_files,
 };
 
 use crate::exit::{Exit, Failure};
@@ -88,8 +88,21 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
     let mut inputs = sources(&scene, &args.scene);
-    inputs.extend(args.merge.iter().cloned());
-    let outputs = [("--out", args.out.as_ref()), ("--plot", args.plot.as_ref())];
+    for part in &args.merge {
+        inputs.push(part.clone());
+        inputs.extend(side_files(part));
+    }
+    let beside = args
+        .out
+        .iter()
+        .flat_map(|out| side_files(out))
+        .collect::<Vec<_>>();
+    let mut outputs = vec![("--out", args.out.as_ref()), ("--plot", args.plot.as_ref())];
+    outputs.extend(
+        beside
+            .iter()
+            .map(|path| ("the files beside that of --out", Some(path))),
+    );
     may_be_written(&outputs, &inputs, "sweep")?;
     crate::picture::check(args.plot.as_deref())?;
     let mut point = scene.point();

@@ -23,7 +23,7 @@ use crate::error::SimError;
 use crate::plan::Plan;
 use crate::run;
 use crate::sweep::csv;
-use crate::sweep::disk::{failed, plain, with_suffix};
+use crate::sweep::disk::{ROWS, RUN, failed, plain, with_suffix};
 use crate::sweep::form::Form;
 use crate::sweep::grid::Grid;
 use crate::sweep::manifest::{Manifest, beside};
@@ -60,7 +60,7 @@ pub struct Opened {
 }
 
 fn marker(path: &Path) -> PathBuf {
-    with_suffix(path, ".run")
+    with_suffix(path, RUN)
 }
 
 /// Where rows go as they finish.
@@ -68,7 +68,7 @@ fn journal(path: &Path, form: Form) -> PathBuf {
     match form {
         Form::Csv => path.to_owned(),
         #[cfg(feature = "parquet")]
-        Form::Parquet => with_suffix(path, ".rows"),
+        Form::Parquet => with_suffix(path, ROWS),
     }
 }
 

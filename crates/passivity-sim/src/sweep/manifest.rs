@@ -7,7 +7,7 @@ use passivity_scene::{Point, files};
 use serde::{Deserialize, Serialize};
 
 use crate::error::SimError;
-use crate::sweep::disk::{failed, with_suffix};
+use crate::sweep::disk::{MANIFEST, failed, with_suffix};
 use crate::sweep::file::hash;
 use crate::sweep::form::Form;
 use crate::sweep::grid::Grid;
@@ -130,5 +130,5 @@ fn no_shard(path: &Path) -> SimError {
 
 /// The file that says what a shard in CSV is.
 pub(super) fn beside(path: &Path) -> PathBuf {
-    with_suffix(path, ".manifest")
+    with_suffix(path, MANIFEST)
 }

@@ -27,6 +27,7 @@ use crate::plan::Plan;
 use crate::run;
 
 pub use asked::Asked;
+pub use disk::side_files;
 pub use file::{Opened, Rows, open, open_shard, write_shard};
 pub use grid::{Grid, MOST_POINTS};
 pub use merge::merge;
