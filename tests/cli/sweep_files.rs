@@ -109,3 +109,21 @@ fn no_file_beside_a_sweep_takes_the_name_of_what_is_read() {
     );
     assert_eq!(sweep(&dir, &format!("{merge} all.csv")).code, 0);
 }
+
+#[test]
+fn values_that_a_row_cannot_tell_apart_are_refused() {
+    let dir = folder();
+    let sweep = |more: &str| {
+        let all = format!("sweep scene.toml --out rows.csv {more}");
+        dir.run(&all.split_whitespace().collect::<Vec<_>>())
+    };
+    for (ranges, says) in [
+        ("--beta 1 --sigma 1 --speed 1,2,5,5", "`speed` has 5 twice"),
+        ("--beta 1:1:3 --sigma 1", "`beta` has 1 twice"),
+        ("--beta 1 --sigma 1e-400,0", "`sigma` has 0 twice"),
+        ("--vary mu=1,2,1 --vary sigma=1", "`mu` has 1 twice"),
+    ] {
+        refused(&sweep(ranges), says);
+        assert!(!dir.path("rows.csv").exists());
+    }
+}

@@ -49,7 +49,7 @@ impl Grid {
     ///
     /// # Errors
     ///
-    /// A friction below zero, or too many points.
+    /// A friction below zero, a value that is there twice, or too many points.
     pub fn new(beta: Range, sigma: Range, speed: Range) -> Result<Self, SimError> {
         for (name, range) in [("β", &beta), ("σ", &sigma)] {
             if let Some(x) = range.first_not(|x| *x >= BigRational::integer(0)) {
@@ -65,8 +65,8 @@ impl Grid {
     ///
     /// # Errors
     ///
-    /// Another number of parameters, one that the scene cannot have, a value that its parameter cannot have,
-    /// or too many points.
+    /// Another number of parameters, one that the scene cannot have, a value that its parameter cannot have
+    /// or that is there twice, or too many points.
     pub fn of_parameters(parameters: Vec<(Axis, Range)>, scene: &Scene) -> Result<Self, SimError> {
         let fail = |message: String| Err(SimError::Method(message));
         if !(2..=3).contains(&parameters.len()) {
@@ -119,7 +119,15 @@ impl Grid {
                 "a grid of {a} × {b} × {c} points: expected at most {MOST_OF_GRID}"
             )));
         }
-        Ok(Self { values, axes })
+        let grid = Self { values, axes };
+        for (name, range) in grid.columns().iter().zip(&grid.values) {
+            if let Some(x) = range.twice() {
+                return Err(SimError::Method(format!(
+                    "`{name}` has {x} twice: expected values that are different as doubles, by which a row is told"
+                )));
+            }
+        }
+        Ok(grid)
     }
 
     /// The parameters that are varied; none where β, σ and the speed are.

@@ -235,6 +235,28 @@ impl Range {
         Some(even.value(outside))
     }
 
+    /// The first double that is nearest to two values next to each other in size.
+    pub(super) fn twice(&self) -> Option<f64> {
+        let even = match &self.0 {
+            Values::List(list) => {
+                let mut doubles: Vec<f64> = list.iter().map(|(_, x)| *x).collect();
+                doubles.sort_by(f64::total_cmp);
+                let pair = doubles.windows(2).find(|pair| pair.first() == pair.last());
+                return pair.and_then(|pair| pair.first().copied());
+            }
+            Values::Even(even) => even,
+        };
+        // Values further apart than a rounding of the largest are different doubles.
+        let [first, last] = [0, even.count.checked_sub(1)?].map(|index| even.double(index).abs());
+        let rounding = (first.max(last) * f64::EPSILON).max(f64::from_bits(1));
+        let step = BigRational::new(even.step.clone(), even.denominator.clone());
+        if even.count == 1 || to_double(&step).abs() > rounding {
+            return None;
+        }
+        let mut doubles = self.doubles().zip(self.doubles().skip(1));
+        doubles.find(|(a, b)| a == b).map(|(a, _)| a)
+    }
+
     /// The ends of a range of so many values that no hash is to go through all of them.
     fn long(&self) -> Option<&Even> {
         match &self.0 {
@@ -292,6 +314,23 @@ mod tests {
                     assert_eq!(range.double(index).to_bits(), to_double(&value).to_bits());
                 }
             }
+        }
+    }
+
+    #[test]
+    fn values_that_no_double_tells_apart_are_found() {
+        for (text, expected) in [
+            ("1,2,5,5", Some(5.0)),
+            ("3,1e-400,0", Some(0.0)),
+            ("-1:1:99999999", None),
+            ("1:1:1", None),
+            ("1:1:3", Some(1.0)),
+            ("1:1.0000000000000001:2", Some(1.0)),
+            ("1:1.0000000000000003:2", None),
+            ("1e-400:2e-400:2", Some(0.0)),
+            ("-1e9:-1000000000.00001:99999999", Some(-1e9)),
+        ] {
+            assert_eq!(Range::parse(text).unwrap().twice(), expected, "{text}");
         }
     }
 
