@@ -122,27 +122,24 @@ fn swept(
     let Task { name, point, grid } = task;
     let range = grid.points(shard.unwrap_or(Shard::WHOLE))?;
     let begin = std::time::Instant::now();
-    let mut rows: Vec<Option<Row>> = vec![None; range.len()];
+    let mut outcomes = Outcomes::default();
     // A shard is done anew where it was interrupted: only a whole grid has a file of the rows on the way.
-    let (mut file, found) = match shard {
+    let kept = shard.map_or(0, |_| range.len());
+    let mut rows: Vec<Option<Row>> = vec![None; kept];
+    let (mut file, done) = match shard {
         Some(_) => (None, Vec::new()),
         None => {
             if out.exists() && !resume {
                 check_points(point, grid, range.clone())?; // No rows are lost to what cannot be simulated.
             }
-            let opened = open(out, point, grid, resume)?;
-            (Some(opened.rows), opened.found)
+            let opened = open(out, point, grid, resume, |_, row| outcomes.count(row))?;
+            (Some(opened.rows), opened.done)
         }
     };
-    let before = found.len();
-    for (index, row) in found {
-        if let Some(slot) = rows.get_mut(index - range.start) {
-            *slot = Some(row);
-        }
-    }
-    let done: Vec<bool> = rows.iter().map(Option::is_some).collect();
+    let before = done.iter().filter(|done| **done).count();
     watch.set(before as u64);
     run_range(point, grid, range.clone(), &done, threads, |index, row| {
+        outcomes.count(&row);
         if let Some(slot) = rows.get_mut(index - range.start) {
             *slot = Some(row);
         }
@@ -152,10 +149,9 @@ fn swept(
         watch.add(1).then_some(()).ok_or_else(stopped)
     })?;
     match (file, shard) {
-        (Some(file), _) => file.finish(grid, &rows)?,
+        (Some(file), _) => file.finish(grid)?,
         (None, shard) => write_shard(out, point, grid, shard.unwrap_or(Shard::WHOLE), &rows)?,
     }
-    let outcomes = Outcomes::of(rows.iter().flatten());
     let seconds = begin.elapsed().as_secs_f64();
     let simulated = range.len() - before;
     Ok(Sweep::new(

@@ -124,13 +124,13 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let seconds = begin.elapsed().as_secs_f64();
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
-        let picture = picture::draw(&scene, &point, &grid, &swept.rows);
+        let picture = picture::draw(&scene, &point, &grid, &swept.seen.rows);
         passivity_plot::save(&picture, path).map_err(Failure::input)?;
     }
     let report = Sweep::new(
         &scene.name,
         swept.points,
-        swept.outcomes,
+        swept.seen.outcomes,
         swept.simulated,
         point.intervals,
         seconds,
@@ -144,25 +144,44 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
 
 /// What a sweep gave.
 struct Swept {
-    outcomes: Outcomes,
+    seen: Seen,
     points: usize,
     /// How many of them were simulated now.
     simulated: usize,
-    /// For a picture; of a merge only where one is asked for.
-    #[cfg_attr(
-        not(feature = "plot"),
-        expect(dead_code, reason = "there are no pictures")
-    )]
+}
+
+/// What is kept of rows: how many there are of each kind, and all of them only where they are to be drawn.
+struct Seen {
+    outcomes: Outcomes,
+    start: usize,
     rows: Vec<Option<Row>>,
+}
+
+impl Seen {
+    fn new(args: &Args, range: std::ops::Range<usize>) -> Self {
+        let drawn = args.plot.as_ref().map_or(0, |_| range.len());
+        Self {
+            outcomes: Outcomes::default(),
+            start: range.start,
+            rows: vec![None; drawn],
+        }
+    }
+
+    fn see(&mut self, index: usize, row: &Row) {
+        self.outcomes.count(row);
+        if let Some(slot) = self.rows.get_mut(index - self.start) {
+            *slot = Some(*row);
+        }
+    }
 }
 
 /// Simulates the points that are asked for and not in the file yet.
 fn simulated(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> {
     let shard = args.shard.unwrap_or(Shard::WHOLE);
     let range = grid.points(shard).map_err(Failure::input)?;
-    let mut rows: Vec<Option<Row>> = vec![None; range.len()];
+    let mut seen = Seen::new(args, range.clone());
     let mut file = None;
-    let mut before = 0;
+    let mut done = Vec::new();
     let of_scene = |error: SimError| Failure::input(format!("`{}`: {error}", args.scene.display()));
     if let Some(path) = &args.out {
         // All of them where rows are there that would be lost; one tells of what they have in common.
@@ -172,21 +191,20 @@ fn simulated(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> 
         };
         check_points(point, grid, range.clone().take(most)).map_err(of_scene)?;
         let opened = match args.shard {
-            Some(shard) => open_shard(path, point, grid, shard, args.resume),
-            None => open(path, point, grid, args.resume),
+            Some(shard) => open_shard(path, point, grid, shard, args.resume, |i, row| {
+                seen.see(i, row)
+            }),
+            None => open(path, point, grid, args.resume, |i, row| seen.see(i, row)),
         };
         let opened = opened.map_err(Failure::input)?;
-        before = opened.found.len();
-        for (index, row) in opened.found {
-            rows[index - range.start] = Some(row);
-        }
+        done = opened.done;
         file = Some(opened.rows);
     }
+    let before = done.iter().filter(|done| **done).count();
     let mut bar = Progress::new(range.len() as u64, "points");
     bar.start_at(before as u64);
-    let done: Vec<bool> = rows.iter().map(Option::is_some).collect();
     let swept = run_range(point, grid, range.clone(), &done, 0, |index, row| {
-        rows[index - range.start] = Some(row);
+        seen.see(index, &row);
         bar.advance(1);
         match &mut file {
             Some(file) => file.add(grid, index, &row),
@@ -195,15 +213,14 @@ fn simulated(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> 
     });
     drop(bar);
     let written = match (swept, file) {
-        (Ok(()), Some(file)) => file.finish(grid, &rows),
+        (Ok(()), Some(file)) => file.finish(grid),
         (result, _) => result,
     };
     written.map_err(of_scene)?;
     Ok(Swept {
-        outcomes: Outcomes::of(rows.iter().flatten()),
+        seen,
         points: range.len(),
         simulated: range.len() - before,
-        rows,
     })
 }
 
@@ -212,24 +229,19 @@ fn merged(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> {
     let Some(out) = &args.out else {
         return Err(Failure::input("--merge needs --out"));
     };
-    let mut outcomes = Outcomes::default();
-    let mut rows = Vec::new();
-    if args.plot.is_some() {
-        let all = grid.points(Shard::WHOLE).map_err(Failure::input)?;
-        rows = vec![None; all.len()];
-    }
+    let range = match args.plot {
+        Some(_) => grid.points(Shard::WHOLE).map_err(Failure::input)?,
+        None => 0..0,
+    };
+    let mut seen = Seen::new(args, range);
     let done = merge(&args.merge, out, point, grid, |index, row| {
-        outcomes.count(row);
-        if let Some(slot) = rows.get_mut(index) {
-            *slot = Some(*row);
-        }
+        seen.see(index, row)
     });
     done.map_err(Failure::input)?;
     Ok(Swept {
-        outcomes,
+        seen,
         points: grid.len(),
         simulated: 0,
-        rows,
     })
 }
 

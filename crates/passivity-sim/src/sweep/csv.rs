@@ -1,8 +1,8 @@
 //! The rows of a sweep as CSV.
 
 use std::fmt::Write as _;
-use std::fs;
-use std::io::{self, Write as _};
+use std::fs::File;
+use std::io::{self, BufRead as _, BufReader, Write as _};
 use std::path::Path;
 
 use passivity_scene::files::Output;
@@ -11,7 +11,7 @@ use crate::error::SimError;
 use crate::outcome::{ExactOutcome, PaperOutcome};
 use crate::sweep::disk::failed;
 use crate::sweep::grid::Grid;
-use crate::sweep::row::{Found, Row};
+use crate::sweep::row::{Each, Found, Row};
 
 /// The header of a sweep's file.
 pub(super) fn header(grid: &Grid) -> String {
@@ -21,34 +21,37 @@ pub(super) fn header(grid: &Grid) -> String {
     )
 }
 
-/// The rows of a file, and how long it is without a torn last line.
-pub(super) fn read(path: &Path, grid: &Grid) -> Result<(Vec<Found>, u64), SimError> {
-    let bytes = fs::read(path).map_err(|error| failed(path, &error))?;
-    let whole = bytes
-        .iter()
-        .rposition(|b| *b == b'\n')
-        .map_or(0, |end| end + 1);
-    let (lines, _torn) = bytes.split_at(whole);
-    // What is no text becomes a line that is no row.
-    let text = String::from_utf8_lossy(lines);
-    let mut lines = text.lines();
-    match lines.next() {
-        None => return Ok((Vec::new(), 0)),
-        Some(line) if line == header(grid) => {}
-        Some(_) => {
-            let expected = header(grid);
-            return Err(failed(
-                path,
-                &format!("line 1: expected the header `{expected}`"),
-            ));
-        }
+/// Reads the rows of a file; how long it is without a torn last line.
+pub(super) fn read(path: &Path, grid: &Grid, each: Each<'_>) -> Result<u64, SimError> {
+    let file = File::open(path).map_err(|error| failed(path, &error))?;
+    let mut file = BufReader::with_capacity(1 << 16, file);
+    let (header, axes) = (header(grid), grid.columns().len());
+    let (mut bytes, mut length, mut number) = (Vec::new(), 0, None);
+    loop {
+        bytes.clear();
+        let read = file.read_until(b'\n', &mut bytes);
+        let read = read.map_err(|error| failed(path, &error))?;
+        let Some(line) = bytes.strip_suffix(b"\n") else {
+            return Ok(length); // The end, or a torn line.
+        };
+        // What is no text is no row.
+        let line = str::from_utf8(line).unwrap_or_default();
+        let line = line.strip_suffix('\r').unwrap_or(line);
+        number = match number {
+            None if line == header => Some(0),
+            None => {
+                let message = format!("line 1: expected the header `{header}`");
+                return Err(failed(path, &message));
+            }
+            Some(number) => {
+                let row = parse(line, axes);
+                let row = row.ok_or_else(|| at(path, number, "expected a row of a sweep"))?;
+                each(number, row)?;
+                Some(number + 1)
+            }
+        };
+        length += read as u64;
     }
-    let mut rows = Vec::new();
-    for (number, line) in lines.enumerate() {
-        let row = parse(line, grid.columns().len());
-        rows.push(row.ok_or_else(|| at(path, number, "expected a row of a sweep"))?);
-    }
-    Ok((rows, whole as u64))
 }
 
 /// The error at a row, from 0.
@@ -57,11 +60,17 @@ pub(super) fn at(path: &Path, row: usize, what: &str) -> SimError {
 }
 
 fn parse(line: &str, axes: usize) -> Option<Found> {
-    let cells: Vec<&str> = line.split(',').collect();
-    let (at_axes, [paper, exact, at, xi, velocity]) = cells.split_at_checked(axes)? else {
-        return None;
-    };
+    let mut cells = line.split(',');
     let number = |cell: &str| cell.parse::<f64>().ok();
+    let mut values = [0.0; 3];
+    for value in values.iter_mut().take(axes) {
+        *value = number(cells.next()?)?;
+    }
+    let mut next = || cells.next();
+    let [paper, exact, at, xi, velocity] = [next()?, next()?, next()?, next()?, next()?];
+    if next().is_some() {
+        return None;
+    }
     let row = Row {
         paper: PaperOutcome::named(paper)?,
         exact: ExactOutcome::named(exact)?,
@@ -74,10 +83,6 @@ fn parse(line: &str, axes: usize) -> Option<Found> {
         velocity: number(velocity)?,
         within_rounding_of_edge: None,
     };
-    let mut values = [0.0; 3];
-    for (value, cell) in values.iter_mut().zip(at_axes) {
-        *value = number(cell)?;
-    }
     Some((values, row))
 }
 

@@ -10,27 +10,24 @@
 //! Wherever a process is killed, rows stand beside a `.run` file only if they are of its sweep: a new
 //! sweep empties the file of rows before it says whose they are, and `.run` is written whole. Taking a sweep up leaves it as it is.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
 use std::io::Write as _;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use passivity_scene::Point;
-use passivity_scene::files::{self, Output};
+use passivity_scene::files;
 
 use crate::error::SimError;
-use crate::plan::Plan;
-use crate::run;
 use crate::sweep::csv;
 use crate::sweep::disk::{ROWS, RUN, failed, plain, with_suffix};
-use crate::sweep::form::Form;
+use crate::sweep::form::{Form, Writer};
 use crate::sweep::grid::Grid;
-use crate::sweep::manifest::{Manifest, beside};
-#[cfg(feature = "parquet")]
-use crate::sweep::parquet;
-use crate::sweep::row::{Found, Row};
+use crate::sweep::manifest::{Manifest, forget};
+use crate::sweep::row::Row;
 use crate::sweep::shard::Shard;
+use crate::sweep::taken::Taken;
 
 /// A file that rows can be added to.
 #[derive(Debug)]
@@ -55,8 +52,8 @@ pub struct Rows {
 pub struct Opened {
     /// The file.
     pub rows: Rows,
-    /// The rows that were there, by the index of their point in the grid.
-    pub found: Vec<(usize, Row)>,
+    /// Which points have their rows, of those that are its own; none where the file is new.
+    pub done: Vec<bool>,
 }
 
 fn marker(path: &Path) -> PathBuf {
@@ -104,14 +101,21 @@ pub(super) fn hash(text: &str) -> String {
 
 /// Opens the file of a sweep: a new one, or with `resume` one that was left unfinished.
 ///
-/// A name that ends in `.parquet` is Parquet, any other CSV.
+/// A name that ends in `.parquet` is Parquet, any other CSV. `see` is given the rows that are there, each with the index of
+/// its point in the grid.
 ///
 /// # Errors
 ///
 /// A file that cannot be read or written, one of another sweep, one with a row that is none; without
 /// `resume`, one that was left unfinished.
-pub fn open(path: &Path, scene: &Point, grid: &Grid, resume: bool) -> Result<Opened, SimError> {
-    open_as(path, scene, grid, None, resume)
+pub fn open(
+    path: &Path,
+    scene: &Point,
+    grid: &Grid,
+    resume: bool,
+    mut see: impl FnMut(usize, &Row),
+) -> Result<Opened, SimError> {
+    open_as(path, scene, grid, None, resume, &mut see)
 }
 
 /// Opens the file of a shard of a sweep, as [`open`] opens that of the whole. When it is finished it says
@@ -127,8 +131,9 @@ pub fn open_shard(
     grid: &Grid,
     shard: Shard,
     resume: bool,
+    mut see: impl FnMut(usize, &Row),
 ) -> Result<Opened, SimError> {
-    open_as(path, scene, grid, Some(shard), resume)
+    open_as(path, scene, grid, Some(shard), resume, &mut see)
 }
 
 fn open_as(
@@ -137,6 +142,7 @@ fn open_as(
     grid: &Grid,
     shard: Option<Shard>,
     resume: bool,
+    see: &mut dyn FnMut(usize, &Row),
 ) -> Result<Opened, SimError> {
     let mark = marker(path);
     let form = Form::of(path)?;
@@ -159,13 +165,12 @@ fn open_as(
         manifest: shard.map(|shard| Manifest::new(scene, grid, shard)),
     };
     if resume && unfinished {
-        return rows.take_up(&mark, scene, grid, shard);
+        return rows.take_up(&mark, scene, grid, shard, see);
     }
     let is_begun = is_only_begun(&rows.journal, grid)?;
     if resume && !is_begun && path.exists() {
-        let found = finished(path, form, scene, grid, &rows.range)?;
-        rows.written = found.len();
-        return Ok(Opened { rows, found });
+        let done = rows.finished(scene, grid, see)?;
+        return Ok(Opened { rows, done });
     }
     if resume && !is_begun && rows.journal.exists() {
         return Err(unbound(&rows.journal, "it has rows"));
@@ -173,7 +178,7 @@ fn open_as(
     rows.start(&mark, &fingerprint(scene, grid, shard), grid)?;
     Ok(Opened {
         rows,
-        found: Vec::new(),
+        done: Vec::new(),
     })
 }
 
@@ -200,11 +205,7 @@ impl Rows {
     /// Starts a new sweep: no rows first, then whose they will be.
     fn start(&mut self, mark: &Path, print: &str, grid: &Grid) -> Result<(), SimError> {
         let journal = &self.journal;
-        // That of a file that is replaced.
-        let said = beside(&self.path);
-        if said.exists() {
-            fs::remove_file(&said).map_err(|error| failed(&said, &error))?;
-        }
+        forget(&self.path)?;
         let mut file = File::create(journal).map_err(|error| failed(journal, &error))?;
         let written = writeln!(file, "{}", csv::header(grid)).and_then(|()| file.sync_all());
         written.map_err(|error| failed(journal, &error))?;
@@ -220,6 +221,7 @@ impl Rows {
         scene: &Point,
         grid: &Grid,
         shard: Option<Shard>,
+        see: &mut dyn FnMut(usize, &Row),
     ) -> Result<Opened, SimError> {
         let saved = fs::read_to_string(mark).map_err(|error| failed(mark, &error))?;
         if saved != fingerprint(scene, grid, shard) {
@@ -230,9 +232,12 @@ impl Rows {
             )));
         }
         let journal = &self.journal;
-        let (rows, length) = csv::read(journal, grid)?;
-        let found = place(rows, grid, &self.range, journal, self.form)?;
-        if !are_of(&found, scene, grid)? {
+        let mut taken = Taken::new(Form::Csv, journal, grid, &self.range, see);
+        let length = csv::read(journal, grid, &mut |number, found| {
+            taken.take(number, found)
+        })?;
+        let done = taken.done;
+        if !taken.sample.is_of(scene, grid)? {
             return Err(failed(journal, &"its points are not those of this scene"));
         }
         let opened = OpenOptions::new().append(true).open(journal);
@@ -241,78 +246,39 @@ impl Rows {
         file.set_len(length)
             .map_err(|error| failed(journal, &error))?;
         self.file = Some(file);
-        self.written = found.len();
+        self.written = count(&done);
         if length == 0 {
             self.buffer = format!("{}\n", csv::header(grid));
             self.put()?;
         }
-        Ok(Opened { rows: self, found })
+        Ok(Opened { rows: self, done })
     }
-}
 
-/// The rows of a sweep that was finished, once it is plain that they are of this one.
-fn finished(
-    path: &Path,
-    form: Form,
-    scene: &Point,
-    grid: &Grid,
-    range: &Range<usize>,
-) -> Result<Vec<(usize, Row)>, SimError> {
-    let found = place(form.read(path, grid)?, grid, range, path, form)?;
-    if found.len() < range.len() {
-        return Err(unbound(path, "not every point of these ranges is there"));
-    }
-    if !are_of(&found, scene, grid)? {
-        return Err(unbound(path, "its points are not those of this scene"));
-    }
-    Ok(found)
-}
-
-/// Whether some of the rows come out the same, to the last bit, when they are simulated again.
-fn are_of(found: &[(usize, Row)], scene: &Point, grid: &Grid) -> Result<bool, SimError> {
-    // Points that ran to their end tell of the number of intervals too.
-    const MOST: usize = 8;
-    let (ended, ran): (Vec<_>, Vec<_>) =
-        found.iter().partition(|(_, row)| row.at_interval.is_some());
-    for group in [ended, ran] {
-        for (index, row) in group.iter().step_by(group.len().div_ceil(MOST).max(1)) {
-            let plan = Plan::compile(&grid.point(scene, *index))?;
-            let again = Row {
-                within_rounding_of_edge: row.within_rounding_of_edge, // No file has it.
-                ..Row::of(&run::outcome(&plan))
-            };
-            if again != *row {
-                return Ok(false);
-            }
+    /// Takes up a sweep that was finished, once it is plain that its rows are of this one.
+    fn finished(
+        &mut self,
+        scene: &Point,
+        grid: &Grid,
+        see: &mut dyn FnMut(usize, &Row),
+    ) -> Result<Vec<bool>, SimError> {
+        let path = &self.path;
+        let mut taken = Taken::new(self.form, path, grid, &self.range, see);
+        self.form
+            .read(path, grid, &mut |number, found| taken.take(number, found))?;
+        let done = taken.done;
+        self.written = count(&done);
+        if self.written < self.range.len() {
+            return Err(unbound(path, "not every point of these ranges is there"));
+        }
+        match taken.sample.is_of(scene, grid)? {
+            true => Ok(done),
+            false => Err(unbound(path, "its points are not those of this scene")),
         }
     }
-    Ok(true)
 }
 
-/// The rows of a file with the indices of their points in the grid.
-fn place(
-    rows: Vec<Found>,
-    grid: &Grid,
-    range: &Range<usize>,
-    path: &Path,
-    form: Form,
-) -> Result<Vec<(usize, Row)>, SimError> {
-    let mut places = HashMap::with_capacity(range.len());
-    for index in range.clone() {
-        places.insert(grid.doubles(index).map(f64::to_bits), index);
-    }
-    let mut found = Vec::new();
-    let mut seen = HashSet::new();
-    for (number, (values, row)) in rows.into_iter().enumerate() {
-        let index = places
-            .get(&values.map(f64::to_bits))
-            .ok_or_else(|| form.at(path, number, "a point that is not in these ranges"))?;
-        if !seen.insert(*index) {
-            return Err(form.at(path, number, "a point that was there before"));
-        }
-        found.push((*index, row));
-    }
-    Ok(found)
+fn count(done: &[bool]) -> usize {
+    done.iter().filter(|done| **done).count()
 }
 
 impl Rows {
@@ -345,29 +311,70 @@ impl Rows {
         })
     }
 
-    /// Replaces the file by one with every row in the order of the grid, all at once: `rows` are those of
-    /// the points that are its own.
+    /// Replaces the file by one with every row in the order of the grid, all at once.
     ///
     /// # Errors
     ///
     /// A file that cannot be written: the unordered one stays.
-    pub fn finish(self, grid: &Grid, rows: &[Option<Row>]) -> Result<(), SimError> {
+    pub fn finish(self, grid: &Grid) -> Result<(), SimError> {
+        let manifest = self.manifest.as_ref();
         if self.file.is_none() {
             // It was finished before; what it is may not have been said, or be said of another sweep.
-            return match (self.form, &self.manifest) {
+            return match (self.form, manifest) {
                 (Form::Csv, Some(manifest)) => manifest.write(&self.path),
                 _ => Ok(()),
             };
         }
-        let named = self.range.clone().zip(rows);
-        let rows = named.filter_map(|(index, row)| row.map(|row| Ok((index, row))));
-        write_ordered(&self.path, self.form, grid, self.manifest.as_ref(), rows)?;
+        let mut file = Writer::new(&self.path, self.form, grid, manifest)?;
+        let range = self.range.clone();
+        in_order(
+            &self.journal,
+            grid,
+            range,
+            MOST_WAITING,
+            &mut |index, row| file.add(index, row),
+        )?;
+        file.finish()?;
         if self.journal != self.path {
             fs::remove_file(&self.journal).map_err(|error| failed(&self.journal, &error))?;
         }
         let mark = marker(&self.path);
         fs::remove_file(&mark).map_err(|error| failed(&mark, &error))
     }
+}
+
+/// How many rows wait in memory for those before them, which ended later.
+const MOST_WAITING: usize = 1 << 20;
+
+/// Reads the rows of a range in the order of the grid from a file of them in any order. A row that is further on
+/// than can wait is read again.
+fn in_order(
+    journal: &Path,
+    grid: &Grid,
+    range: Range<usize>,
+    most_waiting: usize,
+    add: &mut dyn FnMut(usize, &Row) -> Result<(), SimError>,
+) -> Result<(), SimError> {
+    let mut waiting = BTreeMap::new();
+    let mut next = range.start;
+    while next < range.end {
+        let before = next;
+        csv::read(journal, grid, &mut |_, (values, row)| {
+            let index = grid.place(values).filter(|index| *index >= next);
+            if let Some(index) = index.filter(|index| index - next < most_waiting) {
+                waiting.insert(index, row);
+            }
+            while let Some(row) = waiting.remove(&next) {
+                add(next, &row)?;
+                next += 1;
+            }
+            Ok(())
+        })?;
+        if next == before {
+            return Err(failed(journal, &"rows are gone that were written"));
+        }
+    }
+    Ok(())
 }
 
 /// Writes a finished shard that was simulated in one go, without a file of the rows on the way: `rows` are
@@ -387,48 +394,52 @@ pub fn write_shard(
     let form = Form::of(path)?;
     spare_unfinished(path, form)?;
     let manifest = Manifest::new(scene, grid, shard);
-    let named = shard.range(grid.len()).zip(rows);
-    let rows = named.filter_map(|(index, row)| row.map(|row| Ok((index, row))));
-    write_ordered(path, form, grid, Some(&manifest), rows)
-}
-
-/// Writes rows that come in the order of the grid, and puts the file in its place when all of them are
-/// on the disk.
-pub(super) fn write_ordered(
-    path: &Path,
-    form: Form,
-    grid: &Grid,
-    manifest: Option<&Manifest>,
-    rows: impl Iterator<Item = Result<(usize, Row), SimError>>,
-) -> Result<(), SimError> {
-    let wrong = |error: &dyn std::fmt::Display| failed(path, error);
-    // What cannot be written whole is of no use; the rows are in the journal.
-    let output = Output::create(path).map_err(|error| wrong(&error))?;
-    match form {
-        Form::Csv => {
-            let mut file = csv::Writer::new(output, grid).map_err(|error| wrong(&error))?;
-            for row in rows {
-                let (index, row) = row?;
-                let added = file.add(grid, index, &row);
-                added.map_err(|error| wrong(&error))?;
-            }
-            file.finish().map_err(|error| wrong(&error))?;
-        }
-        #[cfg(feature = "parquet")]
-        Form::Parquet => {
-            let said = manifest.map(Manifest::to_json);
-            let file = parquet::Writer::new(output, grid, said);
-            let mut file = file.map_err(|error| wrong(&error))?;
-            for row in rows {
-                let (index, row) = row?;
-                let added = file.add(grid, index, &row);
-                added.map_err(|error| wrong(&error))?;
-            }
-            file.finish(grid).map_err(|error| wrong(&error))?;
+    let mut file = Writer::new(path, form, grid, Some(&manifest))?;
+    for (index, row) in shard.range(grid.len()).zip(rows) {
+        if let Some(row) = row {
+            file.add(index, row)?;
         }
     }
-    match (form, manifest) {
-        (Form::Csv, Some(manifest)) => manifest.write(path),
-        _ => Ok(()),
+    file.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::outcome::{ExactOutcome, PaperOutcome};
+    use crate::sweep::range::Range as Values;
+
+    #[test]
+    fn rows_come_in_order_however_few_may_wait() {
+        let range = |text| Values::parse(text).unwrap();
+        let grid = Grid::new(range("0:1:7"), range("3,1,2"), range("5:1:4")).unwrap();
+        let row = |index: u16| Row {
+            paper: PaperOutcome::Converged,
+            exact: ExactOutcome::AtRest,
+            at_interval: Some(index.into()),
+            xi: f64::from(index),
+            velocity: 0.0,
+            within_rounding_of_edge: None,
+        };
+        let path = std::env::temp_dir().join(format!("passivity-order-{}.csv", std::process::id()));
+        let mut text = format!("{}\n", csv::header(&grid));
+        for index in (0..84).map(|i| (i * 53) % 84) {
+            csv::write_row(&grid, index.into(), &row(index), &mut text);
+        }
+        text.push_str("torn");
+        fs::write(&path, text).unwrap();
+        for most in [1, 5, 100] {
+            let mut found = Vec::new();
+            in_order(&path, &grid, 0..84, most, &mut |index, found_row| {
+                assert_eq!(*found_row, row(u16::try_from(index).unwrap()));
+                found.push(index);
+                Ok(())
+            })
+            .unwrap();
+            assert_eq!(found, (0..84).collect::<Vec<_>>(), "{most}");
+        }
+        let lost = in_order(&path, &grid, 0..85, 5, &mut |_, _| Ok(())).unwrap_err();
+        assert!(lost.to_string().contains("rows are gone"), "{lost}");
+        fs::remove_file(path).unwrap();
     }
 }

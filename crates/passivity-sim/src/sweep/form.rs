@@ -1,15 +1,17 @@
 //! The forms of a finished sweep's file: CSV and Parquet.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use passivity_scene::files::Output;
 
 use crate::error::SimError;
 use crate::sweep::csv;
-#[cfg(feature = "parquet")]
 use crate::sweep::disk::failed;
 use crate::sweep::grid::Grid;
+use crate::sweep::manifest::{Manifest, forget};
 #[cfg(feature = "parquet")]
 use crate::sweep::parquet;
-use crate::sweep::row::Found;
+use crate::sweep::row::{Each, Row};
 
 /// How the rows of a finished sweep are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,12 +39,12 @@ impl Form {
         })
     }
 
-    /// The rows of a finished file.
-    pub(super) fn read(self, path: &Path, grid: &Grid) -> Result<Vec<Found>, SimError> {
+    /// Reads the rows of a finished file.
+    pub(super) fn read(self, path: &Path, grid: &Grid, each: Each<'_>) -> Result<(), SimError> {
         match self {
-            Self::Csv => csv::read(path, grid).map(|(rows, _)| rows),
+            Self::Csv => csv::read(path, grid, each).map(drop),
             #[cfg(feature = "parquet")]
-            Self::Parquet => parquet::read(path, grid).map_err(|error| failed(path, &error)),
+            Self::Parquet => parquet::read(path, grid, each),
         }
     }
 
@@ -52,6 +54,81 @@ impl Form {
             Self::Csv => csv::at(path, row, what),
             #[cfg(feature = "parquet")]
             Self::Parquet => failed(path, &format!("row {}: {what}", row + 1)),
+        }
+    }
+}
+
+/// A file of rows that are added in the order of the grid, and that has its name once all are on the disk.
+pub(super) struct Writer<'w> {
+    path: PathBuf,
+    grid: &'w Grid,
+    manifest: Option<&'w Manifest>,
+    rows: Rows,
+}
+
+enum Rows {
+    Csv(csv::Writer),
+    #[cfg(feature = "parquet")]
+    Parquet(Box<parquet::Writer>),
+}
+
+impl<'w> Writer<'w> {
+    /// Starts a file; that of a shard says what it is.
+    pub(super) fn new(
+        path: &Path,
+        form: Form,
+        grid: &'w Grid,
+        manifest: Option<&'w Manifest>,
+    ) -> Result<Self, SimError> {
+        let wrong = |error: &dyn std::fmt::Display| failed(path, error);
+        // What cannot be written whole is of no use; the rows are in the journal.
+        let output = Output::create(path).map_err(|error| wrong(&error))?;
+        let rows = match form {
+            Form::Csv => Rows::Csv(csv::Writer::new(output, grid).map_err(|error| wrong(&error))?),
+            #[cfg(feature = "parquet")]
+            Form::Parquet => {
+                let writer = parquet::Writer::new(output, grid, manifest.map(Manifest::to_json));
+                Rows::Parquet(Box::new(writer.map_err(|error| wrong(&error))?))
+            }
+        };
+        let path = path.to_owned();
+        Ok(Self {
+            path,
+            grid,
+            manifest,
+            rows,
+        })
+    }
+
+    pub(super) fn add(&mut self, index: usize, row: &Row) -> Result<(), SimError> {
+        let wrong = |error: &dyn std::fmt::Display| failed(&self.path, error);
+        match &mut self.rows {
+            Rows::Csv(file) => {
+                let added = file.add(self.grid, index, row);
+                added.map_err(|error| wrong(&error))
+            }
+            #[cfg(feature = "parquet")]
+            Rows::Parquet(file) => {
+                let added = file.add(self.grid, index, row);
+                added.map_err(|error| wrong(&error))
+            }
+        }
+    }
+
+    /// Has the rows reach the disk, and then their name.
+    pub(super) fn finish(self) -> Result<(), SimError> {
+        let wrong = |error: &dyn std::fmt::Display| failed(&self.path, error);
+        match self.rows {
+            Rows::Csv(file) => file.finish().map_err(|error| wrong(&error))?,
+            #[cfg(feature = "parquet")]
+            Rows::Parquet(file) => {
+                let finished = file.finish(self.grid).map_err(|error| wrong(&error));
+                return finished;
+            }
+        }
+        match self.manifest {
+            Some(manifest) => manifest.write(&self.path),
+            None => forget(&self.path),
         }
     }
 }

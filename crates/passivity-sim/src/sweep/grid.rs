@@ -201,6 +201,13 @@ impl Grid {
         (first * b.len() + second) * c.len() + third
     }
 
+    /// The index of the point that has these doubles, one for each axis.
+    pub(super) fn place(&self, doubles: [f64; 3]) -> Option<usize> {
+        let [a, b, c] = &self.values;
+        let [x, y, z] = doubles;
+        Some((a.place(x)? * b.len() + b.place(y)?) * c.len() + c.place(z)?)
+    }
+
     /// What each axis has at a point.
     fn at<T>(&self, index: usize, value: impl Fn(&Range, usize) -> T) -> [T; 3] {
         let [a, b, c] = &self.values;

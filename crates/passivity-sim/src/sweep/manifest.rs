@@ -128,7 +128,16 @@ fn no_shard(path: &Path) -> SimError {
     )
 }
 
+/// Removes what is said of a file that is replaced.
+pub(super) fn forget(path: &Path) -> Result<(), SimError> {
+    let said = beside(path);
+    match said.exists() {
+        true => fs::remove_file(&said).map_err(|error| failed(&said, &error)),
+        false => Ok(()),
+    }
+}
+
 /// The file that says what a shard in CSV is.
-pub(super) fn beside(path: &Path) -> PathBuf {
+fn beside(path: &Path) -> PathBuf {
     with_suffix(path, MANIFEST)
 }

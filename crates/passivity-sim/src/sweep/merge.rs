@@ -8,15 +8,15 @@ use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::sweep::disk::{failed, plain};
-use crate::sweep::file::{spare_unfinished, write_ordered};
-use crate::sweep::form::Form;
+use crate::sweep::file::spare_unfinished;
+use crate::sweep::form::{Form, Writer};
 use crate::sweep::grid::Grid;
 use crate::sweep::manifest::Manifest;
 use crate::sweep::row::Row;
 use crate::sweep::shard::Shard;
 
 /// Writes all shards of a sweep, in whatever order they are given, as one file; `see` is given each row
-/// in the order of the grid. Three shards are in memory at the most.
+/// in the order of the grid. A few thousand rows are in memory at a time; of Parquet a group of rows.
 ///
 /// # Errors
 ///
@@ -32,28 +32,26 @@ pub fn merge(
     let form = Form::of(path)?;
     spare_unfinished(path, form)?;
     let parts = in_order(parts, path, scene, grid)?;
+    let mut file = Writer::new(path, form, grid, None)?;
     std::thread::scope(|scope| {
-        // One shard is read while the one before it is written.
-        let (send, receive) = mpsc::sync_channel(0);
+        // Rows are read while those before them are written.
+        let (send, receive) = mpsc::sync_channel(2);
         scope.spawn(move || {
-            for (part, form, manifest) in &parts {
-                let place = manifest.place();
-                let rows = place.and_then(|shard| shard_rows(part, *form, shard, grid));
-                if send.send(rows).is_err() {
-                    return; // What was read could not be written.
-                }
+            let read = parts.iter().try_for_each(|(part, form, manifest)| {
+                pass_on(part, *form, manifest.place()?, grid, &send)
+            });
+            if let Err(error) = read {
+                // Where nobody waits for it, what was read could not be written.
+                let _ = send.send(Err(error));
             }
         });
-        let rows = receive.into_iter().flat_map(|shard| match shard {
-            Ok(rows) => rows.into_iter().map(Ok).collect(),
-            Err(error) => vec![Err(error)],
-        });
-        let rows = rows.inspect(|row| {
-            if let Ok((index, row)) = row {
-                see(*index, row);
+        for rows in receive {
+            for (index, row) in rows? {
+                see(index, &row);
+                file.add(index, &row)?;
             }
-        });
-        write_ordered(path, form, grid, None, rows)
+        }
+        file.finish()
     })
 }
 
@@ -117,25 +115,44 @@ fn in_order<'p>(
     }))
 }
 
-/// The rows of a shard, which are those of its points in the order of the grid.
-fn shard_rows(
+/// Rows that are passed on at once.
+const CHUNK: usize = 1 << 12;
+
+type Rows = Result<Vec<(usize, Row)>, SimError>;
+
+/// Passes the rows of a shard on, which are those of its points in the order of the grid.
+fn pass_on(
     part: &Path,
     form: Form,
     shard: Shard,
     grid: &Grid,
-) -> Result<Vec<(usize, Row)>, SimError> {
-    let range = shard.range(grid.len());
-    let rows = form.read(part, grid)?;
-    if rows.len() != range.len() {
-        let message = format!("has {} rows, expected {}", rows.len(), range.len());
-        return Err(failed(part, &message));
-    }
-    let mut placed = Vec::with_capacity(rows.len());
-    for (number, (index, (values, row))) in range.zip(rows).enumerate() {
-        if grid.doubles(index).map(f64::to_bits) != values.map(f64::to_bits) {
-            return Err(form.at(part, number, "this is not the point of this place"));
+    send: &mpsc::SyncSender<Rows>,
+) -> Result<(), SimError> {
+    let all = shard.range(grid.len());
+    let (mut range, mut chunk) = (all.clone(), Vec::new());
+    let pass = |chunk: &mut Vec<_>| {
+        let sent = send.send(Ok(std::mem::take(chunk)));
+        sent.map_err(|_| failed(part, &"is not needed any more"))
+    };
+    form.read(part, grid, &mut |number, (values, row)| {
+        let is_here =
+            |index: &usize| grid.doubles(*index).map(f64::to_bits) == values.map(f64::to_bits);
+        let index = range.next().filter(is_here);
+        let index =
+            index.ok_or_else(|| form.at(part, number, "this is not the point of this place"))?;
+        chunk.push((index, row));
+        match chunk.len() {
+            CHUNK => pass(&mut chunk),
+            _ => Ok(()),
         }
-        placed.push((index, row));
+    })?;
+    if range.is_empty() {
+        return pass(&mut chunk);
     }
-    Ok(placed)
+    let message = format!(
+        "has {} rows, expected {}",
+        all.len() - range.len(),
+        all.len()
+    );
+    Err(failed(part, &message))
 }

@@ -13,6 +13,7 @@ mod parquet;
 mod range;
 mod row;
 mod shard;
+mod taken;
 
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

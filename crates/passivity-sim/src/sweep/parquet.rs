@@ -17,9 +17,11 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
 use passivity_scene::files::Output;
 
+use crate::error::SimError;
 use crate::outcome::{ExactOutcome, PaperOutcome};
+use crate::sweep::disk::failed;
 use crate::sweep::grid::Grid;
-use crate::sweep::row::{Found, Row};
+use crate::sweep::row::{Each, Found, Row};
 
 /// The key under which a shard says what it is.
 const MANIFEST: &str = "passivity.sweep";
@@ -148,9 +150,19 @@ fn column<T: DataType>(
     column.close()
 }
 
-/// Reads a file of [`Writer`]; the reason in words when it is none.
-pub(super) fn read(path: &Path, grid: &Grid) -> Result<Vec<Found>, String> {
-    guarded(|| rows_of(path, grid))
+/// Reads a file of [`Writer`], a group of rows after the other.
+pub(super) fn read(path: &Path, grid: &Grid, each: Each<'_>) -> Result<(), SimError> {
+    let failed = |error| failed(path, &error);
+    let reader = guarded(|| opened(path, grid)).map_err(|error: String| failed(error))?;
+    let mut number = 0;
+    for group in 0..reader.num_row_groups() {
+        let rows = guarded(|| read_group(&*reader.get_row_group(group)?, grid));
+        for row in rows.map_err(failed)? {
+            each(number, row)?;
+            number += 1;
+        }
+    }
+    Ok(())
 }
 
 /// What a shard says that it is; `None` of a file that says nothing.
@@ -169,26 +181,19 @@ fn guarded<T>(read: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, Strin
     catch_unwind(reading).unwrap_or_else(|_| Err("its contents contradict each other".to_owned()))
 }
 
-fn rows_of(path: &Path, grid: &Grid) -> Result<Vec<Found>, ParquetError> {
+fn opened(path: &Path, grid: &Grid) -> Result<SerializedFileReader<File>, ParquetError> {
     let reader = SerializedFileReader::new(File::open(path)?)?;
     let found = reader.metadata().file_metadata().schema();
     if *found != schema(grid)? {
         let message = "its columns are not those of a sweep";
         return Err(ParquetError::General(message.to_owned()));
     }
-    let mut rows = Vec::new();
-    for group in 0..reader.num_row_groups() {
-        read_group(&*reader.get_row_group(group)?, grid, &mut rows)?;
-    }
-    Ok(rows)
+    Ok(reader)
 }
 
-/// Appends the rows of a group.
-fn read_group(
-    group: &dyn RowGroupReader,
-    grid: &Grid,
-    rows: &mut Vec<Found>,
-) -> Result<(), ParquetError> {
+/// The rows of a group.
+fn read_group(group: &dyn RowGroupReader, grid: &Grid) -> Result<Vec<Found>, ParquetError> {
+    let mut rows = Vec::new();
     let wrong = |what: String| ParquetError::General(what);
     let len = usize::try_from(group.metadata().num_rows())
         .map_err(|_| wrong("a group with less than no rows".to_owned()))?;
@@ -231,7 +236,7 @@ fn read_group(
         }
         rows.push((point, row));
     }
-    Ok(())
+    Ok(rows)
 }
 
 /// The values of a column without nulls.

@@ -1,8 +1,10 @@
 //! The values of an axis of a sweep: typed one by one, or computed where they are asked for.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 use num_bigint::BigInt;
+use num_traits::Signed as _;
 use passivity_core::BigRational;
 use passivity_scene::number;
 
@@ -16,8 +18,8 @@ pub struct Range(Values);
 
 #[derive(Clone)]
 enum Values {
-    /// Each with the double that is nearest to it.
-    List(Vec<(BigRational, f64)>),
+    /// Each with the double that is nearest to it, and their indices by size.
+    List(Vec<(BigRational, f64)>, Vec<usize>),
     Even(Even),
 }
 
@@ -90,7 +92,13 @@ impl From<Vec<BigRational>> for Range {
             let double = to_double(&x);
             (x, double)
         };
-        Self(Values::List(values.into_iter().map(with_double).collect()))
+        let list: Vec<(BigRational, f64)> = values.into_iter().map(with_double).collect();
+        let mut order: Vec<(usize, f64)> = list.iter().map(|(_, x)| *x).enumerate().collect();
+        order.sort_by(|(_, a), (_, b)| a.total_cmp(b));
+        Self(Values::List(
+            list,
+            order.into_iter().map(|(index, _)| index).collect(),
+        ))
     }
 }
 
@@ -146,7 +154,7 @@ impl Range {
     #[must_use]
     pub const fn len(&self) -> usize {
         match &self.0 {
-            Values::List(list) => list.len(),
+            Values::List(list, _) => list.len(),
             Values::Even(even) => even.count,
         }
     }
@@ -166,7 +174,7 @@ impl Range {
     #[expect(clippy::indexing_slicing, reason = "a panic that is announced")]
     pub fn value(&self, index: usize) -> BigRational {
         match &self.0 {
-            Values::List(list) => list[index].0.clone(),
+            Values::List(list, _) => list[index].0.clone(),
             Values::Even(even) => {
                 assert!(index < even.count, "value {index} of {}", even.count);
                 even.value(index)
@@ -183,7 +191,7 @@ impl Range {
     #[expect(clippy::indexing_slicing, reason = "a panic that is announced")]
     pub fn double(&self, index: usize) -> f64 {
         match &self.0 {
-            Values::List(list) => list[index].1,
+            Values::List(list, _) => list[index].1,
             Values::Even(even) => {
                 assert!(index < even.count, "value {index} of {}", even.count);
                 even.double(index)
@@ -208,7 +216,7 @@ impl Range {
     /// that it is found by halving.
     pub(super) fn first_not(&self, allowed: impl Fn(&BigRational) -> bool) -> Option<BigRational> {
         let even = match &self.0 {
-            Values::List(list) => {
+            Values::List(list, _) => {
                 let mut values = list.iter().map(|(x, _)| x);
                 return values.find(|x| !allowed(x)).cloned();
             }
@@ -238,11 +246,10 @@ impl Range {
     /// The first double that is nearest to two values next to each other in size.
     pub(super) fn twice(&self) -> Option<f64> {
         let even = match &self.0 {
-            Values::List(list) => {
-                let mut doubles: Vec<f64> = list.iter().map(|(_, x)| *x).collect();
-                doubles.sort_by(f64::total_cmp);
-                let pair = doubles.windows(2).find(|pair| pair.first() == pair.last());
-                return pair.and_then(|pair| pair.first().copied());
+            Values::List(_, order) => {
+                let by_size = || order.iter().map(|index| self.double(*index));
+                let mut pairs = by_size().zip(by_size().skip(1));
+                return pairs.find(|(a, b)| a == b).map(|(a, _)| a);
             }
             Values::Even(even) => even,
         };
@@ -255,6 +262,26 @@ impl Range {
         }
         let mut doubles = self.doubles().zip(self.doubles().skip(1));
         doubles.find(|(a, b)| a == b).map(|(a, _)| a)
+    }
+
+    /// The index of the value that this double is nearest to.
+    pub(super) fn place(&self, double: f64) -> Option<usize> {
+        let (order, rises) = match &self.0 {
+            Values::List(_, order) => (Some(order), true),
+            Values::Even(even) => (None, !even.step.is_negative()),
+        };
+        let index = |rank: usize| order.map_or(Some(rank), |order| order.get(rank).copied());
+        let (mut from, mut to) = (0, self.len());
+        while from < to {
+            let middle = from.midpoint(to);
+            let at = index(middle)?;
+            match (self.double(at).total_cmp(&double), rises) {
+                (Ordering::Equal, _) => return Some(at),
+                (Ordering::Less, true) | (Ordering::Greater, false) => from = middle + 1,
+                (Ordering::Less, false) | (Ordering::Greater, true) => to = middle,
+            }
+        }
+        None
     }
 
     /// The ends of a range of so many values that no hash is to go through all of them.
@@ -331,6 +358,25 @@ mod tests {
             ("-1e9:-1000000000.00001:99999999", Some(-1e9)),
         ] {
             assert_eq!(Range::parse(text).unwrap().twice(), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_value_is_found_by_its_double() {
+        for text in [
+            "0:1:12345",
+            "3:-2:99",
+            "3:3:1",
+            "5,-1,2,1e300,1/3",
+            "1e-320:1e-318:7",
+        ] {
+            let range = Range::parse(text).unwrap();
+            for (index, double) in range.doubles().enumerate() {
+                assert_eq!(range.place(double), Some(index), "{text}");
+            }
+            for other in [-0.0, 0.7, 1e9, -1e9, f64::NAN, f64::INFINITY] {
+                assert_eq!(range.place(other), None, "{text}: {other}");
+            }
         }
     }
 

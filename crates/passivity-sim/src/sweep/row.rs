@@ -1,5 +1,6 @@
 //! The outcome of a point of a sweep.
 
+use crate::error::SimError;
 use crate::outcome::{End, ExactOutcome, PaperOutcome};
 
 /// The outcome of a point.
@@ -26,6 +27,14 @@ impl Row {
         self.exact == ExactOutcome::Undecided
     }
 
+    /// What a file has of it.
+    pub(super) fn as_in_file(self) -> Self {
+        Self {
+            within_rounding_of_edge: None,
+            ..self
+        }
+    }
+
     pub(super) fn of(end: &End) -> Self {
         Self {
             paper: end.outcome.paper,
@@ -40,3 +49,6 @@ impl Row {
 
 /// A row as a file has it, with its values of the grid's axes.
 pub(super) type Found = ([f64; 3], Row);
+
+/// Is given the rows of a file one after another, each with its number from 0, and may end the reading.
+pub(super) type Each<'e> = &'e mut dyn FnMut(usize, Found) -> Result<(), SimError>;

@@ -30,15 +30,13 @@ fn sweep(
     resume: bool,
     rows: Option<usize>,
 ) -> Result<usize, SimError> {
-    let opened = open(path, scene, grid, resume)?;
     let mut all: Vec<Option<Row>> = vec![None; grid.len()];
-    for (index, row) in opened.found {
-        all[index] = Some(row);
-    }
-    let done: Vec<bool> = all.iter().map(Option::is_some).collect();
+    let opened = open(path, scene, grid, resume, |index, row| {
+        assert!(all[index].replace(*row).is_none());
+    })?;
     let mut file = opened.rows;
     let mut now = 0;
-    let result = run(scene, grid, &done, |index, row| {
+    let result = run(scene, grid, &opened.done, |index, row| {
         if rows.is_some_and(|rows| now >= rows) {
             return Err(SimError::File("killed".to_owned()));
         }
@@ -49,11 +47,20 @@ fn sweep(
     });
     match result {
         Ok(()) => {
-            file.finish(grid, &all)?;
+            file.finish(grid)?;
             Ok(now)
         }
         Err(error) => Err(error),
     }
+}
+
+/// The rows that a file has, when it is taken up.
+fn found(path: &Path, scene: &Point, grid: &Grid) -> Result<Vec<(usize, Row)>, SimError> {
+    let mut rows = Vec::new();
+    open(path, scene, grid, true, |index, row| {
+        rows.push((index, *row))
+    })?;
+    Ok(rows)
 }
 
 #[test]
@@ -124,8 +131,8 @@ fn a_parquet_file_has_the_rows_of_the_csv() {
     let files = fs::read_dir(&folder).unwrap().count();
     assert_eq!(files, 2, "nothing is left beside the two files");
     let bits = |row: &Row| [row.xi.to_bits(), row.velocity.to_bits()];
-    let mut rows = open(&parquet, &scene, &grid, true).unwrap().found;
-    let expected = open(&csv, &scene, &grid, true).unwrap().found;
+    let mut rows = found(&parquet, &scene, &grid).unwrap();
+    let expected = found(&csv, &scene, &grid).unwrap();
     rows.sort_by_key(|(index, _)| *index);
     assert_eq!(rows, expected);
     assert!(
@@ -143,7 +150,7 @@ fn a_parquet_file_has_the_rows_of_the_csv() {
     let whole = fs::read(&parquet).unwrap();
     for bytes in [&whole[..whole.len() - 9], b"PAR1, it says", b""] {
         fs::write(&parquet, bytes).unwrap();
-        let error = open(&parquet, &scene, &grid, true).unwrap_err().to_string();
+        let error = found(&parquet, &scene, &grid).unwrap_err().to_string();
         assert!(error.contains("sweep.parquet"), "{error}");
     }
     fs::remove_dir_all(folder).unwrap();
@@ -162,7 +169,7 @@ fn a_finished_sweep_of_another_scene_is_refused() {
             paper("1", "1", "1", 301),
             crate::common::point("49", "1", "1", ["0", "1"], 300),
         ] {
-            let error = open(&path, &other, &grid, true).unwrap_err().to_string();
+            let error = found(&path, &other, &grid).unwrap_err().to_string();
             assert!(error.contains("not those of this scene"), "{error}");
         }
         assert_eq!(fs::read(&path).unwrap(), kept);
@@ -170,13 +177,7 @@ fn a_finished_sweep_of_another_scene_is_refused() {
     let path = folder.join("part.csv");
     let rows = "beta,sigma,speed,paper,exact,at_interval,xi,velocity\n1.0,1.0,1.0,converged,at_rest,3,0.5,0.0\n";
     fs::write(&path, rows).unwrap();
-    let error = open(
-        &path,
-        &paper("1", "1", "1", 9),
-        &grid("1", "1", "1,2"),
-        true,
-    )
-    .unwrap_err();
+    let error = found(&path, &paper("1", "1", "1", 9), &grid("1", "1", "1,2")).unwrap_err();
     assert!(error.to_string().contains("not every point"), "{error}");
     fs::remove_dir_all(folder).unwrap();
 }
@@ -275,21 +276,15 @@ fn a_long_axis_costs_nothing() {
     let last = Shard::parse("100000000000/100000000000").unwrap();
     let points = grid.points(last).unwrap();
     assert_eq!(points, grid.len() - 10..grid.len());
-    let mut opened = open_shard(&path, &scene, &grid, last, false).unwrap().rows;
-    let mut rows: Vec<Option<Row>> = vec![None; 10];
-    run_range(&scene, &grid, points.clone(), &[], 0, |index, row| {
-        rows[index - points.start] = Some(row);
+    let opened = open_shard(&path, &scene, &grid, last, false, |_, _| {});
+    let mut opened = opened.unwrap().rows;
+    run_range(&scene, &grid, points, &[], 0, |index, row| {
         opened.add(&grid, index, &row)
     })
     .unwrap();
-    opened.finish(&grid, &rows).unwrap();
-    assert_eq!(
-        open_shard(&path, &scene, &grid, last, true)
-            .unwrap()
-            .found
-            .len(),
-        10
-    );
+    opened.finish(&grid).unwrap();
+    let opened = open_shard(&path, &scene, &grid, last, true, |_, _| {});
+    assert_eq!(opened.unwrap().done, [true; 10]);
     assert_eq!(grid.doubles(grid.len() - 1), [1.0, 1.0, 1.0]);
     fs::remove_dir_all(folder).unwrap();
 }
@@ -314,21 +309,21 @@ fn rows_are_taken_up_by_their_own_sweep_only_wherever_a_start_was_killed() {
             "{text}"
         );
         let rows = fs::read(&journal).unwrap();
-        let error = open(&path, &other, &grid, true).unwrap_err().to_string();
+        let error = found(&path, &other, &grid).unwrap_err().to_string();
         assert!(error.contains("another scene or other ranges"), "{error}");
         // A mark that was put beside the rows of another scene does not make them its own.
         fs::remove_file(&journal).unwrap();
         fs::remove_file(&mark).unwrap();
-        drop(open(&path, &other, &grid, false).unwrap());
+        drop(open(&path, &other, &grid, false, |_, _| {}).unwrap());
         let foreign = fs::read(&mark).unwrap();
         fs::write(&journal, &rows).unwrap();
-        let error = open(&path, &other, &grid, true).unwrap_err().to_string();
+        let error = found(&path, &other, &grid).unwrap_err().to_string();
         assert!(error.contains("not those of this scene"), "{error}");
         assert_eq!(fs::read(&journal).unwrap(), rows);
         assert_eq!(fs::read(&mark).unwrap(), foreign);
         // A start that was killed before its mark was there leaves no rows that it could be given.
         fs::remove_file(&mark).unwrap();
-        let error = open(&path, &other, &grid, true).unwrap_err().to_string();
+        let error = found(&path, &other, &grid).unwrap_err().to_string();
         assert!(error.contains("no file `.run` says"), "{error}");
         // Where the mark cannot be written, what was there stays.
         fs::remove_file(&journal).unwrap();
@@ -338,7 +333,9 @@ fn rows_are_taken_up_by_their_own_sweep_only_wherever_a_start_was_killed() {
         sweep(&path, &scene, &grid, false, None).unwrap();
         let whole = fs::read(&path).unwrap();
         fs::create_dir(&mark).unwrap();
-        let error = open(&path, &other, &grid, false).unwrap_err().to_string();
+        let error = open(&path, &other, &grid, false, |_, _| {})
+            .unwrap_err()
+            .to_string();
         assert!(error.contains(".run"), "{error}");
         assert_eq!(fs::read(&path).unwrap(), whole);
         fs::remove_dir(&mark).unwrap();
@@ -358,8 +355,7 @@ fn taking_a_sweep_up_leaves_its_mark_as_it_is() {
     let before = fs::metadata(&mark).unwrap();
     // Killed again at once, any number of times: nothing is orphaned.
     for _ in 0..3 {
-        let opened = open(&path, &scene, &grid, true).unwrap();
-        assert_eq!(opened.found.len(), 5);
+        assert_eq!(found(&path, &scene, &grid).unwrap().len(), 5);
         let after = fs::metadata(&mark).unwrap();
         assert_eq!(
             (before.ino(), before.mtime_nsec()),
@@ -381,7 +377,9 @@ fn taking_a_sweep_up_leaves_its_mark_as_it_is() {
         .into_iter()
         .chain([(&*link, "a symbolic link")])
     {
-        let error = open(path, &scene, &grid, false).unwrap_err().to_string();
+        let error = open(path, &scene, &grid, false, |_, _| {})
+            .unwrap_err()
+            .to_string();
         assert!(error.contains(says), "{error}");
     }
     assert_eq!(fs::read(&kept).unwrap(), b"kept");

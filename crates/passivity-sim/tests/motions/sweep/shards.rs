@@ -11,21 +11,20 @@ use crate::common::paper;
 
 /// Sweeps one shard into a file of its own.
 fn sweep_shard(path: &Path, scene: &Point, grid: &Grid, shard: Shard) {
-    let opened = open_shard(path, scene, grid, shard, true).unwrap();
     let range = grid.points(shard).unwrap();
     let mut rows: Vec<Option<Row>> = vec![None; range.len()];
-    for (index, row) in opened.found {
-        rows[index - range.start] = Some(row);
-    }
-    let done: Vec<bool> = rows.iter().map(Option::is_some).collect();
+    let opened = open_shard(path, scene, grid, shard, true, |index, row| {
+        rows[index - range.start] = Some(*row);
+    })
+    .unwrap();
     let mut file = opened.rows;
-    let ran = run_range(scene, grid, range.clone(), &done, 1, |index, row| {
+    let ran = run_range(scene, grid, range.clone(), &opened.done, 1, |index, row| {
         assert!(range.contains(&index));
         rows[index - range.start] = Some(row);
         file.add(grid, index, &row)
     });
     ran.unwrap();
-    file.finish(grid, &rows).unwrap();
+    file.finish(grid).unwrap();
     // In one go, without a file of the rows on the way, it is the same.
     let [ours, at_once] = ["", "once."].map(|before| {
         let name = path.file_name().unwrap().to_str().unwrap();
