@@ -158,7 +158,7 @@ fn a_command_that_is_refused_leaves_what_was_there() {
             ),
             (
                 "sweep scene.toml --beta 1 --sigma 1 --speed 1e300",
-                "scene.toml",
+                "speed = 1e300",
             ),
         ] {
             refused(&dir, &format!("{command} --out rows.csv"), says);

@@ -137,6 +137,10 @@ fn what_cannot_be_taken_up_or_written_is_said() {
     for (args, expected) in [
         (args(&scene, "1:0", "1"), "range `1:0`"),
         (args(&scene, "-1", "1"), "β = -1"),
+        (
+            args(&scene, "1,1e400", "1"),
+            "error: β = 1e400: viscous friction cannot be simulated: expected a magnitude up to 1e120",
+        ),
     ] {
         let run = dir.run(&args);
         assert_eq!(run.code, 2);
@@ -158,6 +162,11 @@ fn what_cannot_be_taken_up_or_written_is_said() {
         assert!(
             run.stderr
                 .contains(" of 18 points are kept: go on with --resume"),
+            "{}",
+            run.stderr
+        );
+        assert!(
+            run.stderr.starts_with("error: `full.csv`"),
             "{}",
             run.stderr
         );

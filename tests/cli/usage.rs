@@ -103,3 +103,31 @@ fn every_crate_that_is_published_has_both_licences() {
     }
     assert!(published > 10, "{published}");
 }
+
+#[test]
+fn a_mistake_is_told_by_what_was_typed() {
+    let dir = Dir::new();
+    let text =
+        "[dimensionless]\nmu = \"50\"\nbeta = \"1\"\nsigma = \"1\"\n[start]\nvelocity = \"1\"\n";
+    let scene = dir.write("scene.toml", text);
+    let wrong = "[sampling]\nrate = \"1 kHz ± 1 ±\"\n[wall]\nstiffness = \"1 N/m\"\n";
+    let wrong = dir.write("wrong.toml", wrong);
+    for (args, says) in [
+        (
+            &["simulate", &scene, "--speed", "1e300"][..],
+            "error: --speed `1e300`: ",
+        ),
+        (
+            &["accuracy", &scene, "--speed", "1e300"],
+            "error: --speed `1e300`: ",
+        ),
+        (&["check", &wrong], "expected a unit here, found `±`"),
+    ] {
+        let run = dir.run(args);
+        assert_eq!(run.code, 2, "{args:?}: {}", run.stderr);
+        assert!(run.stderr.contains(says), "{args:?}: {}", run.stderr);
+        assert!(!run.stderr.contains("\\u{"), "{}", run.stderr);
+    }
+    let run = dir.run(&["simulate", &scene, "--intervals", "1e1", "--format", "json"]);
+    assert_eq!(run.json()["intervals"], 10, "{}", run.stderr);
+}

@@ -212,9 +212,9 @@ fn malformed(text: &str, at: usize) -> NumberError {
     let message = match text.get(at..).and_then(|rest| rest.chars().next()) {
         Some(c) if at == 0 => format!(
             "expected a number such as `0.375` or `3/8`, found `{}`",
-            c.escape_default()
+            c.escape_debug()
         ),
-        Some(c) => format!("`{}` cannot stand here in a number", c.escape_default()),
+        Some(c) => format!("`{}` cannot stand here in a number", c.escape_debug()),
         None => "the number ends too early".to_owned(),
     };
     NumberError::new(NumberErrorKind::Malformed, at, message)

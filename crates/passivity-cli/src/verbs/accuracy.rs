@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 #[cfg(feature = "plot")]
 use passivity_plot::save;
-use passivity_scene::parse::MAX_INTERVALS;
 use passivity_sim::accuracy::{Table, measure, methods};
 #[cfg(feature = "plot")]
 use passivity_sim::plot::accuracy::draw;
@@ -14,7 +13,7 @@ use crate::exit::{Exit, Failure};
 use crate::files::{may_be_written, sources};
 use crate::output::{Format, emit, emit_json, read_scene};
 use crate::progress::Progress;
-use crate::verbs::simulate::{Start, words};
+use crate::verbs::simulate::{Start, intervals, words};
 
 /// Compare the simulation methods on a scene: error against the reference, and time per interval.
 #[derive(Debug, clap::Args)]
@@ -26,7 +25,7 @@ pub(crate) struct Args {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// The largest number of intervals to simulate; the reference method takes microseconds for each.
-    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u64).range(1..=MAX_INTERVALS))]
+    #[arg(long, value_name = "N", default_value_t = 2000, allow_negative_numbers = true, value_parser = intervals)]
     intervals: u64,
     #[command(flatten)]
     start: Start,
@@ -52,7 +51,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         bar.advance(1);
     });
     drop(bar);
-    let of_scene = |error| Failure::input(format!("`{}`: {error}", args.scene.display()));
+    let of_scene = |error| args.start.blamed(&args.scene, &error);
     let table = measured.map_err(of_scene)?;
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {

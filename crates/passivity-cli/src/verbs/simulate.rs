@@ -4,11 +4,12 @@ use std::io::{IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use passivity_core::{BigRational, Parameter};
 #[cfg(feature = "plot")]
 use passivity_plot::save;
 use passivity_scene::display::significant;
 use passivity_scene::files::Output;
-use passivity_scene::number::nearest_f64;
+use passivity_scene::number::{nearest_f64, parse};
 use passivity_scene::parse::MAX_INTERVALS;
 use passivity_scene::point::Units;
 use passivity_scene::{Effect, Point, Scene};
@@ -18,7 +19,7 @@ use passivity_sim::plot::motion::{Motion, draw};
 use passivity_sim::plot::scales::Scales;
 use passivity_sim::report::Simulation;
 use passivity_sim::trace::Table;
-use passivity_sim::{Detail, ExactOutcome, Line, Method, Plan, Simulated, simulate};
+use passivity_sim::{Detail, ExactOutcome, Line, Method, Plan, SimError, Simulated, simulate};
 
 use crate::exit::{Exit, Failure};
 use crate::files::{may_be_written, sources};
@@ -50,7 +51,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "METHOD", default_value = "closed-form")]
     method: String,
     /// The number of sampling intervals to simulate, in place of the scene's.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_INTERVALS))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = intervals)]
     intervals: Option<u64>,
     #[command(flatten)]
     start: Start,
@@ -92,7 +93,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     something_to_draw(args, point.intervals)?;
     args.start.put(&scene, &mut point)?;
     let method = Method::parse(&args.method).map_err(Failure::input)?;
-    let of_scene = |error| Failure::input(format!("`{}`: {error}", args.scene.display()));
+    let of_scene = |error| args.start.blamed(&args.scene, &error);
     let plan = Plan::compile(&point).map_err(of_scene)?;
     let mut watcher = Watcher::new(args, &scene, &point, &plan, &method)?;
     let begin = Instant::now();
@@ -248,6 +249,26 @@ impl Start {
         }
         Ok(())
     }
+
+    /// The failure of what was typed in place of the scene's, or of the scene.
+    pub(crate) fn blamed(&self, scene: &Path, error: &SimError) -> Failure {
+        let of_speed = Parameter::StartVelocity.row().name;
+        match (&self.speed, error) {
+            (Some(text), SimError::OutOfRange { parameter, .. }) if *parameter == of_speed => {
+                Failure::input(format!("--speed `{text}`: {error}"))
+            }
+            _ => Failure::input(format!("`{}`: {error}", scene.display())),
+        }
+    }
+}
+
+/// Reads a number of sampling intervals.
+pub(crate) fn intervals(text: &str) -> Result<u64, String> {
+    let number = parse(text).ok().filter(BigRational::is_integer);
+    let whole = number.and_then(|number| u64::try_from(number.numer()).ok());
+    whole
+        .filter(|intervals| (1..=MAX_INTERVALS).contains(intervals))
+        .ok_or_else(|| format!("expected a whole number from 1 to {MAX_INTERVALS}"))
 }
 
 /// The table of the run, in the units that were asked for.

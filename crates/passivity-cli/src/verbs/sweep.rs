@@ -4,7 +4,6 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use passivity_scene::Point;
-use passivity_scene::parse::MAX_INTERVALS;
 use passivity_sim::SimError;
 use passivity_sim::report::{Outcomes, Sweep};
 use passivity_sim::sweep::{
@@ -15,6 +14,7 @@ use crate::exit::{Exit, Failure};
 use crate::files::{may_be_written, sources};
 use crate::output::{Format, emit, emit_json, read_scene};
 use crate::progress::Progress;
+use crate::verbs::simulate::intervals;
 
 /// Simulate every point of a grid, on all cores: of (β, σ, speed at the start), Fig. 5 of the paper, or
 /// of any two or three parameters of the scene.
@@ -62,7 +62,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "KEY=RANGE UNIT", conflicts_with_all = ["beta", "sigma", "speed"])]
     vary: Vec<String>,
     /// The number of sampling intervals to simulate, in place of the scene's.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_INTERVALS))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = intervals)]
     intervals: Option<u64>,
     /// Write the outcomes to this file, one row per point: CSV, or Parquet if its name ends in .parquet.
     #[arg(long, value_name = "FILE")]
@@ -182,7 +182,10 @@ fn simulated(args: &Args, point: &Point, grid: &Grid) -> Result<Swept, Failure> 
     let mut seen = Seen::new(args, range.clone());
     let mut file = None;
     let mut done = Vec::new();
-    let of_scene = |error: SimError| Failure::input(format!("`{}`: {error}", args.scene.display()));
+    let of_scene = |error: SimError| match error {
+        SimError::File(message) => Failure::input(message),
+        error => Failure::input(format!("`{}`: {error}", args.scene.display())),
+    };
     if let Some(path) = &args.out {
         // All of them where rows are there that would be lost; one tells of what they have in common.
         let most = match path.exists() && !args.resume {

@@ -25,7 +25,7 @@ pub(super) fn parse(text: &str) -> Result<Unit, UnitError> {
         None => Ok(unit),
         Some(c) => Err(malformed(
             reader.at..reader.at + c.len_utf8(),
-            format!("`{}` cannot stand here in a unit", c.escape_default()),
+            format!("`{}` cannot stand here in a unit", c.escape_debug()),
         )),
     }
 }
@@ -181,7 +181,7 @@ impl<'a> Reader<'a> {
             return Err(match rest.chars().next() {
                 Some(c) => malformed(
                     self.at..self.at + c.len_utf8(),
-                    format!("expected a unit here, found `{}`", c.escape_default()),
+                    format!("expected a unit here, found `{}`", c.escape_debug()),
                 ),
                 None => malformed(self.at..self.at, "expected a unit here, found nothing"),
             });

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use passivity_core::{BigRational, Exact, Parameter, Scalar as _};
+use passivity_core::{BigRational, Exact, Ordered as _, Parameter, Scalar as _};
+use passivity_scene::display::{Rounding, rounded};
 use passivity_scene::{Axis, Point, Scene};
 
 use crate::error::SimError;
@@ -49,13 +50,25 @@ impl Grid {
     ///
     /// # Errors
     ///
-    /// A friction below zero, a value that is there twice, or too many points.
+    /// A friction below zero, a value that cannot be simulated or is there twice, or too many points.
     pub fn new(beta: Range, sigma: Range, speed: Range) -> Result<Self, SimError> {
-        for (name, range) in [("β", &beta), ("σ", &sigma)] {
-            if let Some(x) = range.first_not(|x| *x >= BigRational::integer(0)) {
+        for (name, range, parameter) in [
+            ("β", &beta, Parameter::Viscous),
+            ("σ", &sigma, Parameter::Coulomb),
+            ("speed", &speed, Parameter::StartVelocity),
+        ] {
+            let values = parameter.row().values;
+            if let Some(x) = range.first_not(|x| x.sign().is_some_and(|sign| values.allow(sign))) {
+                let expected = values.expected();
                 return Err(SimError::Method(format!(
-                    "{name} = {x}: expected zero or a value above it"
+                    "{name} = {x}: expected {expected}"
                 )));
+            }
+            if let Some(x) = range.first_not(|x| in_range(x, parameter).is_ok()) {
+                let shown = rounded(&x, 6, Rounding::Down);
+                let why = in_range(&x, parameter).err().map(|error| error.to_string());
+                let why = why.unwrap_or_default();
+                return Err(SimError::Method(format!("{name} = {shown}: {why}")));
             }
         }
         Self::of([beta, sigma, speed], Axes::Plane)
@@ -162,24 +175,6 @@ impl Grid {
             Axes::Plane => ["beta", "sigma", "speed"].map(str::to_owned).to_vec(),
             Axes::Parameters(axes) => axes.iter().map(Axis::column).collect(),
         }
-    }
-
-    /// Whether every value can be simulated, as far as the values alone tell.
-    pub(super) fn check(&self) -> Result<(), SimError> {
-        if !self.parameters().is_empty() {
-            return Ok(()); // Each point is compiled by itself.
-        }
-        let of = [
-            Parameter::Viscous,
-            Parameter::Coulomb,
-            Parameter::StartVelocity,
-        ];
-        for (parameter, values) in of.into_iter().zip(&self.values) {
-            if let Some(x) = values.first_not(|x| in_range(x, parameter).is_ok()) {
-                in_range(&x, parameter)?;
-            }
-        }
-        Ok(())
     }
 
     /// How many points there are.

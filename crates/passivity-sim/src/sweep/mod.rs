@@ -179,7 +179,6 @@ fn family(scene: &Point, grid: &Grid) -> Result<Option<Family>, SimError> {
     }
     let family = Family::of(&grid.point(scene, 0))?;
     family.own()?;
-    grid.check()?;
     Ok(Some(family))
 }
 

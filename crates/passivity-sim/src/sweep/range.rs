@@ -3,8 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use num_bigint::BigInt;
-use num_traits::Signed as _;
+use num_bigint::{BigInt, Sign};
 use passivity_core::BigRational;
 use passivity_scene::number;
 
@@ -268,7 +267,7 @@ impl Range {
     pub(super) fn place(&self, double: f64) -> Option<usize> {
         let (order, rises) = match &self.0 {
             Values::List(_, order) => (Some(order), true),
-            Values::Even(even) => (None, !even.step.is_negative()),
+            Values::Even(even) => (None, even.step.sign() != Sign::Minus),
         };
         let index = |rank: usize| order.map_or(Some(rank), |order| order.get(rank).copied());
         let (mut from, mut to) = (0, self.len());
