@@ -337,6 +337,17 @@ fn mistakes_in_what_is_varied_are_said() {
     let filtered = ["--vary", "damping_cutoff=10,20 Hz"];
     let run = dir.run(&[&["sweep", &arm][..], &damped, &filtered].concat());
     assert_eq!(run.code, 0, "{}", run.stderr);
+    // Without an encoder there is no tick, in which σ and the speed are.
+    let smooth = ARM.replace("[encoder]\nresolution = \"0.03 mm\"\n", "");
+    let smooth = dir.write("smooth.toml", smooth);
+    let run = dir.run(&["sweep", &smooth, "--beta", "1", "--sigma", "1"]);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.stderr.contains("--sigma: `smooth` has no encoder"),
+        "{}",
+        run.stderr
+    );
+    assert!(run.stderr.contains("--vary 'coulomb=…'"), "{}", run.stderr);
     let run = dir.run(&[
         "sweep",
         &arm,

@@ -36,9 +36,16 @@ impl Asked<'_> {
     ///
     /// # Errors
     ///
-    /// A range that cannot be read, or ranges that make no grid.
+    /// A range that cannot be read, ranges that make no grid, or values of σ in a scene without an encoder.
     pub fn grid(&self, scene: &Scene, point: &Point) -> Result<Grid, SimError> {
         if let (Some(beta), Some(sigma), []) = (self.beta, self.sigma, self.vary) {
+            if scene.given.resolution.is_none() {
+                return Err(SimError::Method(format!(
+                    "--sigma: `{}` has no encoder, and σ = c/(KΔ) no Δ: expected parameters of the scene, as in \
+                     --vary 'viscous=…' --vary 'coulomb=…'",
+                    scene.name
+                )));
+            }
             let speed = match self.speed {
                 Some(text) => Range::parse(text)?,
                 None => {
