@@ -174,6 +174,37 @@ fn what_cannot_be_taken_up_or_written_is_said() {
 }
 
 #[test]
+fn dots_stand_at_their_points() {
+    let dir = Dir::new();
+    let scene = scene(&dir, 2000);
+    let (beta, sigma) = ("0,0.1,0.9,0.2,1000", "0,1e-9,0.4,2");
+    let all = [
+        "sweep", &scene, "--beta", beta, "--sigma", sigma, "--speed", "1", "--plot", "grid.svg",
+    ];
+    let run = dir.run(&all);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("grid.svg")).expect("a picture");
+    // The right half is (b), 500 wide from 700: all of β but 1000 is in its first pixel.
+    let places = svg.split("<circle cx=\"").skip(1);
+    let places: Vec<f64> = places
+        .filter_map(|rest| rest.split('"').next()?.parse().ok())
+        .collect();
+    assert!(!places.is_empty(), "{svg}");
+    let is_at_a_value = |x: &f64| (700.0..701.5).contains(x) || (1030.0..1040.0).contains(x);
+    assert!(places.iter().all(is_at_a_value), "{places:?}");
+    // One point is one.
+    let run = dir.run(&[
+        "sweep", &scene, "--beta", "1", "--sigma", "1", "--speed", "1",
+    ]);
+    assert!(
+        run.stdout
+            .contains(": 1 point, of which 1 was simulated now"),
+        "{}",
+        run.stdout
+    );
+}
+
+#[test]
 fn the_critical_lines_are_those_of_the_scene_with_its_effects() {
     let dir = Dir::new();
     let write = |name: &str, more: &str| {
@@ -337,7 +368,7 @@ fn mistakes_in_what_is_varied_are_said() {
     let filtered = ["--vary", "damping_cutoff=10,20 Hz"];
     let run = dir.run(&[&["sweep", &arm][..], &damped, &filtered].concat());
     assert_eq!(run.code, 0, "{}", run.stderr);
-    // Without an encoder there is no tick, in which σ and the speed are.
+    // Without an encoder there is no tick to measure σ and the speed in.
     let smooth = ARM.replace("[encoder]\nresolution = \"0.03 mm\"\n", "");
     let smooth = dir.write("smooth.toml", smooth);
     let run = dir.run(&["sweep", &smooth, "--beta", "1", "--sigma", "1"]);

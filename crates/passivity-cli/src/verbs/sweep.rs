@@ -329,12 +329,18 @@ fn text(report: &Sweep) -> String {
         ),
     };
     format!(
-        "{}: {} points, of which {} were simulated now, in {:.3} s\n  \
+        "{}: {} {}, of which {} {} simulated now, in {:.3} s\n  \
          exactly       {} at rest, {} never at rest, {} growing, {} undecided\n  \
          by the paper  {} converged, {} limit cycles, {} unstable{near}",
         report.scene,
         report.points,
+        if report.points == 1 {
+            "point"
+        } else {
+            "points"
+        },
         report.simulated,
+        if report.simulated == 1 { "was" } else { "were" },
         report.seconds,
         exact.at_rest,
         exact.never_at_rest,

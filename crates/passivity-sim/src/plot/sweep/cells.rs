@@ -8,14 +8,10 @@ use crate::sweep::Range as Values;
 pub(super) struct Cell {
     /// Which of the grid's values it is.
     pub(super) index: usize,
+    /// The value, which is not in the middle where the values are not even.
+    pub(super) at: f64,
     pub(super) low: f64,
     pub(super) high: f64,
-}
-
-impl Cell {
-    pub(super) const fn middle(&self) -> f64 {
-        0.5 * (self.low + self.high)
-    }
 }
 
 /// The cells of an axis, the least value first.
@@ -36,8 +32,9 @@ pub(super) fn cells(values: &Values) -> Vec<Cell> {
     let lows = least.into_iter().chain(edges.iter().copied());
     let highs = edges.iter().copied().chain(most);
     let with_edges = sorted.iter().zip(lows.zip(highs));
-    let cells = with_edges.map(|((index, _), (low, high))| Cell {
+    let cells = with_edges.map(|((index, at), (low, high))| Cell {
         index: *index,
+        at: *at,
         low,
         high,
     });
@@ -58,4 +55,26 @@ pub(super) fn span(cells: &[Cell]) -> Range<f64> {
     let low = cells.first().map_or(0.0, |cell| cell.low);
     let high = cells.last().map_or(1.0, |cell| cell.high);
     low..high
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_is_at_its_value_wherever_that_is_in_its_cell() {
+        let values = Values::parse("0,0.1,0.9,0.2,1e6").unwrap();
+        let cells = cells(&values);
+        let found: Vec<f64> = cells.iter().map(|cell| cell.at).collect();
+        assert_eq!(found, [0.0, 0.1, 0.2, 0.9, 1e6]);
+        assert!(
+            cells
+                .iter()
+                .all(|cell| cell.low < cell.at && cell.at < cell.high)
+        );
+        assert_eq!(
+            cells.iter().map(|cell| cell.index).collect::<Vec<_>>(),
+            [0, 1, 3, 2, 4]
+        );
+    }
 }

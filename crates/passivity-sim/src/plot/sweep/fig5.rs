@@ -105,12 +105,12 @@ impl Drawing<'_> {
             if let Some((rank, _)) = self.speeds.iter().enumerate().find(does) {
                 fill(svg, &frame, column, line, &shade(rank, self.speeds.len()));
                 if is_undecided {
-                    cross(svg, frame.clamped([column.middle(), line.middle()]));
+                    cross(svg, frame.clamped([column.at, line.at]));
                 }
             }
             let oscillates = |row: &Row| row.paper == PaperOutcome::LimitCycle;
             if shown == ExactOutcome::NeverAtRest && all.iter().any(oscillates) {
-                let place = frame.clamped([column.middle(), line.middle()]);
+                let place = frame.clamped([column.at, line.at]);
                 svg.disc(place, 1.8, OSCILLATES, Stroke::solid(OSCILLATES, 0.5));
             }
         }

@@ -44,7 +44,7 @@ fn fill(svg: &mut Svg, frame: &Frame, column: &Cell, line: &Cell, colour: &str) 
 /// Marks a cell as undecided: hatched, with a cross.
 fn undecided(svg: &mut Svg, frame: &Frame, column: &Cell, line: &Cell) {
     fill(svg, frame, column, line, HATCHED);
-    cross(svg, frame.clamped([column.middle(), line.middle()]));
+    cross(svg, frame.clamped([column.at, line.at]));
 }
 
 fn cross(svg: &mut Svg, [x, y]: Pixel) {
