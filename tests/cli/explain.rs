@@ -91,7 +91,7 @@ fn an_actuator_is_charged_by_the_velocity_at_every_instant() {
             "E_d ≥ β·∫ξ̇²dτ + σ·∫|ξ̇|dτ\n",
         ),
     ] {
-        let scene = dir.write("scene.toml", &format!("{plain}{more}"));
+        let scene = dir.write("scene.toml", format!("{plain}{more}"));
         let run = dir.run(&["explain", &scene]);
         for line in [generated, friction] {
             assert!(
