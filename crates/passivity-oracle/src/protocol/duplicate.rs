@@ -1,5 +1,8 @@
 //! Keys that are given twice in one object of a request, which makes the request ambiguous.
 
+use std::collections::HashSet;
+use std::hash::Hash;
+
 use serde_json::Value;
 
 /// A key that was there before in the same object, and the byte, from 1, at which it stands again.
@@ -16,35 +19,44 @@ pub(super) fn find(text: &[u8], value: &Value) -> Option<Duplicate> {
     if colons(text) == entries(value) {
         return None;
     }
-    let mut open: Vec<Vec<String>> = Vec::new();
-    let mut at = 0;
-    while let Some(byte) = text.get(at) {
-        let mut next = at + 1;
-        match byte {
-            b'{' => open.push(Vec::new()),
-            b'}' => drop(open.pop()),
-            b'"' => {
-                next = end_of_string(text, at);
-                let rest = text.get(next..).unwrap_or_default().trim_ascii_start();
-                let literal = text.get(at..next).unwrap_or_default();
-                let key = serde_json::from_slice::<String>(literal);
-                if let (Some(keys), Ok(key), true) = (open.last_mut(), key, rest.starts_with(b":"))
-                {
-                    if keys.contains(&key) {
-                        return Some(Duplicate { key, at: at + 1 });
-                    }
-                    keys.push(key);
-                }
-            }
-            _ => {}
-        }
-        at = next;
+    let of_literal = |literal: &[u8]| serde_json::from_slice::<String>(literal).ok();
+    if let Some((key, at)) = first_again(text, of_literal) {
+        return Some(Duplicate { key, at });
     }
     // A key that the reader of JSON keeps for itself stands for something else than an entry.
     Some(Duplicate {
         key: "$serde_json::private::Number".to_owned(),
         at: 1,
     })
+}
+
+/// The first key that was there before in the same object, and its byte, with each key read by `read`.
+fn first_again<K: Eq + Hash>(text: &[u8], read: impl Fn(&[u8]) -> Option<K>) -> Option<(K, usize)> {
+    let mut open: Vec<HashSet<K>> = Vec::new();
+    let mut at = 0;
+    while let Some(byte) = text.get(at) {
+        let mut next = at + 1;
+        match byte {
+            b'{' => open.push(HashSet::new()),
+            b'}' => drop(open.pop()),
+            b'"' => {
+                next = end_of_string(text, at);
+                let rest = text.get(next..).unwrap_or_default().trim_ascii_start();
+                let literal = text.get(at..next).unwrap_or_default();
+                if let (Some(keys), true) = (open.last_mut(), rest.starts_with(b":"))
+                    && let Some(key) = read(literal)
+                {
+                    if keys.contains(&key) {
+                        return Some((key, at + 1));
+                    }
+                    keys.insert(key);
+                }
+            }
+            _ => {}
+        }
+        at = next;
+    }
+    None
 }
 
 /// The byte after the string that starts at `at`.
@@ -85,7 +97,40 @@ fn entries(value: &Value) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+    use std::hash::Hasher;
+
     use super::*;
+
+    /// A key that counts how often it is compared.
+    struct Counted<'a>(Vec<u8>, &'a Cell<usize>);
+
+    impl PartialEq for Counted<'_> {
+        fn eq(&self, other: &Self) -> bool {
+            self.1.set(self.1.get() + 1);
+            self.0 == other.0
+        }
+    }
+
+    impl Eq for Counted<'_> {}
+
+    impl Hash for Counted<'_> {
+        fn hash<H: Hasher>(&self, state: &mut H) {
+            self.0.hash(state);
+        }
+    }
+
+    #[test]
+    fn many_keys_are_each_compared_with_few() {
+        const KEYS: usize = 2000;
+        let entries = (0..KEYS).map(|i| format!("\"{i}\":1,"));
+        let text = format!("{{{}\"0\":1}}", entries.collect::<String>());
+        let compared = Cell::new(0);
+        let read = |literal: &[u8]| Some(Counted(literal.to_vec(), &compared));
+        let found = first_again(text.as_bytes(), read);
+        assert_eq!(found.map(|(_, at)| at), Some(text.len() - 5));
+        assert!(compared.get() < KEYS, "{} comparisons", compared.get());
+    }
 
     #[test]
     fn keys_are_compared_within_one_object() {
