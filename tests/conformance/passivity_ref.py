@@ -18,6 +18,7 @@ import json
 import re
 import sys
 from fractions import Fraction as F
+from functools import cached_property
 from math import floor
 
 sys.dont_write_bytecode = True
@@ -84,6 +85,11 @@ def span(lo, hi):
 
 def truth(worst_holds, best_holds):
     return True if worst_holds else (None if best_holds else False)
+
+
+def less(x, cost):
+    """x less a cost of which an enclosure is known."""
+    return x - cost[1], x - cost[0]
 
 
 # --- one interval between exact positions ------------------------------------------------------
@@ -182,15 +188,12 @@ class Loop:
             u = max(min(u, self.limit), -self.limit)
         return u
 
+    @cached_property
     def criterion(self):
-        """The two coefficients of the criterion, with what the effects take."""
-        viscous = self.beta - HALF - self.delay - (self.damping or 0)
-        coulomb = self.sigma
-        if self.encoder:
-            coulomb -= HALF + (self.damping or 0)
-        if self.step is not None:
-            coulomb -= self.step / 2
-        return viscous, coulomb
+        """The two coefficients of the criterion, with what the effects take: enclosures."""
+        law = damped(self.damping or F(0), F(0))
+        costs = Costs(law, self.delay, not self.clamped(), None, self.encoder, self.step or F(0))
+        return less(self.beta, costs.viscous), less(self.sigma, costs.coulomb)
 
     def stored(self, history):
         """Extra storage of delay and damping after the latest of these positions."""
@@ -211,8 +214,8 @@ class Loop:
         spent = dissipated(self.beta, self.sigma, d, dtau)
         extra = self.stored(history + [xi1]) - self.stored(history)
         net_linear, net_quantized = spent - linear - extra, spent - quantized - extra
-        viscous, coulomb = self.criterion()
-        margin = viscous + coulomb * dtau / abs(d) if d else None  # (8)
+        # (8); an enclosure where what a delay with damping costs is no fraction.
+        margin = [v + c * dtau / abs(d) for v, c in zip(*self.criterion)] if d else None
         row = {
             "h": h, "xi0": str(xi0), "xi1": str(xi1), "dtau": str(dtau),
             "generated_linear": str(linear), "generated_quantized": str(quantized),
@@ -220,8 +223,8 @@ class Loop:
             "bound_quantized": str(bound_quantized(d) if self.encoder else d * d / 2),
             "dissipated_lower": str(spent), "net_linear": str(net_linear),
             "net_quantized": str(net_quantized),
-            "margin": None if margin is None else str(margin),
-            "criterion_holds": margin is None or margin >= 0,
+            "margin": margin and (str(margin[0]) if margin[0] == margin[1] else span(*margin)),
+            "criterion_holds": margin is None or truth(margin[0] >= 0, margin[1] >= 0),
             "violates_linear": net_linear < 0, "violates_quantized": net_quantized < 0,
         }
         if self.delay or self.damping is not None:
@@ -264,7 +267,7 @@ class Loop:
         net_linear = extremes(
             lambda u, w: HALF * (ticks + u - HALF) ** 2 - HALF * (w - HALF) ** 2)
         net_quantized = extremes(lambda u, w: HALF * ticks**2 + ticks * (u - HALF))
-        viscous, coulomb = self.criterion()
+        viscous, coulomb = (coefficient[0] for coefficient in self.criterion)
         speeds = [least / dtau, most / dtau]
         times_speed = [viscous * v + coulomb for v in speeds]
         holds = truth(min(times_speed) >= 0, max(times_speed) >= 0)
@@ -457,7 +460,6 @@ def check(request):
     scene = request.get("scene")
     costs, loop = read_scene(scene)
     beta, sigma = loop.beta, loop.sigma
-    less = lambda x, cost: (x - cost[1], x - cost[0])
     viscous, coulomb = less(beta, costs.viscous), less(sigma, costs.coulomb)
     if coulomb[0] < 0 <= coulomb[1] and coulomb[0] != coulomb[1]:
         raise Refused("too close to the border for this implementation")

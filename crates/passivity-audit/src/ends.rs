@@ -1,5 +1,6 @@
-//! A dimensionless loop whose friction lies between two ends, with its controller.
+//! A dimensionless loop whose friction, and what it costs of it, lie between two ends, with its controller.
 
+use passivity_core::verdict::End;
 use passivity_core::{
     BigRational, Controller, Criterion, Fixed, Interval, Loop, Ordered, Parameter, Scalar, Wide,
     rational,
@@ -10,7 +11,8 @@ use crate::number::{Ample, to_ample};
 
 /// A dimensionless loop at the least and at the most that its friction may be.
 ///
-/// All else is exact: it shapes the force or scales the trace, and an account is of one force.
+/// What it costs of viscous friction (TH-LTI) may be enclosed only, which matters to the margin alone. All
+/// else is exact: it shapes the force or scales the trace, and an account is of one force.
 ///
 /// # Example
 ///
@@ -23,18 +25,25 @@ use crate::number::{Ample, to_ample};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ends<S> {
-    /// The loop with the least friction.
+    /// The loop with the least friction, and the highest cost.
     pub least: Loop<S>,
-    /// The loop with the most friction.
+    /// The loop with the most friction, and the lowest cost.
     pub most: Loop<S>,
     /// The controller of both.
     pub controller: Controller<S>,
     /// The criterion with the terms of the effects, at the least and at the most friction.
     pub criteria: [Criterion<S>; 2],
-    friction_is_exact: bool,
+    is_exact: IsExact,
 }
 
-/// Why a loop cannot be accounted for: something else than its friction is an interval.
+/// What of a loop is known exactly.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct IsExact {
+    friction: bool,
+    cost: bool,
+}
+
+/// Why a loop cannot be accounted for: something else than its friction and its cost is an interval.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotExact(pub Parameter);
 
@@ -54,23 +63,33 @@ impl<S: Scalar> Ends<S> {
     /// A loop that is known exactly.
     #[must_use]
     pub fn exact(dimensionless: Loop<S>) -> Self {
-        Self::between(dimensionless.clone(), dimensionless, true)
+        let is_exact = IsExact {
+            friction: true,
+            cost: true,
+        };
+        Self::between(dimensionless.clone(), dimensionless, is_exact)
     }
 
-    fn between(least: Loop<S>, most: Loop<S>, friction_is_exact: bool) -> Self {
+    fn between(least: Loop<S>, most: Loop<S>, is_exact: IsExact) -> Self {
         Self {
             controller: Controller::of(&least),
             criteria: [least.criterion(), most.criterion()],
             least,
             most,
-            friction_is_exact,
+            is_exact,
         }
     }
 
     /// Whether friction is known exactly.
     #[must_use]
     pub const fn friction_is_exact(&self) -> bool {
-        self.friction_is_exact
+        self.is_exact.friction
+    }
+
+    /// Whether the criterion is known exactly: friction, and what the loop costs of it.
+    #[must_use]
+    pub const fn criterion_is_exact(&self) -> bool {
+        self.is_exact.friction && self.is_exact.cost
     }
 
     /// Whether an encoder, at most, is all there is beside the hold, so that a row depends on
@@ -97,7 +116,7 @@ impl<S: Scalar> Ends<S> {
     pub fn try_map<U: Scalar>(&self, f: impl Fn(&S) -> Option<U>) -> Option<Ends<U>> {
         let loops = [&self.least, &self.most].map(|ends| ends.try_map(|_, x| f(x)));
         let [least, most] = loops;
-        Some(Ends::between(least?, most?, self.friction_is_exact))
+        Some(Ends::between(least?, most?, self.is_exact))
     }
 }
 
@@ -106,19 +125,22 @@ impl<S: Ordered> Ends<S> {
     ///
     /// # Errors
     ///
-    /// [`NotExact`] when something else than friction is an interval.
+    /// [`NotExact`] when something else than friction and what the loop costs of it is an interval.
     pub fn of(dimensionless: &Loop<Interval<S>>) -> Result<Self, NotExact> {
-        let is_friction =
-            |parameter: Parameter| matches!(parameter, Parameter::Viscous | Parameter::Coulomb);
-        let mut given = dimensionless.given();
-        if let Some((parameter, _)) = given.find(|(p, range)| !is_friction(*p) && !range.is_point())
-        {
-            return Err(NotExact(parameter));
+        let mut is_exact = IsExact {
+            friction: true,
+            cost: true,
+        };
+        for (parameter, range) in dimensionless.given() {
+            match parameter {
+                _ if range.is_point() => {}
+                Parameter::Viscous | Parameter::Coulomb => is_exact.friction = false,
+                Parameter::ViscousCost => is_exact.cost = false,
+                _ => return Err(NotExact(parameter)),
+            }
         }
-        let least = dimensionless.map(|_, range| range.lo().clone());
-        let most = dimensionless.map(|_, range| range.hi().clone());
-        let exact = dimensionless.given().all(|(_, range)| range.is_point());
-        Ok(Self::between(least, most, exact))
+        let [least, most] = [End::Hardest, End::Easiest].map(|end| dimensionless.at(end));
+        Ok(Self::between(least, most, is_exact))
     }
 }
 
@@ -143,10 +165,10 @@ impl Ends<BigRational> {
             (Some(least), Some(most)) => narrow(&least, &most),
             (least, most) => least.is_none() && most.is_none(),
         });
-        if !is_narrow {
+        if !is_narrow || !self.is_exact.cost {
             let [least, most] =
                 [&self.least, &self.most].map(|ends| ends.map(|_, x| Ball::of_rational(x)));
-            return Ends::between(least, most, self.friction_is_exact);
+            return Ends::between(least, most, self.is_exact);
         }
         let mut one = self.least.map(|_, x| Ball::of_rational(x));
         let around = |least: &Option<BigRational>, most: &Option<BigRational>| {
@@ -161,7 +183,7 @@ impl Ends<BigRational> {
     #[must_use]
     pub fn to_ample(&self) -> Ends<Ample> {
         let [least, most] = [&self.least, &self.most].map(|ends| ends.map(|_, x| to_ample(x)));
-        Ends::between(least, most, self.friction_is_exact)
+        Ends::between(least, most, self.is_exact)
     }
 
     /// The loop over big integers.
@@ -169,6 +191,6 @@ impl Ends<BigRational> {
     pub fn to_wide(&self) -> Ends<Wide> {
         let [least, most] =
             [&self.least, &self.most].map(|ends| ends.map(|_, x| rational::to_wide(x)));
-        Ends::between(least, most, self.friction_is_exact)
+        Ends::between(least, most, self.is_exact)
     }
 }

@@ -183,7 +183,7 @@ fn between_frictions<S: Ordered>(
     held: &HeldInterval<S>,
 ) -> Option<ledger::Row<Figure<S>>> {
     let least = ledger::row(&ends.least, held);
-    let most = match ends.friction_is_exact() {
+    let most = match ends.criterion_is_exact() {
         true => None,
         false => Some(ledger::row(&ends.most, held)),
     };
@@ -194,12 +194,17 @@ fn between_frictions<S: Ordered>(
         Some(hi) if hi.compare(&lo) == Some(Ordering::Less) => None,
         Some(hi) => Some(Figure::Enclosed(Interval::new_unchecked(lo, hi))),
     };
-    let of = |pick: fn(&ledger::Row<S>) -> &S| most.as_ref().map(|row| pick(row).clone());
+    // Of energies no cost is taken.
+    let of = |pick: fn(&ledger::Row<S>) -> &S| match ends.friction_is_exact() {
+        true => None,
+        false => most.as_ref().map(|row| pick(row).clone()),
+    };
+    let best = most.as_ref().map(|row| row.margin.clone());
     Some(ledger::Row {
         dissipated_lower: by_friction(least.dissipated_lower, of(|row| &row.dissipated_lower))?,
         net_linear: by_friction(least.net_linear, of(|row| &row.net_linear))?,
         net_quantized: by_friction(least.net_quantized, of(|row| &row.net_quantized))?,
-        margin: by_friction(least.margin, of(|row| &row.margin))?,
+        margin: by_friction(least.margin, best)?,
         generated_linear: Figure::Exact(least.generated_linear),
         generated_quantized: Figure::Exact(least.generated_quantized),
         bound_22: Figure::Exact(least.bound_22),
@@ -265,7 +270,7 @@ fn margin_at<S: Ordered>(ends: &Ends<S>, speed: &Figure<S>) -> Option<Option<Mar
     };
     let [least, most] = &ends.criteria;
     let (lo, hi) = (end(least, Ordering::Less)?, end(most, Ordering::Greater)?);
-    Some(Some(match (ends.friction_is_exact(), speed, lo) {
+    Some(Some(match (ends.criterion_is_exact(), speed, lo) {
         (true, Figure::Exact(_), Some(margin)) => Margin::At(margin),
         (_, _, lo) => Margin::Between(lo, hi),
     }))

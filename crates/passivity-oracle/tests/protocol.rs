@@ -85,6 +85,34 @@ fn run_gives_rows_and_totals() {
 }
 
 #[test]
+fn th_lti_the_margin_takes_what_a_delay_with_damping_costs() {
+    let row = |rest: &str| {
+        let known = r#""xi0":0,"xi1":1,"beta":"3/2","sigma":1"#;
+        result(&format!(r#"{{"op":"interval",{known},{rest}}}"#))
+    };
+    let fraction = row(r#""delay":1,"damping":"1/2""#);
+    assert_eq!(fraction["margin"], "1/4");
+    assert_eq!(fraction["criterion_holds"], true);
+    // Behind a one-sided wall it is the sum of what either costs (TH-LAW).
+    let one_sided = row(r#""delay":1,"damping":"1/2","unilateral":true"#);
+    assert_eq!(one_sided["margin"], "-1/2");
+    // Where it is no fraction the margin is enclosed, and nothing else.
+    let enclosed = row(r#""delay":3,"damping":"14/9""#);
+    let scene = r#"{"dimensionless":{"beta":"3/2","sigma":1},"sampling":{"delay":3},"wall":{"damping":"14/9"}}"#;
+    let spare = result(&format!(r#"{{"op":"check","scene":{scene}}}"#))["spare"].clone();
+    let at = |value: &Value| value["approx"].as_f64().unwrap();
+    let expected = at(&spare["viscous"]) + at(&spare["coulomb"]);
+    assert!(
+        (at(&enclosed["margin"]) - expected).abs() < 1e-14,
+        "{enclosed}"
+    );
+    assert_ne!(enclosed["margin"]["lo"], enclosed["margin"]["hi"]);
+    assert_eq!(enclosed["criterion_holds"], false);
+    assert_eq!(enclosed["dissipated_lower"], "5/2");
+    assert!(enclosed["net_linear"].is_string(), "{enclosed}");
+}
+
+#[test]
 fn check_is_that_of_the_scene() {
     let report = result(r#"{"op":"check","scene":{"dimensionless":{"beta":"3/5","sigma":"2/5"}}}"#);
     assert_eq!(report["verdict"], "not_passive");
@@ -318,6 +346,13 @@ fn a_request_asks_for_bounded_work_for_its_length() {
         ("wide friction", run(counted(20_000), &wide)),
         ("wide positions", run(fresh(100, 4000), small)),
         ("fresh fractions", run(fresh(12_000, 62), small)),
+        (
+            "long damping behind a delay",
+            run(
+                counted(3),
+                &format!(r#"{small}, "delay": 22, "damping": {}"#, number(2000, 1)),
+            ),
+        ),
     ] {
         let answer = ask(&request);
         assert!(
@@ -346,6 +381,13 @@ fn a_request_asks_for_bounded_work_for_its_length() {
             run(
                 (0..2000).map(|i| format!("\"{i}/1000000\"")).collect(),
                 small,
+            ),
+        ),
+        (
+            "damping behind a delay",
+            run(
+                counted(3),
+                &format!(r#"{small}, "delay": 22, "damping": {}"#, number(62, 1)),
             ),
         ),
         ("fresh fractions", run(fresh(500, 40), small)),

@@ -370,24 +370,32 @@ fn runs() -> Group {
 fn effects() -> Group {
     let mut dice = Dice::new(5);
     let mut tests: Vec<Test> = Vec::new();
-    let kinds: [(&'static str, Value); 8] = [
-        ("Unilateral", json!({"unilateral": true})),
-        ("Saturation", json!({"max_force": "7/3"})),
-        ("ForceStep", json!({"force_step": "2/3"})),
-        ("Delay", json!({"delay": 2})),
-        ("Damping", json!({"damping": "1/4"})),
-        ("NoEncoder", json!({"encoder": false})),
+    let kinds: [(&'static str, Value, usize); 10] = [
+        ("Unilateral", json!({"unilateral": true}), 30),
+        ("Saturation", json!({"max_force": "7/3"}), 30),
+        ("ForceStep", json!({"force_step": "2/3"}), 30),
+        ("Delay", json!({"delay": 2}), 30),
+        ("Damping", json!({"damping": "1/4"}), 30),
+        ("NoEncoder", json!({"encoder": false}), 30),
         (
             "Combined",
             json!({"unilateral": true, "delay": 1, "damping": "1/3", "force_step": "1/2"}),
+            10,
+        ),
+        ("Cost", json!({"delay": 1, "damping": "1/2"}), 10),
+        (
+            "Cost",
+            json!({"delay": 3, "damping": "14/9", "force_step": "1/2"}),
+            10,
         ),
         (
             "Combined",
             json!({"unilateral": true, "max_force": "5/2", "delay": 1, "force_step": "1/2"}),
+            30,
         ),
     ];
-    for (flag, effect) in &kinds {
-        for i in 0..30_usize {
+    for (flag, effect, count) in &kinds {
+        for i in 0..*count {
             let positions = walk(&mut dice, 3 + i % 5, 6);
             let mut request = json!({"op": "run", "xi": positions, "beta": "2", "sigma": "3/2"});
             if let (Value::Object(fields), Value::Object(effect)) = (&mut request, effect) {
@@ -405,6 +413,7 @@ fn effects() -> Group {
             "TH-DAC",
             "TH-DELAY",
             "TH-DAMP",
+            "TH-LTI",
             "TH-SMOOTH",
         ],
         notes: vec![
@@ -416,6 +425,10 @@ fn effects() -> Group {
             (
                 "NoEncoder",
                 "the position is known exactly; both accounts are the same, and the bounds are ½d²",
+            ),
+            (
+                "Cost",
+                "a delay with damping costs λ of viscous friction, not the sum of both; where it is no fraction the margin is enclosed",
             ),
             ("Combined", "several at once"),
         ],

@@ -232,14 +232,20 @@ fn second_implementation_passes_and_broken_copies_do_not() {
         ),
         (
             "intervals",
-            "margin is None or margin >= 0",
-            "margin is None or margin > 0",
+            "margin is None or truth(margin[0] >= 0",
+            "margin is None or truth(margin[0] > 0",
         ),
         ("intervals", "net_linear < 0", "net_linear <= 0"),
         ("regions", "v >= 0 and c >= 0", "v > 0 and c >= 0"),
         ("regions", "c**2 >= f**2 * square", "c**2 > f**2 * square"),
         ("counts", "holds is False and least == 0", "False"),
-        ("effects", "coulomb -= self.step / 2", "pass"),
+        ("effects", "self.step or F(0)", "F(0)"),
+        // The costs of delay and damping added up, as behind a one-sided wall.
+        (
+            "effects",
+            "self.delay, not self.clamped()",
+            "self.delay, False",
+        ),
         ("effects", "F(k - j + 1)", "F(1)"),
         (
             "motion",

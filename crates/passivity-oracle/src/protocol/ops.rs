@@ -1,5 +1,7 @@
 //! The operations: `interval`, `run`, `motion`, `check`, `version`.
 
+use num_bigint::BigInt;
+use passivity_core::rational::{from_wide, simplest_above, to_wide};
 use passivity_core::{BigRational, Friction, Interval, Loop, Scalar};
 use passivity_scene::AnyScene;
 use serde::Serialize;
@@ -101,7 +103,7 @@ fn interval(fields: &Fields<'_>, mut work: Work) -> Result<NumberedRow, Refusal>
         Some((name, value)) => Some(Reading::Exact(number(value, || name.to_owned())?)),
         None => None,
     };
-    let ledger = ledger(fields)?;
+    let ledger = ledger(fields, &mut work)?;
     let h = fields.natural("h", u64::MAX)?;
     let (ends, forces) = ([start.clone(), end.clone()], force.as_slice());
     let steps = work::of_row(&ledger, &ends, std::slice::from_ref(&dtau), forces);
@@ -138,7 +140,7 @@ fn sequence(fields: &Fields<'_>, mut work: Work, out: &mut Vec<u8>) -> Result<()
             number(value, place).map(Reading::Exact)
         })?,
     };
-    let ledger = ledger(fields)?;
+    let ledger = ledger(fields, &mut work)?;
     let steps = work::of_row(&ledger, &samples, &durations, &forces);
     let rows = u64::try_from(intervals).unwrap_or(u64::MAX);
     work.take(steps.saturating_mul(rows), || At::Field(name.to_owned()))?;
@@ -255,7 +257,7 @@ fn verdict(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
 }
 
 /// The ledger of the loop of a request: `beta` and `sigma`, and the effects whose keys are there.
-fn ledger(fields: &Fields<'_>) -> Result<Ledger, Refusal> {
+fn ledger(fields: &Fields<'_>, work: &mut Work) -> Result<Ledger, Refusal> {
     let one = || Interval::point(BigRational::one());
     let effect = |name, zero_allowed| {
         let value = fields.effect(name, zero_allowed)?;
@@ -274,8 +276,39 @@ fn ledger(fields: &Fields<'_>) -> Result<Ledger, Refusal> {
         unilateral: fields.flag("unilateral", false)?,
         ..Loop::new(one(), one())
     };
+    work.take(work::of_costs(&dimensionless), || {
+        At::Field("damping".to_owned())
+    })?;
+    let dimensionless = Loop {
+        viscous_cost: viscous_cost(&dimensionless).ok_or_else(undefined)?,
+        ..dimensionless
+    };
     Ledger::new(&dimensionless)
         .map_err(|error| Refusal::new("bad_value", At::Request, error.to_string()))
+}
+
+/// What the loop costs of viscous friction where no closed form says it (TH-LTI): a delay with damping.
+///
+/// `Some(None)` where a closed form does, `None` when a number is undefined. A cost that is no fraction is
+/// enclosed between short ones.
+fn viscous_cost(
+    dimensionless: &Loop<Interval<BigRational>>,
+) -> Option<Option<Interval<BigRational>>> {
+    /// How closely, as a power of two.
+    const BITS: u32 = 64;
+    let near = || BigRational::new(1.into(), BigInt::from(1) << BITS);
+    let wide = dimensionless.try_map(|_, range| range.try_map(|x| Some(to_wide(x))))?;
+    let Some(cost) = wide.with_costs(BITS)?.viscous_cost else {
+        return Some(None);
+    };
+    let (lo, hi) = (from_wide(cost.lo())?, from_wide(cost.hi())?);
+    Some(Some(match lo == hi {
+        true => Interval::point(lo),
+        false => Interval::hull(
+            simplest_above(&(&lo - near()), &lo),
+            simplest_above(&hi, &(&hi + near())),
+        ),
+    }))
 }
 
 /// Every number of a request is defined and Δτ is above zero, so that this is never seen.

@@ -6,7 +6,8 @@
 use num_traits::Zero as _;
 use passivity_audit::number::{Number, Written};
 use passivity_audit::{Ledger, Reading};
-use passivity_core::BigRational;
+use passivity_core::linear_part::MOST_DEGREE;
+use passivity_core::{BigRational, Interval, Loop};
 
 use super::{At, Refusal};
 
@@ -82,6 +83,20 @@ pub(super) fn of_row(
     let words = 1 + bits / 64;
     let times = PRODUCTS + PER_SAMPLE.saturating_mul(remembered - 1);
     ROW.saturating_add(times.saturating_mul(words.saturating_mul(words)))
+}
+
+/// The steps of computing what a delay with damping costs (TH-LTI): those of Sturm's sequences of polynomials
+/// whose degree it makes. Above the highest degree a closed form is used.
+pub(super) fn of_costs(dimensionless: &Loop<Interval<BigRational>>) -> u64 {
+    let degree = usize::from(dimensionless.delay) + 2;
+    match &dimensionless.damping {
+        Some(damping) if dimensionless.has_computed_costs() && degree <= MOST_DEGREE => {
+            let words = 1 + (damping.lo().numer().bits() + damping.lo().denom().bits()) / 64;
+            let degree = u64::try_from(degree).unwrap_or(u64::MAX);
+            degree.saturating_pow(4).saturating_mul(words * words)
+        }
+        _ => 0,
+    }
 }
 
 /// The steps of adding a row to sums whose denominators have this many bits.
