@@ -51,6 +51,19 @@ fn numbers_are_read_as_what_they_spell() {
 }
 
 #[test]
+fn messages_of_long_requests_are_short() {
+    let long = "x".repeat(1 << 20);
+    for line in [
+        format!(r#"{{"op":"{long}"}}"#),
+        format!(r#"{{"op":"version","{long}":1}}"#),
+        format!(r#"{{"op":"version","{long}":1,"{long}":1}}"#),
+    ] {
+        let answer = ask(&line);
+        assert!(answer.len() < 300, "{} bytes", answer.len());
+    }
+}
+
+#[test]
 fn nothing_moved() {
     let row = result(r#"{"op":"interval","xi0":"7/2","xi1":3.5,"beta":0,"sigma":0}"#);
     assert_eq!(row["margin"], Value::Null);
@@ -134,6 +147,12 @@ fn every_mistake_has_a_kind_and_a_place() {
     let interval = |rest: &str| format!(r#"{{"id":9,"op":"interval",{rest}}}"#);
     for (line, kind, at) in [
         ("nonsense".to_owned(), "bad_json", Value::from(2)),
+        // A library may be asked with line breaks.
+        (
+            "{\n\n \"op\": x}".to_owned(),
+            "bad_json",
+            Value::from(11),
+        ),
         (String::new(), "bad_json", Value::from(1)),
         ("[1]".to_owned(), "bad_request", Value::Null),
         ("{}".to_owned(), "missing_field", Value::from("op")),

@@ -5,7 +5,7 @@ use passivity_scene::json::{read_interval, read_rational};
 use passivity_scene::number::NumberError;
 use serde_json::{Map, Value};
 
-use super::{At, MAX_POSITIONS, Refusal};
+use super::{At, MAX_POSITIONS, Refusal, shown};
 use passivity_audit::Reading;
 use passivity_audit::number::{MAX_BITS, Number, is_bounded, is_positive};
 
@@ -32,11 +32,7 @@ impl<'a> Fields<'a> {
                     [] => "this operation has no fields".to_owned(),
                     known => format!("expected one of {}", known.join(", ")),
                 };
-                Err(Refusal::new(
-                    "unknown_field",
-                    At::Field(key.clone()),
-                    format!("unknown field `{key}`; {expected}"),
-                ))
+                Err(unknown_field("", key, &expected))
             }
         }
     }
@@ -193,6 +189,13 @@ pub(super) fn sample(
 fn refused(error: &NumberError, place: String) -> Refusal {
     let message = format!("{} (character {} of the number)", error, error.at() + 1);
     Refusal::new(error.kind().name(), At::Field(place), message)
+}
+
+/// The refusal of a key behind `path`.
+fn unknown_field(path: &str, key: &str, expected: &str) -> Refusal {
+    let key = shown(key);
+    let message = format!("unknown field `{key}`; {expected}");
+    Refusal::new("unknown_field", At::Field(format!("{path}{key}")), message)
 }
 
 pub(super) fn missing(name: &str) -> Refusal {

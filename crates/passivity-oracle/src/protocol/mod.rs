@@ -72,8 +72,7 @@ pub fn answer(line: &[u8], out: &mut Vec<u8>) {
     let request: Value = match serde_json::from_slice(line) {
         Ok(request) => request,
         Err(error) => {
-            // Requests are one line, so the column is the byte.
-            let at = At::Byte(error.column().max(1));
+            let at = At::Byte(byte_of(&error, line));
             let refusal = Refusal::new(
                 "bad_json",
                 at,
@@ -83,7 +82,8 @@ pub fn answer(line: &[u8], out: &mut Vec<u8>) {
         }
     };
     if let Some(duplicate) = duplicate::find(line, &request) {
-        let message = format!("the key `{}` is given twice in one object", duplicate.key);
+        let key = shown(&duplicate.key);
+        let message = format!("the key `{key}` is given twice in one object");
         let refusal = Refusal::new("duplicate_key", At::Byte(duplicate.at), message);
         return refuse(request.get("id").unwrap_or(&Value::Null), &refusal, out);
     }
@@ -104,6 +104,22 @@ pub fn answer(line: &[u8], out: &mut Vec<u8>) {
             out.truncate(start);
             refuse(id, &refusal, out);
         }
+    }
+}
+
+/// The byte, from 1, at which a text is no JSON. A request of a library may have line breaks.
+fn byte_of(error: &serde_json::Error, text: &[u8]) -> usize {
+    let lines = text.split_inclusive(|byte| *byte == b'\n');
+    let before = lines.take(error.line().saturating_sub(1)).map(<[u8]>::len);
+    (before.sum::<usize>() + error.column()).max(1)
+}
+
+/// Text of a request as a message shows it: short.
+fn shown(text: &str) -> String {
+    const MOST: usize = 40;
+    match text.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or_default()),
+        None => text.to_owned(),
     }
 }
 

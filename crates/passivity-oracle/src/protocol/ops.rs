@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::fields::{Fields, bad, duration, list, missing, number, sample};
 use super::work::{self, Work};
-use super::{At, MAX_ANSWER, PROTOCOL, Refusal};
+use super::{At, MAX_ANSWER, PROTOCOL, Refusal, shown};
 use crate::motion::Piece;
 use passivity_audit::Reading;
 use passivity_audit::json::{self, NumberedRow};
@@ -46,7 +46,8 @@ pub(super) fn run(fields: &Fields<'_>, work: Work, out: &mut Vec<u8>) -> Result<
             "unknown_op",
             At::Field("op".to_owned()),
             format!(
-                "unknown operation `{other}`; expected one of {}",
+                "unknown operation `{}`; expected one of {}",
+                shown(other),
                 OPS.join(", ")
             ),
         )),
