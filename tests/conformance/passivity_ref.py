@@ -127,7 +127,7 @@ class Loop:
         self.encoder = flag(request, "encoder", True)
         self.unilateral = flag(request, "unilateral", False)
         self.delay = whole(request.get("delay", Literal("0")))
-        if not isinstance(request.get("delay", Literal("0")), Literal) or not 0 <= self.delay <= 1000:
+        if not 0 <= self.delay <= 1000:
             raise Refused("delay: a whole number of samples")
         optional = lambda key, read: read(request[key]) if key in request else None
         self.damping = optional("damping", at_least_zero)

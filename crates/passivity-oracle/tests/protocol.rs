@@ -51,6 +51,30 @@ fn numbers_are_read_as_what_they_spell() {
 }
 
 #[test]
+fn whole_numbers_are_read_like_other_numbers() {
+    let row = |delay: &str, h: &str| {
+        let known = r#""xi0":0,"xi1":1,"beta":3,"sigma":1"#;
+        result(&format!(
+            r#"{{"op":"interval",{known},"delay":{delay},"h":{h}}}"#
+        ))
+    };
+    let expected = row("2", "18446744073709551615");
+    assert_eq!(expected["h"], u64::MAX);
+    for two in ["\"2\"", "2.0", "\"4/2\"", "0.2e1"] {
+        assert_eq!(row(two, "\"18446744073709551615\""), expected, "{two}");
+    }
+}
+
+#[test]
+fn an_interval_of_an_answer_is_read() {
+    let known = r#""op":"interval","xi0":0,"xi1":1,"sigma":1"#;
+    let row = result(&format!(
+        r#"{{{known},"beta":{{"lo":"1","hi":"2","approx":1.5}}}}"#
+    ));
+    assert_eq!(row["dissipated_lower"]["hi"], "3");
+}
+
+#[test]
 fn messages_of_long_requests_are_short() {
     let long = "x".repeat(1 << 20);
     for line in [
@@ -185,6 +209,27 @@ fn every_mistake_has_a_kind_and_a_place() {
             interval(r#""xi0":1,"xi1":2,"beta":1,"sigma":1,"dtau":0"#),
             "out_of_range",
             Value::from("dtau"),
+        ),
+        (
+            interval(r#""count0":1,"count1":0,"beta":1,"sigma":1,"encoder":false"#),
+            "bad_value",
+            Value::from("encoder"),
+        ),
+        (
+            r#"{"op":"run","counts":[1,0],"beta":1,"sigma":1,"encoder":false}"#.to_owned(),
+            "bad_value",
+            Value::from("encoder"),
+        ),
+        (
+            interval(r#""xi0":1,"xi1":2,"beta":{"lo":1,"hi":2,"foo":3},"sigma":1"#),
+            "unknown_field",
+            Value::from("beta.foo"),
+        ),
+        (
+            r#"{"op":"motion","mu":1,"beta":0,"sigma":{"lo":0,"hi":1},"xi":0,"velocity":1,"force":0,"tau":1}"#
+                .to_owned(),
+            "bad_value",
+            Value::from("sigma"),
         ),
         (
             interval(r#""xi0":"1/0","xi1":2,"beta":1,"sigma":1"#),

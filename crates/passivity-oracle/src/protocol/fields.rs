@@ -65,13 +65,12 @@ impl<'a> Fields<'a> {
         let Some(value) = self.map.get(name) else {
             return Ok(0);
         };
-        match value.as_u64() {
-            Some(n) if n <= most => Ok(n),
-            _ => Err(bad(
-                name,
-                format!("expected a whole number from 0 to {most}"),
-            )),
-        }
+        let x = read_rational(value).ok().filter(BigRational::is_integer);
+        let n = x.and_then(|x| u64::try_from(x.numer()).ok());
+        n.filter(|n| *n <= most).ok_or_else(|| {
+            let message = format!("expected a whole number from 0 to {most}");
+            bad(name, message)
+        })
     }
 
     pub(super) fn rational(&self, name: &'static str) -> Result<BigRational, Refusal> {
@@ -83,6 +82,17 @@ impl<'a> Fields<'a> {
     /// A number, or an interval of them, that is at least zero.
     pub(super) fn friction(&self, name: &'static str) -> Result<Interval<BigRational>, Refusal> {
         let value = self.map.get(name).ok_or_else(|| missing(name))?;
+        if let Value::Object(ends) = value {
+            // An answer's interval has the double between its ends too.
+            let known = |key: &str| matches!(key, "lo" | "hi" | "approx");
+            if let Some(key) = ends.keys().find(|key| !known(key)) {
+                return Err(unknown_field(
+                    &format!("{name}."),
+                    key,
+                    "an interval has `lo` and `hi`",
+                ));
+            }
+        }
         let range = read_interval(value).map_err(|error| refused(&error, name.to_owned()))?;
         if range.lo().is_nonnegative() != Some(true) {
             return Err(out_of_range(name.to_owned(), "zero or a value above it"));

@@ -104,7 +104,7 @@ fn interval(fields: &Fields<'_>, mut work: Work) -> Result<NumberedRow, Refusal>
         Some((name, value)) => Some(Reading::Exact(number(value, || name.to_owned())?)),
         None => None,
     };
-    let ledger = ledger(fields, &mut work)?;
+    let ledger = ledger(fields, counted, &mut work)?;
     let h = fields.natural("h", u64::MAX)?;
     let (ends, forces) = ([start.clone(), end.clone()], force.as_slice());
     let steps = work::of_row(&ledger, &ends, std::slice::from_ref(&dtau), forces);
@@ -141,7 +141,7 @@ fn sequence(fields: &Fields<'_>, mut work: Work, out: &mut Vec<u8>) -> Result<()
             number(value, place).map(Reading::Exact)
         })?,
     };
-    let ledger = ledger(fields, &mut work)?;
+    let ledger = ledger(fields, COUNTS.contains(&name), &mut work)?;
     let steps = work::of_row(&ledger, &samples, &durations, &forces);
     let rows = u64::try_from(intervals).unwrap_or(u64::MAX);
     work.take(steps.saturating_mul(rows), || At::Field(name.to_owned()))?;
@@ -224,12 +224,18 @@ fn per_interval<T>(
 /// Where a piece of motion at a constant force leads, enclosed between decimals.
 fn motion(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
     fields.only(&["mu", "beta", "sigma", "xi", "velocity", "force", "tau"])?;
-    // Exact motion of one device: the friction of an interval is taken at its least.
-    let (beta, sigma) = (fields.friction("beta")?, fields.friction("sigma")?);
+    // Exact motion of one device.
+    let friction = |name: &'static str| {
+        let range = fields.friction(name)?;
+        match range.is_point() {
+            true => Ok(range.lo().clone()),
+            false => Err(bad(name, "expected one number, not an interval")),
+        }
+    };
     let number = |name| fields.rational(name);
     let piece = Piece {
         mu: fields.effect("mu", false)?.ok_or_else(|| missing("mu"))?,
-        friction: Friction::new(beta.lo().clone(), sigma.lo().clone()),
+        friction: Friction::new(friction("beta")?, friction("sigma")?),
         xi: number("xi")?,
         velocity: number("velocity")?,
         force: number("force")?,
@@ -257,8 +263,9 @@ fn verdict(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
         .map_err(|error| Refusal::new("undefined", At::Request, error.to_string()))
 }
 
-/// The ledger of the loop of a request: `beta` and `sigma`, and the effects whose keys are there.
-fn ledger(fields: &Fields<'_>, work: &mut Work) -> Result<Ledger, Refusal> {
+/// The ledger of the loop of a request: `beta` and `sigma`, and the effects whose keys are there; `counted` says
+/// whether the request is of counts.
+fn ledger(fields: &Fields<'_>, counted: bool, work: &mut Work) -> Result<Ledger, Refusal> {
     let one = || Interval::point(BigRational::one());
     let effect = |name, zero_allowed| {
         let value = fields.effect(name, zero_allowed)?;
@@ -266,10 +273,15 @@ fn ledger(fields: &Fields<'_>, work: &mut Work) -> Result<Ledger, Refusal> {
     };
     let (beta, sigma) = (fields.friction("beta")?, fields.friction("sigma")?);
     let delay = fields.natural("delay", MAX_DELAY)?;
+    let encoder = fields.flag("encoder", true)?;
+    if counted && !encoder {
+        let message = "counts are those of an encoder: give positions, or leave `encoder` out";
+        return Err(bad("encoder", message));
+    }
     let dimensionless = Loop {
         viscous: Some(beta),
         coulomb: Some(sigma),
-        resolution: fields.flag("encoder", true)?.then(one),
+        resolution: encoder.then(one),
         damping: effect("damping", true)?,
         force_step: effect("force_step", false)?,
         max_force: effect("max_force", false)?,
