@@ -484,14 +484,29 @@ def check(request):
         holds = costs.holds_up_to(bound, beta, sigma)
     witness = None if holds else draw(loop, bound)
     both = lambda x: {"lo": str(x[0]), "hi": str(x[1])}
+    margin = bound and [v + c / bound for v, c in zip(viscous, coulomb)]
+    colgate, abbott_okamura = compared(scene, loop)
     return {
         "region": region, "not_covered": [],
         "verdict": "passive" if holds else "not_passive" if witness else "not_guaranteed",
         "beta": both((beta, beta)), "sigma": both((sigma, sigma)),
         "critical_speed": None if critical is None else both(critical),
         "spare": {"viscous": both(viscous), "coulomb": both(coulomb)},
+        "speed_bound": bound and both((bound, bound)), "margin_at_speed_bound": margin and both(margin),
+        "colgate": colgate, "abbott_okamura": abbott_okamura,
         "unforced": unforced(scene, region, viscous, coulomb), "witness": witness,
     }
+
+
+def compared(scene, loop):
+    """b >= KT/2 + B, and K <= min(2b/T, 2c/Delta), where nothing is late or filtered."""
+    wall, beta = scene.get("wall", {}), loop.beta - HALF
+    if (loop.delay or {"controller", "amplifier"} & set(scene) or "damping_time_constant" in wall
+            or "latency" in scene.get("sampling", {})):
+        return None, None
+    says = lambda spare: "holds" if spare >= 0 else "fails"
+    both = min(beta, loop.sigma - HALF) if loop.encoder else beta
+    return says(beta - number(wall.get("damping", "0"))), says(both)
 
 
 def unforced(scene, region, viscous, coulomb):

@@ -16,6 +16,9 @@ use crate::{Group, Test, witness};
 /// How long to wait for the next answer where nobody says otherwise.
 pub const PATIENCE: Duration = Duration::from_secs(60);
 
+/// How long to listen, once every test is answered, to what ends nevertheless not.
+const AFTERWARDS: Duration = Duration::from_secs(2);
+
 /// The longest answer that is read, in bytes: many times the longest that a test expects.
 const MAX_ANSWER: u64 = 1 << 20;
 
@@ -85,8 +88,12 @@ pub fn against(command: &str, groups: &[Group], patience: Duration) -> std::io::
     let mut judge = Judge::new(groups);
     // It may talk besides answering, but not without end.
     let mut lines_left = 2 * judge.open.len();
-    while lines_left > 0 && !judge.open.is_empty() {
+    while lines_left > 0 {
         lines_left -= 1;
+        let patience = match judge.open.is_empty() {
+            true => patience.min(AFTERWARDS),
+            false => patience,
+        };
         let Ok(line) = answers.recv_timeout(patience) else {
             break;
         };
@@ -145,17 +152,24 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Takes a line that the implementation says. What is no answer to an open test is passed over:
-    /// the first answer counts.
+    /// Takes a line that the implementation says. What is no answer to a test is passed over; of several
+    /// answers the first counts, and that there are more is a difference.
     pub fn hear(&mut self, line: &[u8]) {
         let Ok(answer) = serde_json::from_slice::<Value>(line) else {
             return;
         };
-        let test = answer["id"].as_u64().and_then(|id| self.open.remove(&id));
-        if let Some(test) = test {
+        let Some(id) = answer["id"].as_u64() else {
+            return;
+        };
+        if let Some(test) = self.open.remove(&id) {
             let mut found = Vec::new();
             judge(test, &answer, &mut found);
-            self.found.insert(test.id, (found, answer));
+            self.found.insert(id, (found, answer));
+        } else if let Some((found, _)) = self.found.get_mut(&id) {
+            let again = (String::new(), "answered more than once".to_owned());
+            if !found.contains(&again) {
+                found.push(again);
+            }
         }
     }
 
@@ -191,13 +205,16 @@ type Found = Vec<(String, String)>;
 
 fn judge(test: &Test, answer: &Value, found: &mut Found) {
     match (&test.result, answer.get("result"), answer.get("error")) {
-        (None, None, Some(_)) => {}
-        (None, _, _) => found.push((String::new(), "expected an error".to_owned())),
-        (Some(_), None, _) => {
-            let message = format!("expected a result, found {}", short(answer));
+        (None, None, Some(error)) if is_refusal(error) => {}
+        (None, _, _) => {
+            let message = "expected an error with a kind and a message, and no result";
+            found.push((String::new(), message.to_owned()));
+        }
+        (Some(_), None, _) | (Some(_), _, Some(_)) => {
+            let message = format!("expected a result and no error, found {}", short(answer));
             found.push((String::new(), message));
         }
-        (Some(expected), Some(result), _) => {
+        (Some(expected), Some(result), None) => {
             if test.request["op"] == "motion" {
                 meets(expected, result, found);
             } else {
@@ -212,6 +229,12 @@ fn judge(test: &Test, answer: &Value, found: &mut Found) {
             }
         }
     }
+}
+
+/// Whether an error says what kind of mistake it is, and says it to people.
+fn is_refusal(error: &Value) -> bool {
+    let mut fields = ["kind", "message"].iter().map(|field| &error[*field]);
+    fields.all(|text| text.as_str().is_some_and(|text| !text.is_empty()))
 }
 
 /// Says so where a wrong verdict is that of a formula which circulates.

@@ -40,13 +40,17 @@ fn ask(request: &Value) -> Value {
 /// What of an answer is expected of every implementation.
 fn expected(request: &Value, mut result: Value) -> Value {
     /// The figures of a verdict that are defined by the claims alone.
-    const VERDICT: [&str; 9] = [
+    const VERDICT: [&str; 13] = [
         "region",
         "verdict",
         "beta",
         "sigma",
         "critical_speed",
         "spare",
+        "speed_bound",
+        "margin_at_speed_bound",
+        "colgate",
+        "abbott_okamura",
         "unforced",
         "not_covered",
         "witness",
