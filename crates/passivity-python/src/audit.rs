@@ -120,6 +120,10 @@ fn reported(
 
 /// The numbers of an array of 64-bit integers or doubles.
 fn values(py: Python<'_>, name: &str, array: &Bound<'_, PyAny>) -> PyResult<Values> {
+    // Where there is nothing it has no address, and PyO3 takes no such buffer.
+    if array.len()? == 0 {
+        return Ok(Values::Whole(Vec::new()));
+    }
     if let Ok(buffer) = PyBuffer::<i64>::get(array) {
         return Ok(Values::Whole(buffer.to_vec(py)?));
     }

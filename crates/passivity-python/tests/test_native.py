@@ -11,6 +11,7 @@ import threading
 import time
 import unittest
 from array import array
+from decimal import Decimal
 from fractions import Fraction
 
 import passivity
@@ -91,6 +92,33 @@ class Containers(unittest.TestCase):
         if pyarrow is not None:
             for kind in (pyarrow.int8(), pyarrow.int16(), pyarrow.int32()):
                 self.assertEqual(passivity.audit(pyarrow.array(COUNTS, kind), SCENE), expected)
+
+    @unittest.skipIf(pyarrow is None or numpy is None, "of Arrow and NumPy")
+    def test_floats_of_16_bits(self):
+        values = numpy.array([3, 0, 0.5, -0.25], dtype=numpy.float16)
+        expected = passivity.audit(values[1:], SCENE)
+        halves = pyarrow.array(values)
+        for column in (halves.slice(1), pyarrow.chunked_array([halves.slice(1, 1), halves.slice(2)])):
+            self.assertEqual(passivity.audit(column, SCENE), expected)
+
+    def test_a_column_of_nothing_is_too_short(self):
+        columns = [[], (), array("q"), array("d")]
+        if numpy is not None:
+            columns.append(numpy.array([]))
+        if polars is not None:
+            columns.append(polars.Series([], dtype=polars.Int64))
+        if pyarrow is not None:
+            columns.append(pyarrow.array([], pyarrow.int64()))
+        for values in columns:
+            with self.subTest(values=repr(values)):
+                report = passivity.audit(values, SCENE, t=[], t_unit=None, f=array("d"))
+                self.assertEqual((report.verdict, report.samples), ("broken", 0))
+                self.assertIn("two samples", report.error.message)
+
+    def test_an_integer_among_floats_is_a_double(self):
+        self.assertEqual(passivity.audit([2**53, 0.5], SCENE).positions, "xi")
+        with self.assertRaisesRegex(ValueError, "trace: no double is 9007199254740993"):
+            passivity.audit([2**53 + 1, 0.5], SCENE)
 
     def test_what_is_no_column_is_refused(self):
         wrong = [{1, 2}, frozenset([1]), {1: 2}, b"12", [True, False], [1, "2"], [None, 1], [Fraction(1, 3)]]
@@ -285,6 +313,17 @@ class Errors(unittest.TestCase):
         self.assertIsInstance(error, ValueError)
         self.assertEqual((error.kind, error.line), ("missing_key", 3))
         self.assertIsNotNone(json.loads(error.diagnostics))
+
+    def test_a_scene_of_what_is_no_number_says_where(self):
+        for value in (float("nan"), float("inf"), Decimal("nan")):
+            with self.subTest(value=value), self.assertRaises(passivity.SceneError) as caught:
+                passivity.check({"dimensionless": {"beta": 1, "sigma": value}})
+            self.assertEqual(caught.exception.key, "dimensionless.sigma")
+
+    def test_what_is_no_scene_is_named(self):
+        for wrong in (b"x", 3, None):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(TypeError, "scene: expected the path"):
+                passivity.check(wrong)
 
     def test_a_trace_says_where(self):
         with self.assertRaises(passivity.TraceError) as caught:

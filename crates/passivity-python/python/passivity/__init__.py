@@ -22,7 +22,9 @@ import tempfile as _tempfile
 from collections.abc import Mapping as _Mapping
 from decimal import Decimal as _Decimal
 from fractions import Fraction as _Fraction
+from math import isfinite as _isfinite
 from numbers import Integral as _Integral
+from numbers import Rational as _Rational
 from numbers import Real as _Real
 
 from . import _arrays, _passivity
@@ -64,10 +66,24 @@ def _exact(value):
 
 def _scene(scene):
     if isinstance(scene, _Mapping):
-        return "object", _json.dumps(dict(scene), default=_exact, allow_nan=False)
+        return "object", _json.dumps(_finite(scene), default=_exact)
     if isinstance(scene, str) and "\n" in scene:
         return "text", scene
-    return "path", _os.fspath(scene)
+    if isinstance(scene, (str, _os.PathLike)) and isinstance(path := _os.fspath(scene), str):
+        return "path", path
+    found = type(scene).__name__
+    raise TypeError(f"scene: expected the path of a scene file, its text, or a mapping, found {found}")
+
+
+def _finite(value):
+    """A scene with what JSON has no number for as text, of which its reader says where it stands."""
+    if isinstance(value, _Mapping):
+        return {key: _finite(inner) for key, inner in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(inner) for inner in value]
+    if isinstance(value, _Real) and not isinstance(value, _Rational):
+        return float(value) if _isfinite(value) else str(float(value))
+    return value
 
 
 def _reading(columns, delimiter, decimal_comma, law, threads):

@@ -83,6 +83,10 @@ def _of_sequence(values, name):
             raise ValueError(f"{name}: expected integers or floats, found {type(x).__name__}")
     whole = all(isinstance(x, _numbers.Integral) for x in values)
     try:
-        return _array("q" if whole else "d", map(int if whole else float, values)), whole
+        column = _array("q" if whole else "d", map(int if whole else float, values))
+        for x, double in zip(() if whole else values, column):
+            if isinstance(x, _numbers.Integral) and double != x:
+                raise ValueError(f"{name}: no double is {x}, an integer among floats")
+        return column, whole
     except (OverflowError, TypeError) as error:
         raise ValueError(f"{name}: {error}") from None

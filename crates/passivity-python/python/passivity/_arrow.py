@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes as _c
+import struct as _struct
 from array import array as _array
 
 
@@ -51,6 +52,13 @@ _pointer = _c.pythonapi.PyCapsule_GetPointer
 _pointer.restype = _c.c_void_p
 _pointer.argtypes = [_c.py_object, _c.c_char_p]
 
+
+class _Half(_c.Structure):
+    """A float of 16 bits, which ctypes has no type for."""
+
+    _fields_ = [("bits", _c.c_uint16)]
+
+
 # By Arrow's format: the type in memory, and whether it is of whole numbers.
 _TYPES = {
     b"c": (_c.c_int8, True),
@@ -61,6 +69,7 @@ _TYPES = {
     b"I": (_c.c_uint32, True),
     b"l": (_c.c_int64, True),
     b"L": (_c.c_uint64, True),
+    b"e": (_Half, False),
     b"f": (_c.c_float, False),
     b"g": (_c.c_double, False),
 }
@@ -155,6 +164,8 @@ def _whole(parts, kind, owner):
     for part in parts:
         if type_ in (_c.c_int64, _c.c_double):
             joined.frombytes(memoryview(part).cast("B"))
+        elif type_ is _Half:
+            joined.extend(_struct.unpack(f"{len(part)}e", part))
         elif len(part):
             joined.extend(part)
     return joined, whole
