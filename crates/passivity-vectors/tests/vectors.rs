@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use passivity_vectors::{Group, Judge, Outcome, PATIENCE, SCHEMA, Test, against, all, named};
-use serde_json::{Value, json};
+use passivity_vectors::{Group, Outcome, PATIENCE, SCHEMA, Test, against, all};
+use serde_json::Value;
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -429,88 +429,6 @@ fn second_implementation_computes_every_witness_again() {
         let all_wrong = format!("{count} witnesses, {count} wrong\n");
         assert!(said.ends_with(&all_wrong), "{said}");
         fs::remove_file(path).unwrap();
-    }
-}
-
-/// What is found of answers like the library's own, each made into some by `change`.
-fn judged(groups: &[Group], change: impl Fn(&Value) -> Vec<Value>) -> Outcome {
-    let mut judge = Judge::new(groups);
-    for test in groups.iter().flat_map(|group| &group.tests) {
-        let mut answer = Vec::new();
-        passivity_oracle::protocol::answer(test.line().as_bytes(), &mut answer);
-        for answer in change(&serde_json::from_slice(&answer).unwrap()) {
-            judge.hear(answer.to_string().as_bytes());
-        }
-    }
-    judge.finish()
-}
-
-#[test]
-fn answers_of_another_form_than_the_protocols_differ() {
-    let all = all();
-    let some = |name: &str, is_meant: &dyn Fn(&Test) -> bool| {
-        let mut group = all.iter().find(|group| group.name == name).unwrap().clone();
-        group.tests.retain(is_meant);
-        group.tests.truncate(20);
-        group
-    };
-    let groups = ["counts", "regions", "refusals"].map(|name| some(name, &|_| true));
-    let outcome = judged(&groups, |answer| vec![answer.clone()]);
-    assert_eq!(outcome.differences, []);
-    let differ = |groups: &[Group], change: &dyn Fn(&mut Value)| {
-        let outcome = judged(groups, |answer| {
-            let mut changed = answer.clone();
-            change(&mut changed);
-            vec![changed]
-        });
-        assert_eq!(outcome.differences.len(), outcome.tests);
-    };
-    let twice = judged(&groups, |answer| vec![answer.clone(); 3]);
-    assert_eq!(twice.differences.len(), twice.tests);
-    assert_eq!(twice.differences[0].fields.len(), 1);
-    differ(&groups, &|answer| {
-        for (key, value) in [
-            ("error", json!({"kind": "x", "message": "y"})),
-            ("result", json!({})),
-        ] {
-            let fields = answer.as_object_mut().unwrap();
-            fields.entry(key).or_insert(value);
-        }
-    });
-    let refusals = &groups[2..];
-    differ(refusals, &|answer| answer["error"] = Value::Null);
-    differ(refusals, &|answer| answer["error"] = json!({}));
-    differ(refusals, &|answer| answer["error"]["message"] = "".into());
-    // Every figure of a verdict, where it has one.
-    let regions = [some("regions", &|test| {
-        let has = |key: &str| {
-            test.result
-                .as_ref()
-                .is_some_and(|result| !result[key].is_null())
-        };
-        has("speed_bound") && has("colgate")
-    })];
-    assert!(!regions[0].tests.is_empty());
-    for key in [
-        "speed_bound",
-        "margin_at_speed_bound",
-        "colgate",
-        "abbott_okamura",
-    ] {
-        differ(&regions, &|answer| answer["result"][key] = Value::Null);
-    }
-}
-
-#[test]
-fn the_last_answer_too_must_not_come_twice() {
-    let path = root().join("tests/conformance/passivity_ref.py");
-    let mut groups = named(&["errata"]).unwrap();
-    groups[0].tests.truncate(1);
-    let python = format!("python3 '{}'", path.display());
-    let twice = format!("{python} | sed p");
-    for (command, differences) in [(python, 0), (twice, 1)] {
-        let outcome = against(&command, &groups, PATIENCE).unwrap();
-        assert_eq!(outcome.differences.len(), differences, "{outcome:?}");
     }
 }
 

@@ -1,0 +1,101 @@
+//! How much work a request may ask for.
+
+use passivity_oracle::protocol::answer;
+
+fn ask(line: &str) -> String {
+    let mut out = Vec::new();
+    answer(line.as_bytes(), &mut out);
+    String::from_utf8(out).unwrap()
+}
+
+#[test]
+fn a_request_asks_for_bounded_work_for_its_length() {
+    let number = |bits: u32, i: usize| {
+        format!(
+            "\"{}/{}\"",
+            i * i + 1,
+            (num_bigint::BigInt::from(1) << bits) + i
+        )
+    };
+    let run = |positions: Vec<String>, more: &str| {
+        format!(
+            r#"{{"op": "run", "xi": [{}], {more}}}"#,
+            positions.join(",")
+        )
+    };
+    let small = r#""beta": "3", "sigma": "3""#;
+    let wide = format!(
+        r#""beta": "1/{}7", "sigma": "1/{}9""#,
+        "1".repeat(1200),
+        "1".repeat(1200)
+    );
+    let counted = |n: usize| (0..n).map(|i| (i % 7).to_string()).collect::<Vec<_>>();
+    let fresh = |n: usize, bits| (1..=n).map(|i| number(bits, i)).collect::<Vec<_>>();
+    let start = std::time::Instant::now();
+    for (what, request) in [
+        (
+            "a long memory",
+            run(counted(18_000), &format!(r#"{small}, "delay": 1000"#)),
+        ),
+        (
+            "fresh fractions in a memory",
+            run(fresh(100, 332), &format!(r#"{small}, "delay": 1000"#)),
+        ),
+        ("wide friction", run(counted(20_000), &wide)),
+        ("wide positions", run(fresh(100, 4000), small)),
+        ("fresh fractions", run(fresh(12_000, 62), small)),
+        (
+            "long damping behind a delay",
+            run(
+                counted(3),
+                &format!(r#"{small}, "delay": 22, "damping": {}"#, number(2000, 1)),
+            ),
+        ),
+    ] {
+        let answer = ask(&request);
+        assert!(
+            answer.contains(r#""kind": "too_much_work""#),
+            "{what}: {}",
+            &answer[..200.min(answer.len())]
+        );
+    }
+    // Each of these took from half a minute to ten when nothing bounded them.
+    assert!(
+        start.elapsed() < std::time::Duration::from_secs(120),
+        "{:?}",
+        start.elapsed()
+    );
+    for (what, request) in [
+        ("many positions", run(counted(50_000), small)),
+        (
+            "a memory",
+            run(
+                counted(500),
+                &format!(r#"{small}, "delay": 1000, "damping": "1/3""#),
+            ),
+        ),
+        (
+            "fractions of one denominator",
+            run(
+                (0..2000).map(|i| format!("\"{i}/1000000\"")).collect(),
+                small,
+            ),
+        ),
+        (
+            "damping behind a delay",
+            run(
+                counted(3),
+                &format!(r#"{small}, "delay": 22, "damping": {}"#, number(62, 1)),
+            ),
+        ),
+        ("fresh fractions", run(fresh(500, 40), small)),
+        ("wide numbers", run(counted(8), &wide)),
+    ] {
+        let answer = ask(&request);
+        assert!(
+            answer.contains(r#""totals""#),
+            "{what}: {}",
+            &answer[..200.min(answer.len())]
+        );
+    }
+}
