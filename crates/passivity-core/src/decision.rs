@@ -5,7 +5,7 @@
 //! box of loops without filter and actuator, because the margin is a concave function of each of its
 //! parameters: KT·λ is the largest of functions that are linear in KT and in B, and −BΔ/T is concave in
 //! T. If none holds, neither does a box whose cost is the same multiple of KT everywhere. Any other box
-//! is cut into cells, over each of which the costs are enclosed ([`cells`](crate::cells)).
+//! is cut into cells, over each of which the costs are enclosed (`cells.rs`).
 
 use num_rational::BigRational;
 
