@@ -211,7 +211,8 @@ fn claims_are_counted_by_what_shows_them() {
     for (id, strength) in [
         ("TH-LIN", Strength::AllReals),
         ("TH-START", Strength::InPart),
-        ("NUM-EXACT", Strength::Sampled),
+        ("NUM-EXACT", Strength::Exhausted),
+        ("CHECK-VERDICT", Strength::Sampled),
         ("TH-IDENT", Strength::Sampled),
     ] {
         for assessed in &mut records.assessed {
