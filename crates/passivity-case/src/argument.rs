@@ -198,11 +198,7 @@ impl<'a> Builder<'a> {
         } else {
             "TH-SMOOTH"
         }];
-        for id in of_effects(report) {
-            if !ids.contains(&id) {
-                ids.push(id);
-            }
-        }
+        ids.extend(of_effects(report));
         self.claims_goal(GENERATION, &text, &ids);
     }
 

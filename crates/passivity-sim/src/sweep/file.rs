@@ -21,7 +21,9 @@ use passivity_scene::files;
 
 use crate::error::SimError;
 use crate::sweep::csv;
-use crate::sweep::disk::{ROWS, RUN, failed, plain, with_suffix};
+#[cfg(feature = "parquet")]
+use crate::sweep::disk::ROWS;
+use crate::sweep::disk::{RUN, failed, plain, with_suffix};
 use crate::sweep::form::{Form, Writer};
 use crate::sweep::grid::Grid;
 use crate::sweep::manifest::{Manifest, forget};
