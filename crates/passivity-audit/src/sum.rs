@@ -16,8 +16,7 @@ use crate::span::ONE;
 /// new denominators) the sum is rounded outward, so that memory stays flat: it becomes an enclosure.
 pub const MAX_DENOMINATOR_BITS: u64 = 4096;
 
-/// The same for the sums of a log, of which few rows are exact: room for those of a thousand different
-/// durations.
+/// The same for the sums of a log, of which at most a thousand rows of different durations are exact: room for these.
 pub(crate) const MAX_DENOMINATOR_BITS_OF_LOG: u64 = 1 << 16;
 
 /// The grid of a sum that is rounded outward, 2^−`ROUNDED_BITS`.
@@ -220,11 +219,6 @@ impl Sum {
         }
     }
 
-    /// A denominator of all that was added, at least until it was rounded.
-    pub(crate) fn denominator(&self) -> BigInt {
-        self.big.1.lcm(&BigInt::from(self.small.1))
-    }
-
     /// The sum: exact, or enclosed once its denominator grew past [`MAX_DENOMINATOR_BITS`].
     #[must_use]
     pub fn value(&self) -> Figure<BigRational> {
@@ -313,21 +307,6 @@ impl FigureSum {
             lo: sum(lo),
             hi: hi.map(sum),
         }
-    }
-
-    /// A denominator of all that was added, at least until it was rounded.
-    pub(crate) fn denominator(&self) -> BigInt {
-        let own = self.lo.denominator();
-        match &self.hi {
-            Some(hi) => own.lcm(&hi.denominator()),
-            None => own,
-        }
-    }
-
-    /// Whether something was rounded.
-    pub(crate) fn is_rounded(&self) -> bool {
-        let sums = [Some(&self.lo), self.hi.as_ref()];
-        sums.iter().flatten().any(|sum| !sum.slack.is_zero())
     }
 
     /// How many bits the denominator has that machine integers do not hold.

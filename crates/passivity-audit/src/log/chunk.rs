@@ -4,7 +4,6 @@ use crate::log::error::TraceError;
 use crate::log::layout::{Form, Layout};
 use crate::log::numbers::{Kind, Numbers, Readings};
 use crate::log::scale::Scale;
-use crate::log::source::Place;
 use crate::number::Number;
 use crate::reading::Reading;
 
@@ -21,7 +20,7 @@ pub(crate) struct Chunk {
     /// In ticks per sampling period; one per sample, or none at all.
     pub(crate) velocities: Vec<f64>,
     /// Where in the log it is.
-    pub(crate) place: Place,
+    pub(crate) file: usize,
     /// Where the last row of a ledger ends.
     pub(crate) closing: Option<Reading>,
     /// Whether the last row, a whole one as it stands, lacks its line break.
@@ -178,7 +177,7 @@ impl Chunk {
     /// Goes on with the rows that follow.
     pub(crate) fn append(&mut self, mut next: Self) {
         if self.samples.len() == 0 {
-            self.place = next.place;
+            self.file = next.file;
         }
         match (&mut self.samples, &mut next.samples) {
             (Samples::Counts(counts), Samples::Counts(more)) => counts.append(more),
@@ -214,10 +213,7 @@ impl Chunk {
             dtaus: split(&mut self.dtaus, len),
             forces: self.forces.split_off(len),
             velocities: split(&mut self.velocities, len),
-            place: Place {
-                before: self.place.before + len,
-                ..self.place
-            },
+            file: self.file,
             closing,
             unended: self.unended,
             error: error.map(|error| TraceError {

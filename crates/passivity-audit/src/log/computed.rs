@@ -7,7 +7,6 @@ use crate::log::account::{Account, Place};
 use crate::log::counted;
 use crate::log::error::TraceError;
 use crate::log::known::{Known, known_force};
-use crate::log::merge::ROWS_IN_REPORT;
 use crate::log::motion::Addend;
 use crate::log::running::Lowest;
 use crate::log::step::undefined;
@@ -18,9 +17,6 @@ use crate::reading::Reading;
 use crate::rows::Form;
 use crate::span::{ONE, below_on_grid, on_both_sides, outward};
 use crate::sum::FigureSum;
-
-/// How many rows at the start of a trace are of exact numbers.
-pub(crate) const EXACT_ROWS: usize = ROWS_IN_REPORT;
 
 /// The row of an interval: of exact numbers, or of doubles where nothing is left open by them.
 pub(crate) enum Accounted {
@@ -85,15 +81,10 @@ impl Accounted {
 /// One period.
 pub(crate) const UNIT: Number = Number::whole(1);
 
-/// Whether the row of the interval `h`, of this length and with this end, is one of exact numbers in any
-/// case: so that the sums of a short trace are exact, and those of counts one period apart under their own
-/// law, of which there are few different ones.
-pub(crate) fn is_exact(task: &Task<'_>, end: &Reading, dtau: &Number, h: usize) -> bool {
-    match end {
-        Reading::Within(_) => false,
-        Reading::Count(_) if *dtau == UNIT && !task.applied => true,
-        _ => h < EXACT_ROWS,
-    }
+/// Whether the row of an interval of this length and with this end is one of exact numbers also in a long trace: one of
+/// counts one period apart under their own law, of which there are few different ones.
+pub(crate) fn is_exact(task: &Task<'_>, end: &Reading, dtau: &Number) -> bool {
+    matches!(end, Reading::Count(_)) && *dtau == UNIT && !task.applied
 }
 
 /// A row, and what is kept of it.
@@ -171,13 +162,19 @@ impl Text {
 }
 
 impl Computed {
-    /// The row of the interval `h` of the trace, or of some later one; of exact numbers where they are told
-    /// of.
-    pub(crate) fn of(task: &Task<'_>, interval: &Logged, h: usize) -> Result<Self, TraceError> {
-        Self::defined(task, interval, h).ok_or_else(undefined)
+    /// The row of an interval: of doubles where these leave nothing open.
+    pub(crate) fn of(task: &Task<'_>, interval: &Logged) -> Result<Self, TraceError> {
+        let exact = is_exact(task, &interval.end, &interval.dtau);
+        Self::defined(task, interval, exact).ok_or_else(undefined)
     }
 
-    fn defined(task: &Task<'_>, interval: &Logged, h: usize) -> Option<Self> {
+    /// The row of an interval of a short trace: of exact numbers, unless π enters.
+    pub(crate) fn exactly(task: &Task<'_>, interval: &Logged) -> Result<Self, TraceError> {
+        let exact = !matches!(interval.end, Reading::Within(_));
+        Self::defined(task, interval, exact).ok_or_else(undefined)
+    }
+
+    fn defined(task: &Task<'_>, interval: &Logged, exact: bool) -> Option<Self> {
         let quick = || {
             let force = known_force(interval)?;
             let addend = match Known::of_interval(task, interval) {
@@ -192,7 +189,6 @@ impl Computed {
             let entry = entry.filter(Entry::can_be_added)?;
             Self::of_row(task, interval, Accounted::Near(Box::new(entry)))
         };
-        let exact = is_exact(task, &interval.end, &interval.dtau, h);
         let near = if exact { None } else { quick().or_else(near) };
         let mut written = Text::default();
         let computed = match near {

@@ -4,11 +4,12 @@ use std::io::Write;
 
 use passivity_scene::Scene;
 
+use crate::json::NumberedRow;
 use crate::ledger::Logged;
 use crate::log::account::Account;
 use crate::log::chunk::Chunk;
 use crate::log::comparison::Comparison;
-use crate::log::computed::Computed;
+use crate::log::computed::{Accounted, Computed};
 use crate::log::error::TraceError;
 use crate::log::outcome::Audit;
 use crate::log::step::{between, check_jump, duration, undefined};
@@ -39,8 +40,6 @@ pub(crate) struct Merge<'a, 'w> {
     /// The room of the rows that were written last.
     room: Vec<u8>,
     account: Account,
-    /// How many intervals of the log came before, counted as far as it matters.
-    before: usize,
     samples: u64,
     /// The latest samples, the latest first.
     recent: Vec<Reading>,
@@ -95,7 +94,6 @@ impl<'a, 'w> Merge<'a, 'w> {
             written: 0,
             room: Vec::new(),
             account: Account::default(),
-            before: 0,
             samples: 0,
             recent: Vec::new(),
             onward: Onward::default(),
@@ -117,14 +115,13 @@ impl<'a, 'w> Merge<'a, 'w> {
         let Some(last) = chunk.samples.len().checked_sub(1) else {
             return Ok(());
         };
-        self.before = chunk.place.before + last;
         self.recent = chunk.samples.back_from(last, self.task.ledger.window());
         self.onward = onward(chunk, last);
         self.closing.clone_from(&chunk.closing);
         self.unended = chunk.unended;
         if let (true, Some(before)) = (self.task.running, last.checked_sub(1)) {
             let interval = self.task.logged(chunk, before)?;
-            let computed = Computed::of(self.task, &interval, chunk.place.before + before)?;
+            let computed = Computed::of(self.task, &interval)?;
             let contribution = computed.contribution.ok_or_else(undefined)?;
             self.account.supply.excess = Some(contribution.excess().clone());
         }
@@ -165,8 +162,8 @@ impl<'a, 'w> Merge<'a, 'w> {
         chunk: &Chunk,
         (account, inside): (Account, Option<Comparison>),
     ) -> Result<bool, TraceError> {
-        if chunk.place.file != self.file {
-            self.file = chunk.place.file;
+        if chunk.file != self.file {
+            self.file = chunk.file;
             self.before_file = self.samples;
         }
         if self.began.is_none() {
@@ -260,9 +257,7 @@ impl<'a, 'w> Merge<'a, 'w> {
                 dtau: dtau.unwrap_or(Number::whole(1)),
                 force,
             };
-            let h = usize::try_from(self.account.intervals).unwrap_or(usize::MAX);
-            let h = self.before.saturating_add(h);
-            let computed = Computed::of(self.task, &interval, h)?;
+            let computed = Computed::of(self.task, &interval)?;
             computed.account(self.task, &interval, &mut self.account)?;
             if self.task.points {
                 self.account.plot();
@@ -394,7 +389,36 @@ impl Findings {
             error.file.clone_from(&self.file);
             self.error = Some(error.row(self.samples + 1 - self.before_file));
         }
-        Audit::new(task, scene, self, law)
+        let rows = match self.account.intervals > ROWS_IN_REPORT as u64 {
+            true => None,
+            false => Some(self.exactly(task)?),
+        };
+        Audit::new(task, scene, self, (law, rows))
+    }
+
+    /// Accounts for a short log once more, in exact numbers, so that its sums are exact: its rows.
+    fn exactly(&mut self, task: &Task<'_>) -> Result<Vec<NumberedRow>, TraceError> {
+        let task = Task {
+            rows: None,
+            ..task.clone()
+        };
+        let mut account = Account::default();
+        let mut rows = Vec::with_capacity(self.head.len());
+        for (h, interval) in (0..).zip(&self.head) {
+            let computed = Computed::exactly(&task, interval)?;
+            computed.account(&task, interval, &mut account)?;
+            let row = match computed.row {
+                Accounted::Exact(row) => row,
+                _ => task.ledger.row(interval).ok_or_else(undefined)?,
+            };
+            rows.push(NumberedRow { h, row });
+        }
+        let found = &mut self.account;
+        account.last = found.last.take();
+        account.points = std::mem::take(&mut found.points);
+        account.timing = std::mem::take(&mut found.timing);
+        self.account = account;
+        Ok(rows)
     }
 }
 

@@ -315,8 +315,8 @@ fn leading(
 /// The samples of a piece of work.
 fn parsed(work: Work, layout: &Layout) -> Chunk {
     match work {
-        Work::Parse(block, notation, place) => Chunk {
-            place,
+        Work::Parse(block, notation, file) => Chunk {
+            file,
             ..csv::parse(&block, layout, notation)
         },
         Work::Account(chunk) => *chunk,

@@ -11,7 +11,7 @@ use crate::log::comparison::Comparison;
 use crate::log::error::TraceError;
 use crate::log::findings::{Finding, of_force, of_velocity};
 use crate::log::layout::Form;
-use crate::log::merge::{Findings, ROWS_IN_REPORT};
+use crate::log::merge::Findings;
 use crate::log::report::{
     Agreement, ByLaw, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
     Running, Sampling, Shown, Supplied, Verdict,
@@ -40,7 +40,7 @@ impl Audit {
         task: &Task<'_>,
         scene: &Scene,
         findings: Findings,
-        law: Option<Self>,
+        (law, rows): (Option<Self>, Option<Vec<NumberedRow>>),
     ) -> Result<Self, TraceError> {
         let account = findings.account;
         let mut figures = account.sums.each_ref().map(FigureSum::value);
@@ -159,7 +159,7 @@ impl Audit {
                 true => task.layout.not_read(),
                 false => Vec::new(),
             },
-            rows: rows(task, &findings.head, totals.intervals)?,
+            rows,
             last_row_unended: findings.unended,
             error: findings.error,
             totals,
@@ -330,22 +330,6 @@ impl Agreement {
             }),
         })
     }
-}
-
-/// The rows of a short trace.
-fn rows(
-    task: &Task<'_>,
-    head: &[crate::Logged],
-    intervals: u64,
-) -> Result<Option<Vec<NumberedRow>>, TraceError> {
-    if intervals > ROWS_IN_REPORT as u64 {
-        return Ok(None);
-    }
-    let numbered = (0..).zip(head).map(|(h, interval)| {
-        let row = task.ledger.row(interval).ok_or_else(undefined)?;
-        Ok(NumberedRow { h, row })
-    });
-    numbered.collect::<Result<_, _>>().map(Some)
 }
 
 /// The parameters with a tolerance that the audit takes at their nominal value: those that scale

@@ -6,14 +6,11 @@
 
 use std::path::{Path, PathBuf};
 
-use num_bigint::BigInt;
-use num_integer::Integer as _;
 use passivity_scene::Scene;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
 use crate::ledger::Ledger;
-use crate::log::computed::EXACT_ROWS;
 use crate::log::error::TraceError;
 use crate::log::header::Heading;
 use crate::log::layout::Layout;
@@ -21,13 +18,13 @@ use crate::log::merge::Findings;
 use crate::log::outcome::Audit;
 use crate::log::piece::{self, Piece, Place, Said, Stretch};
 use crate::log::preview::Preview;
-use crate::log::saved::{MOST_BITS, wrong};
+use crate::log::saved::wrong;
 use crate::log::saved_findings::SavedFindings;
 use crate::log::source::Dialect;
 use crate::log::task::Task;
 use crate::log::{Options, Reading, account};
 
-const FORMAT: &str = "passivity-audit-partial-1";
+const FORMAT: &str = "passivity-audit-partial-2";
 
 /// The account of a stretch of a log, exactly.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -166,8 +163,7 @@ fn fingerprint(scene: &Scene) -> String {
 ///
 /// # Errors
 ///
-/// As [`audit`](crate::audit()), and where a log is cut within its first rows, which are accounted for exactly, and the
-/// durations of the intervals have so many different denominators that sums of them are rounded.
+/// As [`audit`](crate::audit()).
 ///
 /// # Example
 ///
@@ -207,13 +203,6 @@ pub fn audit_part(
         ends: piece.place.ends,
     };
     let (found, by_law) = account(&mut piece.source, &task, by_law.as_ref(), options, reading)?;
-    let is_first = piece.place.from == piece.place.start;
-    let is_whole = found.samples >= EXACT_ROWS as u64 || piece.place.ends;
-    if piece.before < EXACT_ROWS && !(is_first && is_whole) {
-        for found in [Some(&found), by_law.as_ref()].into_iter().flatten() {
-            is_exact(&found.denominator(), found.is_rounded())?;
-        }
-    }
     let said = piece.heading;
     let bits = |x: &Option<f64>| x.map(|x| format!("{:016x}", x.to_bits()));
     Ok(Partial {
@@ -237,23 +226,6 @@ pub fn audit_part(
         found: SavedFindings::of(&found),
         by_law: by_law.as_ref().map(SavedFindings::of),
     })
-}
-
-/// Refuses sums of the first, exact rows in several pieces where these are rounded, or may be in an audit of
-/// the whole.
-fn is_exact(denominator: &BigInt, is_rounded: bool) -> Result<(), TraceError> {
-    let bits = denominator.bits();
-    if bits <= MOST_BITS && !is_rounded {
-        return Ok(());
-    }
-    Err(TraceError::new(
-        "denominator",
-        format!(
-            "the first {EXACT_ROWS} intervals of this log have so many different durations that the common \
-             denominator of their energies has {bits} bits: past {MOST_BITS} sums may be rounded, and those \
-             of pieces would not be those of the whole; do not cut the log before sample {EXACT_ROWS}"
-        ),
-    ))
 }
 
 /// The report on a whole log from the accounts of its stretches, each under its name, in whatever order: the
@@ -292,7 +264,6 @@ fn joined(
     account: impl Fn(&Partial) -> Option<&SavedFindings>,
 ) -> Result<Option<Findings>, TraceError> {
     let mut all: Option<Findings> = None;
-    let mut denominator = BigInt::from(1);
     for (name, part) in parts {
         let Some(saved) = account(part) else {
             return Ok(None);
@@ -305,15 +276,9 @@ fn joined(
                 format!("`{name}` could not be read, but what comes before it could: {error}");
             return Err(TraceError::new("partial", message));
         }
-        denominator = denominator.lcm(&saved.denominator()?);
         match &mut all {
             None => all = Some(found),
-            Some(all) => {
-                if all.samples < EXACT_ROWS as u64 {
-                    is_exact(&denominator, false)?;
-                }
-                all.append(found);
-            }
+            Some(all) => all.append(found),
         }
         if all.as_ref().is_some_and(|all| all.error.is_some()) {
             break;

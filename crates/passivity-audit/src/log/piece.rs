@@ -15,7 +15,6 @@ use sha2::{Digest as _, Sha256};
 
 use crate::ledger::Ledger;
 use crate::log::comparison::Comparison;
-use crate::log::computed::EXACT_ROWS;
 use crate::log::error::{TraceError, shown};
 use crate::log::header::Heading;
 use crate::log::layout::Layout;
@@ -116,8 +115,6 @@ pub(crate) struct Piece {
     pub(crate) place: Place,
     /// How many of the samples that come first are those up to the first one's own.
     pub(crate) lead: usize,
-    /// How many samples of the log come before them, counted as far as it matters.
-    pub(crate) before: usize,
 }
 
 /// What a log says before its samples.
@@ -238,7 +235,6 @@ fn csv(
         true => (len, len, 0),
         false => (before, end, lead),
     };
-    let rows = text.count(start, before, EXACT_ROWS).map_err(io)?;
     text.file.seek(SeekFrom::Start(before)).map_err(io)?;
     let stretch: Box<dyn Read> = Box::new(text.file.take(end - before));
     let lines = match to {
@@ -246,7 +242,7 @@ fn csv(
         None => Lines::new(stretch, block),
     };
     Ok(Piece {
-        source: Source::of(Reader::Csv(lines, notation)).after(rows),
+        source: Source::of(Reader::Csv(lines, notation)),
         layout,
         heading: said,
         place: Place {
@@ -258,7 +254,6 @@ fn csv(
             log,
         },
         lead,
-        before: rows,
     })
 }
 
@@ -297,9 +292,8 @@ fn parquet(
         false => (before, last, lead),
     };
     table.seek(&layout, before, last - before)?;
-    let rows_before = usize::try_from(before).unwrap_or(usize::MAX);
     Ok(Piece {
-        source: Source::of(Reader::Parquet(table)).after(rows_before),
+        source: Source::of(Reader::Parquet(table)),
         layout,
         heading: said,
         place: Place {
@@ -311,7 +305,6 @@ fn parquet(
             log,
         },
         lead,
-        before: rows_before,
     })
 }
 

@@ -3,7 +3,6 @@
 use std::cmp::Ordering;
 use std::ops::Add;
 
-use num_bigint::BigInt;
 use num_integer::Integer as _;
 use passivity_core::course::{Course, Least};
 use passivity_core::{BigRational, Ordered as _};
@@ -225,14 +224,6 @@ impl RunningSum {
         self.scaled(0, *d)?;
         let (least, sum) = (self.scaled(*m, *e)?, self.scaled(*n, *d)?);
         Some(Course { sum, least, at })
-    }
-
-    /// A denominator of all steps.
-    pub(crate) fn common(&self) -> BigInt {
-        match &self.wide {
-            None => self.denominator.into(),
-            Some(wide) => wide.sum.0.denominator(),
-        }
     }
 
     /// A double near the sum.

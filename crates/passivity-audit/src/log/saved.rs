@@ -16,10 +16,6 @@ use crate::run::{Tallies, Tally};
 use crate::span::{Span, on_grid};
 use crate::sum::FigureSum;
 
-/// How wide the common denominator of all numbers of a log may be for sums of it to be exact however they
-/// are grouped. The sums of an account round past twice that.
-pub(crate) const MOST_BITS: u64 = crate::sum::MAX_DENOMINATOR_BITS_OF_LOG / 2;
-
 /// A rational number as text, `3/8`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Ratio(String);

@@ -3,8 +3,6 @@
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
-use num_bigint::BigInt;
-use passivity_core::BigRational;
 use serde::{Deserialize, Serialize};
 
 use crate::ledger::Ledger;
@@ -12,10 +10,8 @@ use crate::log::comparison::Comparison;
 use crate::log::error::TraceError;
 use crate::log::exact::ExactSum;
 use crate::log::merge::{Findings, ROWS_IN_REPORT};
-use crate::log::running::RunningSum;
-use crate::log::saved::{Ratio, SavedAccount, SavedInterval, SavedReading, counted, wrong};
+use crate::log::saved::{SavedAccount, SavedInterval, SavedReading, counted, wrong};
 use crate::log::velocity::Velocities;
-use crate::sum::FigureSum;
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct SavedAgreement {
@@ -88,8 +84,6 @@ pub(crate) struct SavedFindings {
     head: Vec<SavedInterval>,
     error: Option<SavedError>,
     unended: bool,
-    /// A denominator of all that was summed, and not only of the sums.
-    denominator: Ratio,
 }
 
 impl SavedFindings {
@@ -136,13 +130,7 @@ impl SavedFindings {
                 message: error.message.clone(),
             }),
             unended: x.unended,
-            denominator: Ratio::of(&BigRational::from_integer(x.denominator())),
         }
-    }
-
-    /// A denominator of all that was summed.
-    pub(crate) fn denominator(&self) -> Result<BigInt, TraceError> {
-        self.denominator.value().map(|x| x.to_integer())
     }
 
     pub(crate) fn value(&self, ledger: &Ledger) -> Result<Findings, TraceError> {
@@ -229,22 +217,5 @@ impl Findings {
             ..error
         });
         self.unended |= next.unended;
-    }
-
-    /// The common denominator of the sums.
-    pub(crate) fn denominator(&self) -> BigInt {
-        let account = &self.account;
-        let figures = account.sums.iter().map(FigureSum::denominator);
-        let running = [&account.net, &account.observer]
-            .into_iter()
-            .chain(account.supply.sums())
-            .map(RunningSum::common);
-        let all = figures.chain(running);
-        all.fold(BigInt::from(1), num_integer::lcm)
-    }
-
-    /// Whether a sum was rounded.
-    pub(crate) fn is_rounded(&self) -> bool {
-        self.account.sums.iter().any(FigureSum::is_rounded)
     }
 }

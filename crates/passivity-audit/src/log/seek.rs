@@ -144,23 +144,6 @@ impl Text {
         }
     }
 
-    /// How many lines there are from one to another, counted up to `most`.
-    pub(crate) fn count(&mut self, from: u64, to: u64, most: usize) -> std::io::Result<usize> {
-        let mut bytes = vec![0; WINDOW];
-        let (mut at, mut count) = (from, 0);
-        while at < to && count < most {
-            let read = self.at(at, &mut bytes)?;
-            let within = read.min(usize::try_from(to - at).unwrap_or(usize::MAX));
-            let found = bytes.get(..within).unwrap_or_default();
-            count += memchr::memchr_iter(b'\n', found).count();
-            if read == 0 {
-                break;
-            }
-            at += read as u64;
-        }
-        Ok(count.min(most))
-    }
-
     /// Where the line starts that comes up to `count` before the one at `from`, and how many lines there
     /// are from it to that one, both counted.
     pub(crate) fn back(

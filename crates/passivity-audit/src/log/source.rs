@@ -8,7 +8,6 @@ use passivity_scene::Scene;
 
 use crate::log::chunk::Chunk;
 use crate::log::columns::Columns;
-use crate::log::computed::EXACT_ROWS;
 use crate::log::csv::{self, Notation};
 use crate::log::error::{TraceError, legible};
 use crate::log::guess;
@@ -87,34 +86,16 @@ pub(crate) enum Reader {
 
 /// What a core is given.
 pub(crate) enum Work {
-    Parse(Block, Notation, Place),
+    /// With the number of the file that it is in.
+    Parse(Block, Notation, usize),
     Account(Box<Chunk>),
-}
-
-/// Where in a log a chunk is.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Place {
-    /// In which of its files.
-    pub(crate) file: usize,
-    /// How many samples came before it; counted no further than up to the first that are accounted for
-    /// in doubles.
-    pub(crate) before: usize,
-}
-
-impl Work {
-    /// About how many samples it has: exactly that, but for the end of a file.
-    fn rows(&self) -> usize {
-        match self {
-            Self::Parse(block, ..) => memchr::memchr_iter(b'\n', &block.bytes).count(),
-            Self::Account(chunk) => chunk.samples.len(),
-        }
-    }
 }
 
 /// The samples of one or more files, in order.
 pub(crate) struct Source {
     reader: Reader,
-    place: Place,
+    /// Which of the files is being read.
+    file: usize,
     /// The files, or none of a stream or of memory.
     files: Vec<PathBuf>,
     dialect: Dialect,
@@ -126,17 +107,11 @@ impl Source {
     pub(crate) fn of(reader: Reader) -> Self {
         Self {
             reader,
-            place: Place::default(),
+            file: 0,
             files: Vec::new(),
             dialect: Dialect::default(),
             block: lines::BLOCK,
         }
-    }
-
-    /// After so many samples of the log.
-    pub(crate) fn after(mut self, before: usize) -> Self {
-        self.place.before = before.min(EXACT_ROWS);
-        self
     }
 
     /// Of files in order: the first one is opened, and its header read.
@@ -153,7 +128,7 @@ impl Source {
         let (reader, layout) = opened.read(scene, dialect)?;
         let source = Self {
             reader,
-            place: Place::default(),
+            file: 0,
             files: paths.to_vec(),
             dialect: dialect.clone(),
             block,
@@ -176,35 +151,32 @@ impl Source {
     /// What the next core is to do; `None` at the end.
     pub(crate) fn next(&mut self, layout: &Layout) -> Option<Work> {
         loop {
-            let place = self.place;
+            let file = self.file;
             let work = match &mut self.reader {
                 Reader::Csv(lines, notation) => {
                     let block = lines.next_block();
-                    block.map(|block| Work::Parse(block, *notation, place))
+                    block.map(|block| Work::Parse(block, *notation, file))
                 }
                 #[cfg(feature = "mcap")]
                 Reader::Mcap(rows) => {
                     let block = rows.next_block();
-                    block.map(|block| Work::Parse(block, Notation::default(), place))
+                    block.map(|block| Work::Parse(block, Notation::default(), file))
                 }
                 #[cfg(feature = "parquet")]
                 Reader::Parquet(table) => table
                     .next_chunk(layout)
-                    .map(|chunk| Work::Account(Box::new(Chunk { place, ..chunk }))),
+                    .map(|chunk| Work::Account(Box::new(Chunk { file, ..chunk }))),
                 Reader::Memory(chunks) => chunks
                     .next()
-                    .map(|chunk| Work::Account(Box::new(Chunk { place, ..chunk }))),
+                    .map(|chunk| Work::Account(Box::new(Chunk { file, ..chunk }))),
             };
             if let Some(work) = work {
-                if self.place.before < EXACT_ROWS {
-                    self.place.before += work.rows();
-                }
                 return Some(work);
             }
-            let path = self.files.get(self.place.file + 1)?;
+            let path = self.files.get(self.file + 1)?;
             let next = open(path, self.block)
                 .and_then(|opened| opened.go_on(layout, &self.dialect, &self.reader));
-            self.place.file += 1;
+            self.file += 1;
             match next {
                 Ok(reader) => self.reader = reader,
                 Err(error) => {
@@ -212,7 +184,7 @@ impl Source {
                     self.files.clear();
                     self.reader = Reader::Memory(Box::new(std::iter::empty()));
                     return Some(Work::Account(Box::new(Chunk {
-                        place: self.place,
+                        file: self.file,
                         error: Some(error),
                         ..Chunk::default()
                     })));

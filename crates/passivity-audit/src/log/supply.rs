@@ -286,14 +286,6 @@ pub(crate) struct Supply {
 }
 
 impl Supply {
-    /// T from zero, after an interval with this excess force.
-    pub(crate) fn after(excess: Option<Bounds>) -> Self {
-        Self {
-            excess,
-            ..Self::default()
-        }
-    }
-
     /// Goes on with an interval, the `h`th, from 1; `None` when a number is undefined.
     pub(crate) fn add(&mut self, contribution: &Contribution, h: u64) -> Option<()> {
         let before = self.excess.take().unwrap_or(NO_FORCE);

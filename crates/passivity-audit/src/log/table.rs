@@ -159,7 +159,7 @@ impl Table {
         let id = self.known.len();
         self.known.push(known);
         self.index.insert(key.into(), id);
-        if let [1, 1, 0, key] = key {
+        if let [1, 1, key] = key {
             let (part, step) = Self::in_part(*key);
             let small = self.small.get_mut(part)?;
             small.resize(usize::try_from(2 * SMALL_STEP + 1).ok()?, None);

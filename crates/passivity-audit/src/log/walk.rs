@@ -9,7 +9,7 @@ mod decided;
 use crate::log::account::{Account, Place};
 use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::computed::{Computed, EXACT_ROWS, Text, UNIT, note_stored};
+use crate::log::computed::{Computed, Text, UNIT, note_stored};
 use crate::log::error::TraceError;
 use crate::log::known::Starts;
 use crate::log::lanes::{Counted, Tiles, write};
@@ -26,8 +26,6 @@ pub(super) struct Walk<'a> {
     pub(super) from: usize,
     /// The sample at which it ends.
     pub(super) until: usize,
-    /// How many samples came before the chunk, at least.
-    pub(super) before: usize,
     /// How many intervals there are from one point of the plot to the next.
     pub(super) stride: usize,
     pub(super) timed: bool,
@@ -84,15 +82,10 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// The number of the interval that starts at sample `i`; of a late one, that of some interval before it.
-    const fn h(&self, i: usize) -> usize {
-        self.before + i
-    }
-
     /// The excess force of the interval before the first one.
     fn excess_before(&self, chunk: &Chunk) -> Result<crate::log::supply::Bounds, TraceError> {
         let before = self.task.logged(chunk, self.from - 1)?;
-        let computed = Computed::of(self.task, &before, self.h(self.from - 1))?;
+        let computed = Computed::of(self.task, &before)?;
         match computed.contribution {
             Some(contribution) => Ok(contribution.excess().clone()),
             None => Err(undefined()),
@@ -213,7 +206,7 @@ impl Walk<'_> {
         let window = task.ledger.window();
         let interval = interval(chunk, self.at, window, task.applied, dtau);
         let interval = interval.ok_or_else(undefined)?;
-        let computed = Computed::of(task, &interval, self.h(self.at))?;
+        let computed = Computed::of(task, &interval)?;
         if !keyed || table.is_full() {
             return computed.account(task, &interval, account);
         }
@@ -232,9 +225,7 @@ impl Walk<'_> {
         let (Samples::Counts(counts), Number::Small(n, d)) = (&chunk.samples, dtau) else {
             return false;
         };
-        // Some rows are exact in any case.
-        let is_early = (n != d || self.task.applied) && self.h(self.at) < EXACT_ROWS;
-        self.key.extend([*n, *d, i64::from(is_early)]);
+        self.key.extend([*n, *d]);
         let task = self.task;
         let ends = counts.get(self.at).zip(counts.get(self.at + 1));
         if let Some((now, next)) = ends

@@ -2,11 +2,9 @@
 
 use crate::log::account::Account;
 use crate::log::chunk::Chunk;
-use crate::log::computed::EXACT_ROWS;
 use crate::log::known::Starts;
 use crate::log::lanes::{Counted, Tiles};
 use crate::log::running::RunningSum;
-use crate::log::supply::Supply;
 use crate::log::table::Table;
 use crate::log::task::Task;
 use crate::log::walk::Walk;
@@ -58,35 +56,10 @@ impl Worker {
         (chunk, shared): (&mut Chunk, &Shared),
         from: usize,
     ) -> Account {
-        let last = chunk.samples.len().saturating_sub(1).max(from);
-        // Apart from the exact rows, whose sums have long denominators, the others are summed up fast.
-        let exact = EXACT_ROWS.saturating_sub(chunk.place.before);
-        let exact = exact.clamp(from, last);
-        let (mut account, goes_on) = self.between(
-            task,
-            (&mut *chunk, shared),
-            [from, exact],
-            Account::default(),
-        );
-        if goes_on && exact < last {
-            let rest = Account {
-                supply: Supply::after(account.supply.excess.clone()),
-                rows: std::mem::take(&mut self.rows),
-                ..Account::default()
-            };
-            account.append(self.between(task, (chunk, shared), [exact, last], rest).0);
-        }
-        account
-    }
-
-    /// The account of the intervals between two samples, and whether all of them are accounted for.
-    fn between(
-        &mut self,
-        task: &Task<'_>,
-        (chunk, shared): (&mut Chunk, &Shared),
-        [from, until]: [usize; 2],
-        mut account: Account,
-    ) -> (Account, bool) {
+        let mut account = Account {
+            rows: std::mem::take(&mut self.rows),
+            ..Account::default()
+        };
         let sums = [&mut account.net, &mut account.observer];
         for (sum, denominator) in sums.into_iter().zip(self.denominators) {
             if let Some(denominator) = denominator {
@@ -99,8 +72,7 @@ impl Worker {
         let mut walk = Walk {
             task,
             from,
-            until,
-            before: chunk.place.before,
+            until: chunk.samples.len().saturating_sub(1).max(from),
             stride: (chunk.samples.len() / POINTS).max(1),
             timed,
             noted: timed && task.compares,
@@ -111,16 +83,13 @@ impl Worker {
             tiles: &shared.tiles,
             counted: self.counted.get_or_insert_with(Counted::new).cleared(),
         };
-        let mut goes_on = true;
         if let Err(error) = walk.run(&mut self.table, chunk, &mut account) {
             chunk.cut(walk.at, error);
-            goes_on = false;
         }
         if let Err(error) = walk.settle(&mut self.table, chunk, &mut account) {
             chunk.cut(walk.at, error);
-            goes_on = false;
         }
         self.denominators = [&account.net, &account.observer].map(RunningSum::denominator);
-        (account, goes_on)
+        account
     }
 }

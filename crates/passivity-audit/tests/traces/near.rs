@@ -308,7 +308,7 @@ fn a_long_log_of_positions_is_plotted_as_closely_as_one_of_counts() {
         };
         let input = Box::new(std::io::Cursor::new(text.into_bytes()));
         let audit = audit_csv(input, &scene, options).unwrap();
-        // At least every 512th part of it; where the exact rows end it is counted anew, so that two are one.
+        // At least every 512th part of it; where a block ends it is counted anew, so that two are one.
         let steps = audit.points().windows(2).map(|pair| pair[1].h - pair[0].h);
         let longest = steps.max().unwrap();
         assert!(longest <= 2 * (6000 / 512), "{header}: {longest}");
@@ -350,7 +350,7 @@ fn rows_of_large_counts_are_defined_wherever_a_block_ends() {
     }
 }
 
-/// Whether a log of so many rows at rest and then others says the same, whether these are among the exact rows or not.
+/// Whether a log of so many rows at rest and then others says the same, whether it is short enough to be computed exactly or not.
 fn check_late(scene: &str, header: &str, rest: fn(usize) -> String, then: fn(usize) -> String) {
     let scene = Scene::from_toml("s", scene).unwrap();
     let [early, late] = [900, 1002].map(|rows| {

@@ -149,8 +149,7 @@ proptest! {
     }
 }
 
-/// A log with ever new durations: the common denominator of the energies of its first, exact rows outgrows
-/// what is kept exactly.
+/// A log with ever new durations, whose energies have no common denominator that is kept exactly.
 fn of_many_durations(rows: u64, more_decimals: usize) -> Scratch {
     let mut text = "tau,xi\n".to_owned();
     let mut time = 0_u64;
@@ -164,37 +163,16 @@ fn of_many_durations(rows: u64, more_decimals: usize) -> Scratch {
 }
 
 #[test]
-fn pieces_whose_sums_would_be_rounded_are_refused() {
-    let log = of_many_durations(300, 150);
-    let scene = &scenes()[0];
-    let error = part(&log, scene, Stretch::Samples(0, Some(290)), false).unwrap_err();
-    assert_eq!(error.kind, "denominator");
-    assert!(
-        error
-            .to_string()
-            .contains("do not cut the log before sample 1000"),
-        "{error}"
-    );
-    // One piece alone may be exact where all of them together are not.
-    let parts = (1..=8).map(|i| part(&log, scene, Stretch::Shard(i, 8), false));
-    let parts = parts.collect::<Result<Vec<_>, _>>().unwrap();
-    let error = merge_parts(&parts, scene).unwrap_err();
-    assert_eq!(error.kind, "denominator");
-}
-
-#[test]
-fn pieces_after_the_exact_rows_are_summed_up_whatever_their_durations() {
-    let log = of_many_durations(1600, 0);
-    for scene in scenes().iter().take(1) {
+fn pieces_are_the_whole_whatever_the_durations_and_wherever_they_are_cut() {
+    for (rows, more_decimals) in [(300, 150), (998, 0), (1001, 0), (1002, 0), (1600, 0)] {
+        let log = of_many_durations(rows, more_decimals);
+        let scene = &scenes()[0];
         let whole = audit(&log, scene, Options::default()).unwrap();
-        let part = |stretch: Stretch| {
-            let part = audit_part(&log, scene, stretch, Options::default()).unwrap();
-            let part = Partial::from_json(&part.to_json().unwrap()).unwrap();
-            (format!("{stretch:?}"), part)
-        };
-        let parts: Vec<_> = stretches(&[1200, 1201]).into_iter().map(part).collect();
+        let parts = stretches(&[1, 250, 999, 1000, 1200, 1201]).into_iter();
+        let parts = parts.map(|stretch| part(&log, scene, stretch, false));
+        let parts = parts.collect::<Result<Vec<_>, _>>().unwrap();
         let merged = merge_parts(&parts, scene).unwrap();
-        assert_eq!(merged.to_json(), whole.to_json());
+        assert_eq!(merged.to_json(), whole.to_json(), "{rows} rows");
     }
 }
 

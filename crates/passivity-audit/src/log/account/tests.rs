@@ -6,12 +6,11 @@ use proptest::prelude::*;
 
 use super::Account;
 use crate::ledger::{Ledger, Logged};
-use crate::log::computed::{Computed, EXACT_ROWS};
+use crate::log::computed::Computed;
 use crate::log::header::Heading;
 use crate::log::layout::Layout;
 use crate::log::preview::Preview;
 use crate::log::running::{Lowest, RunningSum};
-use crate::log::supply::Supply;
 use crate::log::task::Task;
 use crate::number::Number;
 use crate::reading::Reading;
@@ -37,17 +36,26 @@ fn figures(account: &Account) -> String {
     )
 }
 
-/// The account of some intervals, the first of them `h` of the trace, after one with `before`.
-fn accounted(task: &Task<'_>, intervals: &[Logged], h: usize, before: Option<&Logged>) -> Account {
+/// The account of some intervals after another one, as in a long trace or in a short one.
+fn accounted(
+    task: &Task<'_>,
+    intervals: &[Logged],
+    late: bool,
+    before: Option<&Logged>,
+) -> Account {
+    let computed = |interval: &Logged| match late {
+        true => Computed::of(task, interval).unwrap(),
+        false => Computed::exactly(task, interval).unwrap(),
+    };
     let mut account = Account::default();
     if let (true, Some(before)) = (task.running, before) {
-        let computed = Computed::of(task, before, h.saturating_sub(1)).unwrap();
-        account.supply = Supply::after(computed.contribution.map(|c| c.excess().clone()));
+        account.supply.excess = computed(before).contribution.map(|c| c.excess().clone());
     }
-    for (i, interval) in intervals.iter().enumerate() {
+    for interval in intervals {
         account.timing.add(&interval.dtau, account.intervals);
-        let computed = Computed::of(task, interval, h + i).unwrap();
-        computed.account(task, interval, &mut account).unwrap();
+        computed(interval)
+            .account(task, interval, &mut account)
+            .unwrap();
         account.last = Some(interval.clone());
     }
     account
@@ -101,9 +109,7 @@ proptest! {
                 force: applied.then(|| Reading::Exact(Number::Small(force, 2).reduced())),
             });
         }
-        // From the rows on that are of spans, or from the exact ones.
-        let h = if late { EXACT_ROWS } else { 0 };
-        let whole = accounted(&task, &intervals, h, None);
+        let whole = accounted(&task, &intervals, late, None);
 
         let mut ends: Vec<usize> = cuts.into_iter().map(|cut| cut.min(intervals.len())).collect();
         ends.push(intervals.len());
@@ -112,7 +118,7 @@ proptest! {
         let mut pieces = Vec::new();
         for to in ends {
             let before = from.checked_sub(1).and_then(|i| intervals.get(i));
-            pieces.push(accounted(&task, &intervals[from..to], h + from, before));
+            pieces.push(accounted(&task, &intervals[from..to], late, before));
             from = to;
         }
         let mut order = order.into_iter().cycle();

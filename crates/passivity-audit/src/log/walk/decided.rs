@@ -6,7 +6,7 @@ use crate::ledger::Read;
 use crate::log::account::Account;
 use crate::log::batch::Batch;
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::computed::{EXACT_ROWS, is_exact};
+use crate::log::computed::is_exact;
 use crate::log::counted::Figures;
 use crate::log::known::Known;
 use crate::log::lanes::{Length, TILE, Under};
@@ -26,9 +26,6 @@ impl Walk<'_> {
         account: &mut Account,
     ) -> bool {
         let (task, start) = (self.task, self.at);
-        if self.h(start) < EXACT_ROWS {
-            return false;
-        }
         while self.at < self.until {
             let mut most = self.until - self.at;
             if task.points {
@@ -103,7 +100,7 @@ impl Walk<'_> {
             Samples::Any(samples) => samples,
             Samples::Counts(counts) => return self.counted(batch, (chunk, counts), dtau),
         };
-        if task.ledger.has_memory() || (self.h(i) < EXACT_ROWS && !samples.is_enclosed(i + 1)) {
+        if task.ledger.has_memory() {
             return None;
         }
         let known = Known::of(
@@ -130,7 +127,7 @@ impl Walk<'_> {
         let (task, i) = (self.task, self.at);
         let (from, to) = (*counts.get(i)?, *counts.get(i + 1)?);
         check_jump(from, to).ok()?;
-        if is_exact(task, &Reading::Count(to), dtau, self.h(i)) {
+        if is_exact(task, &Reading::Count(to), dtau) {
             return None;
         }
         self.compute_counts(chunk, counts)?;
@@ -163,7 +160,7 @@ impl Walk<'_> {
             false => None,
         };
         let (start, end) = (chunk.samples.get(i)?, chunk.samples.get(i + 1)?);
-        if is_exact(task, &end, dtau, self.h(i)) {
+        if is_exact(task, &end, dtau) {
             return None;
         }
         if let (Reading::Count(from), Reading::Count(to)) = (&start, &end) {
