@@ -178,6 +178,18 @@ fn constants_are_on_the_safe_side() {
         "{text}"
     );
     assert!(text.contains("What binds: friction at 3 rad/s"), "{text}");
+    #[cfg(target_os = "linux")]
+    for verb in ["export re35.toml --for c", "init joints"] {
+        // No more than 512 or 1024 bytes fit into a file, by shell: nothing is left that stands in the way.
+        let binary = env!("CARGO_BIN_EXE_passivity");
+        let script = format!("trap '' XFSZ; ulimit -f 1; exec '{binary}' {verb} --out half");
+        let output = std::process::Command::new("sh")
+            .args(["-c", &script])
+            .current_dir(dir.path(""))
+            .output();
+        assert_eq!(output.expect("a shell").status.code(), Some(2), "{verb}");
+        assert!(!dir.path("half").exists(), "{verb}");
+    }
     // Nothing is overwritten.
     let again = dir.run(&["export", &scene, "--for", "c", "--out", "wall.h"]);
     assert_eq!(again.code, 2);

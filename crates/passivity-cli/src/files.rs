@@ -1,6 +1,5 @@
 //! The files that a command reads and writes.
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use passivity_scene::Scene;
@@ -48,16 +47,13 @@ pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
     files::write(path, text).map_err(|error| Failure::io(path.display(), &error))
 }
 
-/// Writes a file that must not be there yet.
+/// Writes a file whole that must not be there yet.
 pub(crate) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
-    let place = || path.display().to_string();
-    let mut file = std::fs::File::create_new(path).map_err(|error| match error.kind() {
-        std::io::ErrorKind::AlreadyExists => Failure::input(format!(
+    match path.symlink_metadata() {
+        Ok(_) => Err(Failure::input(format!(
             "{} is there already: it is not overwritten",
-            place()
-        )),
-        _ => Failure::io(place(), &error),
-    })?;
-    file.write_all(text.as_bytes())
-        .map_err(|error| Failure::io(place(), &error))
+            path.display()
+        ))),
+        Err(_) => write(path, text),
+    }
 }

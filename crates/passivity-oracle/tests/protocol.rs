@@ -221,6 +221,16 @@ fn every_mistake_has_a_kind_and_a_place() {
             Value::from("encoder"),
         ),
         (
+            r#"{"op":"run","xi":[0,1],"positions":[0,5],"beta":1,"sigma":1}"#.to_owned(),
+            "bad_value",
+            Value::from("positions"),
+        ),
+        (
+            r#"{"op":"run","count":[0,1],"counts":[0,1],"beta":1,"sigma":1}"#.to_owned(),
+            "bad_value",
+            Value::from("counts"),
+        ),
+        (
             interval(r#""xi0":1,"xi1":2,"beta":{"lo":1,"hi":2,"foo":3},"sigma":1"#),
             "unknown_field",
             Value::from("beta.foo"),

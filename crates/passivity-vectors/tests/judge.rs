@@ -1,5 +1,6 @@
 //! What the judge of other implementations takes for an answer.
 
+use passivity_core::BigRational;
 use passivity_vectors::{Group, Judge, Outcome, PATIENCE, Test, against, all, named};
 use serde_json::{Value, json};
 
@@ -69,6 +70,51 @@ fn answers_of_another_form_than_the_protocols_differ() {
         "abbott_okamura",
     ] {
         differ(&regions, &|answer| answer["result"][key] = Value::Null);
+    }
+}
+
+/// `{"lo", "hi", "approx"}` is the contract's own form, and any enclosure as tight will do.
+#[test]
+fn wider_enclosures_are_right_with_and_without_a_number_near_by() {
+    fn widen(value: &mut Value, approx: bool) -> usize {
+        let ends =
+            [&value["lo"], &value["hi"]].map(|end| end.as_str()?.parse::<BigRational>().ok());
+        let wide = match ends {
+            [Some(lo), Some(hi)] if lo < hi => {
+                let more = BigRational::new(1.into(), 10_i64.pow(16).into());
+                value["lo"] = (lo - &more).to_string().into();
+                value["hi"] = (hi + &more).to_string().into();
+                if approx {
+                    value["approx"] = json!(0.5);
+                } else if let Some(fields) = value.as_object_mut() {
+                    fields.remove("approx");
+                }
+                1
+            }
+            _ => 0,
+        };
+        let inner: usize = match value {
+            Value::Object(fields) => fields.values_mut().map(|x| widen(x, approx)).sum(),
+            Value::Array(items) => items.iter_mut().map(|x| widen(x, approx)).sum(),
+            _ => 0,
+        };
+        wide + inner
+    }
+    let mut groups = named(&["linear"]).unwrap();
+    groups[0].tests.truncate(40);
+    for approx in [false, true] {
+        let widened = std::cell::Cell::new(0);
+        let outcome = judged(&groups, |answer| {
+            let mut answer = answer.clone();
+            for field in ["spare", "critical_speed"] {
+                if let Some(value) = answer.get_mut("result").and_then(|x| x.get_mut(field)) {
+                    widened.set(widened.get() + widen(value, approx));
+                }
+            }
+            vec![answer]
+        });
+        assert!(widened.get() > 5, "{}", widened.get());
+        assert_eq!(outcome.differences, [], "{approx}");
     }
 }
 

@@ -185,6 +185,14 @@ const COUNTS: [&str; 2] = ["count", "counts"];
 
 /// The samples of a run, at least two, and the field that has them.
 fn samples(fields: &Fields<'_>) -> Result<(&'static str, Vec<Reading>), Refusal> {
+    for [name, spelling] in [POSITIONS, COUNTS] {
+        if fields.get(&[name]).is_some() && fields.get(&[spelling]).is_some() {
+            return Err(bad(
+                spelling,
+                &format!("`{name}` or `{spelling}`, which are one field, not both"),
+            ));
+        }
+    }
     let (positions, counts) = (fields.get(&POSITIONS), fields.get(&COUNTS));
     let (name, value, counted) = match (positions, counts) {
         (Some((name, value)), None) => (name, value, false),
