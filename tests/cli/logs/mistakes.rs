@@ -52,8 +52,8 @@ fn columns_that_cannot_be_read_are_said_and_no_column_is_silently_left_out() {
         ),
         (
             "time,x [rad]",
-            "2026-11-27T10:00:00,0",
-            "the column `time` cannot be read",
+            "2026-11-27,0",
+            "the column `time` cannot be read (row 1 has no number there): write its times as numbers",
         ),
         (
             "t [s],x [rad],f",

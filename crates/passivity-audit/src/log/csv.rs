@@ -6,14 +6,18 @@
 
 use crate::ball::Ball;
 use crate::log::chunk::{Chunk, Samples};
+use crate::log::dates;
 use crate::log::error::{self, TraceError, shown};
+use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout};
 use crate::log::lines::Block;
-use crate::log::preview::Preview;
 use crate::log::running::near_number;
 use crate::log::slots::{Slots, half_a_unit};
 use crate::number::{Number, decimal, short};
 use crate::reading::Reading;
+pub(crate) use first::{has_decimal_commas, headings, names, preview};
+
+mod first;
 
 /// What stands between fields, and before the decimals of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,63 +54,6 @@ fn fields(line: &[u8], delimiter: u8) -> impl Iterator<Item = &[u8]> {
         rest = end.and_then(|end| text.get(end + 1..));
         text.get(..end.unwrap_or(text.len()))
     })
-}
-
-/// The fields of a header line.
-pub(crate) fn names(line: &[u8], notation: Notation) -> Result<Vec<String>, TraceError> {
-    let text = std::str::from_utf8(line)
-        .map_err(|_| TraceError::new("header", "the header is not UTF-8 text"))?;
-    if text.trim().is_empty() {
-        return Err(TraceError::new(
-            "header",
-            "expected a header, found nothing",
-        ));
-    }
-    let unquoted = |name: &str| {
-        let name = name.trim();
-        let inner = name.strip_prefix('"').and_then(|n| n.strip_suffix('"'));
-        inner.unwrap_or(name).trim().to_owned()
-    };
-    // What stands between fields is ASCII, so that each of them is UTF-8 text again.
-    let names = fields(text.as_bytes(), notation.delimiter)
-        .map(|name| unquoted(&String::from_utf8_lossy(name)));
-    let names: Vec<String> = names.collect();
-    let is_number = |name: &String| value(name.as_bytes(), notation).is_some();
-    if names.iter().all(is_number) {
-        let message =
-            "the first line holds numbers: a trace needs a header with the names of its columns";
-        return Err(TraceError::new("header", message));
-    }
-    Ok(names)
-}
-
-/// The first rows as numbers near by.
-pub(crate) fn preview(lines: &[&[u8]], notation: Notation) -> Preview {
-    let row = |line: &&[u8]| {
-        fields(line, notation.delimiter)
-            .map(|field| value(trimmed(field), notation))
-            .collect()
-    };
-    Preview::of_rows(&lines.iter().map(row).collect::<Vec<_>>())
-}
-
-/// The double near a field that is a number.
-fn value(field: &[u8], notation: Notation) -> Option<f64> {
-    let number = number(field, notation).ok()?;
-    Some(near_number(&number))
-}
-
-/// Whether numbers are written with a comma in some field.
-pub(crate) fn has_decimal_commas(lines: &[&[u8]], delimiter: u8) -> bool {
-    let comma = Notation {
-        delimiter,
-        decimal_comma: true,
-    };
-    let fields = lines.iter().flat_map(|line| fields(line, delimiter));
-    delimiter != b','
-        && fields
-            .map(trimmed)
-            .any(|field| field.contains(&b',') && number(field, comma).is_ok())
 }
 
 /// Parses a block. Rows in errors are counted from 0 at the start of the block.
@@ -285,7 +232,11 @@ fn push(
         None => None,
     };
     let time = match layout.time {
-        Some(column) => Some(number_in(time, column)?),
+        Some(column) => {
+            let is_dated = layout.headings.get(column).is_some_and(Heading::is_dated);
+            let moment = moment(time.unwrap_or_default(), is_dated, notation);
+            Some(moment.map_err(|error| error.column(layout.name(column)))?)
+        }
         None => None,
     };
     let force = match layout.force {
@@ -360,6 +311,20 @@ fn number(field: &[u8], notation: Notation) -> Result<Number, TraceError> {
                 .push_str(" (is the comma a decimal sign? then add --decimal-comma)");
         }
         error
+    })
+}
+
+/// A number, or in a column of dates the seconds since 1970.
+fn moment(field: &[u8], is_dated: bool, notation: Notation) -> Result<Number, TraceError> {
+    if !is_dated {
+        return number(field, notation);
+    }
+    dates::seconds(field).ok_or_else(|| {
+        let message = format!(
+            "expected a date and a time of day, as in `2023-11-14T22:13:20.5Z`, found `{}`",
+            shown(field)
+        );
+        TraceError::new("date", message)
     })
 }
 

@@ -5,15 +5,18 @@
 
 use std::fmt;
 
-use passivity_scene::units::Dimension;
 use passivity_scene::{Motion, Scene};
 
 use crate::log::columns::{Found, Role, typed};
 use crate::log::error::shown;
 use crate::log::header::{Heading, read_unit, split};
 use crate::log::preview::Preview;
+use clock::unit_of_time;
+use kind::Kind;
 use words::{COUNTED, HELD, NO_POSITION, NOT_MEASURED, words};
 
+mod clock;
+mod kind;
 mod words;
 
 /// The columns that a header seems to mean, as `passivity audit` takes them.
@@ -43,115 +46,6 @@ impl fmt::Display for Proposal {
             )?;
         }
         Ok(())
-    }
-}
-
-/// What a column may be about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Time,
-    Position,
-    Force,
-    Velocity,
-}
-
-impl Kind {
-    const ALL: [Self; 4] = [Self::Time, Self::Position, Self::Force, Self::Velocity];
-
-    const fn of(role: Role) -> Self {
-        match role {
-            Role::T | Role::Tau => Self::Time,
-            Role::Xi | Role::X | Role::Count => Self::Position,
-            Role::V => Self::Velocity,
-            Role::F => Self::Force,
-        }
-    }
-
-    /// The words that name it.
-    const fn words(self) -> &'static [&'static str] {
-        match self {
-            Self::Time => &[
-                "t",
-                "time",
-                "timestamp",
-                "timestep",
-                "stamp",
-                "clock",
-                "ts",
-                "elapsed",
-                "epoch",
-                "tau",
-                "second",
-                "sec",
-                "milli",
-                "micro",
-                "nano",
-            ],
-            Self::Position => &[
-                "x",
-                "xi",
-                "pos",
-                "position",
-                "angle",
-                "theta",
-                "θ",
-                "ϑ",
-                "q",
-                "phi",
-                "φ",
-                "ϕ",
-                "displacement",
-                "encoder",
-                "enc",
-                "count",
-                "tick",
-                "rotation",
-            ],
-            Self::Force => &[
-                "f", "force", "torque", "tau", "τ", "effort", "moment", "trq",
-            ],
-            Self::Velocity => &[
-                "v", "vel", "velocity", "speed", "omega", "ω", "dq", "qd", "xdot", "thetadot",
-                "dtheta", "dx", "qdot", "dot",
-            ],
-        }
-    }
-
-    /// What it is called in sentences.
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Time => "a time",
-            Self::Position => "a position",
-            Self::Force => "a force",
-            Self::Velocity => "a velocity",
-        }
-    }
-
-    /// The dimension of its unit, angles aside.
-    fn dimension(self, motion: Motion) -> Dimension {
-        let linear = motion == Motion::Linear;
-        match self {
-            Self::Time => Dimension::new(0, 0, 1, 0),
-            Self::Position if linear => Dimension::new(0, 1, 0, 0),
-            Self::Position => Dimension::NONE,
-            Self::Velocity if linear => Dimension::new(0, 1, -1, 0),
-            Self::Velocity => Dimension::new(0, 0, -1, 0),
-            Self::Force if linear => Dimension::new(1, 1, -2, 0),
-            Self::Force => Dimension::new(1, 2, -2, 0),
-        }
-    }
-
-    /// The unit that is assumed where the header gives none.
-    const fn unit(self, motion: Motion) -> &'static str {
-        match (self, motion) {
-            (Self::Time, _) => "s",
-            (Self::Position, Motion::Linear) => "m",
-            (Self::Position, _) => "rad",
-            (Self::Velocity, Motion::Linear) => "m/s",
-            (Self::Velocity, _) => "rad/s",
-            (Self::Force, Motion::Linear) => "N",
-            (Self::Force, _) => "N m",
-        }
     }
 }
 
@@ -255,14 +149,20 @@ fn score(
     (score >= LIKELY).then_some(score)
 }
 
-/// The columns that are called like something that is not said, and cannot be read: the most likely of each kind, and
-/// why.
+/// A column that is called like something that is not said, and cannot be read.
+pub(crate) struct Unreadable {
+    pub(crate) column: usize,
+    pub(crate) why: String,
+    pub(crate) is_clock: bool,
+}
+
+/// The columns that are called like something that is not said, and cannot be read: the most likely of each kind.
 pub(crate) fn unreadable(
     headings: &[Heading],
     preview: &Preview,
     scene: &Scene,
     said: &[Found],
-) -> Vec<(usize, String)> {
+) -> Vec<Unreadable> {
     let is_open = |kind: &Kind| !said.iter().any(|found| Kind::of(found.role) == *kind);
     let of_kind = |kind: Kind| {
         let columns = (0..).zip(headings);
@@ -270,17 +170,23 @@ pub(crate) fn unreadable(
         let called = free.filter_map(|(column, heading)| {
             let score = called(kind, heading, scene.motion);
             let why = held(kind, heading, column, preview, scene).err()?;
-            (score >= LIKELY).then_some((score, column, why))
+            let is_clock = kind == Kind::Time;
+            let unreadable = Unreadable {
+                column,
+                why,
+                is_clock,
+            };
+            (score >= LIKELY).then_some((score, unreadable))
         });
         // Of equals the first column.
         let called: Vec<_> = called.collect();
         called.into_iter().rev().max_by_key(|(score, ..)| *score)
     };
     let open = Kind::ALL.into_iter().filter(is_open);
-    let mut found: Vec<(usize, String)> = Vec::new();
-    for (_, column, why) in open.filter_map(of_kind) {
-        if found.iter().all(|(other, _)| *other != column) {
-            found.push((column, why));
+    let mut found: Vec<Unreadable> = Vec::new();
+    for (_, unreadable) in open.filter_map(of_kind) {
+        if found.iter().all(|other| other.column != unreadable.column) {
+            found.push(unreadable);
         }
     }
     found
@@ -402,23 +308,6 @@ pub(crate) fn with_unit(
         unit: Some(unit.to_owned()),
         ..found.clone()
     }
-}
-
-/// The unit in which a clock goes on by about a sampling period from row to row.
-fn unit_of_time(step: Option<f64>, scene: &Scene) -> &'static str {
-    const UNITS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
-    let period = scene.given.map(|_, given| given.nominal.clone()).period;
-    let seconds = period
-        .to_rational()
-        .map(|x| passivity_scene::number::nearest_f64(&x));
-    let (Some(step), Some(period)) = (step, seconds) else {
-        return "s";
-    };
-    let off = |unit: f64| (step * unit / period).ln().abs();
-    let best = UNITS
-        .iter()
-        .min_by(|(_, a), (_, b)| off(*a).total_cmp(&off(*b)));
-    best.map_or("s", |(name, _)| name)
 }
 
 /// The proposal to name these columns; `None` when there is no position among them, or when a name

@@ -5,19 +5,25 @@ use std::borrow::Cow;
 
 use passivity_scene::units::{Dimension, Unit};
 
+use crate::log::dates;
 use crate::log::error::{TraceError, shown};
 
 /// The name of a column as the log has it, and the unit that its type has of itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Heading {
     pub(crate) name: String,
-    /// As a timestamp of Parquet has one.
+    /// As a timestamp of Parquet and a column of dates have one.
     pub(crate) unit: Option<&'static str>,
 }
 
 impl Heading {
     pub(crate) const fn plain(name: String) -> Self {
         Self { name, unit: None }
+    }
+
+    /// Whether its column holds dates with a time of day.
+    pub(crate) fn is_dated(&self) -> bool {
+        self.unit == Some(dates::UNIT)
     }
 }
 

@@ -12,6 +12,7 @@ use crate::log::names::{by_name, is_no_clock};
 use crate::log::preview::Preview;
 use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
 use crate::number::{Number, difference, is_positive, quotient};
+use refused::{not_read, proposal};
 
 /// The most columns of a trace.
 pub(crate) const MAX_COLUMNS: usize = 4096;
@@ -404,46 +405,5 @@ fn unit_of(found: &Found, headings: &[Heading]) -> Result<Option<String>, TraceE
     }
 }
 
-/// Why a header with columns that look like something else is refused, some of which cannot be read.
-fn not_read(unread: &[Found], unreadable: &[(usize, String)], headings: &[Heading]) -> TraceError {
-    let name = |column: usize| {
-        let name = headings.get(column).map_or("", |heading| &heading.name);
-        format!("`{}`", shown(name.as_bytes()))
-    };
-    let mut columns: Vec<usize> = unread.iter().map(|found| found.column).collect();
-    columns.sort_unstable();
-    let names: Vec<String> = columns.into_iter().map(name).collect();
-    let mut said = match names.as_slice() {
-        [] => Vec::new(),
-        [name] => vec![format!("the column {name} is not read under this name")],
-        names => vec![format!(
-            "the columns {} are not read under these names",
-            names.join(", ")
-        )],
-    };
-    said.extend(unreadable.iter().map(|(column, why)| {
-        let name = name(*column);
-        format!("the column {name} cannot be read ({why}): name the others to leave it out")
-    }));
-    header(said.join("; "))
-}
-
-/// What a header may mean, beyond what its columns say themselves, where that can be read.
-fn proposal(
-    headings: &[Heading],
-    said: &[Found],
-    preview: &Preview,
-    scene: &Scene,
-) -> Option<Box<guess::Proposal>> {
-    let complete = |found| guess::with_unit(found, headings, preview, scene);
-    let mut all: Vec<Found> = said.iter().map(complete).collect();
-    all.extend(guess::unread(headings, preview, scene, said));
-    let proposal = guess::propose(&all, headings)?;
-    // What is offered must be read when it is typed.
-    let columns: Columns = proposal.columns.parse().ok()?;
-    let found = columns.find(headings).ok()?;
-    Layout::of(&found, headings, scene).ok()?;
-    Some(Box::new(proposal))
-}
-
 mod even;
+mod refused;

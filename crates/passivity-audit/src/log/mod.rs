@@ -11,6 +11,7 @@ mod computed;
 mod cores;
 mod counted;
 mod csv;
+mod dates;
 mod error;
 mod exact;
 mod findings;

@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
 use crate::ledger::Ledger;
+use crate::log::dates;
 use crate::log::error::TraceError;
 use crate::log::header::Heading;
 use crate::log::layout::Layout;
@@ -99,6 +100,7 @@ impl Partial {
                 Some("ms") => Some("ms"),
                 Some("us") => Some("us"),
                 Some("ns") => Some("ns"),
+                Some(dates::UNIT) => Some(dates::UNIT),
                 Some(_) => return Err(wrong("a unit that no type has")),
             };
             Ok(Heading {

@@ -3,6 +3,7 @@
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::columns::Role;
 use crate::log::csv::Notation;
+use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout};
 use crate::log::running::near_number;
 use crate::number::{Number, leading_decimal, power_of_ten};
@@ -17,7 +18,10 @@ pub(crate) struct Slots {
 impl Slots {
     /// `None` for other logs.
     pub(crate) fn of(layout: &Layout, notation: Notation) -> Option<Self> {
-        let is_plain = layout.form != Form::Ledger && !notation.decimal_comma;
+        let is_dated = |time| layout.headings.get(time).is_some_and(Heading::is_dated);
+        let is_plain = layout.form != Form::Ledger
+            && !notation.decimal_comma
+            && !layout.time.is_some_and(is_dated);
         if !is_plain || notation.delimiter == b'.' || notation.delimiter == b'-' {
             return None;
         }

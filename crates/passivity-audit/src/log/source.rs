@@ -50,7 +50,7 @@ impl Dialect {
             .map_err(|error| otherwise(error, notation, (line, first), self, scene))?;
         let said = Said {
             headings: layout.headings.clone(),
-            preview: csv::preview(first, notation),
+            preview: csv::preview(first, &layout.headings, notation),
         };
         Ok((layout, said, notation))
     }
@@ -330,8 +330,19 @@ impl Opened {
             Self::Csv(mut lines) => {
                 let notation = dialect.notation()?;
                 let names = csv::names(&lines.header()?, notation)?;
-                let headings: Vec<Heading> = names.into_iter().map(Heading::plain).collect();
-                (Reader::Csv(lines, notation), headings)
+                // Where the first file has dates, this one must: its rows say whether it does.
+                let unit = |column| {
+                    layout
+                        .headings
+                        .get(column)
+                        .filter(|h: &&Heading| h.is_dated())
+                };
+                let heading = |(column, name)| Heading {
+                    name,
+                    unit: unit(column).and_then(|heading| heading.unit),
+                };
+                let headings = names.into_iter().enumerate().map(heading);
+                (Reader::Csv(lines, notation), headings.collect())
             }
             #[cfg(feature = "parquet")]
             Self::Parquet(table) => {
@@ -354,9 +365,9 @@ fn layout(
     told: Option<&Columns>,
     scene: &Scene,
 ) -> Result<Layout, TraceError> {
-    let names = csv::names(line, notation)?;
-    let headings = names.into_iter().map(Heading::plain).collect();
-    Layout::read(headings, told, &csv::preview(first, notation), scene)
+    let headings = csv::headings(line, first, notation)?;
+    let preview = csv::preview(first, &headings, notation);
+    Layout::read(headings, told, &preview, scene)
 }
 
 /// The error of a header, with what it says when its fields stand apart by another character, or its numbers are

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use parquet::basic::{ConvertedType, LogicalType, TimeUnit, Type as Physical};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
-use parquet::data_type::DataType;
+use parquet::data_type::{DataType, Int96};
 use parquet::errors::ParquetError;
 use parquet::schema::types::ColumnDescriptor;
 use passivity_core::BigRational;
@@ -43,6 +43,8 @@ impl Meaning {
         }
         let physical = column.physical_type();
         let meaning = match column.logical_type_ref() {
+            // What older programs store is a day and the nanoseconds in it.
+            _ if physical == Physical::INT96 => Some(Self::Time("ns")),
             Some(logical) => Self::of_logical(logical),
             None => Self::of_converted(column.converted_type(), physical),
         };
@@ -52,6 +54,7 @@ impl Meaning {
             (Some(Self::Decimal(_)), Physical::INT32 | Physical::INT64) => true,
             (Some(Self::Decimal(_)), Physical::BYTE_ARRAY | Physical::FIXED_LEN_BYTE_ARRAY) => true,
             (Some(Self::Unsigned | Self::Time(_)), Physical::INT32 | Physical::INT64) => true,
+            (Some(Self::Time(_)), Physical::INT96) => true,
             (Some(Self::Text), Physical::BYTE_ARRAY) => true,
             (Some(Self::Plain), Physical::INT32 | Physical::INT64) => true,
             (Some(Self::Plain), Physical::FLOAT | Physical::DOUBLE) => true,
@@ -140,6 +143,21 @@ fn over_ten(n: BigInt, scale: i32) -> Number {
     let ten = BigInt::from(10);
     let power = num_traits::Pow::pow(&ten, scale.unsigned_abs());
     BigRational::new(n, power).into()
+}
+
+/// The nanoseconds since 1970 of a day of the Julian calendar and the nanoseconds in it.
+fn since_1970(moment: &Int96) -> Number {
+    const EPOCH: i128 = 2_440_588;
+    const DAY: i128 = 86_400_000_000_000;
+    let [low, high, day] = match moment.data() {
+        [low, high, day] => [*low, *high, *day].map(i128::from),
+        _ => [0; 3],
+    };
+    let nanoseconds = (day - EPOCH) * DAY + (high << 32) + low;
+    match i64::try_from(nanoseconds) {
+        Ok(nanoseconds) => Number::whole(nanoseconds),
+        Err(_) => BigRational::from_integer(nanoseconds.into()).into(),
+    }
 }
 
 /// The values of a column up to the first that is wrong.
@@ -310,7 +328,10 @@ pub(crate) fn numbers(meaning: Meaning, reader: &mut ColumnReader, rows: usize) 
         ColumnReader::FixedLenByteArrayColumnReader(reader) => {
             values(reader, rows).map(|bytes| of_bytes(bytes.data()))
         }
-        ColumnReader::BoolColumnReader(_) | ColumnReader::Int96ColumnReader(_) => {
+        ColumnReader::Int96ColumnReader(reader) => {
+            values(reader, rows).map(|moment| Ok(since_1970(&moment)))
+        }
+        ColumnReader::BoolColumnReader(_) => {
             Column::wrong(TraceError::new("type", "expected numbers"))
         }
     }

@@ -3,6 +3,7 @@
 mod applied;
 mod audit;
 mod enclosure;
+mod headers;
 #[cfg(feature = "mcap")]
 mod mcap;
 mod near;

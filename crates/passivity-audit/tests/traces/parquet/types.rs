@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use parquet::data_type::{
     BoolType, ByteArray, ByteArrayType, FixedLenByteArray, FixedLenByteArrayType, Int32Type,
-    Int64Type,
+    Int64Type, Int96, Int96Type,
 };
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
-use passivity_audit::{Audit, Options, audit};
+use passivity_audit::{Audit, Options, TraceError, audit};
 use passivity_scene::Scene;
 
 use super::read;
@@ -21,6 +21,8 @@ enum Stored {
     Short(i32),
     Long(i64),
     Bytes(&'static [u8]),
+    /// A day, and the nanoseconds in it.
+    Day(u32, u64),
 }
 
 /// Writes columns of stored values, each with its field of the schema.
@@ -53,6 +55,13 @@ fn store(columns: &[(&str, Vec<Stored>)]) -> Scratch {
                     column
                         .typed::<Int64Type>()
                         .write_batch(&[*n], None, None)
+                        .unwrap();
+                }
+                Stored::Day(day, nanoseconds) => {
+                    let words = [*nanoseconds as u32, (*nanoseconds >> 32) as u32, *day];
+                    column
+                        .typed::<Int96Type>()
+                        .write_batch(&[Int96::from(words.to_vec())], None, None)
                         .unwrap();
                 }
                 Stored::Bytes(bytes) if field.starts_with("binary") => {
@@ -177,19 +186,21 @@ fn types_mean_what_they_say() {
     assert_eq!(read(&path).unwrap().error().unwrap().kind, "count");
 }
 
+/// Of a log with a clock, at a wall that is sampled a thousand times a second.
+fn audited(path: &Path, columns: Option<&str>) -> Result<Audit, TraceError> {
+    let scene = Scene::from_toml(
+        "test",
+        "[device]\nviscous = \"1 N s/m\"\n[sampling]\nperiod = \"1 ms\"\n[encoder]\nresolution = \"1 mm\"\n\
+         [wall]\nstiffness = \"1 N/mm\"",
+    );
+    let mut options = Options::default();
+    options.dialect.columns = columns.map(|text| text.parse().unwrap());
+    audit(path, &scene.unwrap(), options)
+}
+
 #[test]
 fn a_clock_has_the_unit_of_its_type() {
     use Stored::{Long, Short};
-    let scene = Scene::from_toml(
-        "test",
-        "[device]\nviscous = \"1 N s/m\"\n[sampling]\nperiod = \"1 ms\"\n[wall]\nstiffness = \"1 N/mm\"",
-    );
-    let scene = scene.unwrap();
-    let audited = |path: &Path, columns: Option<&str>| {
-        let mut options = Options::default();
-        options.dialect.columns = columns.map(|text| text.parse().unwrap());
-        audit(path, &scene, options)
-    };
     let epoch = 1_700_000_000_000_000_i64;
     for (unit, times) in [
         (
@@ -231,6 +242,28 @@ fn a_clock_has_the_unit_of_its_type() {
         let error = audited(&path, Some("f=t [N], x=pos [m]")).unwrap_err();
         assert_eq!(error.kind, "type", "{error}");
     }
+}
+
+#[test]
+fn a_day_with_its_nanoseconds_is_a_clock() {
+    const DAY: u64 = 86_400_000_000_000;
+    let clock = vec![
+        Stored::Day(2_440_588, DAY - 1_000_000),
+        Stored::Day(2_440_589, 0),
+        Stored::Day(2_440_589, 2_000_000),
+    ];
+    let positions = [0, 1, 3].map(Stored::Long).into_iter().collect();
+    let path = store(&[("int96 timestamp", clock), ("int64 count", positions)]);
+    let error = audited(&path, None).unwrap_err();
+    let columns = error.proposal.unwrap().columns;
+    assert_eq!(columns, "t=timestamp, count=count");
+    let timing = audited(&path, Some(&columns))
+        .unwrap()
+        .report()
+        .timing
+        .clone();
+    let timing = timing.unwrap();
+    assert_eq!((timing.uneven, timing.missed_samples), (1, 1));
 }
 
 #[test]

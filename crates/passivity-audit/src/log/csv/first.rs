@@ -1,0 +1,90 @@
+//! What the first lines of a CSV file say: the names of its columns, and of what kind their values are.
+
+use super::{Notation, fields, moment, number, trimmed};
+use crate::log::dates;
+use crate::log::error::TraceError;
+use crate::log::header::Heading;
+use crate::log::preview::Preview;
+use crate::log::running::near_number;
+
+/// The fields of a header line.
+pub(crate) fn names(line: &[u8], notation: Notation) -> Result<Vec<String>, TraceError> {
+    let text = std::str::from_utf8(line)
+        .map_err(|_| TraceError::new("header", "the header is not UTF-8 text"))?;
+    if text.trim().is_empty() {
+        return Err(TraceError::new(
+            "header",
+            "expected a header, found nothing",
+        ));
+    }
+    let unquoted = |name: &str| {
+        let name = name.trim();
+        let inner = name.strip_prefix('"').and_then(|n| n.strip_suffix('"'));
+        inner.unwrap_or(name).trim().to_owned()
+    };
+    // What stands between fields is ASCII, so that each of them is UTF-8 text again.
+    let names = fields(text.as_bytes(), notation.delimiter)
+        .map(|name| unquoted(&String::from_utf8_lossy(name)));
+    let names: Vec<String> = names.collect();
+    let is_number = |name: &String| value(name.as_bytes(), notation).is_some();
+    if names.iter().all(is_number) {
+        let message =
+            "the first line holds numbers: a trace needs a header with the names of its columns";
+        return Err(TraceError::new("header", message));
+    }
+    Ok(names)
+}
+
+/// The columns of a header line: those that hold dates, as far as the first rows tell, are in seconds.
+pub(crate) fn headings(
+    line: &[u8],
+    first: &[&[u8]],
+    notation: Notation,
+) -> Result<Vec<Heading>, TraceError> {
+    let is_dated = |column| {
+        let mut fields = first
+            .iter()
+            .map(|line| fields(line, notation.delimiter).nth(column));
+        let is_date = |field: Option<&[u8]>| field.and_then(|f| dates::seconds(trimmed(f)));
+        !first.is_empty() && fields.all(|field| is_date(field).is_some())
+    };
+    let heading = |(column, name)| Heading {
+        name,
+        unit: is_dated(column).then_some(dates::UNIT),
+    };
+    let names = names(line, notation)?;
+    Ok(names.into_iter().enumerate().map(heading).collect())
+}
+
+/// The first rows as numbers near by.
+pub(crate) fn preview(lines: &[&[u8]], headings: &[Heading], notation: Notation) -> Preview {
+    let row = |line: &&[u8]| {
+        let fields = fields(line, notation.delimiter).enumerate();
+        let near = |(column, field)| {
+            let is_dated = headings.get(column).is_some_and(Heading::is_dated);
+            let moment = moment(trimmed(field), is_dated, notation).ok()?;
+            Some(near_number(&moment))
+        };
+        fields.map(near).collect()
+    };
+    Preview::of_rows(&lines.iter().map(row).collect::<Vec<_>>())
+}
+
+/// The double near a field that is a number.
+fn value(field: &[u8], notation: Notation) -> Option<f64> {
+    let number = number(field, notation).ok()?;
+    Some(near_number(&number))
+}
+
+/// Whether numbers are written with a comma in some field.
+pub(crate) fn has_decimal_commas(lines: &[&[u8]], delimiter: u8) -> bool {
+    let comma = Notation {
+        delimiter,
+        decimal_comma: true,
+    };
+    let fields = lines.iter().flat_map(|line| fields(line, delimiter));
+    delimiter != b','
+        && fields
+            .map(trimmed)
+            .any(|field| field.contains(&b',') && number(field, comma).is_ok())
+}

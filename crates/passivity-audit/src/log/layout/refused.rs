@@ -1,0 +1,68 @@
+//! Headers that are refused: why, and what they may mean.
+
+use passivity_scene::Scene;
+
+use super::{Layout, header};
+use crate::log::columns::{Columns, Found};
+use crate::log::error::{TraceError, shown};
+use crate::log::guess::{self, Unreadable};
+use crate::log::header::Heading;
+use crate::log::preview::Preview;
+
+/// Why a header with columns that look like something else is refused, some of which cannot be read.
+pub(super) fn not_read(
+    unread: &[Found],
+    unreadable: &[Unreadable],
+    headings: &[Heading],
+) -> TraceError {
+    let name = |column: usize| {
+        let name = headings.get(column).map_or("", |heading| &heading.name);
+        format!("`{}`", shown(name.as_bytes()))
+    };
+    let mut columns: Vec<usize> = unread.iter().map(|found| found.column).collect();
+    columns.sort_unstable();
+    let names: Vec<String> = columns.into_iter().map(name).collect();
+    let mut said = match names.as_slice() {
+        [] => Vec::new(),
+        [name] => vec![format!("the column {name} is not read under this name")],
+        names => vec![format!(
+            "the columns {} are not read under these names",
+            names.join(", ")
+        )],
+    };
+    said.extend(unreadable.iter().map(|unreadable| {
+        let (name, why) = (name(unreadable.column), &unreadable.why);
+        let put_right = match unreadable.is_clock {
+            true => {
+                "write its times as numbers in a unit that its name gives, as in `time [s]`, or as dates like \
+                 `2023-11-14T22:13:20.5Z`; if `--columns` leaves it out, all rows are taken to be one sampling period apart"
+            }
+            false => "name the others to leave it out",
+        };
+        format!("the column {name} cannot be read ({why}): {put_right}")
+    }));
+    header(said.join("; "))
+}
+
+/// What a header may mean, beyond what its columns say themselves, where that can be read and leaves out no clock: without
+/// one, late and missed samples would not be seen.
+pub(super) fn proposal(
+    headings: &[Heading],
+    said: &[Found],
+    preview: &Preview,
+    scene: &Scene,
+) -> Option<Box<guess::Proposal>> {
+    let complete = |found| guess::with_unit(found, headings, preview, scene);
+    let mut all: Vec<Found> = said.iter().map(complete).collect();
+    all.extend(guess::unread(headings, preview, scene, said));
+    let unreadable = guess::unreadable(headings, preview, scene, &all);
+    if unreadable.iter().any(|unreadable| unreadable.is_clock) {
+        return None;
+    }
+    let proposal = guess::propose(&all, headings)?;
+    // What is offered must be read when it is typed.
+    let columns: Columns = proposal.columns.parse().ok()?;
+    let found = columns.find(headings).ok()?;
+    Layout::of(&found, headings, scene).ok()?;
+    Some(Box::new(proposal))
+}

@@ -1,0 +1,57 @@
+//! What a log is taken to be by its header and its first rows, and what is proposed where that is not understood.
+
+mod clocks;
+
+use passivity_audit::{Audit, Dialect, Options, TraceError, audit_csv};
+use passivity_scene::Scene;
+
+/// A linear device that is sampled a thousand times a second.
+fn scene() -> Scene {
+    let text = "[device]\nmass = \"0.1 kg\"\nviscous = \"0.3 N s/m\"\ncoulomb = \"0.005 N\"\n\
+        [sampling]\nperiod = \"1 ms\"\n[encoder]\nresolution = \"0.01 mm\"\n[wall]\nstiffness = \"500 N/m\"";
+    Scene::from_toml("linear", text).unwrap()
+}
+
+fn dialect(columns: Option<&str>) -> Dialect {
+    Dialect {
+        columns: columns.map(|text| text.parse().unwrap()),
+        ..Dialect::default()
+    }
+}
+
+/// Of a log with this text, with the columns that were told.
+fn audited(csv: &str, columns: Option<&str>) -> Result<Audit, TraceError> {
+    let input = Box::new(std::io::Cursor::new(csv.as_bytes().to_vec()));
+    let options = Options {
+        dialect: dialect(columns),
+        ..Options::default()
+    };
+    audit_csv(input, &scene(), options)
+}
+
+fn refused(csv: &str, columns: Option<&str>) -> TraceError {
+    match audited(csv, columns) {
+        Err(error) => error,
+        Ok(audit) => panic!("{csv}: {}", audit.to_text()),
+    }
+}
+
+/// The columns that are proposed for it; empty where none are.
+fn proposed(csv: &str, columns: Option<&str>) -> String {
+    let proposal = refused(csv, columns).proposal;
+    proposal.map_or_else(String::new, |proposal| proposal.columns)
+}
+
+/// By the columns that are proposed for it, and which these are.
+fn as_proposed(csv: &str) -> (String, Audit) {
+    let columns = proposed(csv, None);
+    let audit = audited(csv, Some(&columns)).unwrap_or_else(|e| panic!("{csv}: {columns}: {e}"));
+    assert_eq!(audit.error(), None, "{csv}: {columns}");
+    (columns, audit)
+}
+
+/// How many samples a log with a clock has missed; `None` where no clock was read.
+fn missed(audit: &Audit) -> Option<u64> {
+    let timing = audit.report().timing.as_ref();
+    timing.map(|timing| timing.missed_samples)
+}

@@ -1,0 +1,134 @@
+//! Clocks: dates, clocks that cannot be read, and the units in which they tick.
+
+use passivity_audit::Options;
+use passivity_audit::audit_files;
+
+use super::{as_proposed, audited, dialect, missed, proposed, refused, scene};
+use crate::scratch::Scratch;
+
+/// Three samples, the second four periods after the first and the third five after it, with these times.
+fn counts(clock: &str, times: [&str; 3]) -> String {
+    let [first, second, third] = times;
+    format!("{clock},count\n{first},0\n{second},20\n{third},0\n")
+}
+
+#[test]
+fn dates_are_a_clock() {
+    let nanoseconds = counts(
+        "t [ns]",
+        [
+            "1700000000000000000",
+            "1700000000004000000",
+            "1700000000009000000",
+        ],
+    );
+    let expected = audited(&nanoseconds, None).unwrap().to_json();
+    for times in [
+        [
+            "2023-11-14T22:13:20.000000000Z",
+            "2023-11-14T22:13:20.004000000Z",
+            "2023-11-14T22:13:20.009000000Z",
+        ],
+        [
+            "2023-11-14 22:13:20+00:00",
+            "2023-11-14 22:13:20.004+00:00",
+            "2023-11-14 22:13:20.009+00:00",
+        ],
+        [
+            "2023-11-14T23:59:59.996",
+            "2023-11-15T00:00:00",
+            "2023-11-15T00:00:00.005",
+        ],
+        [
+            "\"2023-11-14T22:13:20.0000000000000000000Z\"",
+            "2023-11-14T23:13:20.004+01:00",
+            "2023-11-14 22:13:20.009 UTC",
+        ],
+    ] {
+        let (columns, audit) = as_proposed(&counts("timestamp", times));
+        assert_eq!(columns, "t=timestamp, count=count");
+        assert_eq!(missed(&audit), Some(7), "{times:?}");
+        let mut json = audit.to_json();
+        json.as_object_mut().unwrap().remove("columns");
+        assert_eq!(json, expected, "{times:?}");
+        let by_name = audited(&counts("t", times), None).unwrap();
+        assert_eq!(by_name.to_json(), expected, "{times:?}");
+    }
+}
+
+#[test]
+fn dates_are_not_mixed_with_numbers_and_are_nothing_but_times() {
+    let dates = ["2023-11-14T22:13:20Z", "2023-11-14T22:13:21Z", "5"];
+    let mixed = counts("t", dates);
+    // Among the first rows there is one that is none.
+    assert!(
+        refused(&mixed, None).to_string().contains("t [s]"),
+        "{mixed}"
+    );
+    let late = mixed.replace("\n5,0\n", "\n");
+    let later: String = (22..60)
+        .map(|s| format!("2023-11-14T22:13:{s}Z,0\n"))
+        .collect();
+    let audit = audited(&format!("{late}{later}5,0\n"), None).unwrap();
+    let error = audit.error().unwrap();
+    assert_eq!((error.kind, error.row), ("date", Some(41)), "{error}");
+    let dated = counts(
+        "when",
+        ["2023-11-14T22:13:20Z", dates[1], "2023-11-14T22:13:22Z"],
+    );
+    let says = |columns: &str| refused(&dated, Some(columns)).to_string();
+    assert!(says("count=count, f=when [N]").contains("is a time, and `f` is none"));
+    assert!(says("count=count, t=when [ms]").contains("it is in `s`, not in `ms`"));
+    audited(&dated, Some("count=count, t=when [s]")).unwrap();
+}
+
+#[test]
+fn the_files_of_a_log_go_on_with_dates() {
+    let first = counts(
+        "t",
+        [
+            "2023-11-14T22:13:20Z",
+            "2023-11-14T22:13:20.001Z",
+            "2023-11-14T22:13:20.002Z",
+        ],
+    );
+    let good = "t,count\n2023-11-14T22:13:20.003Z,1\n";
+    let bad = "t,count\n1700000000.003,1\n";
+    let files = |next: &str| {
+        let files = [first.as_str(), next].map(|text| Scratch::new("csv", text.as_bytes()));
+        let paths = [files[0].to_path_buf(), files[1].to_path_buf()];
+        audit_files(
+            &paths,
+            &scene(),
+            Options {
+                dialect: dialect(None),
+                ..Options::default()
+            },
+        )
+        .unwrap()
+    };
+    let audit = files(good);
+    assert_eq!((audit.error(), missed(&audit)), (None, Some(0)));
+    assert_eq!(files(bad).error().unwrap().kind, "date");
+    assert_eq!(files("t,count\n").error(), None);
+}
+
+#[test]
+fn no_command_leaves_out_a_clock_that_cannot_be_read() {
+    for (header, time) in [
+        ("Time,Position,Force", "0.001 sec"),
+        ("timestamp,x [m],f [N]", "14.11.2023 22:13"),
+    ] {
+        let log = format!("{header}\n{time},0.1,1\n{time},0.2,1\n");
+        let error = refused(&log, None);
+        assert_eq!(error.proposal, None, "{error}");
+        let error = error.to_string();
+        assert!(error.contains("write its times as numbers"), "{error}");
+        assert!(error.contains("one sampling period apart"), "{error}");
+        // Nor where something else was told wrongly.
+        assert_eq!(proposed(&log, Some("x=posture [m]")), "");
+    }
+    // Who says so leaves it out.
+    let log = "Time,Position\n0 sec,0.1\n1 sec,0.2\n";
+    audited(log, Some("x=Position [m]")).unwrap();
+}
