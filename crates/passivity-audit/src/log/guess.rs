@@ -1,7 +1,7 @@
 //! What a header that is not understood may mean: the columns, offered as they can be typed.
 //!
 //! A guess is never acted upon. It goes by the words in a name, by the unit, and by the first rows: a
-//! clock runs forward, and its unit is the one in which it ticks about once a sampling period.
+//! clock runs forward, and where its name says no unit, it is the one in which it ticks about once a sampling period.
 
 use std::fmt;
 
@@ -275,7 +275,7 @@ fn role(kind: Kind, heading: &Heading, column: usize, preview: &Preview, scene: 
     let has_unit = own.is_some() || heading.unit.is_some();
     let unit = match kind {
         _ if has_unit || bare || role.is_bare() => None,
-        Kind::Time => Some(unit_of_time(preview.step(column), scene)),
+        Kind::Time => Some(unit_of_time(&heading.name, preview.step(column), scene)),
         kind => Some(kind.unit(scene.motion)),
     };
     Found {
@@ -294,14 +294,16 @@ pub(crate) fn with_unit(
     scene: &Scene,
 ) -> Found {
     let bare = scene.motion == Motion::Dimensionless || found.role.is_bare();
-    let typed = headings
-        .get(found.column)
-        .is_some_and(|heading| heading.unit.is_some());
+    let heading = headings.get(found.column);
+    let typed = heading.is_some_and(|heading| heading.unit.is_some());
     if bare || typed || found.unit.is_some() {
         return found.clone();
     }
     let unit = match Kind::of(found.role) {
-        Kind::Time => unit_of_time(preview.step(found.column), scene),
+        Kind::Time => {
+            let name = heading.map_or("", |heading| &heading.name);
+            unit_of_time(name, preview.step(found.column), scene)
+        }
         kind => kind.unit(scene.motion),
     };
     Found {

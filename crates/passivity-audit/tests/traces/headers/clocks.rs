@@ -132,3 +132,42 @@ fn no_command_leaves_out_a_clock_that_cannot_be_read() {
     let log = "Time,Position\n0 sec,0.1\n1 sec,0.2\n";
     audited(log, Some("x=Position [m]")).unwrap();
 }
+
+#[test]
+fn the_unit_of_a_clock_is_the_one_that_its_name_says() {
+    for (name, times, columns) in [
+        ("millis", ["0", "40", "80"], "t=millis [ms]"),
+        ("millis()", ["0", "40", "80"], "t=millis() [ms]"),
+        ("seconds", ["0.00", "0.04", "0.08"], "t=seconds [s]"),
+        (
+            "seconds_since_start",
+            ["0", "4", "8"],
+            "t=seconds_since_start [s]",
+        ),
+        ("timeMicros", ["0", "4", "8"], "t=timeMicros [us]"),
+        ("time.nanos", ["0", "4", "8"], "t=time.nanos [ns]"),
+        (
+            "timestamp_ns_utc",
+            ["0", "4", "8"],
+            "t=timestamp_ns_utc [ns]",
+        ),
+        // Names that say nothing, or of something else.
+        ("time", ["0", "40", "80"], "t=time [us]"),
+        ("second_time", ["0", "1000", "2000"], "t=second_time [us]"),
+        (
+            "time_since_s_curve",
+            ["0", "1000", "2000"],
+            "t=time_since_s_curve [us]",
+        ),
+    ] {
+        let log = counts(name, times);
+        assert_eq!(
+            proposed(&log, None),
+            format!("{columns}, count=count"),
+            "{name}"
+        );
+    }
+    // A header that is understood but for the unit.
+    let log = "x [m],t,enc.micros\n0,0.001,0\n0.1,0.002,4\n";
+    assert_eq!(proposed(log, None), "t=t [s], x=x [m]");
+}
