@@ -11,7 +11,7 @@ use crate::log::columns::{Found, Role, typed};
 use crate::log::error::shown;
 use crate::log::header::{Heading, read_unit, split};
 use crate::log::preview::Preview;
-use clock::unit_of_time;
+use clock::{unit_of_time, unit_of_word};
 use kind::Kind;
 use words::{COUNTED, HELD, NO_POSITION, NOT_MEASURED, words};
 
@@ -72,13 +72,20 @@ fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
         Err((stem, _)) => stem,
     };
     let words = words(stem);
-    let named = |word: &String| kind.words().contains(&word.as_str());
+    let mut named: Vec<bool> = words
+        .iter()
+        .map(|word| kind.words().contains(&word.as_str()))
+        .collect();
+    // A time may be called by its unit alone; one of one letter is more often something else.
+    if let (Kind::Time, Some(word), Some(last)) = (kind, words.last(), named.last_mut()) {
+        *last |= word.len() > 1 && unit_of_word(word).is_some();
+    }
     let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
     let mut score = 0;
-    if words.iter().any(named) {
+    if named.contains(&true) {
         score += 4;
         // The last word says most: a `velocity_time` is a time.
-        score += i32::from(words.last().is_some_and(named));
+        score += i32::from(named.last() == Some(&true));
     }
     if kind == Kind::Force {
         score += i32::from(has(&HELD));

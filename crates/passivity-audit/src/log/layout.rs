@@ -264,12 +264,20 @@ impl Layout {
 
     /// The columns that are not read.
     pub(crate) fn not_read(&self) -> Vec<String> {
-        let is_read = |column: usize| self.said.iter().any(|found| found.column == column);
-        let unread = (0..)
-            .zip(&self.headings)
-            .filter(|(column, _)| !is_read(*column));
+        let read = [
+            Some(self.position),
+            self.end,
+            self.dtau,
+            self.time,
+            self.force,
+            self.velocity,
+        ];
+        let unread = (0..self.width()).filter(|column| !read.contains(&Some(*column)));
         unread
-            .map(|(_, heading)| shown(heading.name.as_bytes()))
+            .map(|column| match self.name(column).trim() {
+                "" => format!("number {}", column + 1),
+                name => shown(name.as_bytes()),
+            })
             .collect()
     }
 

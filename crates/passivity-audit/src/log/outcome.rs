@@ -155,10 +155,7 @@ impl Audit {
             velocity: moved,
             findings: found,
             columns: task.layout.typed(false).filter(|_| task.told),
-            not_read: match task.told {
-                true => task.layout.not_read(),
-                false => Vec::new(),
-            },
+            not_read: task.layout.not_read(),
             rows,
             last_row_unended: findings.unended,
             error: findings.error,

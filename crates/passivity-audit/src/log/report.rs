@@ -102,7 +102,7 @@ pub struct Report {
     /// What the columns were told to be.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub columns: Option<String>,
-    /// The columns that were not read, where the others were told.
+    /// The columns that were not read.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub not_read: Vec<String>,
     /// The rows of a short trace; `None` of a longer one, whose rows go to a file.

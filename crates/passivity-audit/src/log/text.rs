@@ -45,7 +45,7 @@ impl Report {
             out.put("columns", columns);
         }
         if !self.not_read.is_empty() {
-            out.put("not read", &self.not_read.join(", "));
+            out.put("not read", &listed(&self.not_read));
         }
         if !self.nominal.is_empty() {
             out.put("at nominal value", &self.nominal.join(", "));
@@ -208,6 +208,21 @@ impl Report {
             ),
         );
     }
+}
+
+/// The first of these names, as many as a line has room for, and how many more there are.
+fn listed(names: &[String]) -> String {
+    const ROOM: usize = 90;
+    let mut text = String::new();
+    for (i, name) in names.iter().enumerate() {
+        if i > 0 && text.chars().count() + name.chars().count() > ROOM {
+            let _ = write!(text, " and {} more", names.len() - i);
+            break;
+        }
+        text.push_str(if i > 0 { ", " } else { "" });
+        text.push_str(name);
+    }
+    text
 }
 
 /// `1 interval`, or `3 intervals`.

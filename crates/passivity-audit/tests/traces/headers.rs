@@ -55,3 +55,48 @@ fn missed(audit: &Audit) -> Option<u64> {
     let timing = audit.report().timing.as_ref();
     timing.map(|timing| timing.missed_samples)
 }
+
+#[test]
+fn forces_of_other_names_are_not_passed_over() {
+    for name in ["Fx", "Kraft", "force_cmd"] {
+        let log = format!("t [s],x [mm],{name}\n0,0,0\n0.001,0,0\n");
+        assert_eq!(
+            proposed(&log, None),
+            format!("t=t [s], x=x [mm], f={name} [N]")
+        );
+    }
+}
+
+#[test]
+fn what_is_not_read_is_listed_whether_columns_were_told_or_not() {
+    let log = "t [s],x [mm],dt,u,\n0,0,1,2,3\n0.001,0,1,2,3\n";
+    for columns in [None, Some("t=t [s], x=x [mm]")] {
+        let audit = audited(log, columns).unwrap();
+        assert_eq!(
+            audit.to_json()["not_read"],
+            serde_json::json!(["dt", "u", "number 5"])
+        );
+        let text = audit.to_text();
+        assert!(
+            text.contains("  not read                     dt, u, number 5\n"),
+            "{text}"
+        );
+    }
+    let all_read = audited("t [s],x [mm]\n0,0\n0.001,0\n", None).unwrap();
+    assert!(!all_read.to_text().contains("not read"));
+    // A line of text has room for so many.
+    let names: String = (0..300).map(|i| format!(",channel{i}")).collect();
+    let audit = audited(
+        &format!("count{names}\n0{0}\n1{0}\n", ",0".repeat(300)),
+        None,
+    )
+    .unwrap();
+    assert_eq!(audit.report().not_read.len(), 300);
+    let text = audit.to_text();
+    let line = text.lines().find(|line| line.contains("not read")).unwrap();
+    assert!(
+        line.chars().count() < 150 && line.contains("channel7"),
+        "{line}"
+    );
+    assert!(line.ends_with(" more"), "{line}");
+}

@@ -171,3 +171,29 @@ fn the_unit_of_a_clock_is_the_one_that_its_name_says() {
     let log = "x [m],t,enc.micros\n0,0.001,0\n0.1,0.002,4\n";
     assert_eq!(proposed(log, None), "t=t [s], x=x [m]");
 }
+
+#[test]
+fn clocks_that_are_called_by_their_unit_are_not_passed_over() {
+    for name in [
+        "us",
+        "ms",
+        "ns",
+        "msec",
+        "usec",
+        "nsec",
+        "nanosec",
+        "uptime",
+        "datetime",
+        "unix",
+        "Zeit",
+        "perf_counter",
+        "monotonic_ns",
+        "ms_since_boot",
+    ] {
+        let proposed = proposed(&counts(name, ["0", "4", "8"]), None);
+        assert!(
+            proposed.starts_with(&format!("t={name}")),
+            "{name}: {proposed}"
+        );
+    }
+}
