@@ -133,7 +133,7 @@ fn preview(columns: &[(String, Values)], len: usize) -> Preview {
 
 /// Some rows of the columns, up to the first mistake.
 fn chunk(columns: &[(String, Values)], layout: &Layout, range: std::ops::Range<usize>) -> Chunk {
-    let mut chunk = Chunk::new(layout);
+    let (mut chunk, mut fine) = (Chunk::new(layout), Numbers::default());
     // How many rows are whole, and what is wrong with the next.
     let (mut whole, mut error) = (range.len(), None);
     let mut keep = |len: usize, found: Option<TraceError>, column: usize| {
@@ -148,15 +148,22 @@ fn chunk(columns: &[(String, Values)], layout: &Layout, range: std::ops::Range<u
             keep(chunk.samples.len(), found, column);
             continue;
         }
-        let [time, force, velocity] =
-            [layout.time, layout.force, layout.velocity].map(|wanted| wanted == Some(column));
-        if !(time || force || velocity) {
+        let wanted = [
+            layout.time,
+            layout.fine_column(),
+            layout.force,
+            layout.velocity,
+        ];
+        let [time, beyond, force, velocity] = wanted.map(|wanted| wanted == Some(column));
+        if !(time || beyond || force || velocity) {
             continue;
         }
         let (numbers, found) = values.numbers(range.clone());
         keep(numbers.len(), found, column);
         if time {
             chunk.times = numbers;
+        } else if beyond {
+            fine = numbers;
         } else if force {
             let found = chunk.forces.values.push_all(numbers);
             let len = chunk.forces.values.len();
@@ -168,6 +175,12 @@ fn chunk(columns: &[(String, Values)], layout: &Layout, range: std::ops::Range<u
                 .map(|v| near_number(&v) * layout.per_velocity)
                 .collect();
         }
+    }
+    let (times, found) = layout.moments(std::mem::take(&mut chunk.times), &fine);
+    chunk.times = times;
+    if let Some(found) = found.filter(|_| chunk.times.len() < whole) {
+        whole = chunk.times.len();
+        error = Some(found.row(whole as u64));
     }
     chunk.truncate(whole);
     chunk.error = error;

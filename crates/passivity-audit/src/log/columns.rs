@@ -11,6 +11,8 @@ use crate::log::header::{Heading, is_unit, split};
 pub enum Role {
     /// The time of the sample, in a unit.
     T,
+    /// What the time is beyond whole ones of its unit, in a smaller one.
+    Fine,
     /// The time of the sample, in sampling periods.
     Tau,
     /// The position, in ticks.
@@ -40,7 +42,7 @@ impl Role {
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
-            Self::T => "t",
+            Self::T | Self::Fine => "t",
             Self::Tau => "tau",
             Self::Xi => "xi",
             Self::X => "x",
@@ -74,7 +76,7 @@ pub(crate) struct Found {
 ///
 /// A name is written as in the header, with or without its unit; a unit in brackets is for a header
 /// that has none. A minus sign before the name turns the sign of its numbers. A name with a comma or an
-/// equals sign in it stands in double quotes.
+/// equals sign in it stands in double quotes. A time may be in two columns: `t=stamp.sec [s] + stamp.nanosec [ns]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Columns(Vec<Assignment>);
 
@@ -98,7 +100,7 @@ impl FromStr for Columns {
 
     fn from_str(text: &str) -> Result<Self, TraceError> {
         let mut assignments: Vec<Assignment> = Vec::new();
-        for part in parts(text)? {
+        for part in parts(text, ",")? {
             let Some((role, name)) = part.split_once('=') else {
                 let message = format!(
                     "expected `role=column`, as in `x=position [rad]`, found `{}`",
@@ -114,11 +116,18 @@ impl FromStr for Columns {
                 );
                 return Err(refuse(message));
             };
-            let assignment = Assignment::read(role, name.trim())?;
-            if assignments.iter().any(|other| other.role == role) {
-                return Err(refuse(format!("`{}` is given twice", role.name())));
+            let names = match role {
+                Role::T if name.contains(PLUS) => parts(name, PLUS)?,
+                _ => vec![name.trim()],
+            };
+            for (i, name) in names.into_iter().enumerate() {
+                let role = if i > 0 { Role::Fine } else { role };
+                let assignment = Assignment::read(role, name)?;
+                if assignments.iter().any(|other| other.role == role) {
+                    return Err(refuse(format!("`{}` is given twice", role.name())));
+                }
+                assignments.push(assignment);
             }
-            assignments.push(assignment);
         }
         Ok(Self(assignments))
     }
@@ -255,8 +264,11 @@ pub(crate) fn same_unit(a: &str, b: &str) -> bool {
     matches!((read_unit(a), read_unit(b)), (Ok(a), Ok(b)) if a == b)
 }
 
-/// The text between commas that stand outside quotes and brackets.
-fn parts(text: &str) -> Result<Vec<&str>, TraceError> {
+/// What stands between the two parts of a time.
+const PLUS: &str = " + ";
+
+/// The text between separators that stand outside quotes and brackets.
+fn parts<'t>(text: &'t str, separator: &str) -> Result<Vec<&'t str>, TraceError> {
     let mut parts = Vec::new();
     let (mut start, mut depth, mut quoted) = (0, 0_usize, false);
     for (at, c) in text.char_indices() {
@@ -264,9 +276,13 @@ fn parts(text: &str) -> Result<Vec<&str>, TraceError> {
             '"' => quoted = !quoted,
             '[' | '(' if !quoted => depth += 1,
             ']' | ')' if !quoted => depth = depth.saturating_sub(1),
-            ',' if !quoted && depth == 0 => {
+            _ if quoted || depth > 0 => {}
+            _ if text
+                .get(at..)
+                .is_some_and(|rest| rest.starts_with(separator)) =>
+            {
                 parts.extend(text.get(start..at));
-                start = at + 1;
+                start = at + separator.len();
             }
             _ => {}
         }
@@ -321,8 +337,11 @@ impl Columns {
 impl fmt::Display for Columns {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, assignment) in self.0.iter().enumerate() {
-            let separator = if i > 0 { ", " } else { "" };
-            write!(f, "{separator}{}=", assignment.role.name())?;
+            match (assignment.role, i) {
+                (Role::Fine, _) => f.write_str(PLUS)?,
+                (role, 0) => write!(f, "{}=", role.name())?,
+                (role, _) => write!(f, ", {}=", role.name())?,
+            }
             match (assignment.quoted, &assignment.unit) {
                 (false, _) => f.write_str(&assignment.text)?,
                 (true, None) => write!(f, "\"{}\"", assignment.text)?,
@@ -333,20 +352,31 @@ impl fmt::Display for Columns {
     }
 }
 
-/// One assignment as it can be typed, with a unit that the header does not give; `None` when the name
+/// One assignment as it can be typed after another, with a unit that the header does not give; `None` when the name
 /// cannot be shown or typed.
-pub(crate) fn typed(found: &Found, heading: &Heading, unit: Option<&str>) -> Option<String> {
+pub(crate) fn typed(
+    found: &Found,
+    heading: &Heading,
+    unit: Option<&str>,
+    is_first: bool,
+) -> Option<String> {
     let name = heading.name.trim();
     if name.is_empty() || name.contains('"') || crate::log::error::is_hidden(name) {
         return None;
     }
     let balanced = name.matches('[').count() == name.matches(']').count()
         && name.matches('(').count() == name.matches(')').count();
-    let plain = balanced && !name.contains([',', '=']) && !name.starts_with('-');
+    let plain =
+        balanced && !name.contains([',', '=']) && !name.contains(PLUS) && !name.starts_with('-');
     let unit = unit.map_or_else(String::new, |unit| format!(" [{unit}]"));
-    let (role, sign) = (found.role.name(), if found.reversed { "-" } else { "" });
+    let sign = if found.reversed { "-" } else { "" };
+    let before = match found.role {
+        Role::Fine => PLUS.to_owned(),
+        role if is_first => format!("{}={sign}", role.name()),
+        role => format!(", {}={sign}", role.name()),
+    };
     Some(match plain {
-        true => format!("{role}={sign}{name}{unit}"),
-        false => format!("{role}={sign}\"{name}\"{unit}"),
+        true => format!("{before}{name}{unit}"),
+        false => format!("{before}\"{name}\"{unit}"),
     })
 }

@@ -185,7 +185,7 @@ fn push(
     chunk: &mut Chunk,
 ) -> Result<(), TraceError> {
     let (mut position, mut end, mut dtau) = (None, None, None);
-    let (mut time, mut force, mut velocity) = (None, None, None);
+    let (mut time, mut fine, mut force, mut velocity) = (None, None, None, None);
     let mut width = 0;
     for (i, field) in fields(line, notation.delimiter).enumerate() {
         width += 1;
@@ -194,6 +194,7 @@ fn push(
             _ if Some(i) == layout.end => &mut end,
             _ if Some(i) == layout.dtau => &mut dtau,
             _ if Some(i) == layout.time => &mut time,
+            _ if Some(i) == layout.fine_column() => &mut fine,
             _ if Some(i) == layout.force => &mut force,
             _ if Some(i) == layout.velocity => &mut velocity,
             _ => continue,
@@ -238,6 +239,13 @@ fn push(
             Some(moment.map_err(|error| error.column(layout.name(column)))?)
         }
         None => None,
+    };
+    let time = match (time, &layout.fine) {
+        (Some(whole), Some(part)) => {
+            let moment = part.moment(&whole, &number_in(fine, part.column)?);
+            Some(moment.map_err(|error| error.column(layout.name(part.column)))?)
+        }
+        (time, _) => time,
     };
     let force = match layout.force {
         Some(column) => {

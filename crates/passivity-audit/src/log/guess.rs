@@ -11,7 +11,7 @@ use crate::log::columns::{Found, Role, typed};
 use crate::log::error::shown;
 use crate::log::header::{Heading, read_unit, split};
 use crate::log::preview::Preview;
-use clock::{unit_of_time, unit_of_word};
+use clock::{parts_of_time, unit_of_time, unit_of_word};
 use kind::Kind;
 use words::{COUNTED, HELD, NO_POSITION, NOT_MEASURED, words};
 
@@ -143,15 +143,20 @@ fn held(
 /// Of a heading: how much it looks like a kind; `None` when it cannot be.
 fn score(
     kind: Kind,
-    heading: &Heading,
+    headings: &[Heading],
     column: usize,
     preview: &Preview,
     scene: &Scene,
 ) -> Option<i32> {
+    let heading = headings.get(column)?;
     let mut score = held(kind, heading, column, preview, scene).ok()?;
     score += called(kind, heading, scene.motion);
-    if kind == Kind::Time && !preview.increases(column) {
-        score -= 3;
+    if kind == Kind::Time {
+        score += match parts_of_time(headings, preview, column) {
+            Some(_) => 4,
+            None if preview.increases(column) => 0,
+            None => -3,
+        };
     }
     (score >= LIKELY).then_some(score)
 }
@@ -218,11 +223,11 @@ pub(crate) fn unread(
         if said.iter().any(|found| Kind::of(found.role) == kind) {
             continue;
         }
-        for (column, heading) in headings.iter().enumerate() {
+        for column in 0..headings.len() {
             if said.iter().any(|found| found.column == column) {
                 continue;
             }
-            if let Some(score) = score(kind, heading, column, preview, scene) {
+            if let Some(score) = score(kind, headings, column, preview, scene) {
                 candidates.push(Candidate {
                     kind,
                     column,
@@ -250,9 +255,21 @@ pub(crate) fn unread(
         {
             continue;
         }
-        if let Some(heading) = headings.get(column) {
-            found.push(role(kind, heading, column, preview, scene));
+        let read = |column| {
+            let heading = headings.get(column);
+            heading.map(|heading| role(kind, heading, column, preview, scene))
+        };
+        let stamp = parts_of_time(headings, preview, column).filter(|_| kind == Kind::Time);
+        if let Some([whole, beyond]) = stamp {
+            // Neither part says alone when a sample was.
+            if scene.motion != Motion::Dimensionless {
+                found.extend(read(whole));
+                let role = Role::Fine;
+                found.extend(read(beyond).map(|found| Found { role, ..found }));
+            }
+            continue;
         }
+        found.extend(read(column));
     }
     found
 }
@@ -327,20 +344,21 @@ pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal>
     if !sorted.iter().any(|found| found.is_position()) {
         return None;
     }
-    let mut columns = Vec::new();
+    let mut columns = String::new();
     let mut assumed = Vec::new();
+    let said = sorted.len();
     for found in sorted {
         let heading = headings.get(found.column)?;
         let own = split(&heading.name).ok().and_then(|split| split.unit);
         let added = found.unit.as_deref().filter(|_| own.is_none());
-        columns.push(typed(found, heading, added)?);
-        if let Some(unit) = added {
+        columns.push_str(&typed(found, heading, added, columns.is_empty())?);
+        if let Some(unit) = added.filter(|_| found.role != Role::Fine) {
             assumed.push(format!("{} in {unit}", found.role.name()));
         }
     }
     Some(Proposal {
-        said: columns.len(),
-        columns: columns.join(", "),
+        said,
+        columns,
         delimiter: None,
         decimal_comma: false,
         assumed,

@@ -12,6 +12,7 @@ use crate::log::names::{by_name, is_no_clock};
 use crate::log::preview::Preview;
 use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
 use crate::number::{Number, difference, is_positive, quotient};
+use fine::Fine;
 use refused::{not_read, proposal};
 
 /// The most columns of a trace.
@@ -53,6 +54,8 @@ pub(crate) struct Layout {
     pub(crate) end: Option<usize>,
     pub(crate) dtau: Option<usize>,
     pub(crate) time: Option<usize>,
+    /// The second column of the time, where it is in two.
+    pub(crate) fine: Option<Fine>,
     pub(crate) force: Option<usize>,
     pub(crate) velocity: Option<usize>,
     /// The columns as they were told, each with what it says.
@@ -144,6 +147,7 @@ impl Layout {
             end: Some(end),
             dtau: find("dtau")?,
             time: None,
+            fine: None,
             // A ledger says under which force its intervals were, when that is not the law's.
             force: find("force")?,
             velocity: None,
@@ -187,7 +191,7 @@ impl Layout {
         };
         let is_clock = |found: &&Found| {
             let unit = headings.get(found.column).and_then(|heading| heading.unit);
-            found.role != Role::T && unit.is_some()
+            !matches!(found.role, Role::T | Role::Fine) && unit.is_some()
         };
         if let Some(clock) = said.iter().find(is_clock) {
             let message = format!(
@@ -201,10 +205,21 @@ impl Layout {
             let message = "the time is given twice, as `t` and as `tau`";
             return Err(header(message).column(name(tau)));
         }
-        let per_period = match time {
+        let mut per_period = match time {
             Some(found) => time_scale(unit_of(found, headings)?.as_deref(), scene)
                 .map_err(|error| error.column(name(found)))?,
             None => Number::whole(1),
+        };
+        let fine = match find(Role::Fine) {
+            Some(found) => {
+                let named = |error: TraceError| error.column(name(found));
+                let unit = unit_of(found, headings)?;
+                let own = time_scale(unit.as_deref(), scene).map_err(named)?;
+                let fine = Fine::new(found.column, &own, &per_period).map_err(named)?;
+                per_period = own;
+                Some(fine)
+            }
+            None => None,
         };
         let per_force = match find(Role::F) {
             Some(found) => {
@@ -227,6 +242,7 @@ impl Layout {
             end: None,
             dtau: None,
             time: time.or(tau).map(|found| found.column),
+            fine,
             force: find(Role::F).map(|found| found.column),
             velocity: find(Role::V).map(|found| found.column),
             headings: headings.to_vec(),
@@ -269,6 +285,7 @@ impl Layout {
             self.end,
             self.dtau,
             self.time,
+            self.fine_column(),
             self.force,
             self.velocity,
         ];
@@ -414,4 +431,5 @@ fn unit_of(found: &Found, headings: &[Heading]) -> Result<Option<String>, TraceE
 }
 
 mod even;
+mod fine;
 mod refused;

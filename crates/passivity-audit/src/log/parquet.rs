@@ -194,7 +194,7 @@ impl Table {
         };
         let rows = most.min(usize::try_from(left).unwrap_or(usize::MAX));
         let mut chunk = Chunk::new(layout);
-        let mut starts = Numbers::default();
+        let (mut starts, mut fine) = (Numbers::default(), Numbers::default());
         // How many rows are whole, and what is wrong with the next.
         let (mut whole, mut error) = (rows, None);
         for Wanted {
@@ -235,6 +235,7 @@ impl Table {
                     chunk.dtaus = (0..read.len()).filter_map(|i| read.get(i)).collect();
                 }
                 i if Some(i) == layout.time => chunk.times = read,
+                i if Some(i) == layout.fine_column() => fine = read,
                 i if Some(i) == layout.velocity => {
                     let near = (0..read.len()).filter_map(|i| read.get(i));
                     chunk.velocities = near
@@ -248,6 +249,12 @@ impl Table {
                     keep(len, found.map(|found| found.column(layout.name(column))));
                 }
             }
+        }
+        let (times, found) = layout.moments(std::mem::take(&mut chunk.times), &fine);
+        chunk.times = times;
+        if let Some(found) = found.filter(|_| chunk.times.len() < whole) {
+            whole = chunk.times.len();
+            error = Some(found.row(u64::try_from(whole).unwrap_or(u64::MAX)));
         }
         if let Samples::Any(samples) = &mut chunk.samples {
             starts.truncate(whole);
@@ -281,6 +288,7 @@ fn open_group(
         layout.end,
         layout.dtau,
         layout.time,
+        layout.fine_column(),
         layout.force,
         layout.velocity,
     ];

@@ -58,6 +58,12 @@ impl Preview {
                 .all(|x| x.is_some_and(|x| x.fract() == 0.0))
     }
 
+    /// Whether all values are whole numbers from 0 on and below this.
+    pub(crate) fn is_within(&self, column: usize, below: f64) -> bool {
+        let mut values = self.column(column).flatten();
+        self.is_whole(column) && values.all(|x| (0.0..below).contains(&x))
+    }
+
     pub(crate) fn increases(&self, column: usize) -> bool {
         let values: Vec<f64> = self.column(column).flatten().collect();
         values.iter().zip(values.iter().skip(1)).all(|(a, b)| a < b)

@@ -21,6 +21,7 @@ impl Slots {
         let is_dated = |time| layout.headings.get(time).is_some_and(Heading::is_dated);
         let is_plain = layout.form != Form::Ledger
             && !notation.decimal_comma
+            && layout.fine.is_none()
             && !layout.time.is_some_and(is_dated);
         if !is_plain || notation.delimiter == b'.' || notation.delimiter == b'-' {
             return None;

@@ -62,7 +62,7 @@ pub(crate) struct Args {
     scene: PathBuf,
     /// Say which columns are read: `role=name`, separated by commas. The roles are t, tau, xi, x, count, v
     /// and f. A unit in brackets is for a header that gives none, and a minus sign before the name turns
-    /// the sign.
+    /// the sign. A time in two columns is `t=sec [s] + nanosec [ns]`.
     #[arg(long, value_name = "COLUMNS")]
     columns: Option<Columns>,
     /// The character between the fields of CSV, or `tab`; by default a comma, or a semicolon with

@@ -1,8 +1,10 @@
-//! Clocks: in which unit they tick.
+//! Clocks: in which unit they tick, and whether they are in two columns.
 
 use passivity_scene::Scene;
 
 use super::words::words;
+use crate::log::header::Heading;
+use crate::log::preview::Preview;
 
 /// The unit that a word says.
 pub(super) fn unit_of_word(word: &str) -> Option<&'static str> {
@@ -55,4 +57,43 @@ fn nearest_unit(step: Option<f64>, scene: &Scene) -> &'static str {
         .iter()
         .min_by(|(_, a), (_, b)| off(*a).total_cmp(&off(*b)));
     best.map_or("s", |(name, _)| name)
+}
+
+/// The columns of a time in whole seconds and of what it is beyond them, as `stamp.sec` and `stamp.nanosec`, of which
+/// one is this column.
+pub(super) fn parts_of_time(
+    headings: &[Heading],
+    preview: &Preview,
+    column: usize,
+) -> Option<[usize; 2]> {
+    // The unit that a name ends with, and what is before it.
+    let part = |column: usize| {
+        let name = &headings.get(column)?.name;
+        let (word, lower) = (words(name).pop()?, name.to_lowercase());
+        let before = lower.rfind(&word).and_then(|at| lower.get(..at))?;
+        Some((before.to_owned(), unit_of_word(&word)?))
+    };
+    let (before, unit) = part(column)?;
+    let is_alike = |other: &Heading| {
+        let start = other.name.get(..before.len());
+        start.is_some_and(|start| start.to_lowercase() == before)
+    };
+    let is_other = |other: &usize| {
+        headings.get(*other).is_some_and(is_alike)
+            && part(*other).is_some_and(|(own, its)| own == before && (its == "s") != (unit == "s"))
+    };
+    let other = (0..headings.len()).find(is_other)?;
+    let [whole, beyond] = if unit == "s" {
+        [column, other]
+    } else {
+        [other, column]
+    };
+    let most = match part(beyond)?.1 {
+        "ms" => 1e3,
+        "us" => 1e6,
+        _ => 1e9,
+    };
+    // Otherwise they are two clocks.
+    let is_split = preview.is_whole(whole) && preview.is_within(beyond, most);
+    is_split.then_some([whole, beyond])
 }

@@ -19,7 +19,7 @@ impl Kind {
 
     pub(super) const fn of(role: Role) -> Self {
         match role {
-            Role::T | Role::Tau => Self::Time,
+            Role::T | Role::Fine | Role::Tau => Self::Time,
             Role::Xi | Role::X | Role::Count => Self::Position,
             Role::V => Self::Velocity,
             Role::F => Self::Force,

@@ -65,6 +65,7 @@ impl Rows {
             layout.end,
             layout.dtau,
             layout.time,
+            layout.fine_column(),
             layout.force,
             layout.velocity,
         ];

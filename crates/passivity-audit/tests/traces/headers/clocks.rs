@@ -197,3 +197,85 @@ fn clocks_that_are_called_by_their_unit_are_not_passed_over() {
         );
     }
 }
+
+/// A sample a millisecond, with a second that begins after the second of them, its time in two columns, and in one.
+fn stamps(names: [&str; 2], samples: i64) -> [String; 2] {
+    let [seconds, beyond] = names;
+    let mut split = format!("{beyond},count,{seconds}\n");
+    let mut whole = "t [ns],count\n".to_owned();
+    let scale = if beyond.contains("us") { 1_000 } else { 1 };
+    for i in 0..samples {
+        let time = 1_699_999_999_998_000_000 + i * 1_000_000;
+        let (seconds, beyond) = (time / 1_000_000_000, time % 1_000_000_000 / scale);
+        split += &format!("{beyond},{},{seconds}\n", i % 3);
+        whole += &format!("{time},{}\n", i % 3);
+    }
+    [split, whole]
+}
+
+#[test]
+fn a_stamp_in_two_columns_is_one_clock() {
+    for (names, proposed) in [
+        (
+            ["header.stamp.sec", "header.stamp.nanosec"],
+            "t=header.stamp.sec [s] + header.stamp.nanosec [ns], count=count",
+        ),
+        (
+            ["stampSecs", "stampNsecs"],
+            "t=stampSecs [s] + stampNsecs [ns], count=count",
+        ),
+        (["tv_sec", "tv_usec"], "t=tv_sec + tv_usec, count=count"),
+        (
+            ["a + b, sec", "a + b, nanosec"],
+            "t=\"a + b, sec\" [s] + \"a + b, nanosec\" [ns], count=count",
+        ),
+    ] {
+        // Also where the first rows are of one second.
+        for samples in [2, 40] {
+            let [split, whole] = stamps(
+                names.map(|n| if n.contains(',') { "\"quoted\"" } else { n }),
+                samples,
+            );
+            let split = match names[0].contains(',') {
+                true => split
+                    .replacen("\"quoted\"", &format!("\"{}\"", names[1]), 1)
+                    .replacen("\"quoted\"", &format!("\"{}\"", names[0]), 1),
+                false => split,
+            };
+            let (columns, audit) = as_proposed(&split);
+            assert_eq!(columns, proposed);
+            let mut json = audit.to_json();
+            assert_eq!(
+                json.as_object_mut().unwrap().remove("columns").unwrap(),
+                proposed
+            );
+            assert_eq!(json, audited(&whole, None).unwrap().to_json(), "{proposed}");
+        }
+    }
+}
+
+#[test]
+fn two_clocks_are_no_stamp_and_a_stamp_is_checked() {
+    // Each is a clock of its own.
+    let log = "sec,nanosec,count\n0,0,0\n1,1000000000,1\n2,2000000000,2\n";
+    assert_eq!(proposed(log, None), "t=sec [s], count=count");
+    let told = |columns: &str| audited(log, Some(columns));
+    let error = told("t=sec [s] + nanosec [ns], count=count").unwrap();
+    let error = error.error().unwrap();
+    assert_eq!((error.kind, error.row), ("split_time", Some(2)), "{error}");
+    let error = told("t=nanosec [ns] + sec [s], count=count").unwrap_err();
+    assert!(
+        error.to_string().contains("is in a smaller unit"),
+        "{error}"
+    );
+    assert!("t=a + b + c".parse::<passivity_audit::Columns>().is_err());
+    let fractions = "sec,nanosec,count\n0.5,0,0\n1.5,1,1\n";
+    let audit = audited(fractions, Some("t=sec [s] + nanosec [ns], count=count")).unwrap();
+    assert!(
+        audit
+            .error()
+            .unwrap()
+            .message
+            .contains("a whole number, found 1/2")
+    );
+}

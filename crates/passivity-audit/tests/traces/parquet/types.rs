@@ -267,6 +267,31 @@ fn a_day_with_its_nanoseconds_is_a_clock() {
 }
 
 #[test]
+fn a_stamp_in_two_columns_is_a_clock() {
+    let long = |values: [i64; 3]| values.map(Stored::Long).into_iter().collect::<Vec<_>>();
+    let stored = |nanoseconds: [i64; 3]| {
+        store(&[
+            ("int64 stamp.sec", long([7, 8, 8])),
+            ("int64 stamp.nanosec", long(nanoseconds)),
+            ("int64 count", long([0, 1, 3])),
+        ])
+    };
+    let path = stored([999_000_000, 0, 2_000_000]);
+    let columns = audited(&path, None).unwrap_err().proposal.unwrap().columns;
+    assert_eq!(columns, "t=stamp.sec [s] + stamp.nanosec [ns], count=count");
+    let timing = audited(&path, Some(&columns))
+        .unwrap()
+        .report()
+        .timing
+        .clone();
+    let timing = timing.unwrap();
+    assert_eq!((timing.uneven, timing.missed_samples), (1, 1));
+    let audit = audited(&stored([0, 1, 1_000_000_000]), Some(&columns)).unwrap();
+    let error = audit.error().unwrap();
+    assert_eq!((error.kind, error.row), ("split_time", Some(3)));
+}
+
+#[test]
 fn a_force_is_not_left_out_among_many_columns_or_for_its_type() {
     let names: Vec<String> = (0..100).map(|i| format!("int64 c{i}")).collect();
     let mut columns: Vec<(&str, Vec<Stored>)> = Vec::new();
