@@ -6,6 +6,8 @@ use std::str::FromStr;
 use crate::log::error::{TraceError, shown};
 use crate::log::header::{Heading, is_unit, split};
 
+mod meant;
+
 /// What a column says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {

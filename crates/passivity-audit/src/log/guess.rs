@@ -49,6 +49,11 @@ impl fmt::Display for Proposal {
     }
 }
 
+/// Whether two roles are about the same.
+pub(crate) fn are_kin(a: Role, b: Role) -> bool {
+    Kind::of(a) == Kind::of(b)
+}
+
 impl Found {
     pub(crate) fn is_position(&self) -> bool {
         Kind::of(self.role) == Kind::Position

@@ -92,7 +92,12 @@ impl Layout {
             error
         };
         let said = match told {
-            Some(columns) => columns.find(&headings).map_err(|e| proposed(e, &[]))?,
+            Some(columns) => columns.find(&headings).map_err(|mut error| {
+                // What was typed is kept.
+                let meant = columns.meant(&headings, preview, scene);
+                error.proposal = meant.and_then(|said| proposal(&headings, &said, preview, scene));
+                error
+            })?,
             None => {
                 if let Some(layout) = Self::of_ledger(&headings)? {
                     return Ok(layout);

@@ -100,3 +100,44 @@ fn what_is_not_read_is_listed_whether_columns_were_told_or_not() {
     );
     assert!(line.ends_with(" more"), "{line}");
 }
+
+#[test]
+fn what_was_told_is_kept_in_what_is_proposed() {
+    let log = "time,pos,trq\n0,0,1\n1,0.1,2\n2,0.2,3\n";
+    for (told, expected) in [
+        ("x=posi [um]", "t=time [ms], x=pos [um], f=trq [N]"),
+        (
+            "t=time [ns], x=posi [um], f=-trq [mN]",
+            "t=time [ns], x=pos [um], f=-trq [mN]",
+        ),
+        (
+            "x=-posi [um], f=-torq [mN]",
+            "t=time [ms], x=-pos [um], f=-trq [mN]",
+        ),
+        (
+            "t=pos [ms], x=pos [um]",
+            "t=time [ms], x=pos [um], f=trq [N]",
+        ),
+        (
+            "t=time [us], x=angle [um]",
+            "t=time [us], x=pos [um], f=trq [N]",
+        ),
+        (
+            "t=\"tim\" [us], x=\"pos\" [um]",
+            "t=time [us], x=pos [um], f=trq [N]",
+        ),
+        // There is no velocity.
+        ("x=posi [um], v=pos [m/s]", ""),
+        ("x=pos [um], v=speed [m/s]", ""),
+    ] {
+        assert_eq!(proposed(log, Some(told)), expected, "{told}");
+    }
+    let error = refused(log, Some("t=time [ns], x=posi [um]")).to_string();
+    assert!(error.contains("are assumed: f in N)"), "{error}");
+    // Of several joints the one whose name is the most like what was typed.
+    let log = "t [s],joint1_pos,joint2_pos\n0,0,0\n1,0.1,1\n";
+    assert_eq!(
+        proposed(log, Some("x=joint2_po [mm]")),
+        "t=t [s], x=joint2_pos [mm]"
+    );
+}

@@ -59,7 +59,13 @@ pub(super) fn proposal(
     if unreadable.iter().any(|unreadable| unreadable.is_clock) {
         return None;
     }
-    let proposal = guess::propose(&all, headings)?;
+    let mut proposal = guess::propose(&all, headings)?;
+    let told = said.iter().filter_map(|found| {
+        let unit = found.unit.as_ref()?;
+        Some(format!("{} in {unit}", found.role.name()))
+    });
+    let told: Vec<String> = told.collect();
+    proposal.assumed.retain(|assumed| !told.contains(assumed));
     // What is offered must be read when it is typed.
     let columns: Columns = proposal.columns.parse().ok()?;
     let found = columns.find(headings).ok()?;
