@@ -15,7 +15,7 @@ use crate::log::running::near_number;
 use crate::log::slots::{Slots, half_a_unit};
 use crate::number::{Number, decimal, short};
 use crate::reading::Reading;
-pub(crate) use first::{has_decimal_commas, headings, names, preview};
+pub(crate) use first::{has_decimal_commas, headings, is_number, names, preview, texts};
 
 mod first;
 

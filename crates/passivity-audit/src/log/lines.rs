@@ -7,6 +7,10 @@ use crate::log::error::TraceError;
 /// The longest line, in bytes.
 pub(crate) const MAX_LINE: usize = 1 << 20;
 
+/// What is wrong with a text in which nothing else ends a line.
+pub(crate) const CARRIAGE_RETURNS: &str = "its lines end with a carriage return alone, as on old Macs: convert it with \
+    `tr '\\r' '\\n'`";
+
 /// How much is parsed at once by one core, in bytes, unless asked otherwise.
 pub(crate) const BLOCK: usize = 1 << 20;
 
@@ -71,6 +75,9 @@ impl<R: Read> Lines<R> {
                 return Ok(clean(std::mem::take(&mut self.rest)));
             }
             if self.rest.len() > MAX_LINE {
+                if self.rest.contains(&b'\r') {
+                    return Err(TraceError::new("header", CARRIAGE_RETURNS));
+                }
                 let message = format!("the header is longer than {MAX_LINE} bytes");
                 return Err(TraceError::new("line_too_long", message));
             }

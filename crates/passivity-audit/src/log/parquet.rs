@@ -12,7 +12,7 @@ use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::schema::types::ColumnDescPtr;
 
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::error::TraceError;
+use crate::log::error::{TraceError, shown};
 use crate::log::guarded::guarded;
 use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout, MAX_COLUMNS};
@@ -70,6 +70,24 @@ impl Table {
         guarded("parquet", || {
             Ok(schema.columns().iter().map(heading).collect())
         })
+    }
+
+    /// The error of a header, and which columns are lists, where nothing else is proposed.
+    pub(crate) fn lists_named(&self, mut error: TraceError) -> TraceError {
+        let schema = self.file.metadata().file_metadata().schema_descr();
+        let mut lists = schema.columns().iter().filter(|c| c.max_rep_level() > 0);
+        if let (None, Some(list)) = (&error.proposal, lists.next()) {
+            let name = shown(list.path().string().as_bytes());
+            let others = match lists.count() {
+                0 => String::new(),
+                n => format!(" and {n} other"),
+            };
+            error.message = format!(
+                "the column `{name}`{others} holds lists, which are not read: write each element as a column of its own; {}",
+                error.message
+            );
+        }
+        error
     }
 
     /// The first rows, to judge the names by; what cannot be read is no number.

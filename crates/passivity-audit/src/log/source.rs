@@ -23,6 +23,7 @@ use compressed::decompressed;
 pub(crate) use compressed::{is_compressed, start};
 
 mod compressed;
+mod shape;
 
 /// How the columns of a log are called, and how its numbers are written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -223,7 +224,8 @@ pub(crate) fn opened(
     path: Option<&Path>,
 ) -> Result<Opened, TraceError> {
     let start = start(&mut input)?;
-    if start == *b"PAR1" {
+    shape::is_read(&start)?;
+    if start.starts_with(b"PAR1") {
         return match path {
             Some(path) => open_parquet(path),
             None => Err(TraceError::new(
@@ -232,7 +234,7 @@ pub(crate) fn opened(
             )),
         };
     }
-    if start == MCAP {
+    if start.starts_with(&MCAP) {
         return match path {
             Some(path) => open_mcap(path, block),
             None => Err(TraceError::new(
@@ -249,11 +251,12 @@ pub(crate) fn opened(
     }
     let mut inside = decompressed(whole, &start)?;
     let start = self::start(&mut inside)?;
-    if start == *b"PAR1" {
+    shape::is_read(&start)?;
+    if start.starts_with(b"PAR1") {
         let message = "Parquet inside a compressed file is not read: decompress the file";
         return Err(TraceError::new("parquet", message));
     }
-    if start == MCAP {
+    if start.starts_with(&MCAP) {
         let message = "MCAP inside a compressed file is not read: decompress the file";
         return Err(TraceError::new("mcap", message));
     }
@@ -300,7 +303,8 @@ impl Opened {
             #[cfg(feature = "parquet")]
             Self::Parquet(table) => {
                 let told = dialect.columns.as_ref();
-                let layout = Layout::read(table.headings()?, told, &table.preview(), scene)?;
+                let layout = Layout::read(table.headings()?, told, &table.preview(), scene);
+                let layout = layout.map_err(|error| table.lists_named(error))?;
                 Ok((Reader::Parquet(table), layout))
             }
             #[cfg(feature = "mcap")]
@@ -421,6 +425,10 @@ fn otherwise(
         };
         error.column = None;
         error.proposal = Some(proposal);
+    }
+    let obstacle = shape::obstacle(line, first, own);
+    if let Some(message) = obstacle.filter(|_| error.proposal.is_none()) {
+        error = TraceError::new("header", message);
     }
     error
 }

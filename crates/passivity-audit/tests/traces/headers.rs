@@ -141,3 +141,71 @@ fn what_was_told_is_kept_in_what_is_proposed() {
         "t=t [s], x=joint2_pos [mm]"
     );
 }
+
+#[test]
+fn what_stands_in_the_way_of_a_header_is_named() {
+    for (log, says) in [
+        (
+            "1700000000,0,world,knob,0.1,0,-1\n1700000000,1,world,knob,0.2,0,-1\n",
+            "holds numbers, not names",
+        ),
+        ("0,0\n0.001,1\n", "the first line holds numbers"),
+        ("# t x f\n0 0 0\n1 1 1\n", "starts with `#`"),
+        (
+            "# log of a knob\n# at 1 kHz\nt_us,count\n0,0\n1000,1\n",
+            "starts with `#`",
+        ),
+        ("sep=;\nt [s];count\n0;0\n0,001;1\n", "add --delimiter ';'"),
+        (
+            "time,position,torque\ns,m,N\n0,0,0\n0.001,0,0\n",
+            "the line after the header holds units",
+        ),
+        ("t [s],count\r0,0\r0.001,1\r", "`tr '\\r' '\\n'`"),
+        (
+            "{\"count\":1}\n{\"count\":2}\n",
+            "the file is JSON, which is not read",
+        ),
+        ("#ROSBAG V2.0\n", "the file is a ROS 1 bag"),
+        ("SQLite format 3\0xxxx", "`ros2 bag convert`"),
+        (
+            "BZh91AY&SY",
+            "compressed by bzip2, which is not read: decompress it",
+        ),
+        ("PK\u{3}\u{4}", "a ZIP archive"),
+        ("ARROW1\0\0", "Feather"),
+        ("MATLAB 5.0 MAT-file, Platform", "`writetable`"),
+    ] {
+        let error = refused(log, None).to_string();
+        assert!(error.contains(says), "{log}: {error}");
+    }
+    let long = format!("count\r{}", "1\r".repeat(1 << 20));
+    assert!(refused(&long, None).to_string().contains("carriage return"));
+    let bytes = |bytes: &[u8]| {
+        let input = Box::new(std::io::Cursor::new(bytes.to_vec()));
+        audit_csv(input, &scene(), Options::default())
+            .unwrap_err()
+            .to_string()
+    };
+    let utf_16: Vec<u8> = "\u{feff}count\n0\n"
+        .encode_utf16()
+        .flat_map(u16::to_le_bytes)
+        .collect();
+    assert!(
+        bytes(&utf_16).contains("`iconv -f UTF-16 -t UTF-8`"),
+        "{}",
+        bytes(&utf_16)
+    );
+    for (start, says) in [
+        (&b"\xfd7zXZ\0\0"[..], "compressed by xz"),
+        (b"\x89HDF\r\n\x1a\n", "the file is HDF5"),
+        (b"\x93NUMPY\x01", "a NumPy array"),
+        (b"\x04\x22\x4d\x18@", "compressed by lz4"),
+    ] {
+        assert!(bytes(start).contains(says), "{}", bytes(start));
+    }
+    // Where a command reads the header as it is, it is shown.
+    assert_eq!(
+        proposed("# time,count\n0,0\n1,1\n", None),
+        "t=# time [ms], count=count"
+    );
+}

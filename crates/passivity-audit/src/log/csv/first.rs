@@ -4,8 +4,20 @@ use super::{Notation, fields, moment, number, trimmed};
 use crate::log::dates;
 use crate::log::error::TraceError;
 use crate::log::header::Heading;
+use crate::log::lines::CARRIAGE_RETURNS;
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
+
+/// The fields of a line, without their quotes.
+pub(crate) fn texts(line: &[u8], notation: Notation) -> Vec<String> {
+    let text = |field| String::from_utf8_lossy(trimmed(field)).trim().to_owned();
+    fields(line, notation.delimiter).map(text).collect()
+}
+
+/// Whether a field is a number.
+pub(crate) fn is_number(field: &[u8], notation: Notation) -> bool {
+    value(field, notation).is_some()
+}
 
 /// The fields of a header line.
 pub(crate) fn names(line: &[u8], notation: Notation) -> Result<Vec<String>, TraceError> {
@@ -17,17 +29,15 @@ pub(crate) fn names(line: &[u8], notation: Notation) -> Result<Vec<String>, Trac
             "expected a header, found nothing",
         ));
     }
-    let unquoted = |name: &str| {
-        let name = name.trim();
-        let inner = name.strip_prefix('"').and_then(|n| n.strip_suffix('"'));
-        inner.unwrap_or(name).trim().to_owned()
-    };
+    if text.contains('\r') {
+        return Err(TraceError::new("header", CARRIAGE_RETURNS));
+    }
     // What stands between fields is ASCII, so that each of them is UTF-8 text again.
-    let names = fields(text.as_bytes(), notation.delimiter)
-        .map(|name| unquoted(&String::from_utf8_lossy(name)));
-    let names: Vec<String> = names.collect();
-    let is_number = |name: &String| value(name.as_bytes(), notation).is_some();
-    if names.iter().all(is_number) {
+    let names = texts(text.as_bytes(), notation);
+    if names
+        .iter()
+        .all(|name| is_number(name.as_bytes(), notation))
+    {
         let message =
             "the first line holds numbers: a trace needs a header with the names of its columns";
         return Err(TraceError::new("header", message));

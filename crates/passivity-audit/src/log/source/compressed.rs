@@ -9,14 +9,14 @@ pub(crate) fn is_compressed(start: &[u8]) -> bool {
     start.starts_with(&[0x1f, 0x8b])
         || matches!(
             start,
-            [0x28, 0xb5, 0x2f, 0xfd] | [0x50..=0x5f, 0x2a, 0x4d, 0x18]
+            [0x28, 0xb5, 0x2f, 0xfd, ..] | [0x50..=0x5f, 0x2a, 0x4d, 0x18, ..]
         )
 }
 
-/// The first four bytes, or as many as there are.
+/// The first bytes, by which formats are told, or as many as there are.
 pub(crate) fn start(input: &mut dyn Read) -> Result<Vec<u8>, TraceError> {
     let mut start = Vec::new();
-    let read = input.take(4).read_to_end(&mut start);
+    let read = input.take(16).read_to_end(&mut start);
     read.map_err(|error| TraceError::io(&error))?;
     Ok(start)
 }

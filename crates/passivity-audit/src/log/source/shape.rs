@@ -1,0 +1,100 @@
+//! Files that are no CSV, and CSV with more than a header and rows: what they are, and how they are made readable.
+
+use crate::log::csv::{self, Notation};
+use crate::log::error::{TraceError, legible};
+use crate::log::header::is_unit;
+
+/// How files start that are of a format that is not read, what they are, and what to do.
+const FORMATS: [(&[u8], &str, &str); 15] = [
+    (
+        b"\xfd7zXZ",
+        "compressed by xz",
+        "decompress it with `xz -d`",
+    ),
+    (
+        b"BZh",
+        "compressed by bzip2",
+        "decompress it with `bzip2 -d`",
+    ),
+    (
+        b"\x04\x22\x4d\x18",
+        "compressed by lz4",
+        "decompress it with `lz4 -d`",
+    ),
+    (
+        b"PK\x03\x04",
+        "a ZIP archive, as Excel's and NumPy's files are",
+        "unpack it, or save the table as CSV",
+    ),
+    (b"7z\xbc\xaf", "a 7z archive", "unpack it"),
+    (b"\x89HDF", "HDF5, as MATLAB's newer files are", WRITE),
+    (
+        b"MATLAB ",
+        "a MATLAB file",
+        "write the table as CSV with `writetable`",
+    ),
+    (b"ARROW1", "Arrow, which is Feather", WRITE),
+    (b"FEA1", "Feather", WRITE),
+    (b"\x93NUMPY", "a NumPy array", WRITE),
+    (
+        b"SQLite format 3",
+        "SQLite, as ROS 2 bags of the type sqlite3 are",
+        "convert a bag to MCAP with `ros2 bag convert`",
+    ),
+    (
+        b"#ROSBAG V",
+        "a ROS 1 bag",
+        "convert it to MCAP with `mcap convert`",
+    ),
+    (b"{\"", "JSON", WRITE),
+    (b"\xff\xfe", UTF_16, ICONV),
+    (b"\xfe\xff", UTF_16, ICONV),
+];
+
+const WRITE: &str = "write the table as CSV or Parquet";
+const UTF_16: &str = "text in UTF-16";
+const ICONV: &str = "convert it with `iconv -f UTF-16 -t UTF-8`";
+
+/// Refuses a file that starts as one of a format that is not read.
+pub(super) fn is_read(start: &[u8]) -> Result<(), TraceError> {
+    let is_it = |(magic, ..): &&(&[u8], &str, &str)| start.starts_with(magic);
+    match FORMATS.iter().find(is_it) {
+        Some((_, what, remedy)) => {
+            let message = format!("the file is {what}, which is not read: {remedy}");
+            Err(TraceError::new("format", message))
+        }
+        None => Ok(()),
+    }
+}
+
+/// What stands in the way of a header that is not understood, where the first lines tell.
+pub(super) fn obstacle(line: &[u8], first: &[&[u8]], notation: Notation) -> Option<String> {
+    let text = String::from_utf8_lossy(line);
+    if text.trim_start().starts_with('#') {
+        let says = "the first line starts with `#`: CSV has no comments, and the header is its first line; take the `#` off \
+            the names of the columns (`sed '1s/^# *//'`), or remove the lines before them (`grep -v '^#'`)";
+        return Some(says.to_owned());
+    }
+    if let Some(delimiter) = text.trim().strip_prefix("sep=") {
+        let delimiter = legible(delimiter);
+        return Some(format!(
+            "the first line is one for Excel: remove it (`tail -n +2`), and add --delimiter '{delimiter}' unless that is a comma"
+        ));
+    }
+    let names = csv::texts(line, notation);
+    let is_number = |text: &String| csv::is_number(text.as_bytes(), notation);
+    let numbers = names.iter().filter(|name| is_number(name)).count();
+    if 2 * numbers >= names.len() && numbers > 0 {
+        let says = "the first line holds numbers, not names: write a line before it with the names of the columns, \
+            as in `t [s],x [rad],f [N m]`, where columns that are not read may have any name";
+        return Some(says.to_owned());
+    }
+    let [units, next] = [first.first()?, first.get(1)?].map(|line| csv::texts(line, notation));
+    let of_units = units.len() == names.len()
+        && units.iter().any(|text| is_unit(text))
+        && !units.iter().any(is_number)
+        && next.iter().any(is_number);
+    of_units.then(|| {
+        "the line after the header holds units: write them with the names, as in `time [s]`, and remove the line".to_owned()
+    })
+}
