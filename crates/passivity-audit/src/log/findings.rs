@@ -28,6 +28,18 @@ pub struct Finding {
     pub fix: String,
 }
 
+impl Finding {
+    /// Whether an account leaves open what is true of the device where this is found: one of the forces in the log, or
+    /// of the law.
+    pub(crate) fn leaves_open(&self, applied: bool) -> bool {
+        match self.kind {
+            "wrap" => true,
+            "overwritten" | "stale" => applied,
+            _ => false,
+        }
+    }
+}
+
 /// What stands out in the forces of a log.
 pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) -> Vec<Finding> {
     if agreement.agrees {

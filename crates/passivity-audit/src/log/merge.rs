@@ -15,6 +15,7 @@ use crate::log::outcome::Audit;
 use crate::log::step::{between, check_jump, duration, undefined};
 use crate::log::task::Task;
 use crate::log::velocity::Velocities;
+use crate::log::wraps::{Wrapped, Wraps};
 use crate::number::Number;
 use crate::reading::Reading;
 
@@ -52,6 +53,7 @@ pub(crate) struct Merge<'a, 'w> {
     began: Option<Number>,
     comparison: Option<Comparison>,
     velocities: Option<Velocities>,
+    wraps: Option<Wraps>,
     /// The first intervals, for the rows in the report.
     head: Vec<Logged>,
     error: Option<TraceError>,
@@ -70,6 +72,7 @@ pub(crate) struct Findings {
     pub(crate) duration: Option<Number>,
     pub(crate) comparison: Option<Comparison>,
     pub(crate) velocities: Option<Velocities>,
+    pub(crate) wrapped: Wrapped,
     pub(crate) head: Vec<Logged>,
     pub(crate) error: Option<TraceError>,
     pub(crate) unended: bool,
@@ -102,6 +105,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             began: None,
             comparison: compared.then(|| Comparison::new(task.ledger)),
             velocities: moved.then(Velocities::default),
+            wraps: Wraps::new(&task.periods).filter(|_| task.compares),
             head: Vec::new(),
             error: None,
             unended: false,
@@ -132,10 +136,13 @@ impl<'a, 'w> Merge<'a, 'w> {
         if let Some(velocities) = &mut self.velocities {
             velocities.forget();
         }
+        if let Some(wraps) = &mut self.wraps {
+            wraps.forget();
+        }
         Ok(())
     }
 
-    /// Compares the forces and velocities of the first `rows` samples of a chunk, given what was found inside of it where
+    /// Compares the forces, velocities and steps of the first `rows` samples of a chunk, given what was found inside of it where
     /// that is all of them.
     fn compare(
         &mut self,
@@ -151,6 +158,9 @@ impl<'a, 'w> Merge<'a, 'w> {
         }
         if let Some(velocities) = &mut self.velocities {
             velocities.feed(self.task.layout, chunk, rows)?;
+        }
+        if let Some(wraps) = &mut self.wraps {
+            wraps.feed(self.task.layout, chunk, rows);
         }
         Ok(())
     }
@@ -330,7 +340,7 @@ impl<'a, 'w> Merge<'a, 'w> {
     /// What is said of a stretch that cannot be read, for what stands before it cannot.
     pub(crate) fn fail(mut self, error: TraceError) -> Findings {
         self.error = Some(error.row(0));
-        self.findings()
+        self.findings(false)
     }
 
     /// All that was found. What the last row of a ledger says of its end is one more interval where the log
@@ -346,10 +356,11 @@ impl<'a, 'w> Merge<'a, 'w> {
         if let Some(out) = &mut self.out {
             out.flush().map_err(|error| TraceError::io(&error))?;
         }
-        Ok(self.findings())
+        let ends = ends || self.error.is_some();
+        Ok(self.findings(ends))
     }
 
-    fn findings(mut self) -> Findings {
+    fn findings(mut self, ends: bool) -> Findings {
         if let Some(comparison) = &mut self.comparison {
             comparison.settle();
         }
@@ -364,6 +375,10 @@ impl<'a, 'w> Merge<'a, 'w> {
             first: self.first,
             comparison: self.comparison,
             velocities: self.velocities,
+            wrapped: self
+                .wraps
+                .map(|wraps| wraps.finish(self.task.layout, ends))
+                .unwrap_or_default(),
             head: self.head,
             error: self.error,
             unended: self.unended,

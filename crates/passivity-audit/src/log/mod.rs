@@ -58,6 +58,7 @@ mod velocity;
 mod walk;
 mod wall;
 mod worker;
+mod wraps;
 
 pub(crate) use running::near as near_rational;
 

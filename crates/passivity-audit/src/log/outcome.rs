@@ -77,7 +77,12 @@ impl Audit {
         let agree = findings.velocities.as_ref().is_some_and(Velocities::agree);
         let moving = moved.iter().filter(|_| !agree).flat_map(of_velocity);
         let found = task.layout.finding.clone().into_iter().chain(forced);
-        let found: Vec<Finding> = found.chain(moving).collect();
+        let wrapped = findings.wrapped.finding(task.layout, &task.periods);
+        let found: Vec<Finding> = found.chain(moving).chain(wrapped).collect();
+        let opened = |verdict: Verdict, applied: bool| match verdict {
+            Verdict::Holds if found.iter().any(|f| f.leaves_open(applied)) => Verdict::Depends,
+            verdict => verdict,
+        };
         let is_its_law = !task.applied || agreement.as_ref().is_some_and(|a| a.agrees);
         let judged = match is_its_law && !task.ledger.has_memory() {
             true => Judged::Interval,
@@ -110,7 +115,7 @@ impl Audit {
         let report = Report {
             scene: scene.name.clone(),
             positions: task.layout.form,
-            verdict,
+            verdict: opened(verdict, task.applied),
             judged,
             account: match task.applied {
                 true => Force::Applied,
@@ -148,7 +153,7 @@ impl Audit {
             }),
             force: agreement,
             law: law.map(|law| ByLaw {
-                verdict: law.report.verdict,
+                verdict: opened(law.report.verdict, false),
                 judged: law.report.judged,
                 totals: law.report.totals,
             }),

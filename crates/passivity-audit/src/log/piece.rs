@@ -25,6 +25,7 @@ use crate::log::preview::Preview;
 use crate::log::seek::Text;
 use crate::log::source::{Dialect, Opened, Reader, Source, is_compressed, opened, start};
 use crate::log::velocity::Velocities;
+use crate::log::wraps;
 
 /// Which intervals of a log are accounted for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -177,6 +178,7 @@ fn history(scene: &Scene) -> usize {
     window
         .max(Comparison::history(&ledger))
         .max(Velocities::HISTORY)
+        .max(wraps::HISTORY)
         + 1
 }
 

@@ -12,6 +12,7 @@ use crate::log::exact::ExactSum;
 use crate::log::merge::{Findings, ROWS_IN_REPORT};
 use crate::log::saved::{SavedAccount, SavedInterval, SavedReading, counted, wrong};
 use crate::log::velocity::Velocities;
+use crate::log::wraps::Wrapped;
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct SavedAgreement {
@@ -80,6 +81,7 @@ pub(crate) struct SavedFindings {
     first: Option<SavedReading>,
     comparison: Option<SavedComparison>,
     velocities: Option<SavedVelocities>,
+    wrapped: Wrapped,
     /// All intervals, of a short stretch.
     head: Vec<SavedInterval>,
     error: Option<SavedError>,
@@ -122,6 +124,7 @@ impl SavedFindings {
                     .map(|sums| sums.each_ref().map(ExactSum::to_text))
                     .collect(),
             }),
+            wrapped: x.wrapped,
             head,
             error: x.error.as_ref().map(|error| SavedError {
                 kind: error.kind.to_string(),
@@ -142,6 +145,7 @@ impl SavedFindings {
         counted(
             compared
                 .chain([self.samples])
+                .chain(self.wrapped.counts())
                 .chain(self.velocities.iter().map(|found| found.compared))
                 .chain(self.error.iter().filter_map(|error| error.row)),
         )?;
@@ -187,6 +191,7 @@ impl SavedFindings {
             duration: None,
             comparison,
             velocities,
+            wrapped: self.wrapped,
             head: head.collect::<Result<_, _>>()?,
             error: self.error.as_ref().map(SavedError::value).transpose()?,
             unended: self.unended,
@@ -212,6 +217,7 @@ impl Findings {
         if let (Some(own), Some(next)) = (&mut self.velocities, &next.velocities) {
             own.append(next);
         }
+        self.wrapped.append(before, &next.wrapped);
         self.error = next.error.map(|error| TraceError {
             row: error.row.map(|row| before + row),
             ..error

@@ -235,6 +235,12 @@ fn nominal(scene: &Scene) -> Loop<Exact> {
     scene.given.map(|_, given| given.nominal.clone())
 }
 
+/// A revolution in ticks.
+pub(crate) fn revolution(scene: &Scene) -> Option<f64> {
+    let turn = (Exact::integer(2) * pi::pi()).over(nominal(scene).length());
+    Some(near(&turn.enclosure(64)?.middle()))
+}
+
 pub(crate) fn time_scale(text: Option<&str>, scene: &Scene) -> Result<Number, TraceError> {
     needs_units(scene, "tau")?;
     let unit = unit(text, "t [s]")?;

@@ -9,6 +9,7 @@ use crate::log::error::TraceError;
 use crate::log::layout::Layout;
 use crate::log::step::{duration, interval, undefined};
 use crate::log::wall::{Part, Parts, Reach, Wall};
+use crate::log::wraps::Periods;
 use crate::number::Number;
 use crate::reading::Reading;
 use crate::rows;
@@ -29,6 +30,8 @@ pub(crate) struct Task<'a> {
     pub(crate) compares: bool,
     /// Whether the forces of the scene's law follow from the positions in the trace.
     pub(crate) knows_law: bool,
+    /// By what a position jumps where its counter wraps around.
+    pub(crate) periods: Periods,
     /// The names of the files, where there are several.
     pub(crate) files: &'a [String],
     /// Whether the columns are read as they were told to be.
@@ -54,6 +57,7 @@ impl<'a> Task<'a> {
             running: applied || ledger.has_memory(),
             compares: true,
             knows_law: scene.unaccounted(false).is_empty(),
+            periods: Periods::of(scene, layout),
             files: &[],
             told: false,
             parts: wall.as_ref().map(Wall::parts),

@@ -102,6 +102,8 @@ impl Report {
             ),
             false => ("was stored at the start", ""),
         };
+        let applied = self.account == Force::Applied;
+        let opened = self.findings.iter().any(|f| f.leaves_open(applied));
         match (self.verdict, self.judged) {
             (Verdict::Holds, Judged::Interval) => {
                 "HOLDS: no interval generated more than friction dissipates".to_owned()
@@ -118,6 +120,13 @@ impl Report {
                 let drawn = drawn();
                 format!("FAILS: the operator surely drew more than {stored}{drawn}{aside}")
             }
+            (Verdict::Depends, Judged::Interval) if opened => {
+                "DEPENDS: a finding leaves open whether an interval generated more than friction dissipates"
+                    .to_owned()
+            }
+            (Verdict::Depends, Judged::Running) if opened => format!(
+                "DEPENDS: a finding leaves open whether the operator drew more than {stored}{aside}"
+            ),
             (Verdict::Depends, Judged::Interval) => format!(
                 "DEPENDS: {} may have generated more than friction dissipates{}",
                 intervals(self.totals.depends_linear),

@@ -11,3 +11,4 @@ mod near;
 mod parquet;
 mod partial;
 mod scratch;
+mod wraps;

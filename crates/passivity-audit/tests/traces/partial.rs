@@ -61,8 +61,15 @@ fn scenes() -> Vec<Scene> {
     ]
 }
 
-/// The text of a log of a kind from a walk: its columns, mistakes and line breaks.
-fn text(kind: usize, walk: &[(i32, u32)], mistake: Option<usize>, ending: usize) -> Vec<u8> {
+/// The text of a log of a kind from a walk: its columns, the rows where its counter wraps around, mistakes and line
+/// breaks.
+fn text(
+    kind: usize,
+    walk: &[(i32, u32)],
+    wraps: &[usize],
+    mistake: Option<usize>,
+    ending: usize,
+) -> Vec<u8> {
     let header = [
         "count\n",
         "xi\n",
@@ -79,6 +86,11 @@ fn text(kind: usize, walk: &[(i32, u32)], mistake: Option<usize>, ending: usize)
     for (row, (step, late)) in walk.iter().enumerate() {
         let from = at;
         at += step;
+        // A period of counts or of quarters of ticks, and back.
+        let jumps = wraps.iter().filter(|wrap| **wrap == row).count();
+        for _ in 0..jumps {
+            at += if at < 2048 { 4096 } else { -4096 };
+        }
         time += 1.0 + 0.25 * f64::from(*late);
         let quarter = f64::from(at) / 4.0;
         let force = f64::from(*late) * 1e-3 - f64::from(at) * 7.669_904e-4;
@@ -119,6 +131,7 @@ proptest! {
         kind in 0..8_usize,
         which in 0..5_usize,
         walk in prop::collection::vec((-3..4_i32, prop_oneof![4 => Just(0_u32), 1 => 0..3_u32]), 0..60),
+        wraps in prop::collection::vec(0..60_usize, 0..3),
         mistake in prop::option::weighted(0.2, 0..60_usize),
         ending in 0..4_usize,
         cuts in prop::collection::vec(0..64_u64, 0..6),
@@ -127,7 +140,7 @@ proptest! {
     ) {
         let scenes = scenes();
         let scene = &scenes[which];
-        let log = Scratch::new("csv", &text(kind, &walk, mistake, ending));
+        let log = Scratch::new("csv", &text(kind, &walk, &wraps, mistake, ending));
         let whole = match audit(&log, scene, options(law, 100)) {
             Ok(whole) => whole,
             Err(error) => {
@@ -235,6 +248,29 @@ fn a_log_at_the_ends_of_a_wall_is_the_same_wherever_it_is_cut() {
 }
 
 #[test]
+fn a_wrap_is_found_once_wherever_a_log_is_cut() {
+    let scene = &scenes()[0];
+    let counts = [9, 9, 8, 4104, 4105, 4104, 8, 9, 4105, 9, 9, 10, 4106];
+    let text: String = counts.iter().map(|n| format!("{n}\n")).collect();
+    let log = Scratch::new("csv", format!("count\n{text}").as_bytes());
+    let whole = audit(&log, scene, Options::default()).unwrap();
+    let said = &whole.report().findings[0].says;
+    assert!(
+        said.contains("rows 3 and 4") && said.contains("4 times more"),
+        "{said}"
+    );
+    for cut in 0..14 {
+        for more in cut..14 {
+            let parts = stretches(&[cut, more]).into_iter();
+            let parts = parts.map(|stretch| part(&log, scene, stretch, false));
+            let parts = parts.collect::<Result<Vec<_>, _>>().unwrap();
+            let merged = merge_parts(&parts, scene).unwrap();
+            assert_eq!(merged.to_json(), whole.to_json(), "{cut} {more}");
+        }
+    }
+}
+
+#[test]
 fn compressed_logs_and_streams_are_refused() {
     let scene = &scenes()[0];
     let log = Scratch::new("csv.gz", &[0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 3]);
@@ -250,7 +286,7 @@ fn a_changed_account_ends_in_a_report_or_an_error() {
     let walk: Vec<(i32, u32)> = (0..40_i32)
         .map(|i| (i % 5 - 2, u32::from(i % 7 == 0)))
         .collect();
-    let log = Scratch::new("csv", &text(5, &walk, None, 0));
+    let log = Scratch::new("csv", &text(5, &walk, &[30], None, 0));
     let (name, first) = part(&log, scene, Stretch::Shard(1, 2), false).unwrap();
     let second = part(&log, scene, Stretch::Shard(2, 2), false).unwrap();
     let json = first.to_json().unwrap();

@@ -1,0 +1,209 @@
+//! Positions that jump by the period of a counter: a finding, and no account that holds.
+
+use passivity_audit::{Finding, Options, Verdict, audit_csv};
+use passivity_scene::Scene;
+
+const PLAIN: &str = "[dimensionless]\nbeta = \"60\"\nsigma = \"60\"\n";
+const ROTARY: &str = "[device]\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"2e-3 N m\"\n[sampling]\nperiod = \"1 ms\"\n\
+                      [encoder]\ncounts_per_revolution = 8000\n[wall]\nstiffness = \"1 N m/rad\"\n";
+
+/// The verdict on a log, cut into blocks of this many bytes, and what is found of a wrap.
+fn found(text: &str, scene: &str, block: usize) -> (Verdict, Option<Finding>) {
+    let scene = Scene::from_toml("s", scene).unwrap();
+    let options = Options {
+        block,
+        ..Options::default()
+    };
+    let audit = audit_csv(Box::new(text.to_owned().leak().as_bytes()), &scene, options).unwrap();
+    assert_eq!(audit.error(), None);
+    let mut wraps = audit.report().findings.iter().filter(|f| f.kind == "wrap");
+    let wrap = wraps.next().cloned();
+    assert_eq!(wraps.next(), None);
+    (audit.verdict(), wrap)
+}
+
+/// A column of numbers under its name.
+fn column(name: &str, numbers: impl IntoIterator<Item = f64>) -> String {
+    let lines = numbers.into_iter().map(|x| format!("{x}\n"));
+    std::iter::once(format!("{name}\n")).chain(lines).collect()
+}
+
+/// So many samples of a position that moves by `step` and wraps around within `least` and `least + period`.
+fn around(period: f64, least: f64, start: f64, step: f64) -> Vec<f64> {
+    let at = |i: i32| (start + step * f64::from(i) - least).rem_euclid(period) + least;
+    (0..20).map(|i| (at(i) * 1e5).round() / 1e5).collect()
+}
+
+#[test]
+fn a_counter_that_wraps_around_is_found_at_its_row() {
+    for (name, scene, numbers, row, period) in [
+        (
+            "count",
+            PLAIN,
+            around(4096.0, 0.0, 4090.0, 1.0),
+            6,
+            "4096 ticks (12 bits)",
+        ),
+        (
+            "count",
+            PLAIN,
+            around(8192.0, 0.0, 8185.0, 3.0),
+            3,
+            "8192 ticks (13 bits)",
+        ),
+        (
+            "xi",
+            PLAIN,
+            around(65536.0, -32768.0, 32760.0, 1.0),
+            8,
+            "65536 ticks (16 bits)",
+        ),
+        (
+            "count",
+            PLAIN,
+            around(65536.0, -32768.0, -32768.0, -5.0),
+            1,
+            "65536 ticks (16 bits)",
+        ),
+        (
+            "count",
+            PLAIN,
+            around(1024.0, 0.0, 1021.0, 30.0),
+            1,
+            "1024 ticks (10 bits)",
+        ),
+        (
+            "xi",
+            PLAIN,
+            around(4_294_967_296.0, 0.0, -19.0, 1.0),
+            19,
+            "4294967296 ticks (32 bits)",
+        ),
+        (
+            "count",
+            ROTARY,
+            around(8000.0, 0.0, 7998.0, 1.0),
+            2,
+            "one revolution",
+        ),
+        (
+            "count",
+            ROTARY,
+            around(8192.0, 0.0, 8190.0, 1.0),
+            2,
+            "8192 ticks (13 bits)",
+        ),
+        (
+            "x [deg]",
+            ROTARY,
+            around(360.0, 0.0, 359.5, 0.05),
+            10,
+            "one revolution",
+        ),
+        (
+            "x [rad]",
+            ROTARY,
+            around(std::f64::consts::TAU, -std::f64::consts::PI, 3.1, 0.01),
+            5,
+            "one revolution",
+        ),
+    ] {
+        let text = column(name, numbers);
+        for block in [0, 7, 40] {
+            let (verdict, wrap) = found(&text, scene, block);
+            let wrap = wrap.unwrap_or_else(|| panic!("{name} {period}"));
+            let rows = format!("between rows {row} and {}, by about {period}", row + 1);
+            assert!(wrap.says.contains(&rows), "{name}: {}", wrap.says);
+            assert_ne!(verdict, Verdict::Holds, "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_wrap_leaves_open_what_would_hold() {
+    // The force takes out at the counter's end what the jump gives as friction.
+    let (up, down) = ("4095,0\n", "0,0\n");
+    let text = format!("count,f\n{}{}", up.repeat(9), down.repeat(9));
+    let (verdict, wrap) = found(&text, PLAIN, 0);
+    assert_eq!(verdict, Verdict::Depends);
+    let wrap = wrap.unwrap();
+    assert!(
+        wrap.says.contains("from 4095 to 0 between rows 9 and 10"),
+        "{}",
+        wrap.says
+    );
+    assert!(
+        wrap.fix.contains("add 4096 ticks (12 bits) from row 10 on"),
+        "{}",
+        wrap.fix
+    );
+    let scene = Scene::from_toml("s", PLAIN).unwrap();
+    let audit = audit_csv(
+        Box::new(std::io::Cursor::new(text)),
+        &scene,
+        Options::default(),
+    );
+    let said = audit.unwrap().to_text();
+    assert!(said.contains("DEPENDS: a finding leaves open"), "{said}");
+    // The same jump of a device on its way is one.
+    let text = format!(
+        "count,f\n{}3000,0\n1500,0\n{}",
+        up.repeat(9),
+        down.repeat(9)
+    );
+    assert_eq!(found(&text, PLAIN, 0), (Verdict::Holds, None));
+}
+
+#[test]
+fn a_device_at_rest_where_its_counter_wraps_jumps_to_and_fro() {
+    let rest = [
+        4095.0, 4095.0, 0.0, 4095.0, 0.0, 0.0, 4095.0, 4095.0, 4095.0,
+    ];
+    for block in [0, 7, 40] {
+        let wrap = found(&column("count", rest), PLAIN, block).1.unwrap();
+        assert!(
+            wrap.says.contains("between rows 2 and 3") && wrap.says.contains("3 times more"),
+            "{}",
+            wrap.says
+        );
+    }
+    // It may be all that there is on one side.
+    let wrap = found(&column("count", [0.0, 4095.0, 4096.0]), PLAIN, 0)
+        .1
+        .unwrap();
+    assert!(wrap.fix.contains("take off 4096 ticks"), "{}", wrap.fix);
+    assert!(
+        found(&column("count", [1.0, 0.0, 4095.0]), PLAIN, 0)
+            .1
+            .is_some()
+    );
+    assert!(found(&column("count", [0.0, 4095.0]), PLAIN, 0).1.is_none());
+}
+
+#[test]
+fn motions_are_no_wraps() {
+    let speeds_up = (0..40).map(|i| f64::from(i * i * i));
+    let at_one_speed = (0..40).map(|i| f64::from(i) * 4096.0);
+    let starts = [0.0, 0.0, 100.0, 4196.0, 8292.0];
+    let elsewhere = [0.0, 1.0, 2.0, 3000.0, 3001.0];
+    let short = [511.0, 511.0, 0.0, 0.0, 0.0];
+    for numbers in [
+        speeds_up.collect::<Vec<_>>(),
+        at_one_speed.collect(),
+        starts.to_vec(),
+        elsewhere.to_vec(),
+        short.to_vec(),
+    ] {
+        assert_eq!(
+            found(&column("count", numbers.clone()), PLAIN, 0).1,
+            None,
+            "{numbers:?}"
+        );
+    }
+    // A sample that comes late may be far away.
+    for (late, is_wrap) in [("6", true), ("604", false)] {
+        let text = format!("tau,count\n1,0\n2,2\n3,4\n4,7\n5,8\n{late},4104\n{late}.5,4105\n");
+        let wrap = found(&text, PLAIN, 0).1;
+        assert_eq!(wrap.is_some(), is_wrap, "{wrap:?}");
+    }
+}
