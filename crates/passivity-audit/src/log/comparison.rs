@@ -324,13 +324,22 @@ impl Comparison {
         })
     }
 
+    /// Whether the law has no force at the scene's delay.
+    fn rests(&self) -> bool {
+        let law = self.lags.get(self.delay).map(|lag| &lag.products[1]);
+        law.is_none_or(|law| law.value() == 0.0)
+    }
+
+    /// Whether all forces are zero, and those of the law are not.
+    pub(crate) fn is_zero(&self) -> bool {
+        self.squares.value() == 0.0 && !self.rests()
+    }
+
     /// Whether the law has a force that is far from those of the log at the scene's delay: where they agree to
     /// within their digits all the same, these are too few to tell anything.
     pub(crate) fn is_far(&self) -> bool {
-        let law = self.lags.get(self.delay).map(|lag| &lag.products[1]);
-        let rests = law.is_none_or(|law| law.value() == 0.0);
         let near = |fit: Fit| (fit.scale - 1.0).abs() < ROUGH && fit.residual < ROUGH;
-        !rests && !self.fit_at(self.delay).is_some_and(near)
+        !self.rests() && !self.fit_at(self.delay).is_some_and(near)
     }
 }
 

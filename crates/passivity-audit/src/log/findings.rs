@@ -45,6 +45,14 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
     if agreement.agrees {
         return Vec::new();
     }
+    if agreement.zero {
+        return vec![Finding {
+            kind: "zero_force",
+            says: "the force is zero in every row, and that of the wall's law is not: is it the right column?"
+                .to_owned(),
+            fix: "check that the column is the force that was commanded; `--columns` names another".to_owned(),
+        }];
+    }
     if agreement.rough {
         return vec![Finding {
             kind: "rough_force",

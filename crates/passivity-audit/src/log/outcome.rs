@@ -317,6 +317,7 @@ impl Agreement {
             compared: comparison.compared,
             agrees: own.mismatches == 0 && !comparison.is_far(),
             rough: own.mismatches == 0 && comparison.is_far(),
+            zero: comparison.is_zero(),
             mismatches: own.mismatches,
             first_mismatch_row: own.first.map(|row| row + 1),
             delay: comparison.delay,

@@ -223,6 +223,8 @@ pub struct Agreement {
     pub agrees: bool,
     /// Whether they are so only because they are written with too few digits to tell them from others.
     pub rough: bool,
+    /// Whether they are zero in every row, and those of the law are not.
+    pub zero: bool,
     /// How many are not.
     pub mismatches: u64,
     /// The row of the first that is not, from 1.

@@ -280,6 +280,12 @@ impl Agreement {
         if self.agrees {
             return format!("agrees with the wall's law in all {} rows", self.compared);
         }
+        if self.zero {
+            return format!(
+                "is zero in all {} rows, and the wall's law is not",
+                self.compared
+            );
+        }
         if self.rough {
             return "is written with too few digits to be told from other forces than the wall's law"
                 .to_owned();

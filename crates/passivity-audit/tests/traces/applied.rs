@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 
 use num_traits::{Signed as _, Zero as _};
-use passivity_audit::{Audit, Judged, Options, Verdict, audit_csv};
+use passivity_audit::{Audit, Judged, Options, Values, Verdict, audit_columns, audit_csv};
 use passivity_core::BigRational;
 use passivity_random::draws;
 use passivity_scene::Scene;
@@ -145,7 +145,7 @@ fn without_force(value: &Value) -> Value {
 /// A column whose digits leave room for any force of the wall says nothing of it.
 #[test]
 fn a_force_with_too_few_digits_does_not_agree_with_the_law() {
-    // 0.02 N m for a turn of 20 mrad, and forces in whole N m.
+    // 0.02 N m for a turn of 20 mrad, and forces in whole 10 mN m.
     let scene = scene(
         "[device]\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"2e-3 N m\"\n[sampling]\nperiod = \"1 ms\"\n\
          [encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"1 N m/rad\"\n",
@@ -158,7 +158,7 @@ fn a_force_with_too_few_digits_does_not_agree_with_the_law() {
         }
         csv
     };
-    let rough = audited(&csv(0), &scene);
+    let rough = audited(&csv(2), &scene);
     let force = rough.report().force.clone().unwrap();
     assert!(force.rough && !force.agrees);
     assert_eq!(rough.report().judged, Judged::Running);
@@ -166,6 +166,32 @@ fn a_force_with_too_few_digits_does_not_agree_with_the_law() {
     assert!(rough.report().to_text().contains("too few digits"));
     let fine = audited(&csv(9), &scene).report().force.clone().unwrap();
     assert!(fine.agrees && !fine.rough);
+}
+
+/// Zeros with few digits or many, as fractions and as doubles.
+#[test]
+fn a_force_that_is_zero_throughout_is_asked_for_another_column() {
+    let all_zero = |audit: &Audit| {
+        let findings = &audit.report().findings;
+        assert_eq!(findings.len(), 1);
+        assert_eq!(findings[0].kind, "zero_force");
+        assert!(findings[0].says.contains("is it the right column?"));
+        let text = audit.to_text();
+        assert!(text.contains("zero in all 3 rows"), "{text}");
+    };
+    for zero in ["0", "0.0", "0.00000000", "0/1", "-0.0"] {
+        let csv = format!("count,f\n0,{zero}\n3,{zero}\n5,{zero}\n");
+        all_zero(&audited(&csv, &three_fifths()));
+        // Where the wall's is zero too there is nothing to ask for.
+        let csv = format!("count,f\n-3,{zero}\n-2,{zero}\n");
+        let outside = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"\n[wall]\nunilateral = true";
+        let audit = audited(&csv, &scene(outside));
+        assert_eq!(audit.report().findings.len(), 0);
+    }
+    let counts = ("count".to_owned(), Values::Whole(vec![0, 3, 5]));
+    let forces = ("f".to_owned(), Values::Doubles(vec![0.0, -0.0, 0.0]));
+    let audit = audit_columns(vec![counts, forces], &three_fifths(), Options::default());
+    all_zero(&audit.unwrap());
 }
 
 #[test]

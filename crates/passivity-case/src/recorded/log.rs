@@ -156,7 +156,7 @@ impl Log {
     /// Why forces that agree with the wall's law to within their digits say nothing about the wall.
     fn untold_force(&self) -> Option<String> {
         let force = self.report.force.as_ref();
-        let force = force.filter(|force| force.agrees || force.rough)?;
+        let force = force.filter(|force| force.agrees || force.rough || force.zero)?;
         match (force.fit, force.rough) {
             (None, _) => Some(
                 "the force, or that of the wall's law, is zero in every row: the log says nothing about \
