@@ -1,6 +1,7 @@
 //! A part of a trace, as it was read.
 
 use crate::log::error::TraceError;
+use crate::log::held::Mark;
 use crate::log::layout::{Form, Layout};
 use crate::log::numbers::{Kind, Numbers, Readings};
 use crate::log::scale::Scale;
@@ -19,6 +20,8 @@ pub(crate) struct Chunk {
     pub(crate) forces: Forces,
     /// In ticks per sampling period; one per sample, or none at all.
     pub(crate) velocities: Vec<f64>,
+    /// The rows that leave out forces. No log of which pieces are accounted for has any.
+    pub(crate) marks: Vec<Mark>,
     /// Where in the log it is.
     pub(crate) file: usize,
     /// Where the last row of a ledger ends.
@@ -213,6 +216,7 @@ impl Chunk {
             dtaus: split(&mut self.dtaus, len),
             forces: self.forces.split_off(len),
             velocities: split(&mut self.velocities, len),
+            marks: Vec::new(),
             file: self.file,
             closing,
             unended: self.unended,

@@ -34,7 +34,7 @@ impl Finding {
     pub(crate) fn leaves_open(&self, applied: bool) -> bool {
         match self.kind {
             "wrap" => true,
-            "overwritten" | "stale" => applied,
+            "missed_force" | "old_force" => applied,
             _ => false,
         }
     }

@@ -3,6 +3,7 @@
 use std::io::Read;
 
 use crate::log::error::TraceError;
+use crate::log::held::Mark;
 
 /// The longest line, in bytes.
 pub(crate) const MAX_LINE: usize = 1 << 20;
@@ -37,6 +38,8 @@ pub(crate) struct Block {
     /// Whether the trace ends with this block; its last line may lack its line break then.
     pub(crate) last: bool,
     pub(crate) error: Option<TraceError>,
+    /// The rows that leave out forces.
+    pub(crate) marks: Vec<Mark>,
 }
 
 impl<R: Read> Lines<R> {
@@ -154,6 +157,7 @@ impl<R: Read> Lines<R> {
             bytes,
             last: self.ended && !self.goes_on,
             error,
+            marks: Vec::new(),
         })
     }
 }

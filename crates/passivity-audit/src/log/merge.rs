@@ -11,6 +11,7 @@ use crate::log::chunk::Chunk;
 use crate::log::comparison::Comparison;
 use crate::log::computed::{Accounted, Computed};
 use crate::log::error::TraceError;
+use crate::log::held::Held;
 use crate::log::outcome::Audit;
 use crate::log::step::{between, check_jump, duration, undefined};
 use crate::log::task::Task;
@@ -54,6 +55,7 @@ pub(crate) struct Merge<'a, 'w> {
     comparison: Option<Comparison>,
     velocities: Option<Velocities>,
     wraps: Option<Wraps>,
+    held: Held,
     /// The first intervals, for the rows in the report.
     head: Vec<Logged>,
     error: Option<TraceError>,
@@ -73,6 +75,7 @@ pub(crate) struct Findings {
     pub(crate) comparison: Option<Comparison>,
     pub(crate) velocities: Option<Velocities>,
     pub(crate) wrapped: Wrapped,
+    pub(crate) held: Held,
     pub(crate) head: Vec<Logged>,
     pub(crate) error: Option<TraceError>,
     pub(crate) unended: bool,
@@ -106,6 +109,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             comparison: compared.then(|| Comparison::new(task.ledger)),
             velocities: moved.then(Velocities::default),
             wraps: Wraps::new(&task.periods).filter(|_| task.compares),
+            held: Held::default(),
             head: Vec::new(),
             error: None,
             unended: false,
@@ -162,6 +166,7 @@ impl<'a, 'w> Merge<'a, 'w> {
         if let Some(wraps) = &mut self.wraps {
             wraps.feed(self.task.layout, chunk, rows);
         }
+        self.held.feed(chunk, rows);
         Ok(())
     }
 
@@ -379,6 +384,7 @@ impl<'a, 'w> Merge<'a, 'w> {
                 .wraps
                 .map(|wraps| wraps.finish(self.task.layout, ends))
                 .unwrap_or_default(),
+            held: self.held,
             head: self.head,
             error: self.error,
             unended: self.unended,

@@ -19,6 +19,7 @@ mod findings;
 mod guarded;
 mod guess;
 mod header;
+mod held;
 mod irrational;
 mod known;
 mod lanes;
@@ -317,8 +318,9 @@ fn leading(
 /// The samples of a piece of work.
 fn parsed(work: Work, layout: &Layout) -> Chunk {
     match work {
-        Work::Parse(block, notation, file) => Chunk {
+        Work::Parse(mut block, notation, file) => Chunk {
             file,
+            marks: std::mem::take(&mut block.marks),
             ..csv::parse(&block, layout, notation)
         },
         Work::Account(chunk) => *chunk,

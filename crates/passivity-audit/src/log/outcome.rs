@@ -78,7 +78,10 @@ impl Audit {
         let moving = moved.iter().filter(|_| !agree).flat_map(of_velocity);
         let found = task.layout.finding.clone().into_iter().chain(forced);
         let wrapped = findings.wrapped.finding(task.layout, &task.periods);
-        let found: Vec<Finding> = found.chain(moving).chain(wrapped).collect();
+        let force = task.layout.force.map(|column| task.layout.name(column));
+        let held = findings.held.findings(&force.unwrap_or_default());
+        let found = found.chain(held).chain(moving).chain(wrapped);
+        let found: Vec<Finding> = found.collect();
         let opened = |verdict: Verdict, applied: bool| match verdict {
             Verdict::Holds if found.iter().any(|f| f.leaves_open(applied)) => Verdict::Depends,
             verdict => verdict,

@@ -9,6 +9,7 @@ use crate::ledger::Ledger;
 use crate::log::comparison::Comparison;
 use crate::log::error::TraceError;
 use crate::log::exact::ExactSum;
+use crate::log::held::Held;
 use crate::log::merge::{Findings, ROWS_IN_REPORT};
 use crate::log::saved::{SavedAccount, SavedInterval, SavedReading, counted, wrong};
 use crate::log::velocity::Velocities;
@@ -192,6 +193,8 @@ impl SavedFindings {
             comparison,
             velocities,
             wrapped: self.wrapped,
+            // A log of which pieces are accounted for leaves out none.
+            held: Held::default(),
             head: head.collect::<Result<_, _>>()?,
             error: self.error.as_ref().map(SavedError::value).transpose()?,
             unended: self.unended,

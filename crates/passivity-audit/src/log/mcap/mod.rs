@@ -20,6 +20,7 @@ use passivity_scene::Scene;
 use crate::log::columns::Columns;
 use crate::log::error::TraceError;
 use crate::log::guarded::guarded;
+use crate::log::held::old_after;
 use crate::log::layout::Layout;
 use crate::log::mcap::discovery::Discovered;
 pub(crate) use crate::log::mcap::rows::Rows;
@@ -50,7 +51,13 @@ impl Log {
             }
             error
         })?;
-        let mut rows = Rows::open(&self.path, &found.columns, &layout, self.block)?;
+        let mut rows = Rows::open(
+            &self.path,
+            &found.columns,
+            &layout,
+            self.block,
+            old_after(scene),
+        )?;
         layout.finding = rows.start()?;
         Ok((rows, layout))
     }

@@ -11,6 +11,7 @@ use mcap::records::Record;
 use crate::log::error::{TraceError, legible, shown};
 use crate::log::findings::Finding;
 use crate::log::guarded::guarded;
+use crate::log::held::{Mark, OLD};
 use crate::log::layout::Layout;
 use crate::log::lines::Block;
 use crate::log::mcap::channels::{Channels, Message};
@@ -30,6 +31,50 @@ struct Wanted {
     now: Option<String>,
 }
 
+/// The force where it is of another topic than the position: which values no row has, and how old the last one is.
+#[derive(Clone)]
+struct Force {
+    /// Which column it is.
+    at: usize,
+    /// From this age on it is old, in nanoseconds.
+    old: u64,
+    now: Option<Scalar>,
+    /// What the last row had.
+    read: Option<Scalar>,
+    /// How many values came since, and were followed by others.
+    missed: u64,
+    /// When the last one was recorded, and how many rows had it.
+    since: u64,
+    rows: u64,
+}
+
+impl Force {
+    /// Takes the next value.
+    fn say(&mut self, found: &Scalar, time: u64) {
+        let is_other = |before: &Option<Scalar>| before.as_ref().is_some_and(|x| x != found);
+        if self.read.is_some() && is_other(&self.now) && self.now != self.read {
+            self.missed += 1;
+        }
+        self.now = Some(found.clone());
+        (self.since, self.rows) = (time, 0);
+    }
+
+    /// Gives the value to a row, recorded at this time: what it leaves out.
+    fn read(&mut self, row: usize, time: u64) -> Option<Mark> {
+        if self.read != self.now {
+            self.read.clone_from(&self.now);
+        }
+        self.rows += 1;
+        let age = time.saturating_sub(self.since);
+        let mark = Mark {
+            row,
+            missed: std::mem::take(&mut self.missed),
+            is_old: self.rows > OLD.into() && age > self.old,
+        };
+        (mark.missed > 0 || mark.is_old).then_some(mark)
+    }
+}
+
 /// The rows of a file.
 pub(crate) struct Rows {
     records: Records,
@@ -43,6 +88,10 @@ pub(crate) struct Rows {
     /// The rows that were read and not yet given.
     text: String,
     rows: u64,
+    /// The rows that leave out forces, and how many rows of the block there are.
+    marks: Vec<Mark>,
+    in_block: usize,
+    force: Option<Force>,
     /// How many messages with a position came before the first one of another topic.
     skipped: u64,
     /// When the last message that was used was recorded.
@@ -59,6 +108,7 @@ impl Rows {
         columns: &[Column],
         layout: &Layout,
         block: usize,
+        old: u64,
     ) -> Result<Self, TraceError> {
         let asked = [
             Some(layout.position),
@@ -84,6 +134,16 @@ impl Rows {
         }
         wanted.sort_by_key(|wanted| wanted.at);
         wanted.dedup_by_key(|wanted| wanted.at);
+        let apart = |wanted: &&Wanted| Some(wanted.at) == layout.force && !wanted.own;
+        let force = wanted.iter().find(apart).map(|wanted| Force {
+            at: wanted.at,
+            old,
+            now: None,
+            read: None,
+            missed: 0,
+            since: 0,
+            rows: 0,
+        });
         Ok(Self {
             records: Records::open(path)?,
             channels: Channels::default(),
@@ -93,6 +153,9 @@ impl Rows {
             block,
             text: String::new(),
             rows: 0,
+            marks: Vec::new(),
+            in_block: 0,
+            force,
             skipped: 0,
             last: 0,
             ended: false,
@@ -111,6 +174,9 @@ impl Rows {
             block: self.block,
             text: String::new(),
             rows: 0,
+            marks: Vec::new(),
+            in_block: 0,
+            force: self.force.clone(),
             skipped: 0,
             last: self.last,
             ended: false,
@@ -153,6 +219,7 @@ impl Rows {
             self.step();
         }
         let error = self.error.take();
+        self.in_block = 0;
         if self.text.is_empty() && error.is_none() {
             return None;
         }
@@ -160,6 +227,7 @@ impl Rows {
             bytes: std::mem::take(&mut self.text).into_bytes(),
             last: self.ended,
             error,
+            marks: std::mem::take(&mut self.marks),
         })
     }
 
@@ -186,6 +254,9 @@ impl Rows {
             rows,
             skipped,
             last,
+            marks,
+            in_block,
+            force,
             ..
         } = self;
         let took = records.next(|record| {
@@ -216,6 +287,10 @@ impl Rows {
             }
             for wanted in std::iter::once(first).chain(read) {
                 let found = number(&wanted.column, &value, &message);
+                let force = force.as_mut().filter(|force| force.at == wanted.at);
+                if let (Some(force), Some(found)) = (force, &found) {
+                    force.say(found, message.log_time);
+                }
                 match (&mut wanted.now, found) {
                     (Some(now), Some(found)) => {
                         now.clear();
@@ -239,7 +314,10 @@ impl Rows {
                 match wanted.iter().all(|wanted| wanted.now.is_some()) {
                     true => {
                         row(text, wanted, *width);
+                        let force = force.as_mut();
+                        marks.extend(force.and_then(|f| f.read(*in_block, message.log_time)));
                         *rows += 1;
+                        *in_block += 1;
                     }
                     false => *skipped += 1,
                 }
