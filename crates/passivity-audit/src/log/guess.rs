@@ -236,13 +236,13 @@ pub(crate) fn unread(
                 candidates.push(Candidate {
                     kind,
                     column,
-                    score,
+                    score: 2 * score + i32::from(!preview.is_zero(column)),
                 });
             }
         }
     }
-    // What is said together with the position goes before what is said elsewhere; the sort is stable: of
-    // equals the first column.
+    // Of equals what is not zero goes before what is, what is said together with the position before what is
+    // said elsewhere, and then the first column: the sort is stable.
     let best = |kind: Kind| {
         let of_kind = candidates.iter().filter(|c| c.kind == kind);
         of_kind.rev().max_by_key(|c| c.score).map(|c| c.column)

@@ -64,6 +64,11 @@ impl Preview {
         self.is_whole(column) && values.all(|x| (0.0..below).contains(&x))
     }
 
+    /// Whether a column has nothing but zeros, as the other components of a vector.
+    pub(crate) fn is_zero(&self, column: usize) -> bool {
+        self.column(column).all(|x| x == Some(0.0))
+    }
+
     pub(crate) fn increases(&self, column: usize) -> bool {
         let values: Vec<f64> = self.column(column).flatten().collect();
         values.iter().zip(values.iter().skip(1)).all(|(a, b)| a < b)

@@ -178,6 +178,17 @@ fn a_file_proposes_the_columns_that_read_it() {
         proposed(&only, &rotary()),
         format!("{stamp}, x=/joint_states.position.slide [rad], f=/wrench.wrench.torque.x [N m]")
     );
+    // Of the components one that is not zero, also where the joints have an effort that is.
+    for (message, (stamp, _, f)) in only.iter_mut().step_by(2).zip(motion()) {
+        message.bytes = Form::Cdr.vectors(stamp, [0.0; 3], [0.0, 0.0, f]);
+    }
+    for (message, (stamp, x, _)) in only.iter_mut().skip(1).step_by(2).zip(motion()) {
+        message.bytes = Form::Cdr.joints(stamp, &["slide", "other"], &[x, 1.0], &[0.0, 0.0]);
+    }
+    assert_eq!(
+        proposed(&only, &rotary()),
+        format!("{stamp}, x=/joint_states.position.slide [rad], f=/wrench.wrench.torque.z [N m]")
+    );
 }
 
 #[test]

@@ -124,19 +124,24 @@ impl Form {
     }
 
     pub(super) fn wrench(self, stamp: u64, force: f64) -> Vec<u8> {
+        self.vectors(stamp, [force, 0.0, 0.0], [0.0; 3])
+    }
+
+    /// A wrench of a force and a torque.
+    pub(super) fn vectors(self, stamp: u64, force: [f64; 3], torque: [f64; 3]) -> Vec<u8> {
         if self == Self::Json {
+            let vector = |[x, y, z]: [f64; 3]| format!(r#"{{"x":{x:?},"y":{y:?},"z":{z:?}}}"#);
+            let (force, torque) = (vector(force), vector(torque));
             return format!(
-                r#"{{"header":{{"stamp":{{"sec":{},"nsec":{}}},"frame_id":"base"}},"wrench":{{"force":{{"x":{force:?},"y":0.0,"z":0.0}},"torque":{{"x":0.0,"y":0.0,"z":0.0}}}}}}"#,
+                r#"{{"header":{{"stamp":{{"sec":{},"nsec":{}}},"frame_id":"base"}},"wrench":{{"force":{force},"torque":{torque}}}}}"#,
                 stamp / 1_000_000_000,
                 stamp % 1_000_000_000
             )
             .into_bytes();
         }
         let message = Message::new(self == Self::Cdr).header(stamp);
-        [force, 0.0, 0.0, 0.0, 0.0, 0.0]
-            .iter()
-            .fold(message, |m, x| m.put(&x.to_le_bytes()))
-            .bytes
+        let all = force.iter().chain(&torque);
+        all.fold(message, |m, x| m.put(&x.to_le_bytes())).bytes
     }
 }
 
