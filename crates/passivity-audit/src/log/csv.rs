@@ -60,6 +60,9 @@ fn fields(line: &[u8], delimiter: u8) -> impl Iterator<Item = &[u8]> {
 pub(crate) fn parse(block: &Block, layout: &Layout, notation: Notation) -> Chunk {
     let mut chunk = read(block, layout, notation);
     complete(&mut chunk, layout);
+    if block.exact {
+        chunk.forces.roundings.fill(0.0);
+    }
     chunk
 }
 

@@ -38,6 +38,8 @@ pub(crate) struct Block {
     /// Whether the trace ends with this block; its last line may lack its line break then.
     pub(crate) last: bool,
     pub(crate) error: Option<TraceError>,
+    /// Whether forces are as they were commanded, to the last bit: none is a decimal that was rounded.
+    pub(crate) exact: bool,
     /// The rows that leave out forces.
     pub(crate) marks: Vec<Mark>,
 }
@@ -157,6 +159,7 @@ impl<R: Read> Lines<R> {
             bytes,
             last: self.ended && !self.goes_on,
             error,
+            exact: false,
             marks: Vec::new(),
         })
     }

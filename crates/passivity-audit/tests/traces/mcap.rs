@@ -192,6 +192,34 @@ fn a_file_proposes_the_columns_that_read_it() {
 }
 
 #[test]
+fn a_float_has_no_digits_that_it_was_rounded_to() {
+    // In the tick of the wall its force is -0.125 N, to one decimal -0.1.
+    let of = |form: Form, force: f64| {
+        let sent: Vec<Sent> = (0..9_u32)
+            .map(|k| {
+                let stamp = START + u64::from(k) * 1_000_000;
+                let x = f64::from(k) * 1e-5;
+                Sent {
+                    topic: "/joint_states",
+                    log_time: stamp,
+                    bytes: form.joints(stamp, &["slide", "other"], &[x, 1.0], &[force, 0.0]),
+                }
+            })
+            .collect();
+        let path = save(&file(WriteOptions::new(), form, &sent));
+        let columns = "t=/joint_states.header.stamp, x=/joint_states.position.slide [m], f=/joint_states.effort.slide [N]";
+        let found = read(&path, columns, &scene()).unwrap();
+        found.report().force.clone().unwrap()
+    };
+    for (form, mismatches) in [(Form::Cdr, 9), (Form::Ros1, 9), (Form::Json, 0)] {
+        let force = of(form, -0.1);
+        assert_eq!(force.mismatches, mismatches, "{form:?}");
+        assert_eq!(force.agrees, mismatches == 0);
+        assert!(of(form, 0.0).zero);
+    }
+}
+
+#[test]
 fn elements_without_names_have_numbers() {
     let mut sent = sent(Form::Cdr);
     for (message, (stamp, x, f)) in sent.iter_mut().skip(1).step_by(2).zip(motion()) {

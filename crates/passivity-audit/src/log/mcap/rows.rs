@@ -31,7 +31,7 @@ struct Wanted {
     now: Option<String>,
 }
 
-/// The force where it is of another topic than the position: which values no row has, and how old the last one is.
+/// The force: which values no row has, and how old the last one is. In the message of the position it is always new.
 #[derive(Clone)]
 struct Force {
     /// Which column it is.
@@ -57,6 +57,11 @@ impl Force {
         }
         self.now = Some(found.clone());
         (self.since, self.rows) = (time, 0);
+    }
+
+    /// Whether it is as it was commanded: a float or a whole number, and no decimal that was rounded.
+    const fn is_exact(&self) -> bool {
+        !matches!(self.now, Some(Scalar::Spelt(_)))
     }
 
     /// Gives the value to a row, recorded at this time: what it leaves out.
@@ -134,9 +139,8 @@ impl Rows {
         }
         wanted.sort_by_key(|wanted| wanted.at);
         wanted.dedup_by_key(|wanted| wanted.at);
-        let apart = |wanted: &&Wanted| Some(wanted.at) == layout.force && !wanted.own;
-        let force = wanted.iter().find(apart).map(|wanted| Force {
-            at: wanted.at,
+        let force = layout.force.map(|at| Force {
+            at,
             old,
             now: None,
             read: None,
@@ -227,6 +231,7 @@ impl Rows {
             bytes: std::mem::take(&mut self.text).into_bytes(),
             last: self.ended,
             error,
+            exact: self.force.as_ref().is_some_and(Force::is_exact),
             marks: std::mem::take(&mut self.marks),
         })
     }
