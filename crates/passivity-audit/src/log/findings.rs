@@ -28,6 +28,15 @@ pub struct Finding {
     pub fix: String,
 }
 
+/// What a file says beside its columns.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Beside {
+    /// What stands out in how the log was put together.
+    pub(crate) finding: Option<Finding>,
+    /// What it holds apart from the columns, in words.
+    pub(crate) topics: Vec<String>,
+}
+
 impl Finding {
     /// Whether an account leaves open what is true of the device where this is found: one of the forces in the log, or
     /// of the law.

@@ -5,7 +5,7 @@ use passivity_scene::Scene;
 
 use crate::log::columns::{Columns, Found, Role};
 use crate::log::error::{TraceError, shown};
-use crate::log::findings::Finding;
+use crate::log::findings::Beside;
 use crate::log::guess;
 use crate::log::header::Heading;
 use crate::log::names::{by_name, is_no_clock};
@@ -61,8 +61,8 @@ pub(crate) struct Layout {
     /// The columns as they were told, each with what it says.
     pub(crate) headings: Vec<Heading>,
     said: Vec<Found>,
-    /// What stands out in how the log was put together.
-    pub(crate) finding: Option<Finding>,
+    /// What the file says beside them.
+    pub(crate) beside: Beside,
     scale: Scale,
     /// Units of time over the sampling period.
     per_period: Number,
@@ -158,7 +158,7 @@ impl Layout {
             velocity: None,
             headings: headings.to_vec(),
             said: Vec::new(),
-            finding: None,
+            beside: Beside::default(),
             scale: Scale::One,
             per_period: Number::whole(1),
             per_force: Scale::One,
@@ -252,7 +252,7 @@ impl Layout {
             velocity: find(Role::V).map(|found| found.column),
             headings: headings.to_vec(),
             said: said.to_vec(),
-            finding: None,
+            beside: Beside::default(),
             scale: signed(scale, position),
             per_period,
             size_of_force: per_force.size(),
@@ -295,12 +295,11 @@ impl Layout {
             self.velocity,
         ];
         let unread = (0..self.width()).filter(|column| !read.contains(&Some(*column)));
-        unread
-            .map(|column| match self.name(column).trim() {
-                "" => format!("number {}", column + 1),
-                name => shown(name.as_bytes()),
-            })
-            .collect()
+        let names = unread.map(|column| match self.name(column).trim() {
+            "" => format!("number {}", column + 1),
+            name => shown(name.as_bytes()),
+        });
+        names.chain(self.beside.topics.iter().cloned()).collect()
     }
 
     /// How many columns there are.

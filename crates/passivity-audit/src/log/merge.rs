@@ -134,15 +134,9 @@ impl<'a, 'w> Merge<'a, 'w> {
             self.account.supply.excess = Some(contribution.excess().clone());
         }
         self.compare(chunk, chunk.samples.len(), None)?;
-        if let Some(comparison) = &mut self.comparison {
-            comparison.forget();
-        }
-        if let Some(velocities) = &mut self.velocities {
-            velocities.forget();
-        }
-        if let Some(wraps) = &mut self.wraps {
-            wraps.forget();
-        }
+        self.comparison.iter_mut().for_each(Comparison::forget);
+        self.velocities.iter_mut().for_each(Velocities::forget);
+        self.wraps.iter_mut().for_each(Wraps::forget);
         Ok(())
     }
 

@@ -76,7 +76,7 @@ impl Audit {
             .flat_map(|a| of_force(a, task.layout, scene));
         let agree = findings.velocities.as_ref().is_some_and(Velocities::agree);
         let moving = moved.iter().filter(|_| !agree).flat_map(of_velocity);
-        let found = task.layout.finding.clone().into_iter().chain(forced);
+        let found = task.layout.beside.finding.clone().into_iter().chain(forced);
         let wrapped = findings.wrapped.finding(task.layout, &task.periods);
         let force = task.layout.force.map(|column| task.layout.name(column));
         let held = findings.held.findings(&force.unwrap_or_default());

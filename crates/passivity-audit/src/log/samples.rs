@@ -37,7 +37,7 @@ pub struct Sampled {
 pub fn samples(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled, TraceError> {
     let paths: [PathBuf; 1] = [path.to_owned()];
     let (mut source, layout) = Source::open(&paths, scene, dialect, BLOCK)?;
-    if let Some(finding) = &layout.finding {
+    if let Some(finding) = &layout.beside.finding {
         let message = format!(
             "{}: what held the device until then is not known; cut the file so that it starts there (`mcap filter`)",
             finding.says

@@ -220,6 +220,59 @@ fn a_float_has_no_digits_that_it_was_rounded_to() {
 }
 
 #[test]
+fn topics_that_are_not_read_are_named() {
+    let topics = ["/b/joints", "/a/joints", "/other/states"];
+    let many: Vec<String> = (0..20).map(|i| format!("/more/{i:02}")).collect();
+    let few = |sent: &[Sent], topic: &'static str| -> Vec<Sent> {
+        let joints = sent.iter().skip(1).step_by(2).take(4);
+        let other = joints.map(|joint| Sent {
+            topic,
+            log_time: joint.log_time,
+            bytes: joint.bytes.clone(),
+        });
+        other.collect()
+    };
+    let audited = |topics: &[&'static str], options: WriteOptions| {
+        let mut sent = sent(Form::Cdr);
+        for topic in topics {
+            let more = few(&sent, topic);
+            sent.extend(more);
+        }
+        sent.sort_by_key(|sent| sent.log_time);
+        let path = save(&file(options, Form::Cdr, &sent));
+        let error = audit(&path, &scene(), Options::default()).unwrap_err();
+        (error.message, read(&path, COLUMNS, &scene()).unwrap())
+    };
+    for options in [
+        WriteOptions::new(),
+        WriteOptions::new().emit_summary_records(false),
+    ] {
+        let (error, found) = audited(&topics, options);
+        assert!(error.contains("all on /b/joints, all on /"), "{error}");
+        let not_read = &found.report().not_read;
+        let others = not_read.iter().filter(|name| name.starts_with("all on"));
+        let expected = ["/a/joints", "/b/joints", "/other/states"];
+        assert!(
+            others.eq(&expected.map(|topic| format!("all on {topic}"))),
+            "{not_read:?}"
+        );
+    }
+    let many: Vec<&'static str> = many.into_iter().map(|name| &*name.leak()).collect();
+    let (_, found) = audited(&many, WriteOptions::new());
+    let last = found.report().not_read.last().unwrap();
+    assert_eq!(last, "and 4 topics more");
+    let (error, found) = audited(&[], WriteOptions::new());
+    assert!(!error.contains("all on /joint"), "{error}");
+    assert!(
+        found
+            .report()
+            .not_read
+            .iter()
+            .all(|name| !name.starts_with("all on"))
+    );
+}
+
+#[test]
 fn elements_without_names_have_numbers() {
     let mut sent = sent(Form::Cdr);
     for (message, (stamp, x, f)) in sent.iter_mut().skip(1).step_by(2).zip(motion()) {

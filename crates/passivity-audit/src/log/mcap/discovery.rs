@@ -1,12 +1,12 @@
 //! What columns an MCAP file can give: the numbers of the first messages on each topic.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
 
 use mcap::records::Record;
 
 use crate::log::columns::Columns;
-use crate::log::error::{TraceError, shown};
+use crate::log::error::{TraceError, legible, shown};
 use crate::log::header::Heading;
 use crate::log::layout::MAX_COLUMNS;
 use crate::log::mcap::channels::{Channel, Channels, Message};
@@ -44,6 +44,8 @@ pub(crate) struct Discovered {
     pub(crate) columns: Vec<Column>,
     /// The topics whose messages are not decoded, with the reasons.
     refused: Vec<(String, String)>,
+    /// All topics with messages.
+    topics: BTreeSet<String>,
 }
 
 /// What has been seen of a topic.
@@ -99,6 +101,21 @@ impl Discovered {
         }
     }
 
+    /// All that is on other topics than those that are read, in words.
+    pub(crate) fn others(&self, is_read: &dyn Fn(&str) -> bool) -> Vec<String> {
+        const SHOWN: usize = 16;
+        let others = self.topics.iter().filter(|topic| !is_read(topic));
+        let mut others: Vec<String> = others
+            .map(|topic| format!("all on {}", legible(topic)))
+            .collect();
+        let more = others.len().saturating_sub(SHOWN);
+        if more > 0 {
+            others.truncate(SHOWN);
+            others.push(format!("and {more} topics more"));
+        }
+        others
+    }
+
     /// What is added to an error in the header: the topics that are not read; `None` where all are.
     pub(crate) fn not_decoded(&self) -> Option<String> {
         const SHOWN: usize = 4;
@@ -120,8 +137,12 @@ impl Discovered {
     }
 }
 
-/// How many messages on a channel have still to be looked at, as the summary says; `None` without one.
-fn counts(path: &Path, wanted: &dyn Fn(&str) -> bool) -> Option<HashMap<u16, u64>> {
+/// How many messages on a channel have still to be looked at, and all topics with messages, as the summary says; `None`
+/// without one.
+fn counts(
+    path: &Path,
+    wanted: &dyn Fn(&str) -> bool,
+) -> Option<(HashMap<u16, u64>, BTreeSet<String>)> {
     let mut records = Records::summary(path)?;
     let (mut channels, mut counts) = (Channels::default(), None);
     let mut take = |record: Record<'_>| {
@@ -132,7 +153,11 @@ fn counts(path: &Path, wanted: &dyn Fn(&str) -> bool) -> Option<HashMap<u16, u64
     };
     while let Ok(Some(())) = records.next(&mut take) {}
     let mut counts: HashMap<u16, u64> = counts?.into_iter().collect();
+    let mut topics = BTreeSet::new();
     for (number, channel) in channels.all() {
+        if counts.get(&number).is_some_and(|count| *count > 0) {
+            topics.insert(channel.topic.clone());
+        }
         if !wanted(&channel.topic) {
             counts.remove(&number);
         } else if channel.decoder.is_err() {
@@ -146,12 +171,13 @@ fn counts(path: &Path, wanted: &dyn Fn(&str) -> bool) -> Option<HashMap<u16, u64
         *count = PREVIEWED.min(*count);
         *count > 0
     });
-    Some(counts)
+    Some((counts, topics))
 }
 
 /// The columns of the topics that are wanted.
 fn discover(path: &Path, wanted: &dyn Fn(&str) -> bool) -> Result<Discovered, TraceError> {
-    let mut left = counts(path, wanted);
+    let (mut left, with_messages) = counts(path, wanted).unzip();
+    let mut with_messages: BTreeSet<String> = with_messages.unwrap_or_default();
     let mut records = Records::open(path)?;
     let mut channels = Channels::default();
     let mut topics: Vec<(String, Topic)> = Vec::new();
@@ -178,6 +204,9 @@ fn discover(path: &Path, wanted: &dyn Fn(&str) -> bool) -> Result<Discovered, Tr
                 bytes: &data,
             };
             let Channel { topic, decoder } = channels.of(&message)?;
+            if !with_messages.contains(topic) {
+                with_messages.insert(topic.clone());
+            }
             if let Some(left) = &mut left
                 && let Some(count) = left.get_mut(&message.channel)
             {
@@ -223,6 +252,7 @@ fn discover(path: &Path, wanted: &dyn Fn(&str) -> bool) -> Result<Discovered, Tr
     Ok(Discovered {
         columns: columns.into_iter().take(MAX_COLUMNS).collect(),
         refused,
+        topics: with_messages,
     })
 }
 

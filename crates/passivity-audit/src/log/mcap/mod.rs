@@ -46,11 +46,23 @@ impl Log {
         let found = guarded("mcap", || Discovered::read(&self.path, told))?;
         let layout = Layout::read(found.headings(), told, &found.preview(), scene);
         let mut layout = layout.map_err(|mut error| {
-            if let Some(more) = found.not_decoded() {
+            let proposed = error
+                .proposal
+                .as_ref()
+                .map(|p| p.columns.parse::<Columns>());
+            let others = match proposed {
+                Some(Ok(proposed)) => found.others(&|topic| proposed.mentions(topic)),
+                _ => Vec::new(),
+            };
+            let others =
+                (!others.is_empty()).then(|| format!("the file has more: {}", others.join(", ")));
+            for more in found.not_decoded().into_iter().chain(others) {
                 error.message = format!("{} ({more})", error.message);
             }
             error
         })?;
+        let has_columns = |topic: &str| found.columns.iter().any(|c| c.topic == topic);
+        layout.beside.topics = found.others(&has_columns);
         let mut rows = Rows::open(
             &self.path,
             &found.columns,
@@ -58,7 +70,7 @@ impl Log {
             self.block,
             old_after(scene),
         )?;
-        layout.finding = rows.start()?;
+        layout.beside.finding = rows.start()?;
         Ok((rows, layout))
     }
 
