@@ -196,3 +196,78 @@ fn an_audit_finds_nothing_in_the_velocities_of_a_simulation() {
         "the other sign"
     );
 }
+
+/// What an audit of a simulation says, with one number where both ends of a figure read the same.
+fn audited(scene: &str, more: &[&str]) -> (i32, Vec<String>) {
+    let dir = Dir::new();
+    let scene = dir.write("scene.toml", scene);
+    let run = dir.run(&[&["simulate", &scene, "--out", "own.csv"], more].concat());
+    assert!(run.code < 2, "{}", run.stderr);
+    let run = dir.run(&["audit", "--scene", &scene, "own.csv"]);
+    let figure = |line: &str| match line.split_once(" … ") {
+        Some((start, end)) if start.rsplit(' ').next() == end.split(' ').next() => {
+            format!("{}{end}", start.trim_end_matches(|c| c != ' '))
+        }
+        _ => line.to_owned(),
+    };
+    let columns = |line: &&str| !line.starts_with("  columns") && !line.starts_with("  not read");
+    let lines = run.stdout.lines().filter(columns).map(figure);
+    (run.code, lines.collect())
+}
+
+#[test]
+fn an_audit_of_a_ledger_in_si_units_is_that_of_the_other_one() {
+    let cycles = include_str!("../../scenes/re35-limit-cycles.toml");
+    let slide = |start: &str, more: &str| {
+        format!(
+            "[device]\nmass = \"0.5 kg\"\ncoulomb = \"0.01 N\"\n[encoder]\nresolution = \"1/3 µm\"\n\
+             [wall]\nstiffness = \"1 N/mm\"\n[start]\n{start}\n[sampling]\nrate = \"3.2 kHz\"\n{more}"
+        )
+    };
+    let fast = slide("velocity = \"20 mm/s\"", "");
+    for (scene, more, code, first) in [
+        // All that is wrong is in the last interval.
+        (
+            cycles.to_owned(),
+            ["--intervals", "31"],
+            1,
+            "the first at row 31",
+        ),
+        // At rest before its time.
+        (
+            slide("position = \"14.1 µm\"", ""),
+            ["--intervals", "5000"],
+            0,
+            "HOLDS",
+        ),
+        (
+            slide("velocity = \"2 mm/s\"", "delay = 2"),
+            ["--intervals", "25"],
+            0,
+            "",
+        ),
+        (
+            slide("velocity = \"2 mm/s\"", "latency = \"0.1 ms\""),
+            ["--intervals", "9"],
+            3,
+            "",
+        ),
+        // On an encoder edge that is no double in metres.
+        (
+            slide("position = \"49/3 µm\"", ""),
+            ["--method", "exact"],
+            0,
+            "HOLDS",
+        ),
+        (fast, ["--intervals", "1"], 0, "HOLDS"),
+    ] {
+        let [(own, plain), (si_code, si)] = [
+            audited(&scene, &more),
+            audited(&scene, &[&more[..], &["--si"]].concat()),
+        ];
+        assert_eq!(own, si_code, "{scene}");
+        assert_eq!(plain, si, "{scene}");
+        assert_eq!(own, code, "{plain:?}");
+        assert!(plain[0].contains(first), "{plain:?}");
+    }
+}

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::fmt::Write as _;
 
 use passivity_core::{BigRational, Criterion, Loop, Step, extra_storage, ledger};
-use passivity_scene::number::nearest_f64;
+use passivity_scene::number::{nearest_f64, parse};
 use passivity_scene::point::Units;
 use passivity_scene::{Point, Scene};
 
@@ -52,6 +52,8 @@ struct Si {
     energy: BigRational,
     period: BigRational,
     unit: &'static str,
+    /// The sample after the last row: its number, the position and the velocity, in SI units.
+    end: Option<(u64, [f64; 2])>,
 }
 
 /// What the kernel's account of an interval depends on, in some kind of number.
@@ -74,6 +76,19 @@ struct Figures<R> {
     margin: Option<R>,
     truths: [Option<bool>; 3],
     motion: [R; 3],
+}
+
+impl<R> Figures<R> {
+    /// Appends what the kernel's row says, nothing where that is not known.
+    fn put_truths(&self, out: &mut String) {
+        for truth in self.truths {
+            // Writing to a string does not fail.
+            let _ = match truth {
+                Some(truth) => write!(out, ",{truth}"),
+                None => write!(out, ","),
+            };
+        }
+    }
 }
 
 impl Table {
@@ -108,6 +123,7 @@ impl Table {
             speed: length / period,
             energy: stiffness * length * length,
             period: period.clone(),
+            end: None,
             unit: length_unit.as_ref().filter(|_| !self.encloses)?,
         };
         Some(Self {
@@ -168,9 +184,11 @@ impl Table {
                     residual: entry.residual,
                 };
                 let figures = self.doubles.figures(&row.map(|x| Double(*x)));
-                if let Some(si) = &self.si {
+                if let Some(si) = &mut self.si {
                     let in_unit = |x: &Double, unit: &BigRational| x.0 * nearest_f64(unit);
-                    return si.put(entry.h, &figures, out, in_unit);
+                    let whole =
+                        |x: &Double| BigRational::from_float(x.0).filter(|_| x.0.fract() == 0.0);
+                    return si.put(entry.h, &figures, out, (in_unit, whole));
                 }
                 // Shortest decimals that read back as the same double. At a speed that is almost
                 // nothing the margin is beyond all doubles.
@@ -180,9 +198,10 @@ impl Table {
             }
             Line::Exact(row) => {
                 let figures = self.rationals.figures(row);
-                if let Some(si) = &self.si {
+                if let Some(si) = &mut self.si {
                     let in_unit = |x: &BigRational, unit: &BigRational| nearest_f64(&(x * unit));
-                    return si.put(row.h, &figures, out, in_unit);
+                    let whole = |x: &BigRational| x.is_integer().then(|| x.clone());
+                    return si.put(row.h, &figures, out, (in_unit, whole));
                 }
                 self.put(row.h, &figures, out, BigRational::to_string)?;
                 let _ = writeln!(out, ",{}", row.step.start);
@@ -197,6 +216,16 @@ impl Table {
             }
         }
         Ok(())
+    }
+
+    /// Appends the sample that ends the run, where rows tell of the sample at their start only: in SI units. Of an
+    /// interval that is not in the table it says nothing.
+    pub fn end(&self, out: &mut String) {
+        if let Some((si, (h, motion))) = self.si.as_ref().and_then(|si| Some((si, si.end?))) {
+            si.sample(h, motion, out);
+            // Three energies and three truths.
+            out.push_str(",,,,,,\n");
+        }
     }
 
     fn put<R: Real>(
@@ -231,12 +260,7 @@ impl Table {
                 out.push_str(",1"); // Δτ
             }
         }
-        for truth in figures.truths {
-            let _ = match truth {
-                Some(truth) => write!(out, ",{truth}"),
-                None => write!(out, ","),
-            };
-        }
+        figures.put_truths(out);
         for (name, x) in MOTION.into_iter().zip(&figures.motion) {
             let _ = write!(out, ",{}", shown(x, name)?);
         }
@@ -245,43 +269,58 @@ impl Table {
 }
 
 impl Si {
-    /// Appends a row in SI units, with the motion at the sample.
+    /// Appends a row in SI units, with the motion at the sample. A position on an encoder edge is a whole number of
+    /// ticks, and is written as no less, so that it is read in the same tick.
     fn put<R>(
-        &self,
+        &mut self,
         h: u64,
         figures: &Figures<R>,
         out: &mut String,
-        in_unit: impl Fn(&R, &BigRational) -> f64,
+        (in_unit, whole): (
+            impl Fn(&R, &BigRational) -> f64,
+            impl Fn(&R) -> Option<BigRational>,
+        ),
     ) -> Result<(), SimError> {
-        let [start, _, linear, quantized, ..] = &figures.row;
-        let [v, _, dissipated] = &figures.motion;
-        let time = nearest_f64(&(BigRational::from_integer(h.into()) * &self.period));
-        let _ = write!(out, "{h},{time:?}");
-        for (name, x, unit) in [
-            ("x", start, &self.length),
-            ("v", v, &self.speed),
-            ("generated_linear", linear, &self.energy),
-            ("generated_quantized", quantized, &self.energy),
-            ("dissipated", dissipated, &self.energy),
-        ] {
-            let x = in_unit(x, unit);
-            if !x.is_finite() {
-                return Err(SimError::NotFinite {
-                    interval: h,
-                    figure: name,
-                });
-            }
-            // Writing to a string does not fail.
-            let _ = write!(out, ",{x:?}");
-        }
-        for truth in figures.truths {
-            let _ = match truth {
-                Some(truth) => write!(out, ",{truth}"),
-                None => write!(out, ","),
+        let [start, end, linear, quantized, ..] = &figures.row;
+        let [v0, v1, dissipated] = &figures.motion;
+        let finite = |x: &R, unit: &BigRational, figure| match in_unit(x, unit) {
+            x if x.is_finite() => Ok(x),
+            _ => Err(SimError::NotFinite {
+                interval: h,
+                figure,
+            }),
+        };
+        let is_below =
+            |x: f64, exact: BigRational| parse(&format!("{x:?}")).is_ok_and(|x| x < exact);
+        let motion = |xi: &R, v: &R| {
+            let x = finite(xi, &self.length, "x")?;
+            let x = match whole(xi) {
+                Some(xi) if is_below(x, &xi * &self.length) => x.next_up(),
+                _ => x,
             };
+            Ok([x, finite(v, &self.speed, "v")?])
+        };
+        self.sample(h, motion(start, v0)?, out);
+        for (name, x) in [
+            ("generated_linear", linear),
+            ("generated_quantized", quantized),
+            ("dissipated", dissipated),
+        ] {
+            // Writing to a string does not fail.
+            let _ = write!(out, ",{:?}", finite(x, &self.energy, name)?);
         }
+        let after = motion(end, v1)?;
+        figures.put_truths(out);
         out.push('\n');
+        self.end = Some((h + 1, after));
         Ok(())
+    }
+
+    /// Appends a sample's number and time, and the motion at it.
+    fn sample(&self, h: u64, [x, v]: [f64; 2], out: &mut String) {
+        let time = nearest_f64(&(BigRational::from_integer(h.into()) * &self.period));
+        // Writing to a string does not fail.
+        let _ = write!(out, "{h},{time:?},{x:?},{v:?}");
     }
 }
 

@@ -58,7 +58,7 @@ pub(crate) struct Args {
     /// Write the energy ledger to this CSV file, one row per interval.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Write the ledger in SI units: seconds, metres or radians, joules.
+    /// Write the ledger in SI units: seconds, metres or radians, joules; its last row is the sample at the end.
     #[arg(long, requires = "out")]
     si: bool,
     /// Add to the JSON how many seconds the simulation took; without it the same input gives the same
@@ -293,9 +293,9 @@ struct Trace {
 
 impl Trace {
     fn create(path: &Path, table: Table) -> Result<Self, Failure> {
-        let name = format!("`{}`", path.display());
-        let mut file = Output::create(path).map_err(|error| Failure::io(&name, &error))?;
-        writeln!(file, "{}", table.header()).map_err(|error| Failure::io(&name, &error))?;
+        let failed = |error| unwritten(path, &error);
+        let mut file = Output::create(path).map_err(failed)?;
+        writeln!(file, "{}", table.header()).map_err(failed)?;
         Ok(Self {
             path: path.to_owned(),
             table,
@@ -308,27 +308,30 @@ impl Trace {
     /// Writes a row; `false` when it could not be written, which ends the run.
     fn take(&mut self, line: &Line<'_>) -> bool {
         self.line.clear();
-        let written = match self.table.write(line, &mut self.line) {
-            Ok(()) => {
-                let name = || format!("`{}`", self.path.display());
-                let written = self.file.write_all(self.line.as_bytes());
-                written.map_err(|error| Failure::io(name(), &error))
-            }
-            Err(error) => Err(Failure::input(error)),
-        };
-        self.failed = written.err();
+        let row = self.table.write(line, &mut self.line);
+        let put = row.map_err(Failure::input).and_then(|()| {
+            let put = self.file.write_all(self.line.as_bytes());
+            put.map_err(|error| unwritten(&self.path, &error))
+        });
+        self.failed = put.err();
         self.failed.is_none()
     }
 
     fn finish(mut self) -> Result<(), Failure> {
-        match self.failed.take() {
-            Some(failure) => Err(failure),
-            None => self
-                .file
-                .keep()
-                .map_err(|error| Failure::io(format!("`{}`", self.path.display()), &error)),
+        if let Some(failure) = self.failed {
+            return Err(failure);
         }
+        self.line.clear();
+        self.table.end(&mut self.line);
+        let put = self.file.write_all(self.line.as_bytes());
+        put.and_then(|()| self.file.keep())
+            .map_err(|error| unwritten(&self.path, &error))
     }
+}
+
+/// Why a trace's file cannot be written.
+fn unwritten(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::io(format!("`{}`", path.display()), error)
 }
 
 fn text(report: &Simulation, plan: &Plan, run: &Simulated, units: &Units) -> String {
