@@ -241,6 +241,46 @@ fn two_results_have_two_files() {
 }
 
 #[test]
+fn csv_is_written_under_no_name_of_another_format() {
+    let dir = folder();
+    for (command, ends) in [
+        (
+            "audit log.csv --scene scene.toml",
+            "parquet json csv.gz zst MCAP",
+        ),
+        ("simulate scene.toml --speed 1", "parquet json csv.zst"),
+        (
+            "plane device.toml --axes stiffness,damping",
+            "parquet json csv.gz",
+        ),
+        (
+            "sweep scene.toml --beta 1 --sigma 1 --speed 1",
+            "json csv.gz mcap",
+        ),
+        (
+            "sweep scene.toml --beta 1,2 --sigma 1 --speed 1 --shard 1/2",
+            "json",
+        ),
+    ] {
+        for end in ends.split(' ') {
+            let says =
+                format!("`new.{end}`: these rows are CSV: expected a name that ends in .csv");
+            refused(&dir, &format!("{command} --out new.{end}"), &says);
+        }
+        let run = dir.run(
+            &format!("{command} --out rows.txt")
+                .split(' ')
+                .collect::<Vec<_>>(),
+        );
+        assert!(
+            run.code < 2 && dir.path("rows.txt").exists(),
+            "{}",
+            run.stderr
+        );
+    }
+}
+
+#[test]
 fn vectors_replace_none_but_vectors() {
     let dir = Dir::new();
     let args = ["vectors", "--group", "errata", "--out", "."];

@@ -2,10 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use passivity_scene::Scene;
 use passivity_scene::files::{self, are_same, may_be_replaced};
+use passivity_sim::trace::csv_name;
 
 use crate::exit::Failure;
+
+/// The name of a file of CSV rows.
+pub(crate) fn csv() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| csv_name(&path).map(|()| path))
+}
 
 /// Refuses, before any work is done, to write over what is read, over what is no plain file, and two results into one
 /// file. Each of the files that are to be written comes with the option that names it.

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use passivity_scene::files::{Output, are_same, may_be_replaced};
+use passivity_sim::trace::csv_name;
 
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
@@ -22,6 +23,7 @@ pub(crate) fn rows_file(path: Option<PathBuf>, inputs: &[&Path]) -> PyResult<Opt
     let Some(path) = path else {
         return Ok(None);
     };
+    csv_name(&path).map_err(|error| PyValueError::new_err(error.to_string()))?;
     may_be_written(&path, inputs)?;
     let file = Output::create(&path).map_err(|error| failed(&path, &error))?;
     Ok(Some(Rows { path, file }))

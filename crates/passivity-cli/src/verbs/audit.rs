@@ -73,7 +73,7 @@ pub(crate) struct Args {
     #[arg(long)]
     decimal_comma: bool,
     /// Write the rows of the ledger to a CSV file.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = crate::files::csv())]
     out: Option<PathBuf>,
     /// Draw energy against time, as SVG or PNG.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]

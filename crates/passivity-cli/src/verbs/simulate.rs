@@ -56,7 +56,7 @@ pub(crate) struct Args {
     #[command(flatten)]
     start: Start,
     /// Write the energy ledger to this CSV file, one row per interval.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = crate::files::csv())]
     out: Option<PathBuf>,
     /// Write the ledger in SI units: seconds, metres or radians, joules; its last row is the sample at the end.
     #[arg(long, requires = "out")]

@@ -12,6 +12,7 @@ use crate::sweep::manifest::{Manifest, forget};
 #[cfg(feature = "parquet")]
 use crate::sweep::parquet;
 use crate::sweep::row::{Each, Row};
+use crate::trace::csv_name;
 
 /// How the rows of a finished sweep are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +29,7 @@ impl Form {
             .extension()
             .is_some_and(|end| end.eq_ignore_ascii_case("parquet"));
         if !parquet {
-            return Ok(Self::Csv);
+            return csv_name(path).map(|()| Self::Csv);
         }
         #[cfg(feature = "parquet")]
         return Ok(Self::Parquet);

@@ -43,7 +43,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
     /// Write the points of the borders to this CSV file.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = crate::files::csv())]
     out: Option<PathBuf>,
     /// Which axes have equal factors in equal steps; by default those with scenes and limits far apart.
     #[arg(long, value_name = "AXES")]
