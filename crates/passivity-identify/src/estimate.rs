@@ -8,6 +8,7 @@ use crate::kept::Propagators;
 use crate::log::Log;
 use crate::motion::simulated;
 use crate::region::{Ends, Part, Shear};
+use crate::search::first_bounds;
 
 /// What was measured less what is simulated, in ticks; where the device started is what fits best.
 pub(crate) fn residuals(log: &Log, at: [f64; 3]) -> Vec<f64> {
@@ -26,7 +27,11 @@ fn all_residuals(logs: &[Log], at: [f64; 3]) -> DVector<f64> {
 
 /// Half the sum of the squares of all residuals; infinite where there is none.
 fn cost(logs: &[Log], at: [f64; 3]) -> f64 {
-    let cost = 0.5 * all_residuals(logs, at).norm_squared();
+    half_square(&all_residuals(logs, at))
+}
+
+fn half_square(residuals: &DVector<f64>) -> f64 {
+    let cost = 0.5 * residuals.norm_squared();
     if cost.is_finite() {
         cost
     } else {
@@ -68,20 +73,24 @@ impl Knob {
     }
 }
 
+/// What was measured less what is simulated with some numbers.
+type Residuals<'a> = &'a dyn Fn(&[f64]) -> DVector<f64>;
+
 /// The least squares as the optimiser has them.
 struct Fit<'a> {
-    logs: &'a [Log],
-    knobs: [Knob; 3],
+    residuals: Residuals<'a>,
+    knobs: &'a [Knob],
     turned: DVector<f64>,
 }
 
 impl Fit<'_> {
-    fn at(&self, turned: &DVector<f64>) -> [f64; 3] {
+    fn at(&self, turned: &DVector<f64>) -> Vec<f64> {
         let mut turned = turned.iter();
-        self.knobs.map(|knob| match knob {
-            Knob::Fixed(x) => x,
+        let all = self.knobs.iter().map(|knob| match knob {
+            Knob::Fixed(x) => *x,
             knob => knob.value(turned.next().copied().unwrap_or(f64::NAN)),
-        })
+        });
+        all.collect()
     }
 }
 
@@ -99,7 +108,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Fit<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        let residuals = all_residuals(self.logs, self.at(&self.turned));
+        let residuals = (self.residuals)(&self.at(&self.turned));
         residuals.iter().all(|r| r.is_finite()).then_some(residuals)
     }
 
@@ -112,7 +121,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Fit<'_> {
                 if let Some(knob) = turned.get_mut(index) {
                     *knob += by;
                 }
-                all_residuals(self.logs, self.at(&turned))
+                (self.residuals)(&self.at(&turned))
             };
             (moved(STEP) - moved(-STEP)) / (2.0 * STEP)
         };
@@ -122,31 +131,107 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Fit<'_> {
     }
 }
 
-/// Turns the knobs from a start on; gives the parameters and what they cost.
-fn minimized(logs: &[Log], knobs: [Knob; 3], start: [f64; 3]) -> ([f64; 3], f64) {
+/// Turns the knobs of numbers from a start on; gives the numbers and what they cost.
+fn turned(
+    residuals: Residuals<'_>,
+    knobs: &[Knob],
+    start: &[f64],
+    patience: usize,
+) -> (Vec<f64>, f64) {
     let free = knobs
-        .into_iter()
+        .iter()
         .zip(start)
         .filter(|(knob, _)| !matches!(knob, Knob::Fixed(_)));
-    let turned: Vec<f64> = free.map(|(knob, value)| knob.turned(value)).collect();
-    let before = cost(logs, start);
+    let turned: Vec<f64> = free.map(|(knob, value)| knob.turned(*value)).collect();
+    let before = half_square(&residuals(start));
     if turned.is_empty() {
-        return (start, before);
+        return (start.to_vec(), before);
     }
     let fit = Fit {
-        logs,
+        residuals,
         knobs,
         turned: DVector::from_vec(turned),
     };
-    let (fit, _) = LevenbergMarquardt::new().with_patience(12).minimize(fit);
+    let (fit, _) = LevenbergMarquardt::new()
+        .with_patience(patience)
+        .minimize(fit);
     let found = fit.at(&fit.turned);
-    let after = cost(logs, found);
+    let after = half_square(&residuals(&found));
     // A search that went nowhere gives back where it started.
     if after <= before {
         (found, after)
     } else {
-        (start, before)
+        (start.to_vec(), before)
     }
+}
+
+/// The parameters among some numbers, which begin with them.
+fn parameters(numbers: &[f64]) -> [f64; 3] {
+    let mut numbers = numbers.iter().copied();
+    [0; 3].map(|_| numbers.next().unwrap_or(f64::NAN))
+}
+
+/// Turns the knobs of the parameters from a start on; gives the parameters and what they cost.
+fn minimized(logs: &[Log], knobs: [Knob; 3], start: [f64; 3]) -> ([f64; 3], f64) {
+    let residuals = |numbers: &[f64]| all_residuals(logs, parameters(numbers));
+    let (found, cost) = turned(&residuals, &knobs, &start, 12);
+    (parameters(&found), cost)
+}
+
+/// The knobs of the parameters: an inertia that is known stays.
+fn knobs(inertia: Ends) -> [Knob; 3] {
+    let known = inertia[1] <= 1.001 * inertia[0];
+    let middle = 0.5 * inertia[0] + 0.5 * inertia[1];
+    let of_inertia = if known {
+        Knob::Fixed(middle)
+    } else {
+        Knob::Logarithm
+    };
+    [Knob::Logarithm, Knob::Logarithm, of_inertia]
+}
+
+/// How far the residuals of a log are apart at the least squares over the parameters and some numbers more, each
+/// within its ends and from the best of some starts on, by which `logs` are other ones: at the most over the logs.
+pub(crate) fn spread(
+    logs: &dyn Fn(&[f64]) -> Vec<Log>,
+    (ends, starts): (&[Ends], &[Vec<f64>]),
+    inertia: Ends,
+) -> f64 {
+    /// A friction that another model has almost none of starts at this share of the most.
+    const LEAST: f64 = 0.01;
+    let begun = starts.iter().filter_map(|more| {
+        let logs = logs(more);
+        let [Some(viscous), Some(coulomb), _] = first_bounds(&logs) else {
+            return None;
+        };
+        let [b, c, m] = first(&logs, [viscous, coulomb], inertia);
+        let at = match ends.is_empty() {
+            true => [b, c, m],
+            false => [b.max(LEAST * viscous), c.max(LEAST * coulomb), m],
+        };
+        Some((cost(&logs, [b, c, m]), [&at, more.as_slice()].concat()))
+    });
+    let Some((_, begun)) = begun.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+        return f64::INFINITY;
+    };
+    let of = |numbers: &[f64]| logs(numbers.get(3..).unwrap_or_default());
+    let numbers = match ends {
+        [] => begun,
+        _ => {
+            let own = ends.iter().map(|ends| Knob::Within(*ends));
+            let all: Vec<Knob> = knobs(inertia).into_iter().chain(own).collect();
+            let residuals = |numbers: &[f64]| all_residuals(&of(numbers), parameters(numbers));
+            turned(&residuals, &all, &begun, 100).0
+        }
+    };
+    let apart = |log: &Log| {
+        let all = DVector::from_vec(residuals(log, parameters(&numbers)));
+        match all.iter().all(|residual| residual.is_finite()) {
+            true => all.max() - all.min(),
+            false => f64::INFINITY,
+        }
+    };
+    of(&numbers).iter().map(apart).fold(0.0, f64::max)
 }
 
 /// How many intervals of motion the costs on a grid may take.
@@ -156,17 +241,9 @@ const GRID: usize = 20_000_000;
 /// a grid over decades on.
 pub(crate) fn first(logs: &[Log], most: [f64; 2], inertia: Ends) -> [f64; 3] {
     let samples = logs.iter().map(Log::len).sum::<usize>().max(1);
-    let is_fixed = inertia[1] <= 1.001 * inertia[0];
+    let knobs = knobs(inertia);
+    let is_fixed = matches!(knobs, [_, _, Knob::Fixed(_)]);
     let middle = 0.5 * inertia[0] + 0.5 * inertia[1];
-    let knobs = [
-        Knob::Logarithm,
-        Knob::Logarithm,
-        if is_fixed {
-            Knob::Fixed(middle)
-        } else {
-            Knob::Logarithm
-        },
-    ];
     let dimensions = if is_fixed { 2 } else { 3 };
     let points = (3..=9_u32)
         .rev()

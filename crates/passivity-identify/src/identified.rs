@@ -15,6 +15,7 @@ use crate::log::{Errors, Log};
 use crate::options::{Inertia, Options};
 use crate::region::{COULOMB, Corner, Ends, INERTIA, Part, Shear};
 use crate::search::{self, Found, Task};
+use crate::suspects::suspicion;
 
 /// What is known of a parameter, in SI units (in K, T and Δ where the sketch is dimensionless).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -178,7 +179,7 @@ pub fn identify(
     let period = middle(ends(&nominal.period)?);
     let bounds = search::first_bounds(&logs);
     let least_inertia = 1.001 * LEAST_INERTIA * bounds[2].unwrap_or(0.0);
-    let whole = |found: Found, shear, best, region: Option<[Ends; 3]>| {
+    let whole = |found: Found, shear, best, suspicion: String| {
         let mut identified = Identified {
             parameters: Vec::new(),
             samples: logs.iter().map(Log::len).sum(),
@@ -193,7 +194,7 @@ pub fn identify(
             period,
             motion: sketch.motion,
         };
-        identified.describe(inertia.is_none(), least_inertia, region.as_ref());
+        identified.describe(inertia.is_none(), least_inertia, suspicion);
         identified
     };
     let [Some(viscous), Some(coulomb), Some(mass)] = bounds else {
@@ -203,7 +204,7 @@ pub fn identify(
             refuted_by: None,
             stopped_early: false,
         };
-        return Ok(whole(nothing, Shear::default(), None, None));
+        return Ok(whole(nothing, Shear::default(), None, String::new()));
     };
     let most = [viscous, coulomb];
     // Without an inertia in the sketch it is looked for over six decades.
@@ -226,8 +227,9 @@ pub fn identify(
         let left = (found.parts.as_slice(), &hull);
         estimate::best(&logs, left, (&shear, weights), first)
     });
-    let hull = found.hull;
-    Ok(whole(found, shear, best, hull))
+    let refuted = found.refuted_by;
+    let suspicion = refuted.map_or_else(String::new, |place| suspicion(&logs, place, inertia));
+    Ok(whole(found, shear, best, suspicion))
 }
 
 /// The least inertia that is looked for, of the largest that the logs allow.
@@ -391,7 +393,7 @@ impl Identified {
     }
 
     /// Fills in what follows from the search.
-    fn describe(&mut self, inertia_is_free: bool, least_inertia: f64, region: Option<&[Ends; 3]>) {
+    fn describe(&mut self, inertia_is_free: bool, least_inertia: f64, suspicion: String) {
         if let Some(place) = self.found.refuted_by {
             let log = self.logs.get(place.log);
             let time = log.and_then(|log| log.times().get(place.sample).copied());
@@ -399,14 +401,17 @@ impl Identified {
                 log: place.log,
                 row: place.sample + 1,
                 time: time.map_or(f64::NAN, |time| time * self.period),
-                suspicion: log.map_or_else(String::new, |log| lacks::suspicion(log, place.sample)),
+                suspicion,
             });
             return;
         }
         let wanted = if inertia_is_free { 3 } else { 2 };
         for (dimension, parameter) in PARAMETERS.into_iter().enumerate().take(wanted) {
             let unit = self.units.get(dimension).copied().unwrap_or([f64::NAN; 2]);
-            let ends = region.and_then(|region| region.get(dimension).copied());
+            let ends = self
+                .found
+                .hull
+                .and_then(|region| region.get(dimension).copied());
             let best = self.best.and_then(|best| best.get(dimension).copied());
             // An inertia may be smaller than what was looked at.
             let is_open = dimension == INERTIA && ends.is_some_and(|[lo, _]| lo <= least_inertia);

@@ -1,4 +1,4 @@
-//! What a log lacks for its parameters to be known well, and what a log may show that no parameters fit.
+//! What a log lacks for its parameters to be known well.
 
 use std::fmt;
 
@@ -228,40 +228,5 @@ impl Speeds {
             slow: at(1),
             fast: at(9),
         }
-    }
-}
-
-/// What it may be that no parameters fit up to a sample.
-pub(crate) fn suspicion(log: &Log, sample: usize) -> String {
-    let middles: Vec<f64> = log.middles().take(sample + 1).collect();
-    let forces: Vec<f64> = log.forces.iter().take(sample).map(logged).collect();
-    let pushed_both_ways = forces.iter().any(|f| *f > 0.0) && forces.iter().any(|f| *f < 0.0);
-    let first = middles.first().copied().unwrap_or(0.0);
-    let reached = |of: fn(f64, f64) -> f64| middles.iter().copied().fold(first, of);
-    let (low, high) = (reached(f64::min), reached(f64::max));
-    let last = middles.last().copied().unwrap_or(first);
-    // More than the counts' error can be.
-    let slack = log
-        .positions
-        .first()
-        .map_or(3.0, |[lo, hi]| 2.0 * (hi - lo));
-    let turned = (high - last).min(high - first) > slack || (last - low).min(first - low) > slack;
-    let moved = high - low > slack;
-    if forces.iter().all(|force| *force == 0.0) {
-        return "the device moves before there is a force in the log: a log must start at rest, with no hand on \
-                the device"
-            .to_owned();
-    }
-    match (moved, turned || pushed_both_ways) {
-        (false, _) => "the device starts later than its friction explains: static friction above the \
-                       sliding one, a force that acts late, or another scale of the force"
-            .to_owned(),
-        (true, true) => "only after a reversal nothing fits: backlash, or a friction that is not the same in \
-                         both directions"
-            .to_owned(),
-        (true, false) => "nothing fits already within one direction: friction that depends on the position, \
-                          cogging, static friction above the sliding one, a hand on the device, another \
-                          inertia or another scale of the force"
-            .to_owned(),
     }
 }

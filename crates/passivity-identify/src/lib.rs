@@ -37,6 +37,7 @@ mod region;
 mod report;
 mod search;
 mod stop;
+mod suspects;
 mod written;
 
 pub use hash::sha256;

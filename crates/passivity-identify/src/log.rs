@@ -16,6 +16,29 @@ pub(crate) struct Log {
     pub(crate) forces: Vec<[f64; 2]>,
     /// How long each interval is, in sampling periods: one fewer than positions.
     pub(crate) durations: Vec<Duration>,
+    /// What else moves the device than the model has: nothing, but in a guess.
+    pub(crate) guess: Guess,
+}
+
+/// What may have happened beside what a log says.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Guess {
+    /// The velocity at the first row, in ticks per sampling period.
+    pub(crate) velocity: f64,
+    /// How far the device can go from its first row until the encoder follows, forwards and backwards, in ticks.
+    pub(crate) play: [f64; 2],
+}
+
+impl Guess {
+    /// What the encoder sees of ways.
+    pub(crate) fn seen(&self, mut ways: Vec<f64>) -> Vec<f64> {
+        let mut seen = 0.0_f64;
+        for way in &mut ways {
+            seen = seen.max(*way - self.play[0]).min(*way + self.play[1]);
+            *way = seen;
+        }
+        ways
+    }
 }
 
 /// By how much what is recorded may be off.
@@ -63,6 +86,7 @@ impl Log {
             positions: sampled.positions.iter().map(position).collect(),
             forces: sampled.forces.iter().map(force).collect(),
             durations,
+            guess: Guess::default(),
         }
     }
 

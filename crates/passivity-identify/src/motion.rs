@@ -299,21 +299,26 @@ pub(crate) fn lead(
     }
 }
 
-/// The way that a device with these parameters has gone at each sample of a log, in ticks.
+/// The way that a device with these parameters has gone at each sample of a log, in ticks, as the encoder sees it.
 pub(crate) fn simulated(log: &Log, at: [f64; 3], propagators: &mut Propagators) -> Vec<f64> {
     let bundle = Bundle::point(at);
     let kept = propagators.of_slope(bundle.slope);
-    let mut motion = Ahead::new(&bundle);
+    let mut motion = Ahead {
+        velocity: log.guess.velocity,
+        ..Ahead::new(&bundle)
+    };
     let after = log.intervals().map(|([lo, hi], duration)| {
         motion.advance(0.5 * lo + 0.5 * hi, duration, kept);
         motion.way()
     });
-    std::iter::once(0.0).chain(after).collect()
+    let ways = std::iter::once(0.0).chain(after).collect();
+    log.guess.seen(ways)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::log::Guess;
     use crate::region::Shear;
     use passivity_random::Random;
 
@@ -325,6 +330,7 @@ mod tests {
             positions: vec![[0.0; 2]; intervals + 1],
             forces: Vec::new(),
             durations: Vec::new(),
+            guess: Guess::default(),
         };
         for row in 0..=intervals {
             if row % 7 == 0 {
@@ -408,6 +414,7 @@ mod tests {
             positions: vec![[0.0; 2]; 21],
             forces: forces.collect(),
             durations,
+            guess: Guess::default(),
         };
         let ways = simulated(&log, [0.0, 1.0, 1.0], &mut Propagators::default());
         assert!(

@@ -1,6 +1,8 @@
 //! TH-IDENT: the box holds what is true, a log that fits nothing is refuted at its place, and one that says
 //! little says what it lacks.
 
+#[path = "trial/misfits.rs"]
+mod misfits;
 mod trial;
 
 use passivity_audit::Number;
