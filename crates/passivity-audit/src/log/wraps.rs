@@ -10,8 +10,8 @@
 //! - |d| is W but for what the device moved meanwhile, which is about as fast as beside it: at most 2 Σ|s|/Δτₛ·Δτ, twice the
 //!   sum for what it was accelerated, and 2 ticks, one for what each of two counts leaves open. By the first condition that
 //!   is at most |d|/8 and 2, so that no |d| is near two powers of two;
-//! - W is 2¹⁰ … 2³² ticks, as of counters of so many bits, or one revolution. Angles are often written with few digits,
-//!   two decimals of a radian in the worst case: of a revolution of theirs 1/1024 is left open, more than 0.005/π.
+//! - W is 2¹⁰ … 2³² ticks, as of counters of so many bits, or one revolution. Angles may be written with few digits, such
+//!   as two decimals of a radian: of a revolution of theirs 1/512 is left open, more than the 0.01/2π of two of them.
 //!
 //! An interval beside it that jumps back by more than W/2 is taken less W: a device that rests where its counter wraps
 //! around jumps to and fro. At the start and the end of a log one interval beside it is enough.
@@ -34,7 +34,7 @@ const FASTER: f64 = 32.0;
 const OPEN: f64 = 2.0;
 
 /// What the digits of an angle leave open, of a revolution.
-const ROUNDED: f64 = 1.0 / 1024.0;
+const ROUNDED: f64 = 1.0 / 512.0;
 
 /// Of an encoder with fewer counts a revolution no jump is so much faster than one tick an interval, which a device
 /// that moves slowly may seem to make.

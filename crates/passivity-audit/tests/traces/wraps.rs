@@ -103,6 +103,13 @@ fn a_counter_that_wraps_around_is_found_at_its_row() {
         (
             "x [rad]",
             ROTARY,
+            vec![3.13, 3.13, 3.13, -3.15, -3.15],
+            3,
+            "one revolution",
+        ),
+        (
+            "x [rad]",
+            ROTARY,
             around(std::f64::consts::TAU, -std::f64::consts::PI, 3.1, 0.01),
             5,
             "one revolution",
