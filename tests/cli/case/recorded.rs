@@ -351,7 +351,7 @@ fn what_is_missing_or_wrong_is_one_error_with_its_place() {
     let broken = dir.write("broken.csv", "tau,xi\n0,0\n1,x\n");
     let empty = dir.write("empty.csv", "xi\n");
     let counts = dir.write("counts.csv", "count\n0\n1\n");
-    let other = dir.write("other.csv", "time [s],pos\n0,0\n1,1\n");
+    let other = dir.write("other.csv", "time,pos\n0,0\n1,1\n");
     fs::create_dir(dir.path("folder")).expect("a folder");
     let given = ["--device", "d", "--date", "2026-11-20"];
     let with = |more: &[&'static str]| [&given[..], more].concat();
@@ -400,7 +400,7 @@ fn what_is_missing_or_wrong_is_one_error_with_its_place() {
         (
             [&given[..], &["--log", &other]].concat(),
             "run: passivity case scene.toml --out new --device d --date 2026-11-20 --log other.csv \
-             --columns 'xi=pos'",
+             --columns 'tau=time, xi=pos'",
         ),
         (
             [&given[..], &["--log", &log, &path]].concat(),

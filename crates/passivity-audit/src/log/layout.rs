@@ -110,7 +110,8 @@ impl Layout {
                 let known: Vec<Found> = said.iter().chain(&unread).cloned().collect();
                 let unreadable = guess::unreadable(&headings, preview, scene, &known);
                 if !(unread.is_empty() && unreadable.is_empty()) {
-                    let mut error = proposed(not_read(&unread, &unreadable, &headings), &said);
+                    let mut error =
+                        proposed(not_read(&unread, &unreadable, &headings, scene), &said);
                     if !known.iter().any(Found::is_position) {
                         let more =
                             "; and no column is known to be the position: `--columns` names it";

@@ -79,12 +79,11 @@ impl Table {
         if let (None, Some(list)) = (&error.proposal, lists.next()) {
             let name = shown(list.path().string().as_bytes());
             let others = match lists.count() {
-                0 => String::new(),
-                n => format!(" and {n} other"),
+                0 => " holds lists, which are".to_owned(),
+                n => format!(" and {n} more hold lists, which are"),
             };
             error.message = format!(
-                "the column `{name}`{others} holds lists, which are not read: write each element as a column of its own; {}",
-                error.message
+                "the column `{name}`{others} not read: write each element as a column of its own"
             );
         }
         error

@@ -22,7 +22,7 @@ fn unit_said(name: &str) -> Option<&'static str> {
     let words = words(name);
     let last = words.len().checked_sub(1)?;
     let lower = name.to_lowercase();
-    let found = words.iter().enumerate().rev().find_map(|(i, word)| {
+    words.iter().enumerate().rev().find_map(|(i, word)| {
         // Within a name these may be other words, but for `seconds` and `millis`.
         let is_another = match word.as_str() {
             "s" => i < last,
@@ -32,8 +32,7 @@ fn unit_said(name: &str) -> Option<&'static str> {
             _ => false,
         };
         unit_of_word(word).filter(|_| !is_another)
-    });
-    found
+    })
 }
 
 /// The unit of a clock: the one that its name says, or else the one in which it goes on by about a sampling period from

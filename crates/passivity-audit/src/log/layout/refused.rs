@@ -1,6 +1,6 @@
 //! Headers that are refused: why, and what they may mean.
 
-use passivity_scene::Scene;
+use passivity_scene::{Motion, Scene};
 
 use super::{Layout, header};
 use crate::log::columns::{Columns, Found};
@@ -14,6 +14,7 @@ pub(super) fn not_read(
     unread: &[Found],
     unreadable: &[Unreadable],
     headings: &[Heading],
+    scene: &Scene,
 ) -> TraceError {
     let name = |column: usize| {
         let name = headings.get(column).map_or("", |heading| &heading.name);
@@ -32,12 +33,16 @@ pub(super) fn not_read(
     };
     said.extend(unreadable.iter().map(|unreadable| {
         let (name, why) = (name(unreadable.column), &unreadable.why);
-        let put_right = match unreadable.is_clock {
-            true => {
+        let put_right = match (unreadable.is_clock, scene.motion) {
+            (false, _) => "name the others to leave it out",
+            (true, Motion::Dimensionless) => {
+                "write its times in sampling periods, as in `tau`; if `--columns` leaves it out, all rows are taken to be \
+                 one apart"
+            }
+            (true, _) => {
                 "write its times as numbers in a unit that its name gives, as in `time [s]`, or as dates like \
                  `2023-11-14T22:13:20.5Z`; if `--columns` leaves it out, all rows are taken to be one sampling period apart"
             }
-            false => "name the others to leave it out",
         };
         format!("the column {name} cannot be read ({why}): {put_right}")
     }));

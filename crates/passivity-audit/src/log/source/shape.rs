@@ -33,7 +33,7 @@ const FORMATS: [(&[u8], &str, &str); 15] = [
         "a MATLAB file",
         "write the table as CSV with `writetable`",
     ),
-    (b"ARROW1", "Arrow, which is Feather", WRITE),
+    (b"ARROW1", "of Arrow, as Feather is", WRITE),
     (b"FEA1", "Feather", WRITE),
     (b"\x93NUMPY", "a NumPy array", WRITE),
     (

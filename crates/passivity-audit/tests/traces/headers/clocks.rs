@@ -1,7 +1,6 @@
 //! Clocks: dates, clocks that cannot be read, and the units in which they tick.
 
-use passivity_audit::Options;
-use passivity_audit::audit_files;
+use passivity_audit::{Options, Partial, Stretch, audit_files, audit_part, merge_parts};
 
 use super::{as_proposed, audited, dialect, missed, proposed, refused, scene};
 use crate::scratch::Scratch;
@@ -278,4 +277,30 @@ fn two_clocks_are_no_stamp_and_a_stamp_is_checked() {
             .message
             .contains("a whole number, found 1/2")
     );
+}
+
+#[test]
+fn dates_and_stamps_in_pieces_are_those_of_the_whole() {
+    let dates: String = (10..60)
+        .map(|s| format!("2023-11-14T22:13:{s}Z,{}\n", s % 3))
+        .collect();
+    let [split, _] = stamps(["sec", "nanosec"], 50);
+    for (log, columns) in [
+        (format!("t,count\n{dates}"), None),
+        (split, Some("t=sec [s] + nanosec [ns], count=count")),
+    ] {
+        let file = Scratch::new("csv", log.as_bytes());
+        let options = || Options {
+            dialect: dialect(columns),
+            ..Options::default()
+        };
+        let part = |i| {
+            let part = audit_part(&file, &scene(), Stretch::Shard(i, 2), options()).unwrap();
+            let part = Partial::from_json(&part.to_json().unwrap()).unwrap();
+            (i.to_string(), part)
+        };
+        let merged = merge_parts(&[part(1), part(2)], &scene()).unwrap();
+        let whole = audit_files(&[file.to_path_buf()], &scene(), options()).unwrap();
+        assert_eq!(merged.to_json(), whole.to_json());
+    }
 }
