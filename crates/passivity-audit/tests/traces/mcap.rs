@@ -399,3 +399,25 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_time_may_be_in_two_fields() {
+    let message = |i: u64| Sent {
+        topic: "/joint_states",
+        log_time: START + i,
+        bytes: format!(
+            r#"{{"tv_sec":{},"tv_usec":{},"slide":0.{i}}}"#,
+            (999 + i) / 1000,
+            (999 + i) % 1000 * 1000
+        )
+        .into_bytes(),
+    };
+    let sent: Vec<Sent> = (1..9).map(message).collect();
+    let path = save(&file(WriteOptions::new(), Form::Json, &sent));
+    let columns =
+        "t=/joint_states.tv_sec [s] + /joint_states.tv_usec [us], x=/joint_states.slide [m]";
+    let audit = read(&path, columns, &scene()).unwrap();
+    assert_eq!(audit.error(), None);
+    let timing = audit.report().timing.clone().unwrap();
+    assert_eq!((timing.uneven, timing.missed_samples), (0, 0));
+}

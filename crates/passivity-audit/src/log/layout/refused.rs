@@ -40,7 +40,7 @@ pub(super) fn not_read(
                  one apart"
             }
             (true, _) => {
-                "write its times as numbers in a unit that its name gives, as in `time [s]`, or as dates like \
+                "write its times as numbers in a unit that its name gives, as in `time [s]`, or in CSV as dates like \
                  `2023-11-14T22:13:20.5Z`; if `--columns` leaves it out, all rows are taken to be one sampling period apart"
             }
         };
