@@ -345,8 +345,8 @@ impl Opened {
                     name,
                     unit: unit(column).and_then(|heading| heading.unit),
                 };
-                let headings = names.into_iter().enumerate().map(heading);
-                (Reader::Csv(lines, notation), headings.collect())
+                let headings: Vec<Heading> = names.into_iter().enumerate().map(heading).collect();
+                (Reader::Csv(lines, notation), headings)
             }
             #[cfg(feature = "parquet")]
             Self::Parquet(table) => {

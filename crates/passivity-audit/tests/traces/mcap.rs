@@ -407,8 +407,8 @@ fn a_time_may_be_in_two_fields() {
         log_time: START + i,
         bytes: format!(
             r#"{{"tv_sec":{},"tv_usec":{},"slide":0.{i}}}"#,
-            (999 + i) / 1000,
-            (999 + i) % 1000 * 1000
+            (998 + i) / 1000,
+            (998 + i) % 1000 * 1000
         )
         .into_bytes(),
     };
