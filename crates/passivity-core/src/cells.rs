@@ -22,26 +22,20 @@ use crate::fraction::Wide;
 use crate::interval::{Interval, Truth};
 use crate::linear_part::{Command, bend};
 use crate::parameter::{Loop, Parameter};
-use crate::rational::{self, to_wide};
+use crate::rational::{self, SHORT, to_wide};
 use crate::scalar::{Ordered as _, Scalar};
 use crate::verdict::{End, Speeds};
 
 /// Bits of the costs over a cell.
 const CELL_BITS: u32 = 40;
 
-/// Bits of the parameters of a cell, which are rounded outward: long numbers take long.
-const SHORT: u64 = 64;
-
 /// How many cells a box is cut into at most.
 const MOST_CELLS: usize = 64;
 
 /// An interval of short numbers around one.
 fn short<S: Enclosed>(range: &Interval<S>) -> Option<Interval<Wide>> {
-    let bits = u32::try_from(SHORT).ok()?;
-    let (lo, hi) = (range.lo().enclosed(bits)?, range.hi().enclosed(bits)?);
-    let around = |x: &BigRational| rational::short(x, SHORT);
-    let hull = Interval::hull(around(lo.lo()).lo().clone(), around(hi.hi()).hi().clone());
-    Some(hull.map(to_wide))
+    let [lo, hi] = [range.lo(), range.hi()].map(|end| end.enclosed(SHORT));
+    Some(lo?.joined(&hi?).shortened(SHORT).map(to_wide))
 }
 
 /// Whether a range is one of its own, not just a number that was rounded.

@@ -24,16 +24,13 @@ use crate::actuator::Actuator;
 use crate::control_loop::Cost;
 use crate::frequency::ViscousCost;
 use crate::interval::Interval;
-use crate::rational::{self, from_wide, to_wide};
+use crate::rational::{self, SHORT, from_wide, to_wide};
 use crate::scalar::{Ordered as _, Scalar};
 use crate::transfer::TransferFunction;
 
 /// The highest degree of the polynomial in cos θ that λ is decided with. Beyond it the absolute tail
 /// sums are used.
 pub const MOST_DEGREE: usize = 24;
-
-/// Bits of the numbers that a decision is tried with first.
-const SHORT: u64 = 64;
 
 /// In how many pieces a range of the filter's pole is looked at for what it costs.
 const PIECES: i32 = 8;
@@ -106,10 +103,7 @@ impl LinearPart {
     pub fn decide(&self, beta: &Interval<BigRational>, width: &BigRational) -> Option<bool> {
         if self.costs_lambda() {
             // Of short numbers around these, in less time; of these, exactly.
-            let around = |x: &Interval<BigRational>| {
-                let [lo, hi] = [x.lo(), x.hi()].map(|end| rational::short(end, SHORT));
-                Interval::hull(lo.lo().clone(), hi.hi().clone())
-            };
+            let around = |x: &Interval<BigRational>| x.shortened(SHORT);
             let near = self.map(around).by_frequency();
             let near = near.and_then(|near| decided_by(&near, &around(beta)));
             if near.is_some() {
@@ -282,10 +276,7 @@ impl LinearPart {
         let close = BigRational::new(1.into(), (1 << 24).into());
         let width = Scalar::max(width.clone(), close);
         let short = |x: &BigRational| rational::short(x, SHORT);
-        let damping = Interval::hull(
-            short(damping.lo()).lo().clone(),
-            short(damping.hi()).hi().clone(),
-        );
+        let damping = damping.shortened(SHORT);
         let share = |i: i32| BigRational::new(i.into(), PIECES.into());
         let inner = |i| pole.lo() + (pole.hi() - pole.lo()) * share(i);
         let mut cuts = alloc::vec![short(pole.lo()).lo().clone()];

@@ -148,6 +148,9 @@ pub fn to_scalar<S: Scalar>(x: &BigRational) -> S {
     whole(x.numer()).over(whole(x.denom()))
 }
 
+/// Bits of numbers that a decision is tried with first: long numbers take long.
+pub(crate) const SHORT: u32 = 64;
+
 /// The value where numerator and denominator have at most so many bits, else two dyadic numbers around it whose numerators
 /// have one more at most.
 ///
@@ -162,7 +165,8 @@ pub fn to_scalar<S: Scalar>(x: &BigRational) -> S {
 /// assert!(rational::short(&third, 2).is_point());
 /// ```
 #[must_use]
-pub fn short(x: &BigRational, bits: u64) -> Interval<BigRational> {
+pub fn short(x: &BigRational, bits: u32) -> Interval<BigRational> {
+    let bits = u64::from(bits);
     let (above, below) = (x.numer().bits(), x.denom().bits());
     if above.max(below) <= bits {
         return Interval::point(x.clone());
@@ -177,6 +181,16 @@ pub fn short(x: &BigRational, bits: u64) -> Interval<BigRational> {
         None => x.numer().div_floor(&(x.denom() << (above - raised))),
     };
     Interval::hull(scaled(whole.clone()), scaled(whole + 1))
+}
+
+impl Interval<BigRational> {
+    /// The interval from the lower to the upper end of what [`short`] puts around its ends: as short
+    /// numbers as that, and no narrower.
+    #[must_use]
+    pub fn shortened(&self, bits: u32) -> Self {
+        let [lo, hi] = [self.lo(), self.hi()].map(|end| short(end, bits));
+        Self::new_unchecked(lo.lo().clone(), hi.hi().clone())
+    }
 }
 
 /// The value in lowest terms, or `None` when it is undefined.
