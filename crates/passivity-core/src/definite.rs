@@ -7,6 +7,7 @@ use core::cmp::Ordering;
 use num_rational::BigRational;
 
 use crate::decision::Enclosed;
+use crate::interval::Interval;
 use crate::pi::Exact;
 use crate::scalar::{Ordered, Scalar};
 
@@ -156,7 +157,7 @@ fn lifted<S: Scalar>(mut d: Vec<S>, eliminated: &[Vec<S>]) -> Form<S> {
 }
 
 /// The bits with which entries that have π in them are enclosed, one after the other.
-const BITS: [u32; 3] = [64, 512, 4096];
+const BITS: [u32; 3] = [48, 512, 4096];
 
 /// Decides dᵀAd ≥ 0 for a matrix whose entries may have π in them.
 ///
@@ -183,36 +184,35 @@ pub fn decide_enclosed<S: Enclosed>(rows: &[Vec<S>]) -> Option<Form<S>> {
 
 /// The decision from enclosures of so many bits; `None` where they are too wide.
 fn enclosed<S: Enclosed>(rows: &[Vec<S>], bits: u32) -> Option<Form<S>> {
-    let mut width = BigRational::zero();
-    let mut middle = Vec::new();
-    for row in rows {
-        let mut middles = Vec::new();
-        for x in row {
-            let range = x.enclosed(bits)?;
-            width = Scalar::max(width, range.hi() - range.lo());
-            middles.push(range.middle());
+    let mut ranges: Vec<Vec<Interval<BigRational>>> = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        let range = |(j, x): (usize, &S)| match ranges.get(j) {
+            // Below the diagonal stands what is above it.
+            Some(above) => above.get(i).cloned(),
+            None => match x.enclosed(bits)? {
+                exact if exact.is_point() => Some(exact),
+                // Long numbers take long.
+                range => Some(range.shortened(bits)),
+            },
+        };
+        let row: Option<Vec<_>> = row.iter().enumerate().map(range).collect();
+        ranges.push(row?);
+    }
+    // By Gershgorin's circles every form of the enclosure is between those of these two matrices: its
+    // middle, with what the entries of a row may be off by taken from the diagonal, or added to it.
+    let (mut least, mut most) = (Vec::new(), Vec::new());
+    for (i, row) in ranges.iter().enumerate() {
+        let middle: Vec<_> = row.iter().map(Interval::middle).collect();
+        let off: BigRational = row.iter().map(Interval::radius).sum();
+        for (matrix, off) in [(&mut least, -off.clone()), (&mut most, off)] {
+            let mut row = middle.clone();
+            *row.get_mut(i)? += off;
+            matrix.push(row);
         }
-        middle.push(middles);
     }
-    if width == BigRational::zero() {
-        return decide(middle)?.try_map(|x| S::of(&Exact::of(x)));
-    }
-    // By Gershgorin's circles the matrices of the enclosure are at most this far from the middle.
-    let n = i32::try_from(rows.len()).ok()?;
-    let slack = width.clone() * BigRational::integer(n);
-    let mut least = middle.clone();
-    for (i, row) in least.iter_mut().enumerate() {
-        let diagonal = row.get_mut(i)?;
-        *diagonal = diagonal.clone() - slack.clone();
-    }
-    if decide(least)?.is_semidefinite() {
+    let Form::Negative(d) = decide(least)? else {
         return Some(Form::Semidefinite);
-    }
-    let Form::Negative(d) = decide(middle)? else {
-        return None;
     };
-    let exact: Option<Vec<S>> = d.iter().map(|x| S::of(&Exact::of(x))).collect();
-    let d = exact?;
-    let is_negative = quadratic(rows, &d).sign()? == Ordering::Less;
-    is_negative.then_some(Form::Negative(d))
+    let is_negative = quadratic(&most, &d).sign()? == Ordering::Less;
+    is_negative.then(|| Form::Negative(d).try_map(|x| S::of(&Exact::of(x))))?
 }

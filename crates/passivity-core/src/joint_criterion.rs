@@ -390,34 +390,35 @@ impl<S: Enclosed> Joints<Interval<S>, S> {
     /// undecidedly.
     #[must_use]
     pub fn decide(&self, asked: Asked) -> Truth {
-        over(
-            self.at(End::Hardest).holds(asked),
-            self.at(End::Easiest).holds(asked),
-        )
+        over(|end| self.at(end).holds(asked))
     }
 
     /// Whether diag(b) − (T/2)𝐊 is positive semidefinite over the tolerances.
     #[must_use]
     pub fn decide_viscous(&self) -> Truth {
-        let [hardest, easiest] = [End::Hardest, End::Easiest]
-            .map(|end| Some(self.at(end).viscous_definite()?.is_semidefinite()));
-        over(hardest, easiest)
+        over(|end| Some(self.at(end).viscous_definite()?.is_semidefinite()))
     }
 
     /// Where the criterion is met with equality in one parameter: at the hardest and at the easiest end
     /// of the tolerances of all others; never below zero. `None` as for one device.
     #[must_use]
     pub fn border(&self, place: Place, asked: Asked) -> Option<[S; 2]> {
-        let [hardest, easiest] =
-            [End::Hardest, End::Easiest].map(|end| self.at(end).border(place, asked));
-        Some([hardest?.max(S::zero()), easiest?.max(S::zero())])
+        let border = |end| Some(self.at(end).border(place, asked)?.max(S::zero()));
+        let hardest = border(End::Hardest)?;
+        let is_point = |place: Place| self.get(place).is_none_or(Interval::is_point);
+        let easiest = match self.places().all(is_point) {
+            true => hardest.clone(),
+            false => border(End::Easiest)?,
+        };
+        Some([hardest, easiest])
     }
 }
 
-const fn over(hardest: Option<bool>, easiest: Option<bool>) -> Truth {
-    match (hardest, easiest) {
-        (Some(true), _) => Truth::Holds,
-        (_, Some(false)) => Truth::Fails,
-        (_, _) => Truth::Depends,
+/// The truth over the tolerances from that at their ends.
+fn over(holds: impl Fn(End) -> Option<bool>) -> Truth {
+    match holds(End::Hardest) {
+        Some(true) => Truth::Holds,
+        _ if holds(End::Easiest) == Some(false) => Truth::Fails,
+        _ => Truth::Depends,
     }
 }

@@ -93,4 +93,16 @@ fn th_ndof_matrices_with_pi() {
         decide_enclosed(&multiples(-3)),
         Some(Form::Negative(_))
     ));
+    // A row of zeros is exact: it leaves nothing open.
+    let (zero, one) = (Exact::zero, Exact::one);
+    let beside = |x: Exact| {
+        vec![
+            vec![pi(), zero(), x.clone()],
+            vec![zero(), zero(), zero()],
+            vec![x, zero(), one()],
+        ]
+    };
+    assert_eq!(decide_enclosed(&beside(one())), Some(Form::Semidefinite));
+    let negative = decide_enclosed(&beside(one().double()));
+    assert!(matches!(negative, Some(Form::Negative(_))));
 }

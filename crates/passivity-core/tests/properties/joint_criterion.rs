@@ -6,7 +6,7 @@ use passivity_core::joint_criterion::Asked;
 use passivity_core::joints::{Joint, Joints, Place, Shape};
 use passivity_core::pi::pi;
 use passivity_core::rational::to_wide;
-use passivity_core::{BigRational, Exact, Interval, Ordered as _, Parameter};
+use passivity_core::{BigRational, Exact, Interval, Ordered as _, Parameter, Scalar as _};
 use passivity_core::{Truth, Wide};
 
 use crate::common::q;
@@ -186,6 +186,40 @@ fn th_ndof_largest_stiffness_of_a_matrix() {
     assert_eq!(with(w(1, 1), (1, 1), direction(&[0, 0])), None);
 }
 
+/// The same with b = 1 and 𝐌 = (π/180)·(𝟏 + 11ᵀ), whose largest eigenvalue for n joints is (n + 1)π/180, which
+/// no fraction is: for as many joints as a scene may have, each decision in some thousandths of a second.
+#[test]
+fn th_ndof_largest_stiffness_of_a_matrix_with_pi() {
+    let number = |n: i32| Interval::point(Exact::integer(n));
+    let degree = pi().over(Exact::integer(180));
+    for n in [2, 6, 12] {
+        let entry = |i, j| degree.clone() * Exact::integer(if i == j { 2 } else { 1 });
+        let row = |i| (0..n).map(|j| entry(i, j)).collect();
+        let joint = |_| Joint {
+            viscous: Some(number(1)),
+            coulomb: Some(number(1)),
+            resolution: None,
+            max_speed: None,
+        };
+        let device = Joints {
+            stiffness: number(1),
+            period: number(1),
+            joints: (0..n).map(joint).collect(),
+            shape: Shape::Matrix((0..n).map(row).collect()),
+            unilateral: false,
+        };
+        let place = Place {
+            parameter: Parameter::Stiffness,
+            joint: None,
+        };
+        let [found, easiest] = device.border(place, Asked::EverySpeed).unwrap();
+        assert_eq!(found, easiest);
+        let most = Exact::integer(2).over(degree.clone() * Exact::integer(n + 1));
+        let least = most.clone() * Exact::of(&(q(1, 1) - q(1, 1 << 32)));
+        assert!(least <= found && found <= most, "{n}");
+    }
+}
+
 /// A joint alone whose viscous friction is ¼ less than ½KT needs as much more Coulomb friction as the bound
 /// of its speed takes of it; one with more of it needs no less than at rest.
 #[test]
@@ -242,6 +276,12 @@ fn th_ndof_matrices_a_little_short_of_semidefinite() {
         let twice = below(&*PI * q(2 * k, 1)) + q(1, 1 << 40) * q(1, 1 << 40);
         let x = rational(&twice) - of_pi.clone();
         let rows = [vec![of_pi, x.clone()], vec![x, rational(&last)]];
+        let form = decide_enclosed(&rows).unwrap();
+        assert!(!form.is_semidefinite(), "{k}");
+        // The same off the diagonal alone.
+        let of_pi = || rational(&q(k, 1)) * pi();
+        let least = || rational(&(&last - q(1, 1 << 40) * q(1, 1 << 40)));
+        let rows = [vec![least(), of_pi()], vec![of_pi(), least()]];
         let form = decide_enclosed(&rows).unwrap();
         assert!(!form.is_semidefinite(), "{k}");
     }

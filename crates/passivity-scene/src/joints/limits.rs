@@ -4,7 +4,8 @@ use num_traits::Signed as _;
 use passivity_core::joint_criterion::Asked;
 use passivity_core::joints::{Joints, Place};
 use passivity_core::parameter::Hurts;
-use passivity_core::{Enclosed, Interval, Parameter, Truth};
+use passivity_core::verdict::End;
+use passivity_core::{Enclosed, Interval, Parameter};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
@@ -83,7 +84,7 @@ fn limit<S: Enclosed>(
     }
     let suffices = |x: &S| {
         let moved = bounds.clone().with(place, Interval::point(x.clone()));
-        moved.decide(asked) == Truth::Holds
+        moved.at(End::Hardest).holds(asked) == Some(true)
     };
     let motion = scene.motion(place);
     let written = match scene.given.get(place) {
@@ -101,8 +102,12 @@ fn limit<S: Enclosed>(
         typed: None,
     };
     let border = limit.hardest();
-    let printed = typed_back(&Written::si(""), border, rounding, suffices);
-    let typed = typed_back(&limit.written, border, rounding, suffices);
+    // Where the border itself is not enough, something else is missing.
+    let typed_back = |written| match limit.suffices {
+        true => typed_back(written, border, rounding, suffices),
+        false => None,
+    };
+    let [printed, typed] = [&Written::si(""), &limit.written].map(typed_back);
     Some(JointLimit {
         key: scene.key(place),
         place,
