@@ -119,8 +119,8 @@ fn limit<S: Enclosed>(
     })
 }
 
-/// The largest stiffness at the speeds asked for, or the largest factor of a matrix; 0 where there is
-/// none, `None` where there is no largest.
+/// The largest stiffness at the speeds asked for, or the largest factor of a matrix, from the hardest to
+/// the easiest end of the tolerances; 0 where there is none, `None` where there is no largest.
 pub(super) fn stiffest<S: Enclosed>(
     bounds: &Joints<Interval<S>, S>,
     asked: Asked,
@@ -130,8 +130,5 @@ pub(super) fn stiffest<S: Enclosed>(
         joint: None,
     };
     let [hardest, easiest] = bounds.border(place, asked)?;
-    if !hardest.is_positive()? {
-        return Some(Interval::point(S::zero()));
-    }
     Some(Interval::hull(hardest, easiest))
 }

@@ -213,9 +213,11 @@ fn limits_up_to_the_bounds_of_the_joints() {
         [Some("1/4".to_owned()), Some("2/5".to_owned())]
     );
     assert_eq!(stiffest(&report(TWO, WALL)), [Some("4/5".to_owned()), None]);
-    // None where Coulomb friction may be zero.
-    let none = report([["1", "0 … 1", "1", "-"], ["4", "3", "1/2", "-"]], WALL);
-    assert_eq!(stiffest(&none), [Some("0".to_owned()), None]);
+    // None where Coulomb friction may be zero, and c₁ ≥ ½k(1 + 2·½) where it is 1/2; or is zero.
+    for (coulomb, expected) in [("0 … 1/2", "0 … 1/2"), ("0", "0")] {
+        let none = report([["1", coulomb, "1", "-"], ["4", "3", "1/2", "-"]], WALL);
+        assert_eq!(stiffest(&none), [Some(expected.to_owned()), None]);
+    }
 }
 
 const MATRIX: &str = "stiffness_matrix = [[\"1/2 N/m\", \"1/4 N/m\"], [\"1/4 N/m\", \"1 N/m\"]]";
@@ -256,6 +258,12 @@ fn limits_of_a_matrix_are_those_of_the_formulas() {
             plain.max_stiffness_at_speed_bound
         ),
         (None, None)
+    );
+    // c₁ ≥ ½f(1/2 + 1/8).
+    let none = report([["1", "0 … 1/4", "1", "-"], ["4", "3", "1/2", "-"]], MATRIX);
+    assert_eq!(
+        none.max_matrix_factor.as_ref().map(range).as_deref(),
+        Some("0 … 4/5")
     );
     let bounded = report([["1/4", "0.8", "1", "1/2"], ["1", "3", "1/2", "1"]], MATRIX);
     // 0.8 + ¼·½ against ½f(½·3/2 + ¼·3/2), both joints at their bounds.
