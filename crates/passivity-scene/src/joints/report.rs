@@ -281,7 +281,8 @@ fn remarks<S: Enclosed>(
     let has_bound = bounds.joints.iter().any(|joint| joint.max_speed.is_some());
     if has_bound && !is_bounded {
         remarks.push(
-            "`max_speed` is not used: the wall couples a joint that has one to a joint without"
+            "the criterion does not use `max_speed`: the wall couples a joint that has one to a joint \
+             without; only a motion that is shown to draw energy keeps to it"
                 .to_owned(),
         );
     }

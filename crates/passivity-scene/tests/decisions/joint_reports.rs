@@ -278,6 +278,33 @@ fn limits_of_a_matrix_are_those_of_the_formulas() {
     );
 }
 
+const NOT_USED: &str = "the criterion does not use `max_speed`: the wall couples a joint that has one to a joint \
+     without; only a motion that is shown to draw energy keeps to it";
+
+/// A motion keeps to a bound that the criterion cannot use: joint 1 without viscous friction draws only fast.
+#[test]
+fn a_bound_of_one_joint_holds_for_what_draws() {
+    for (bound, expected) in [
+        ("-", Verdict::NotPassive),
+        ("100", Verdict::NotPassive),
+        ("1/100", Verdict::NotGuaranteed),
+    ] {
+        let report = report([["0", "2", "1", bound], ["4", "3", "1/2", "-"]], WALL);
+        assert_eq!(report.verdict, expected, "{bound}");
+        let remarks: &[&str] = match bound {
+            "-" => &[],
+            _ => &[NOT_USED],
+        };
+        assert_eq!(report.remarks, remarks);
+        let moves = report.witness.map(|witness| witness.moves);
+        assert_eq!(moves.is_some(), expected == Verdict::NotPassive);
+        if let (Some(moves), "100") = (moves, bound) {
+            // Ticks of 1 m in 1 s.
+            assert!(moves.iter().all(|step| step[0] < q("100")), "{moves:?}");
+        }
+    }
+}
+
 #[test]
 fn what_each_joint_needs_and_has() {
     let report = report(
@@ -312,8 +339,7 @@ fn what_each_joint_needs_and_has() {
         (of(&second.resolution), of(&second.max_speed)),
         (None, None)
     );
-    let said = "`max_speed` is not used: the wall couples a joint that has one to a joint without";
-    assert_eq!(report.remarks, [said]);
+    assert_eq!(report.remarks, [NOT_USED]);
     assert!(self::report(TWO, WALL).remarks.is_empty());
     assert!(
         self::report([["1", "0.8", "1", "1"], ["4", "3", "1/2", "1"]], WALL)

@@ -369,10 +369,10 @@ fn bounds_of_the_joints_help() {
         report.headline(),
         "NOT GUARANTEED passive at every speed: the criterion fails"
     );
-    assert_eq!(
-        report.remarks,
-        ["`max_speed` is not used: the wall couples a joint that has one to a joint without"]
-    );
+    let [remark] = &report.remarks[..] else {
+        panic!("{:?}", report.remarks)
+    };
+    assert!(remark.starts_with("the criterion does not use `max_speed`: "));
 }
 
 #[test]
