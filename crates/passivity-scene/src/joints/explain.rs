@@ -2,13 +2,13 @@
 
 use std::fmt::Write as _;
 
-use passivity_core::Effect;
 use passivity_core::joints::{Joint, Place};
+use passivity_core::{Effect, Truth};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use super::JointScene;
-use super::report::{JointReport, check};
+use super::report::{JointReport, OfJoint, check};
 use crate::check::figure;
 use crate::display::{approx, range, wrapped};
 use crate::explain::{Line, Step, Theorem};
@@ -114,11 +114,7 @@ fn lines(scene: &JointScene, report: &JointReport) -> Vec<Line> {
         push(
             Step::Criterion,
             format!("c ≥ ½·Σ_j |K_ij|·Δ_j of {name}"),
-            format!(
-                "{} ≥ {}",
-                range(&joint.coulomb),
-                range(&joint.coulomb_needed)
-            ),
+            coulomb_numbers(joint),
         );
     }
     if report.is_bounded && !report.at_every_speed {
@@ -141,6 +137,17 @@ fn lines(scene: &JointScene, report: &JointReport) -> Vec<Line> {
         );
     }
     lines
+}
+
+/// What a joint has of Coulomb friction and what is asked of it, and how they compare.
+fn coulomb_numbers(joint: &OfJoint) -> String {
+    let (relation, end) = match joint.spare_coulomb.is_nonnegative() {
+        Some(Truth::Holds) => ("≥", ""),
+        Some(Truth::Fails) => ("<", ""),
+        Some(Truth::Depends) | None => ("against", ": it depends on the tolerances"),
+    };
+    let needed = range(&joint.coulomb_needed);
+    format!("{} {relation} {needed}{end}", range(&joint.coulomb))
 }
 
 /// k·T·Σa²/b in numbers: at the values without their tolerances.

@@ -1,5 +1,6 @@
 //! Scenes of several joints: read, checked, and with their limits typed back (TH-NDOF).
 
+mod explanations;
 mod mistakes;
 
 use num_traits::{Signed as _, Zero as _};

@@ -1,0 +1,46 @@
+//! What `explain` says of several joints.
+
+use passivity_scene::joints::{JointExplanation, explain};
+
+use super::scene;
+
+/// k = 5 N m/rad along (1, ½) with Δ = 0.1 rad, where joint 1 needs 0.375 N m and joint 2 half of it.
+fn explained(first: &str, second: &str) -> JointExplanation {
+    let joint = |coulomb: &str, encoder: &str| {
+        format!(
+            "[[joint]]\nviscous = \"5 N m s/rad\"\ncoulomb = \"{coulomb} N m\"\nencoder = {{ {encoder} }}\n"
+        )
+    };
+    let joints = ["resolution = \"0.1 rad\"", "resolution = \"100 mrad\""];
+    let joints = joint(first, joints[0]) + &joint(second, joints[1]);
+    explain(&scene(&format!(
+        "{joints}[sampling]\nrate = \"1 kHz\"\n[wall]\nstiffness = \"5 N m/rad\"\ndirection = [\"1\", \"0.5\"]\n"
+    )))
+}
+
+#[test]
+fn what_coulomb_friction_is_compared_with_is_true() {
+    let depends = "against 0.1875: it depends on the tolerances";
+    for (first, second, expected) in [
+        ("0.375", "0.2", ["0.375 ≥ 0.375", "0.2 ≥ 0.1875"]),
+        ("0.1", "0.15", ["0.1 < 0.375", "0.15 < 0.1875"]),
+        (
+            "0.1 … 0.3",
+            "0.3 ± 50%",
+            ["0.1 … 0.3 < 0.375", &format!("0.15 … 0.45 {depends}")],
+        ),
+    ] {
+        let explained = explained(first, second);
+        let of_joints = explained
+            .lines
+            .iter()
+            .filter(|line| line.formula.starts_with("c ≥"));
+        let numbers: Vec<&str> = of_joints.map(|line| line.numbers.as_str()).collect();
+        assert_eq!(numbers, expected);
+        let text = explained.to_text();
+        let shown = expected
+            .iter()
+            .all(|numbers| text.contains(&format!(" {numbers}\n")));
+        assert!(shown, "{text}");
+    }
+}
