@@ -195,8 +195,10 @@ impl JointExplanation {
             let _ = writeln!(out, "  {}", effect.words());
         }
         out.push_str("\nGiven\n");
+        let lengths = self.given.iter().map(|(key, _)| key.len() + 2);
+        let width = lengths.fold(32, usize::max);
         for (key, text) in &self.given {
-            let _ = writeln!(out, "  {key:<32}{text}");
+            let _ = writeln!(out, "  {key:<width$}{text}");
         }
         for remark in &self.report.remarks {
             let _ = writeln!(out, "  {}", wrapped(&format!("Taken: {remark}."), 2));

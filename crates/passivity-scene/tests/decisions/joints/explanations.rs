@@ -44,3 +44,25 @@ fn what_coulomb_friction_is_compared_with_is_true() {
         assert!(shown, "{text}");
     }
 }
+
+/// A key is two spaces before its value, however long it is.
+#[test]
+fn keys_end_before_values() {
+    let short = explained("1", "1").to_text();
+    assert!(
+        short.contains("  joint[1].coulomb                1 N m\n"),
+        "{short}"
+    );
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../scenes/joints/planar-arm.toml"
+    );
+    let text = explain(&scene(&std::fs::read_to_string(path).unwrap())).to_text();
+    let key = "joint[1].encoder.counts_per_revolution";
+    assert!(text.contains(&format!("  {key}  40000\n")), "{text}");
+    let column = key.len() + 2;
+    assert!(
+        text.contains(&format!("  {:<column$}1 kHz\n", "sampling.rate")),
+        "{text}"
+    );
+}
