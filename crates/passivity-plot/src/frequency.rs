@@ -13,6 +13,10 @@ const POINTS: u32 = 600;
 /// How far below half the sampling rate the picture begins.
 const DECADES: f64 = 3.0;
 
+/// What the picture is about: the verdict counts Coulomb friction and bounds on the speed too.
+const SCOPE: &str = "Where λ ≤ β viscous friction suffices at every speed; Coulomb friction and bounds on the \
+                     speed are not in this picture";
+
 const BLUE: RGBColor = RGBColor(0, 114, 178);
 const VERMILION: RGBColor = RGBColor(213, 94, 0);
 const SHORT: RGBColor = RGBColor(246, 214, 214);
@@ -65,10 +69,13 @@ fn draw_on(
     let room = 0.08 * (high - low).max(1e-6);
     let start = curve.first().map_or(highest, |(f, _)| *f);
     let (name, unit) = (&report.scene, frequency.unit());
-    let title = format!("{name}: what each frequency asks of β; passive where λ ≤ β");
-    let mut chart = ChartBuilder::on(root)
+    let title = format!("{name}: what each frequency asks of viscous friction, β");
+    let below = root
+        .margin(10, 0, 0, 0)
+        .titled(&title, ("sans-serif", 18))?
+        .titled(SCOPE, ("sans-serif", 14))?;
+    let mut chart = ChartBuilder::on(&below)
         .margin(14)
-        .caption(title, ("sans-serif", 18))
         .x_label_area_size(44)
         .y_label_area_size(64)
         .build_cartesian_2d((start..highest).log_scale(), low - room..high + room)?;
@@ -106,4 +113,31 @@ fn draw_on(
         .border_style(BLACK.mix(0.3))
         .draw()?;
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    /// Of two scenes with enough viscous friction, and the verdicts one and the other way.
+    #[test]
+    fn the_picture_says_what_it_leaves_out() -> Result<(), Box<dyn std::error::Error>> {
+        use passivity_scene::{Scene, check};
+        for (sigma, verdict) in [
+            ("1", check::Verdict::Passive),
+            ("0.1", check::Verdict::NotPassive),
+        ] {
+            let text = format!("[dimensionless]\nbeta = \"1\"\nsigma = \"{sigma}\"\n");
+            let scene = Scene::from_toml("plain", &text)?;
+            let report = check::check(&scene);
+            assert_eq!(report.verdict, verdict);
+            let svg = super::draw(&scene, &report)?;
+            for part in [
+                "plain: what each frequency asks of viscous friction",
+                super::SCOPE,
+            ] {
+                assert!(svg.contains(part), "{part}\n{svg}");
+            }
+            assert!(!svg.contains("passive"), "{svg}");
+        }
+        Ok(())
+    }
 }

@@ -23,7 +23,7 @@ pub(crate) struct Args {
     /// The scene file.
     scene: PathBuf,
     /// Draw what the loop costs of β at each frequency into this file, as SVG or PNG according to its
-    /// extension; for a linear loop.
+    /// extension; for a linear loop. Coulomb friction and bounds on the speed are not in the picture.
     #[cfg(feature = "plot")]
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
