@@ -2,6 +2,7 @@
 
 mod evidence;
 mod identified;
+mod law;
 #[cfg(unix)]
 mod pdf;
 mod recorded;

@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::read;
 use crate::harness::{Dir, Run};
 
-const SCENE: &str =
+pub(super) const SCENE: &str =
     "# Measured on the bench.\n[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n";
 
 /// Positions with the force of the wall's law: −(⌊ξ⌋ + ½).
@@ -16,6 +16,8 @@ const LAW: &str = "tau,xi,f\n0,1/4,-0.5\n1,5/4,-1.5\n2,1/2,-0.5\n3,1/2,-0.5\n";
 const ACTIVE: &str = "tau,xi,f\n0,1/4,-0.5\n1,5/4,-1.5\n2,1/2,50\n3,40,-40.5\n4,39,-39.5\n";
 const FLIPPED: &str = "tau,xi,f\n0,1/4,0.5\n1,5/4,1.5\n2,1/2,0.5\n3,1/2,0.5\n";
 const TWICE: &str = "tau,xi,f\n0,1/4,-1\n1,5/4,-3\n2,1/2,-1\n3,1/2,-1\n";
+/// Counts, and a wall with a damper beside its spring.
+const DAMPED: &str = "tau,count,f\n0,0,-0.500\n1,9,-9.000\n2,6,-6.800\n3,0,-0.900\n4,0,-0.500\n";
 const LATE: &str = "tau,xi,f\n0,1/4,-0.5\n1,5/4,-0.5\n2,9/4,-1.5\n3,1/2,-2.5\n4,1/2,-0.5\n";
 
 /// Writes a case with what more is said, in answer for programs.
@@ -96,6 +98,10 @@ fn a_log_that_contradicts_leaves_the_top_goal_unsupported() {
         (FLIPPED, "the force has the opposite sign"),
         (TWICE, "the force is 2 times that of the wall's law"),
         (LATE, "with 1 sample of delay, and the scene has no delay"),
+        (
+            DAMPED,
+            "differs from the wall's law in 3 of 5 rows by more than its digits are off",
+        ),
     ] {
         let log = dir.write("run.csv", text);
         let good = dir.write("good.csv", LAW);
@@ -128,30 +134,6 @@ fn a_log_that_contradicts_leaves_the_top_goal_unsupported() {
 }
 
 #[test]
-fn a_force_within_the_tolerance_of_the_stiffness_is_that_of_the_scene() {
-    let dir = Dir::new();
-    // 1.1 times the law of the nominal stiffness.
-    let log = "tau,xi,f [N]\n0,1/4,-0.00055\n1,5/4,-0.00165\n2,1/2,-0.00055\n3,1/2,-0.00055\n";
-    let log = dir.write("run.csv", log);
-    for (tolerance, outcome) in [
-        (" ± 20%", "supports"),
-        (" ± 5%", "contradicts"),
-        ("", "contradicts"),
-    ] {
-        let text = format!(
-            "# Measured.\n[device]\nviscous = \"0.8 N s/m\"\ncoulomb = \"0.8e-3 N\"\n[sampling]\n\
-             period = \"1 s\"\n[encoder]\nresolution = \"1 mm\"\n[wall]\n\
-             stiffness = \"1 N/m{tolerance}\"\n"
-        );
-        let path = dir.write("scene.toml", text);
-        let run = case(&dir, &path, &["--log", &log]);
-        let found = &scene(&run)["recorded"]["logs"][0];
-        assert_eq!(found["evidence"]["outcome"], outcome, "{found}");
-        assert_eq!(run.code, i32::from(outcome != "supports"));
-    }
-}
-
-#[test]
 fn counts_that_leave_it_open_are_no_support() {
     let dir = Dir::new();
     let text = "# Measured.\n[dimensionless]\nmu = \"50\"\nbeta = \"2/5\"\nsigma = \"3/5\"\n\
@@ -167,36 +149,6 @@ fn counts_that_leave_it_open_are_no_support() {
     assert!(element(&dir, "G-log-1-open").contains("undeveloped: true"));
     let html = read(&dir, "case/case.html");
     assert!(html.contains("leaves the case open"));
-}
-
-#[test]
-fn forces_that_tell_nothing_of_the_wall_are_no_support() {
-    let dir = Dir::new();
-    let path = dir.write("scene.toml", SCENE);
-    for (text, why) in [
-        (
-            "tau,xi,f\n0,1/4,0\n1,1/4,0\n2,1/4,0\n",
-            "is zero in every row",
-        ),
-        // To the nearest whole number 0.5 is 1 as well.
-        ("tau,xi,f\n0,1/4,-1\n1,1/4,-1\n2,1/4,-1\n", "too few digits"),
-    ] {
-        let log = dir.write("run.csv", text);
-        let audit = dir.run(&["audit", &log, "--scene", &path, "--format", "json"]);
-        let audit = audit.json();
-        assert_eq!(audit["verdict"], "holds");
-        assert_eq!(audit["force"]["rough"], true);
-        let run = case(&dir, &path, &["--log", &log]);
-        let answer = scene(&run);
-        let evidence = answer["recorded"]["logs"][0]["evidence"].clone();
-        assert_eq!(evidence["outcome"], "open", "{evidence}");
-        assert!(
-            evidence["because"].as_str().unwrap().contains(why),
-            "{evidence}"
-        );
-        assert_eq!((run.code, answer["standing"].as_str()), (1, Some("open")));
-        assert!(!read(&dir, "case/case.html").contains("the recorded force is that of"));
-    }
 }
 
 #[test]

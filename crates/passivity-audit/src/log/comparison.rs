@@ -53,6 +53,8 @@ pub(crate) struct Comparison {
     pub(crate) lags: Vec<Agreement>,
     /// Σ f².
     pub(crate) squares: ExactSum,
+    /// Σ of the squares of how far off the digits of each force may be.
+    pub(crate) roundings: ExactSum,
 }
 
 /// How the forces agree with the law at a lag.
@@ -104,6 +106,7 @@ impl Comparison {
             compared: 0,
             lags: vec![Agreement::default(); delay + LAGS + 1],
             squares: ExactSum::default(),
+            roundings: ExactSum::default(),
         }
     }
 
@@ -211,6 +214,9 @@ impl Comparison {
         }
         let rounding = chunk.forces.roundings.get(rows).unwrap_or_default();
         self.squares.add_products(&forces, &forces);
+        let off = forces.iter().zip(rounding);
+        let off: Vec<f64> = off.map(|(force, by)| may_be_off(*force, *by)).collect();
+        self.roundings.add_products(&off, &off);
         self.law_squares.add_products(&law, &law);
         // The latest last, and as many before the first as the longest lag looks back.
         let mut all: Vec<f64> = self.law.iter().rev().copied().collect();
@@ -235,6 +241,7 @@ impl Comparison {
     pub(crate) fn forget(&mut self) {
         self.compared = 0;
         self.squares = ExactSum::default();
+        self.roundings = ExactSum::default();
         self.law_squares = ExactSum::default();
         self.before.clone_from(&self.law);
         self.lags.fill(Agreement::default());
@@ -257,6 +264,7 @@ impl Comparison {
     /// Goes on with what was found of the forces that follow.
     pub(crate) fn append(&mut self, other: &Self) {
         self.squares.add_sum(&other.squares);
+        self.roundings.add_sum(&other.roundings);
         for (own, other) in self.lags.iter_mut().zip(&other.lags) {
             for (own, other) in own.products.iter_mut().zip(&other.products) {
                 own.add_sum(other);
@@ -335,6 +343,21 @@ impl Comparison {
         self.squares.value() == 0.0 && !self.rests()
     }
 
+    /// How far off the digits of the forces may be, of their own size as a root of the mean square: what is left of
+    /// forces that are a multiple of the law is no more.
+    pub(crate) fn rounding(&self) -> f64 {
+        (self.roundings.value() / self.squares.value()).sqrt()
+    }
+
+    /// How far the forces are from the law at the scene's delay, of their own size as a root of the mean square.
+    pub(crate) fn difference(&self) -> Option<f64> {
+        let squares = self.squares.value();
+        let products = self.lags.get(self.delay)?.products.each_ref();
+        let [mixed, law] = products.map(ExactSum::value);
+        let difference = ((squares - 2.0 * mixed + law).max(0.0) / squares).sqrt();
+        difference.is_finite().then_some(difference)
+    }
+
     /// Whether the law has a force that is far from those of the log at the scene's delay: where they agree to
     /// within their digits all the same, these are too few to tell anything.
     pub(crate) fn is_far(&self) -> bool {
@@ -369,6 +392,12 @@ impl Agreement {
 #[inline(always)]
 fn differs(force: f64, law: f64, rounding: f64) -> bool {
     (force - law).abs() > rounding + RELATIVE * law.abs() + ABSOLUTE
+}
+
+/// How far a force that was rounded by so much is from the one it was, at the most.
+#[inline(always)]
+fn may_be_off(force: f64, rounding: f64) -> f64 {
+    rounding + RELATIVE * (force.abs() + rounding) + ABSOLUTE
 }
 
 /// How many forces differ from those of the law, and from these with the other sign.

@@ -1,20 +1,19 @@
 //! What stands out in a log beside its account, each with the change to the scene or to the columns that
 //! puts it right.
 
-use passivity_scene::display::significant;
+use passivity_scene::display::{figures, significant};
 use passivity_scene::number::nearest_f64;
 use passivity_scene::{Motion, Scene};
 use serde::Serialize;
 
-use crate::log::layout::Layout;
+use crate::log::layout::{Form, Layout};
 use crate::log::report::{Agreement, Fitted, Moved};
 
-/// Below this share of their own size, what is left of forces beside a multiple of what they should be is
-/// noise.
-pub(crate) const NOISE: f64 = 0.01;
+/// Of forces that are no multiple of the law's, a scale that is nearer to one than this is no finding.
+const SCALED: f64 = 0.01;
 
-/// Below this share it may be noise: of a position of a few ticks, its rounding is as much. Forces that are
-/// further from the law's as a whole agree with it only for want of digits.
+/// Forces that are within this share of their own size of a multiple of the law's are near it: its delay, sign and scale
+/// are told. Forces that are further from the law's as a whole agree with it only for want of digits.
 pub(crate) const ROUGH: f64 = 0.2;
 
 /// Something that stands out in a log.
@@ -114,28 +113,66 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
             },
         });
     }
-    if (scale.abs() - 1.0).abs() > NOISE.max(left) {
+    let rounding = agreement.rounding.unwrap_or(0.0);
+    let is_multiple = left <= rounding;
+    let off = (scale.abs() - 1.0).abs();
+    if off
+        > if is_multiple {
+            rounding
+        } else {
+            left.max(SCALED)
+        }
+    {
         findings.push(Finding {
             kind: "scale",
             says: format!(
                 "the force is {} times that of the wall's law",
-                significant(scale.abs())
+                off_one(scale, scale.abs())
             ),
             fix: scaled(scale.abs(), scene),
         });
     }
-    if findings.is_empty() {
-        findings.push(Finding {
-            kind: "noise",
-            says: format!(
-                "the force is the wall's law in {} of {} rows, and near it in the others",
-                agreement.compared - agreement.mismatches,
-                agreement.compared
-            ),
-            fix: "log the force with more digits, as it was commanded".to_owned(),
-        });
+    if findings.is_empty() || !is_multiple {
+        findings.push(beyond_rounding(
+            agreement,
+            left,
+            findings.is_empty(),
+            layout.form,
+        ));
     }
     findings
+}
+
+/// Of forces that are near the law's, or a multiple of it, by more than their digits are off.
+fn beyond_rounding(agreement: &Agreement, left: f64, is_all: bool, form: Form) -> Finding {
+    let share = |x: f64| format!("{} % of its size (RMS)", figures(100.0 * x, 3));
+    let says = match is_all {
+        true => format!(
+            "the force differs from the wall's law in {} of {} rows by more than its digits are off, by {} over all",
+            agreement.mismatches,
+            agreement.compared,
+            share(agreement.difference.unwrap_or(left))
+        ),
+        false => format!(
+            "beside that the force differs by {}, and its digits are off by {} at the most",
+            share(left),
+            share(agreement.rounding.unwrap_or(0.0))
+        ),
+    };
+    let check = "check the wall in the scene, and that the column is the force that was commanded and nothing added";
+    match form {
+        Form::Count => Finding {
+            kind: "other_force",
+            says,
+            fix: check.to_owned(),
+        },
+        // A position next to the border of a tick may have been rounded over it.
+        Form::Xi | Form::X | Form::Ledger => Finding {
+            kind: "near_force",
+            says,
+            fix: format!("{check}; if the positions are rounded, log what the encoder counted"),
+        },
+    }
 }
 
 fn samples(delay: usize) -> String {
@@ -144,6 +181,18 @@ fn samples(delay: usize) -> String {
         1 => "1 sample of delay".to_owned(),
         delay => format!("{delay} samples of delay"),
     }
+}
+
+/// What depends on a scale, with as many digits as tell it from one.
+pub(crate) fn off_one(scale: f64, x: f64) -> String {
+    figures(
+        x,
+        if (scale.abs() - 1.0).abs() < 1e-3 {
+            9
+        } else {
+            5
+        },
+    )
 }
 
 /// What makes the wall of a scene so many times as stiff.
@@ -159,7 +208,7 @@ fn scaled(scale: f64, scene: &Scene) -> String {
     let Some(stiffness) = stiffness.map(|range| nearest_f64(&range.middle())) else {
         return "correct the stiffness of the wall, or the unit of the force".to_owned();
     };
-    let stiffness = significant(stiffness * scale);
+    let stiffness = off_one(scale, stiffness * scale);
     format!(
         "in the scene, under [wall]: stiffness = \"{stiffness} {unit}\"; or correct the unit of the force"
     )

@@ -334,6 +334,8 @@ impl Agreement {
                 scale: fit.scale,
                 residual: fit.residual,
             }),
+            difference: comparison.difference(),
+            rounding: Some(comparison.rounding()).filter(|by| by.is_finite()),
         })
     }
 }

@@ -236,6 +236,12 @@ pub struct Agreement {
     /// The multiple of the law, at some delay, that they come nearest to; `None` when forces or law
     /// are zero throughout.
     pub fit: Option<Fitted>,
+    /// How far they are from the law, of their own size, as a root of the mean square; `None` when they are zero
+    /// throughout.
+    pub difference: Option<f64>,
+    /// How much of that their last digits can be.
+    #[serde(skip)]
+    pub rounding: Option<f64>,
 }
 
 /// A delay and a sign.

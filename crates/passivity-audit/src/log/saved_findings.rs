@@ -25,6 +25,7 @@ struct SavedAgreement {
 struct SavedComparison {
     compared: u64,
     squares: Option<String>,
+    roundings: Option<String>,
     lags: Vec<SavedAgreement>,
 }
 
@@ -106,6 +107,7 @@ impl SavedFindings {
             comparison: x.comparison.as_ref().map(|found| SavedComparison {
                 compared: found.compared,
                 squares: found.squares.to_text(),
+                roundings: found.roundings.to_text(),
                 lags: found
                     .lags
                     .iter()
@@ -156,6 +158,7 @@ impl SavedFindings {
                 let mut found = Comparison::new(ledger);
                 found.compared = saved.compared;
                 found.squares = exact_sum(&saved.squares)?;
+                found.roundings = exact_sum(&saved.roundings)?;
                 if found.lags.len() != saved.lags.len() {
                     return Err(wrong("forces that are compared at other delays"));
                 }

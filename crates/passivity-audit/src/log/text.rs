@@ -3,12 +3,12 @@
 use std::fmt::Write as _;
 
 use passivity_core::{BigRational, Effect};
-use passivity_scene::display::{approx, significant};
+use passivity_scene::display::approx;
 
 use crate::figure::Figure;
-use crate::log::findings::NOISE;
+use crate::log::findings::{ROUGH, off_one};
 use crate::log::layout::Form;
-use crate::log::report::{Agreement, ByLaw, Force, Judged, Report, Verdict};
+use crate::log::report::{Agreement, ByLaw, Fitted, Force, Judged, Report, Verdict};
 
 /// A report that grows line by line.
 struct Lines(String);
@@ -276,6 +276,13 @@ impl ByLaw {
 }
 
 impl Agreement {
+    /// The multiple of the law that they are to within their digits.
+    fn multiple(&self) -> Option<Fitted> {
+        let rounding = self.rounding.filter(|rounding| *rounding < ROUGH)?;
+        let fit = self.fit.filter(|fit| fit.residual <= rounding)?;
+        ((fit.scale.abs() - 1.0).abs() > rounding).then_some(fit)
+    }
+
     fn to_text(&self) -> String {
         if self.agrees {
             return format!("agrees with the wall's law in all {} rows", self.compared);
@@ -307,8 +314,8 @@ impl Agreement {
                 "; with {sign}{} samples of delay it agrees",
                 found.delay
             );
-        } else if let Some(fit) = self.fit.filter(|fit| fit.residual < NOISE) {
-            let (scale, delay) = (significant(fit.scale), fit.delay);
+        } else if let Some(fit) = self.multiple() {
+            let (scale, delay) = (off_one(fit.scale, fit.scale), fit.delay);
             let _ = write!(
                 text,
                 "; it is {scale} times the law with {delay} samples of delay"

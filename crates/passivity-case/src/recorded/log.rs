@@ -113,7 +113,7 @@ impl Log {
             .filter(move |finding| match finding.kind {
                 "delay" | "sign" | "other_force" => true,
                 "scale" => !scale_is_tolerated,
-                // Rounded forces, velocities that nothing is computed from, how the file was read.
+                // Forces that may be the law's, velocities that nothing is computed from, how the file was read.
                 _ => false,
             })
     }
@@ -153,8 +153,13 @@ impl Log {
         }
     }
 
-    /// Why forces that agree with the wall's law to within their digits say nothing about the wall.
+    /// Why forces do not show that the wall is the scene's: they are near its law and beyond their digits from it, or agree
+    /// with it to within digits that say nothing.
     fn untold_force(&self) -> Option<String> {
+        let mut findings = self.report.findings.iter();
+        if let Some(near) = findings.find(|finding| finding.kind == "near_force") {
+            return Some(near.says.clone());
+        }
         let force = self.report.force.as_ref();
         let force = force.filter(|force| force.agrees || force.rough || force.zero)?;
         match (force.fit, force.rough) {

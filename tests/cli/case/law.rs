@@ -1,0 +1,87 @@
+//! `passivity case --log`: what the forces of a log say of the wall.
+
+use super::read;
+use super::recorded::{SCENE, case, scene};
+use crate::harness::Dir;
+
+#[test]
+fn a_force_within_the_tolerance_of_the_stiffness_is_that_of_the_scene() {
+    let dir = Dir::new();
+    // 1.1 times the law of the nominal stiffness.
+    let log = "tau,xi,f [N]\n0,1/4,-0.00055\n1,5/4,-0.00165\n2,1/2,-0.00055\n3,1/2,-0.00055\n";
+    let log = dir.write("run.csv", log);
+    for (tolerance, outcome) in [
+        (" ± 20%", "supports"),
+        (" ± 5%", "contradicts"),
+        ("", "contradicts"),
+    ] {
+        let text = format!(
+            "# Measured.\n[device]\nviscous = \"0.8 N s/m\"\ncoulomb = \"0.8e-3 N\"\n[sampling]\n\
+             period = \"1 s\"\n[encoder]\nresolution = \"1 mm\"\n[wall]\n\
+             stiffness = \"1 N/m{tolerance}\"\n"
+        );
+        let path = dir.write("scene.toml", text);
+        let run = case(&dir, &path, &["--log", &log]);
+        let found = &scene(&run)["recorded"]["logs"][0];
+        assert_eq!(found["evidence"]["outcome"], outcome, "{found}");
+        assert_eq!(run.code, i32::from(outcome != "supports"));
+    }
+}
+
+/// What is beside the multiple is not tolerated; of positions, which may be rounded, it leaves the case open.
+#[test]
+fn a_force_beside_the_law_is_no_support() {
+    let dir = Dir::new();
+    let text = "# Measured.\n[device]\nviscous = \"0.8 N s/m\"\ncoulomb = \"0.8e-3 N\"\n[sampling]\n\
+                period = \"1 s\"\n[encoder]\nresolution = \"1 mm\"\n[wall]\nstiffness = \"1 N/m ± 20%\"\n";
+    let path = dir.write("scene.toml", text);
+    for (column, positions, outcome) in [
+        ("count", ["0", "9", "6", "0"], "contradicts"),
+        ("xi", ["1/4", "37/4", "25/4", "1/4"], "open"),
+    ] {
+        let forces = ["-0.00055", "-0.01000", "-0.00735", "-0.00100"];
+        let mut log = format!("tau,{column},f [N]\n");
+        for (i, (position, force)) in positions.iter().zip(forces).enumerate() {
+            log.push_str(&format!("{i},{position},{force}\n"));
+        }
+        let log = dir.write("run.csv", log);
+        let run = case(&dir, &path, &["--log", &log]);
+        let evidence = &scene(&run)["recorded"]["logs"][0]["evidence"];
+        assert_eq!(evidence["outcome"], outcome, "{evidence}");
+        assert!(
+            evidence["because"].to_string().contains("beside that"),
+            "{evidence}"
+        );
+        assert_eq!(run.code, 1);
+    }
+}
+
+#[test]
+fn forces_that_tell_nothing_of_the_wall_are_no_support() {
+    let dir = Dir::new();
+    let path = dir.write("scene.toml", SCENE);
+    for (text, why) in [
+        (
+            "tau,xi,f\n0,1/4,0\n1,1/4,0\n2,1/4,0\n",
+            "is zero in every row",
+        ),
+        // To the nearest whole number 0.5 is 1 as well.
+        ("tau,xi,f\n0,1/4,-1\n1,1/4,-1\n2,1/4,-1\n", "too few digits"),
+    ] {
+        let log = dir.write("run.csv", text);
+        let audit = dir.run(&["audit", &log, "--scene", &path, "--format", "json"]);
+        let audit = audit.json();
+        assert_eq!(audit["verdict"], "holds");
+        assert_eq!(audit["force"]["rough"], true);
+        let run = case(&dir, &path, &["--log", &log]);
+        let answer = scene(&run);
+        let evidence = answer["recorded"]["logs"][0]["evidence"].clone();
+        assert_eq!(evidence["outcome"], "open", "{evidence}");
+        assert!(
+            evidence["because"].as_str().unwrap().contains(why),
+            "{evidence}"
+        );
+        assert_eq!((run.code, answer["standing"].as_str()), (1, Some("open")));
+        assert!(!read(&dir, "case/case.html").contains("the recorded force is that of"));
+    }
+}
