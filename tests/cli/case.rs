@@ -1,6 +1,7 @@
 //! `passivity case`.
 
 mod evidence;
+mod forces;
 mod identified;
 mod law;
 #[cfg(unix)]

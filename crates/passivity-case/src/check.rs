@@ -200,6 +200,15 @@ fn scenes(folder: &Path, manifest: &Manifest, findings: &mut Findings) -> Vec<St
                         .changed
                         .push(format!("scene `{}` has changed", entry.path));
                 }
+                if let Some((name, bytes)) = &study.forces
+                    && manifest.files.get(name) != Some(&Sha256::of(bytes))
+                {
+                    findings.changed.push(format!(
+                        "scene `{}`: its forces, `{}`, have changed, or the case has no copy of them",
+                        entry.path,
+                        legible(name)
+                    ));
+                }
                 study.slug.clone_from(name);
                 if let Some(recorded) = &entry.recorded {
                     read_again(&mut study, recorded, findings);

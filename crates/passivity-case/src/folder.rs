@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use passivity_audit::legible;
 use passivity_evidence::Sha256;
 
 use crate::case::{Case, HistoryEntry};
@@ -45,6 +46,19 @@ pub fn files(case: &Case) -> Result<BTreeMap<String, Vec<u8>>, CaseError> {
             let text = serde_json::to_string_pretty(&recorded.to_json(&study.scene))
                 .map_err(|error| CaseError::new(format!("the recordings: {error}")))?;
             files.insert(record_name(name), format!("{text}\n").into_bytes());
+        }
+    }
+    for (name, bytes) in case
+        .studies
+        .iter()
+        .filter_map(|study| study.forces.as_ref())
+    {
+        let other = files.insert(name.clone(), bytes.clone());
+        if other.is_some_and(|other| other != *bytes) || [MANIFEST, PDF].contains(&name.as_str()) {
+            let name = legible(name);
+            return Err(CaseError::new(format!(
+                "`operator.force`: the case has another file `{name}`: give that of the forces a name of its own"
+            )));
         }
     }
     let manifest = Manifest::of(case, &files);

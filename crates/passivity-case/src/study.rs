@@ -1,7 +1,9 @@
 //! A scene under study: its file, what was checked, and where each parameter comes from.
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+use passivity_audit::legible;
 use passivity_core::Parameter;
 use passivity_evidence::Sha256;
 use passivity_scene::check::{Report, Verdict};
@@ -11,9 +13,13 @@ use passivity_scene::{Given, Scene};
 use crate::criterion::Criterion;
 use crate::document::slug;
 use crate::error::CaseError;
+use crate::files::read_bytes;
 use crate::gsn::{Anchor, Argument};
 use crate::info::is_placeholder;
 use crate::recorded::{Observed, Outcome, Recorded};
+
+/// A file of forces that a scene can be read with is no larger than this.
+const MOST_FORCE_BYTES: u64 = 8 << 20;
 
 /// A scene with its check and the text of its file.
 #[derive(Clone, Debug)]
@@ -30,6 +36,8 @@ pub struct Study {
     pub sha256: Sha256,
     /// The name in ids and file names, of its own among the scenes of a case.
     pub slug: String,
+    /// The file of the operator's forces, where the scene names one: its name and what is in it.
+    pub forces: Option<(String, Vec<u8>)>,
     /// What was recorded of the device, where the case has it as evidence.
     pub recorded: Option<Recorded>,
 }
@@ -56,7 +64,22 @@ impl Study {
     pub fn read(path: &Path) -> Result<Self, CaseError> {
         let scene = Scene::read(path).map_err(|error| CaseError::new(error.to_string()))?;
         let text = std::fs::read_to_string(path).map_err(|error| CaseError::io(path, &error))?;
-        Ok(Self::new(scene, text, path))
+        let mut study = Self::new(scene, text, path);
+        if let Some(forces) = &study.scene.forces {
+            let name = forces.path.clone();
+            // A copy of the scene finds it by the same name.
+            if Path::new(&name).file_name() != Some(OsStr::new(&name)) {
+                let what = format!(
+                    "`operator.force`: `{}` is not in the folder of the scene, and a case keeps a copy of both side by \
+                     side: put it there",
+                    legible(&name)
+                );
+                return Err(CaseError::within(path, what));
+            }
+            let bytes = read_bytes(&path.with_file_name(&name), MOST_FORCE_BYTES)?;
+            study.forces = Some((name, bytes));
+        }
+        Ok(study)
     }
 
     /// Checks a scene that was read from `text`.
@@ -70,6 +93,7 @@ impl Study {
                 None => slug(&scene.name),
             },
             path: path.to_owned(),
+            forces: None,
             recorded: None,
             text,
             scene,

@@ -62,6 +62,10 @@ pub(super) fn write(document: &mut Document, case: &Case) {
             ]
             .into(),
         );
+        if let Some((name, bytes)) = &study.forces {
+            let what = format!("SHA-256 of the forces {}", legible(name));
+            rows.push([what.into(), Line::hash(&Sha256::of(bytes))].into());
+        }
         for source in study.recorded.iter().flat_map(Recorded::sources) {
             let what = format!("SHA-256 of the log {}", source.name);
             rows.push([what.into(), Line::hash(&source.sha256)].into());
