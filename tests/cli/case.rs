@@ -399,3 +399,23 @@ fn the_people_and_the_date_are_those_that_were_given() {
         assert!(!dir.path("other").exists());
     }
 }
+
+/// A verdict rests on a delay, a side, a controller and a transmission as on any parameter.
+#[test]
+fn what_is_no_parameter_needs_a_source_too() {
+    let dir = Dir::new();
+    let text = "[device]\nviscous = \"1 N m s/rad\" # bench\ncoulomb = \"1 N m\" # bench\n[sampling]\nperiod = \"1 ms\" \
+                # code\ndelay = 3\n[encoder]\ncounts_per_revolution = 8192 # sheet\n[wall]\nstiffness = \"1 N m/rad\" \
+                # R7\n[controller]\nnumerator = [\"7\", \"-2.5\"] # R8\ndenominator = [\"1\", \"-0.4\"]\n";
+    let path = dir.write("scene.toml", text);
+    dir.run(&["case", &path, "--out", "case"]);
+    let open = "The scene file states the source of: sampling.delay, controller.denominator.";
+    assert!(read(&dir, "case/scene.gsn.yaml").contains(open));
+    let html = read(&dir, "case/case.html");
+    assert!(html.contains("controller.numerator") && html.contains("R8"));
+    let run = dir.run(&["explain", &path, "--format", "json"]);
+    let given = &run.json()["given"];
+    assert_eq!(given["sampling.delay"], "3");
+    assert_eq!(given["controller.numerator"], "7, -5/2");
+    assert_eq!(given["controller.denominator"], "1, -2/5");
+}

@@ -253,19 +253,20 @@ impl<'a> Builder<'a> {
         self.argument.hang(STRATEGY, goal);
         let mut at_head = Vec::new();
         let mut open = Vec::new();
-        for (parameter, given) in self.study.scene.parameters() {
-            match self.study.source(parameter, given) {
+        for stated in self.study.stated() {
+            let key = stated.key;
+            match stated.source {
                 Source::Comment(comment) => {
-                    let text = format!("{}: {}", given.key, clipped(&comment, 90));
-                    let solution = Node::new(Kind::Solution, format!("Sn-{}", given.key), text)
+                    let text = format!("{key}: {}", clipped(&comment, 90));
+                    let solution = Node::new(Kind::Solution, format!("Sn-{key}"), text)
                         .at(self.parameters_section())
                         .stands(Standing::Shown);
                     self.argument.hang(PARAMETERS, solution);
                 }
                 // The goal about friction has it.
                 Source::Identified => {}
-                Source::Head => at_head.push(given.key),
-                Source::None => open.push(given.key),
+                Source::Head => at_head.push(key),
+                Source::None => open.push(key),
             }
         }
         if !at_head.is_empty() {

@@ -36,6 +36,7 @@ pub mod print;
 pub mod recorded;
 pub mod records;
 pub mod sections;
+mod stated;
 pub mod study;
 pub mod tree;
 
@@ -44,4 +45,5 @@ pub use error::CaseError;
 pub use info::Info;
 pub use recorded::{Recorded, Recording, Recordings};
 pub use records::{Origin, Records};
+pub use stated::Stated;
 pub use study::Study;

@@ -216,9 +216,17 @@ impl Study {
     /// above it, or logs from which it was identified, or the head of the file.
     #[must_use]
     pub fn source(&self, parameter: Parameter, given: &Given) -> Source {
-        match self.comment_at(given.span.start) {
-            Some(comment) if !is_placeholder(&comment) => Source::Comment(comment),
+        match self.source_at(given.span.start) {
+            Source::Comment(comment) => Source::Comment(comment),
             _ if self.is_identified(parameter) => Source::Identified,
+            other => other,
+        }
+    }
+
+    /// Where what the file says at a place comes from, but for logs.
+    pub(crate) fn source_at(&self, at: usize) -> Source {
+        match self.comment_at(at) {
+            Some(comment) if !is_placeholder(&comment) => Source::Comment(comment),
             // Who wrote that it is still to be done has said that there is no source.
             Some(_) => Source::None,
             None if is_placeholder(&self.head()) => Source::None,
@@ -251,16 +259,6 @@ impl Study {
         lines.reverse();
         let comment: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
         (!comment.is_empty()).then(|| comment.join(" "))
-    }
-
-    /// The parameters of which the file says no source.
-    #[must_use]
-    pub fn unsourced(&self) -> Vec<&'static str> {
-        let parameters = self.scene.parameters().into_iter();
-        parameters
-            .filter(|(parameter, given)| self.source(*parameter, given) == Source::None)
-            .map(|(_, given)| given.key)
-            .collect()
     }
 }
 
@@ -320,7 +318,7 @@ mod tests {
     fn a_file_without_comments_has_no_sources() {
         let study = study("[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n");
         assert!(
-            study.unsourced().contains(&"dimensionless.beta"),
+            study.unsourced().contains(&"dimensionless.beta".to_owned()),
             "{:?}",
             study.unsourced()
         );

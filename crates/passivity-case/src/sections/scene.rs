@@ -1,6 +1,6 @@
 //! One scene: its verdict and figures, its parameters, the derivation, and its pictures.
 
-use passivity_scene::check::{comparison, enclosure};
+use passivity_scene::check::comparison;
 use passivity_scene::display::range;
 use passivity_scene::explain::{self, Step};
 
@@ -117,23 +117,16 @@ fn parameters(document: &mut Document, study: &Study) {
         document.say(Line::text("The scene file says: ").and(paragraph.into()));
     }
     let mut rows: Vec<Row> = Vec::new();
-    for (parameter, given) in study.scene.parameters() {
-        let si = enclosure(&given.value).map_or_else(|| "undefined".to_owned(), |x| range(&x));
-        let source = match study.source(parameter, given) {
+    for stated in study.stated() {
+        let source = match stated.source {
             Source::Comment(comment) => comment.into(),
             Source::Identified => Line::link(study.anchor("identified"), "identified from logs"),
             Source::Head => "head of the scene file".into(),
             Source::None => "open: the scene file names no source".into(),
         };
-        let text = Line::code(&given.text);
-        rows.push([Line::code(given.key), text, si.into(), source].into());
-    }
-    let delay = study.scene.given.delay;
-    if delay > 0 {
-        let text = format!("{delay} whole samples");
-        let key = Line::code("sampling.delay");
-        let none = Line::text("–");
-        rows.push([key, text.into(), none, "the scene file".into()].into());
+        let si = stated.si.unwrap_or_else(|| "–".to_owned());
+        let [key, text] = [&stated.key, &stated.text].map(Line::code);
+        rows.push([key, text, si.into(), source].into());
     }
     let caption = format!("Parameters of «{}» and their sources", study.name());
     let columns = [

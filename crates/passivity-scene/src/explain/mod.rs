@@ -6,7 +6,7 @@ mod theorems;
 
 use std::fmt::Write as _;
 
-use passivity_core::{Effect, Parameter};
+use passivity_core::{BigRational, Effect, Parameter};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
@@ -114,6 +114,27 @@ fn given_texts<S: Serializer>(given: &[GivenText], serializer: S) -> Result<S::O
     serializer.collect_map(given.iter().map(|given| (given.key, &given.text)))
 }
 
+/// What is given beside parameters and a transmission, and has neither a unit nor a tolerance.
+fn settings(scene: &Scene) -> Vec<(&'static str, String)> {
+    let given = &scene.given;
+    let mut all = Vec::new();
+    if given.delay > 0 {
+        all.push(("sampling.delay", given.delay.to_string()));
+    }
+    if given.unilateral {
+        all.push(("wall.unilateral", "true".to_owned()));
+    }
+    if let Some(controller) = &given.controller {
+        let list = |numbers: &[BigRational]| {
+            let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();
+            numbers.join(", ")
+        };
+        all.push(("controller.numerator", list(controller.numerator())));
+        all.push(("controller.denominator", list(controller.denominator())));
+    }
+    all
+}
+
 /// Explains a scene.
 ///
 /// # Example
@@ -139,6 +160,7 @@ pub fn explain(scene: &Scene) -> Explanation {
     let parameters = parameters.map(|(_, given)| (given.key, given.text.clone()));
     let given = transmission
         .chain(parameters)
+        .chain(settings(scene))
         .map(|(key, text)| GivenText { key, text });
     let theorem = |id: &&'static str| Theorem {
         id,
