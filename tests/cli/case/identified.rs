@@ -35,6 +35,8 @@ fn identified_friction_is_compared_with_the_scene_and_links_its_assumption() {
     assert!(goal.contains("inContextOf: [A-FRICTION]"), "{goal}");
     let html = read(&dir, "case/case.html");
     assert!(html.contains("explain every one of 501 samples"));
+    // A push one way alone.
+    assert!(html.contains("free motion; but all motion, or nearly all, is in one direction"));
     assert!(html.contains("met in the recording"));
     // A parameter of which the scene names no source has one now.
     let unsourced = KNOB.replace("# A knob, from its drawing.\n", "");
@@ -111,6 +113,24 @@ fn friction_outside_of_what_was_identified_contradicts_the_case() {
     );
     let html = read(&dir, "case/case.html");
     assert!(html.contains("no viscous and Coulomb friction fit"));
+    let words = [
+        "case",
+        &path,
+        "--out",
+        "case",
+        "--device",
+        "knob 3",
+        "--date",
+        "2026-11-20",
+        "--effort",
+        "1",
+    ];
+    let said = dir.run(&[&words[..], &["--identification", &backlash]].concat());
+    assert!(
+        said.stdout.contains("identification: nothing fits\n"),
+        "{}",
+        said.stdout
+    );
     let objections = run.json()["objections"].to_string();
     assert!(objections.contains("A-FRICTION is not met"), "{objections}");
 }
@@ -133,6 +153,24 @@ fn a_verdict_that_part_of_the_identified_range_does_not_have_is_open() {
     assert_eq!(evidence["outcome"], "open", "{evidence}");
     assert_eq!((run.code, answer["standing"].as_str()), (1, Some("open")));
     assert!(element(&dir, "G-identification-open").contains("undeveloped: true"));
+}
+
+/// What the scene allows and what the device may have: one must be within the other.
+#[test]
+fn friction_that_is_partly_outside_of_what_was_identified_is_open() {
+    let dir = Dir::new();
+    let push = shipped("push.csv");
+    for (coulomb, outcome) in [
+        ("1.5 … 3 mN m", "open"),
+        ("1.4 … 3 mN m", "supports"),
+        ("1.5 mN m", "supports"),
+    ] {
+        let text = KNOB.replace("1.5e-3 N m ± 5%", coulomb);
+        let path = dir.write("scene.toml", text.replace("5 rad/s", "3 rad/s"));
+        let run = case(&dir, &path, &["--identification", &push, "--effort", "1"]);
+        let evidence = scene(&run)["recorded"]["identification"]["evidence"].clone();
+        assert_eq!(evidence["outcome"], outcome, "{coulomb}: {evidence}");
+    }
 }
 
 #[test]

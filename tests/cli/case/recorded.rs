@@ -304,6 +304,7 @@ fn what_is_missing_or_wrong_is_one_error_with_its_place() {
     let empty = dir.write("empty.csv", "xi\n");
     let counts = dir.write("counts.csv", "count\n0\n1\n");
     let other = dir.write("other.csv", "time,pos\n0,0\n1,1\n");
+    let same = dir.write("same.csv", LAW);
     fs::create_dir(dir.path("folder")).expect("a folder");
     let given = ["--device", "d", "--date", "2026-11-20"];
     let with = |more: &[&'static str]| [&given[..], more].concat();
@@ -350,6 +351,10 @@ fn what_is_missing_or_wrong_is_one_error_with_its_place() {
             "the force that was commanded is needed",
         ),
         (
+            [&given[..], &["--log", &log, "--log", &same]].concat(),
+            "`same.csv` is the same log as `run.csv`",
+        ),
+        (
             [&given[..], &["--log", &other]].concat(),
             "run: passivity case scene.toml --out new --device d --date 2026-11-20 --log other.csv \
              --columns 'tau=time, xi=pos'",
@@ -366,11 +371,12 @@ fn what_is_missing_or_wrong_is_one_error_with_its_place() {
         assert!(!dir.path("new").exists(), "{words:?}");
     }
     // Each log has the date of its own.
+    let second = dir.write("second.csv", LAW.replace("1/4", "1/3"));
     let words = [
         "--log",
         &log,
         "--log",
-        &log,
+        &second,
         "--date",
         "2026-11-20",
         "--date",

@@ -64,16 +64,11 @@ impl Builder<'_> {
             .iter()
             .map(|source| format!("«{}», {}", clipped(&source.name, 60), bound(source)))
             .collect();
-        let ranges: Vec<String> = found
-            .compared
-            .iter()
-            .map(|one| format!("{} {}", one.parameter.row().name, one.range()))
-            .collect();
-        let found_text = match ranges.is_empty() {
-            true => "nothing fits".to_owned(),
-            false => ranges.join("; "),
-        };
-        let evidence = format!("Identified from {}: {found_text}.", files.join(" and "));
+        let evidence = format!(
+            "Identified from {}: {}.",
+            files.join(" and "),
+            found.headline()
+        );
         self.judge(FRICTION, "identification", &found.outcome(), evidence);
         let assumption = "A-FRICTION";
         let known = self.records.claims.assumptions.iter();

@@ -70,6 +70,15 @@ impl Compared {
         !above && *self.scene.hi() >= self.lo
     }
 
+    /// Whether what the scene says is in the identified range, or the range in that: else the device may have less
+    /// friction than any that the scene allows, or more, and the scene some that the device has not.
+    fn is_within(&self) -> bool {
+        let (lo, hi) = (self.scene.lo(), self.scene.hi());
+        let scene_is_inside = *lo >= self.lo && self.hi.as_ref().is_none_or(|most| hi <= most);
+        let range_is_inside = *lo <= self.lo && self.hi.as_ref().is_some_and(|most| most <= hi);
+        scene_is_inside || range_is_inside
+    }
+
     /// The identified range, rounded outwards, as a scene takes it.
     #[must_use]
     pub fn range(&self) -> String {
@@ -245,12 +254,48 @@ impl Identification {
                 let why: Vec<&str> = why.map(String::as_str).collect();
                 Outcome::Open(why.join("; "))
             }
-            Some(over) if self.is_as_own(over) => Outcome::Supports,
+            Some(over) if self.is_as_own(over) => match self.beyond() {
+                None => Outcome::Supports,
+                Some(why) => Outcome::Open(why),
+            },
             Some(over) => Outcome::Open(format!(
                 "over the identified ranges the verdict is another than for the scene's values: {}",
                 over.headline
             )),
         }
+    }
+
+    /// The friction of the device that may be another than any in the scene.
+    fn beyond(&self) -> Option<String> {
+        let beyond = self.compared.iter().find(|one| !one.is_within())?;
+        Some(format!(
+            "{} is {} in the scene, and {} on the device, which is only partly within that: give the scene the \
+             identified range",
+            beyond.parameter.row().name,
+            beyond.in_scene(),
+            beyond.range()
+        ))
+    }
+
+    /// What a constant force has to do with friction, where all motion is one way.
+    fn one_way(&self) -> Option<&str> {
+        let mut lacks = self.report.lacks.iter().map(String::as_str);
+        lacks.find(|lack| lack.contains("is in one direction"))
+    }
+
+    /// What was found, in a line.
+    #[must_use]
+    pub fn headline(&self) -> String {
+        if self.compared.is_empty() {
+            return "nothing fits".to_owned();
+        }
+        let ranges = self.compared.iter();
+        let ranges = ranges.map(|one| format!("{} {}", one.parameter.row().name, one.range()));
+        let ranges: Vec<String> = ranges.collect();
+        let but = self
+            .one_way()
+            .map_or_else(String::new, |why| format!("; {why}"));
+        format!("{}{but}", ranges.join(", "))
     }
 
     /// Whether the identified ranges have the scene's verdict.
@@ -282,7 +327,11 @@ impl Identification {
             None => see(
                 "A-FRICTION",
                 true,
-                format!("constant b and c explain every one of {samples} samples of free motion"),
+                format!(
+                    "constant b and c explain every one of {samples} samples of free motion{}",
+                    self.one_way()
+                        .map_or_else(String::new, |why| format!("; but {why}"))
+                ),
             ),
             Some(refuted) => see(
                 "A-FRICTION",

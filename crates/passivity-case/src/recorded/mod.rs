@@ -121,13 +121,16 @@ impl Recorded {
         let dialect = given.dialect()?;
         let logs = given.logs.iter().enumerate();
         let logs = logs.map(|(index, one)| Log::read(index + 1, one, scene, &dialect));
-        let logs = logs.collect::<Result<_, _>>()?;
+        let logs: Vec<Log> = logs.collect::<Result<_, _>>()?;
+        once("--log", logs.iter().map(|log| &log.source))?;
         let identification = match given.identification.is_empty() {
             true => None,
             false => Some(Identification::read(
                 &given, scene, text, &dialect, progress,
             )?),
         };
+        let sources = identification.iter().flat_map(|found| &found.sources);
+        once("--identification", sources)?;
         Ok(Self {
             given,
             logs,
@@ -233,6 +236,21 @@ impl Source {
         };
         Ok((source, found))
     }
+}
+
+/// A log is evidence once, whatever it is called.
+fn once<'a>(option: &str, sources: impl Iterator<Item = &'a Source>) -> Result<(), CaseError> {
+    let mut seen: Vec<&Source> = Vec::new();
+    for source in sources {
+        if let Some(same) = seen.iter().find(|other| other.sha256 == source.sha256) {
+            let [path, same] = [&source.path, &same.path].map(|path| legible(path));
+            return Err(CaseError::new(format!(
+                "{option}: `{path}` is the same log as `{same}`: give it once"
+            )));
+        }
+        seen.push(source);
+    }
+    Ok(())
 }
 
 /// The file of a case that has what was recorded of the device in a scene, by the scene's name in file names.

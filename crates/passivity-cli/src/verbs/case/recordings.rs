@@ -197,13 +197,9 @@ pub(super) fn summary(study: &Study) -> String {
         (name, log.headline(), log.outcome(&study.scene))
     });
     let identification = recorded.identification.iter().map(|found| {
-        let ranges = found.compared.iter();
-        let ranges: Vec<String> = ranges
-            .map(|one| format!("{} {}", one.parameter.row().name, one.range()))
-            .collect();
         (
             "identification".to_owned(),
-            ranges.join(", "),
+            found.headline(),
             found.outcome(),
         )
     });
