@@ -284,8 +284,11 @@ impl Layout {
         Some(guess::propose(&said, &self.headings)?.columns)
     }
 
-    /// The columns that are not read.
+    /// The columns that are not read. What else a ledger says follows from its positions.
     pub(crate) fn not_read(&self) -> Vec<String> {
+        if self.form == Form::Ledger {
+            return Vec::new();
+        }
         let read = [
             Some(self.position),
             self.end,
