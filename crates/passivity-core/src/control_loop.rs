@@ -105,6 +105,25 @@ impl<V> Loop<V> {
         !self.unilateral && self.max_force.is_none()
     }
 
+    /// The loop after a change of what shapes its costs: those that were computed are of the loop before, and are dropped.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_core::{Fixed, Friction, Loop, Scalar};
+    ///
+    /// let friction = Friction::new(Fixed::integer(2), Fixed::integer(2));
+    /// let late = Loop { delay: 1, viscous_cost: Some(Fixed::integer(1)), ..Loop::plain(friction) };
+    /// assert_eq!(late.reshaped(|l| l.unilateral = true).viscous_cost, None);
+    /// ```
+    #[must_use]
+    pub fn reshaped(mut self, change: impl FnOnce(&mut Self)) -> Self {
+        change(&mut self);
+        self.viscous_cost = None;
+        self.coulomb_cost = None;
+        self
+    }
+
     /// The parameters that are given, in the order of the table.
     pub fn given(&self) -> impl Iterator<Item = (Parameter, &V)> + '_ {
         let all = Parameter::ALL.iter();
@@ -251,14 +270,16 @@ impl<S: Scalar> Loop<S> {
     #[must_use]
     pub fn cost(&self) -> Cost<S> {
         let [in_sum, of_damping] = self.cost_in_closed_form();
+        // What was computed for another law is no cost of a loop that has a closed form.
+        let computed = self.has_computed_costs();
         let viscous = match &self.viscous_cost {
-            Some(cost) => self.viscous_unit() * cost.clone(),
-            None => in_sum,
+            Some(cost) if computed => self.viscous_unit() * cost.clone(),
+            _ => in_sum,
         };
         let mut coulomb = match &self.coulomb_cost {
             _ if !self.has_encoder() => S::zero(),
-            Some(cost) => self.force_unit() * cost.clone(),
-            None => of_damping,
+            Some(cost) if computed => self.force_unit() * cost.clone(),
+            _ => of_damping,
         };
         if let Some(step) = &self.force_step {
             coulomb = coulomb + step.clone().half();

@@ -110,18 +110,15 @@ fn asked<S: Enclosed>(
     bounds: &Loop<Interval<S>>,
 ) -> Option<Vec<(&'static str, Cost<BigRational>)>> {
     let hardest = bounds.at(End::Hardest);
-    let mut so_far = Loop {
-        damping: None,
-        damping_time_constant: None,
-        controller: None,
-        latency: None,
-        time_constant: None,
-        viscous_cost: None,
-        coulomb_cost: None,
-        force_step: None,
-        delay: 0,
-        ..hardest.clone()
-    };
+    let mut so_far = hardest.clone().reshaped(|bare| {
+        bare.damping = None;
+        bare.damping_time_constant = None;
+        bare.controller = None;
+        bare.latency = None;
+        bare.time_constant = None;
+        bare.force_step = None;
+        bare.delay = 0;
+    });
     let mut steps = Vec::new();
     let mut add = |name, so_far: &Loop<S>| {
         let point = so_far.map(|_, x| Interval::point(x.clone()));

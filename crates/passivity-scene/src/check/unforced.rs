@@ -96,11 +96,7 @@ pub(super) fn holds<S: Enclosed>(
     bounds: &Loop<Interval<S>>,
     speeds: &Speeds<Interval<S>>,
 ) -> Option<Truth> {
-    let by_sums = Loop {
-        viscous_cost: None,
-        coulomb_cost: None,
-        ..bounds.clone()
-    };
+    let by_sums = bounds.clone().reshaped(|_| ());
     let is_proved = bounds.controller.is_none()
         && bounds.damping_time_constant.is_none()
         && !bounds.has_actuator();

@@ -175,6 +175,17 @@ fn what_a_scene_does_not_have_is_not_shown() {
         linear.map(|words| led.contains(&words)),
         [true, true, false]
     );
+    // So does damping that is late: λ = 5/4 in a linear loop, ½ + 1 + ½ behind another law.
+    for viscous in ["5/4", "19/10"] {
+        let values = format!("viscous {viscous}, coulomb 9, delay 1, damping 1/2");
+        let late = absent(&values);
+        let named = linear.map(|words| late.contains(&words));
+        assert_eq!(named, [true, true, false], "{values}");
+        for law in ["unilateral true", "max_force 9"] {
+            let verdict = wall::report(&format!("{values}, {law}")).verdict;
+            assert_eq!(verdict, Verdict::NotGuaranteed, "{values}, {law}");
+        }
+    }
     let all = "viscous 9, coulomb 9, delay 1, latency 1/3, time_constant 1/5, force_step 1/7, max_force 9, \
                unilateral true, damping 1/9, damping_time_constant 2";
     assert_eq!(absent(all), [""; 0]);

@@ -237,7 +237,7 @@ impl<S: Enclosed> Written<'_, S> {
     /// that is limited.
     pub(super) fn passes_any_law(&self) -> bool {
         let mut other = self.clone();
-        other.typed.bounds.unilateral = true;
+        other.typed.bounds = other.typed.bounds.reshaped(|bounds| bounds.unilateral = true);
         other.passes()
     }
 }
