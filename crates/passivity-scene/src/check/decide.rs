@@ -151,7 +151,8 @@ pub(super) fn deciding<S: Enclosed>(
     bounds: &Loop<Interval<S>>,
 ) -> Vec<&'static str> {
     let part = |(parameter, given): (Parameter, &crate::scene::Given)| {
-        let takes_part = parameter.row().hurts != Hurts::Neither;
+        // What is computed from other parameters has no key.
+        let takes_part = parameter.row().hurts != Hurts::Neither && !given.key.is_empty();
         (takes_part && given.has_tolerance()).then_some((parameter, given.key))
     };
     let toleranced: Vec<_> = scene.given.given().filter_map(part).collect();

@@ -224,6 +224,11 @@ fn what_decides_is_what_alone_turns_the_verdict() {
             vec!["device.viscous"],
         ),
         ("viscous 0.4 … 0.6, coulomb 1 ± 0.1", vec!["device.viscous"]),
+        // KT/2 + B + (KT)²/8B, late by a sample: none alone, and the cost that is computed has no key.
+        (
+            "viscous 2.5625 ± 0.5%, coulomb 99, delay 1, damping 2 ± 0.5%, period 1 ± 2%",
+            vec!["sampling.period", "device.viscous", "wall.damping"],
+        ),
         ("viscous 1 ± 0.1, coulomb 1 ± 0.1", vec![]),
     ] {
         assert_eq!(report(values).decided_by, expected, "{values}");
