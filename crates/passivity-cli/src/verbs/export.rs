@@ -48,22 +48,21 @@ enum Program {
 /// Prints the constants.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
-    let Some(constants) = constants(&scene) else {
+    let target = match args.target {
+        Program::C | Program::Json => Target::C,
+        Program::Chai3d => Target::Chai3d,
+        Program::Openhaptics => Target::OpenHaptics,
+    };
+    let Some(constants) = constants(&scene, target) else {
         return Err(Failure::input(
             "a dimensionless scene has no units that a program could take: describe the device in units",
         ));
     };
-    let target = match args.target {
-        Program::C => Some(Target::C),
-        Program::Chai3d => Some(Target::Chai3d),
-        Program::Openhaptics => Some(Target::OpenHaptics),
-        Program::Json => None,
-    };
-    match (target, &args.out) {
-        (Some(target), None) => emit(&constants.to_source(target))?,
-        (Some(target), Some(path)) => write_new(path, &constants.to_source(target))?,
-        (None, None) => emit_json(&constants)?,
-        (None, Some(path)) => write_new(path, &json_text(&constants)?)?,
+    match (args.target, &args.out) {
+        (Program::Json, None) => emit_json(&constants)?,
+        (Program::Json, Some(path)) => write_new(path, &json_text(&constants)?)?,
+        (_, None) => emit(&constants.to_source())?,
+        (_, Some(path)) => write_new(path, &constants.to_source())?,
     }
     if !constants.is_passive {
         tell(&format!(

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 pub use self::conditions::{Amount, Condition};
 use self::typed::Typed;
+use super::text::unit_of;
 use super::{Report, Verdict, check};
 use crate::number::nearest_f64;
 use crate::scene::{Motion, Scene};
@@ -22,7 +23,27 @@ pub enum Target {
     OpenHaptics,
 }
 
-/// The constants of a scene: each number is a double on the safe side of what was proved.
+impl Target {
+    /// The unit in which a parameter is written, and how many of it one is in SI.
+    fn unit(self, parameter: Parameter, motion: Motion) -> (&'static str, BigRational) {
+        let thousand = || BigRational::from_integer(1000.into());
+        match (self, motion, parameter) {
+            (Self::OpenHaptics, Motion::Linear, Parameter::Stiffness) => {
+                ("N/mm", thousand().recip())
+            }
+            (Self::OpenHaptics, Motion::Linear, Parameter::Damping) => {
+                ("N s/mm", thousand().recip())
+            }
+            (Self::OpenHaptics, Motion::Linear, Parameter::Resolution) => ("mm", thousand()),
+            _ => (
+                unit_of(parameter, motion),
+                BigRational::from_integer(1.into()),
+            ),
+        }
+    }
+}
+
+/// The constants of a scene: each number is a double on the safe side of what was proved, in the units of the program.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Constants {
     /// The scene's name.
@@ -41,6 +62,9 @@ pub struct Constants {
     pub not_shown_with: Vec<&'static str>,
     /// What the control program, the device and its amplifier must be like for the numbers to hold.
     pub conditions: Vec<Condition>,
+    /// The program that they are written for.
+    #[serde(skip)]
+    pub target: Target,
     /// How the device moves.
     #[serde(skip)]
     pub motion: Motion,
@@ -76,7 +100,7 @@ pub struct Constants {
 /// # Example
 ///
 /// ```
-/// use passivity_scene::{Scene, check::constants};
+/// use passivity_scene::{Scene, check::{Target, constants}};
 ///
 /// let text = r#"
 ///     [device]
@@ -86,25 +110,26 @@ pub struct Constants {
 ///     [wall]
 ///     stiffness = "1 N/mm"
 /// "#;
-/// let constants = constants(&Scene::from_toml("viscous", text).unwrap()).unwrap();
+/// let constants = constants(&Scene::from_toml("viscous", text).unwrap(), Target::C).unwrap();
 /// assert_eq!(constants.max_stiffness, Some(2000.0)); // 2b/T, Colgate's bound
 /// assert_eq!(constants.max_damping, Some(0.5)); // b − KT/2
 /// ```
 #[must_use]
-pub fn constants(scene: &Scene) -> Option<Constants> {
+pub fn constants(scene: &Scene, target: Target) -> Option<Constants> {
     if scene.motion == Motion::Dimensionless {
         return None;
     }
     let report = check(scene);
     let bounds = scene.bounds();
     match bounds.try_map(|_, range| range.try_map(Wide::of)) {
-        Some(wide) => of_loop(scene, &report, &wide),
-        None => of_loop(scene, &report, &bounds),
+        Some(wide) => of_loop(scene, target, &report, &wide),
+        None => of_loop(scene, target, &report, &bounds),
     }
 }
 
 fn of_loop<S: Enclosed>(
     scene: &Scene,
+    target: Target,
     report: &Report,
     bounds: &Loop<Interval<S>>,
 ) -> Option<Constants> {
@@ -113,7 +138,7 @@ fn of_loop<S: Enclosed>(
         false => bounds.speeds(),
     };
     let is_passive = report.verdict == Verdict::Passive;
-    let typed = Typed::of(scene, bounds, speeds)?;
+    let typed = Typed::of(scene, target, bounds, speeds)?;
     let written = typed.with_largest(is_passive);
     let pole = written.pole();
     let whole_rate = [typed.rate()?.ceil(), typed.rate()?.floor()]
@@ -141,6 +166,7 @@ fn of_loop<S: Enclosed>(
         given: conditions::given(scene),
         not_shown_with: conditions::not_shown_with(&written),
         conditions: conditions::of(&typed, pole),
+        target,
         motion: scene.motion,
         stiffness: typed.double(Parameter::Stiffness)?,
         max_stiffness: written.max_stiffness,

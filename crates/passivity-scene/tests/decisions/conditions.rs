@@ -53,12 +53,12 @@ fn every_effect_of_a_scene_is_named_beside_its_constants() {
         "viscous 9, coulomb 9, latency 1/3, numerator [\"1.5\",\"-0.5\"]",
     ));
     for scene in all {
-        let Some(constants) = constants(&scene) else {
-            continue;
-        };
-        let json = serde_json::to_value(&constants).unwrap();
         for target in TARGETS {
-            let source = constants.to_source(target);
+            let Some(constants) = constants(&scene, target) else {
+                continue;
+            };
+            let json = serde_json::to_value(&constants).unwrap();
+            let source = constants.to_source();
             let (comment, code) = source.split_once(" */\n").unwrap();
             let comment = comment.replace("\n * ", " ");
             let code = code.to_ascii_lowercase().replace('_', "");
@@ -98,7 +98,8 @@ fn every_effect_of_a_scene_is_named_beside_its_constants() {
 #[test]
 fn a_filter_and_a_delay_stand_beside_the_damping_that_needs_them() {
     let values = "viscous 2, coulomb 2, delay 1, damping 1/2, damping_time_constant 3";
-    let found = constants(&wall::scene(values)).unwrap();
+    let of = |target| constants(&wall::scene(values), target).unwrap();
+    let found = of(Target::C);
     let most = found.max_damping.unwrap();
     let at = |filter: &str| {
         let typed = format!("viscous 2, coulomb 2, delay 1, damping {most}{filter}");
@@ -106,7 +107,7 @@ fn a_filter_and_a_delay_stand_beside_the_damping_that_needs_them() {
     };
     assert_eq!(at(", damping_time_constant 3"), Verdict::Passive);
     assert_eq!(at(""), Verdict::NotPassive);
-    let source = found.to_source(Target::C);
+    let source = found.to_source();
     let code = source.split_once(" */\n").unwrap().1;
     let expected = format!(
         "\
@@ -136,7 +137,7 @@ fn a_filter_and_a_delay_stand_beside_the_damping_that_needs_them() {
     // A delay and damping cost less together in a linear loop than behind a law that is not.
     let also = "of a loop that also has latency before the output changes, or a wall on one side only, or saturation";
     assert!(comment.contains(also), "{comment}");
-    let millimetres = found.to_source(Target::OpenHaptics);
+    let millimetres = of(Target::OpenHaptics).to_source();
     let lines = "\
 static const int kDelay = 1; /* samples, after which the force of a sample is given out, and not at once */
 static const HDdouble kDampingTimeConstant = 3.0; /* s, of the one-pole filter that the damping stands behind */
@@ -144,7 +145,7 @@ static const HDdouble kDampingPole = 0.75; /* a of that filter */
 static const HDdouble kEncoderResolution = 1000.0; /* mm, of the device's position, a count */
 ";
     assert!(millimetres.ends_with(lines), "{millimetres}");
-    let fields = found.to_source(Target::Chai3d);
+    let fields = of(Target::Chai3d).to_source();
     assert!(
         fields.contains("\nconst double dampingPole = 0.75; /*"),
         "{fields}"
@@ -157,7 +158,10 @@ static const HDdouble kEncoderResolution = 1000.0; /* mm, of the device's positi
 
 #[test]
 fn what_a_scene_does_not_have_is_not_shown() {
-    let absent = |values: &str| constants(&wall::scene(values)).unwrap().not_shown_with;
+    let absent = |values: &str| {
+        let found = constants(&wall::scene(values), Target::C);
+        found.unwrap().not_shown_with
+    };
     let linear = [
         Effect::Unilateral.words(),
         Effect::Saturation.words(),
@@ -195,7 +199,7 @@ fn what_a_scene_does_not_have_is_not_shown() {
 #[test]
 fn coefficients_of_a_controller_are_doubles_that_pass() {
     let coefficients = |values: &str| {
-        let found = constants(&wall::scene(values)).unwrap();
+        let found = constants(&wall::scene(values), Target::C).unwrap();
         let is_numerator = |name| name == "controller_numerator";
         let mut found = found.conditions.into_iter();
         let found = found

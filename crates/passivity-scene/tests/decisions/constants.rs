@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use crate::wall::{q, scene};
 
 fn of(values: &str) -> Constants {
-    constants(&scene(values)).expect("a scene with units")
+    constants(&scene(values), Target::C).expect("a scene with units")
 }
 
 #[test]
@@ -43,7 +43,7 @@ fn constants_are_the_limits_of_the_scene() {
     assert_eq!((led.max_stiffness, led.max_damping), (Some(1.25), None));
     let dimensionless = "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n";
     assert_eq!(
-        constants(&Scene::from_toml("x", dimensionless).unwrap()),
+        constants(&Scene::from_toml("x", dimensionless).unwrap(), Target::C),
         None
     );
 }
@@ -90,15 +90,13 @@ fn constants_are_on_the_safe_side() {
 fn typed_back(
     values: &str,
     conditions: &[Condition],
-    stiffness: f64,
-    damping: f64,
+    [stiffness, damping]: [BigRational; 2],
     rate: f64,
 ) -> Vec<Verdict> {
     let period = exact(rate).recip();
-    let numbers = [("stiffness", exact(stiffness)), ("period", period.clone())];
-    let mut numbers = numbers.to_vec();
-    if damping != 0.0 {
-        numbers.push(("damping", exact(damping)));
+    let mut numbers = vec![("stiffness", stiffness), ("period", period.clone())];
+    if damping != q("0") {
+        numbers.push(("damping", damping));
     }
     let mut pole = None;
     for condition in conditions {
@@ -107,6 +105,9 @@ fn typed_back(
             _ => continue,
         };
         match condition.name {
+            "encoder_resolution" if condition.unit == "mm" => {
+                numbers.push(("resolution", value / q("1000")));
+            }
             "encoder_resolution" => numbers.push(("resolution", value)),
             "amplifier_time_constant" => numbers.push(("time_constant", value)),
             "damping_pole" => pole = Some(&period * &value / (q("1") - &value)),
@@ -143,7 +144,19 @@ fn exact(x: f64) -> BigRational {
 
 /// Whatever of the numbers stands together passes, in a scene that passes; in others the largest do.
 fn pass_together(values: &str) {
-    let found = of(values);
+    for target in [Target::C, Target::OpenHaptics] {
+        let found = constants(&scene(values), target).unwrap();
+        numbers_pass_together(values, &found);
+    }
+}
+
+fn numbers_pass_together(values: &str, found: &Constants) {
+    // Newtons a millimetre.
+    let in_metres = match found.target {
+        Target::OpenHaptics => q("1000"),
+        _ => q("1"),
+    };
+    let si = |x: f64| exact(x) * &in_metres;
     let own = found.is_passive.then_some(found.stiffness);
     let pairs = [
         (own, Some(found.damping)),
@@ -155,7 +168,8 @@ fn pass_together(values: &str) {
             let (Some(stiffness), Some(damping)) = (stiffness, damping) else {
                 continue;
             };
-            for verdict in typed_back(values, &found.conditions, stiffness, damping, rate) {
+            let numbers = [si(stiffness), si(damping)];
+            for verdict in typed_back(values, &found.conditions, numbers, rate) {
                 let numbers = format!("{values}: {stiffness}, {damping}, {rate}");
                 assert_eq!(verdict, Verdict::Passive, "{numbers}");
             }
@@ -199,6 +213,9 @@ fn numbers_that_are_written_together_pass_together() {
         "viscous 9, coulomb 11/20, period 2, damping 1/10",
         // b = 3/2 − B: where the force is late, less damping costs viscous friction.
         "viscous 1.4, coulomb 9, delay 1, damping 0.1",
+        // The same in newtons a millimetre, of which the double below is short.
+        "viscous 1.28, coulomb 9, delay 1, damping 0.22, period 1e-3, stiffness 1000, resolution 1e-6",
+        "viscous 1.37, coulomb 9, delay 1, damping 0.13, period 1e-3, stiffness 1000, resolution 1e-6",
         "viscous 1, coulomb 3, damping 1/7, stiffness 1/3, period 0.7, max_speed 1/3",
         "viscous 1, coulomb 3, damping 1/7, damping_time_constant 1/3, stiffness 1/3, period 0.7",
     ] {
@@ -231,7 +248,7 @@ const WALL: &str = r#"
 
 fn source(name: &str, text: &str, target: Target) -> String {
     let scene = Scene::from_toml(name, text).unwrap_or_else(|e| panic!("{e}\n{text}"));
-    let source = constants(&scene).unwrap().to_source(target);
+    let source = constants(&scene, target).unwrap().to_source();
     let comment = source.strip_prefix("/*\n").unwrap();
     let (comment, code) = comment.split_once(" */\n").unwrap();
     assert!(comment.starts_with(&format!(

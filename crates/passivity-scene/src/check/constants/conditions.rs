@@ -7,7 +7,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::typed::{Typed, Written};
-use crate::check::text::unit_of;
 use crate::number::nearest_f64;
 use crate::scene::{Scene, Transmission};
 
@@ -18,7 +17,7 @@ pub struct Condition {
     pub name: &'static str,
     /// How much.
     pub value: Amount,
-    /// In which SI unit; empty for a pure number.
+    /// In which unit; empty for a pure number.
     pub unit: &'static str,
     /// What is done with it, or by what.
     pub about: &'static str,
@@ -93,7 +92,7 @@ pub(super) fn of<S: Enclosed>(typed: &Typed<'_, S>, pole: Option<f64>) -> Vec<Co
         all.extend(typed.double(parameter).map(|value| Condition {
             name,
             value: Amount::Double(value),
-            unit: unit_of(parameter, scene.motion),
+            unit: typed.unit(parameter).0,
             about,
         }));
         if parameter == Parameter::DampingTimeConstant {

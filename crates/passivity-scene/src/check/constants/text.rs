@@ -2,19 +2,18 @@
 
 use std::fmt::{self, Write as _};
 
-use passivity_core::{BigRational, Parameter};
+use passivity_core::Parameter;
 
-use super::{Amount, Condition, Constants, Target, below};
-use crate::check::text::unit_of;
+use super::{Amount, Condition, Constants, Target};
 use crate::display::wrapped;
 use crate::scene::Motion;
 
 impl Constants {
     /// The constants as the source text of a program.
     #[must_use]
-    pub fn to_source(&self, target: Target) -> String {
-        let mut lines = self.comment(target);
-        match target {
+    pub fn to_source(&self) -> String {
+        let mut lines = self.comment();
+        match self.target {
             Target::C => self.as_c(&mut lines),
             Target::Chai3d => self.as_chai3d(&mut lines),
             Target::OpenHaptics => self.as_open_haptics(&mut lines),
@@ -22,7 +21,7 @@ impl Constants {
         lines
     }
 
-    fn comment(&self, target: Target) -> String {
+    fn comment(&self) -> String {
         let mut out = String::from("/*\n");
         let mut say = |text: &str| {
             for line in wrapped(text, 3).lines() {
@@ -39,7 +38,7 @@ impl Constants {
         say(&format!("{}.", self.headline));
         say(&format!("Rests on {}.", self.because.join(", ")));
         say(&format!("What binds: {}.", self.binds));
-        let largest = match target {
+        let largest = match self.target {
             Target::Chai3d if self.max_stiffness.is_some() => {
                 " The largest stiffness holds with the damping written beside it."
             }
@@ -106,7 +105,7 @@ impl Constants {
     }
 
     fn unit(&self, parameter: Parameter) -> &'static str {
-        unit_of(parameter, self.motion)
+        self.target.unit(parameter, self.motion).0
     }
 
     fn force_limit(&self) -> String {
@@ -208,16 +207,8 @@ impl Constants {
     }
 
     fn as_open_haptics(&self, out: &mut String) {
-        let ([unit, damping_unit], factor) = match self.motion {
-            Motion::Rotary => (["N m/rad", "N m s/rad"], 1),
-            _ => (["N/mm", "N s/mm"], 1000),
-        };
-        let scaled = |value: f64| {
-            let exact = BigRational::from_float(value);
-            exact.map_or(0.0, |x| {
-                below(&(x / BigRational::from_integer(factor.into())))
-            })
-        };
+        let [unit, damping_unit] =
+            [Parameter::Stiffness, Parameter::Damping].map(|of| self.unit(of));
         let _ = match self.whole_rate {
             Some(rate) => writeln!(
                 out,
@@ -231,7 +222,6 @@ impl Constants {
             ),
         };
         let mut constant = |name: &str, value: f64, about: &str| {
-            let value = scaled(value);
             let _ = writeln!(
                 out,
                 "static const HDdouble {name} = {value:?}; /* {about} */"
@@ -273,8 +263,7 @@ impl Constants {
             let _ = writeln!(out, "/* kMaxDamping: {}. */", self.no_damping());
         }
         self.speed_comment(out);
-        let conditions: Vec<Condition> = self.conditions.iter().map(in_millimetres).collect();
-        write_conditions(out, &conditions, |condition| {
+        write_conditions(out, &self.conditions, |condition| {
             declaration("static const", "HDdouble", "k", condition)
         });
     }
@@ -345,22 +334,6 @@ fn declaration(before: &str, double: &str, prefix: &str, condition: &Condition) 
         Amount::Coefficients(_) => (double, "[]"),
     };
     format!("{before} {kind} {name}{brackets} = {};", condition.value)
-}
-
-/// A condition with its length in millimetres.
-fn in_millimetres(condition: &Condition) -> Condition {
-    let value = match (&condition.value, condition.unit) {
-        (Amount::Double(metres), "m") => BigRational::from_float(*metres),
-        _ => return condition.clone(),
-    };
-    let millimetres = value.map_or(0.0, |x| {
-        below(&(x * BigRational::from_integer(1000.into())))
-    });
-    Condition {
-        value: Amount::Double(millimetres),
-        unit: "mm",
-        ..condition.clone()
-    }
 }
 
 /// The name as a C identifier in capitals; letters that C does not have stay apart by their numbers.

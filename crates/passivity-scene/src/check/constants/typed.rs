@@ -7,7 +7,7 @@ use passivity_core::transfer::TransferFunction;
 use passivity_core::verdict::{End, Speeds};
 use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Parameter};
 
-use super::{above, below};
+use super::{Target, above, below};
 use crate::check::{BITS, limits};
 use crate::display::{Rounding, rounded};
 use crate::number::nearest_f64;
@@ -30,9 +30,10 @@ const WRITTEN: [Parameter; 9] = [
 #[derive(Clone)]
 pub(super) struct Typed<'a, S> {
     pub(super) scene: &'a Scene,
+    target: Target,
     bounds: Loop<Interval<S>>,
     speeds: Speeds<Interval<S>>,
-    /// Exactly the doubles; of the sampling period, the reciprocal of one.
+    /// Exactly the doubles, taken to SI; of the sampling period, the reciprocal of one.
     values: Vec<(Parameter, BigRational)>,
 }
 
@@ -40,6 +41,7 @@ impl<'a, S: Enclosed> Typed<'a, S> {
     /// The doubles beside the scene's values, on the side that passes.
     pub(super) fn of(
         scene: &'a Scene,
+        target: Target,
         bounds: &Loop<Interval<S>>,
         speeds: Speeds<Interval<S>>,
     ) -> Option<Self> {
@@ -48,7 +50,10 @@ impl<'a, S: Enclosed> Typed<'a, S> {
             let Some(given) = scene.given.get(parameter) else {
                 continue;
             };
-            let choices = doubles_beside(parameter, &given.nominal.enclosure(BITS)?)?;
+            let (_, in_units) = target.unit(parameter, scene.motion);
+            let nominal = given.nominal.enclosure(BITS)?.map(|x| x * &in_units);
+            let choices = doubles_beside(parameter, &nominal)?;
+            let choices: Vec<_> = choices.into_iter().map(|x| x / &in_units).collect();
             let with_each = |values: Vec<(Parameter, BigRational)>| {
                 let each = choices.clone().into_iter();
                 each.map(move |value| [values.as_slice(), &[(parameter, value)]].concat())
@@ -58,6 +63,7 @@ impl<'a, S: Enclosed> Typed<'a, S> {
         }
         let typed = |controller, values| Self {
             scene,
+            target,
             bounds: Loop {
                 controller,
                 ..bounds.clone()
@@ -88,9 +94,15 @@ impl<'a, S: Enclosed> Typed<'a, S> {
         values.find_map(|(written, value)| (*written == parameter).then_some(value))
     }
 
+    /// The unit in which a parameter is written, and how many of it one is in SI.
+    pub(super) fn unit(&self, parameter: Parameter) -> (&'static str, BigRational) {
+        self.target.unit(parameter, self.scene.motion)
+    }
+
     /// The double that is written of a parameter; `None` where the scene does not have it.
     pub(super) fn double(&self, parameter: Parameter) -> Option<f64> {
-        self.value(parameter).map(nearest_f64)
+        let (_, in_units) = self.unit(parameter);
+        self.value(parameter).map(|x| nearest_f64(&(x * in_units)))
     }
 
     /// The sampling rate, Hz.
@@ -132,10 +144,11 @@ impl<'a, S: Enclosed> Typed<'a, S> {
         bounds.is_some_and(|bounds| bounds.surely_holds(&self.speeds))
     }
 
-    /// Whether the criterion holds with another value of one parameter.
+    /// Whether the criterion holds with another double of one parameter.
     fn holds_with(&self, parameter: Parameter, value: f64) -> bool {
         let moved = || {
-            let value = S::of(&Exact::of(&BigRational::from_float(value)?))?;
+            let (_, in_units) = self.unit(parameter);
+            let value = S::of(&Exact::of(&(BigRational::from_float(value)? / in_units)))?;
             Some(self.bounds()?.with(parameter, Interval::point(value)))
         };
         moved().is_some_and(|bounds| bounds.surely_holds(&self.speeds))
@@ -155,7 +168,8 @@ impl<'a, S: Enclosed> Typed<'a, S> {
             }
         }
         let limit = limits::limit(parameter, self.scene, &bounds, &self.speeds)?;
-        let border = limit.border.lo();
+        let (_, in_units) = self.unit(parameter);
+        let border = &(limit.border.lo() * in_units);
         let most = below(border);
         let short = (5..17).filter_map(|digits| {
             let text = rounded(border, digits, Rounding::Down);
@@ -237,7 +251,10 @@ impl<S: Enclosed> Written<'_, S> {
     /// that is limited.
     pub(super) fn passes_any_law(&self) -> bool {
         let mut other = self.clone();
-        other.typed.bounds = other.typed.bounds.reshaped(|bounds| bounds.unilateral = true);
+        other.typed.bounds = other
+            .typed
+            .bounds
+            .reshaped(|bounds| bounds.unilateral = true);
         other.passes()
     }
 }
