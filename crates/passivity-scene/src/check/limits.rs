@@ -303,9 +303,16 @@ pub(crate) fn is_searched<S: Enclosed>(parameter: Parameter, bounds: &Loop<Inter
             let given = bounds
                 .get(parameter)
                 .is_some_and(|x| x.hi().is_positive() == Some(true));
-            varies && given && !cost.is_none_or(Interval::is_point)
+            varies && given && cost.is_some_and(|cost| !cost.is_point() && differs(cost))
         }
     }
+}
+
+/// Whether a cost is a range over tolerances, and not just an enclosure of one number.
+fn differs<S: Enclosed>(cost: &Interval<S>) -> bool {
+    let close = S::of(&Exact::of(&BigRational::from_integer((1_i64 << 48).into())));
+    let width = cost.hi().clone() - cost.lo().clone();
+    close.is_none_or(|close| (width * close).compare(cost.hi()) != Some(Ordering::Less))
 }
 
 /// The border of a parameter that is in the scene, bracketed: from its value on by factors of two,

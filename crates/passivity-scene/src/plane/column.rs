@@ -119,7 +119,8 @@ impl Plane {
             b: &Loop<Interval<S>>,
             axes: &[Axis],
         ) -> bool {
-            let part = |p: &Parameter| p.row().hurts != Hurts::Neither;
+            // What is computed from other parameters has no key.
+            let part = |p: &Parameter| p.row().hurts != Hurts::Neither && !p.row().key.is_empty();
             let fixed = |p: &Parameter| axes.iter().all(|axis| axis.parameter() != *p);
             let mut others = Parameter::ALL.iter().filter(|p| part(p) && fixed(p));
             let shape = |l: &Loop<Interval<S>>| (l.delay, l.unilateral, l.max_force.is_some());
@@ -164,7 +165,7 @@ impl Plane {
     fn solved(&self) -> Option<Along> {
         fn solved<S: Enclosed>(axes: &[Axis; 2], bounds: &Loop<Interval<S>>) -> Option<Along> {
             let one = exact(1.0)?;
-            let at = moved(bounds, axes, [&one, &one])?;
+            let at = with_own_costs(bounds, axes, [&one, &one])?;
             let [x, y] = axes
                 .each_ref()
                 .map(|axis| has_formula(axis.parameter(), &at));
@@ -214,7 +215,7 @@ impl Plane {
         let axis = inner.of(&self.axes);
         let start = point(extent.decimal(0.5, axis))?;
         let start = start.each_ref();
-        let at = moved(bounds, &self.axes, start)?;
+        let at = with_own_costs(bounds, &self.axes, start)?;
         if !has_formula(axis.parameter(), &at) {
             return Some(searched(extent, axis, hints, |w| passes(w) == Some(true)));
         }
@@ -242,9 +243,11 @@ fn wide(bounds: &Loop<Interval<Exact>>, axes: &[Axis; 2]) -> Option<Loop<Interva
     }
 }
 
+/// Bits of what is enclosed for a picture.
+const BITS: u32 = 64;
+
 /// A number, or a close enclosure of it where this kind of number cannot hold it.
 fn value<S: Enclosed>(x: &Exact) -> Option<Interval<S>> {
-    const BITS: u32 = 64;
     if let Some(x) = S::of(x) {
         return Some(Interval::point(x));
     }
@@ -272,6 +275,16 @@ fn moved<S: Enclosed>(
         at = at.with(axis.parameter(), value(&axis.si(number)?)?);
     }
     Some(at)
+}
+
+/// The same with what it costs itself: what was computed for the scene is of the scene's own point.
+fn with_own_costs<S: Enclosed>(
+    bounds: &Loop<Interval<S>>,
+    axes: &[Axis; 2],
+    point: [&BigRational; 2],
+) -> Option<Loop<Interval<S>>> {
+    let at = moved(bounds, axes, point)?;
+    at.reshaped(|_| ()).with_costs(BITS)
 }
 
 /// The speeds of a region at a point of the plane.

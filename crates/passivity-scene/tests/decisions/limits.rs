@@ -141,7 +141,7 @@ fn limit(values: &str, parameter: Parameter) -> Limit {
 }
 
 /// Where no formula says the border it is bracketed: one end passes, the other does not, and they are
-/// 2⁻³² of the way apart that was searched.
+/// 2⁻³² of the way apart that was searched, or as close as what the loop costs is enclosed.
 fn assert_bracketed(
     values: &str,
     parameter: Parameter,
@@ -154,13 +154,15 @@ fn assert_bracketed(
         Side::AtMost => [limit.border.lo(), limit.border.hi()],
     };
     assert!(
-        passes(hard) && !passes(beyond),
+        passes(hard) && (hard == beyond || !passes(beyond)),
         "{values}: {}",
         said(&limit)
     );
     let width = limit.border.hi() - limit.border.lo();
     let steps = BigRational::from_integer((1_u64 << 32).into());
-    assert_eq!(width * steps, q(way), "{values}: {parameter:?}");
+    let apart = width * steps;
+    let is_close = &apart * q("1e9") < q(way);
+    assert!(apart == q(way) || is_close, "{values}: {parameter:?}");
     let printed = q(limit.printed.as_ref().unwrap());
     assert!(passes(&printed), "{values}: {printed}");
     // A thousandth beyond it does not.

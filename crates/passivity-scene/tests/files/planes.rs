@@ -14,7 +14,7 @@ struct Device {
     axes: [&'static str; 2],
 }
 
-const DEVICES: [Device; 9] = [
+const DEVICES: [Device; 14] = [
     Device {
         name: "a motor in degrees, with tolerances",
         text: "[device]\nviscous = \"9e-6 N m s/rad ± 10%\"\ncoulomb = \"2 mN m ± 20%\"\n[sampling]\n\
@@ -85,6 +85,94 @@ const DEVICES: [Device; 9] = [
                numerator = [\"1.5\", \"-0.5\"]\n[operator]\nmax_speed = \"2\"\n",
         own: ["5/4", "3/2"],
         axes: ["viscous", "coulomb"],
+    },
+    Device {
+        name: "damping that is late, over viscous friction",
+        text: "[device]\n\
+               viscous = \"{y} N s/m\"\n\
+               coulomb = \"0.04 N\"\n\
+               [sampling]\n\
+               period = \"1 ms\"\n\
+               delay = 1\n\
+               [encoder]\n\
+               resolution = \"0.03 mm\"\n\
+               [wall]\n\
+               stiffness = \"0.4 N/mm\"\n\
+               damping = \"{x} N s/m\"\n\
+               ",
+        own: ["0.2", "0.9"],
+        axes: ["damping", "viscous"],
+    },
+    Device {
+        name: "a filter, over Coulomb friction and periods",
+        text: "[device]\n\
+               viscous = \"0.3 N s/m\"\n\
+               coulomb = \"{x} N\"\n\
+               [sampling]\n\
+               period = \"{y} ms\"\n\
+               [encoder]\n\
+               resolution = \"0.03 mm\"\n\
+               [wall]\n\
+               stiffness = \"0.4 N/mm\"\n\
+               damping = \"0.3 N s/m\"\n\
+               damping_time_constant = \"2 ms\"\n\
+               [operator]\n\
+               max_speed = \"50 mm/s\"\n\
+               ",
+        own: ["0.04", "1"],
+        axes: ["coulomb", "period"],
+    },
+    Device {
+        name: "a filter that is late, over its own time constant",
+        text: "[device]\n\
+               viscous = \"{y} N s/m\"\n\
+               coulomb = \"0.04 N\"\n\
+               [sampling]\n\
+               period = \"1 ms\"\n\
+               delay = 2\n\
+               [encoder]\n\
+               resolution = \"0.03 mm\"\n\
+               [wall]\n\
+               stiffness = \"0.4 N/mm\"\n\
+               damping = \"0.3 N s/m\"\n\
+               damping_time_constant = \"{x} ms\"\n\
+               ",
+        own: ["2", "1.5"],
+        axes: ["damping_time_constant", "viscous"],
+    },
+    Device {
+        name: "a latency, over viscous friction",
+        text: "[device]\n\
+               viscous = \"{y} N s/m\"\n\
+               coulomb = \"0.04 N\"\n\
+               [sampling]\n\
+               period = \"1 ms\"\n\
+               latency = \"{x} ms\"\n\
+               [encoder]\n\
+               resolution = \"0.03 mm\"\n\
+               [wall]\n\
+               stiffness = \"0.4 N/mm\"\n\
+               ",
+        own: ["1", "0.6"],
+        axes: ["latency", "viscous"],
+    },
+    Device {
+        name: "an amplifier and damping, over the resolution of the encoder",
+        text: "[device]\n\
+               viscous = \"0.5 N s/m\"\n\
+               coulomb = \"0.04 N\"\n\
+               [sampling]\n\
+               period = \"1 ms\"\n\
+               [encoder]\n\
+               resolution = \"{y} mm\"\n\
+               [wall]\n\
+               stiffness = \"0.4 N/mm\"\n\
+               damping = \"{x} N s/m\"\n\
+               [amplifier]\n\
+               time_constant = \"0.1 ms\"\n\
+               ",
+        own: ["0.1", "0.03"],
+        axes: ["damping", "resolution"],
     },
 ];
 
