@@ -95,12 +95,8 @@ impl ViscousCost {
     #[must_use]
     pub fn is_enough(&self, beta: &BigRational) -> bool {
         let spare = self.spare(beta);
-        if spare.is_plainly_positive() {
-            return true;
-        }
-        let eighths = (-8..=8_i32).map(|n| BigRational::new(n.into(), 8.into()));
-        let short = |x: BigRational| spare.sign_at(&x) == Ordering::Less;
-        !eighths.into_iter().any(short) && sturm::sign_over(&spare, &cosines()).is_nonnegative()
+        let plain = spare.is_plainly_positive();
+        plain.unwrap_or_else(|| sturm::sign_over(&spare, &cosines()).is_nonnegative())
     }
 
     /// Whether λ(θ) ≥ β at every angle whose cosine is in an interval of [−1, 1].
@@ -148,7 +144,11 @@ impl ViscousCost {
         if enough(&lo) {
             return Interval::point(lo);
         }
-        let mut step = BigRational::one();
+        // Most often a peak is easily found, and nothing is above it.
+        let peak = self.at(&self.peak(width));
+        let quarter = width.clone().half().half();
+        lo = Scalar::max(lo, (&peak / &quarter).floor() * &quarter);
+        let mut step = width.clone().half();
         let mut hi = &lo + &step;
         while !enough(&hi) {
             step = step.double();
@@ -173,7 +173,7 @@ impl ViscousCost {
             }
         }
         // A value that is reached may be the largest.
-        if enough(&lo) {
+        if peak <= lo && enough(&lo) {
             return Interval::point(lo);
         }
         let simple = rational::simplest_above(&lo, &hi);
@@ -184,6 +184,40 @@ impl ViscousCost {
             return Interval::point(simple);
         }
         Interval::hull(lo, simple)
+    }
+
+    /// A cos θ near which λ(θ) is largest, as far as a search from the best of a grid on finds it, by about `width` of λ.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_core::{BigRational, Scalar, frequency::ViscousCost, transfer::TransferFunction};
+    ///
+    /// // A delay of one sample and damping of ½KT: 60°.
+    /// let half = BigRational::integer(1).half();
+    /// let late = TransferFunction::damped(&half).unwrap().delayed(1);
+    /// assert_eq!(ViscousCost::of(&late).peak(&half), half);
+    /// ```
+    #[must_use]
+    pub fn peak(&self, width: &BigRational) -> BigRational {
+        let at = |x: BigRational| (self.at(&x), x);
+        let grid = (-32..=32_i32).map(|n| at(BigRational::new(n.into(), 32.into())));
+        let higher = |a: (BigRational, BigRational), b| if b > a { b } else { a };
+        let Some(mut best) = grid.reduce(higher) else {
+            return BigRational::one();
+        };
+        // It is off by the square of what cos θ is.
+        let mut step = BigRational::new(1.into(), 64.into());
+        let ends = cosines();
+        while &step * &step > *width {
+            let (_, x) = &best;
+            let near = [x - &step, x + &step].into_iter();
+            let near = near.filter(|x| ends.lo() <= x && x <= ends.hi());
+            let near: Vec<_> = near.map(at).collect();
+            best = near.into_iter().fold(best, higher);
+            step = step.half();
+        }
+        best.1
     }
 
     /// The largest λ(θ) in the middle of a band where β is short, rounded down to whole quarters of

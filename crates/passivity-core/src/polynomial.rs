@@ -197,10 +197,12 @@ impl Polynomial {
         }
     }
 
-    /// Whether the polynomial is above zero on [−1, 1], where that is easily seen; `false` says nothing.
+    /// Whether the polynomial is above zero everywhere on [−1, 1], or below zero somewhere in it, where that is easily
+    /// seen: for all but those that come very near to zero, and do not cross it.
     ///
-    /// With x = (1 − s)/(1 + s) and s ≥ 0 it is Σ aᵢ(1 − s)ⁱ(1 + s)ⁿ⁻ⁱ over (1 + s)ⁿ, which is above zero
-    /// everywhere, and at x = −1 in the limit, where all coefficients are.
+    /// With x = −1 + 2t and t = 1/(1 + s), s ≥ 0, it is Σ aₖ(1 + s)ⁿ⁻ᵏ over (1 + s)ⁿ, from the value at the upper end to that
+    /// at the lower one. It is above zero where all of its coefficients by s are; where only some are, each half of the
+    /// interval is looked at.
     ///
     /// # Example
     ///
@@ -208,30 +210,42 @@ impl Polynomial {
     /// use passivity_core::{BigRational, Scalar, polynomial::Polynomial};
     ///
     /// let of = |coefficients: [i32; 3]| Polynomial::new(coefficients.map(BigRational::integer));
-    /// assert!(of([2, 0, -1]).is_plainly_positive()); // 2 − x²
-    /// assert!(!of([1, 0, -1]).is_plainly_positive()); // zero at both ends
+    /// assert_eq!(of([2, 0, -1]).is_plainly_positive(), Some(true)); // 2 − x²
+    /// assert_eq!(of([-1, 0, 5]).is_plainly_positive(), Some(false));
+    /// assert_eq!(of([1, 0, -1]).is_plainly_positive(), None); // zero at both ends
     /// ```
     #[must_use]
-    pub fn is_plainly_positive(&self) -> bool {
-        let mut power = vec![BigInt::one()]; // (1 + s)^(n − i)
-        let mut sum: Vec<BigInt> = Vec::new();
-        for a in self.numerators.iter().rev() {
-            // sum·(1 − s) + a·power
-            let mut next: Vec<BigInt> = power.iter().map(|p| a * p).collect();
-            for (i, c) in sum.iter().enumerate() {
-                for (slot, term) in next.iter_mut().skip(i).zip([c.clone(), -c]) {
-                    *slot += term;
-                }
-            }
-            sum = next;
-            power.push(BigInt::ZERO);
-            for i in (1..power.len()).rev() {
-                if let [before, at] = power.get_mut(i - 1..=i).unwrap_or_default() {
-                    *at += &*before;
-                }
-            }
+    pub fn is_plainly_positive(&self) -> Option<bool> {
+        let mut from_end = self.numerators.clone();
+        shift(&mut from_end, |slot, next| *slot -= next);
+        for (slot, k) in from_end.iter_mut().zip(0_u32..) {
+            *slot <<= k;
         }
-        !sum.is_empty() && sum.iter().all(|c| c.is_positive())
+        let mut pieces = vec![from_end];
+        let mut left = MOST_PIECES;
+        while !pieces.is_empty() {
+            left = left.checked_sub(pieces.len())?;
+            let mut halves = Vec::new();
+            for piece in pieces {
+                let mut reversed: Vec<BigInt> = piece.iter().rev().cloned().collect();
+                shift(&mut reversed, |slot, next| *slot += next);
+                if reversed.first()?.is_negative() || reversed.last()?.is_negative() {
+                    return Some(false);
+                }
+                if reversed.iter().all(|c| c.is_positive()) {
+                    continue;
+                }
+                let mut half = piece;
+                for (slot, k) in half.iter_mut().rev().zip(0_u32..) {
+                    *slot <<= k;
+                }
+                let mut other = half.clone();
+                shift(&mut other, |slot, next| *slot += next);
+                halves.extend([half, other]);
+            }
+            pieces = halves;
+        }
+        Some(true)
     }
 
     /// The greatest common divisor of two polynomials, with whole coprime coefficients; its sign is
@@ -257,6 +271,20 @@ impl Polynomial {
         };
         let terms = over(self).into_iter().zip(over(other));
         Self::over(terms.map(|(a, b)| f(a, b)).collect(), common)
+    }
+}
+
+/// In how many pieces [−1, 1] is looked at, at most.
+const MOST_PIECES: usize = 512;
+
+/// The coefficients by y of a polynomial in x = y + 1, or in x = y − 1 where `step` takes the next one off.
+fn shift(coefficients: &mut [BigInt], step: impl Fn(&mut BigInt, &BigInt)) {
+    for from in 0..coefficients.len() {
+        for i in (from + 1..coefficients.len()).rev() {
+            if let [slot, next] = coefficients.get_mut(i - 1..=i).unwrap_or_default() {
+                step(slot, next);
+            }
+        }
     }
 }
 
