@@ -8,10 +8,11 @@
 //! ```
 //!
 //! which is largest where u(1 + u)y = 2, 4/(3√3·u(1 + u)), and never above 2y ≤ 8. So what a loop between two values of u
-//! costs is at no angle more than |φ″|(Δu)²/8 of B above what the harder one of both costs there. What the filter costs of
+//! costs is at no angle further than |φ″|(Δu)²/8 of B from the chord of what both cost there. What the filter costs of
 //! Coulomb friction, B/(1 + u), and without a delay of viscous friction, B/(1 + 2u), is less in between than the chord. With
-//! u as it is, the margin is a concave function of K, of T and of B each, as without a filter. So a cell holds where its
-//! corners in K, T, B and u do with that much to spare.
+//! u as it is, the margin is a concave function of K, of T and of B each, as without a filter. So a stretch of u holds where
+//! its corners in K, T, B and u do with that much to spare; and it fails where they do by as much at one angle, at which all
+//! but what the encoder costs is linear in K, T and B.
 
 use alloc::vec::Vec;
 
@@ -20,7 +21,7 @@ use num_rational::BigRational;
 use crate::decision::{Enclosed, SHAPING};
 use crate::fraction::Wide;
 use crate::interval::{Interval, Truth};
-use crate::linear_part::{Command, bend};
+use crate::linear_part::{Command, LinearPart, bend};
 use crate::parameter::{Loop, Parameter};
 use crate::rational::{self, SHORT, to_wide};
 use crate::scalar::{Ordered as _, Scalar};
@@ -53,27 +54,25 @@ pub(crate) fn over_cells<S: Enclosed>(
     wanted: Truth,
 ) -> Option<Truth> {
     let speeds = speeds.try_map(short)?;
-    let mut cells = alloc::vec![bounds.try_map(|_, range| short(range))?];
+    let whole = bounds.try_map(|_, range| short(range))?;
     let is_squared = matches!(speeds, Speeds::UpToSquared(_));
-    let filtered = bounds.damping_time_constant.is_some() && !bounds.has_actuator();
-    // Behind a filter only what u is made of is cut: the corners tell of the rest.
-    let behind_filter = wanted == Truth::Holds && filtered && bounds.is_linear() && !is_squared;
-    let cut: &[Parameter] = match behind_filter {
-        true => &[Parameter::DampingTimeConstant, Parameter::Period],
-        false => &SHAPING,
-    };
+    if let (Some(tau), false) = (&whole.damping_time_constant, is_squared) {
+        if whole.linear_part(CELL_BITS)?.frequency_response().is_some() {
+            return whole.over_stretches(tau, &speeds, wanted);
+        }
+    }
+    let mut cells = alloc::vec![whole];
     let mut seen = 1;
     while let Some(cell) = cells.pop() {
-        let surely = match (behind_filter, is_squared) {
-            (true, _) => cell.holds_behind_filter(&speeds)?,
-            (_, true) => cell.with_costs(CELL_BITS)?.decide(&speeds)? == wanted,
-            _ => cell.is_surely(wanted, &speeds, &BigRational::zero())?,
+        let surely = match is_squared {
+            true => cell.with_costs(CELL_BITS)?.decide(&speeds)? == wanted,
+            false => cell.is_surely(wanted, &speeds, &BigRational::zero())?,
         };
         if surely {
             continue;
         }
         seen += 2;
-        let halves = cell.halves(cut)?;
+        let halves = cell.halves()?;
         if seen > MOST_CELLS || halves.is_empty() {
             return Some(Truth::Depends);
         }
@@ -83,41 +82,166 @@ pub(crate) fn over_cells<S: Enclosed>(
 }
 
 impl Loop<Interval<Wide>> {
-    /// Whether the criterion holds for all loops of a cell with filtered damping.
-    fn holds_behind_filter(&self, speeds: &Speeds<Interval<Wide>>) -> Option<bool> {
-        let tau = self.damping_time_constant.as_ref()?;
-        let period = &self.period;
-        let ends = [
-            tau.lo().clone().over(period.hi().clone()),
-            tau.hi().clone().over(period.lo().clone()),
-        ];
-        let bend = self.bend(&ends)?;
+    /// The same for filtered damping in a linear loop: cut along u, and along T where the encoder's BΔ/(T + τ) asks for it.
+    fn over_stretches(
+        &self,
+        tau: &Interval<Wide>,
+        speeds: &Speeds<Interval<Wide>>,
+        wanted: Truth,
+    ) -> Option<Truth> {
+        let quotient = |above: &Wide, below: &Wide| above.clone().over(below.clone());
+        let whole = &self.period;
+        let u = Interval::hull(
+            quotient(tau.lo(), whole.hi()),
+            quotient(tau.hi(), whole.lo()),
+        );
+        let mut stretches = alloc::vec![(u, whole.clone())];
+        let mut seen = 1;
+        while let Some((u, periods)) = stretches.pop() {
+            // The periods that have such a filter, u·T, within its tolerance.
+            let (mut shortest, mut longest) = (periods.lo().clone(), periods.hi().clone());
+            if u.hi().is_positive()? {
+                shortest = shortest.max(quotient(tau.lo(), u.hi()));
+            }
+            if u.lo().is_positive()? {
+                longest = longest.min(quotient(tau.hi(), u.lo()));
+            }
+            if shortest.compare(&longest)?.is_gt() {
+                continue;
+            }
+            let periods = short(&Interval::hull(shortest, longest))?;
+            let stretch = self.clone().with(Parameter::Period, periods.clone());
+            let ends = [u.lo().clone(), u.hi().clone()];
+            let surely = match wanted {
+                Truth::Holds => stretch.holds_behind_filter(&ends, tau, speeds)?,
+                _ => stretch.fails_behind_filter(&ends, speeds)?,
+            };
+            if surely == Truth::Holds {
+                continue;
+            }
+            seen += 2;
+            let share = |x: &Interval<Wide>| quotient(x.lo(), x.hi());
+            let along_period = wanted == Truth::Fails
+                && self.has_encoder()
+                && share(&periods).compare(&share(&u))?.is_lt();
+            let cut = if along_period { &periods } else { &u };
+            if surely == Truth::Fails || seen > MOST_CELLS || !is_wide(cut) {
+                return Some(Truth::Depends);
+            }
+            let middle = short(&Interval::point(cut.middle()))?.lo().clone();
+            let halves = [
+                Interval::hull(cut.lo().clone(), middle.clone()),
+                Interval::hull(middle, cut.hi().clone()),
+            ];
+            stretches.extend(halves.map(|half| match along_period {
+                true => (u.clone(), half),
+                false => (half, periods.clone()),
+            }));
+        }
+        Some(wanted)
+    }
+
+    /// The loops at both ends of K, T and B, where they have a tolerance, and of u.
+    fn corners_behind_filter(&self, ends: &[Wide; 2]) -> Vec<Self> {
         let split = [Parameter::Stiffness, Parameter::Period, Parameter::Damping];
         let split = split
             .into_iter()
             .filter(|p| self.get(*p).is_some_and(is_wide));
-        for corner in self.at_both_ends(split) {
-            for u in &ends {
+        let corners = self.at_both_ends(split).into_iter();
+        let corners = corners.flat_map(|corner| {
+            ends.each_ref().map(|u| {
                 let tau = corner.period.map(|period| u.clone() * period.clone());
-                let corner = corner.clone().with(Parameter::DampingTimeConstant, tau);
-                if !corner.is_surely(Truth::Holds, speeds, &bend)? {
-                    return Some(false);
-                }
-            }
-        }
-        Some(true)
+                corner.clone().with(Parameter::DampingTimeConstant, tau)
+            })
+        });
+        corners.collect()
     }
 
-    /// How far the cost between two values of u is at most above what the harder one costs, in KT: |φ″|(Δu)²/8 of B, and
-    /// nothing where a closed form says the cost.
+    /// Whether the criterion holds for all loops of a stretch of u; that it fails where it does for one that is within the
+    /// tolerance of the filter, which no further cut mends.
+    fn holds_behind_filter(
+        &self,
+        ends: &[Wide; 2],
+        tau: &Interval<Wide>,
+        speeds: &Speeds<Interval<Wide>>,
+    ) -> Option<Truth> {
+        // Without a delay a closed form says the cost.
+        let bend = match self.delay {
+            0 => BigRational::zero(),
+            _ => self.bend(ends)?,
+        };
+        for corner in self.corners_behind_filter(ends) {
+            if corner.is_surely(Truth::Holds, speeds, &bend)? {
+                continue;
+            }
+            let at = corner.damping_time_constant.as_ref()?;
+            let is_inside =
+                at.lo().compare(tau.lo())?.is_ge() && at.hi().compare(tau.hi())?.is_le();
+            let unbent = BigRational::zero();
+            let mends =
+                !is_inside || (bend > unbent && corner.is_surely(Truth::Holds, speeds, &unbent)?);
+            return Some(if mends { Truth::Depends } else { Truth::Fails });
+        }
+        Some(Truth::Holds)
+    }
+
+    /// Whether the criterion fails for all loops of a stretch of u: by all of them at one angle, at which it is a linear
+    /// function of K, of T and of B but for BΔ/(T + τ), and bends with u.
+    fn fails_behind_filter(
+        &self,
+        ends: &[Wide; 2],
+        speeds: &Speeds<Interval<Wide>>,
+    ) -> Option<Truth> {
+        let [_, slowest] = ends;
+        let speeds = speeds.at(End::Easiest);
+        // Damping costs the least of Coulomb friction at the longest period, behind the slowest filter.
+        let longest = self.period.hi();
+        let coulomb = |corner: &Loop<Wide>| {
+            let slowest = slowest.clone() * longest.clone();
+            let sparing = corner.clone().with(Parameter::Period, longest.clone());
+            let sparing = sparing.with(Parameter::DampingTimeConstant, slowest);
+            sparing.criterion().coulomb
+        };
+        if coulomb(&self.at(End::Easiest)).is_nonnegative() == Some(false) {
+            return Some(Truth::Holds);
+        }
+        let cost = self.linear_part_between(ends)?.frequency_response()?;
+        let near = BigRational::new(1.into(), (1 << 20).into());
+        let x = cost.peak(&near);
+        let bend = self.bend(ends)?;
+        for corner in self.corners_behind_filter(ends) {
+            let easiest = corner.at(End::Easiest);
+            let friction = match &speeds {
+                Speeds::UpTo(v) => easiest.viscous_friction() + coulomb(&easiest).over(v.clone()),
+                _ => easiest.viscous_friction(),
+            };
+            let beta = friction.over(easiest.viscous_unit());
+            let point = easiest.map(|_, x| Interval::point(x.clone()));
+            let asked = point.linear_part(CELL_BITS)?.frequency_response()?.at(&x) - &bend;
+            if asked <= *beta.enclosed(CELL_BITS)?.hi() {
+                return Some(Truth::Depends);
+            }
+        }
+        Some(Truth::Holds)
+    }
+
+    /// The linear part in the middle of a stretch of u.
+    fn linear_part_between(&self, ends: &[Wide; 2]) -> Option<LinearPart> {
+        let [from, to] = ends;
+        let middle = self.map(|_, range| range.middle());
+        let tau = (from.clone() + to.clone()).half() * middle.period.clone();
+        let point = middle.with(Parameter::DampingTimeConstant, tau);
+        point
+            .map(|_, x| Interval::point(x.clone()))
+            .linear_part(CELL_BITS)
+    }
+
+    /// How far the cost between two values of u is at most from the chord, in KT: |φ″|(Δu)²/8 of B.
     fn bend(&self, [from, to]: &[Wide; 2]) -> Option<BigRational> {
         let part = self.linear_part(CELL_BITS)?;
         let Command::Spring { damping, .. } = &part.command else {
             return None;
         };
-        if part.delay == 0 {
-            return Some(BigRational::zero());
-        }
         let ends = [rational::from_wide(from)?, rational::from_wide(to)?];
         Some(bend(damping.hi(), &ends))
     }
@@ -153,10 +277,10 @@ impl Loop<Interval<Wide>> {
         Some(decided == Some(wanted == Truth::Holds))
     }
 
-    /// The box cut in two along that one of these parameters with the largest relative width; none for a point.
-    fn halves(&self, cut: &[Parameter]) -> Option<Vec<Self>> {
+    /// The box cut in two along its shaping parameter with the largest relative width; none for a point.
+    fn halves(&self) -> Option<Vec<Self>> {
         let mut widest: Option<(Parameter, Wide)> = None;
-        for &parameter in cut {
+        for parameter in SHAPING {
             let Some(range) = self.get(parameter).filter(|range| !range.is_point()) else {
                 continue;
             };
