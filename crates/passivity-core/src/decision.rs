@@ -4,7 +4,7 @@
 //! the corners are decided in this way; if they disagree, it depends. If all corners hold, so does a
 //! box of loops without filter and actuator, because the margin is a concave function of each of its
 //! parameters: KT·λ is the largest of functions that are linear in KT and in B, and −BΔ/T is concave in
-//! T. If none holds, neither does a box whose cost is the same multiple of KT everywhere. Any other box
+//! T; and so does one with a filter behind a law that is not linear. If none holds, neither does a box whose cost is the same multiple of KT everywhere. Any other box
 //! is cut into cells, over each of which the costs are enclosed (`cells.rs`).
 
 use num_rational::BigRational;
@@ -214,17 +214,24 @@ impl<S: Enclosed> Loop<Interval<S>> {
         if !self.has_computed_costs() {
             return self.decide(speeds) == Some(Truth::Holds);
         }
-        if !self.corners_are_hardest() {
-            return over_cells(self, speeds, Truth::Holds) == Some(Truth::Holds);
-        }
         let hardest = speeds.at(End::Hardest);
         let holds = |corner: Self| corner.at(End::Hardest).met_at(&hardest) == Some(Truth::Holds);
-        self.corners().into_iter().all(holds)
+        let corners_hold = || self.corners().into_iter().all(holds);
+        if self.corners_are_hardest() {
+            return corners_hold();
+        }
+        // Of filtered damping a stretch of which a corner fails is cut no further.
+        (!self.has_actuator() || corners_hold())
+            && over_cells(self, speeds, Truth::Holds) == Some(Truth::Holds)
     }
 
     /// Whether no loop of the box is harder than its corners.
+    ///
+    /// So it is behind a law that is not linear too: there KT(½ + k) + B grows with each of them, whatever the filter, and the
+    /// margin with −BΔ/(T + τ) is a concave function of T.
     fn corners_are_hardest(&self) -> bool {
-        self.is_unfiltered() || self.has_one_shape()
+        let behind_any_law = !self.is_linear() && !self.has_actuator();
+        self.is_unfiltered() || behind_any_law || self.has_one_shape()
     }
 
     /// Whether there is neither a filter on the damping nor an actuator.

@@ -205,3 +205,20 @@ fn controllers_that_no_loop_can_have_are_refused() {
     let error = Scene::from_toml("scene", both).unwrap_err().to_string();
     assert!(error.contains("cannot both be given"), "{error}");
 }
+
+/// b = KT/2 + B behind a law that is not linear: the hardest corner asks for 9.71087. Late by five samples the loop asks
+/// for a thousandth more than there is at every corner, and so in between.
+#[test]
+fn tolerances_beside_a_filter_are_decided() {
+    let one_sided = "coulomb 0.00265788, period 0.0004046 … 0.0004946, resolution 7.711e-6, stiffness 141, \
+                     damping 9.485 … 9.676, damping_time_constant 0.03524, unilateral true";
+    let late = "viscous 0.737017, coulomb 0, smooth, delay 5, period 0.0003265 … 0.0003331, stiffness 486.2, \
+                damping 0.5445, damping_time_constant 4.309e-5 … 4.396e-5, max_speed 0.008486";
+    for (values, verdict) in [
+        (format!("viscous 9.71184, {one_sided}"), Verdict::Passive),
+        (format!("viscous 9.7108, {one_sided}"), Verdict::Depends),
+        (late.to_owned(), Verdict::NotGuaranteed),
+    ] {
+        assert_eq!(crate::wall::report(&values).verdict, verdict, "{values}");
+    }
+}
