@@ -254,7 +254,7 @@ fn with_periods_between<S: Enclosed>(
     if !fails(&beyond) {
         return Some(border.joined(&Interval::point(beyond)));
     }
-    let found = bisected(easiest.clone(), &beyond, |x| !fails(x))?;
+    let found = bisected(easiest.clone(), &beyond, STEPS, |x| !fails(x))?;
     let unmoved = |end: &S| end.compare(&easiest) == Some(Ordering::Equal);
     let is_at_an_end = unmoved(found.lo()) || unmoved(found.hi());
     Some(match is_at_an_end {
@@ -352,27 +352,44 @@ fn searched<S: Enclosed>(
             } else {
                 [after, before]
             };
-            return bisected(passing, &failing, passes);
+            // Cells tell to some millionths, and take the longer the closer it is.
+            let in_cells = bounds.has_actuator() || bounds.damping_time_constant.is_some();
+            let steps = match in_cells && has_range(parameter, bounds) {
+                true => COARSE_STEPS,
+                false => STEPS,
+            };
+            return bisected(passing, &failing, steps, passes);
         }
     }
     None
 }
 
-/// The border between a value that passes and one that fails, bracketed to 2^−32 of the way.
+/// Whether a parameter other than one has a tolerance.
+fn has_range<S: Enclosed>(moved: Parameter, bounds: &Loop<Interval<S>>) -> bool {
+    let is_other = |of: Parameter| of != moved && !of.row().key.is_empty();
+    let mut given = bounds.given();
+    given.any(|(of, range)| is_other(of) && !range.is_point())
+}
+
+/// How often the way to a border is halved, and how often where cells tell.
+const STEPS: u32 = 32;
+const COARSE_STEPS: u32 = 20;
+
+/// The border between a value that passes and one that fails, bracketed to 2^−`steps` of the way.
 fn bisected<S: Enclosed>(
     passing: S,
     failing: &S,
+    steps: u32,
     passes: impl Fn(&S) -> bool,
 ) -> Option<Interval<S>> {
-    const STEPS: u32 = 32;
     let width = failing.clone() - passing.clone();
     // Each from the ends again, so that the numbers stay short.
     let at = |k: u64| {
-        let share = BigRational::new(k.into(), (1_u64 << STEPS).into());
+        let share = BigRational::new(k.into(), (1_u64 << steps).into());
         Some(passing.clone() + width.clone() * S::of(&Exact::of(&share))?)
     };
     let mut k = 0;
-    for step in (0..STEPS).rev() {
+    for step in (0..steps).rev() {
         let further = k + (1 << step);
         if passes(&at(further)?) {
             k = further;
@@ -418,5 +435,5 @@ fn longest_period<S: Enclosed>(
     if !passes(&passing) {
         return None;
     }
-    bisected(passing, &failing, passes)
+    bisected(passing, &failing, STEPS, passes)
 }

@@ -274,7 +274,7 @@ fn limits_of_a_latency() {
         Parameter::Viscous,
     );
     assert_eq!(vague.printed.as_deref(), Some("0.96235"));
-    assert!(vague.border.hi() - vague.border.lo() < q("1e-9"));
+    assert!(vague.border.hi() - vague.border.lo() < q("1e-6"));
     let vague = "viscous 1, coulomb 0 … 1, latency 0.3";
     assert_bracketed(vague, Parameter::Coulomb, "1/4", |c| *c >= q("1/2"));
     // No friction at all.
