@@ -99,3 +99,21 @@ fn a_request_asks_for_bounded_work_for_its_length() {
         );
     }
 }
+
+/// Tolerances of filtered damping behind a delay are decided in pieces: up to some, and not behind a long one.
+#[test]
+fn a_check_asks_for_bounded_work() {
+    let check = |delay: u32, tolerance: &str| {
+        ask(&format!(
+            r#"{{"op": "check", "scene": {{"device": {{"viscous": "11.28 N s/m"}},
+                "sampling": {{"period": "0.5 ms ± 10%", "delay": {delay}}},
+                "wall": {{"stiffness": "101 N/m{tolerance}", "damping": "16 N s/m{tolerance}",
+                    "damping_time_constant": "39 us ± 1%"}}}}}}"#
+        ))
+    };
+    let answer = check(20, " ± 0.1%");
+    assert!(answer.contains(r#""kind": "too_much_work""#), "{answer}");
+    assert!(answer.contains(r#""at": "scene""#), "{answer}");
+    let answer = check(5, "");
+    assert!(answer.contains(r#""verdict":"#), "{answer}");
+}

@@ -37,7 +37,7 @@ pub(super) fn run(fields: &Fields<'_>, work: Work, out: &mut Vec<u8>) -> Result<
         "interval" => put(&interval(fields, work)?, out),
         "run" => sequence(fields, work, out),
         "motion" => motion(fields, out),
-        "check" => verdict(fields, out),
+        "check" => verdict(fields, work, out),
         "version" => {
             fields.only(&[])?;
             put(&VERSION, out)
@@ -257,7 +257,7 @@ fn motion(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
 }
 
 /// What `passivity check` says of a scene.
-fn verdict(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
+fn verdict(fields: &Fields<'_>, mut work: Work, out: &mut Vec<u8>) -> Result<(), Refusal> {
     fields.only(&["scene"])?;
     let (_, value) = fields.get(&["scene"]).ok_or_else(|| missing("scene"))?;
     let scene = AnyScene::from_json(value).map_err(|error| {
@@ -267,6 +267,7 @@ fn verdict(fields: &Fields<'_>, out: &mut Vec<u8>) -> Result<(), Refusal> {
         let kind = first.map_or("scene", |diagnostic| diagnostic.kind().name());
         Refusal::new(kind, At::Field(at), error.to_string())
     })?;
+    work.take(work::of_check(&scene), || At::Field("scene".to_owned()))?;
     serde_json::to_writer(out, &scene.check())
         .map_err(|error| Refusal::new("undefined", At::Request, error.to_string()))
 }

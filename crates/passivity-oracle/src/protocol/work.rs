@@ -7,7 +7,8 @@ use num_traits::Zero as _;
 use passivity_audit::number::{Number, Written};
 use passivity_audit::{Ledger, Reading};
 use passivity_core::linear_part::MOST_DEGREE;
-use passivity_core::{BigRational, Interval, Loop};
+use passivity_core::{BigRational, Interval, Loop, Parameter};
+use passivity_scene::AnyScene;
 
 use super::{At, Refusal};
 
@@ -50,7 +51,7 @@ impl Work {
             None => {
                 let message = format!(
                     "more work than a request of this length may ask for ({FREE} steps and {PER_BYTE} for \
-                     each byte): use shorter numbers, a shorter delay or fewer positions at a time"
+                     each byte): use shorter numbers, a shorter delay, fewer tolerances or fewer positions at a time"
                 );
                 Err(Refusal::new("too_much_work", at(), message))
             }
@@ -97,6 +98,44 @@ pub(super) fn of_costs(dimensionless: &Loop<Interval<BigRational>>) -> u64 {
         }
         _ => 0,
     }
+}
+
+/// The steps of a check of a linear loop whose costs are computed: many decisions by polynomials of the same degree, at both ends
+/// of each tolerance, and with a filter in many pieces.
+pub(super) fn of_check(scene: &AnyScene) -> u64 {
+    let AnyScene::One(scene) = scene else {
+        return 0;
+    };
+    let given = &scene.given;
+    let degree = usize::from(given.delay) + 2;
+    let is_computed = given.damping.is_some() && given.has_computed_costs();
+    if !is_computed || !given.is_linear() || given.has_actuator() || degree > MOST_DEGREE {
+        return 0;
+    }
+    let shaping = [
+        Parameter::Stiffness,
+        Parameter::Period,
+        Parameter::Damping,
+        Parameter::DampingTimeConstant,
+    ];
+    let (mut bits, mut ends) = (0, 1);
+    for given in shaping.into_iter().filter_map(|of| given.get(of)) {
+        // Of a number with π, as many as it is computed with.
+        bits += given
+            .nominal
+            .enclosure(64)
+            .map_or(0, |x| x.lo().numer().bits() + x.lo().denom().bits());
+        ends *= if given.has_tolerance() { 2 } else { 1 };
+    }
+    let pieces = match given.damping_time_constant {
+        Some(_) if ends > 1 => 5000,
+        _ => 250,
+    };
+    let words = 1 + bits / 256;
+    let degree = u64::try_from(degree).unwrap_or(u64::MAX);
+    degree
+        .saturating_pow(2)
+        .saturating_mul(pieces * ends * words)
 }
 
 /// The steps of adding a row to sums whose denominators have this many bits.
