@@ -152,7 +152,8 @@ impl<'a> Reader<'a> {
         let digits = self.rest().split(')').next().unwrap_or_default();
         if !digits.is_empty() && digits.bytes().all(|c| c.is_ascii_digit() || c == b'.') {
             let message = format!("expected a unit in these parentheses, found `{digits}`");
-            let mut error = malformed(start..self.at + digits.len() + 1, message);
+            let end = self.at + (digits.len() + 1).min(self.rest().len());
+            let mut error = malformed(start..end, message);
             error.help =
                 Some("a tolerance is written with `±`, as in `3.45 ± 0.12 mN m`".to_owned());
             return Err(error);

@@ -112,6 +112,11 @@ fn what_is_no_unit_is_refused_with_its_place() {
             3..6,
             "expected a unit in these parentheses, found `1`",
         ),
+        (
+            "m(1",
+            1..3,
+            "expected a unit in these parentheses, found `1`",
+        ),
         ("N 1 m", 2..3, "expected a unit here, found `1`"),
         ("N\0m", 1..2, "expected a unit here, found `\\0`"),
         ("N ±", 2..4, "expected a unit here, found `±`"),
