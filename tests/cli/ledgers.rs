@@ -210,7 +210,7 @@ fn audited(scene: &str, more: &[&str]) -> (i32, Vec<String>) {
         }
         _ => line.to_owned(),
     };
-    let columns = |line: &&str| !line.starts_with("  columns");
+    let columns = |line: &&str| !line.starts_with("  columns") && !line.starts_with("  not read");
     let lines = run.stdout.lines().filter(columns).map(figure);
     (run.code, lines.collect())
 }
