@@ -189,7 +189,7 @@ fn samples(fields: &Fields<'_>) -> Result<(&'static str, Vec<Reading>), Refusal>
         if fields.get(&[name]).is_some() && fields.get(&[spelling]).is_some() {
             return Err(bad(
                 spelling,
-                &format!("`{name}` or `{spelling}`, which are one field, not both"),
+                format!("`{name}` or `{spelling}`, which are one field, not both"),
             ));
         }
     }
