@@ -2,15 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::builder::{PathBufValueParser, TypedValueParser};
 use passivity_scene::Scene;
 use passivity_scene::files::{self, are_same, may_be_replaced};
-use passivity_sim::trace::csv_name;
 
 use crate::exit::Failure;
 
 /// The name of a file of CSV rows.
-pub(crate) fn csv() -> impl TypedValueParser<Value = PathBuf> {
+#[cfg(any(feature = "audit", feature = "plot", feature = "simulate"))]
+pub(crate) fn csv() -> impl clap::builder::TypedValueParser<Value = PathBuf> {
+    use clap::builder::{PathBufValueParser, TypedValueParser as _};
+    use passivity_scene::files::csv_name;
+
     PathBufValueParser::new().try_map(|path| csv_name(&path).map(|()| path))
 }
 

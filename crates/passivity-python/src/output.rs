@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_scene::files::{Output, are_same, may_be_replaced};
-use passivity_sim::trace::csv_name;
+use passivity_scene::files::{Output, are_same, csv_name, may_be_replaced};
 
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;

@@ -1,9 +1,7 @@
 //! A run as a table: the ledger row of every interval, with velocities and dissipated energy.
 
 use std::collections::VecDeque;
-use std::ffi::OsStr;
 use std::fmt::Write as _;
-use std::path::Path;
 
 use passivity_core::{BigRational, Criterion, Loop, Step, extra_storage, ledger};
 use passivity_scene::number::{nearest_f64, parse};
@@ -35,33 +33,6 @@ const TRUTHS: [&str; 3] = ["criterion_holds", "violates_linear", "violates_quant
 
 /// The columns of the motion.
 const MOTION: [&str; 3] = ["v0", "v1", "dissipated"];
-
-/// Refuses to write CSV under a name that ends like another format's, or like a compressed file's.
-///
-/// # Errors
-///
-/// The name, and the ending that is expected.
-///
-/// # Example
-///
-/// ```
-/// let error = passivity_sim::trace::csv_name("rows.csv.gz".as_ref()).unwrap_err();
-/// assert_eq!(error.to_string(), "`rows.csv.gz`: these rows are CSV: expected a name that ends in .csv");
-/// ```
-pub fn csv_name(path: &Path) -> Result<(), SimError> {
-    const OTHERS: [&str; 17] = [
-        "parquet", "mcap", "json", "jsonl", "arrow", "feather", "h5", "mat", "npy", "npz", "xlsx",
-        "gz", "zst", "bz2", "xz", "lz4", "zip",
-    ];
-    let is_other = |end: &OsStr| OTHERS.iter().any(|other| end.eq_ignore_ascii_case(other));
-    match path.extension().is_some_and(is_other) {
-        true => Err(SimError::File(format!(
-            "`{}`: these rows are CSV: expected a name that ends in .csv",
-            path.display()
-        ))),
-        false => Ok(()),
-    }
-}
 
 /// What the rows of a run need beside the run.
 #[derive(Clone, Debug)]

@@ -11,7 +11,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-pub use names::{are_same, may_be_replaced};
+pub use names::{are_same, csv_name, may_be_replaced};
 
 /// A file that has its name once it is [kept](Output::keep), and is gone if it is dropped before.
 ///

@@ -1,5 +1,6 @@
 //! What names are of: the same file, or something that is not replaced.
 
+use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -69,5 +70,32 @@ pub fn may_be_replaced(path: &Path) -> io::Result<()> {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         // What does not exist yet is nothing that is lost.
         Ok(_) | Err(_) => Ok(()),
+    }
+}
+
+/// Refuses to write CSV under a name that ends like another format's, or like a compressed file's.
+///
+/// # Errors
+///
+/// The name, and the ending that is expected.
+///
+/// # Example
+///
+/// ```
+/// let error = passivity_scene::files::csv_name("rows.csv.gz".as_ref()).unwrap_err();
+/// assert_eq!(error.to_string(), "`rows.csv.gz`: these rows are CSV: expected a name that ends in .csv");
+/// ```
+pub fn csv_name(path: &Path) -> io::Result<()> {
+    const OTHERS: [&str; 17] = [
+        "parquet", "mcap", "json", "jsonl", "arrow", "feather", "h5", "mat", "npy", "npz", "xlsx",
+        "gz", "zst", "bz2", "xz", "lz4", "zip",
+    ];
+    let is_other = |end: &OsStr| OTHERS.iter().any(|other| end.eq_ignore_ascii_case(other));
+    match path.extension().is_some_and(is_other) {
+        true => Err(io::Error::other(format!(
+            "`{}`: these rows are CSV: expected a name that ends in .csv",
+            path.display()
+        ))),
+        false => Ok(()),
     }
 }

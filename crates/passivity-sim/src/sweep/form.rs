@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_scene::files::Output;
+use passivity_scene::files::{Output, csv_name};
 
 use crate::error::SimError;
 use crate::sweep::csv;
@@ -12,7 +12,6 @@ use crate::sweep::manifest::{Manifest, forget};
 #[cfg(feature = "parquet")]
 use crate::sweep::parquet;
 use crate::sweep::row::{Each, Row};
-use crate::trace::csv_name;
 
 /// How the rows of a finished sweep are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +28,10 @@ impl Form {
             .extension()
             .is_some_and(|end| end.eq_ignore_ascii_case("parquet"));
         if !parquet {
-            return csv_name(path).map(|()| Self::Csv);
+            return match csv_name(path) {
+                Ok(()) => Ok(Self::Csv),
+                Err(error) => Err(SimError::File(error.to_string())),
+            };
         }
         #[cfg(feature = "parquet")]
         return Ok(Self::Parquet);
