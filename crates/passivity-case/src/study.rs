@@ -8,6 +8,7 @@ use passivity_core::Parameter;
 use passivity_evidence::Sha256;
 use passivity_scene::check::{Report, Verdict};
 use passivity_scene::explain::{Explanation, explain};
+use passivity_scene::parse::MAX_SAMPLE_BYTES;
 use passivity_scene::{Given, Scene};
 
 use crate::criterion::Criterion;
@@ -17,9 +18,6 @@ use crate::files::read_bytes;
 use crate::gsn::{Anchor, Argument};
 use crate::info::is_placeholder;
 use crate::recorded::{Observed, Outcome, Recorded};
-
-/// A file of forces that a scene can be read with is no larger than this.
-const MOST_FORCE_BYTES: u64 = 8 << 20;
 
 /// A scene with its check and the text of its file.
 #[derive(Clone, Debug)]
@@ -76,7 +74,7 @@ impl Study {
                 );
                 return Err(CaseError::within(path, what));
             }
-            let bytes = read_bytes(&path.with_file_name(&name), MOST_FORCE_BYTES)?;
+            let bytes = read_bytes(&path.with_file_name(&name), MAX_SAMPLE_BYTES)?;
             study.forces = Some((name, bytes));
         }
         Ok(study)

@@ -339,11 +339,7 @@ impl Columns {
 impl fmt::Display for Columns {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, assignment) in self.0.iter().enumerate() {
-            match (assignment.role, i) {
-                (Role::Fine, _) => f.write_str(PLUS)?,
-                (role, 0) => write!(f, "{}=", role.name())?,
-                (role, _) => write!(f, ", {}=", role.name())?,
-            }
+            f.write_str(&before(assignment.role, i == 0))?;
             match (assignment.quoted, &assignment.unit) {
                 (false, _) => f.write_str(&assignment.text)?,
                 (true, None) => write!(f, "\"{}\"", assignment.text)?,
@@ -351,6 +347,15 @@ impl fmt::Display for Columns {
             }
         }
         Ok(())
+    }
+}
+
+/// What stands before the name of a column.
+fn before(role: Role, is_first: bool) -> String {
+    match role {
+        Role::Fine => PLUS.to_owned(),
+        role if is_first => format!("{}=", role.name()),
+        role => format!(", {}=", role.name()),
     }
 }
 
@@ -372,13 +377,9 @@ pub(crate) fn typed(
         balanced && !name.contains([',', '=']) && !name.contains(PLUS) && !name.starts_with('-');
     let unit = unit.map_or_else(String::new, |unit| format!(" [{unit}]"));
     let sign = if found.reversed { "-" } else { "" };
-    let before = match found.role {
-        Role::Fine => PLUS.to_owned(),
-        role if is_first => format!("{}={sign}", role.name()),
-        role => format!(", {}={sign}", role.name()),
-    };
+    let before = before(found.role, is_first);
     Some(match plain {
-        true => format!("{before}{name}{unit}"),
-        false => format!("{before}\"{name}\"{unit}"),
+        true => format!("{before}{sign}{name}{unit}"),
+        false => format!("{before}{sign}\"{name}\"{unit}"),
     })
 }

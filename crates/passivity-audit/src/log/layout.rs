@@ -284,11 +284,8 @@ impl Layout {
         Some(guess::propose(&said, &self.headings)?.columns)
     }
 
-    /// The columns that are not read. What else a ledger says follows from its positions.
-    pub(crate) fn not_read(&self) -> Vec<String> {
-        if self.form == Form::Ledger {
-            return Vec::new();
-        }
+    /// The columns that are read.
+    pub(crate) fn read_columns(&self) -> impl Iterator<Item = usize> {
         let read = [
             Some(self.position),
             self.end,
@@ -298,7 +295,16 @@ impl Layout {
             self.force,
             self.velocity,
         ];
-        let unread = (0..self.width()).filter(|column| !read.contains(&Some(*column)));
+        read.into_iter().flatten()
+    }
+
+    /// The columns that are not read. What else a ledger says follows from its positions.
+    pub(crate) fn not_read(&self) -> Vec<String> {
+        if self.form == Form::Ledger {
+            return Vec::new();
+        }
+        let unread =
+            (0..self.width()).filter(|column| self.read_columns().all(|read| read != *column));
         let names = unread.map(|column| match self.name(column).trim() {
             "" => format!("number {}", column + 1),
             name => shown(name.as_bytes()),

@@ -300,20 +300,11 @@ fn open_group(
 ) -> Result<(Vec<Wanted>, u64), TraceError> {
     let rows = u64::try_from(group.metadata().num_rows())
         .map_err(|_| TraceError::new("parquet", "a group with less than no rows"))?;
-    let wanted = [
-        Some(layout.position),
-        layout.end,
-        layout.dtau,
-        layout.time,
-        layout.fine_column(),
-        layout.force,
-        layout.velocity,
-    ];
     let open = |column| {
         let opened = open_column(group, column);
         opened.map_err(|error| error.column(layout.name(column)))
     };
-    let columns: Result<_, _> = wanted.into_iter().flatten().map(open).collect();
+    let columns: Result<_, _> = layout.read_columns().map(open).collect();
     Ok((columns?, rows))
 }
 

@@ -115,19 +115,10 @@ impl Rows {
         block: usize,
         old: u64,
     ) -> Result<Self, TraceError> {
-        let asked = [
-            Some(layout.position),
-            layout.end,
-            layout.dtau,
-            layout.time,
-            layout.fine_column(),
-            layout.force,
-            layout.velocity,
-        ];
         let missing = || TraceError::new("mcap", "a column is missing");
         let position = columns.get(layout.position).ok_or_else(missing)?.clone();
         let mut wanted = Vec::new();
-        for at in asked.into_iter().flatten() {
+        for at in layout.read_columns() {
             let column = columns.get(at).ok_or_else(missing)?.clone();
             let own = column.topic == position.topic;
             wanted.push(Wanted {

@@ -233,8 +233,7 @@ fn a_clock_has_the_unit_of_its_type() {
         let proposal = error.proposal.unwrap();
         assert_eq!(proposal.columns, "t=t, x=pos [m]", "{unit}");
         let audit = audited(&path, Some(&proposal.columns)).unwrap();
-        let timing = audit.report().timing.clone().unwrap();
-        assert_eq!((timing.uneven, timing.missed_samples), (1, 1), "{unit}");
+        assert_eq!(uneven_and_missed(&audit), (1, 1), "{unit}");
         // A header may repeat the unit, not contradict it.
         let error = audited(&path, Some("t=t [s], x=pos [m]")).unwrap_err();
         assert_eq!(error.kind, "unit", "{error}");
@@ -242,6 +241,12 @@ fn a_clock_has_the_unit_of_its_type() {
         let error = audited(&path, Some("f=t [N], x=pos [m]")).unwrap_err();
         assert_eq!(error.kind, "type", "{error}");
     }
+}
+
+/// How many intervals were not of one period, and how many samples were missed.
+fn uneven_and_missed(audit: &Audit) -> (u64, u64) {
+    let timing = audit.report().timing.as_ref().unwrap();
+    (timing.uneven, timing.missed_samples)
 }
 
 #[test]
@@ -257,13 +262,8 @@ fn a_day_with_its_nanoseconds_is_a_clock() {
     let error = audited(&path, None).unwrap_err();
     let columns = error.proposal.unwrap().columns;
     assert_eq!(columns, "t=timestamp, count=count");
-    let timing = audited(&path, Some(&columns))
-        .unwrap()
-        .report()
-        .timing
-        .clone();
-    let timing = timing.unwrap();
-    assert_eq!((timing.uneven, timing.missed_samples), (1, 1));
+    let audit = audited(&path, Some(&columns)).unwrap();
+    assert_eq!(uneven_and_missed(&audit), (1, 1));
 }
 
 #[test]
@@ -279,13 +279,8 @@ fn a_stamp_in_two_columns_is_a_clock() {
     let path = stored([999_000_000, 0, 2_000_000]);
     let columns = audited(&path, None).unwrap_err().proposal.unwrap().columns;
     assert_eq!(columns, "t=stamp.sec [s] + stamp.nanosec [ns], count=count");
-    let timing = audited(&path, Some(&columns))
-        .unwrap()
-        .report()
-        .timing
-        .clone();
-    let timing = timing.unwrap();
-    assert_eq!((timing.uneven, timing.missed_samples), (1, 1));
+    let audit = audited(&path, Some(&columns)).unwrap();
+    assert_eq!(uneven_and_missed(&audit), (1, 1));
     let audit = audited(&stored([0, 1, 1_000_000_000]), Some(&columns)).unwrap();
     let error = audit.error().unwrap();
     assert_eq!((error.kind, error.row), ("split_time", Some(3)));
