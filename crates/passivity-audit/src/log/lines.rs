@@ -18,6 +18,17 @@ pub(crate) const BLOCK: usize = 1 << 20;
 /// How many rows are looked at before a header is judged.
 const PREVIEWED: usize = 20;
 
+/// How many lines of comments may stand before the names of the columns.
+const COMMENTS: usize = 1000;
+
+/// How a text starts.
+pub(crate) struct Start {
+    /// The line with the names of the columns.
+    pub(crate) names: Vec<u8>,
+    /// What stands between fields, where the text says so.
+    pub(crate) delimiter: Option<u8>,
+}
+
 /// Whole lines of a trace, in order.
 pub(crate) struct Lines<R> {
     input: R,
@@ -29,6 +40,8 @@ pub(crate) struct Lines<R> {
     block: usize,
     /// Whether lines that are not read follow.
     goes_on: bool,
+    /// How many bytes the lines before the rows have.
+    before: u64,
 }
 
 /// A block of lines, or what stopped the reading after it.
@@ -54,6 +67,7 @@ impl<R: Read> Lines<R> {
             broken: None,
             block,
             goes_on: false,
+            before: 0,
         }
     }
 
@@ -64,20 +78,58 @@ impl<R: Read> Lines<R> {
         lines
     }
 
-    /// The first line, without its break and without a byte order mark.
-    pub(crate) fn header(&mut self) -> Result<Vec<u8>, TraceError> {
+    /// Reads what stands before the rows: comments, which start with `#` or `%`, and the names of the columns. Those are
+    /// the first other line, or the last comment where that line is a row, as `numpy.savetxt` writes them; a line
+    /// `sep=;` before them, as Excel has it, says what stands between fields.
+    pub(crate) fn start(&mut self) -> Result<Start, TraceError> {
+        let (mut delimiter, mut comment) = (None, None);
+        for _ in 0..=COMMENTS {
+            let line = self.peek()?;
+            if let (None, None, Some([it])) = (delimiter, &comment, line.strip_prefix(b"sep=")) {
+                delimiter = Some(*it);
+                self.line()?;
+                continue;
+            }
+            if line.starts_with(b"#") || line.starts_with(b"%") {
+                comment = Some(self.line()?);
+                continue;
+            }
+            let names = match comment.filter(|_| line.is_empty() || is_row(&line)) {
+                Some(comment) => uncommented(&comment),
+                None => self.line()?,
+            };
+            return Ok(Start { names, delimiter });
+        }
+        let message =
+            format!("more than {COMMENTS} lines of comments before the names of the columns");
+        Err(TraceError::new("header", message))
+    }
+
+    /// How many bytes have been taken as lines before the rows.
+    pub(crate) const fn before(&self) -> u64 {
+        self.before
+    }
+
+    /// The next line, which stands before the rows, without its break and without a byte order mark.
+    pub(crate) fn line(&mut self) -> Result<Vec<u8>, TraceError> {
+        let line = self.peek()?;
+        let end = self.rest.iter().position(|byte| *byte == b'\n');
+        let end = end.map_or(self.rest.len(), |end| end + 1);
+        self.rest.drain(..end);
+        self.before += end as u64;
+        Ok(line)
+    }
+
+    /// The same, which stays.
+    fn peek(&mut self) -> Result<Vec<u8>, TraceError> {
         loop {
-            if let Some(end) = self.rest.iter().position(|byte| *byte == b'\n') {
-                let tail = self.rest.split_off(end + 1);
-                let mut line = std::mem::replace(&mut self.rest, tail);
-                line.truncate(end);
-                return Ok(clean(line));
+            let end = self.rest.iter().position(|byte| *byte == b'\n');
+            if end.is_some() || (self.ended && self.broken.is_none()) {
+                let line = self.rest.get(..end.unwrap_or(self.rest.len()));
+                return Ok(clean(line.unwrap_or_default()));
             }
             if let Some(error) = self.broken.take() {
                 return Err(error);
-            }
-            if self.ended {
-                return Ok(clean(std::mem::take(&mut self.rest)));
             }
             if self.rest.len() > MAX_LINE {
                 if self.rest.contains(&b'\r') {
@@ -94,10 +146,12 @@ impl<R: Read> Lines<R> {
     pub(crate) fn first(&self) -> Vec<&[u8]> {
         let lines = self.rest.split_inclusive(|byte| *byte == b'\n');
         let whole = lines.filter(|line| self.ended || line.last() == Some(&b'\n'));
-        let trimmed = whole
-            .map(<[u8]>::trim_ascii)
-            .filter(|line| !line.is_empty());
-        trimmed.take(PREVIEWED).collect()
+        let lines = whole.map(|line| {
+            let line = line.strip_suffix(b"\n").unwrap_or(line);
+            line.strip_suffix(b"\r").unwrap_or(line)
+        });
+        let written = lines.filter(|line| !line.trim_ascii().is_empty());
+        written.take(PREVIEWED).collect()
     }
 
     /// Reads until `rest` has grown by `more` bytes, or the input ends or breaks: what was read until then is kept.
@@ -165,12 +219,23 @@ impl<R: Read> Lines<R> {
     }
 }
 
-fn clean(mut line: Vec<u8>) -> Vec<u8> {
-    if line.starts_with(b"\xef\xbb\xbf") {
-        line.drain(..3);
-    }
-    if line.last() == Some(&b'\r') {
-        line.pop();
-    }
-    line
+fn clean(line: &[u8]) -> Vec<u8> {
+    let line = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line);
+    line.strip_suffix(b"\r").unwrap_or(line).to_vec()
+}
+
+/// Whether a line after comments is a row: it starts as a number does.
+fn is_row(line: &[u8]) -> bool {
+    let start = line.trim_ascii_start();
+    let start = start.strip_prefix(b"\"").unwrap_or(start);
+    start
+        .first()
+        .is_some_and(|c| c.is_ascii_digit() || b"+-.".contains(c))
+}
+
+/// A comment without what makes it one.
+fn uncommented(line: &[u8]) -> Vec<u8> {
+    let marks = line.iter().take_while(|c| b"#%".contains(c)).count();
+    let blanks = line.iter().skip(marks).take_while(|c| **c == b' ').count();
+    line.get(marks + blanks..).unwrap_or_default().to_vec()
 }

@@ -211,11 +211,8 @@ fn csv(
         file: File::open(path).map_err(io)?,
         len,
     };
-    let line = lines.header()?;
-    let first: Vec<Vec<u8>> = lines.first().into_iter().map(<[u8]>::to_vec).collect();
-    let first: Vec<&[u8]> = first.iter().map(Vec::as_slice).collect();
-    let (layout, said, notation) = dialect.heading(&line, &first, scene)?;
-    let start = text.after_line(0).map_err(io)?.unwrap_or(len);
+    let (layout, said, notation) = dialect.heading(&mut lines, scene)?;
+    let start = lines.before();
     let (from, to) = match stretch {
         Stretch::Samples(from, to) => text.lines(start, from, to),
         Stretch::Shard(i, n) => text.shards(start, (i, i), n),

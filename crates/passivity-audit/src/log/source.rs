@@ -7,10 +7,8 @@ use std::path::{Path, PathBuf};
 use passivity_scene::Scene;
 
 use crate::log::chunk::Chunk;
-use crate::log::columns::Columns;
 use crate::log::csv::{self, Notation};
-use crate::log::error::{TraceError, legible};
-use crate::log::guess;
+use crate::log::error::TraceError;
 use crate::log::header::Heading;
 use crate::log::layout::Layout;
 use crate::log::lines::{self, Block, Lines};
@@ -18,61 +16,13 @@ use crate::log::lines::{self, Block, Lines};
 use crate::log::mcap;
 #[cfg(feature = "parquet")]
 use crate::log::parquet;
-use crate::log::piece::Said;
 use compressed::decompressed;
 pub(crate) use compressed::{is_compressed, start};
+pub use dialect::Dialect;
 
 mod compressed;
+mod dialect;
 mod shape;
-
-/// How the columns of a log are called, and how its numbers are written.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Dialect {
-    /// What the columns say; `None` where their names do.
-    pub columns: Option<Columns>,
-    /// What stands between the fields of CSV; `None` for a comma, or for a semicolon where numbers are
-    /// written with commas.
-    pub delimiter: Option<u8>,
-    /// Whether numbers are written with a comma, as in `0,25`.
-    pub decimal_comma: bool,
-}
-
-impl Dialect {
-    /// What the header of a CSV file says, with its first lines.
-    pub(crate) fn heading(
-        &self,
-        line: &[u8],
-        first: &[&[u8]],
-        scene: &Scene,
-    ) -> Result<(Layout, Said, Notation), TraceError> {
-        let notation = self.notation()?;
-        let told = self.columns.as_ref();
-        let layout = layout(line, first, notation, told, scene)
-            .map_err(|error| otherwise(error, notation, (line, first), self, scene))?;
-        let said = Said {
-            headings: layout.headings.clone(),
-            preview: csv::preview(first, &layout.headings, notation),
-        };
-        Ok((layout, said, notation))
-    }
-
-    fn notation(&self) -> Result<Notation, TraceError> {
-        let usual = if self.decimal_comma { b';' } else { b',' };
-        let delimiter = self.delimiter.unwrap_or(usual);
-        let refuse = |message: &str| Err(TraceError::new("delimiter", message));
-        if self.decimal_comma && delimiter == b',' {
-            return refuse("a comma cannot stand both between fields and in numbers");
-        }
-        let is_number = delimiter.is_ascii_alphanumeric() || b"+-./\"".contains(&delimiter);
-        if is_number || !(delimiter == b'\t' || (b' '..=b'~').contains(&delimiter)) {
-            return refuse("what stands between fields must be one character that is in no number");
-        }
-        Ok(Notation {
-            delimiter,
-            decimal_comma: self.decimal_comma,
-        })
-    }
-}
 
 /// What one file, or memory, gives.
 pub(crate) enum Reader {
@@ -296,8 +246,7 @@ impl Opened {
     ) -> Result<(Reader, Layout), TraceError> {
         match self {
             Self::Csv(mut lines) => {
-                let line = lines.header()?;
-                let (layout, _, notation) = dialect.heading(&line, &lines.first(), scene)?;
+                let (layout, _, notation) = dialect.heading(&mut lines, scene)?;
                 Ok((Reader::Csv(lines, notation), layout))
             }
             #[cfg(feature = "parquet")]
@@ -332,8 +281,8 @@ impl Opened {
                 return Ok(Reader::Mcap(Box::new(log.go_on(before)?)));
             }
             Self::Csv(mut lines) => {
-                let notation = dialect.notation()?;
-                let names = csv::names(&lines.header()?, notation)?;
+                let (line, notation) = dialect.names(&mut lines)?;
+                let names = csv::names(&line, notation)?;
                 // Where the first file has dates, this one must: its rows say whether it does.
                 let unit = |column| {
                     layout
@@ -360,75 +309,4 @@ impl Opened {
         }
         Ok(reader)
     }
-}
-
-fn layout(
-    line: &[u8],
-    first: &[&[u8]],
-    notation: Notation,
-    told: Option<&Columns>,
-    scene: &Scene,
-) -> Result<Layout, TraceError> {
-    let headings = csv::headings(line, first, notation)?;
-    let preview = csv::preview(first, &headings, notation);
-    Layout::read(headings, told, &preview, scene)
-}
-
-/// The error of a header, with what it says when its fields stand apart by another character, or its numbers are
-/// written with a comma: where that makes sense, it is what is proposed.
-fn otherwise(
-    mut error: TraceError,
-    own: Notation,
-    (line, first): (&[u8], &[&[u8]]),
-    dialect: &Dialect,
-    scene: &Scene,
-) -> TraceError {
-    let written = |proposal: &mut guess::Proposal, notation: Notation| {
-        proposal.delimiter = Some(char::from(notation.delimiter)).filter(|c| *c != ',');
-        proposal.decimal_comma = notation.decimal_comma;
-    };
-    if let Some(proposal) = &mut error.proposal {
-        written(proposal, own);
-    }
-    let delimiters = match dialect.delimiter {
-        Some(_) => vec![own.delimiter],
-        None => vec![b';', b'\t', b'|'],
-    };
-    for delimiter in delimiters.into_iter().filter(|it| line.contains(it)) {
-        let notation = Notation {
-            delimiter,
-            decimal_comma: own.decimal_comma || csv::has_decimal_commas(first, delimiter),
-        };
-        if notation == own {
-            continue;
-        }
-        let proposal = match layout(line, first, notation, None, scene) {
-            Ok(layout) => layout.proposal(),
-            Err(other) => other.proposal,
-        };
-        let Some(mut proposal) = proposal else {
-            continue;
-        };
-        // Of two ways to read the header the one that tells more.
-        let own_says = error.proposal.as_ref().map_or(0, |proposal| proposal.said);
-        if own_says >= proposal.said {
-            continue;
-        }
-        written(&mut proposal, notation);
-        error.message = match delimiter == own.delimiter {
-            true => "its numbers seem to be written with a comma".to_owned(),
-            false => {
-                let [text, usual] =
-                    [delimiter, own.delimiter].map(|c| legible(&char::from(c).to_string()));
-                format!("its fields seem to stand apart by `{text}`, not by `{usual}`")
-            }
-        };
-        error.column = None;
-        error.proposal = Some(proposal);
-    }
-    let obstacle = shape::obstacle(line, first, own);
-    if let Some(message) = obstacle.filter(|_| error.proposal.is_none()) {
-        error = TraceError::new("header", message);
-    }
-    error
 }

@@ -150,15 +150,9 @@ fn what_stands_in_the_way_of_a_header_is_named() {
             "holds numbers, not names",
         ),
         ("0,0\n0.001,1\n", "the first line holds numbers"),
-        ("# t x f\n0 0 0\n1 1 1\n", "starts with `#`"),
         (
-            "# log of a knob\n# at 1 kHz\nt_us,count\n0,0\n1000,1\n",
-            "starts with `#`",
-        ),
-        ("sep=;\nt [s];count\n0;0\n0,001;1\n", "add --delimiter ';'"),
-        (
-            "time,position,torque\ns,m,N\n0,0,0\n0.001,0,0\n",
-            "the line after the header holds units",
+            "# measured at 1 kHz\n0,0\n0.001,1\n",
+            "the names of the columns, `measured at 1 kHz`, are 1, but the first row has 2 fields",
         ),
         ("t [s],count\r0,0\r0.001,1\r", "`tr '\\r' '\\n'`"),
         (
@@ -203,9 +197,62 @@ fn what_stands_in_the_way_of_a_header_is_named() {
     ] {
         assert!(bytes(start).contains(says), "{}", bytes(start));
     }
-    // Where a command reads the header as it is, it is shown.
-    assert_eq!(
-        proposed("# time,count\n0,0\n1,1\n", None),
-        "t=# time [ms], count=count"
+    let many = "# a comment\n".repeat(1001);
+    let error = refused(&format!("{many}count\n0\n"), None).to_string();
+    assert!(
+        error.contains("more than 1000 lines of comments"),
+        "{error}"
     );
+}
+
+#[test]
+fn comments_a_line_of_excel_and_units_of_their_own_stand_before_the_rows() {
+    let rows = "0,0,0\n0.001,1,-0.5\n0.002,3,-1\n";
+    let plain = audited(&format!("t [s],count,f [N]\n{rows}"), None).unwrap();
+    for before in [
+        // As `numpy.savetxt` writes the names, where its comments are those of MATLAB too.
+        "# t [s],count,f [N]\n",
+        "%t [s],count,f [N]\n",
+        "# a linear device\n#\n# t [s],count,f [N]\n",
+        "\u{feff}# a linear device\r\n% at 1 kHz\r\nt [s],count,f [N]\r\n",
+        "sep=,\nt [s],count,f [N]\n",
+        "t,count,f\n[s],,(N)\n",
+        "# a linear device\nt,count,f\ns,-,N\n",
+    ] {
+        let audit = audited(&format!("{before}{rows}"), None);
+        let audit = audit.unwrap_or_else(|error| panic!("{before}: {error}"));
+        assert_eq!(audit.to_json(), plain.to_json(), "{before}");
+    }
+    let semicolons = format!("sep=;\nt [s],count,f [N]\n{rows}").replace(',', ";");
+    let audit = audited(&semicolons, None).unwrap();
+    assert_eq!(audit.to_json(), plain.to_json());
+    // What names do not say is proposed as it is where nothing stands before them.
+    for (log, columns, delimiter) in [
+        ("# time,count\n0,0\n1,1\n", "t=time [ms], count=count", None),
+        ("# t count\n0 0\n1 1\n", "t=t [ms], count=count", Some(' ')),
+        (
+            "time,position,torque\ns,m,N\n0,0,0\n0.001,0,0\n",
+            "t=time [s], x=position [m], f=torque [N]",
+            None,
+        ),
+        (
+            "time\tposition\tx [mm]\ns\tdeg\t\n0\t0\t0\n0.001\t0\t1\n",
+            "t=time [s], x=x [mm]",
+            Some('\t'),
+        ),
+        (
+            "sep=;\ntime [s];count\n0,000;0\n0,001;1\n",
+            "t=time [s], count=count",
+            Some(';'),
+        ),
+    ] {
+        let proposal = refused(log, None)
+            .proposal
+            .unwrap_or_else(|| panic!("{log}"));
+        assert_eq!(
+            (proposal.columns.as_str(), proposal.delimiter),
+            (columns, delimiter),
+            "{log}"
+        );
+    }
 }

@@ -134,13 +134,15 @@ proptest! {
         wraps in prop::collection::vec(0..60_usize, 0..3),
         mistake in prop::option::weighted(0.2, 0..60_usize),
         ending in 0..4_usize,
+        before in prop::sample::select(vec!["", "# a log\n% of counts\n", "sep=,\n"]),
         cuts in prop::collection::vec(0..64_u64, 0..6),
         shards in 1..9_u64,
         law: bool,
     ) {
         let scenes = scenes();
         let scene = &scenes[which];
-        let log = Scratch::new("csv", &text(kind, &walk, &wraps, mistake, ending));
+        let text = [before.as_bytes(), &text(kind, &walk, &wraps, mistake, ending)].concat();
+        let log = Scratch::new("csv", &text);
         let whole = match audit(&log, scene, options(law, 100)) {
             Ok(whole) => whole,
             Err(error) => {

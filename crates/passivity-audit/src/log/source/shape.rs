@@ -1,8 +1,8 @@
 //! Files that are no CSV, and CSV with more than a header and rows: what they are, and how they are made readable.
 
 use crate::log::csv::{self, Notation};
-use crate::log::error::{TraceError, legible};
-use crate::log::header::is_unit;
+use crate::log::error::{TraceError, shown};
+use crate::log::header::{is_unit, split};
 
 /// How files start that are of a format that is not read, what they are, and what to do.
 const FORMATS: [(&[u8], &str, &str); 15] = [
@@ -69,18 +69,6 @@ pub(super) fn is_read(start: &[u8]) -> Result<(), TraceError> {
 
 /// What stands in the way of a header that is not understood, where the first lines tell.
 pub(super) fn obstacle(line: &[u8], first: &[&[u8]], notation: Notation) -> Option<String> {
-    let text = String::from_utf8_lossy(line);
-    if text.trim_start().starts_with('#') {
-        let says = "the first line starts with `#`: CSV has no comments, and the header is its first line; take the `#` off \
-            the names of the columns (`sed '1s/^# *//'`), or remove the lines before them (`grep -v '^#'`)";
-        return Some(says.to_owned());
-    }
-    if let Some(delimiter) = text.trim().strip_prefix("sep=") {
-        let delimiter = legible(delimiter);
-        return Some(format!(
-            "the first line is one for Excel: remove it (`tail -n +2`), and add --delimiter '{delimiter}' unless that is a comma"
-        ));
-    }
     let names = csv::texts(line, notation);
     let is_number = |text: &String| csv::is_number(text.as_bytes(), notation);
     let numbers = names.iter().filter(|name| is_number(name)).count();
@@ -89,12 +77,49 @@ pub(super) fn obstacle(line: &[u8], first: &[&[u8]], notation: Notation) -> Opti
             as in `t [s],x [rad],f [N m]`, where columns that are not read may have any name";
         return Some(says.to_owned());
     }
-    let [units, next] = [first.first()?, first.get(1)?].map(|line| csv::texts(line, notation));
-    let of_units = units.len() == names.len()
-        && units.iter().any(|text| is_unit(text))
-        && !units.iter().any(is_number)
-        && next.iter().any(is_number);
-    of_units.then(|| {
-        "the line after the header holds units: write them with the names, as in `time [s]`, and remove the line".to_owned()
+    let first = csv::texts(first.first()?, notation);
+    let differ = names.len() != first.len() && first.iter().all(is_number);
+    differ.then(|| {
+        let (names, row) = (names.len(), first.len());
+        format!(
+            "the names of the columns, `{}`, are {names}, but the first row has {row} fields",
+            shown(line)
+        )
     })
+}
+
+/// The names of the columns with the units that stand in a line of their own after them: `time [s]`. `None` where that
+/// line is something else.
+pub(super) fn with_units(line: &[u8], first: &[&[u8]], notation: Notation) -> Option<Vec<u8>> {
+    let names = csv::texts(line, notation);
+    let [units, next] = [first.first()?, first.get(1)?].map(|line| csv::texts(line, notation));
+    let is_number = |text: &String| csv::is_number(text.as_bytes(), notation);
+    let has_none = |text: &str| text.is_empty() || text == "-";
+    let units: Vec<&str> = units
+        .iter()
+        .map(|text| text.trim_matches(['[', ']', '(', ')']))
+        .collect();
+    let are_units = units.len() == names.len()
+        && units.iter().any(|text| is_unit(text))
+        && units.iter().all(|text| has_none(text) || is_unit(text))
+        && next.iter().any(is_number);
+    let has_its_own = |name: &str| split(name).is_ok_and(|split| split.unit.is_some());
+    let with = |(name, unit): (&String, &&str)| match has_none(unit) || has_its_own(name) {
+        true => format!("\"{name}\""),
+        false => format!("\"{name} [{unit}]\""),
+    };
+    let named: Vec<String> = names.iter().zip(&units).map(with).collect();
+    are_units.then(|| {
+        named
+            .join(&char::from(notation.delimiter).to_string())
+            .into_bytes()
+    })
+}
+
+/// Whether a header and the first rows have equally many fields.
+pub(super) fn is_even(line: &[u8], first: &[&[u8]], notation: Notation) -> bool {
+    let width = csv::texts(line, notation).len();
+    first
+        .iter()
+        .all(|row| csv::texts(row, notation).len() == width)
 }

@@ -1,0 +1,158 @@
+//! How a CSV file is written, and what it may be where it is not understood.
+
+use std::io::Read;
+
+use passivity_scene::Scene;
+
+use super::shape;
+use crate::log::columns::Columns;
+use crate::log::csv::{self, Notation};
+use crate::log::error::{TraceError, legible};
+use crate::log::guess;
+use crate::log::layout::Layout;
+use crate::log::lines::Lines;
+use crate::log::piece::Said;
+
+/// How the columns of a log are called, and how its numbers are written.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Dialect {
+    /// What the columns say; `None` where their names do.
+    pub columns: Option<Columns>,
+    /// What stands between the fields of CSV; `None` for a comma, or for a semicolon where numbers are
+    /// written with commas.
+    pub delimiter: Option<u8>,
+    /// Whether numbers are written with a comma, as in `0,25`.
+    pub decimal_comma: bool,
+}
+
+impl Dialect {
+    /// What a CSV file says before its rows, of which the first ones are looked at.
+    pub(crate) fn heading(
+        &self,
+        lines: &mut Lines<impl Read>,
+        scene: &Scene,
+    ) -> Result<(Layout, Said, Notation), TraceError> {
+        let (line, notation) = self.names(lines)?;
+        let (line, first) = (&line[..], &lines.first()[..]);
+        let told = self.columns.as_ref();
+        let layout = layout(line, first, notation, told, scene)
+            .map_err(|error| otherwise(error, notation, (line, first), self, scene))?;
+        let said = Said {
+            headings: layout.headings.clone(),
+            preview: csv::preview(first, &layout.headings, notation),
+        };
+        Ok((layout, said, notation))
+    }
+
+    /// The line with the names of the columns, and how the text is written.
+    pub(super) fn names(
+        &self,
+        lines: &mut Lines<impl Read>,
+    ) -> Result<(Vec<u8>, Notation), TraceError> {
+        let start = lines.start()?;
+        let notation = self.notation(start.delimiter)?;
+        match shape::with_units(&start.names, &lines.first(), notation) {
+            Some(names) => {
+                lines.line()?;
+                Ok((names, notation))
+            }
+            None => Ok((start.names, notation)),
+        }
+    }
+
+    /// How a text is written, which may say itself what stands between fields.
+    fn notation(&self, said: Option<u8>) -> Result<Notation, TraceError> {
+        let usual = if self.decimal_comma { b';' } else { b',' };
+        let delimiter = self.delimiter.or(said).unwrap_or(usual);
+        let refuse = |message: &str| Err(TraceError::new("delimiter", message));
+        if self.decimal_comma && delimiter == b',' {
+            return refuse("a comma cannot stand both between fields and in numbers");
+        }
+        let is_number = delimiter.is_ascii_alphanumeric() || b"+-./\"".contains(&delimiter);
+        if is_number || !(delimiter == b'\t' || (b' '..=b'~').contains(&delimiter)) {
+            return refuse("what stands between fields must be one character that is in no number");
+        }
+        Ok(Notation {
+            delimiter,
+            decimal_comma: self.decimal_comma,
+        })
+    }
+}
+
+fn layout(
+    line: &[u8],
+    first: &[&[u8]],
+    notation: Notation,
+    told: Option<&Columns>,
+    scene: &Scene,
+) -> Result<Layout, TraceError> {
+    let headings = csv::headings(line, first, notation)?;
+    let preview = csv::preview(first, &headings, notation);
+    Layout::read(headings, told, &preview, scene)
+}
+
+/// The error of a header, with what it says when its fields stand apart by another character, or its numbers are
+/// written with a comma: where that makes sense, it is what is proposed.
+fn otherwise(
+    mut error: TraceError,
+    own: Notation,
+    (line, first): (&[u8], &[&[u8]]),
+    dialect: &Dialect,
+    scene: &Scene,
+) -> TraceError {
+    let written = |proposal: &mut guess::Proposal, notation: Notation| {
+        proposal.delimiter = Some(char::from(notation.delimiter)).filter(|c| *c != ',');
+        proposal.decimal_comma = notation.decimal_comma;
+    };
+    if let Some(proposal) = &mut error.proposal {
+        written(proposal, own);
+    }
+    let delimiters = match dialect.delimiter {
+        Some(_) => vec![own.delimiter],
+        None => vec![b';', b'\t', b'|', b' '],
+    };
+    for delimiter in delimiters.into_iter().filter(|it| line.contains(it)) {
+        let notation = Notation {
+            delimiter,
+            decimal_comma: own.decimal_comma || csv::has_decimal_commas(first, delimiter),
+        };
+        // Names have spaces too: where these stand between fields, all rows have as many.
+        let is_even = delimiter != b' ' || shape::is_even(line, first, notation);
+        if notation == own || !is_even {
+            continue;
+        }
+        let united = shape::with_units(line, first, notation);
+        let (line, first) = match &united {
+            Some(line) => (&line[..], first.get(1..).unwrap_or_default()),
+            None => (line, first),
+        };
+        let proposal = match layout(line, first, notation, None, scene) {
+            Ok(layout) => layout.proposal(),
+            Err(other) => other.proposal,
+        };
+        let Some(mut proposal) = proposal else {
+            continue;
+        };
+        // Of two ways to read the header the one that tells more.
+        let own_says = error.proposal.as_ref().map_or(0, |proposal| proposal.said);
+        if own_says >= proposal.said {
+            continue;
+        }
+        written(&mut proposal, notation);
+        error.message = match delimiter == own.delimiter {
+            true => "its numbers seem to be written with a comma".to_owned(),
+            false => {
+                let [text, usual] =
+                    [delimiter, own.delimiter].map(|c| legible(&char::from(c).to_string()));
+                format!("its fields seem to stand apart by `{text}`, not by `{usual}`")
+            }
+        };
+        error.column = None;
+        error.proposal = Some(proposal);
+    }
+    let obstacle = shape::obstacle(line, first, own);
+    if let Some(message) = obstacle.filter(|_| error.proposal.is_none()) {
+        error = TraceError::new("header", message);
+    }
+    error
+}
