@@ -48,6 +48,12 @@ impl TraceError {
         self
     }
 
+    /// The same of a file.
+    pub(crate) fn of(mut self, file: &str) -> Self {
+        self.file = Some(file.to_owned());
+        self
+    }
+
     pub(crate) fn io(error: &std::io::Error) -> Self {
         Self::new("io", error.to_string())
     }

@@ -238,14 +238,15 @@ pub fn audit_part(
 /// A stretch that is missing, there twice, or of another log, scene or reading of the columns.
 pub fn merge_parts(parts: &[(String, Partial)], scene: &Scene) -> Result<Audit, TraceError> {
     let parts = in_order(parts, scene)?;
-    let Some((_, first)) = parts.first() else {
+    let Some((name, first)) = parts.first() else {
         return Err(TraceError::new(
             "partial",
             "there is no partial account to merge",
         ));
     };
-    let dialect = first.dialect.value()?;
-    let layout = first.layout(&dialect, scene)?;
+    let dialect = first.dialect.value().map_err(|error| error.of(name))?;
+    let layout = first.layout(&dialect, scene);
+    let layout = layout.map_err(|error| error.of(name))?;
     let ledger = Ledger::of_scene(scene);
     let task = Task {
         told: dialect.columns.is_some(),
@@ -270,7 +271,7 @@ fn joined(
         let Some(saved) = account(part) else {
             return Ok(None);
         };
-        let found = saved.value(ledger)?;
+        let found = saved.value(ledger).map_err(|error| error.of(name))?;
         if let Some(error) = &found.error
             && error.row == Some(0)
         {

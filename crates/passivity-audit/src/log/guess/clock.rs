@@ -6,15 +6,26 @@ use super::words::words;
 use crate::log::header::Heading;
 use crate::log::preview::Preview;
 
+/// Units of clocks, how many of each are in a second, and the words that say them.
+const UNITS: [(&str, f64, &[&str]); 4] = [
+    ("s", 1.0, &["s", "sec", "second"]),
+    (
+        "ms",
+        1e3,
+        &["ms", "msec", "milli", "millisec", "millisecond"],
+    ),
+    (
+        "us",
+        1e6,
+        &["us", "µs", "μs", "usec", "micro", "microsec", "microsecond"],
+    ),
+    ("ns", 1e9, &["ns", "nsec", "nano", "nanosec", "nanosecond"]),
+];
+
 /// The unit that a word says.
 pub(super) fn unit_of_word(word: &str) -> Option<&'static str> {
-    match word {
-        "s" | "sec" | "second" => Some("s"),
-        "ms" | "msec" | "milli" | "millisec" | "millisecond" => Some("ms"),
-        "us" | "µs" | "μs" | "usec" | "micro" | "microsec" | "microsecond" => Some("us"),
-        "ns" | "nsec" | "nano" | "nanosec" | "nanosecond" => Some("ns"),
-        _ => None,
-    }
+    let mut units = UNITS.iter().filter(|(.., words)| words.contains(&word));
+    units.next().map(|(unit, ..)| *unit)
 }
 
 /// The unit that the words of a name say, the last that says one.
@@ -43,7 +54,6 @@ pub(super) fn unit_of_time(name: &str, step: Option<f64>, scene: &Scene) -> &'st
 
 /// The unit in which a clock goes on by about a sampling period from row to row.
 fn nearest_unit(step: Option<f64>, scene: &Scene) -> &'static str {
-    const UNITS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
     let period = scene.given.map(|_, given| given.nominal.clone()).period;
     let seconds = period
         .to_rational()
@@ -51,11 +61,11 @@ fn nearest_unit(step: Option<f64>, scene: &Scene) -> &'static str {
     let (Some(step), Some(period)) = (step, seconds) else {
         return "s";
     };
-    let off = |unit: f64| (step * unit / period).ln().abs();
+    let off = |per_second: f64| (step / per_second / period).ln().abs();
     let best = UNITS
         .iter()
-        .min_by(|(_, a), (_, b)| off(*a).total_cmp(&off(*b)));
-    best.map_or("s", |(name, _)| name)
+        .min_by(|(_, a, _), (_, b, _)| off(*a).total_cmp(&off(*b)));
+    best.map_or("s", |(name, ..)| name)
 }
 
 /// The columns of a time in whole seconds and of what it is beyond them, as `stamp.sec` and `stamp.nanosec`, of which
@@ -87,12 +97,9 @@ pub(super) fn parts_of_time(
     } else {
         [other, column]
     };
-    let most = match part(beyond)?.1 {
-        "ms" => 1e3,
-        "us" => 1e6,
-        _ => 1e9,
-    };
+    let (_, unit) = part(beyond)?;
+    let (_, most, _) = UNITS.iter().find(|(name, ..)| *name == unit)?;
     // Otherwise they are two clocks.
-    let is_split = preview.is_whole(whole) && preview.is_within(beyond, most);
+    let is_split = preview.is_whole(whole) && preview.is_within(beyond, *most);
     is_split.then_some([whole, beyond])
 }
