@@ -11,6 +11,7 @@ use crate::log::lines::BLOCK;
 use crate::log::parsed;
 use crate::log::source::{Dialect, Source};
 use crate::log::step::{between, check_jump};
+use crate::log::wraps::{Periods, Wraps};
 use crate::number::Number;
 use crate::reading::Reading;
 
@@ -32,7 +33,7 @@ pub struct Sampled {
 ///
 /// # Errors
 ///
-/// [`TraceError`] for what an audit refuses, for a log without forces, and for one of more than
+/// [`TraceError`] for what an audit refuses, for a log without forces or with a counter that wraps around, and for one of more than
 /// [`MAX_SAMPLES`] samples.
 pub fn samples(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled, TraceError> {
     let paths: [PathBuf; 1] = [path.to_owned()];
@@ -55,9 +56,20 @@ pub fn samples(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled,
     }
     let mut all = Sampled::default();
     let mut time = None;
+    let periods = Periods::of(scene, &layout);
+    let mut wraps = Wraps::new(&periods);
     while let Some(work) = source.next(&layout) {
         let chunk = parsed(work, &layout);
+        if let Some(wraps) = &mut wraps {
+            wraps.feed(&layout, &chunk, chunk.samples.len());
+        }
         append(&mut all, &mut time, &chunk, &layout)?;
+    }
+    let wrapped = wraps.map(|wraps| wraps.finish(&layout, true));
+    if let Some(finding) = wrapped.and_then(|wrapped| wrapped.finding(&layout, &periods)) {
+        // No device moves so.
+        let message = format!("{}; {}", finding.says, finding.fix);
+        return Err(TraceError::new("wrap", message));
     }
     match all.positions.len() {
         0 | 1 => Err(TraceError::new(

@@ -379,7 +379,7 @@ impl Wrapped {
                 row.saturating_sub(1)
             ),
             fix: format!(
-                "unwrap the {what} before it is audited: {} {by} from row {row} on",
+                "unwrap the {what} in the log: {} {by} from row {row} on",
                 if to < from { "add" } else { "take off" }
             ),
         })

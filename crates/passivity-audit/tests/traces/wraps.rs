@@ -1,7 +1,9 @@
 //! Positions that jump by the period of a counter: a finding, and no account that holds.
 
-use passivity_audit::{Finding, Options, Verdict, audit_csv};
+use passivity_audit::{Dialect, Finding, Options, Verdict, audit_csv, samples};
 use passivity_scene::Scene;
+
+use crate::scratch::Scratch;
 
 const PLAIN: &str = "[dimensionless]\nbeta = \"60\"\nsigma = \"60\"\n";
 const ROTARY: &str = "[device]\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"2e-3 N m\"\n[sampling]\nperiod = \"1 ms\"\n\
@@ -212,5 +214,31 @@ fn motions_are_no_wraps() {
         let text = format!("tau,count\n1,0\n2,2\n3,4\n4,7\n5,8\n{late},4104\n{late}.5,4105\n");
         let wrap = found(&text, PLAIN, 0).1;
         assert_eq!(wrap.is_some(), is_wrap, "{wrap:?}");
+    }
+}
+
+#[test]
+fn samples_for_an_identification_do_not_wrap_around() {
+    let scene = Scene::from_toml("s", ROTARY).unwrap();
+    let told = Dialect::default();
+    for (period, is_refused) in [(65536.0, true), (1e9, false)] {
+        let counts = around(period, 0.0, 65530.0, 1.0).into_iter();
+        let rows = counts.map(|count| format!("{count},0.5\n"));
+        let text: String = std::iter::once("count,f [N m]\n".to_owned())
+            .chain(rows)
+            .collect();
+        let log = Scratch::new("csv", text.as_bytes());
+        match samples(&log, &scene, &told) {
+            Ok(all) => assert!(!is_refused && all.positions.len() == 20),
+            Err(error) => {
+                let error = error.to_string();
+                let says = "the count jumps from 65535 to 0 between rows 6 and 7, by about 65536 ticks (16 bits)";
+                assert!(is_refused && error.contains(says), "{error}");
+                assert!(
+                    error.contains("add 65536 ticks (16 bits) from row 7 on"),
+                    "{error}"
+                );
+            }
+        }
     }
 }
