@@ -61,10 +61,14 @@ pub(super) fn find_witness<S: Enclosed>(
             None => S::one(),
         })
     });
-    // Friction that is bounded by a rational, ever more tightly where π keeps it from being one.
-    let tries = [64, 256, 1024, 4096, 16_384].into_iter();
+    // Friction that is bounded by a rational, ever more tightly where π keeps it from being one. The search in a loop with
+    // other effects takes the square of so many bits, and beside a tolerance more of them say nothing.
+    let tries: &[u32] = match scene.given.is_plain() {
+        true => &[64, 256, 1024, 4096, 16_384],
+        false => &[64, 256],
+    };
     let mut tried = None;
-    let mut found = tries.filter_map(|bits| {
+    let mut found = tries.iter().copied().filter_map(|bits| {
         // Where no π is in the way, more bits change nothing, and the search ends as before.
         let ends = bounds.try_map(|_, range| range.try_map(|x| x.enclosed(bits)))?;
         if tried.as_ref() == Some(&ends) {

@@ -1,6 +1,8 @@
 //! Motions that draw energy over tolerances: what they gain is of the hardest device among them (TH-ACTIVE,
 //! TH-LTI).
 
+use std::time::{Duration, Instant};
+
 use passivity_core::{Exact, Scalar as _, pi};
 use passivity_scene::Scene;
 use passivity_scene::check::{Verdict, check};
@@ -166,4 +168,25 @@ fn a_witness_is_as_exact_with_pi() {
         &format!("delay = 1\n[wall]\n{stiffness}\nforce_step = \"0.6e-3 N m\""),
     );
     assert_eq!(stepped.verdict, Verdict::NotGuaranteed);
+}
+
+/// Where no witness is found, no more bits of π are tried than may help: each of these took 40 s or minutes, and takes
+/// less than a second.
+#[test]
+fn a_search_for_a_witness_that_finds_none_ends_soon() {
+    const LIMIT: Duration = Duration::from_secs(20);
+    let filtered = "[device]\nviscous = \"0.3 N s/m\"\n[sampling]\nperiod = \"1 ms\"\n[wall]\nstiffness = \"500 N/m\"\n\
+                    damping = \"1 N s/m ± 10%\"\ndamping_cutoff = \"50 Hz\"\n";
+    let angles = "[device]\nviscous = \"0.3031 uN m s/deg ± 20%\"\ncoulomb = \"3.501 mN m\"\n[sampling]\n\
+                  period = \"0.1421 ms\"\n[encoder]\ncounts_per_revolution = 4096\n[wall]\n\
+                  stiffness = \"6.608 mN m/deg\"\ndamping = \"1.923 uN m s/deg ± 10%\"\ndamping_cutoff = \"58.6 Hz\"\n\
+                  max_force = \"100 mN m\"\n";
+    let late = "[device]\nviscous = \"1.907 uN m s/rad\"\n[sampling]\nperiod = \"0.1144 ms\"\nlatency = \"1345 us\"\n[wall]\n\
+                stiffness = \"9.914 N m/rad\"\ndamping = \"1.686 uN m s/deg\"\n[operator]\nmax_speed = \"10.24 rpm\"\n";
+    for text in [filtered, angles, late] {
+        let scene = Scene::from_toml("s", text).unwrap();
+        let start = Instant::now();
+        assert_eq!(check(&scene).verdict, Verdict::NotGuaranteed, "{text}");
+        assert!(start.elapsed() < LIMIT, "{text}: {:?}", start.elapsed());
+    }
 }
