@@ -12,17 +12,17 @@ pub(crate) const UNIT: &str = "s";
 const MOST_DIGITS: usize = 24;
 
 /// The seconds since 1970 that a date with a time of day is, exactly; `None` of any other text. Without a zone it is
-/// taken to be in UTC.
+/// taken to be in UTC. A fraction is one of a second: behind minutes it would be one of a minute, and is not read.
 pub(crate) fn seconds(text: &[u8]) -> Option<Number> {
     let text = std::str::from_utf8(text).ok()?.trim();
     let (date, time) = text.split_at_checked(10)?;
     let time = time.strip_prefix(['T', 't', ' '])?;
     let [year, month, day] = numbers(date, '-', [4, 2, 2])?;
     let (time, offset) = zone(time)?;
-    let (time, fraction) = time.split_once(['.', ',']).unwrap_or((time, "0"));
+    let (clock, fraction) = time.split_once(['.', ',']).unwrap_or((time, "0"));
     let [hour, minute, second] = match time.len() {
         5 => numbers(time, ':', [2, 2]).map(|[hour, minute]| [hour, minute, 0])?,
-        _ => numbers(time, ':', [2, 2, 2])?,
+        _ => numbers(clock, ':', [2, 2, 2])?,
     };
     let is_digits = fraction.bytes().all(|byte| byte.is_ascii_digit());
     if hour > 23 || minute > 59 || second > 59 || !is_digits || fraction.len() > MOST_DIGITS {
@@ -133,6 +133,10 @@ mod tests {
             "2023-11-14T24:00:00Z",
             "2023-11-14T22:60:00Z",
             "2023-11-14T22:13:60Z",
+            "2023-11-14T22:13.001Z",
+            "2023-11-14 22:13,5",
+            "2023-11-14T22:13.0+01:00",
+            "2023-11-14T22:13.",
             "2023-11-14T22:13:20.+1Z",
             "2023-11-14T22:13:20Zulu",
             "2023-11-14T22:13:20+25:00",
