@@ -45,18 +45,19 @@ pub(crate) fn names(line: &[u8], notation: Notation) -> Result<Vec<String>, Trac
     Ok(names)
 }
 
-/// The columns of a header line: those that hold dates, as far as the first rows tell, are in seconds.
+/// The columns of a header line: those that hold dates in at least half of the first rows are in seconds. What is no date there
+/// is an error of its row.
 pub(crate) fn headings(
     line: &[u8],
     first: &[&[u8]],
     notation: Notation,
 ) -> Result<Vec<Heading>, TraceError> {
     let is_dated = |column| {
-        let mut fields = first
-            .iter()
-            .map(|line| fields(line, notation.delimiter).nth(column));
-        let is_date = |field: Option<&[u8]>| field.and_then(|f| dates::seconds(trimmed(f)));
-        !first.is_empty() && fields.all(|field| is_date(field).is_some())
+        let is_date = |line: &&&[u8]| {
+            let field = fields(line, notation.delimiter).nth(column);
+            field.is_some_and(|field| dates::seconds(trimmed(field)).is_some())
+        };
+        !first.is_empty() && 2 * first.iter().filter(is_date).count() >= first.len()
     };
     let heading = |(column, name)| Heading {
         name,

@@ -59,11 +59,9 @@ fn dates_are_a_clock() {
 fn dates_are_not_mixed_with_numbers_and_are_nothing_but_times() {
     let dates = ["2023-11-14T22:13:20Z", "2023-11-14T22:13:21Z", "5"];
     let mixed = counts("t", dates);
-    // Among the first rows there is one that is none.
-    assert!(
-        refused(&mixed, None).to_string().contains("t [s]"),
-        "{mixed}"
-    );
+    let audit = audited(&mixed, None).unwrap();
+    let error = audit.error().unwrap();
+    assert_eq!((error.kind, error.row), ("date", Some(3)), "{error}");
     let late = mixed.replace("\n5,0\n", "\n");
     let later: String = (22..60)
         .map(|s| format!("2023-11-14T22:13:{s}Z,0\n"))
@@ -79,6 +77,41 @@ fn dates_are_not_mixed_with_numbers_and_are_nothing_but_times() {
     assert!(says("count=count, f=when [N]").contains("is a time, and `f` is none"));
     assert!(says("count=count, t=when [ms]").contains("it is in `s`, not in `ms`"));
     audited(&dated, Some("count=count, t=when [s]")).unwrap();
+}
+
+#[test]
+fn a_date_that_cannot_be_read_is_an_error_of_its_row() {
+    let good = ["2023-11-14T22:13:20Z", "2023-11-14T22:13:20.001Z"];
+    for (log, row, intervals) in [
+        (counts("t", [good[0], good[1], "2023-11-14T22:13:2"]), 3, 1),
+        (
+            counts("t", [good[0], good[1], "2023-11-14T22:13:60.001Z"]),
+            3,
+            1,
+        ),
+        (counts("t", [good[0], "", good[1]]), 2, 0),
+        (
+            counts("t", [good[0], "2023-11-14T22:13.001Z", good[1]]),
+            2,
+            0,
+        ),
+        (
+            counts("t", ["2023-11-14T22:13:60Z", good[0], good[1]]),
+            1,
+            0,
+        ),
+    ] {
+        let audit = audited(&log, None).unwrap();
+        let error = audit.error().unwrap();
+        assert_eq!((error.kind, error.row), ("date", Some(row)), "{error}");
+        assert_eq!(audit.totals().intervals, intervals, "{log}");
+    }
+    // Of two rows one is enough.
+    let torn = format!("t,count\n{},0\n2023-11-14T22:13:2,1", good[0]);
+    let audit = audited(&torn, None).unwrap();
+    let error = audit.error().unwrap().to_string();
+    let says = "row 2, column `t`: expected a date and a time of day, as in `2023-11-14T22:13:20.5Z`, found `2023-11-14T22:13:2`";
+    assert!(error.contains(says), "{error}");
 }
 
 #[test]
