@@ -225,6 +225,13 @@ fn an_audit_of_a_ledger_in_si_units_is_that_of_the_other_one() {
         )
     };
     let fast = slide("velocity = \"20 mm/s\"", "");
+    let below = |position: &str| {
+        format!(
+            "[device]\nmass = \"0.11 kg\"\n[encoder]\nresolution = \"0.03 mm\"\n[wall]\nstiffness = \"1000 N/m\"\n\
+             [sampling]\nperiod = \"1 ms\"\n[start]\nposition = \"{position}\"\nvelocity = \"0 m/s\"\n\
+             [run]\nintervals = 3\n"
+        )
+    };
     for (scene, more, code, first) in [
         // All that is wrong is in the last interval.
         (
@@ -258,6 +265,19 @@ fn an_audit_of_a_ledger_in_si_units_is_that_of_the_other_one() {
             ["--method", "exact"],
             0,
             "HOLDS",
+        ),
+        // Below one by less than doubles tell, on either side of the wall's.
+        (
+            below("0.0899999999999999999999 mm"),
+            ["--method", "exact"],
+            0,
+            "HOLDS",
+        ),
+        (
+            below("-0.0900000000000000000001 mm"),
+            ["--method", "exact"],
+            1,
+            "the first at row 1",
         ),
         (fast, ["--intervals", "1"], 0, "HOLDS"),
     ] {

@@ -186,9 +186,13 @@ impl Table {
                 let figures = self.doubles.figures(&row.map(|x| Double(*x)));
                 if let Some(si) = &mut self.si {
                     let in_unit = |x: &Double, unit: &BigRational| x.0 * nearest_f64(unit);
-                    let whole =
-                        |x: &Double| BigRational::from_float(x.0).filter(|_| x.0.fract() == 0.0);
-                    return si.put(entry.h, &figures, out, (in_unit, whole));
+                    let by_edge = |x: &Double| {
+                        // What a product of doubles may be off, twice, and what may become zero.
+                        let off = (2.0 * f64::EPSILON * x.0.abs()).max(1e-200);
+                        let is_near = (x.0 - x.0.round()).abs() <= off;
+                        BigRational::from_float(x.0).filter(|_| is_near)
+                    };
+                    return si.put(entry.h, &figures, out, (in_unit, by_edge));
                 }
                 // Shortest decimals that read back as the same double. At a speed that is almost
                 // nothing the margin is beyond all doubles.
@@ -200,8 +204,7 @@ impl Table {
                 let figures = self.rationals.figures(row);
                 if let Some(si) = &mut self.si {
                     let in_unit = |x: &BigRational, unit: &BigRational| nearest_f64(&(x * unit));
-                    let whole = |x: &BigRational| x.is_integer().then(|| x.clone());
-                    return si.put(row.h, &figures, out, (in_unit, whole));
+                    return si.put(row.h, &figures, out, (in_unit, |x| Some(x.clone())));
                 }
                 self.put(row.h, &figures, out, BigRational::to_string)?;
                 let _ = writeln!(out, ",{}", row.step.start);
@@ -269,14 +272,14 @@ impl Table {
 }
 
 impl Si {
-    /// Appends a row in SI units, with the motion at the sample. A position on an encoder edge is a whole number of
-    /// ticks, and is written as no less, so that it is read in the same tick.
+    /// Appends a row in SI units, with the motion at the sample. Of a position that may be by an encoder edge it is
+    /// given what it is exactly, so that what is written is read in the same tick.
     fn put<R>(
         &mut self,
         h: u64,
         figures: &Figures<R>,
         out: &mut String,
-        (in_unit, whole): (
+        (in_unit, by_edge): (
             impl Fn(&R, &BigRational) -> f64,
             impl Fn(&R) -> Option<BigRational>,
         ),
@@ -290,13 +293,11 @@ impl Si {
                 figure,
             }),
         };
-        let is_below =
-            |x: f64, exact: BigRational| parse(&format!("{x:?}")).is_ok_and(|x| x < exact);
         let motion = |xi: &R, v: &R| {
             let x = finite(xi, &self.length, "x")?;
-            let x = match whole(xi) {
-                Some(xi) if is_below(x, &xi * &self.length) => x.next_up(),
-                _ => x,
+            let x = match by_edge(xi) {
+                Some(xi) => self.in_tick(x, &xi.floor()),
+                None => x,
             };
             Ok([x, finite(v, &self.speed, "v")?])
         };
@@ -314,6 +315,18 @@ impl Si {
         out.push('\n');
         self.end = Some((h + 1, after));
         Ok(())
+    }
+
+    /// The double nearest to this one that is read in this tick.
+    fn in_tick(&self, mut x: f64, tick: &BigRational) -> f64 {
+        let read = |x: f64| parse(&format!("{x:?}")).map(|x| (x / &self.length).floor());
+        while read(x).is_ok_and(|read| read < *tick) {
+            x = x.next_up();
+        }
+        while read(x).is_ok_and(|read| read > *tick) {
+            x = x.next_down();
+        }
+        x
     }
 
     /// Appends a sample's number and time, and the motion at it.
