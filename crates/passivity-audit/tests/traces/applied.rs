@@ -231,6 +231,17 @@ fn a_force_that_is_near_the_law_is_another() {
     let (kinds, text) = found("count", &|_, law| 1.0001 * law);
     assert_eq!(kinds, ["scale"]);
     assert!(text.contains("the force is 1.0001 times"), "{text}");
+    // What is left beside it is told from digits, and a scale that is near one from what is left.
+    let sign = |i: usize| [1.0, -1.0][i / 6 % 2];
+    let (kinds, text) = found("count", &|i, law| {
+        ((1.1 * law + 0.01 * sign(i)) * 100.0).round() / 100.0
+    });
+    assert_eq!(kinds, ["scale", "other_force"], "{text}");
+    let (kinds, text) = found("count", &|i, law| 1.005 * law * (1.0 + 0.001 * sign(i)));
+    assert_eq!(kinds, ["other_force"], "{text}");
+    // Of a multiple in full digits nothing is left but what sums of doubles are off.
+    let (kinds, text) = found("count", &|_, law| 1.005_000_000_17 * law);
+    assert_eq!(kinds, ["scale"], "{text}");
     // In single precision it is the law's.
     let (kinds, _) = found("count", &|_, law| f64::from((law * 0.1) as f32) * 10.0);
     assert_eq!(kinds.len(), 0, "{kinds:?}");

@@ -81,6 +81,21 @@ fn a_counter_that_wraps_around_is_found_at_its_row() {
             19,
             "4294967296 ticks (32 bits)",
         ),
+        // With twice the speed beside it, and after a motion the other way.
+        (
+            "count",
+            PLAIN,
+            vec![4020.0, 4040.0, 4060.0, 4080.0, 44.0, 64.0, 84.0],
+            4,
+            "4096 ticks (12 bits)",
+        ),
+        (
+            "count",
+            PLAIN,
+            [vec![4080.0; 5], vec![3990.0, 4.0], vec![94.0; 5]].concat(),
+            6,
+            "4096 ticks (12 bits)",
+        ),
         (
             "count",
             ROTARY,
@@ -214,6 +229,15 @@ fn motions_are_no_wraps() {
         let text = format!("tau,count\n1,0\n2,2\n3,4\n4,7\n5,8\n{late},4104\n{late}.5,4105\n");
         let wrap = found(&text, PLAIN, 0).1;
         assert_eq!(wrap.is_some(), is_wrap, "{wrap:?}");
+    }
+}
+
+#[test]
+fn a_wrap_is_32_times_as_fast_as_what_is_beside_it() {
+    for (step, is_wrap) in [(124.0, true), (125.0, false), (200.0, false)] {
+        let numbers = around(4096.0, 0.0, 3500.0, step);
+        let wrap = found(&column("count", numbers), PLAIN, 0).1;
+        assert_eq!(wrap.is_some(), is_wrap, "{step}: {wrap:?}");
     }
 }
 
