@@ -117,3 +117,21 @@ fn a_check_asks_for_bounded_work() {
     let answer = check(5, "");
     assert!(answer.contains(r#""verdict":"#), "{answer}");
 }
+
+/// Of long numbers a check asks for more work than of short ones.
+#[test]
+fn a_check_of_long_numbers_asks_for_more_work() {
+    for (digits, is_refused) in [(490, true), (1, false)] {
+        let threes = "3".repeat(digits);
+        let answer = ask(&format!(
+            r#"{{"op": "check", "scene": {{"device": {{"viscous": "11.28 N s/m"}},
+                "sampling": {{"period": "0.5 ms ± 1%", "delay": 8}},
+                "wall": {{"stiffness": "101.{threes} N/m ± 1%", "damping": "1.{threes} N s/m ± 1%"}}}}}}"#
+        ));
+        assert_eq!(
+            answer.contains(r#""kind": "too_much_work""#),
+            is_refused,
+            "{answer}"
+        );
+    }
+}
