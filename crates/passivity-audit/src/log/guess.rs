@@ -9,7 +9,7 @@ use passivity_scene::{Motion, Scene};
 
 use crate::log::columns::{Found, Role, typed};
 use crate::log::error::shown;
-use crate::log::header::{Heading, read_unit, split};
+use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
 use crate::log::preview::Preview;
 use clock::{parts_of_time, unit_of_time, unit_of_word};
 use kind::Kind;
@@ -131,8 +131,14 @@ fn held(
             ))
         }
         (Some(unit), _) => {
-            let dimension = read_unit(unit).map_err(|error| error.message)?.dimension();
+            let read = match kind {
+                Kind::Force => read_unit_of_force(unit),
+                _ => read_unit(unit),
+            };
+            let dimension = read.map_err(|error| error.message)?.dimension();
             match dimension.with_angle(0) == kind.dimension(scene.motion) {
+                // A bare mass is no sign of a force.
+                true if kind == Kind::Force && !is_unit_of_force(unit) => Ok(0),
                 true => Ok(2),
                 false => Err(format!(
                     "`{}` is no unit of {} like `{}`",
@@ -166,14 +172,30 @@ fn score(
     (score >= LIKELY).then_some(score)
 }
 
-/// A column that is called like something that is not said, and cannot be read.
+/// A column that is called like something that is not said, or has a unit of force, and cannot be read.
 pub(crate) struct Unreadable {
     pub(crate) column: usize,
     pub(crate) why: String,
-    pub(crate) is_clock: bool,
+    kind: Kind,
 }
 
-/// The columns that are called like something that is not said, and cannot be read: the most likely of each kind.
+impl Unreadable {
+    pub(crate) fn is_clock(&self) -> bool {
+        self.kind == Kind::Time
+    }
+
+    pub(crate) fn is_force(&self) -> bool {
+        self.kind == Kind::Force
+    }
+}
+
+/// Whether the name of a column gives a unit of force.
+fn has_force(heading: &Heading) -> bool {
+    let unit = split(&heading.name).ok().and_then(|split| split.unit);
+    unit.is_some_and(|unit| is_unit_of_force(&unit))
+}
+
+/// The columns that look like something that is not said, and cannot be read: the most likely of each kind.
 pub(crate) fn unreadable(
     headings: &[Heading],
     preview: &Preview,
@@ -185,14 +207,12 @@ pub(crate) fn unreadable(
         let columns = (0..).zip(headings);
         let free = columns.filter(|(column, _)| !said.iter().any(|f| f.column == *column));
         let called = free.filter_map(|(column, heading)| {
-            let score = called(kind, heading, scene.motion);
+            let mut score = called(kind, heading, scene.motion);
+            if kind == Kind::Force && has_force(heading) {
+                score += LIKELY;
+            }
             let why = held(kind, heading, column, preview, scene).err()?;
-            let is_clock = kind == Kind::Time;
-            let unreadable = Unreadable {
-                column,
-                why,
-                is_clock,
-            };
+            let unreadable = Unreadable { column, why, kind };
             (score >= LIKELY).then_some((score, unreadable))
         });
         // Of equals the first column.

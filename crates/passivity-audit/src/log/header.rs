@@ -119,10 +119,8 @@ fn measures(unit: &Unit) -> bool {
         Dimension::new(0, 1, -1, 0),
         Dimension::new(0, 0, -1, 1),
         Dimension::new(0, 0, 0, 1),
-        Dimension::new(1, 1, -2, 0),
-        Dimension::new(1, 2, -2, 0),
     ];
-    known.contains(&unit.dimension())
+    known.contains(&unit.dimension()) || is_force(unit)
 }
 
 pub(crate) fn is_unit(text: &str) -> bool {
@@ -140,6 +138,27 @@ pub(crate) fn read_unit(text: &str) -> Result<Unit, TraceError> {
     }
     let message = format!("`{}`: {error}", shown(text.as_bytes()));
     Err(TraceError::new("unit", message))
+}
+
+/// A force, and a torque.
+const FORCES: [Dimension; 2] = [Dimension::new(1, 1, -2, 0), Dimension::new(1, 2, -2, 0)];
+
+/// Reads the unit of a column that holds forces or torques, in which a mass is its weight: `oz in`, `kg`.
+pub(crate) fn read_unit_of_force(text: &str) -> Result<Unit, TraceError> {
+    let unit = read_unit(text)?;
+    let weight = unit.as_weight().filter(is_force);
+    Ok(weight.filter(|_| !is_force(&unit)).unwrap_or(unit))
+}
+
+fn is_force(unit: &Unit) -> bool {
+    FORCES.contains(&unit.dimension())
+}
+
+/// Whether a unit is one of force or torque by itself: a bare mass is one only of what is called a force.
+pub(crate) fn is_unit_of_force(text: &str) -> bool {
+    let is_mass = |unit: Unit| unit.dimension() == Dimension::new(1, 0, 0, 0);
+    read_unit_of_force(text).is_ok_and(|unit| is_force(&unit))
+        && !read_unit(text).is_ok_and(is_mass)
 }
 
 /// Points and hyphens between units as spaces, and units spelt out as their symbols.

@@ -8,7 +8,7 @@ use passivity_scene::{Motion, Scene};
 
 use crate::ball::{self, Ball, Short};
 use crate::log::error::TraceError;
-use crate::log::header::read_unit;
+use crate::log::header::{read_unit, read_unit_of_force};
 use crate::log::irrational::Irrational;
 use crate::log::numbers::{Kind, Numbers};
 use crate::log::running::near;
@@ -172,11 +172,13 @@ fn scaled(p: i64, n: i64, q: i64, k: u32) -> Option<Ball> {
 fn unit(text: Option<&str>, example: &str) -> Result<Unit, TraceError> {
     match text {
         Some(text) => read_unit(text),
-        None => {
-            let message = format!("a column with a unit is needed, as in `{example}`");
-            Err(TraceError::new("unit", message))
-        }
+        None => Err(needed(example)),
     }
+}
+
+fn needed(example: &str) -> TraceError {
+    let message = format!("a column with a unit is needed, as in `{example}`");
+    TraceError::new("unit", message)
 }
 
 fn needs_units(scene: &Scene, instead: &str) -> Result<(), TraceError> {
@@ -258,7 +260,10 @@ pub(crate) fn force_scale(text: Option<&str>, scene: &Scene) -> Result<Scale, Tr
     if text.is_none() && scene.motion == Motion::Dimensionless {
         return Ok(Scale::One);
     }
-    let unit = unit(text, "f [N]")?;
+    let Some(text) = text else {
+        return Err(needed("f [N]"));
+    };
+    let unit = read_unit_of_force(text)?;
     needs_units(scene, "f")?;
     expect(&unit, Dimension::new(1, 1, -2, 0), scene, "a force")?;
     Scale::of(exact(&unit).over(nominal(scene).force_unit()))

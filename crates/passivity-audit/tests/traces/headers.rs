@@ -1,6 +1,7 @@
 //! What a log is taken to be by its header and its first rows, and what is proposed where that is not understood.
 
 mod clocks;
+mod forces;
 
 use passivity_audit::{Audit, Dialect, Options, TraceError, audit_csv};
 use passivity_scene::Scene;
@@ -12,6 +13,13 @@ fn scene() -> Scene {
     Scene::from_toml("linear", text).unwrap()
 }
 
+/// A rotary device that is sampled a thousand times a second.
+fn rotary() -> Scene {
+    let text = "[device]\nviscous = \"9e-4 N m s/rad\"\ncoulomb = \"2e-2 N m\"\n\
+        [sampling]\nperiod = \"1 ms\"\n[encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"1 N m/rad\"";
+    Scene::from_toml("rotary", text).unwrap()
+}
+
 fn dialect(columns: Option<&str>) -> Dialect {
     Dialect {
         columns: columns.map(|text| text.parse().unwrap()),
@@ -21,12 +29,16 @@ fn dialect(columns: Option<&str>) -> Dialect {
 
 /// Of a log with this text, with the columns that were told.
 fn audited(csv: &str, columns: Option<&str>) -> Result<Audit, TraceError> {
+    audited_on(&scene(), csv, columns)
+}
+
+fn audited_on(scene: &Scene, csv: &str, columns: Option<&str>) -> Result<Audit, TraceError> {
     let input = Box::new(std::io::Cursor::new(csv.as_bytes().to_vec()));
     let options = Options {
         dialect: dialect(columns),
         ..Options::default()
     };
-    audit_csv(input, &scene(), options)
+    audit_csv(input, scene, options)
 }
 
 fn refused(csv: &str, columns: Option<&str>) -> TraceError {

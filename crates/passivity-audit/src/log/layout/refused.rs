@@ -33,13 +33,14 @@ pub(super) fn not_read(
     };
     said.extend(unreadable.iter().map(|unreadable| {
         let (name, why) = (name(unreadable.column), &unreadable.why);
-        let put_right = match (unreadable.is_clock, scene.motion) {
-            (false, _) => "name the others to leave it out",
-            (true, Motion::Dimensionless) => {
+        let put_right = match scene.motion {
+            _ if unreadable.is_force() => FORCE,
+            _ if !unreadable.is_clock() => "name the others to leave it out",
+            Motion::Dimensionless => {
                 "write its times in sampling periods, as in `tau`; if `--columns` leaves it out, all rows are taken to be \
                  one apart"
             }
-            (true, _) => {
+            _ => {
                 "write its times as numbers in a unit that its name gives, as in `time [s]`, or in CSV as dates like \
                  `2023-11-14T22:13:20.5Z`; if `--columns` leaves it out, all rows are taken to be one sampling period apart"
             }
@@ -49,8 +50,12 @@ pub(super) fn not_read(
     header(said.join("; "))
 }
 
-/// What a header may mean, beyond what its columns say themselves, where that can be read and leaves out no clock: without
-/// one, late and missed samples would not be seen.
+/// What to do about a force that cannot be read.
+const FORCE: &str = "write a number in each row, in a unit of the scene's forces that the name of the column gives; if \
+    `--columns` leaves it out, the account is of the force of the wall's law, not of the one that was held";
+
+/// What a header may mean, beyond what its columns say themselves, where that can be read and leaves out no clock, without
+/// which late and missed samples would not be seen, and no force, without which the wall's law would be taken for it.
 pub(super) fn proposal(
     headings: &[Heading],
     said: &[Found],
@@ -61,7 +66,7 @@ pub(super) fn proposal(
     let mut all: Vec<Found> = said.iter().map(complete).collect();
     all.extend(guess::unread(headings, preview, scene, said));
     let unreadable = guess::unreadable(headings, preview, scene, &all);
-    if unreadable.iter().any(|unreadable| unreadable.is_clock) {
+    if unreadable.iter().any(|it| it.is_clock() || it.is_force()) {
         return None;
     }
     let mut proposal = guess::propose(&all, headings)?;

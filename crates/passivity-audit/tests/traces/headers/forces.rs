@@ -1,0 +1,91 @@
+//! Columns of forces: the units that are weights, and those that no command may leave out.
+
+use super::{audited, audited_on, proposed, refused, rotary};
+
+/// Three samples in which a force that is three times the wall's, with the other sign, is held.
+fn log(force: &str, forces: [&str; 3]) -> String {
+    let [first, second, third] = forces;
+    format!("t [s],x [mm],{force}\n0,0,{first}\n0.001,0.1,{second}\n0.002,0.2,{third}\n")
+}
+
+#[test]
+fn no_command_leaves_out_a_force_that_cannot_be_read() {
+    for name in [
+        "force [parsec]",
+        "force [N m]",
+        "Kraft (ADC) [V]",
+        // Its unit says that it is a force, or a torque.
+        "M [N m]",
+    ] {
+        let log = log(name, ["0", "1", "2"]);
+        let error = refused(&log, None);
+        assert_eq!(error.proposal, None, "{error}");
+        assert!(error.to_string().contains("of the wall's law"), "{error}");
+        // Nor where something else was told wrongly; who says so leaves it out.
+        assert_eq!(proposed(&log, Some("x=posture [m]")), "");
+        audited(&log, Some("t=t [s], x=x [mm]")).unwrap();
+    }
+    // Nor one without a number in each row.
+    assert_eq!(proposed(&log("force [N]", ["0", "", "2"]), None), "");
+    // Another force is read in its place.
+    let log = "t [s],x [mm],force [V],F [N]\n0,0,0,0\n0.001,0.1,1,1\n";
+    assert_eq!(proposed(log, None), "t=t [s], x=x [mm], f=F [N]");
+}
+
+#[test]
+fn masses_in_the_place_of_a_force_are_their_weights() {
+    let numbers = ["0", "150", "-30.5"];
+    let report = |name: &str, columns: Option<&str>| {
+        let text = log(name, numbers);
+        let columns = columns.map_or_else(|| proposed(&text, None), str::to_owned);
+        let audit = audited(&text, Some(&columns)).unwrap_or_else(|e| panic!("{columns}: {e}"));
+        assert_eq!(audit.error(), None, "{columns}");
+        let mut json = audit.to_json();
+        json.as_object_mut().unwrap().remove("columns");
+        json
+    };
+    for (weight, mass) in [("ozf", "oz"), ("lbf", "lb"), ("kgf", "kg"), ("gf", "g")] {
+        let expected = report(&format!("force [{weight}]"), None);
+        assert_eq!(report(&format!("force [{mass}]"), None), expected, "{mass}");
+        assert_eq!(report(&format!("Force ({mass})"), None), expected, "{mass}");
+        let told = format!("t=t [s], x=x [mm], f=force [{mass}]");
+        assert_eq!(report("force", Some(&told)), expected, "{mass}");
+    }
+    // A bare mass of another name is no force.
+    let json = audited(&log("load [kg]", numbers), None).unwrap().to_json();
+    assert_eq!(json["not_read"], serde_json::json!(["load [kg]"]));
+}
+
+#[test]
+fn masses_times_lengths_in_the_place_of_a_torque_are_weights_times_lengths() {
+    let report = |unit: &str| {
+        let log = format!("t [s],x [rad],{unit}\n0,0,0\n0.001,0.001,1.5\n0.002,0.002,-0.5\n");
+        let columns = refused_on_rotary(&log);
+        let audit = audited_on(&rotary(), &log, Some(&columns)).unwrap();
+        assert_eq!(audit.error(), None, "{columns}");
+        let mut json = audit.to_json();
+        json.as_object_mut().unwrap().remove("columns");
+        json
+    };
+    let expected = report("torque [ozf in]");
+    for unit in [
+        "torque [oz in]",
+        "torque (oz-in)",
+        "torque [in*oz]",
+        "M [oz.in]",
+    ] {
+        assert_eq!(report(unit), expected, "{unit}");
+    }
+    assert_eq!(report("torque [kg cm]"), report("torque [kgf cm]"));
+    assert_eq!(report("torque [lb-ft]"), report("torque [ft lbf]"));
+}
+
+/// The columns that are proposed for a log of a rotary device.
+fn refused_on_rotary(log: &str) -> String {
+    let error = audited_on(&rotary(), log, None).unwrap_err();
+    let proposal = error.proposal.as_ref();
+    proposal
+        .unwrap_or_else(|| panic!("{log}: {error}"))
+        .columns
+        .clone()
+}
