@@ -1,5 +1,5 @@
 //! The name of a column: what it is called, and the unit that is written with it, in brackets, in
-//! parentheses or after an underscore.
+//! parentheses or after an underscore, a slash or a comma.
 
 use std::borrow::Cow;
 
@@ -7,6 +7,7 @@ use passivity_scene::units::{Dimension, Unit};
 
 use crate::log::dates;
 use crate::log::error::{TraceError, shown};
+use crate::log::guess::is_counted;
 
 /// The name of a column as the log has it, and the unit that its type has of itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,10 +35,10 @@ pub(crate) struct Split<'n> {
     pub(crate) unit: Option<Cow<'n, str>>,
 }
 
-/// `x [rad]`, `x (rad)` and `x_rad` as `x` and `rad`; or why the brackets say nothing.
+/// `x [rad]`, `x (rad)`, `x_rad`, `x/rad` and `x, rad` as `x` and `rad`; or why the brackets say nothing.
 ///
 /// What stands in brackets is a unit, unless it is a number (`position[0]`). What stands in
-/// parentheses or after an underscore is one where it reads as one.
+/// parentheses or after an underscore, a slash or a comma is one where it reads as one.
 pub(crate) fn split(name: &str) -> Result<Split<'_>, (&str, &'static str)> {
     let name = name.trim();
     let plain = Split {
@@ -82,13 +83,34 @@ pub(crate) fn split(name: &str) -> Result<Split<'_>, (&str, &'static str)> {
             return Ok(Split { stem, unit });
         }
     }
-    Ok(plain)
+    Ok(after_sign(name).unwrap_or(plain))
 }
 
 /// What stands before a closed pair at the end of the name, and in it.
 fn enclosed(name: &str, open: char, close: char) -> Option<(&str, &str)> {
     let (stem, inner) = name.strip_suffix(close)?.rsplit_once(open)?;
+    // As in `v/(m/s)`.
+    let bare = stem.trim_end_matches([' ', '/', ',']);
+    let stem = if bare.is_empty() { stem } else { bare };
     Some((stem.trim(), inner.trim()))
+}
+
+/// A unit after a slash or a comma: `M/Nm`, `omega/rad/s`, `phi, rad`.
+fn after_sign(name: &str) -> Option<Split<'_>> {
+    let comma = name.rmatch_indices(',').take(1);
+    let mut ends = name.match_indices('/').chain(comma);
+    ends.find_map(|(at, sign)| {
+        let (stem, unit) = (name.get(..at)?.trim(), name.get(at + 1..)?.trim());
+        let last = stem.rsplit('/').next().unwrap_or(stem);
+        // `N/m` and `counts/s` are quotients of units, and `/pose/m` is a topic.
+        let is_other = match sign {
+            "/" => is_unit(last) || is_counted(last) || (name.starts_with('/') && unit.len() == 1),
+            _ => false,
+        };
+        let is_unit = is_unit_of_force(unit) || read_unit(unit).is_ok_and(|unit| measures(&unit));
+        let unit = Some(Cow::Borrowed(unit));
+        (is_unit && !is_other && stem.contains(char::is_alphabetic)).then_some(Split { stem, unit })
+    })
 }
 
 /// A unit after an underscore, written as one: `us`, `deg`, `rad_s`, `m_per_s`, `N_m`.
@@ -238,6 +260,24 @@ mod tests {
             ("motor_in", "motor_in", None),
             ("t", "t", None),
             ("_s", "_s", None),
+            ("M/Nm", "M", Some("Nm")),
+            ("time / s", "time", Some("s")),
+            ("omega/rad/s", "omega", Some("rad/s")),
+            ("v_m/s", "v", Some("m/s")),
+            ("v/(m/s)", "v", Some("m/s")),
+            ("T_motor/mN m", "T_motor", Some("mN m")),
+            ("Weg s/mm", "Weg s", Some("mm")),
+            ("phi, rad", "phi", Some("rad")),
+            ("force,N", "force", Some("N")),
+            ("M / [oz in]", "M", Some("oz in")),
+            ("rad/s", "rad/s", None),
+            ("N/m", "N/m", None),
+            ("counts/s", "counts/s", None),
+            ("K/N/m", "K/N/m", None),
+            ("/pose/m", "/pose/m", None),
+            ("/joint/torque", "/joint/torque", None),
+            ("x, y", "x, y", None),
+            ("/s", "/s", None),
         ] {
             let found = split(name).unwrap();
             assert_eq!((found.stem, found.unit.as_deref()), (stem, unit), "{name}");

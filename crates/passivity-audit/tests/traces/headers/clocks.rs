@@ -259,7 +259,7 @@ fn a_stamp_in_two_columns_is_one_clock() {
         (["tv_sec", "tv_usec"], "t=tv_sec + tv_usec, count=count"),
         (
             ["a + b, sec", "a + b, nanosec"],
-            "t=\"a + b, sec\" [s] + \"a + b, nanosec\" [ns], count=count",
+            "t=\"a + b, sec\" + \"a + b, nanosec\" [ns], count=count",
         ),
     ] {
         // Also where the first rows are of one second.

@@ -60,7 +60,7 @@ fn masses_in_the_place_of_a_force_are_their_weights() {
 fn masses_times_lengths_in_the_place_of_a_torque_are_weights_times_lengths() {
     let report = |unit: &str| {
         let log = format!("t [s],x [rad],{unit}\n0,0,0\n0.001,0.001,1.5\n0.002,0.002,-0.5\n");
-        let columns = refused_on_rotary(&log);
+        let columns = proposed_on_rotary(&log);
         let audit = audited_on(&rotary(), &log, Some(&columns)).unwrap();
         assert_eq!(audit.error(), None, "{columns}");
         let mut json = audit.to_json();
@@ -81,11 +81,39 @@ fn masses_times_lengths_in_the_place_of_a_torque_are_weights_times_lengths() {
 }
 
 /// The columns that are proposed for a log of a rotary device.
-fn refused_on_rotary(log: &str) -> String {
+fn proposed_on_rotary(log: &str) -> String {
     let error = audited_on(&rotary(), log, None).unwrap_err();
     let proposal = error.proposal.as_ref();
     proposal
         .unwrap_or_else(|| panic!("{log}: {error}"))
         .columns
         .clone()
+}
+
+#[test]
+fn units_after_a_slash_or_a_comma_are_read() {
+    let rows = "0,0,0\n0.001,0.001,1.5\n0.002,0.002,-0.5\n";
+    for (header, columns) in [
+        ("time/s,phi/rad,M/Nm", "t=time/s, x=phi/rad, f=M/Nm"),
+        (
+            "Zeit / s,Winkel / deg,M / (N m)",
+            "t=Zeit / s, x=Winkel / deg, f=M / (N m)",
+        ),
+        (
+            "\"time, s\",\"phi, rad\",\"M, Nm\"",
+            "t=\"time, s\", x=\"phi, rad\", f=\"M, Nm\"",
+        ),
+        ("time/s,phi/rad,M/oz in", "t=time/s, x=phi/rad, f=M/oz in"),
+    ] {
+        let log = format!("{header}\n{rows}");
+        assert_eq!(proposed_on_rotary(&log), columns);
+        let audit = audited_on(&rotary(), &log, Some(columns)).unwrap();
+        assert_eq!(audit.error(), None, "{columns}");
+        assert_eq!(audit.to_json()["columns"], columns);
+    }
+    let report = |header: &str| {
+        let audit = audited_on(&rotary(), &format!("{header}\n{rows}"), None);
+        audit.unwrap_or_else(|e| panic!("{header}: {e}")).to_json()
+    };
+    assert_eq!(report("t/s,x/rad,f/Nm"), report("t [s],x [rad],f [N m]"));
 }
