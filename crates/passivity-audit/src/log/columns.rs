@@ -4,7 +4,8 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::log::error::{TraceError, shown};
-use crate::log::header::{Heading, is_unit, split};
+use crate::log::guess::same_letters;
+use crate::log::header::{Heading, is_unit, read_unit, split};
 
 mod meant;
 
@@ -238,8 +239,7 @@ impl Assignment {
                 (None, _) => None,
             };
             if let (Some(added), Some(own)) = (&added, &own)
-                && is_unit(own)
-                && !same_unit(added, own)
+                && contradicts(added, own)
             {
                 let message = format!(
                     "the header says that `{}` is in `{}`, not in `{}`",
@@ -262,8 +262,16 @@ impl Assignment {
 
 /// Whether two names are of one unit.
 pub(crate) fn same_unit(a: &str, b: &str) -> bool {
-    use crate::log::header::read_unit;
     matches!((read_unit(a), read_unit(b)), (Ok(a), Ok(b)) if a == b)
+}
+
+/// Whether a unit that was typed is another one than the header's. `torque_nm [N m]` is not.
+fn contradicts(typed: &str, own: &str) -> bool {
+    let (Ok(typed_unit), Ok(own_unit)) = (read_unit(typed), read_unit(own)) else {
+        return is_unit(own);
+    };
+    let is_respelt = same_letters(typed, own) && typed_unit.dimension() != own_unit.dimension();
+    typed_unit != own_unit && !is_respelt
 }
 
 /// What stands between the two parts of a time.

@@ -7,16 +7,18 @@ use std::fmt;
 
 use passivity_scene::{Motion, Scene};
 
-use crate::log::columns::{Found, Role, typed};
+use crate::log::columns::{Found, Role, same_unit, typed};
 use crate::log::error::shown;
 use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
 use crate::log::preview::Preview;
 use clock::{parts_of_time, unit_of_time, unit_of_word};
 use kind::Kind;
+pub(crate) use units::same_letters;
 use words::{COUNTED, HELD, NO_POSITION, NOT_MEASURED, words};
 
 mod clock;
 mod kind;
+mod units;
 mod words;
 
 /// The columns that a header seems to mean, as `passivity audit` takes them.
@@ -122,7 +124,12 @@ fn held(
         return Err(format!("row {} has no number there", row + 1));
     }
     match (split.unit.as_deref().or(heading.unit), kind) {
-        (None, _) => Ok(0),
+        (None, Kind::Time | Kind::Velocity) => Ok(0),
+        (None, _) if scene.motion == Motion::Dimensionless => Ok(0),
+        (None, _) => match units::said(kind, &heading.name, scene.motion) {
+            Ok(_) => Ok(0),
+            Err(unit) => Err(no_unit(unit, kind, scene)),
+        },
         (Some(unit), Kind::Position) if is_counted(unit) => Ok(2),
         (Some(unit), _) if scene.motion == Motion::Dimensionless => {
             let unit = shown(unit.as_bytes());
@@ -131,6 +138,7 @@ fn held(
             ))
         }
         (Some(unit), _) => {
+            let unit = units::respelt(kind, unit, scene.motion).unwrap_or(unit);
             let read = match kind {
                 Kind::Force => read_unit_of_force(unit),
                 _ => read_unit(unit),
@@ -140,15 +148,15 @@ fn held(
                 // A bare mass is no sign of a force.
                 true if kind == Kind::Force && !is_unit_of_force(unit) => Ok(0),
                 true => Ok(2),
-                false => Err(format!(
-                    "`{}` is no unit of {} like `{}`",
-                    shown(unit.as_bytes()),
-                    kind.name(),
-                    kind.unit(scene.motion)
-                )),
+                false => Err(no_unit(unit, kind, scene)),
             }
         }
     }
+}
+
+fn no_unit(unit: &str, kind: Kind, scene: &Scene) -> String {
+    let (unit, kind, own) = (shown(unit.as_bytes()), kind.name(), kind.unit(scene.motion));
+    format!("`{unit}` is no unit of {kind} like `{own}`")
 }
 
 /// Of a heading: how much it looks like a kind; `None` when it cannot be.
@@ -321,11 +329,10 @@ fn role(kind: Kind, heading: &Heading, column: usize, preview: &Preview, scene: 
         Kind::Velocity => Role::V,
         Kind::Force => Role::F,
     };
-    let has_unit = own.is_some() || heading.unit.is_some();
-    let unit = match kind {
-        _ if has_unit || bare || role.is_bare() => None,
-        Kind::Time => Some(unit_of_time(&heading.name, preview.step(column), scene)),
-        kind => Some(kind.unit(scene.motion)),
+    let unit = match own.as_deref().or(heading.unit) {
+        _ if bare || role.is_bare() => None,
+        Some(unit) => units::respelt(kind, unit, scene.motion),
+        None => Some(unit_said(kind, heading, column, preview, scene)),
     };
     Found {
         role,
@@ -348,16 +355,27 @@ pub(crate) fn with_unit(
     if bare || typed || found.unit.is_some() {
         return found.clone();
     }
-    let unit = match Kind::of(found.role) {
-        Kind::Time => {
-            let name = heading.map_or("", |heading| &heading.name);
-            unit_of_time(name, preview.step(found.column), scene)
-        }
-        kind => kind.unit(scene.motion),
-    };
+    let kind = Kind::of(found.role);
+    let unit = heading.map(|heading| unit_said(kind, heading, found.column, preview, scene));
     Found {
-        unit: Some(unit.to_owned()),
+        unit: unit.map(str::to_owned),
         ..found.clone()
+    }
+}
+
+/// The unit that the name of a column seems to give, or else the one that is assumed.
+fn unit_said(
+    kind: Kind,
+    heading: &Heading,
+    column: usize,
+    preview: &Preview,
+    scene: &Scene,
+) -> &'static str {
+    let said = units::said(kind, &heading.name, scene.motion);
+    match (kind, said) {
+        (Kind::Time, _) => unit_of_time(&heading.name, preview.step(column), scene),
+        (_, Ok(Some(unit))) => unit,
+        (kind, _) => kind.unit(scene.motion),
     }
 }
 
@@ -375,7 +393,11 @@ pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal>
     for found in sorted {
         let heading = headings.get(found.column)?;
         let own = split(&heading.name).ok().and_then(|split| split.unit);
-        let added = found.unit.as_deref().filter(|_| own.is_none());
+        let is_new = |unit: &&str| match &own {
+            Some(own) => own != unit && !same_unit(own, unit),
+            None => true,
+        };
+        let added = found.unit.as_deref().filter(is_new);
         columns.push_str(&typed(found, heading, added, columns.is_empty())?);
         if let Some(unit) = added.filter(|_| found.role != Role::Fine) {
             assumed.push(format!("{} in {unit}", found.role.name()));

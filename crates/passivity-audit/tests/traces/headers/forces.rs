@@ -117,3 +117,71 @@ fn units_after_a_slash_or_a_comma_are_read() {
     };
     assert_eq!(report("t/s,x/rad,f/Nm"), report("t [s],x [rad],f [N m]"));
 }
+
+#[test]
+fn units_that_names_seem_to_give_are_proposed() {
+    let log = |columns: [&str; 3]| format!("{}\n0,0,0\n0.001,0.001,1.5\n", columns.join(","));
+    // That of the position of a linear device, and of its force.
+    for (name, unit) in [
+        ("pos_in", "in"),
+        ("pos_inch", "inch"),
+        ("pos_ft", "ft"),
+        ("POS_MM", "mm"),
+        ("POSITION [MM]", "mm"),
+        ("pos", "m"),
+        ("pos_raw", "m"),
+    ] {
+        let log = log(["t [s]", name, "f [N]"]);
+        let columns = format!("t=t [s], x={name} [{unit}], f=f [N]");
+        assert_eq!(proposed(&log, None), columns);
+        assert_eq!(audited(&log, Some(&columns)).unwrap().error(), None);
+    }
+    for (name, unit) in [
+        ("force_lb", "lb"),
+        ("force_kg", "kg"),
+        ("forceLbf", "lbf"),
+        ("force_n", "N"),
+        ("FORCE [MN ]", "MN"),
+        ("Force_mn", "mN"),
+    ] {
+        let log = log(["t [s]", "x [m]", name]);
+        let columns = match name.contains("MN") {
+            true => "t=t [s], x=x [m], f=FORCE [MN ]".to_owned(),
+            false => format!("t=t [s], x=x [m], f={name} [{unit}]"),
+        };
+        assert_eq!(proposed(&log, None), columns);
+        assert_eq!(audited(&log, Some(&columns)).unwrap().error(), None);
+    }
+    for (name, unit) in [
+        ("torque_ozin", "oz in"),
+        ("torque_oz_in", "oz in"),
+        ("torque [ozin]", "oz in"),
+        ("torque_ncm", "Ncm"),
+        ("torque_nm", "Nm"),
+        ("torque_mnm", "mNm"),
+        ("TORQUE [NM]", "Nm"),
+        ("M [NM]", "Nm"),
+        ("torque_lbft", "lb ft"),
+        ("torque", "N m"),
+    ] {
+        let log = log(["TIME [S]", "ANGLE [RAD]", name]);
+        let columns = format!("t=TIME [S] [s], x=ANGLE [RAD] [rad], f={name} [{unit}]");
+        assert_eq!(proposed_on_rotary(&log), columns);
+        let audit = audited_on(&rotary(), &log, Some(&columns)).unwrap();
+        assert_eq!(audit.error(), None);
+    }
+    // Units of something else are not passed over.
+    let log = log(["t [s]", "x [rad]", "torque_lb"]);
+    let error = audited_on(&rotary(), &log, None).unwrap_err();
+    assert_eq!(error.proposal, None);
+    assert!(
+        error
+            .to_string()
+            .contains("`lb` is no unit of a force like `N m`"),
+        "{error}"
+    );
+    // A unit of the same letters is another where both measure the same.
+    let log = "t [s],x [m],force [MN]\n0,0,0\n";
+    let error = refused(log, Some("t=t [s], x=x [m], f=force [mN]")).to_string();
+    assert!(error.contains("in `MN`, not in `mN`"), "{error}");
+}
