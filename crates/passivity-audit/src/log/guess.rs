@@ -12,11 +12,13 @@ use crate::log::error::shown;
 use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
 use crate::log::preview::Preview;
 use clock::{parts_of_time, unit_of_time, unit_of_word};
+pub(crate) use joints::others;
 use kind::Kind;
 pub(crate) use units::same_letters;
 use words::{COUNTED, HELD, NO_POSITION, NOT_MEASURED, words};
 
 mod clock;
+mod joints;
 mod kind;
 mod units;
 mod words;
@@ -32,6 +34,9 @@ pub struct Proposal {
     pub decimal_comma: bool,
     /// The units that the header does not give.
     pub assumed: Vec<String>,
+    /// Columns that may be the position or the force as well, as those of other joints.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub others: Vec<String>,
     /// How many columns are read.
     #[serde(skip)]
     pub(crate) said: usize,
@@ -45,6 +50,24 @@ impl fmt::Display for Proposal {
             write!(
                 f,
                 " (units that the header does not give are assumed: {assumed})"
+            )?;
+        }
+        if !self.others.is_empty() {
+            const SHOWN: usize = 6;
+            let others: Vec<String> = self
+                .others
+                .iter()
+                .take(SHOWN)
+                .map(|it| format!("`{it}`"))
+                .collect();
+            let more = match self.others.len().saturating_sub(SHOWN) {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            write!(
+                f,
+                " (these may be meant as well: {}{more})",
+                others.join(", ")
             )?;
         }
         Ok(())
@@ -264,22 +287,32 @@ pub(crate) fn unread(
                 candidates.push(Candidate {
                     kind,
                     column,
-                    score: 2 * score + i32::from(!preview.is_zero(column)),
+                    score,
                 });
             }
         }
     }
     // Of equals what is not zero goes before what is, what is said together with the position before what is
-    // said elsewhere, and then the first column: the sort is stable.
+    // said elsewhere, what is of its joint before what is of another, what moves before what does not, and then the
+    // first column: the sort is stable.
+    let likely = |c: &Candidate| (c.score, !preview.is_zero(c.column));
     let best = |kind: Kind| {
         let of_kind = candidates.iter().filter(|c| c.kind == kind);
-        of_kind.rev().max_by_key(|c| c.score).map(|c| c.column)
+        let most = of_kind
+            .rev()
+            .max_by_key(|c| (likely(c), preview.moves(c.column)));
+        most.map(|c| c.column)
     };
     let position = said.iter().find(|found| found.is_position());
     let position = position.map(|found| found.column);
     let position = position.or_else(|| best(Kind::Position));
-    let beside = |c: &Candidate| position.is_none_or(|at| preview.together(at, c.column));
-    candidates.sort_by_key(|c| std::cmp::Reverse((c.score, beside(c))));
+    let beside = |c: &Candidate| {
+        position.map(|at| {
+            let is_of = joints::is_of(at, (c.kind, c.column), headings);
+            (preview.together(at, c.column), is_of)
+        })
+    };
+    candidates.sort_by_key(|c| std::cmp::Reverse((likely(c), beside(c), preview.moves(c.column))));
     let mut found: Vec<Found> = Vec::new();
     for Candidate { kind, column, .. } in candidates {
         if found
@@ -409,5 +442,6 @@ pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal>
         delimiter: None,
         decimal_comma: false,
         assumed,
+        others: Vec::new(),
     })
 }

@@ -69,6 +69,12 @@ impl Preview {
         self.column(column).all(|x| x == Some(0.0))
     }
 
+    /// Whether a column has more than one value.
+    pub(crate) fn moves(&self, column: usize) -> bool {
+        let first = self.column(column).next();
+        self.column(column).any(|x| Some(x) != first)
+    }
+
     pub(crate) fn increases(&self, column: usize) -> bool {
         let values: Vec<f64> = self.column(column).flatten().collect();
         values.iter().zip(values.iter().skip(1)).all(|(a, b)| a < b)

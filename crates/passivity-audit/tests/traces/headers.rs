@@ -2,6 +2,7 @@
 
 mod clocks;
 mod forces;
+mod joints;
 
 use passivity_audit::{Audit, Dialect, Options, TraceError, audit_csv};
 use passivity_scene::Scene;

@@ -70,6 +70,7 @@ pub(super) fn proposal(
         return None;
     }
     let mut proposal = guess::propose(&all, headings)?;
+    proposal.others = guess::others(headings, preview, scene, (said, &all));
     let told = said.iter().filter_map(|found| {
         let unit = found.unit.as_ref()?;
         Some(format!("{} in {unit}", found.role.name()))
