@@ -115,7 +115,7 @@ fn columns_that_cannot_be_read_are_said_and_no_column_is_silently_left_out() {
         (
             "x=pos",
             &["--delimiter", ",", "--decimal-comma"],
-            "cannot stand both",
+            "there is no column `pos`",
         ),
     ] {
         let args = [

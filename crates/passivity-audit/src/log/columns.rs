@@ -78,8 +78,8 @@ pub(crate) struct Found {
 /// What the columns of a log say, by their names: `t=timestep [us], x=encoder_paddle_pos [deg]`.
 ///
 /// A name is written as in the header, with or without its unit; a unit in brackets is for a header
-/// that has none. A minus sign before the name turns the sign of its numbers. A name with a comma or an
-/// equals sign in it stands in double quotes. A time may be in two columns: `t=stamp.sec [s] + stamp.nanosec [ns]`.
+/// that has none. A minus sign before the name turns the sign of its numbers. A name with a comma, an
+/// equals sign or a quote in it stands in double quotes, the quote twice. A time may be in two columns: `t=stamp.sec [s] + stamp.nanosec [ns]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Columns(Vec<Assignment>);
 
@@ -150,7 +150,7 @@ impl Assignment {
                 unit: None,
             });
         };
-        let Some((name, rest)) = rest.split_once('"') else {
+        let Some((name, rest)) = unquoted(rest) else {
             return Err(refuse(format!(
                 "the quotes after `{}=` are not closed",
                 role.name()
@@ -260,6 +260,26 @@ impl Assignment {
     }
 }
 
+/// A name in quotes, in which one of its own is written twice.
+pub(crate) fn quoted(name: &str) -> String {
+    format!("\"{}\"", name.replace('"', "\"\""))
+}
+
+/// The name before closing quotes, and what is after them.
+fn unquoted(text: &str) -> Option<(String, &str)> {
+    let mut name = String::new();
+    let mut rest = text;
+    loop {
+        let (before, after) = rest.split_once('"')?;
+        name.push_str(before);
+        match after.strip_prefix('"') {
+            Some(after) => rest = after,
+            None => return Some((name, after)),
+        }
+        name.push('"');
+    }
+}
+
 /// Whether two names are of one unit.
 pub(crate) fn same_unit(a: &str, b: &str) -> bool {
     matches!((read_unit(a), read_unit(b)), (Ok(a), Ok(b)) if a == b)
@@ -350,8 +370,12 @@ impl fmt::Display for Columns {
             f.write_str(&before(assignment.role, i == 0))?;
             match (assignment.quoted, &assignment.unit) {
                 (false, _) => f.write_str(&assignment.text)?,
-                (true, None) => write!(f, "\"{}\"", assignment.text)?,
-                (true, Some(unit)) => write!(f, "\"{}\" [{unit}]", assignment.text)?,
+                (true, unit) => {
+                    f.write_str(&quoted(&assignment.text))?;
+                    if let Some(unit) = unit {
+                        write!(f, " [{unit}]")?;
+                    }
+                }
             }
         }
         Ok(())
@@ -376,18 +400,20 @@ pub(crate) fn typed(
     is_first: bool,
 ) -> Option<String> {
     let name = heading.name.trim();
-    if name.is_empty() || name.contains('"') || crate::log::error::is_hidden(name) {
+    if name.is_empty() || crate::log::error::is_hidden(name) {
         return None;
     }
     let balanced = name.matches('[').count() == name.matches(']').count()
         && name.matches('(').count() == name.matches(')').count();
-    let plain =
-        balanced && !name.contains([',', '=']) && !name.contains(PLUS) && !name.starts_with('-');
+    let plain = balanced
+        && !name.contains([',', '=', '"'])
+        && !name.contains(PLUS)
+        && !name.starts_with('-');
     let unit = unit.map_or_else(String::new, |unit| format!(" [{unit}]"));
     let sign = if found.reversed { "-" } else { "" };
     let before = before(found.role, is_first);
     Some(match plain {
         true => format!("{before}{sign}{name}{unit}"),
-        false => format!("{before}{sign}\"{name}\"{unit}"),
+        false => format!("{before}{sign}{}{unit}", quoted(name)),
     })
 }

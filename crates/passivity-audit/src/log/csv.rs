@@ -205,7 +205,12 @@ fn push(
         *slot = Some(trimmed(field));
     }
     if width != layout.width() {
-        let message = format!("expected {} fields, found {width}", layout.width());
+        let mut message = format!("expected {} fields, found {width}", layout.width());
+        if notation.decimal_comma && notation.delimiter == b',' {
+            message.push_str(
+                " (numbers with commas stand in quotes where fields stand apart by commas)",
+            );
+        }
         return Err(TraceError::new("fields", message));
     }
     let number_in = |field: Option<&[u8]>, column: usize| {

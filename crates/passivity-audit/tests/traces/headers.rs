@@ -3,6 +3,7 @@
 mod clocks;
 mod forces;
 mod joints;
+mod quotes;
 
 use passivity_audit::{Audit, Dialect, Options, TraceError, audit_csv};
 use passivity_scene::Scene;

@@ -8,9 +8,15 @@ use crate::log::lines::CARRIAGE_RETURNS;
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
 
-/// The fields of a line, without their quotes.
+/// The fields of a line, without their quotes; one that is written twice in them is one.
 pub(crate) fn texts(line: &[u8], notation: Notation) -> Vec<String> {
-    let text = |field| String::from_utf8_lossy(trimmed(field)).trim().to_owned();
+    let text = |field: &[u8]| {
+        let text = String::from_utf8_lossy(trimmed(field)).trim().to_owned();
+        match trimmed(field).len() < field.trim_ascii().len() {
+            true => text.replace("\"\"", "\""),
+            false => text,
+        }
+    };
     fields(line, notation.delimiter).map(text).collect()
 }
 
@@ -93,9 +99,14 @@ pub(crate) fn has_decimal_commas(lines: &[&[u8]], delimiter: u8) -> bool {
         delimiter,
         decimal_comma: true,
     };
+    // Where commas stand between fields, too, `"1,000"` may be a thousand.
+    let is_sure = |field: &[u8]| {
+        let mut parts = field.split(|byte| *byte == b',');
+        let whole = parts.next().unwrap_or_default();
+        delimiter != b',' || matches!(whole, b"0" | b"-0") || parts.any(|it| it.len() != 3)
+    };
     let fields = lines.iter().flat_map(|line| fields(line, delimiter));
-    delimiter != b','
-        && fields
-            .map(trimmed)
-            .any(|field| field.contains(&b',') && number(field, comma).is_ok())
+    fields
+        .map(trimmed)
+        .any(|field| field.contains(&b',') && is_sure(field) && number(field, comma).is_ok())
 }

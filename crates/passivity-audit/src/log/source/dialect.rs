@@ -65,9 +65,6 @@ impl Dialect {
         let usual = if self.decimal_comma { b';' } else { b',' };
         let delimiter = self.delimiter.or(said).unwrap_or(usual);
         let refuse = |message: &str| Err(TraceError::new("delimiter", message));
-        if self.decimal_comma && delimiter == b',' {
-            return refuse("a comma cannot stand both between fields and in numbers");
-        }
         let is_number = delimiter.is_ascii_alphanumeric() || b"+-./\"".contains(&delimiter);
         if is_number || !(delimiter == b'\t' || (b' '..=b'~').contains(&delimiter)) {
             return refuse("what stands between fields must be one character that is in no number");
@@ -101,7 +98,8 @@ fn otherwise(
     scene: &Scene,
 ) -> TraceError {
     let written = |proposal: &mut guess::Proposal, notation: Notation| {
-        proposal.delimiter = Some(char::from(notation.delimiter)).filter(|c| *c != ',');
+        proposal.delimiter =
+            Some(char::from(notation.delimiter)).filter(|c| *c != ',' || notation.decimal_comma);
         proposal.decimal_comma = notation.decimal_comma;
     };
     if let Some(proposal) = &mut error.proposal {
@@ -109,7 +107,7 @@ fn otherwise(
     }
     let delimiters = match dialect.delimiter {
         Some(_) => vec![own.delimiter],
-        None => vec![b';', b'\t', b'|', b' '],
+        None => vec![b';', b'\t', b'|', b' ', b','],
     };
     for delimiter in delimiters.into_iter().filter(|it| line.contains(it)) {
         let notation = Notation {

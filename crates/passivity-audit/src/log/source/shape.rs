@@ -1,5 +1,6 @@
 //! Files that are no CSV, and CSV with more than a header and rows: what they are, and how they are made readable.
 
+use crate::log::columns::quoted;
 use crate::log::csv::{self, Notation};
 use crate::log::error::{TraceError, shown};
 use crate::log::header::{is_unit, split};
@@ -105,8 +106,8 @@ pub(super) fn with_units(line: &[u8], first: &[&[u8]], notation: Notation) -> Op
         && next.iter().any(is_number);
     let has_its_own = |name: &str| split(name).is_ok_and(|split| split.unit.is_some());
     let with = |(name, unit): (&String, &&str)| match has_none(unit) || has_its_own(name) {
-        true => format!("\"{name}\""),
-        false => format!("\"{name} [{unit}]\""),
+        true => quoted(name),
+        false => quoted(&format!("{name} [{unit}]")),
     };
     let named: Vec<String> = names.iter().zip(&units).map(with).collect();
     are_units.then(|| {
