@@ -170,6 +170,14 @@ fn what_stands_in_the_way_of_a_header_is_named() {
         ),
         ("t [s],count\r0,0\r0.001,1\r", "`tr '\\r' '\\n'`"),
         (
+            "Time   Position  Torque\n0.000  0.001  -0.001\n0.001   0.002  -0.002\n",
+            "by several spaces: make one of each run",
+        ),
+        (
+            "Time Position\n 0.000  0.001\n 0.001 -0.002\n",
+            "and add `--delimiter ' '`",
+        ),
+        (
             "{\"count\":1}\n{\"count\":2}\n",
             "the file is JSON, which is not read",
         ),
