@@ -102,11 +102,8 @@ fn after_sign(name: &str) -> Option<Split<'_>> {
     ends.find_map(|(at, sign)| {
         let (stem, unit) = (name.get(..at)?.trim(), name.get(at + 1..)?.trim());
         let last = stem.rsplit('/').next().unwrap_or(stem);
-        // `N/m` and `counts/s` are quotients of units, and `/pose/m` is a topic.
-        let is_other = match sign {
-            "/" => is_unit(last) || is_counted(last) || (name.starts_with('/') && unit.len() == 1),
-            _ => false,
-        };
+        // `N/m` and `counts/s` are quotients of units, and `/stamp/sec` is a field of a topic.
+        let is_other = sign == "/" && (is_unit(last) || is_counted(last) || name.starts_with('/'));
         let is_unit = is_unit_of_force(unit) || read_unit(unit).is_ok_and(|unit| measures(&unit));
         let unit = Some(Cow::Borrowed(unit));
         (is_unit && !is_other && stem.contains(char::is_alphabetic)).then_some(Split { stem, unit })
@@ -275,6 +272,7 @@ mod tests {
             ("counts/s", "counts/s", None),
             ("K/N/m", "K/N/m", None),
             ("/pose/m", "/pose/m", None),
+            ("/stamp/sec", "/stamp/sec", None),
             ("/joint/torque", "/joint/torque", None),
             ("x, y", "x, y", None),
             ("/s", "/s", None),

@@ -110,12 +110,11 @@ impl Layout {
                 let known: Vec<Found> = said.iter().chain(&unread).cloned().collect();
                 let unreadable = guess::unreadable(&headings, preview, scene, &known);
                 if !(unread.is_empty() && unreadable.is_empty()) {
-                    let mut error =
-                        proposed(not_read(&unread, &unreadable, &headings, scene), &said);
+                    let why = not_read(&said, &unread, &unreadable, &headings, scene);
+                    let mut error = proposed(why, &said);
                     if !known.iter().any(Found::is_position) {
-                        let more =
+                        error.message +=
                             "; and no column is known to be the position: `--columns` names it";
-                        error.message.push_str(more);
                     }
                     return Err(error);
                 }

@@ -3,14 +3,16 @@
 use passivity_scene::{Motion, Scene};
 
 use super::{Layout, header};
-use crate::log::columns::{Columns, Found};
+use crate::log::columns::{Columns, Found, Role};
 use crate::log::error::{TraceError, shown};
 use crate::log::guess::{self, Unreadable};
 use crate::log::header::Heading;
 use crate::log::preview::Preview;
+use crate::log::scale::force_scale;
 
 /// Why a header with columns that look like something else is refused, some of which cannot be read.
 pub(super) fn not_read(
+    known: &[Found],
     unread: &[Found],
     unreadable: &[Unreadable],
     headings: &[Heading],
@@ -46,6 +48,15 @@ pub(super) fn not_read(
             }
         };
         format!("the column {name} cannot be read ({why}): {put_right}")
+    }));
+    // Nor is a force of this name read, where its unit is another's.
+    said.extend(known.iter().filter_map(|found| {
+        let unit = found.unit.as_deref().filter(|_| found.role == Role::F)?;
+        let (name, why) = (name(found.column), force_scale(Some(unit), scene).err()?);
+        Some(format!(
+            "the column {name} cannot be read ({}): {FORCE}",
+            why.message
+        ))
     }));
     header(said.join("; "))
 }

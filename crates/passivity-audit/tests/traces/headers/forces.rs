@@ -27,6 +27,13 @@ fn no_command_leaves_out_a_force_that_cannot_be_read() {
     }
     // Nor one without a number in each row.
     assert_eq!(proposed(&log("force [N]", ["0", "", "2"]), None), "");
+    // Nor one that the header names, which is said beside the other columns.
+    let error = refused("t [s],x_raw [mm],f [N m]\n0,0,0\n0.001,0,1\n", None);
+    assert_eq!(error.proposal, None);
+    assert!(
+        error.to_string().contains("`f [N m]` cannot be read"),
+        "{error}"
+    );
     // Another force is read in its place.
     let log = "t [s],x [mm],force [V],F [N]\n0,0,0,0\n0.001,0.1,1,1\n";
     assert_eq!(proposed(log, None), "t=t [s], x=x [mm], f=F [N]");
