@@ -82,3 +82,22 @@ fn a_method_that_stopped_undecided_is_compared_with_nothing() {
     let errors = line("Errors").expect("a line");
     assert!(errors.contains("1 where that is 0"), "{errors}");
 }
+
+#[test]
+fn a_motion_whose_growth_is_certain_at_the_start_is_measured() {
+    let dir = Dir::new();
+    let scene = dir.write(
+        "free.toml",
+        "[dimensionless]\nmu = \"50\"\nbeta = \"0\"\nsigma = \"0\"\n[start]\nposition = \"400\"\n",
+    );
+    let run = dir.run(&["accuracy", &scene, "--intervals", "20"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let expected = "free: 20 intervals; outcome of the reference: growing";
+    assert!(run.stdout.starts_with(expected), "{}", run.stdout);
+    assert!(!run.stdout.contains("does not move"), "{}", run.stdout);
+    let mut rows = run.stdout.lines();
+    let row = rows
+        .find(|line| line.starts_with("euler:1 "))
+        .expect("a row");
+    assert!(row.ends_with("growing"), "{row}");
+}

@@ -8,7 +8,7 @@ use passivity_plot::plane::{self, Mark};
 use passivity_scene::display::{range, significant};
 use passivity_scene::{Point, Scene};
 use passivity_sim::plot::motion::{self, Motion};
-use passivity_sim::plot::scales::Scales;
+use passivity_sim::scales::Scales;
 use passivity_sim::{ExactOutcome, Plan, accuracy, plot, run};
 
 use crate::document::{Block, Figure, Line};

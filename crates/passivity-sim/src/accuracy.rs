@@ -6,9 +6,9 @@ use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::method::Method;
-use crate::methods::{planned, simulate};
-use crate::outcome::ExactOutcome;
-use crate::plan::Plan;
+use crate::methods::{planned, simulate_beyond};
+use crate::outcome::{End, ExactOutcome};
+use crate::plan::{Beyond, Plan};
 use crate::simulated::{Line, Simulated};
 
 /// The reference that errors are measured against.
@@ -40,7 +40,8 @@ pub struct Measured {
 /// The table of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    /// Intervals that were compared: until rest or certain growth, and at most the caller's bound.
+    /// Intervals that were compared: until rest, or until a mode whose growth is certain is ten times as
+    /// large, and at most the caller's bound.
     pub intervals: u64,
     /// The reference's outcome.
     pub reference: ExactOutcome,
@@ -90,11 +91,16 @@ pub fn measure(
         }
         true
     };
-    let truth = simulate(&point, &REFERENCE, Some(&mut watch))?;
+    let truth = simulate_beyond(&point, &REFERENCE, Beyond::Tenfold, Some(&mut watch))?;
     // A motion that never was anywhere has no scale: one tick, one tick a sample, and KΔ² without friction.
     let scale = |x: f64| if x > 0.0 { x } else { 1.0 };
     let scales = [scale(reach), scale(fastest), scale(truth.totals.dissipated)];
     let plan = Plan::compile(&point)?;
+    // What grows is compared where the reference's motion ends, however late its growth was certain.
+    let onward = (truth.end.outcome.exact == ExactOutcome::Growing).then(|| {
+        let plan = plan.with_intervals(truth.end.intervals);
+        plan.past_growth()
+    });
     let mut table = Table {
         intervals: truth.end.intervals,
         reference: truth.end.outcome.exact,
@@ -103,7 +109,7 @@ pub fn measure(
     };
     for method in methods() {
         progress(&method);
-        match timed(&point, &plan, &method) {
+        match timed(&point, &plan, onward.as_ref(), &method) {
             Ok((run, _)) if run.is_cut_short() => {
                 let because = format!("it stopped undecided: {}", run.end.outcome.because);
                 table.left_out.push((method, because));
@@ -120,11 +126,19 @@ pub fn measure(
 }
 
 /// A run and its time per interval, without that of setting it up: each the least of several runs, as
-/// long as they take little time.
-fn timed(point: &Point, plan: &Plan, method: &Method) -> Result<(Simulated, f64), SimError> {
+/// long as they take little time. What is timed goes `onward` where the outcome is certain before its end.
+fn timed(
+    point: &Point,
+    plan: &Plan,
+    onward: Option<&Plan>,
+    method: &Method,
+) -> Result<(Simulated, f64), SimError> {
     let (_, setup) = least(point, &plan.with_intervals(0), method, 0.05)?;
-    let (run, seconds) = least(point, plan, method, 0.3)?;
+    let (mut run, seconds) = least(point, onward.unwrap_or(plan), method, 0.3)?;
     let nanoseconds = (seconds - setup).max(0.0) * 1e9 / run.end.intervals.max(1) as f64;
+    if onward.is_some() && !run.is_cut_short() {
+        run.end.outcome = planned(point, plan, method, None)?.end.outcome;
+    }
     Ok((run, nanoseconds))
 }
 
@@ -167,6 +181,10 @@ fn compare(
         a.dissipated - b.dissipated,
     ];
     let (got, want) = (&run.end.outcome, &truth.end.outcome);
+    let when = |end: &End| {
+        let certain = end.outcome.at_interval.unwrap_or(end.intervals);
+        certain.cast_signed()
+    };
     Measured {
         method,
         position: (run.end.xi - truth.end.xi).abs() / reach,
@@ -174,7 +192,7 @@ fn compare(
         energy: energies.into_iter().fold(0.0, |m: f64, e| m.max(e.abs())) / energy,
         exact: got.exact,
         same_outcome: got.exact == want.exact && got.paper == want.paper,
-        late: run.end.intervals.cast_signed() - truth.end.intervals.cast_signed(),
+        late: when(&run.end) - when(&truth.end),
         nanoseconds,
     }
 }

@@ -12,6 +12,7 @@ use crate::growth::Growth;
 use crate::law::{self, HeldForce};
 use crate::motion::Constants;
 use crate::number::{Double, to_double};
+use crate::outcome::{End, ExactOutcome};
 
 /// The parameters of the paper's own scene: an encoder, a hold, and both frictions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,6 +85,17 @@ pub struct Plan {
     pub(crate) intervals: u64,
     /// When divergence is certain.
     pub(crate) growth: Growth,
+}
+
+/// How far a motion is simulated after its divergence became certain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beyond {
+    /// Not at all: its outcome is known.
+    Nothing,
+    /// Until its growing mode is ten times as large, for at most the intervals of the scene.
+    Tenfold,
+    /// For all intervals of the scene, or until numbers end.
+    All,
 }
 
 /// The largest parameter: squares of it, times an inertia, stay doubles.
@@ -165,6 +177,23 @@ impl Plan {
             growth: Growth::never(self.mass()),
             ..self
         }
+    }
+
+    /// The same plan, to be run on so far where it ended in growth of a mode.
+    pub(crate) fn beyond(&self, end: &End, beyond: Beyond) -> Option<Self> {
+        let grows = end.outcome.exact == ExactOutcome::Growing;
+        let factor = self.growth.factor.filter(|_| grows)?;
+        let until = match beyond {
+            Beyond::Nothing => return None,
+            Beyond::Tenfold => {
+                let more = (10.0_f64.ln() / factor.ln()).ceil();
+                // What is above every count is the greatest one.
+                self.intervals
+                    .min(end.intervals.saturating_add(more as u64))
+            }
+            Beyond::All => self.intervals,
+        };
+        Some(self.with_intervals(until).past_growth())
     }
 
     /// The same plan for so many intervals.

@@ -5,7 +5,7 @@ use passivity_core::BigRational;
 use crate::ledger::{Entry, Totals};
 use crate::model::IntervalRow;
 use crate::number::{Double, Enclosed};
-use crate::outcome::{End, ExactOutcome};
+use crate::outcome::{End, ExactOutcome, Outcome};
 
 /// An interval of a run, in the numbers of the method.
 #[derive(Clone, Debug)]
@@ -19,6 +19,15 @@ pub enum Line<'a> {
 }
 
 impl Line<'_> {
+    /// The number of the interval.
+    pub(crate) const fn interval(&self) -> u64 {
+        match self {
+            Self::Double(entry) => entry.h,
+            Self::Exact(row) => row.h,
+            Self::Enclosed(row) => row.h,
+        }
+    }
+
     /// The interval in doubles.
     #[must_use]
     pub fn entry(&self) -> Entry {
@@ -60,6 +69,20 @@ pub struct Simulated {
 }
 
 impl Simulated {
+    /// The same, with an outcome that was certain earlier; why it has fewer intervals than were `asked` for
+    /// is told.
+    pub(crate) fn judged_as(mut self, mut outcome: Outcome, asked: u64) -> Self {
+        let Self { end, .. } = &mut self;
+        if end.intervals < asked {
+            outcome.because += &format!(
+                "; the motion is known up to interval {}: {}",
+                end.intervals, end.outcome.because
+            );
+        }
+        end.outcome = outcome;
+        self
+    }
+
     /// Whether the numbers could not tell how the motion goes on after its end.
     pub(crate) fn is_cut_short(&self) -> bool {
         let outcome = &self.end.outcome;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 #[cfg(feature = "plot")]
 use passivity_plot::save;
+use passivity_sim::ExactOutcome;
 use passivity_sim::accuracy::{Table, measure, methods};
 #[cfg(feature = "plot")]
 use passivity_sim::plot::accuracy::draw;
@@ -101,7 +102,7 @@ fn text(name: &str, table: &Table) -> String {
     for (method, reason) in &table.left_out {
         lines.push(format!("{:<16}left out: {reason}", method.to_string()));
     }
-    if table.intervals == 0 {
+    if table.intervals == 0 && table.reference == ExactOutcome::AtRest {
         lines.push(
             "The device starts at rest and does not move; --speed sets a speed at the start."
                 .to_owned(),

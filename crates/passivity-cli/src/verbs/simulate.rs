@@ -1,5 +1,7 @@
 //! `passivity simulate`: the motion of a scene, with its energy ledger.
 
+mod text;
+
 use std::io::{IsTerminal as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -7,24 +9,26 @@ use std::time::Instant;
 use passivity_core::{BigRational, Parameter};
 #[cfg(feature = "plot")]
 use passivity_plot::save;
-use passivity_scene::display::significant;
 use passivity_scene::files::Output;
-use passivity_scene::number::{nearest_f64, parse};
+use passivity_scene::number::parse;
 use passivity_scene::parse::MAX_INTERVALS;
-use passivity_scene::point::Units;
-use passivity_scene::{Effect, Point, Scene};
+use passivity_scene::scene::DEFAULT_INTERVALS;
+use passivity_scene::{Point, Scene};
 #[cfg(feature = "plot")]
 use passivity_sim::plot::motion::{Motion, draw};
-#[cfg(feature = "plot")]
-use passivity_sim::plot::scales::Scales;
 use passivity_sim::report::Simulation;
+#[cfg(feature = "plot")]
+use passivity_sim::scales::Scales;
 use passivity_sim::trace::Table;
-use passivity_sim::{Detail, ExactOutcome, Line, Method, Plan, SimError, Simulated, simulate};
+use passivity_sim::{
+    Beyond, ExactOutcome, Line, Method, Plan, SimError, Simulated, simulate_beyond,
+};
 
 use crate::exit::{Exit, Failure};
 use crate::files::{may_be_written, sources};
 use crate::output::{Format, emit, emit_json, look, read_scene};
 use crate::progress::Progress;
+use text::text;
 
 /// Simulate a scene: the motion between samples in closed form, with the energy ledger.
 ///
@@ -50,7 +54,8 @@ pub(crate) struct Args {
     /// The simulation method, with its parameter after a colon; see the list below.
     #[arg(long, value_name = "METHOD", default_value = "closed-form")]
     method: String,
-    /// The number of sampling intervals to simulate, in place of the scene's.
+    /// The number of sampling intervals to simulate, in place of the scene's; a motion that grows for certain is
+    /// simulated on to it.
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = intervals)]
     intervals: Option<u64>,
     #[command(flatten)]
@@ -79,6 +84,21 @@ pub(crate) struct Args {
     format: Format,
 }
 
+impl Args {
+    /// How far a motion is simulated after its divergence became certain: as far as was asked for, or,
+    /// where neither the scene nor the command says how far, far enough to see it grow.
+    fn beyond(&self, scene: &Scene) -> Beyond {
+        if self.intervals.is_some() {
+            return Beyond::All;
+        }
+        match self.out.is_some() || self.plot.is_some() {
+            true if scene.intervals != DEFAULT_INTERVALS => Beyond::All,
+            true => Beyond::Tenfold,
+            false => Beyond::Nothing,
+        }
+    }
+}
+
 /// Simulates the scene.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let scene = read_scene(&args.scene)?;
@@ -97,10 +117,11 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let plan = Plan::compile(&point).map_err(of_scene)?;
     let mut watcher = Watcher::new(args, &scene, &point, &plan, &method)?;
     let begin = Instant::now();
+    let beyond = args.beyond(&scene);
     let run = if watcher.wants_to_see(args) {
-        simulate(&point, &method, Some(&mut |line| watcher.see(line)))
+        simulate_beyond(&point, &method, beyond, Some(&mut |line| watcher.see(line)))
     } else {
-        simulate(&point, &method, None)
+        simulate_beyond(&point, &method, beyond, None)
     };
     let run = match run {
         Ok(run) => run,
@@ -110,11 +131,11 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         }
     };
     let seconds = begin.elapsed().as_secs_f64();
-    watcher.finish(args, &scene, &run)?;
+    watcher.finish(args, &scene, point.intervals, &run)?;
     let timed = (args.timing || args.format == Format::Text).then_some(seconds);
     let report = Simulation::new(&scene.name, &plan, &method, &run, timed).map_err(of_scene)?;
     match args.format {
-        Format::Text => emit(&text(&report, &plan, &run, &point.units))?,
+        Format::Text => emit(&text(&report, &plan, &run, beyond, &point.units))?,
         Format::Json => emit_json(&report)?,
     }
     Ok(match run.end.outcome.exact {
@@ -133,8 +154,7 @@ fn something_to_draw(args: &Args, intervals: u64) -> Result<(), Failure> {
             "--plot-until {until}: expected an interval after that of --plot-from, {from}"
         )));
     }
-    // Of a device that does not move there is a picture, with no interval.
-    match from == 0 || from < intervals {
+    match from < intervals {
         true => Ok(()),
         false => Err(Failure::input(format!(
             "--plot-from {from}: there is nothing to draw, as the motion has {intervals} intervals, counted from 0"
@@ -207,14 +227,27 @@ impl Watcher {
     }
 
     /// Writes what is left to write.
-    fn finish(self, args: &Args, scene: &Scene, run: &Simulated) -> Result<(), Failure> {
+    fn finish(
+        self,
+        args: &Args,
+        scene: &Scene,
+        intervals: u64,
+        run: &Simulated,
+    ) -> Result<(), Failure> {
         drop(self.bar);
         if let Some(trace) = self.trace {
             trace.finish()?;
         }
-        something_to_draw(args, run.end.intervals)?;
+        let rests = run.end.intervals == 0 && run.end.outcome.exact == ExactOutcome::AtRest;
+        let shown = if rests { intervals } else { run.end.intervals };
+        if args.plot.is_some() {
+            something_to_draw(args, shown)?;
+        }
         #[cfg(feature = "plot")]
-        if let (Some(path), Some(motion)) = (&args.plot, self.motion) {
+        if let (Some(path), Some(mut motion)) = (&args.plot, self.motion) {
+            if rests {
+                motion.rest(intervals);
+            }
             let title = format!("{}: {}", scene.name, words(run.end.outcome.exact));
             let picture = draw(&title, motion, &Scales::of(scene));
             save(&picture, path).map_err(Failure::input)?;
@@ -332,119 +365,4 @@ impl Trace {
 /// Why a trace's file cannot be written.
 fn unwritten(path: &Path, error: &std::io::Error) -> Failure {
     Failure::io(format!("`{}`", path.display()), error)
-}
-
-fn text(report: &Simulation, plan: &Plan, run: &Simulated, units: &Units) -> String {
-    let (end, totals) = (&run.end, &report.totals);
-    let ticks = plan.effects().contains(&Effect::Encoder) || units.length_unit.is_none();
-    let effects: Vec<&str> = plan.effects().iter().map(|effect| effect.words()).collect();
-    let [xi, velocity] = plan.start();
-    let at = end
-        .outcome
-        .at_interval
-        .map_or_else(String::new, |h| format!(" (interval {h})"));
-    let took = report
-        .seconds
-        .map_or_else(String::new, |s| format!(" in {s:.3} s"));
-    let mut lines = vec![
-        format!("{}: {}{at}", report.scene, words(end.outcome.exact)),
-        format!("  {}", end.outcome.because),
-    ];
-    if let Some(h) = end.within_rounding_of_edge {
-        lines.push(format!(
-            "  sample {h} is within rounding of an encoder edge, and the motion from there on may be another \
-             one: `--method exact` (without viscous friction) or `--method enclosure` decides"
-        ));
-    }
-    lines.extend([
-        format!("  start       {}", state(xi, velocity, units, ticks)),
-        format!(
-            "  by the paper's detector (|ξ̇| < 0.01 at the end): {}",
-            end.outcome.paper.name().replace('_', " ")
-        ),
-        format!(
-            "  method      {}, {} interval{}{took}",
-            report.method_parameter,
-            end.intervals,
-            if end.intervals == 1 { "" } else { "s" },
-        ),
-        format!("  effects     {}", effects.join(", ")),
-        format!(
-            "  end         {}",
-            state(end.xi, end.velocity, units, ticks)
-        ),
-    ]);
-    lines.extend(detail(&run.detail));
-    let energies = |unit: f64, name: &str| {
-        let [linear, quantized, dissipated] = [
-            totals.generated_linear,
-            totals.generated_quantized,
-            totals.dissipated,
-        ]
-        .map(|energy| significant(energy * unit));
-        format!(
-            "generated {linear} (linear spring), {quantized} (quantized spring), dissipated {dissipated} {name}"
-        )
-    };
-    let joule = nearest_f64(&(&units.stiffness * &units.length * &units.length));
-    let both = [
-        ticks.then(|| energies(1.0, "KΔ²")),
-        units.length_unit.map(|_| energies(joule, "J")),
-    ];
-    for (line, start) in both.into_iter().flatten().zip(["  energy      ", INDENT]) {
-        lines.push(format!("{start}{line}"));
-    }
-    if end.intervals == 0 && end.outcome.exact == ExactOutcome::AtRest {
-        lines.push(
-            "  the device starts at rest and does not move; --speed sets a speed at the start"
-                .to_owned(),
-        );
-    }
-    let (unit, name) = if ticks { (1.0, "KΔ²") } else { (joule, "J") };
-    lines.push(format!(
-        "  balance     (13) holds in every interval to {:.1e} {name}",
-        totals.residual_max * unit
-    ));
-    lines.join("\n")
-}
-
-/// What stands before a line that goes on.
-const INDENT: &str = "              ";
-
-/// A position and a velocity: in ticks where the scene has any, in SI units where it has units.
-fn state(xi: f64, velocity: f64, units: &Units, ticks: bool) -> String {
-    let in_ticks = ticks.then(|| {
-        let of = |x: f64| if x.abs() == 1.0 { "tick" } else { "ticks" };
-        format!(
-            "ξ = {xi} {}, ξ̇ = {velocity} {}/sample",
-            of(xi),
-            of(velocity)
-        )
-    });
-    let in_si = units.length_unit.map(|unit| {
-        let length = nearest_f64(&units.length);
-        let x = significant(xi * length);
-        let v = significant(velocity * length / nearest_f64(&units.period));
-        format!("x = {x} {unit}, v = {v} {unit}/s")
-    });
-    let both: Vec<String> = in_ticks.into_iter().chain(in_si).collect();
-    both.join(&format!("\n{INDENT}"))
-}
-
-/// The state at the end in the method's own numbers.
-fn detail(detail: &Detail) -> Vec<String> {
-    match detail {
-        Detail::None => Vec::new(),
-        Detail::Exact([xi, v]) | Detail::Digits([xi, v]) => vec![
-            format!("              ξ = {xi}"),
-            format!("              ξ̇ = {v}"),
-        ],
-        Detail::Enclosed {
-            ends: [[xi_lo, xi_hi], [v_lo, v_hi]],
-            bits,
-        } => vec![
-            format!("              ξ in [{xi_lo:?}, {xi_hi:?}]"),
-            format!("              ξ̇ in [{v_lo:?}, {v_hi:?}], by numbers of {bits} bits"),
-        ],
-    }
 }

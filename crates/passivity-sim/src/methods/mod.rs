@@ -13,7 +13,7 @@ use passivity_scene::Point;
 use crate::error::SimError;
 use crate::ledger::Entry;
 use crate::method::Method;
-use crate::plan::Plan;
+use crate::plan::{Beyond, Plan};
 use crate::run;
 use crate::simulated::{Detail, Each, Line, Simulated};
 
@@ -42,6 +42,46 @@ pub fn simulate(
     each: Option<Each<'_>>,
 ) -> Result<Simulated, SimError> {
     planned(point, &Plan::compile(point)?, method, each)
+}
+
+/// [`simulate`], and on after divergence became certain: the outcome stays what it was, while the end and
+/// the sums are of all the intervals that were run.
+///
+/// # Errors
+///
+/// Those of [`simulate`].
+///
+/// # Example
+///
+/// ```
+/// use passivity_scene::Scene;
+/// use passivity_sim::{Beyond, ExactOutcome, Method, simulate_beyond};
+///
+/// let scene = "[dimensionless]\nmu = \"50\"\nbeta = \"0\"\nsigma = \"0\"\n\
+///              [start]\nposition = \"100\"\n[run]\nintervals = 20";
+/// let point = Scene::from_toml("grow", scene).unwrap().point();
+/// let run = simulate_beyond(&point, &Method::ClosedForm, Beyond::All, None).unwrap();
+/// assert_eq!(run.end.outcome.exact, ExactOutcome::Growing);
+/// assert_eq!((run.end.outcome.at_interval, run.end.intervals), (Some(0), 20));
+/// ```
+pub fn simulate_beyond(
+    point: &Point,
+    method: &Method,
+    beyond: Beyond,
+    mut each: Option<Each<'_>>,
+) -> Result<Simulated, SimError> {
+    let plan = Plan::compile(point)?;
+    let shown = each.as_mut().map(|each| -> Each<'_> { &mut **each });
+    let first = planned(point, &plan, method, shown)?;
+    let Some(plan) = plan.beyond(&first.end, beyond) else {
+        return Ok(first);
+    };
+    // The same intervals again, which have been seen, and those after them.
+    let seen = first.end.intervals;
+    let mut rest =
+        |line: &Line<'_>| line.interval() < seen || each.as_mut().is_none_or(|each| each(line));
+    let second = planned(point, &plan, method, Some(&mut rest))?;
+    Ok(second.judged_as(first.end.outcome, plan.intervals))
 }
 
 /// [`simulate`] with the plan of the point compiled before.

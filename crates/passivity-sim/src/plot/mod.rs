@@ -2,7 +2,6 @@
 
 pub mod accuracy;
 pub mod motion;
-pub mod scales;
 pub mod sweep;
 
 use passivity_plot::PlotError;

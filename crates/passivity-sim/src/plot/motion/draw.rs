@@ -9,7 +9,7 @@ use passivity_scene::plane::Extent;
 use super::within::Acting;
 use super::{Bar, Motion, Sample};
 use crate::plot::padded;
-use crate::plot::scales::{Scale, Scales};
+use crate::scales::{Scale, Scales};
 
 const WIDTH: f64 = 1080.0;
 const LEFT: f64 = 104.0;

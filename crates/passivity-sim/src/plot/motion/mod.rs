@@ -109,6 +109,19 @@ impl Motion {
         }
     }
 
+    /// A device that rests where it starts, in so many intervals.
+    pub fn rest(&mut self, intervals: u64) {
+        let xi = self.end.xi;
+        for h in self.from..intervals.min(self.until) {
+            self.add(&Entry {
+                h,
+                xi0: xi,
+                xi1: xi,
+                ..Entry::default()
+            });
+        }
+    }
+
     fn add_bar(&mut self, entry: &Entry) {
         if self.in_last == 0 || self.in_last == self.per_bar {
             if self.bars.len() == 2 * MOST_BARS {

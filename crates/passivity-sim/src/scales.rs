@@ -1,4 +1,4 @@
-//! The units of a picture's axes: those of the scene file.
+//! The units that a motion is shown in: those of the scene file.
 
 use passivity_core::{BigRational, Interval};
 use passivity_scene::number::nearest_f64;

@@ -1,0 +1,140 @@
+//! What `passivity simulate` says of a motion to people.
+
+use passivity_scene::Effect;
+use passivity_scene::display::significant;
+use passivity_scene::number::nearest_f64;
+use passivity_scene::point::Units;
+use passivity_sim::report::Simulation;
+use passivity_sim::{Beyond, Detail, ExactOutcome, Plan, Simulated};
+
+use super::words;
+
+/// The motion in words.
+pub(super) fn text(
+    report: &Simulation,
+    plan: &Plan,
+    run: &Simulated,
+    beyond: Beyond,
+    units: &Units,
+) -> String {
+    let (end, totals) = (&run.end, &report.totals);
+    let ticks = plan.effects().contains(&Effect::Encoder) || units.length_unit.is_none();
+    let effects: Vec<&str> = plan.effects().iter().map(|effect| effect.words()).collect();
+    let [xi, velocity] = plan.start();
+    let at = end
+        .outcome
+        .at_interval
+        .map_or_else(String::new, |h| format!(" (interval {h})"));
+    let took = report
+        .seconds
+        .map_or_else(String::new, |s| format!(" in {s:.3} s"));
+    let mut lines = vec![
+        format!("{}: {}{at}", report.scene, words(end.outcome.exact)),
+        format!("  {}", end.outcome.because),
+    ];
+    if let Some(h) = end.within_rounding_of_edge {
+        lines.push(format!(
+            "  sample {h} is within rounding of an encoder edge, and the motion from there on may be another \
+             one: `--method exact` (without viscous friction) or `--method enclosure` decides"
+        ));
+    }
+    lines.extend([
+        format!("  start       {}", state(xi, velocity, units, ticks)),
+        format!(
+            "  by the paper's detector (|ξ̇| < 0.01 at the end): {}",
+            end.outcome.paper.name().replace('_', " ")
+        ),
+        format!(
+            "  method      {}, {} interval{}{took}",
+            report.method_parameter,
+            end.intervals,
+            if end.intervals == 1 { "" } else { "s" },
+        ),
+        format!("  effects     {}", effects.join(", ")),
+        format!(
+            "  end         {}",
+            state(end.xi, end.velocity, units, ticks)
+        ),
+    ]);
+    lines.extend(detail(&run.detail));
+    let energies = |unit: f64, name: &str| {
+        let [linear, quantized, dissipated] = [
+            totals.generated_linear,
+            totals.generated_quantized,
+            totals.dissipated,
+        ]
+        .map(|energy| significant(energy * unit));
+        format!(
+            "generated {linear} (linear spring), {quantized} (quantized spring), dissipated {dissipated} {name}"
+        )
+    };
+    let joule = nearest_f64(&(&units.stiffness * &units.length * &units.length));
+    let both = [
+        ticks.then(|| energies(1.0, "KΔ²")),
+        units.length_unit.map(|_| energies(joule, "J")),
+    ];
+    for (line, start) in both.into_iter().flatten().zip(["  energy      ", INDENT]) {
+        lines.push(format!("{start}{line}"));
+    }
+    if end.intervals == 0 && end.outcome.exact == ExactOutcome::AtRest {
+        lines.push(
+            "  the device starts at rest and does not move; --speed sets a speed at the start"
+                .to_owned(),
+        );
+    }
+    let more = match beyond {
+        Beyond::Nothing => "the run ends where that is certain",
+        Beyond::Tenfold => "the run ends where it has grown tenfold",
+        Beyond::All => "",
+    };
+    if end.outcome.exact == ExactOutcome::Growing && !more.is_empty() {
+        lines.push(format!("  {more}; --intervals goes on"));
+    }
+    let (unit, name) = if ticks { (1.0, "KΔ²") } else { (joule, "J") };
+    lines.push(format!(
+        "  balance     (13) holds in every interval to {:.1e} {name}",
+        totals.residual_max * unit
+    ));
+    lines.join("\n")
+}
+
+/// What stands before a line that goes on.
+const INDENT: &str = "              ";
+
+/// A position and a velocity: in ticks where the scene has any, in SI units where it has units.
+fn state(xi: f64, velocity: f64, units: &Units, ticks: bool) -> String {
+    let in_ticks = ticks.then(|| {
+        let of = |x: f64| if x.abs() == 1.0 { "tick" } else { "ticks" };
+        format!(
+            "ξ = {xi} {}, ξ̇ = {velocity} {}/sample",
+            of(xi),
+            of(velocity)
+        )
+    });
+    let in_si = units.length_unit.map(|unit| {
+        let length = nearest_f64(&units.length);
+        let x = significant(xi * length);
+        let v = significant(velocity * length / nearest_f64(&units.period));
+        format!("x = {x} {unit}, v = {v} {unit}/s")
+    });
+    let both: Vec<String> = in_ticks.into_iter().chain(in_si).collect();
+    both.join(&format!("\n{INDENT}"))
+}
+
+/// The state at the end in the method's own numbers.
+fn detail(detail: &Detail) -> Vec<String> {
+    match detail {
+        Detail::None => Vec::new(),
+        Detail::Exact([xi, v]) | Detail::Digits([xi, v]) => vec![
+            format!("              ξ = {xi}"),
+            format!("              ξ̇ = {v}"),
+        ],
+        Detail::Enclosed {
+            ends: [[xi_lo, xi_hi], [v_lo, v_hi]],
+            bits,
+        } => vec![
+            format!("              ξ in [{xi_lo:?}, {xi_hi:?}]"),
+            format!("              ξ̇ in [{v_lo:?}, {v_hi:?}], by numbers of {bits} bits"),
+        ],
+    }
+}
