@@ -516,3 +516,20 @@ fn a_device_that_rests_where_it_starts_is_drawn_there() {
     let svg = std::fs::read_to_string(dir.path("s.svg")).expect("a picture");
     assert!(svg.contains(">30<"), "an axis of time over 30 intervals");
 }
+
+#[test]
+fn positions_and_speeds_are_in_the_units_of_the_scene() {
+    let dir = Dir::new();
+    let scene = frictionless(&dir, "[operator]\nmax_speed = \"20 cm/s\"\n");
+    let run = dir.run(&["simulate", &scene, "--intervals", "12"]);
+    assert!(
+        run.stdout.contains("x = -1 mm, v = 0 cm/s"),
+        "{}",
+        run.stdout
+    );
+    assert!(
+        run.stdout.contains("x = -0.71252 mm, v = 4.5704 cm/s"),
+        "{}",
+        run.stdout
+    );
+}

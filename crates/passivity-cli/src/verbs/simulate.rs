@@ -135,7 +135,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let timed = (args.timing || args.format == Format::Text).then_some(seconds);
     let report = Simulation::new(&scene.name, &plan, &method, &run, timed).map_err(of_scene)?;
     match args.format {
-        Format::Text => emit(&text(&report, &plan, &run, beyond, &point.units))?,
+        Format::Text => emit(&text(&report, &plan, &run, beyond, &scene))?,
         Format::Json => emit_json(&report)?,
     }
     Ok(match run.end.outcome.exact {

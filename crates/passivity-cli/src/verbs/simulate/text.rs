@@ -1,10 +1,9 @@
 //! What `passivity simulate` says of a motion to people.
 
-use passivity_scene::Effect;
+use passivity_scene::Scene;
 use passivity_scene::display::significant;
-use passivity_scene::number::nearest_f64;
-use passivity_scene::point::Units;
 use passivity_sim::report::Simulation;
+use passivity_sim::scales::{Scale, Scales};
 use passivity_sim::{Beyond, Detail, ExactOutcome, Plan, Simulated};
 
 use super::words;
@@ -15,10 +14,10 @@ pub(super) fn text(
     plan: &Plan,
     run: &Simulated,
     beyond: Beyond,
-    units: &Units,
+    scene: &Scene,
 ) -> String {
     let (end, totals) = (&run.end, &report.totals);
-    let ticks = plan.effects().contains(&Effect::Encoder) || units.length_unit.is_none();
+    let scales = Scales::of(scene);
     let effects: Vec<&str> = plan.effects().iter().map(|effect| effect.words()).collect();
     let [xi, velocity] = plan.start();
     let at = end
@@ -39,7 +38,7 @@ pub(super) fn text(
         ));
     }
     lines.extend([
-        format!("  start       {}", state(xi, velocity, units, ticks)),
+        format!("  start       {}", state(xi, velocity, &scales)),
         format!(
             "  by the paper's detector (|ξ̇| < 0.01 at the end): {}",
             end.outcome.paper.name().replace('_', " ")
@@ -51,10 +50,7 @@ pub(super) fn text(
             if end.intervals == 1 { "" } else { "s" },
         ),
         format!("  effects     {}", effects.join(", ")),
-        format!(
-            "  end         {}",
-            state(end.xi, end.velocity, units, ticks)
-        ),
+        format!("  end         {}", state(end.xi, end.velocity, &scales)),
     ]);
     lines.extend(detail(&run.detail));
     let energies = |unit: f64, name: &str| {
@@ -68,10 +64,10 @@ pub(super) fn text(
             "generated {linear} (linear spring), {quantized} (quantized spring), dissipated {dissipated} {name}"
         )
     };
-    let joule = nearest_f64(&(&units.stiffness * &units.length * &units.length));
+    let joule = &scales.energy;
     let both = [
-        ticks.then(|| energies(1.0, "KΔ²")),
-        units.length_unit.map(|_| energies(joule, "J")),
+        scales.ticks.then(|| energies(1.0, "KΔ²")),
+        scales.si.then(|| energies(joule.one, &joule.unit)),
     ];
     for (line, start) in both.into_iter().flatten().zip(["  energy      ", INDENT]) {
         lines.push(format!("{start}{line}"));
@@ -90,7 +86,10 @@ pub(super) fn text(
     if end.outcome.exact == ExactOutcome::Growing && !more.is_empty() {
         lines.push(format!("  {more}; --intervals goes on"));
     }
-    let (unit, name) = if ticks { (1.0, "KΔ²") } else { (joule, "J") };
+    let (unit, name) = match scales.ticks {
+        true => (1.0, "KΔ²"),
+        false => (joule.one, joule.unit.as_str()),
+    };
     lines.push(format!(
         "  balance     (13) holds in every interval to {:.1e} {name}",
         totals.residual_max * unit
@@ -101,9 +100,9 @@ pub(super) fn text(
 /// What stands before a line that goes on.
 const INDENT: &str = "              ";
 
-/// A position and a velocity: in ticks where the scene has any, in SI units where it has units.
-fn state(xi: f64, velocity: f64, units: &Units, ticks: bool) -> String {
-    let in_ticks = ticks.then(|| {
+/// A position and a velocity: in ticks where the scene has any, in its units where it has units.
+fn state(xi: f64, velocity: f64, scales: &Scales) -> String {
+    let in_ticks = scales.ticks.then(|| {
         let of = |x: f64| if x.abs() == 1.0 { "tick" } else { "ticks" };
         format!(
             "ξ = {xi} {}, ξ̇ = {velocity} {}/sample",
@@ -111,13 +110,16 @@ fn state(xi: f64, velocity: f64, units: &Units, ticks: bool) -> String {
             of(velocity)
         )
     });
-    let in_si = units.length_unit.map(|unit| {
-        let length = nearest_f64(&units.length);
-        let x = significant(xi * length);
-        let v = significant(velocity * length / nearest_f64(&units.period));
-        format!("x = {x} {unit}, v = {v} {unit}/s")
+    let in_units = scales.si.then(|| {
+        let shown =
+            |x: f64, scale: &Scale| format!("{} {}", significant(x * scale.one), scale.unit);
+        let [x, v] = [
+            shown(xi, &scales.position),
+            shown(velocity, &scales.velocity),
+        ];
+        format!("x = {x}, v = {v}")
     });
-    let both: Vec<String> = in_ticks.into_iter().chain(in_si).collect();
+    let both: Vec<String> = in_ticks.into_iter().chain(in_units).collect();
     both.join(&format!("\n{INDENT}"))
 }
 
