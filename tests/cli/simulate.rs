@@ -533,3 +533,18 @@ fn positions_and_speeds_are_in_the_units_of_the_scene() {
         run.stdout
     );
 }
+
+#[test]
+fn a_picture_of_none_of_the_intervals_says_how_many_were_run() {
+    let dir = Dir::new();
+    let scene = gliding(&dir);
+    let run = dir.run(&["simulate", &scene, "--format", "json"]);
+    let intervals = run.json()["intervals"].as_u64().expect("a number");
+    assert!(intervals < 190, "{intervals}");
+    for from in ["190", "1000000"] {
+        let run = dir.run(&["simulate", &scene, "--plot", "m.svg", "--plot-from", from]);
+        assert_eq!(run.code, 2);
+        let expected = format!("the motion has {intervals} intervals");
+        assert!(run.stderr.contains(&expected), "{}", run.stderr);
+    }
+}

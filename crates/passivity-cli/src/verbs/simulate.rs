@@ -110,7 +110,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     if let Some(intervals) = args.intervals {
         point.intervals = intervals;
     }
-    something_to_draw(args, point.intervals)?;
+    begins_before_its_end(args)?;
     args.start.put(&scene, &mut point)?;
     let method = Method::parse(&args.method).map_err(Failure::input)?;
     let of_scene = |error| args.start.blamed(&args.scene, &error);
@@ -144,17 +144,21 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     })
 }
 
-/// Refuses a picture of none of the intervals.
+/// Refuses a picture that ends before it begins.
+fn begins_before_its_end(args: &Args) -> Result<(), Failure> {
+    match args.plot_until {
+        Some(until) if until <= args.plot_from => Err(Failure::input(format!(
+            "--plot-until {until}: expected an interval after that of --plot-from, {}",
+            args.plot_from
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses a picture of none of the intervals that there are.
 fn something_to_draw(args: &Args, intervals: u64) -> Result<(), Failure> {
     let from = args.plot_from;
-    if let Some(until) = args.plot_until
-        && until <= from
-    {
-        return Err(Failure::input(format!(
-            "--plot-until {until}: expected an interval after that of --plot-from, {from}"
-        )));
-    }
-    match from < intervals {
+    match args.plot.is_none() || from < intervals {
         true => Ok(()),
         false => Err(Failure::input(format!(
             "--plot-from {from}: there is nothing to draw, as the motion has {intervals} intervals, counted from 0"
@@ -240,9 +244,7 @@ impl Watcher {
         }
         let rests = run.end.intervals == 0 && run.end.outcome.exact == ExactOutcome::AtRest;
         let shown = if rests { intervals } else { run.end.intervals };
-        if args.plot.is_some() {
-            something_to_draw(args, shown)?;
-        }
+        something_to_draw(args, shown)?;
         #[cfg(feature = "plot")]
         if let (Some(path), Some(mut motion)) = (&args.plot, self.motion) {
             if rests {
