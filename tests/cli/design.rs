@@ -364,3 +364,28 @@ fn diagnostics_keep_to_ascii_and_to_no_colour_where_that_is_asked_for() {
     let text = stderr(&[("LANG", "en_US.UTF-8")]);
     assert!(text.contains('╭') && !text.contains('\u{1b}'), "{text}");
 }
+
+#[test]
+fn a_largest_wall_past_all_doubles_is_not_taken_for_none() {
+    let dir = Dir::new();
+    let text = "[device]\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"1e400 N m\"\n[sampling]\nrate = \"1 kHz\"\n\
+                [encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"1 N m/rad\"\n\
+                [operator]\nmax_speed = \"3 rad/s\"\n";
+    let scene = dir.write("huge.toml", text);
+    for (program, expected) in [
+        (
+            "c",
+            "HUGE_MAX_STIFFNESS: no double is known for it, though the scene's wall is passive",
+        ),
+        (
+            "chai3d",
+            "info.m_maxAngularStiffness = 1.0; /* the scene's; the largest: no double is known",
+        ),
+        ("openhaptics", "kMaxStiffness: no double is known for it"),
+    ] {
+        let run = dir.run(&["export", &scene, "--for", program]);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        assert!(run.stdout.contains(expected), "{}", run.stdout);
+        assert!(!run.stdout.contains("no wall is passive"), "{}", run.stdout);
+    }
+}

@@ -113,10 +113,21 @@ impl Constants {
         format!("{unit}, to which the force is limited")
     }
 
+    /// Why there is no largest stiffness: where the scene's own passes it is past all doubles.
+    const fn no_stiffness(&self) -> &'static str {
+        match self.is_passive {
+            true => "no double is known for it, though the scene's wall is passive",
+            false => "no wall is passive",
+        }
+    }
+
     /// Why there is no largest damping.
-    const fn no_damping(&self) -> &'static str {
-        match self.has_controller {
-            true => "the scene's controller is in the place of virtual damping",
+    fn no_damping(&self) -> &'static str {
+        if self.has_controller {
+            return "the scene's controller is in the place of virtual damping";
+        }
+        match self.is_passive && self.damping > 0.0 {
+            true => "no double is known for it, though the scene's damping is passive",
             false => "none is passive",
         }
     }
@@ -139,7 +150,7 @@ impl Constants {
             "MAX_STIFFNESS",
             self.max_stiffness,
             &format!("{stiffness}{}", self.with(&format!("{name}_DAMPING"))),
-            "no wall is passive",
+            self.no_stiffness(),
         );
         define("DAMPING", Some(self.damping), &own(damping), "");
         define(
@@ -183,6 +194,15 @@ impl Constants {
                 out,
                 "info.m_max{kind}Stiffness = {most:?};\n\
                  info.m_max{kind}Damping = {:?}; /* the scene's{} */",
+                self.damping,
+                self.with("")
+            ),
+            None if self.is_passive => writeln!(
+                out,
+                "info.m_max{kind}Stiffness = {:?}; /* the scene's; the largest: {} */\n\
+                 info.m_max{kind}Damping = {:?}; /* the scene's{} */",
+                self.stiffness,
+                self.no_stiffness(),
                 self.damping,
                 self.with("")
             ),
@@ -244,7 +264,7 @@ impl Constants {
             );
         }
         let _ = match (self.max_stiffness, self.motion) {
-            (None, _) => writeln!(out, "/* kMaxStiffness: no wall is passive. */"),
+            (None, _) => writeln!(out, "/* kMaxStiffness: {}. */", self.no_stiffness()),
             (Some(_), Motion::Rotary) => writeln!(
                 out,
                 "/* HL_STIFFNESS is left out: it is a part of HD_NOMINAL_MAX_STIFFNESS, which is in N/mm, \
