@@ -335,3 +335,21 @@ fn what_has_no_plane_is_said() {
         run.stderr
     );
 }
+
+#[test]
+fn a_way_that_leaves_the_frame_has_no_head_and_no_name_on_it() {
+    let dir = Dir::new();
+    let scene = dir.write(
+        "far.toml",
+        "[dimensionless]\nmu = \"6\"\nbeta = \"0.009\"\nsigma = \"2.6\"\n",
+    );
+    let run = dir.run(&["plane", &scene, "--plot", "far.svg"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("far.svg")).expect("a picture");
+    assert!(!svg.contains("<polygon fill=\"#0072b2\""), "{svg}");
+    // β = 0.009 of 1.25 is 4 pixels from the left of the frame at 96.
+    let name = svg.lines().find(|line| line.contains(">locally stable<"));
+    let x = name.and_then(|line| line.split("x=\"").nth(1)?.split('"').next());
+    let x = x.and_then(|x| x.parse::<f64>().ok()).expect("a place");
+    assert!(x > 200.0, "{x}");
+}

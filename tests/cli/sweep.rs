@@ -49,7 +49,8 @@ fn a_table_has_every_point_in_order() {
     for word in [
         "(a) growing",
         "(b) never at rest",
-        "ticks/sample",
+        ">1 tick/sample<",
+        ">2 ticks/sample<",
         "stroke-dasharray",
     ] {
         assert!(svg.contains(word), "{word}");

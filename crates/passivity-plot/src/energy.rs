@@ -1,8 +1,10 @@
 //! Energy along a trace: what friction dissipated beyond what was generated, and the passivity observer.
 
-use plotters::prelude::*;
+use passivity_scene::plane::Extent;
 
 use crate::file::PlotError;
+use crate::frame::{Frame, key};
+use crate::svg::{Anchor, COLOURS, LIGHT, Stroke, Svg};
 
 /// A point of the course.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,10 +16,6 @@ pub struct Point {
     /// Σ f·Δξ so far, in KΔ².
     pub observer: f64,
 }
-
-/// Blue and vermilion of Okabe and Ito's palette: told apart by colour-blind readers too.
-const NET: RGBColor = RGBColor(0, 114, 178);
-const OBSERVER: RGBColor = RGBColor(213, 94, 0);
 
 /// Draws a course as SVG text.
 ///
@@ -54,53 +52,39 @@ pub fn draw(title: &str, course: &[Point]) -> Result<String, PlotError> {
         values().fold(f64::NEG_INFINITY, f64::max),
     );
     let air = (0.06 * (high - low)).max(1e-9 * (1.0 + high.abs().max(low.abs())));
-    let mut text = String::new();
-    let drawn = |text: &mut String| -> Result<(), Box<dyn std::error::Error>> {
-        let root = SVGBackend::with_string(text, (900, 520)).into_drawing_area();
-        root.fill(&WHITE)?;
-        let mut chart = ChartBuilder::on(&root)
-            .caption(title, ("sans-serif", 20))
-            .margin(12)
-            .margin_right(28)
-            .x_label_area_size(42)
-            .y_label_area_size(80)
-            // Room above for the legend, at the height of its two lines.
-            .build_cartesian_2d(0.0..last.interval.max(1.0), low - air..high + 3.5 * air)?;
-        chart
-            .configure_mesh()
-            .light_line_style(TRANSPARENT)
-            .bold_line_style(BLACK.mix(0.1))
-            .x_desc("sampling intervals")
-            .y_desc("energy from the start (KΔ²)")
-            .axis_desc_style(("sans-serif", 15))
-            .label_style(("sans-serif", 12))
-            .draw()?;
-        let zero = [(0.0, 0.0), (last.interval.max(1.0), 0.0)];
-        chart.draw_series(LineSeries::new(zero, BLACK.mix(0.5)))?;
-        type Key = fn(&Point) -> f64;
-        let series: [(&str, Key, RGBColor); 2] = [
-            ("dissipated less generated, at least", |p| p.net, NET),
-            ("passivity observer Σ f·Δx", |p| p.observer, OBSERVER),
-        ];
-        for (label, key, colour) in series {
-            let points = all().map(move |p| (p.interval, key(p)));
-            chart
-                .draw_series(LineSeries::new(points, colour.stroke_width(2)))?
-                .label(label)
-                .legend(move |(x, y)| {
-                    PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2))
-                });
-        }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperLeft)
-            .background_style(WHITE.mix(0.85))
-            .border_style(BLACK.mix(0.3))
-            .label_font(("sans-serif", 13))
-            .draw()?;
-        root.present()?;
-        Ok(())
+    let extent = |from, to| Extent {
+        from,
+        to,
+        log: false,
     };
-    drawn(&mut text).map_err(|error| PlotError::new(error.to_string()))?;
-    Ok(text)
+    let frame = Frame {
+        x: extent(0.0, last.interval.max(1.0)),
+        y: extent(low - air, high + air),
+        from: [110.0, 72.0],
+        to: [868.0, 456.0],
+    };
+    let mut svg = Svg::new([900.0, 520.0]);
+    svg.text([450.0, 30.0], 20.0, Anchor::Middle, title);
+    let zero = [frame.x.from, frame.x.to].map(|x| frame.clamped([x, 0.0]));
+    svg.line(&zero, Stroke::solid(LIGHT, 1.0));
+    type Value = fn(&Point) -> f64;
+    let series: [(&str, Value); 2] = [
+        ("dissipated less generated, at least", |p| p.net),
+        ("passivity observer Σ f·Δx", |p| p.observer),
+    ];
+    let [net, observer] = [COLOURS[0], COLOURS[1]].map(|colour| Stroke::solid(colour, 2.0));
+    for ((_, value), stroke) in series.iter().zip([net, observer]) {
+        let line: Vec<_> = all()
+            .map(|p| frame.clamped([p.interval, value(p)]))
+            .collect();
+        svg.line(&line, stroke);
+    }
+    // Above the frame, where no curve is.
+    let keys = [(net, series[0].0), (observer, series[1].0)];
+    key(&mut svg, [frame.from[0], 54.0], &keys);
+    frame.draw(
+        &mut svg,
+        ["sampling intervals", "energy from the start (KΔ²)"],
+    );
+    Ok(svg.finish())
 }

@@ -127,6 +127,16 @@ impl Frame {
     }
 }
 
+/// What lines mean, side by side from this place on.
+pub(crate) fn key(svg: &mut Svg, [mut x, y]: Pixel, lines: &[(Stroke<'_>, &str)]) {
+    const LETTERS: f64 = 13.0;
+    for (stroke, words) in lines {
+        svg.line(&[[x, y], [x + 22.0, y]], *stroke);
+        svg.text([x + 30.0, y + 5.0], LETTERS, Anchor::Start, words);
+        x += 60.0 + width(words, LETTERS);
+    }
+}
+
 /// About how wide words are.
 #[must_use]
 pub fn width(words: &str, size: f64) -> f64 {

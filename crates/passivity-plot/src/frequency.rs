@@ -4,11 +4,13 @@ use passivity_scene::Scene;
 use passivity_scene::check::Report;
 use passivity_scene::explain::Frequency;
 use passivity_scene::number::nearest_f64;
-use plotters::prelude::*;
+use passivity_scene::plane::Extent;
 
 use crate::PlotError;
+use crate::frame::{Frame, key};
+use crate::svg::{Anchor, COLOURS, Stroke, Svg, rectangle};
 
-const SIZE: (u32, u32) = (900, 520);
+const SIZE: [f64; 2] = [900.0, 520.0];
 const POINTS: u32 = 600;
 /// How far below half the sampling rate the picture begins.
 const DECADES: f64 = 3.0;
@@ -17,9 +19,8 @@ const DECADES: f64 = 3.0;
 const SCOPE: &str = "Where λ ≤ β viscous friction suffices at every speed; Coulomb friction and bounds on the \
                      speed are not in this picture";
 
-const BLUE: RGBColor = RGBColor(0, 114, 178);
-const VERMILION: RGBColor = RGBColor(213, 94, 0);
-const SHORT: RGBColor = RGBColor(246, 214, 214);
+/// Where β is short.
+const SHORT: &str = "#f6d6d6";
 
 /// Draws λ(f) of a scene up to half the sampling rate, as SVG text.
 ///
@@ -37,82 +38,59 @@ pub fn draw(scene: &Scene, report: &Report) -> Result<String, PlotError> {
              and amplifier, and a controller and a delay of at most 24 samples together",
         ));
     };
-    let mut svg = String::new();
-    {
-        let root = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
-        let drawn = draw_on(&root, report, &frequency);
-        drawn.map_err(|error| PlotError::new(format!("frequency: {error}")))?;
-        root.present()
-            .map_err(|error| PlotError::new(format!("frequency: {error}")))?;
-    }
-    Ok(svg)
-}
-
-type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
-
-fn draw_on(
-    root: &Area<'_>,
-    report: &Report,
-    frequency: &Frequency,
-) -> Result<(), Box<dyn std::error::Error>> {
-    root.fill(&WHITE)?;
     let beta = nearest_f64(report.beta.lo());
     let highest = frequency.highest();
     let at = |i: u32| {
         let share = f64::from(i) / f64::from(POINTS) - 1.0;
         let f = highest * 10.0_f64.powf(DECADES * share);
-        (f, frequency.at(f))
+        [f, frequency.at(f)]
     };
-    let curve: Vec<(f64, f64)> = (0..=POINTS).map(at).collect();
-    let reach = |of: fn(f64, f64) -> f64| curve.iter().fold(beta, |most, (_, y)| of(most, *y));
+    let curve: Vec<[f64; 2]> = (0..=POINTS).map(at).collect();
+    let reach = |of: fn(f64, f64) -> f64| curve.iter().fold(beta, |most, [_, y]| of(most, *y));
     let (low, high) = (reach(f64::min).min(0.0), reach(f64::max));
     let room = 0.08 * (high - low).max(1e-6);
-    let start = curve.first().map_or(highest, |(f, _)| *f);
-    let (name, unit) = (&report.scene, frequency.unit());
-    let title = format!("{name}: what each frequency asks of viscous friction, β");
-    let below = root
-        .margin(10, 0, 0, 0)
-        .titled(&title, ("sans-serif", 18))?
-        .titled(SCOPE, ("sans-serif", 14))?;
-    let mut chart = ChartBuilder::on(&below)
-        .margin(14)
-        .x_label_area_size(44)
-        .y_label_area_size(64)
-        .build_cartesian_2d((start..highest).log_scale(), low - room..high + room)?;
-    chart
-        .configure_mesh()
-        .light_line_style(WHITE)
-        .x_desc(format!("frequency [{unit}], to half the sampling rate"))
-        .y_desc("λ, β [KT]")
-        .draw()?;
-    let floor = low - room;
-    let shaded = curve.windows(2).filter_map(|pair| match pair {
-        [(f0, y0), (f1, y1)] if *y0 > beta || *y1 > beta => Some(Rectangle::new(
-            [(*f0, floor), (*f1, high + room)],
-            SHORT.filled(),
-        )),
-        _ => None,
-    });
-    chart.draw_series(shaded)?;
-    chart
-        .draw_series(LineSeries::new(curve, BLUE.stroke_width(2)))?
-        .label("λ, what the loop costs of β")
-        .legend(|(x, y)| PathElement::new([(x, y), (x + 22, y)], BLUE.stroke_width(2)));
-    let line = [(start, beta), (highest, beta)];
-    chart
-        .draw_series(LineSeries::new(line, VERMILION.stroke_width(2)))?
-        .label(format!(
-            "β = {}",
-            passivity_scene::display::range(&report.beta)
-        ))
-        .legend(|(x, y)| PathElement::new([(x, y), (x + 22, y)], VERMILION.stroke_width(2)));
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
-        .background_style(WHITE.mix(0.85))
-        .border_style(BLACK.mix(0.3))
-        .draw()?;
-    Ok(())
+    if !(low.is_finite() && high.is_finite()) {
+        return Err(PlotError::new("frequency: the curve has no finite values"));
+    }
+    let extent = |from, to, log| Extent { from, to, log };
+    let frame = Frame {
+        x: extent(highest * 10.0_f64.powf(-DECADES), highest, true),
+        y: extent(low - room, high + room, false),
+        from: [86.0, 96.0],
+        to: [870.0, 456.0],
+    };
+    let mut svg = Svg::new(SIZE);
+    let title = format!(
+        "{}: what each frequency asks of viscous friction, β",
+        report.scene
+    );
+    let middle = 0.5 * SIZE[0];
+    svg.text([middle, 28.0], 18.0, Anchor::Middle, &title);
+    svg.text([middle, 50.0], 13.0, Anchor::Middle, SCOPE);
+    let [loop_line, beta_line] = [COLOURS[0], COLOURS[1]].map(|colour| Stroke::solid(colour, 2.0));
+    let given = format!("β = {}", passivity_scene::display::range(&report.beta));
+    // Above the frame, where no curve is.
+    let keys = [
+        (loop_line, "λ, what the loop costs of β"),
+        (beta_line, &given),
+    ];
+    key(&mut svg, [frame.from[0], 76.0], &keys);
+    for pair in curve.windows(2) {
+        if let [[f0, y0], [f1, y1]] = *pair
+            && (y0 > beta || y1 > beta)
+        {
+            let corners = [[f0, frame.y.from], [f1, frame.y.to]].map(|place| frame.clamped(place));
+            svg.cell(&rectangle(corners[0], corners[1]), SHORT);
+        }
+    }
+    let line: Vec<_> = curve.iter().map(|place| frame.clamped(*place)).collect();
+    svg.line(&line, loop_line);
+    let ends = [frame.x.from, frame.x.to].map(|f| frame.clamped([f, beta]));
+    svg.line(&ends, beta_line);
+    let unit = frequency.unit();
+    let words = format!("frequency ({unit}), to half the sampling rate");
+    frame.draw(&mut svg, [&words, "λ, β (KT)"]);
+    Ok(svg.finish())
 }
 
 #[cfg(test)]
@@ -137,6 +115,12 @@ mod tests {
                 assert!(svg.contains(part), "{part}\n{svg}");
             }
             assert!(!svg.contains("passive"), "{svg}");
+            // The key is above the frame, whose upper edge is at 96.
+            let key = svg
+                .lines()
+                .find(|line| line.contains("what the loop costs"));
+            let key = key.and_then(|line| line.split(" y=\"").nth(1)?.split('"').next());
+            assert!(key.ok_or("no key")?.parse::<f64>()? < 90.0, "{svg}");
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Pictures: drawn once as SVG, written as SVG or PNG.
 //!
-//! Charts are drawn into SVG text, with `plotters` or with [`svg`]; [`save`] writes it, rasterised by `resvg` with
+//! Charts are drawn into SVG text, with [`svg`]; [`save`] writes it, rasterised by `resvg` with
 //! a font that is part of the program when the file's name ends in `.png`. So a picture looks the
 //! same on every machine.
 

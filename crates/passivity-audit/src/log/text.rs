@@ -208,11 +208,12 @@ impl Report {
     fn sampling(&self, out: &mut Lines) {
         let Some(timing) = &self.timing else { return };
         let (late, missed) = (timing.late, timing.missed_samples);
+        let samples = if missed == 1 { "sample" } else { "samples" };
         let [shortest, longest] = [&timing.shortest, &timing.longest].map(approx);
         out.put(
             "sampling",
             &format!(
-                "{shortest} … {longest} periods, {} late, {missed} samples missed",
+                "{shortest} … {longest} periods, {} late, {missed} {samples} missed",
                 intervals(late)
             ),
         );

@@ -106,10 +106,14 @@ fn audited(document: &mut Document, study: &Study, log: &Log) {
             "1" => "every interval lasts one period".to_owned(),
             ends => format!("intervals of {ends} periods"),
         };
+        let samples = match timing.missed_samples {
+            1 => "sample",
+            _ => "samples",
+        };
         row(
             "Sampling",
             format!(
-                "{ends}; {} longer than a period; {} samples missed",
+                "{ends}; {} longer than a period; {} {samples} missed",
                 intervals(timing.late),
                 timing.missed_samples
             ),

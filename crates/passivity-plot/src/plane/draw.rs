@@ -72,7 +72,7 @@ pub fn draw_on_axes(marks: &[Mark], log: [Option<bool>; 2]) -> Result<String, Pl
     };
     let words = [format!("β = b/(KT){less}"), format!("σ = c/(KΔ){less}")];
     frame.draw(&mut svg, words.each_ref().map(String::as_str));
-    names(&mut svg, &frame, &mut labels);
+    names(&mut svg, &frame, &mut labels, marks);
     let mut places: Vec<(Pixel, Vec<usize>)> = Vec::new();
     for (number, mark) in marks.iter().enumerate() {
         tolerances(&mut svg, &frame, mark, colour(number));
@@ -128,24 +128,43 @@ fn regions(svg: &mut Svg, frame: &Frame) {
     svg.line(&[[left, y], [right, y]], Stroke::solid(DARK, 1.0));
 }
 
-/// The names of the regions in their outer corners, where there is room.
-fn names(svg: &mut Svg, frame: &Frame, labels: &mut Labels) {
+/// The names of the regions in their outer corners, where there is room, or beside a way that leads through.
+fn names(svg: &mut Svg, frame: &Frame, labels: &mut Labels, marks: &[Mark]) {
     const SIZE: f64 = 12.0;
     let [x, y] = frame.pixel([0.5, 0.5]);
     let ([left, top], [right, bottom]) = (frame.from, frame.to);
     let corners = [[right, top], [left, top], [right, bottom], [left, bottom]];
+    let ways: Vec<[Pixel; 2]> = marks
+        .iter()
+        .flat_map(|mark| {
+            let (beta, sigma) = mark.middle();
+            let from = frame.clamped([beta, sigma]);
+            [mark.faster, mark.finer].map(|(x, y)| [from, frame.clamped([x, y])])
+        })
+        .collect();
     for ([cx, cy], (_, name)) in corners.into_iter().zip(REGIONS) {
         let long = crate::frame::width(name, SIZE) + 8.0;
         if (cx - x).abs() < long || (cy - y).abs() < 24.0 {
             continue;
         }
-        let middle = [
-            cx + (x - cx).signum() * 0.5 * long,
-            cy + (y - cy).signum() * 12.0,
-        ];
+        let height = cy + (y - cy).signum() * 12.0;
+        let outer = cx + (x - cx).signum() * 0.5 * long;
+        let inner = x - (x - cx).signum() * 0.5 * long;
+        let is_free = |at: &f64| {
+            let half = [0.5 * long, 8.0];
+            !ways.iter().any(|way| crosses(way, [*at, height], half))
+        };
+        let at = [outer, inner].into_iter().find(is_free).unwrap_or(outer);
+        let middle = [at, height];
         labels.take_box(middle, [0.5 * long, 8.0]);
         svg.text([middle[0], middle[1] + 4.0], SIZE, Anchor::Middle, name);
     }
+}
+
+/// Whether a way along an axis leads through a box.
+fn crosses([from, to]: &[Pixel; 2], middle: Pixel, half: [f64; 2]) -> bool {
+    let mut axes = from.iter().zip(to).zip(middle.iter().zip(half));
+    axes.all(|((a, b), (at, half))| a.min(*b) <= at + half && a.max(*b) >= at - half)
 }
 
 /// Where stiffness, sampling period and resolution move a mark (Fig. 4).
@@ -171,7 +190,8 @@ fn ways(svg: &mut Svg, frame: &Frame, mark: &Mark, colour: &str) {
         svg.line(&[from, to], Stroke::solid(colour, 1.0));
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
         let length = dx.hypot(dy);
-        if length < 8.0 {
+        // A way that leaves the frame has no end in it.
+        if length < 8.0 || !frame.contains([x, y]) {
             continue;
         }
         let (dx, dy) = (dx / length, dy / length);

@@ -150,7 +150,6 @@ impl Drawing<'_> {
 
     /// What shades, lines and signs mean.
     fn key(&self, svg: &mut Svg, top: f64) {
-        let unit = "ticks/sample";
         let first = "the slowest speed at which it does so, and its critical line:";
         svg.text([80.0, top + 12.0], 14.0, Anchor::Start, first);
         let range = 0.0..self.speeds.last().map_or(1.0, |(_, speed)| *speed);
@@ -159,7 +158,10 @@ impl Drawing<'_> {
             let [x, y] = at;
             swatch(svg, at, &shade(rank, self.speeds.len()));
             svg.line(&[[x + 30.0, y + 7.0], [x + 76.0, y + 7.0]], critical(rank));
-            let words = format!("{} {unit}", label(*speed, &range));
+            let words = match label(*speed, &range).as_str() {
+                "1" => "1 tick/sample".to_owned(),
+                speed => format!("{speed} ticks/sample"),
+            };
             svg.text([x + 84.0, y + 12.0], 13.0, Anchor::Start, &words);
             at = if (rank + 1) % A_LINE == 0 {
                 [80.0, y + 24.0]
