@@ -5,7 +5,7 @@
 use num_traits::{Signed as _, Zero as _};
 use passivity_core::{BigRational, Interval};
 use passivity_scene::Scene;
-use passivity_scene::check::{Report, Verdict};
+use passivity_scene::check::{Report, Verdict, check};
 use passivity_scene::explain::explain;
 
 use crate::dimensionless::{approx, q, report};
@@ -221,4 +221,29 @@ fn tolerances_beside_a_filter_are_decided() {
     ] {
         assert_eq!(crate::wall::report(&values).verdict, verdict, "{values}");
     }
+}
+
+/// Five samples late, damping of 5KT costs the most in the middle of this tolerance of its filter,
+/// 6.11429 at τ = 1.3335 ms, and at both ends less: what it bends between the ends counts.
+#[test]
+fn a_filter_may_cost_the_most_inside_its_tolerance() {
+    let of = |viscous: &str, filter: &str| {
+        let text = format!(
+            "device.viscous = \"{viscous} N s/m\"\n\
+             device.coulomb = \"1 N\"\n\
+             sampling.period = \"1 ms\"\n\
+             sampling.delay = 5\n\
+             wall.stiffness = \"1000 N/m\"\n\
+             wall.damping = \"5 N s/m\"\n\
+             wall.damping_time_constant = \"{filter}\"\n"
+        );
+        check(&Scene::from_toml("scene", &text).unwrap())
+    };
+    let whole = "1.3335 ms ± 30%";
+    assert_eq!(of("6.1138", whole).verdict, Verdict::Depends);
+    assert_eq!(of("6.1138", "1.3335 ms").verdict, Verdict::NotPassive);
+    for end in ["0.93345 ms", "1.73355 ms"] {
+        assert_eq!(of("6.1138", end).verdict, Verdict::Passive, "{end}");
+    }
+    assert!(*of("6.11428", whole).cost.viscous.hi() >= q("6.11429"));
 }
