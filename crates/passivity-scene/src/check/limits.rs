@@ -4,7 +4,6 @@
 use std::cmp::Ordering;
 use std::iter;
 
-use num_bigint::BigInt;
 use num_traits::Signed as _;
 use passivity_core::parameter::Hurts;
 use passivity_core::verdict::{End, Speeds};
@@ -12,6 +11,7 @@ use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Parameter, Tr
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use self::search::{DOUBLINGS, STEPS, bisected, longest_period, searched};
 use super::figure;
 use super::text::unit_of;
 use crate::display::Rounding;
@@ -26,6 +26,40 @@ pub enum Side {
     AtLeast,
     /// At the limit and below it: stiffness, sampling period, encoder resolution.
     AtMost,
+}
+
+impl Side {
+    pub(super) const fn other(self) -> Self {
+        match self {
+            Self::AtLeast => Self::AtMost,
+            Self::AtMost => Self::AtLeast,
+        }
+    }
+
+    pub(super) const fn rounding(self) -> Rounding {
+        match self {
+            Self::AtLeast => Rounding::Up,
+            Self::AtMost => Rounding::Down,
+        }
+    }
+
+    /// The end of a border that is safe over all tolerances.
+    pub(super) const fn hardest<T>(self, border: &Interval<T>) -> &T {
+        match self {
+            Self::AtLeast => border.hi(),
+            Self::AtMost => border.lo(),
+        }
+    }
+}
+
+/// Where the values of a parameter that pass end, on one side of it or on both.
+#[derive(Clone, Debug)]
+pub(super) struct Ends<S> {
+    /// On which side of `border` the criterion holds.
+    pub(super) side: Side,
+    pub(super) border: Interval<S>,
+    /// The end on the other side, where there is one or where it is not shown that there is none.
+    pub(super) far: Option<Interval<S>>,
 }
 
 /// The limit of one parameter, all others as they are: what to change, and by how much.
@@ -50,21 +84,37 @@ pub struct Limit {
     pub written: Written,
     /// The same as `printed` in the form and unit of the scene file, without the unit.
     pub typed: Option<String>,
+    /// Where the values that pass end on the other side, beyond `border`; `None` where they do not.
+    pub far: Option<FarEnd>,
+}
+
+/// The other end of the values that pass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FarEnd {
+    /// A bracket of it.
+    pub border: Interval<BigRational>,
+    /// What is printed of it, as of a [`Limit`].
+    pub printed: Option<String>,
+    /// The same in the form and unit of the scene file, without the unit.
+    pub typed: Option<String>,
 }
 
 impl Limit {
     /// The end of the border that is safe over all tolerances.
     #[must_use]
     pub const fn hardest(&self) -> &BigRational {
-        match self.side {
-            Side::AtLeast => self.border.hi(),
-            Side::AtMost => self.border.lo(),
+        self.side.hardest(&self.border)
+    }
+
+    /// Where the values that pass end on one side; `None` where they do not.
+    #[must_use]
+    pub fn end(&self, side: Side) -> Option<&Interval<BigRational>> {
+        match &self.far {
+            _ if self.side == side => Some(&self.border),
+            far => far.as_ref().map(|far| &far.border),
         }
     }
 }
-
-/// How often a value is doubled, or halved, to find one with another answer.
-const DOUBLINGS: u32 = 40;
 
 /// The parameters that limits are computed of.
 const LIMITED: [Parameter; 9] = [
@@ -89,32 +139,40 @@ pub(super) fn limits<S: Enclosed>(
     LIMITED.into_iter().filter_map(of).collect()
 }
 
-/// On which side of which border the criterion holds, over the tolerances of all other parameters, as far as the border is
-/// not below zero; `None` where the criterion does not limit the parameter.
-pub(super) fn clamped_border<S: Enclosed>(
+/// Where the values of a parameter that pass end, over the tolerances of all other parameters, as far as
+/// that is not below zero; `None` where the criterion does not limit the parameter.
+pub(super) fn ends<S: Enclosed>(
     parameter: Parameter,
     bounds: &Loop<Interval<S>>,
     speeds: &Speeds<Interval<S>>,
-) -> Option<(Side, Interval<S>)> {
+) -> Option<Ends<S>> {
     let side = match parameter.row().hurts {
         Hurts::Less => Side::AtLeast,
         Hurts::More => Side::AtMost,
         Hurts::Neither => return None,
     };
     let both_ways = bounds.period_pulls_both_ways();
-    let border = if is_searched(parameter, bounds) {
+    let ends = if is_searched(parameter, bounds) {
         searched(parameter, side, bounds, speeds)?
     } else if parameter == Parameter::Period && both_ways {
         longest_period(bounds, speeds)?
     } else {
         let border = border(parameter, side, bounds, speeds)?;
-        match both_ways && !bounds.period.is_point() {
+        let border = match both_ways && !bounds.period.is_point() {
             true => with_periods_between(parameter, side, border, bounds, speeds)?,
             false => border,
+        };
+        Ends {
+            side,
+            border,
+            far: None,
         }
     };
     let clamped = |x: &S| x.clone().max(S::zero());
-    Some((side, border.map(clamped)))
+    Some(Ends {
+        border: ends.border.map(clamped),
+        ..ends
+    })
 }
 
 /// The limit of one parameter; `None` where the criterion does not limit it, or where no value of
@@ -125,11 +183,8 @@ pub(super) fn limit<S: Enclosed>(
     bounds: &Loop<Interval<S>>,
     speeds: &Speeds<Interval<S>>,
 ) -> Option<Limit> {
-    let (side, border) = clamped_border(parameter, bounds, speeds)?;
-    let hardest = match side {
-        Side::AtLeast => border.hi(),
-        Side::AtMost => border.lo(),
-    };
+    let Ends { side, border, far } = ends(parameter, bounds, speeds)?;
+    let hardest = side.hardest(&border);
     if side == Side::AtMost && hardest.is_positive() != Some(true) {
         return None;
     }
@@ -137,29 +192,37 @@ pub(super) fn limit<S: Enclosed>(
         let moved = bounds.clone().with(parameter, Interval::point(x.clone()));
         moved.surely_holds(speeds)
     };
-    let (border_figure, now) = (figure(&border)?, now(parameter, bounds)?);
-    let limit = Limit {
+    let written = written(parameter, scene);
+    // A unit with π where the scene has none: then the limit is shown in SI.
+    let printed = |border: &Interval<BigRational>, side: Side| {
+        [&Written::si(""), &written]
+            .map(|form| typed_back(form, side.hardest(border), side.rounding(), suffices))
+    };
+    let far_end = |border: Interval<S>| {
+        let border = figure(&border)?;
+        let [printed, typed] = printed(&border, side.other());
+        Some(FarEnd {
+            border,
+            printed,
+            typed,
+        })
+    };
+    let far = match far {
+        Some(border) => Some(far_end(border)?),
+        None => None,
+    };
+    let border_figure = figure(&border)?;
+    let [printed, typed] = printed(&border_figure, side);
+    Some(Limit {
         parameter,
-        now: figure(&now)?,
+        now: figure(&now(parameter, bounds)?)?,
         suffices: suffices(hardest),
         border: border_figure,
         side,
-        printed: None,
-        written: written(parameter, scene),
-        typed: None,
-    };
-    let rounding = match side {
-        Side::AtLeast => Rounding::Up,
-        Side::AtMost => Rounding::Down,
-    };
-    let hardest = limit.hardest();
-    let printed = typed_back(&Written::si(""), hardest, rounding, suffices);
-    // A unit with π where the scene has none: then the limit is shown in SI.
-    let typed = typed_back(&limit.written, hardest, rounding, suffices);
-    Some(Limit {
         printed,
         typed,
-        ..limit
+        far,
+        written: written.clone(),
     })
 }
 
@@ -315,125 +378,4 @@ fn differs<S: Enclosed>(cost: &Interval<S>) -> bool {
     close.is_none_or(|close| (width * close).compare(cost.hi()) != Some(Ordering::Less))
 }
 
-/// The border of a parameter that is in the scene, bracketed: from its value on by factors of two,
-/// then by halves.
-///
-/// `None` where no value from 2⁻⁴⁰ to 2⁴⁰ times what it is changes the answer.
-fn searched<S: Enclosed>(
-    parameter: Parameter,
-    side: Side,
-    bounds: &Loop<Interval<S>>,
-    speeds: &Speeds<Interval<S>>,
-) -> Option<Interval<S>> {
-    let now = bounds.get(parameter)?;
-    let passes = |x: &S| {
-        let moved = bounds.clone().with(parameter, Interval::point(x.clone()));
-        moved.surely_holds(speeds)
-    };
-    // Not from the lower end, which may be zero.
-    let from = now.hi().clone();
-    let holds = passes(&from);
-    // Towards where it fails, or where it holds.
-    let grows = holds == (side == Side::AtMost);
-    let at = |steps: u32| {
-        let power = BigRational::from_integer(BigInt::from(1) << steps);
-        let factor = S::of(&Exact::of(&power))?;
-        Some(if grows {
-            from.clone() * factor
-        } else {
-            from.clone().over(factor)
-        })
-    };
-    for steps in 0..DOUBLINGS {
-        let (before, after) = (at(steps)?, at(steps + 1)?);
-        if passes(&after) != holds {
-            let [passing, failing] = if holds {
-                [before, after]
-            } else {
-                [after, before]
-            };
-            // Cells tell to some millionths, and take the longer the closer it is.
-            let in_cells = bounds.has_actuator() || bounds.damping_time_constant.is_some();
-            let steps = match in_cells && has_range(parameter, bounds) {
-                true => COARSE_STEPS,
-                false => STEPS,
-            };
-            return bisected(passing, &failing, steps, passes);
-        }
-    }
-    None
-}
-
-/// Whether a parameter other than one has a tolerance.
-fn has_range<S: Enclosed>(moved: Parameter, bounds: &Loop<Interval<S>>) -> bool {
-    let is_other = |of: Parameter| of != moved && !of.row().key.is_empty();
-    let mut given = bounds.given();
-    given.any(|(of, range)| is_other(of) && !range.is_point())
-}
-
-/// How often the way to a border is halved, and how often where cells tell.
-const STEPS: u32 = 32;
-const COARSE_STEPS: u32 = 20;
-
-/// The border between a value that passes and one that fails, bracketed to 2^−`steps` of the way.
-fn bisected<S: Enclosed>(
-    passing: S,
-    failing: &S,
-    steps: u32,
-    passes: impl Fn(&S) -> bool,
-) -> Option<Interval<S>> {
-    let width = failing.clone() - passing.clone();
-    // Each from the ends again, so that the numbers stay short.
-    let at = |k: u64| {
-        let share = BigRational::new(k.into(), (1_u64 << steps).into());
-        Some(passing.clone() + width.clone() * S::of(&Exact::of(&share))?)
-    };
-    let mut k = 0;
-    for step in (0..steps).rev() {
-        let further = k + (1 << step);
-        if passes(&at(further)?) {
-            k = further;
-        }
-    }
-    Some(Interval::hull(at(k)?, at(k + 1)?))
-}
-
-/// The longest period where a shorter one costs Coulomb friction as well, bracketed.
-///
-/// The periods that pass are an interval, because the margin is concave in the period. It starts at
-/// or before the shortest period near rest and the period of the largest margin, whichever is
-/// longer, and ends before the longest that viscous friction allows without BΔ/T.
-fn longest_period<S: Enclosed>(
-    bounds: &Loop<Interval<S>>,
-    speeds: &Speeds<Interval<S>>,
-) -> Option<Interval<S>> {
-    let corner = bounds.at(End::Hardest);
-    let near_rest = stiffness::shortest_period(&corner)?;
-    let passes = |period: &S| {
-        let at = Interval::point(period.clone());
-        bounds.clone().with(Parameter::Period, at).decide(speeds) == Some(Truth::Holds)
-    };
-    let (passing, failing) = match speeds.at(End::Hardest) {
-        Speeds::All => {
-            let longest = stiffness::longest_period(&corner);
-            return passes(&longest).then(|| Interval::point(longest));
-        }
-        Speeds::UpTo(v) => {
-            // Without damping behind the encoder, but with what damping costs of viscous friction.
-            let damping = corner.damping.clone()?;
-            let less = corner.viscous_friction() - damping;
-            let undamped = Loop {
-                damping: None,
-                viscous: Some(less),
-                ..corner.clone().with(Parameter::Period, S::one())
-            };
-            let longest = stiffness::longest_period_at_speed(&undamped, &v);
-            (longest.clone().half().max(near_rest), longest)
-        }
-        Speeds::UpToSquared(_) => return None,
-    };
-    if !passes(&passing) {
-        return None;
-    }
-    bisected(passing, &failing, STEPS, passes)
-}
+mod search;

@@ -208,10 +208,10 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
         let is_stiffness = |limit: &&Limit| limit.parameter == Parameter::Stiffness;
         let listed = limits.iter().find(is_stiffness).filter(|_| is_listed);
         // Where no wall is soft enough over all tolerances, some may be over a part of them.
-        let border = || limits::clamped_border(Parameter::Stiffness, bounds, speeds);
+        let border = || limits::ends(Parameter::Stiffness, bounds, speeds);
         let found = listed.map(|limit| limit.border.clone());
         found
-            .or_else(|| figure(&border()?.1))
+            .or_else(|| figure(&border()?.border))
             .unwrap_or_else(|| Interval::point(Scalar::zero()))
     };
     let speed_written = speed_written(scene);
@@ -400,16 +400,33 @@ pub(crate) struct LimitFigures<'a> {
     suffices: bool,
     /// The border in SI, rounded to the safe side; null where it is not enough alone.
     printed: &'a Option<String>,
+    /// The other end of the values that pass: below it, or above it, they fail, or are not shown to
+    /// pass; null where there is none.
+    other_end: Option<FarEndFigures<'a>>,
+}
+
+/// What is written of the other end of the values that pass.
+#[derive(Serialize, JsonSchema)]
+struct FarEndFigures<'a> {
+    /// Where the criterion is met with equality.
+    #[serde(with = "shape::Interval")]
+    border: &'a Interval<BigRational>,
+    /// The border in SI, rounded to the safe side.
+    printed: &'a Option<String>,
 }
 
 impl<'a> LimitFigures<'a> {
-    pub(crate) const fn of(limit: &'a Limit) -> Self {
+    pub(crate) fn of(limit: &'a Limit) -> Self {
         Self {
             now: &limit.now,
             border: &limit.border,
             holds: limit.side,
             suffices: limit.suffices,
             printed: &limit.printed,
+            other_end: limit.far.as_ref().map(|far| FarEndFigures {
+                border: &far.border,
+                printed: &far.printed,
+            }),
         }
     }
 }

@@ -265,27 +265,46 @@ impl Limit {
         more.find(|now| !reads_like_it(now)).unwrap_or(usual)
     }
 
-    /// What the parameter has to be, rounded to the safe side, with its unit: `at most 1.07 N/m`.
+    /// What the parameter has to be, rounded to the safe side, with its unit: `at most 1.07 N/m`, or
+    /// `from 0.36 to 0.51 N s/m`.
     #[must_use]
     pub fn promise(&self, motion: Motion) -> String {
-        let rounding = match self.side {
-            Side::AtLeast => Rounding::Up,
-            Side::AtMost => Rounding::Down,
-        };
-        let si_unit = unit_of(self.parameter, motion);
         let inverse = self.written.form() != Form::Value;
-        let text = match (&self.typed, &self.printed) {
+        let text =
+            |side, border, typed, printed| self.end_text(side, border, typed, printed, motion);
+        let near = text(self.side, &self.border, &self.typed, &self.printed);
+        let is_least = (self.side == Side::AtLeast) != inverse;
+        let Some(far) = &self.far else {
+            let relation = if is_least { "at least" } else { "at most" };
+            return format!("{relation} {near}");
+        };
+        let far = text(self.side.other(), &far.border, &far.typed, &far.printed);
+        let (from, to) = if is_least { (near, far) } else { (far, near) };
+        let unit = to.trim_start_matches(|c| c != ' ');
+        format!("from {} to {to}", from.strip_suffix(unit).unwrap_or(&from))
+    }
+
+    /// An end of the values that pass, rounded to the safe side, with its unit.
+    fn end_text(
+        &self,
+        side: Side,
+        border: &Interval<BigRational>,
+        typed: &Option<String>,
+        printed: &Option<String>,
+        motion: Motion,
+    ) -> String {
+        let si_unit = unit_of(self.parameter, motion);
+        let text = match (typed, printed) {
             (Some(typed), _) => format!("{typed}{}", self.written.unit()),
-            (None, Some(printed)) if !inverse => format!("{printed} {si_unit}"),
-            _ => self.written.rounded_text(self.hardest(), rounding, si_unit),
+            (None, Some(printed)) if self.written.form() == Form::Value => {
+                format!("{printed} {si_unit}")
+            }
+            _ => {
+                let hardest = side.hardest(border);
+                self.written.rounded_text(hardest, side.rounding(), si_unit)
+            }
         };
-        let relation = match self.side {
-            Side::AtLeast if inverse => "at most",
-            Side::AtMost if inverse => "at least",
-            Side::AtLeast => "at least",
-            Side::AtMost => "at most",
-        };
-        format!("{relation} {}", text.trim_end())
+        text.trim_end().to_owned()
     }
 }
 

@@ -100,6 +100,7 @@ fn limit<S: Enclosed>(
         printed: None,
         written,
         typed: None,
+        far: None,
     };
     let border = limit.hardest();
     // Where the border itself is not enough, something else is missing.

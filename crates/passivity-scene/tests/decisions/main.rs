@@ -5,6 +5,7 @@ mod constants;
 mod dimensionless;
 mod joint_reports;
 mod joints;
+mod limit_ends;
 mod limits;
 mod linear;
 mod ranges;

@@ -10,7 +10,7 @@ use std::time::Instant;
 use passivity_core::BigRational;
 use passivity_random::draws;
 use passivity_scene::Scene;
-use passivity_scene::check::{Report, Verdict, check};
+use passivity_scene::check::{Report, Side, Verdict, check};
 use passivity_scene::number::parse;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -186,9 +186,6 @@ fn check_limits_pass_when_typed_back() {
         let first = report(&written(&parameters, delay));
         let speeds = |report: &Report| report.at_every_speed || !first.at_every_speed;
         for limit in &first.limits {
-            let Some(printed) = &limit.printed else {
-                continue;
-            };
             let key = limit.parameter.row().key.rsplit('.').next().unwrap();
             let typed = |value: &str| {
                 let mut changed = parameters.clone();
@@ -199,18 +196,24 @@ fn check_limits_pass_when_typed_back() {
                 }
                 report(&written(&changed, delay))
             };
-            let at = typed(printed);
-            prop_assert!(
-                at.verdict == Verdict::Passive && speeds(&at),
-                "{key} = {printed}"
-            );
-            let at_most = limit.parameter.row().hurts == passivity_core::parameter::Hurts::More;
-            let factor = if at_most { "1.001" } else { "0.999" };
-            let beyond = number(printed) * number(factor);
-            if number(printed) > number("0") {
-                let beyond = typed(&beyond.to_string());
-                let holds = beyond.verdict == Verdict::Passive && speeds(&beyond);
-                prop_assert!(!holds, "{key}: {printed} times {factor}");
+            let [near, beyond] = match limit.side {
+                Side::AtLeast => ["0.999", "1.001"],
+                Side::AtMost => ["1.001", "0.999"],
+            };
+            let far = limit.far.as_ref().and_then(|far| far.printed.as_ref());
+            let ends = [(limit.printed.as_ref(), near), (far, beyond)];
+            for (printed, factor) in ends {
+                let Some(printed) = printed else { continue };
+                let at = typed(printed);
+                prop_assert!(
+                    at.verdict == Verdict::Passive && speeds(&at),
+                    "{key} = {printed}"
+                );
+                if number(printed) > number("0") {
+                    let beyond = typed(&(number(printed) * number(factor)).to_string());
+                    let holds = beyond.verdict == Verdict::Passive && speeds(&beyond);
+                    prop_assert!(!holds, "{key}: {printed} times {factor}");
+                }
             }
         }
         Ok(())

@@ -1,0 +1,159 @@
+//! Limits of parameters whose values pass from one end to another: less is not always safer.
+
+use passivity_core::Parameter;
+use passivity_scene::Scene;
+use passivity_scene::check::{Verdict, check};
+
+use crate::wall::report;
+
+/// The line of a limit, from the report on a scene.
+fn line(text: &str, name: &str) -> String {
+    let mut lines = text.lines().map(str::trim_start);
+    let found = lines.find_map(|line| line.strip_prefix(name)?.strip_prefix(": "));
+    found.unwrap_or_else(|| panic!("{name}: {text}")).to_owned()
+}
+
+const DAMPING: &str = "virtual damping B";
+const PERIOD: &str = "sampling period T";
+const FILTER: &str = "time constant of the damping's filter τ";
+
+/// Behind a delay of one sample damping B costs 3/2 − B up to 1/4, and ½ + B + 1/(8B) from there on:
+/// with b = 4/3 it passes from 1/6 to (5/6 + √7/6)/2 = 0.63715.
+#[test]
+fn damping_that_a_delay_needs_is_limited_on_both_sides() {
+    let values = |damping: &str| format!("viscous 4/3, coulomb 4, delay 1, damping {damping}");
+    for now in ["0.4", "0.1", "0", "2"] {
+        let text = report(&values(now)).to_text();
+        let Some(now) = Some(now).filter(|now| *now != "0") else {
+            // Nothing to start from.
+            assert!(!text.contains(DAMPING), "{text}");
+            continue;
+        };
+        let expected = format!("from 0.16667 to 0.63714 N s/m (now {now} N s/m)");
+        assert_eq!(line(&text, DAMPING), expected);
+    }
+    for (damping, verdict) in [
+        ("0.16667", Verdict::Passive),
+        ("0.63714", Verdict::Passive),
+        ("0.1665", Verdict::NotPassive),
+        ("0.6378", Verdict::NotPassive),
+        ("0", Verdict::NotPassive),
+    ] {
+        assert_eq!(report(&values(damping)).verdict, verdict, "{damping}");
+    }
+    let json = report(&values("0.4")).to_json();
+    let mut limits = json["limits"].as_array().unwrap().iter();
+    let limit = limits.find(|limit| limit["parameter"] == "wall.damping");
+    let limit = limit.unwrap();
+    assert_eq!(
+        [
+            &limit["holds"],
+            &limit["printed"],
+            &limit["other_end"]["printed"]
+        ],
+        ["at_most", "0.63714", "0.16667"]
+    );
+    // Of what is too little the nearer end is the one to go to.
+    let limits = report(&values("0.1")).limits.into_iter();
+    let mut of_damping = limits.filter(|limit| limit.parameter == Parameter::Damping);
+    assert_eq!(
+        of_damping.next().unwrap().printed.as_deref(),
+        Some("0.16667")
+    );
+    // With more friction none is needed, and without a delay never.
+    for plain in [
+        "viscous 1.6, coulomb 4, delay 1, damping 0.4",
+        "viscous 3/4, coulomb 1, damping 0.1",
+    ] {
+        let said = line(&report(plain).to_text(), DAMPING);
+        assert!(said.starts_with("at most "), "{said}");
+    }
+}
+
+/// c ≥ KΔ/2 + BΔ/T: with c = 3/4 and B = 1/10 a period of at least 2/5 is needed, and of at most
+/// 2(b − B); as a rate from one to the other.
+#[test]
+fn a_period_with_damping_is_limited_on_both_sides() {
+    let values = "viscous 3/4, coulomb 3/4, damping 0.1";
+    let expected = "from 0.4 to 1.3 s (now 1 s)";
+    assert_eq!(line(&report(values).to_text(), PERIOD), expected);
+    // Up to V = 1 the margin b − B − T/2 + c − 1/2 − B/T is zero at (1 ∓ √(1/5))/2; near rest T ≥ 1/5 is
+    // enough.
+    let fast = "viscous 0.1, coulomb 1, period 0.5, damping 0.1, max_speed 1";
+    let said = line(&report(fast).to_text(), PERIOD);
+    assert_eq!(said, "from 0.2764 to 0.7236 s (now 0.5 s)");
+    let rate = "
+        device.viscous = \"0.75 N s/m\"
+        device.coulomb = \"0.75 N\"
+        sampling.rate = \"1 Hz\"
+        encoder.resolution = \"1 m\"
+        wall.stiffness = \"1 N/m\"
+        wall.damping = \"0.1 N s/m\"
+    ";
+    let text = check(&Scene::from_toml("rate", rate).unwrap()).to_text();
+    let said = line(&text, "sampling rate 1/T");
+    assert_eq!(said, "from 0.76924 to 2.5 Hz (now 1 Hz)");
+    // Without an encoder, or without damping, the shortest is the safest.
+    for free in [
+        "viscous 3/4, coulomb 3/4, damping 0.1, smooth",
+        "viscous 3/4, coulomb 3/4",
+    ] {
+        let said = line(&report(free).to_text(), PERIOD);
+        assert!(said.starts_with("at most "), "{said}");
+    }
+    // With a delay no formula says the ends.
+    let late = "viscous 1.35, coulomb 0.9, delay 1, damping 0.3";
+    let said = line(&report(late).to_text(), PERIOD);
+    assert!(said.starts_with("from 0.75 to "), "{said}");
+}
+
+const LATE: &str = r#"
+    device.viscous = "7.80162 N s/m"
+    device.coulomb = "0.029047 N"
+    sampling.period = "1 ms"
+    sampling.delay = 3
+    encoder.resolution = "0.01 mm"
+    wall.stiffness = "2308.74 N/m"
+    wall.damping = "2.30874 N s/m"
+    wall.damping_time_constant = "10 ms"
+"#;
+
+/// Behind a delay a filter can be too slow for the damping that is needed.
+#[test]
+fn a_filter_behind_a_delay_is_limited_on_both_sides() {
+    let of = |tau: &str| {
+        let text = LATE.replace("\"10 ms\"", &format!("\"{tau} ms\""));
+        check(&Scene::from_toml("late", &text).unwrap())
+    };
+    let said = line(&of("10").to_text(), FILTER);
+    let (from, to) = said
+        .strip_prefix("from ")
+        .unwrap()
+        .split_once(" to ")
+        .unwrap();
+    let (to, now) = to.split_once(' ').unwrap();
+    assert_eq!(now, "ms (now 10 ms)");
+    for (end, beyond) in [(from, 0.999), (to, 1.001)] {
+        assert_eq!(of(end).verdict, Verdict::Passive, "{said}");
+        let beyond = end.parse::<f64>().unwrap() * beyond;
+        assert_ne!(of(&beyond.to_string()).verdict, Verdict::Passive, "{said}");
+    }
+    assert_eq!(of("319").verdict, Verdict::NotPassive);
+}
+
+/// Time constants on both sides of a stretch that fails pass: the limit is the end of the stretch that
+/// is known to pass from the value on.
+#[test]
+fn a_limit_stops_at_values_between_that_fail() {
+    let of = |tau: &str| {
+        report(&format!(
+            "viscous 6.1138, coulomb 1, period 1e-3, delay 5, stiffness 1000, damping 5, \
+             damping_time_constant {tau}, smooth"
+        ))
+    };
+    for (tau, relation) in [("2e-3", "at least 0.0014"), ("0.5e-3", "at most 0.0012")] {
+        let said = line(&of(tau).to_text(), FILTER);
+        assert!(said.starts_with(relation), "{said}");
+    }
+    assert_ne!(of("1.3335e-3").verdict, Verdict::Passive);
+}
