@@ -77,6 +77,9 @@ pub struct Constants {
     /// The largest virtual damping beside `stiffness`, and not beside `max_stiffness`; `None` where
     /// there is none, or where a digital controller is in its place.
     pub max_damping: Option<f64>,
+    /// The smallest virtual damping beside `stiffness`: less, or none, does not pass or is not shown
+    /// to. `None` where all up to `max_damping` pass.
+    pub min_damping: Option<f64>,
     /// Whether a digital controller is in the place of virtual damping.
     #[serde(skip)]
     pub has_controller: bool,
@@ -172,6 +175,7 @@ fn of_loop<S: Enclosed>(
         max_stiffness: written.max_stiffness,
         damping: typed.double(Parameter::Damping).unwrap_or(0.0),
         max_damping: written.max_damping,
+        min_damping: written.min_damping,
         has_controller: bounds.controller.is_some(),
         rate: typed.rate()?,
         whole_rate,

@@ -162,6 +162,7 @@ fn numbers_pass_together(values: &str, found: &Constants) {
         (own, Some(found.damping)),
         (found.max_stiffness, Some(found.damping)),
         (Some(found.stiffness), found.max_damping),
+        (Some(found.stiffness), found.min_damping),
     ];
     for rate in [Some(found.rate), found.whole_rate].into_iter().flatten() {
         for (stiffness, damping) in pairs {

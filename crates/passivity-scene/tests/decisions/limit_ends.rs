@@ -2,9 +2,9 @@
 
 use passivity_core::Parameter;
 use passivity_scene::Scene;
-use passivity_scene::check::{Verdict, check};
+use passivity_scene::check::{Target, Verdict, check, constants};
 
-use crate::wall::report;
+use crate::wall::{self, report};
 
 /// The line of a limit, from the report on a scene.
 fn line(text: &str, name: &str) -> String {
@@ -156,4 +156,44 @@ fn a_limit_stops_at_values_between_that_fail() {
         assert!(said.starts_with(relation), "{said}");
     }
     assert_ne!(of("1.3335e-3").verdict, Verdict::Passive);
+}
+
+/// Where less damping does not pass, what is exported says how much there has to be.
+#[test]
+fn exported_damping_has_a_smallest_beside_its_largest() {
+    let found = |values: &str, target| constants(&wall::scene(values), target).unwrap();
+    for values in [
+        "viscous 4/3, coulomb 4, delay 1, damping 0.4",
+        "viscous 4/3, coulomb 4, delay 1",
+    ] {
+        let late = found(values, Target::C);
+        assert_eq!(
+            (late.min_damping, late.max_damping),
+            (Some(0.16667), Some(0.63714))
+        );
+        let source = late.to_source().replace("\n * ", " ");
+        for says in [
+            "#define TEST_MIN_DAMPING 0.16667 /* N s/m, with TEST_STIFFNESS",
+            "#define TEST_MAX_DAMPING 0.63714 /* N s/m, with TEST_STIFFNESS",
+            "Less damping than the smallest, or none, does not pass or is not shown to.",
+        ] {
+            assert!(source.contains(says), "{source}");
+        }
+    }
+    let late = "viscous 4/3, coulomb 4, delay 1, damping 0.4";
+    let source = found(late, Target::OpenHaptics).to_source();
+    assert!(
+        source.contains("kMinDamping = 0.00016667; /* N s/mm"),
+        "{source}"
+    );
+    let source = found(late, Target::Chai3d)
+        .to_source()
+        .replace("\n * ", " ");
+    assert!(
+        source.contains("is not shown to hold with less"),
+        "{source}"
+    );
+    let plain = found("viscous 3/4, coulomb 5/4, damping 0.1", Target::C);
+    assert_eq!(plain.min_damping, None);
+    assert!(!plain.to_source().contains("MIN_DAMPING"));
 }

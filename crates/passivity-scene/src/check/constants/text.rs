@@ -38,17 +38,31 @@ impl Constants {
         say(&format!("{}.", self.headline));
         say(&format!("Rests on {}.", self.because.join(", ")));
         say(&format!("What binds: {}.", self.binds));
+        let (damping, smallest) = match self.min_damping {
+            Some(_) => (
+                "the smallest and the largest damping",
+                " Less damping than the smallest, or none, does not pass or is not shown to.",
+            ),
+            None => ("the largest damping", ""),
+        };
         let largest = match self.target {
+            Target::Chai3d if self.max_stiffness.is_some() && self.is_late() && self.damping > 0.0 => {
+                " The largest stiffness holds with the damping written beside it, and is not shown to \
+                 hold with less."
+                    .to_owned()
+            }
             Target::Chai3d if self.max_stiffness.is_some() => {
-                " The largest stiffness holds with the damping written beside it."
+                " The largest stiffness holds with the damping written beside it.".to_owned()
             }
             Target::C | Target::OpenHaptics
                 if self.max_stiffness.is_some() && self.max_damping.is_some() =>
             {
-                " The largest stiffness holds with the scene's damping, the largest damping with the \
-                 scene's stiffness; the two largest values do not hold together."
+                format!(
+                    " The largest stiffness holds with the scene's damping, {damping} with the scene's \
+                     stiffness; the two largest values do not hold together.{smallest}"
+                )
             }
-            _ => "",
+            _ => String::new(),
         };
         say(&format!(
             "Every number is a double on the safe side of what was proved.{largest}"
@@ -69,6 +83,12 @@ impl Constants {
         }
         out.push_str(" */\n");
         out
+    }
+
+    fn is_late(&self) -> bool {
+        self.conditions
+            .iter()
+            .any(|condition| condition.name == "delay")
     }
 
     /// How the program makes the force, where it is more than a spring.
@@ -153,12 +173,11 @@ impl Constants {
             self.no_stiffness(),
         );
         define("DAMPING", Some(self.damping), &own(damping), "");
-        define(
-            "MAX_DAMPING",
-            self.max_damping,
-            &format!("{damping}{}", self.with(&format!("{name}_STIFFNESS"))),
-            self.no_damping(),
-        );
+        let about = format!("{damping}{}", self.with(&format!("{name}_STIFFNESS")));
+        if let Some(least) = self.min_damping {
+            define("MIN_DAMPING", Some(least), &about, "");
+        }
+        define("MAX_DAMPING", self.max_damping, &about, self.no_damping());
         define("SAMPLING_RATE", Some(self.rate), "Hz", "");
         define(
             "MAX_SPEED",
@@ -253,8 +272,14 @@ impl Constants {
         if let Some(most) = self.max_stiffness {
             constant("kMaxStiffness", most, &about(unit, "kDamping"));
         }
-        if let Some(most) = self.max_damping {
-            constant("kMaxDamping", most, &about(damping_unit, "kStiffness"));
+        let ends = [
+            ("kMinDamping", self.min_damping),
+            ("kMaxDamping", self.max_damping),
+        ];
+        for (name, end) in ends {
+            if let Some(end) = end {
+                constant(name, end, &about(damping_unit, "kStiffness"));
+            }
         }
         if let Some(most) = self.max_force {
             let about = self.force_limit();

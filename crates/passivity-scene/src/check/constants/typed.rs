@@ -8,8 +8,8 @@ use passivity_core::verdict::{End, Speeds};
 use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Parameter};
 
 use super::{Target, above, below};
-use crate::check::{BITS, limits};
-use crate::display::{Rounding, rounded};
+use crate::check::{BITS, Limit, Side, limits};
+use crate::display::rounded;
 use crate::number::nearest_f64;
 use crate::scene::Scene;
 
@@ -154,9 +154,8 @@ impl<'a, S: Enclosed> Typed<'a, S> {
         moved().is_some_and(|bounds| bounds.surely_holds(&self.speeds))
     }
 
-    /// The shortest double of at least five digits at or below the limit of a parameter, beside the
-    /// other values, that passes; also of damping where the scene has none yet.
-    fn largest(&self, parameter: Parameter) -> Option<f64> {
+    /// The limit of a parameter beside the other values; also of damping where the scene has none yet.
+    fn limit(&self, parameter: Parameter) -> Option<Limit> {
         let mut bounds = self.bounds()?;
         if parameter == Parameter::Damping {
             if bounds.controller.is_some() {
@@ -167,24 +166,38 @@ impl<'a, S: Enclosed> Typed<'a, S> {
                 bounds.damping = Some(Interval::point(bounds.at(End::Hardest).viscous_unit()));
             }
         }
-        let limit = limits::limit(parameter, self.scene, &bounds, &self.speeds)?;
-        let (_, in_units) = self.unit(parameter);
-        let border = &(limit.border.lo() * in_units);
-        let most = below(border);
-        let short = (5..17).filter_map(|digits| {
-            let text = rounded(border, digits, Rounding::Down);
-            let double = nearest_f64(&crate::number::parse(&text).ok()?);
-            (double <= most).then_some(double)
-        });
-        let mut doubles = short.chain([most]);
-        doubles.find(|double| self.holds_with(parameter, *double))
+        limits::limit(parameter, self.scene, &bounds, &self.speeds)
     }
 
-    /// These values with the largest stiffness and the largest damping beside them.
+    /// The shortest double of at least five digits at an end of a limit, on its safe side, that passes.
+    fn at_end(&self, limit: &Limit, side: Side) -> Option<f64> {
+        let (_, in_units) = self.unit(limit.parameter);
+        let border = &(side.hardest(limit.end(side)?) * in_units);
+        let (beside, is_safe): (_, fn(&f64, &f64) -> bool) = match side {
+            Side::AtLeast => (above(border), f64::ge),
+            Side::AtMost => (below(border), f64::le),
+        };
+        let short = (5..17).filter_map(|digits| {
+            let text = rounded(border, digits, side.rounding());
+            let double = nearest_f64(&crate::number::parse(&text).ok()?);
+            is_safe(&double, &beside).then_some(double)
+        });
+        let mut doubles = short.chain([beside]);
+        doubles.find(|double| self.holds_with(limit.parameter, *double))
+    }
+
+    /// These values with the largest stiffness and the ends of the damping beside them.
     pub(super) fn with_largest(&self, is_passive: bool) -> Written<'a, S> {
+        let largest = |limit: &Limit| self.at_end(limit, Side::AtMost);
+        let damping = self.limit(Parameter::Damping);
+        let is_needed = |limit: &&Limit| limit.end(Side::AtLeast).is_some();
+        let needed = damping.as_ref().filter(is_needed);
+        let min_damping = needed.and_then(|limit| self.at_end(limit, Side::AtLeast));
+        let max_damping = damping.as_ref().and_then(largest);
         Written {
-            max_stiffness: self.largest(Parameter::Stiffness),
-            max_damping: self.largest(Parameter::Damping),
+            max_stiffness: self.limit(Parameter::Stiffness).as_ref().and_then(largest),
+            max_damping: max_damping.filter(|_| needed.is_none() || min_damping.is_some()),
+            min_damping,
             typed: self.clone(),
             is_passive,
         }
@@ -197,6 +210,7 @@ pub(super) struct Written<'a, S> {
     pub(super) typed: Typed<'a, S>,
     pub(super) max_stiffness: Option<f64>,
     pub(super) max_damping: Option<f64>,
+    pub(super) min_damping: Option<f64>,
     is_passive: bool,
 }
 
@@ -207,6 +221,7 @@ impl<S: Enclosed> Written<'_, S> {
         let largest = [
             (Parameter::Stiffness, self.max_stiffness),
             (Parameter::Damping, self.max_damping),
+            (Parameter::Damping, self.min_damping),
         ];
         let mut largest = largest.into_iter();
         (!self.is_passive || self.typed.holds())
