@@ -71,8 +71,10 @@ pub fn simulate_beyond(
     mut each: Option<Each<'_>>,
 ) -> Result<Simulated, SimError> {
     let plan = Plan::compile(point)?;
-    let shown = each.as_mut().map(|each| -> Each<'_> { &mut **each });
-    let first = planned(point, &plan, method, shown)?;
+    let first = match &mut each {
+        Some(each) => planned(point, &plan, method, Some(&mut **each))?,
+        None => planned(point, &plan, method, None)?,
+    };
     let Some(plan) = plan.beyond(&first.end, beyond) else {
         return Ok(first);
     };
