@@ -12,6 +12,7 @@ mod check;
 mod design;
 mod explain;
 mod frequencies;
+mod growing;
 mod guides;
 mod harness;
 mod identify;
