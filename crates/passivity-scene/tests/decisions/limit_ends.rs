@@ -141,6 +141,16 @@ fn a_filter_behind_a_delay_is_limited_on_both_sides() {
     assert_eq!(of("319").verdict, Verdict::NotPassive);
 }
 
+/// The encoder asks for BΔ/(T + τ) ≤ c − KΔ/2, for a period of at least 74.896 µs, and the cells of a long stretch of
+/// periods do not tell so much.
+#[test]
+fn the_end_of_a_stretch_is_found_by_shorter_ones() {
+    let values = "viscous 5.73011, coulomb 0.0987196, period 1e-3, delay 3, resolution 1e-5, stiffness 713.444, \
+                  damping 3.56722, damping_time_constant 0.3e-3";
+    let said = line(&report(values).to_text(), PERIOD);
+    assert!(said.starts_with("from 7.489"), "{said}");
+}
+
 /// Time constants on both sides of a stretch that fails pass: the limit is the end of the stretch that
 /// is known to pass from the value on.
 #[test]

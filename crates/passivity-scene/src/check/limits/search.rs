@@ -19,6 +19,10 @@ pub(super) const STEPS: u32 = 32;
 const COARSE_STEPS: u32 = 20;
 const STRETCH_STEPS: u32 = 12;
 
+/// How often a stretch is gone on with from its end, beyond which a value passes: of a shorter one cells
+/// tell more.
+const MOST_ROUNDS: usize = 6;
+
 /// The ends of the values that pass of a parameter that is in the scene: around what it is, or, where
 /// that fails, around the first that passes by factors of two.
 ///
@@ -153,7 +157,19 @@ impl<S: Enclosed> Search<'_, S> {
             true if in_cells && has_range(self.parameter, self.bounds) => COARSE_STEPS,
             true => STEPS,
         };
-        bisected(before.clone(), after, steps, |x| all_pass(before, x))
+        let mut before = before.clone();
+        let mut found = None;
+        for _ in 0..MOST_ROUNDS {
+            let border = bisected(before.clone(), after, steps, |x| all_pass(&before, x))?;
+            let beyond = end.other().hardest(&border);
+            let is_told = is_one_stretch || !self.passes(beyond);
+            before = end.hardest(&border).clone();
+            found = Some(border);
+            if is_told {
+                break;
+            }
+        }
+        found
     }
 }
 
