@@ -7,15 +7,16 @@
 use crate::ball::Ball;
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::dates;
+use crate::log::digits::{Digits, Place};
 use crate::log::error::{self, TraceError, shown};
 use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout};
 use crate::log::lines::Block;
 use crate::log::running::near_number;
-use crate::log::slots::{Slots, half_a_unit};
+use crate::log::slots::Slots;
 use crate::number::{Number, decimal, short};
 use crate::reading::Reading;
-pub(crate) use first::{has_decimal_commas, headings, is_number, names, preview, texts};
+pub(crate) use first::{digits, has_decimal_commas, headings, is_number, names, preview, texts};
 
 mod first;
 
@@ -257,7 +258,7 @@ fn push(
     };
     let force = match layout.force {
         Some(column) => {
-            let (number, rounding) = rounded(force.unwrap_or_default(), notation)
+            let (number, rounding) = rounded(force.unwrap_or_default(), notation, layout.digits)
                 .map_err(|error| error.column(layout.name(column)))?;
             let known = chunk.forces.values.known(number);
             let known = known.map_err(|error| error.column(layout.name(column)))?;
@@ -358,34 +359,12 @@ fn whole(field: &[u8], notation: Notation) -> Result<i64, TraceError> {
     }
 }
 
-/// A number, and half a unit of its last digit: none of a fraction, which is exact.
-fn rounded(text: &[u8], notation: Notation) -> Result<(Number, f64), TraceError> {
+/// A number, and how far off it may have been rounded: a fraction is exact.
+fn rounded(text: &[u8], notation: Notation, digits: Digits) -> Result<(Number, f64), TraceError> {
     if let Some((n, power)) = decimal(text) {
         let decimals = u8::try_from(power.ilog10()).unwrap_or(u8::MAX);
-        return Ok((Number::Small(n, power), half_a_unit(decimals)));
+        return Ok((Number::Small(n, power), digits.half_a_unit_of(n, decimals)));
     }
-    let half = match memchr::memchr(b'/', text) {
-        Some(_) => 0.0,
-        None => half_last_digit(text),
-    };
+    let half = Place::read(text).map_or(0.0, |place| digits.half_a_unit(place));
     Ok((number(text, notation)?, half))
-}
-
-/// Half a unit of the last digit of a decimal: how far off its rounding may be.
-fn half_last_digit(text: &[u8]) -> f64 {
-    let end = text.iter().position(|b| matches!(b, b'e' | b'E'));
-    let (mantissa, exponent) = match end {
-        Some(at) => (
-            text.get(..at).unwrap_or_default(),
-            text.get(at + 1..).unwrap_or_default(),
-        ),
-        None => (text, &b""[..]),
-    };
-    let point = mantissa.iter().position(|b| matches!(b, b'.' | b','));
-    let decimals = point.map_or(0, |at| mantissa.len() - at - 1);
-    let exponent = std::str::from_utf8(exponent)
-        .ok()
-        .and_then(|e| e.parse().ok());
-    let decimals = i32::try_from(decimals).unwrap_or(i32::MAX);
-    0.5 * 10_f64.powi(exponent.unwrap_or(0_i32).saturating_sub(decimals))
 }

@@ -4,6 +4,7 @@
 use passivity_scene::Scene;
 
 use crate::log::columns::{Columns, Found, Role};
+use crate::log::digits::Digits;
 use crate::log::error::{TraceError, shown};
 use crate::log::findings::Beside;
 use crate::log::guess;
@@ -69,6 +70,8 @@ pub(crate) struct Layout {
     per_force: Scale,
     /// KΔ in a unit of force.
     pub(crate) size_of_force: f64,
+    /// Of the forces, as far as the first rows of a text show.
+    pub(crate) digits: Digits,
     /// Ticks per sampling period in a unit of velocity.
     pub(crate) per_velocity: f64,
 }
@@ -163,6 +166,7 @@ impl Layout {
             per_period: Number::whole(1),
             per_force: Scale::One,
             size_of_force: 1.0,
+            digits: Digits::default(),
             per_velocity: 1.0,
         }))
     }
@@ -256,6 +260,7 @@ impl Layout {
             scale: signed(scale, position),
             per_period,
             size_of_force: per_force.size(),
+            digits: Digits::default(),
             per_force,
             per_velocity,
         })

@@ -2,6 +2,8 @@
 
 use std::io::Read;
 
+use crate::log::csv::{self, Notation};
+use crate::log::digits::Digits;
 use crate::log::error::TraceError;
 use crate::log::held::Mark;
 
@@ -144,14 +146,31 @@ impl<R: Read> Lines<R> {
 
     /// The first lines after the header, as far as they have been read.
     pub(crate) fn first(&self) -> Vec<&[u8]> {
+        self.read().take(PREVIEWED).collect()
+    }
+
+    /// How many digits the numbers of a column have in the lines that have been read. While they are zero more are read: a
+    /// device may move on for a while before it meets the wall.
+    pub(crate) fn digits(&mut self, column: usize, notation: Notation) -> Digits {
+        loop {
+            let digits = csv::digits(self.read(), column, notation);
+            let is_done = self.ended || self.broken.is_some() || self.rest.len() > BLOCK;
+            if digits.significant > 0 || is_done {
+                return digits;
+            }
+            self.fill(BLOCK);
+        }
+    }
+
+    /// The lines after the header that have been read.
+    fn read(&self) -> impl Iterator<Item = &[u8]> {
         let lines = self.rest.split_inclusive(|byte| *byte == b'\n');
         let whole = lines.filter(|line| self.ended || line.last() == Some(&b'\n'));
         let lines = whole.map(|line| {
             let line = line.strip_suffix(b"\n").unwrap_or(line);
             line.strip_suffix(b"\r").unwrap_or(line)
         });
-        let written = lines.filter(|line| !line.trim_ascii().is_empty());
-        written.take(PREVIEWED).collect()
+        lines.filter(|line| !line.trim_ascii().is_empty())
     }
 
     /// Reads until `rest` has grown by `more` bytes, or the input ends or breaks: what was read until then is kept.

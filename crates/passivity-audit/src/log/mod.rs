@@ -12,6 +12,7 @@ mod cores;
 mod counted;
 mod csv;
 mod dates;
+mod digits;
 mod error;
 mod exact;
 mod findings;

@@ -77,8 +77,8 @@ impl Slots {
                         (Role::T, _) => chunk.times.push_decimal(n, k),
                         (Role::F, _) => {
                             chunk.forces.values.push_decimal(n, k);
-                            let rounding = half_a_unit(k) * layout.size_of_force;
-                            chunk.forces.roundings.push(rounding);
+                            let rounding = layout.digits.half_a_unit_of(n, k);
+                            chunk.forces.roundings.push(rounding * layout.size_of_force);
                         }
                         (Role::V, _) => {
                             let near = near_number(&Number::Small(n, power_of_ten(k.into())?));
@@ -97,10 +97,4 @@ impl Slots {
         }
         ended.then_some(at)
     }
-}
-
-/// Half a unit of the last digit of a number with so many decimals.
-#[allow(clippy::cast_precision_loss)] // of powers of ten within 64 bits nothing is lost
-pub(crate) fn half_a_unit(decimals: u8) -> f64 {
-    power_of_ten(decimals.into()).map_or(f64::INFINITY, |power| 0.5 / power as f64)
 }

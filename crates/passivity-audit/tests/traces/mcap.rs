@@ -194,11 +194,12 @@ fn a_file_proposes_the_columns_that_read_it() {
 #[test]
 fn a_float_has_no_digits_that_it_was_rounded_to() {
     // In the tick of the wall its force is -0.125 N, to one decimal -0.1.
-    let of = |form: Form, force: f64| {
+    let of = |form: Form, first: f64, force: f64| {
         let sent: Vec<Sent> = (0..9_u32)
             .map(|k| {
                 let stamp = START + u64::from(k) * 1_000_000;
                 let x = f64::from(k) * 1e-5;
+                let force = if k == 0 { first } else { force };
                 Sent {
                     topic: "/joint_states",
                     log_time: stamp,
@@ -212,10 +213,12 @@ fn a_float_has_no_digits_that_it_was_rounded_to() {
         found.report().force.clone().unwrap()
     };
     for (form, mismatches) in [(Form::Cdr, 9), (Form::Ros1, 9), (Form::Json, 0)] {
-        let force = of(form, -0.1);
+        let force = of(form, -0.1, -0.1);
         assert_eq!(force.mismatches, mismatches, "{form:?}");
         assert_eq!(force.agrees, mismatches == 0);
-        assert!(of(form, 0.0).zero);
+        assert!(of(form, 0.0, 0.0).zero);
+        // Beside one with all its digits, -0.1 is -0.100.
+        assert_eq!(of(form, -0.125, -0.1).mismatches, 8, "{form:?}");
     }
 }
 

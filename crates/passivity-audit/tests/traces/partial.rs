@@ -273,6 +273,22 @@ fn a_wrap_is_found_once_wherever_a_log_is_cut() {
 }
 
 #[test]
+fn a_piece_of_short_forces_knows_how_long_those_of_the_log_are() {
+    // The law is −(n + ½) KΔ, and from row 6 on the force is limited.
+    let limited = "3,-3\n".repeat(6);
+    let text = format!("count,f\n0,-0.5\n1,-1.5\n2,-2.5\n1,-1.5\n2,-2.5\n{limited}");
+    let log = Scratch::new("csv", text.as_bytes());
+    let scene = &scene("[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n");
+    let whole = audit(&log, scene, Options::default()).unwrap().to_json();
+    assert_eq!(whole["force"]["mismatches"], 6);
+    let parts = stretches(&[3, 8])
+        .into_iter()
+        .map(|stretch| part(&log, scene, stretch, false));
+    let parts = parts.collect::<Result<Vec<_>, _>>().unwrap();
+    assert_eq!(merge_parts(&parts, scene).unwrap().to_json(), whole);
+}
+
+#[test]
 fn compressed_logs_and_streams_are_refused() {
     let scene = &scenes()[0];
     let log = Scratch::new("csv.gz", &[0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 3]);

@@ -2,6 +2,7 @@
 
 use super::{Notation, fields, moment, number, trimmed};
 use crate::log::dates;
+use crate::log::digits::{Digits, Place};
 use crate::log::error::TraceError;
 use crate::log::header::Heading;
 use crate::log::lines::CARRIAGE_RETURNS;
@@ -85,6 +86,22 @@ pub(crate) fn preview(lines: &[&[u8]], headings: &[Heading], notation: Notation)
         fields.map(near).collect()
     };
     Preview::of_rows(&lines.iter().map(row).collect::<Vec<_>>())
+}
+
+/// How many digits the numbers of a column have.
+pub(crate) fn digits<'l>(
+    lines: impl Iterator<Item = &'l [u8]>,
+    column: usize,
+    notation: Notation,
+) -> Digits {
+    let mut digits = Digits::default();
+    for line in lines {
+        let field = fields(line, notation.delimiter).nth(column);
+        if let Some(place) = field.and_then(|field| Place::read(trimmed(field))) {
+            digits.see(place);
+        }
+    }
+    digits
 }
 
 /// The double near a field that is a number.

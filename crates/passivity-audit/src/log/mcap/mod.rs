@@ -71,6 +71,9 @@ impl Log {
             old_after(scene),
         )?;
         layout.beside.finding = rows.start()?;
+        if let Some(force) = layout.force {
+            layout.digits = rows.digits(force);
+        }
         Ok((rows, layout))
     }
 

@@ -8,6 +8,8 @@ use std::path::Path;
 
 use mcap::records::Record;
 
+use crate::log::csv::{self, Notation};
+use crate::log::digits::Digits;
 use crate::log::error::{TraceError, legible, shown};
 use crate::log::findings::Finding;
 use crate::log::guarded::guarded;
@@ -206,6 +208,17 @@ impl Rows {
             ),
             fix: "if they matter, record the other topic from an earlier time on".to_owned(),
         }))
+    }
+
+    /// How many digits the numbers of a column have in the first rows.
+    pub(crate) fn digits(&mut self, column: usize) -> Digits {
+        /// About as much text as is looked at.
+        const FIRST: usize = 1 << 16;
+        while !self.ended && self.text.len() < FIRST {
+            self.step();
+        }
+        let lines = self.text.lines().map(str::as_bytes);
+        csv::digits(lines, column, Notation::default())
     }
 
     /// The next rows; `None` after the last.

@@ -35,12 +35,15 @@ impl Dialect {
         let (line, notation) = self.names(lines)?;
         let (line, first) = (&line[..], &lines.first()[..]);
         let told = self.columns.as_ref();
-        let layout = layout(line, first, notation, told, scene)
+        let mut layout = layout(line, first, notation, told, scene)
             .map_err(|error| otherwise(error, notation, (line, first), self, scene))?;
         let said = Said {
             headings: layout.headings.clone(),
             preview: csv::preview(first, &layout.headings, notation),
         };
+        if let Some(force) = layout.force {
+            layout.digits = lines.digits(force, notation);
+        }
         Ok((layout, said, notation))
     }
 

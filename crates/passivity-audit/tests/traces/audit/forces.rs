@@ -69,3 +69,50 @@ fn a_logged_force_is_accounted_for_whatever_filter_or_controller_made_it() {
         assert_eq!(of(more, b"xi\n0\n1\n").verdict(), Verdict::NotCovered);
     }
 }
+
+/// Of 1000 N/m, 0.03 mm and a law of −0.03 N/tick.
+const LINEAR: &str = "[device]\nviscous = \"20 N s/m\"\ncoulomb = \"2 N\"\n[sampling]\nperiod = \"1 ms\"\n\
+                      [encoder]\nresolution = \"0.03 mm\"\n[wall]\nstiffness = \"1000 N/m\"\n";
+
+/// A log of so many rows before the wall and 240 with the wall's force in mN, none above 2 N, as they are written.
+fn clipped(before: usize, written: impl Fn(i64) -> String) -> String {
+    let count = |i: i64| (80.0 * (i as f64 / 20.0).sin()) as i64;
+    let force = |n: i64| (-30 * n - 15).clamp(-2000, 2000);
+    let mut csv = "count,f [N]\n".to_owned();
+    for n in (0..240).map(count) {
+        writeln!(csv, "{n},{}", written(force(n))).unwrap();
+    }
+    let (header, rows) = csv.split_once('\n').unwrap();
+    format!("{header}\n{}{rows}", "-1,0\n".repeat(before))
+}
+
+#[test]
+fn a_limit_that_is_written_short_is_no_rounding() {
+    let fixed = |f: i64| format!("{:.3}", f as f64 / 1000.0);
+    let short = |f: i64| format!("{}", f as f64 / 1000.0);
+    let force = |csv: &str, block: usize| {
+        let force = audited(csv.as_bytes(), &scene(LINEAR), 1, block)
+            .0
+            .to_json()["force"]
+            .clone();
+        assert_eq!(force["agrees"], false, "{force}");
+        force["mismatches"].clone()
+    };
+    let expected = force(&clipped(0, fixed), 0);
+    assert_ne!(expected, 0);
+    for block in [0, 30] {
+        assert_eq!(force(&clipped(0, short), block), expected);
+        // For the careful parser.
+        assert_eq!(
+            force(&clipped(0, |f| format!("\"{}\"", short(f))), block),
+            expected
+        );
+        assert_eq!(
+            force(&clipped(0, |f| format!("{}e-3", short(1000 * f))), block),
+            expected
+        );
+    }
+    // More zeros than are looked at at once come before.
+    let late = |written: &dyn Fn(i64) -> String| force(&clipped(14_000, written), 0);
+    assert_eq!(late(&short), late(&fixed));
+}
