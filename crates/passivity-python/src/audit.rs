@@ -1,11 +1,12 @@
 //! Audits: of files, of arrays, of pieces.
 
+use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use passivity_audit::{
     Audit, Dialect, Options, Partial, Stretch, TraceError, Values, audit_columns, audit_files,
-    audit_part, merge_parts,
+    audit_part, legible, merge_parts,
 };
 use pyo3::buffer::PyBuffer;
 use pyo3::exceptions::PyValueError;
@@ -69,6 +70,17 @@ pub(crate) fn dialect(
 /// A report with its certificate, as JSON.
 type Report = (String, Option<String>);
 
+/// The error of a log, with the file that it says nothing of where that cannot be opened.
+fn of_log(log: &Path) -> impl Fn(TraceError) -> TraceError {
+    move |mut error| {
+        if error.kind == "io" && File::open(log).is_err() {
+            let (log, message) = (legible(&log.to_string_lossy()), &error.message);
+            error.message = format!("`{log}`: {message}; a text is the path of a file");
+        }
+        error
+    }
+}
+
 fn report(py: Python<'_>, audit: Result<Audit, TraceError>) -> PyResult<Report> {
     let audit = audit.map_err(|error| of_trace(py, &error))?;
     let certificate = audit.certificate().map(serde_json::to_string).transpose();
@@ -102,7 +114,9 @@ pub(crate) fn audit_file(
             rows: written.map(|file| file as &mut (dyn Write + '_)),
             ..reading.options(dialect, &look)
         };
-        (audit_files(&traces, &scene, options), rows)
+        let first = traces.first().map_or(Path::new(""), PathBuf::as_path);
+        let audit = audit_files(&traces, &scene, options).map_err(of_log(first));
+        (audit, rows)
     })?;
     reported(py, audit, rows)
 }
@@ -189,7 +203,7 @@ pub(crate) fn audit_piece(
     let part = follow(py, progress.as_ref(), move |watch| {
         let look = |samples| watch.set(samples);
         let options = reading.options(dialect, &look);
-        let part = audit_part(&trace, &scene, stretch, options)?;
+        let part = audit_part(&trace, &scene, stretch, options).map_err(of_log(&trace))?;
         Ok((part.to_json()?, part.samples(), part.intervals()))
     })?;
     part.map_err(|error: TraceError| of_trace(py, &error))

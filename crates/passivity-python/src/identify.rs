@@ -67,14 +67,6 @@ pub(crate) fn identify(
     let dialect = dialect(py, columns, delimiter, asked.decimal_comma)?;
     let (name, text) = text_of(&sketch)?;
     let scene = read_sketch(&name, &text).map_err(|error| of_scene(py, &error))?;
-    if asked
-        .effort
-        .is_some_and(|effort| !(1..=100_000).contains(&effort))
-    {
-        return Err(PyValueError::new_err(
-            "effort: expected 1 to 100000 millions of intervals",
-        ));
-    }
     let answer = follow(py, progress.as_ref(), move |watch| {
         let (mut sampled, mut files) = (Vec::new(), Vec::new());
         for path in &logs {

@@ -1,5 +1,6 @@
 """The package as a user has it: run with `python -m unittest` where it is installed."""
 
+import json
 import os
 import tempfile
 import unittest
@@ -10,6 +11,7 @@ from fractions import Fraction
 import passivity
 
 SCENE = {"dimensionless": {"mu": 50, "beta": "3/5", "sigma": Fraction(3, 5)}}
+SKETCH = {"dimensionless": {"mu": 10}}
 
 try:
     import numpy
@@ -117,6 +119,68 @@ class Simulate(unittest.TestCase):
         self.assertEqual(report["verdict"], "holds")
         ours = float(Fraction(report["totals"]["generated_linear"]))
         self.assertAlmostEqual(ours, result["totals"]["generated_linear"], delta=1e-9)
+
+
+class Errors(unittest.TestCase):
+    def test_a_scene_says_where(self):
+        text = '[sampling]\nperiod = "1 ms"\n[wall]\nstifness = "2 N m/rad"\n'
+        with self.assertRaises(passivity.SceneError) as caught:
+            passivity.check(text)
+        error = caught.exception
+        self.assertIsInstance(error, ValueError)
+        self.assertEqual((error.kind, error.line), ("missing_key", 3))
+        self.assertIsNotNone(json.loads(error.diagnostics))
+
+    def test_a_scene_of_what_is_no_number_says_where(self):
+        for value in (float("nan"), float("inf"), Decimal("nan")):
+            with self.subTest(value=value), self.assertRaises(passivity.SceneError) as caught:
+                passivity.check({"dimensionless": {"beta": 1, "sigma": value}})
+            self.assertEqual(caught.exception.key, "dimensionless.sigma")
+
+    def test_what_is_no_scene_is_named(self):
+        for wrong in (b"x", 3, None):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(TypeError, "scene: expected the path"):
+                passivity.check(wrong)
+
+    def test_a_trace_says_where(self):
+        with self.assertRaises(passivity.TraceError) as caught:
+            passivity.audit([0.0, 1.0], SCENE, unit="kg")
+        self.assertEqual((caught.exception.kind, caught.exception.column), ("unit", "x [kg]"))
+
+    def test_a_text_is_the_path_of_a_log(self):
+        for trace in ("nowhere.csv", ["nowhere.csv", "1/2"], ("nowhere.csv",)):
+            with self.subTest(trace=trace), self.assertRaisesRegex(passivity.TraceError, "^`nowhere.csv`: .* path of a file$"):
+                passivity.audit(trace, SCENE)
+
+    def test_an_empty_text_is_a_scene_without_anything(self):
+        for call in (passivity.check, passivity.simulate, lambda scene: passivity.audit([0, 1], scene)):
+            with self.assertRaisesRegex(passivity.SceneError, "the scene has no"):
+                call("")
+
+    def test_a_number_that_is_too_large_has_a_row(self):
+        columns = [([0, 1, 2**70], 3), ([0.5, 2**2000], 2), (memoryview(array("Q", [1, 2**63])), 2)]
+        for values, row in columns:
+            with self.assertRaisesRegex(ValueError, f"^trace: row {row}: "):
+                passivity.audit(values, SCENE)
+
+    def test_how_many_is_a_whole_number_in_a_range(self):
+        limits = {
+            "intervals": (1, 10**9, lambda n: passivity.simulate(SCENE, speed=3, intervals=n)),
+            "effort": (1, 100_000, lambda n: passivity.identify("log.csv", SKETCH, effort=n)),
+            "threads": (0, 1024, lambda n: passivity.audit([0, 1], SCENE, threads=n)),
+        }
+        for name, (least, most, call) in limits.items():
+            for wrong in (least - 1, -(2**70), most + 1, 2**70, 1.5, "7", True):
+                said = f"^{name}: expected a whole number from {least} to {most}, found {wrong!r}$"
+                with self.subTest(wrong=wrong), self.assertRaisesRegex(ValueError, said):
+                    call(wrong)
+        for wrong in ({"intervals": 0}, {"threads": -1}):
+            with self.assertRaisesRegex(ValueError, "expected a whole number"):
+                passivity.sweep(SCENE, beta=1, sigma=1, **wrong)
+
+    def test_a_motion_that_cannot_be(self):
+        with self.assertRaises(passivity.SimulationError):
+            passivity.simulate({"dimensionless": {"beta": 1, "sigma": 1}})
 
 
 if __name__ == "__main__":

@@ -67,7 +67,8 @@ def _exact(value):
 def _scene(scene):
     if isinstance(scene, _Mapping):
         return "object", _json.dumps(_finite(scene), default=_exact)
-    if isinstance(scene, str) and "\n" in scene:
+    # No file has an empty name: that is the text of a scene without anything.
+    if isinstance(scene, str) and ("\n" in scene or not scene):
         return "text", scene
     if isinstance(scene, (str, _os.PathLike)) and isinstance(path := _os.fspath(scene), str):
         return "path", path
@@ -94,8 +95,21 @@ def _reading(columns, delimiter, decimal_comma, law, threads):
         "delimiter": delimiter,
         "decimal_comma": decimal_comma,
         "law": law,
-        "threads": threads,
+        "threads": _whole("threads", threads, 0, 1024),
     }
+
+
+def _whole(name, value, least, most):
+    """A whole number in a range, or None."""
+    if value is None:
+        return None
+    if isinstance(value, _Integral) and not isinstance(value, bool) and least <= value <= most:
+        return int(value)
+    raise ValueError(f"{name}: expected a whole number from {least} to {most}, found {value!r}")
+
+
+def _intervals(value):
+    return _whole("intervals", value, 1, _passivity.MAX_INTERVALS)
 
 
 def _range(values):
@@ -114,7 +128,7 @@ def _ranges(beta=None, sigma=None, speed=None, vary=None, intervals=None):
         "sigma": _range(sigma),
         "speed": _range(speed),
         "vary": [f"{key}={_range(values)}" for key, values in (vary or {}).items()],
-        "intervals": intervals,
+        "intervals": _intervals(intervals),
     }
 
 
@@ -289,7 +303,7 @@ def identify(
         "count_error": count_error,
         "force_error": force_error,
         "free_inertia": inertia == "free",
-        "effort": effort,
+        "effort": _whole("effort", effort, 1, 100_000),
         "device": device,
         "date": date,
     }
@@ -324,7 +338,7 @@ def simulate(
     report, columns = _passivity.simulate(
         _scene(scene),
         method,
-        intervals,
+        _intervals(intervals),
         None if speed is None else str(_exact(speed) if not isinstance(speed, str) else speed),
         trace,
         _told(progress, intervals),
@@ -360,7 +374,7 @@ def sweep(
     (6, 'at_rest')
     """
     ranges = _ranges(beta, sigma, speed, vary, intervals)
-    where = _scene(scene)
+    where, threads = _scene(scene), _whole("threads", threads, 0, 1024)
     points, axes, _ = _passivity.grid(where, ranges)
     told = _told(progress, points)
     if out is not None:

@@ -60,13 +60,10 @@ def _of_view(view, name):
         return view, True
     if kind == "d":
         return view, False
-    try:
-        if kind and kind in "bBhHiIlLqQ":
-            return _array("q", view.tolist()), True
-        if kind in ("f", "e"):
-            return _array("d", view.tolist()), False
-    except OverflowError as error:
-        raise ValueError(f"{name}: {error}") from None
+    if kind and kind in "bBhHiIlLqQ":
+        return _column("q", view.tolist(), name), True
+    if kind in ("f", "e"):
+        return _column("d", view.tolist(), name), False
     raise ValueError(f"{name}: expected numbers, found the format {view.format!r}")
 
 
@@ -82,11 +79,17 @@ def _of_sequence(values, name):
         if isinstance(x, _numbers.Rational) and not isinstance(x, _numbers.Integral):
             raise ValueError(f"{name}: expected integers or floats, found {type(x).__name__}")
     whole = all(isinstance(x, _numbers.Integral) for x in values)
+    column = _column("q" if whole else "d", map(int if whole else float, values), name)
+    for x, double in zip(() if whole else values, column):
+        if isinstance(x, _numbers.Integral) and double != x:
+            raise ValueError(f"{name}: no double is {x}, an integer among floats")
+    return column, whole
+
+
+def _column(code, values, name):
+    column = _array(code)
     try:
-        column = _array("q" if whole else "d", map(int if whole else float, values))
-        for x, double in zip(() if whole else values, column):
-            if isinstance(x, _numbers.Integral) and double != x:
-                raise ValueError(f"{name}: no double is {x}, an integer among floats")
-        return column, whole
+        column.extend(values)
     except (OverflowError, TypeError) as error:
-        raise ValueError(f"{name}: {error}") from None
+        raise ValueError(f"{name}: row {len(column) + 1}: {error}") from None
+    return column

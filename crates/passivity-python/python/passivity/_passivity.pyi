@@ -2,6 +2,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 __version__: str
+MAX_INTERVALS: int
 
 class SceneError(ValueError):
     line: int | None
