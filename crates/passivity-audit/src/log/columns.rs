@@ -280,6 +280,25 @@ fn unquoted(text: &str) -> Option<(String, &str)> {
     }
 }
 
+/// The unit of a column: that of its type, where it has one, which the header may only repeat.
+pub(crate) fn unit_of(found: &Found, headings: &[Heading]) -> Result<Option<String>, TraceError> {
+    let heading = headings.get(found.column);
+    let Some(own) = heading.and_then(|heading| heading.unit) else {
+        return Ok(found.unit.clone());
+    };
+    match &found.unit {
+        Some(unit) if !same_unit(unit, own) => {
+            let message = format!(
+                "the type of this column says that it is in `{own}`, not in `{}`",
+                shown(unit.as_bytes())
+            );
+            let name = heading.map(|heading| heading.name.clone());
+            Err(TraceError::new("unit", message).column(name.unwrap_or_default()))
+        }
+        _ => Ok(Some(own.to_owned())),
+    }
+}
+
 /// Whether two names are of one unit.
 pub(crate) fn same_unit(a: &str, b: &str) -> bool {
     matches!((read_unit(a), read_unit(b)), (Ok(a), Ok(b)) if a == b)

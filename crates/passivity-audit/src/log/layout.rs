@@ -3,7 +3,7 @@
 
 use passivity_scene::Scene;
 
-use crate::log::columns::{Columns, Found, Role};
+use crate::log::columns::{Columns, Found, Role, unit_of};
 use crate::log::digits::Digits;
 use crate::log::error::{TraceError, shown};
 use crate::log::findings::Beside;
@@ -426,25 +426,6 @@ fn form<'f>(said: &'f [Found], headings: &[Heading]) -> Result<(Form, &'f Found)
                 "expected a column `xi`, `x [unit]` or `count`, found `{found}`"
             )))
         }
-    }
-}
-
-/// The unit of a column: that of its type, where it has one, which the header may only repeat.
-fn unit_of(found: &Found, headings: &[Heading]) -> Result<Option<String>, TraceError> {
-    let heading = headings.get(found.column);
-    let Some(own) = heading.and_then(|heading| heading.unit) else {
-        return Ok(found.unit.clone());
-    };
-    match &found.unit {
-        Some(unit) if !crate::log::columns::same_unit(unit, own) => {
-            let message = format!(
-                "the type of this column says that it is in `{own}`, not in `{}`",
-                shown(unit.as_bytes())
-            );
-            let name = heading.map(|heading| heading.name.clone());
-            Err(TraceError::new("unit", message).column(name.unwrap_or_default()))
-        }
-        _ => Ok(Some(own.to_owned())),
     }
 }
 
