@@ -76,7 +76,7 @@ pub use outcome::Audit;
 pub use partial::{Partial, audit_part, merge_parts};
 pub use piece::Stretch;
 pub use report::{
-    Agreement, ByLaw, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
+    Agreement, ByLaw, Drawn, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
     Running, Sampling, Shown, Supplied, Verdict,
 };
 pub use samples::{MAX_SAMPLES, Sampled, samples};

@@ -13,7 +13,7 @@ use crate::log::findings::{Finding, of_force, of_velocity};
 use crate::log::layout::Form;
 use crate::log::merge::Findings;
 use crate::log::report::{
-    Agreement, ByLaw, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
+    Agreement, ByLaw, Drawn, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
     Running, Sampling, Shown, Supplied, Verdict,
 };
 use crate::log::running::{Lowest, RunningSum};
@@ -59,7 +59,7 @@ impl Audit {
         let supply = match &findings.first {
             Some(first) => {
                 let [_, stored] = potential(task.ledger, first).ok_or_else(undefined)?;
-                Some(Supplied::new(lowest, &stored.to_rational()))
+                Some(Supplied::new(lowest, &stored.to_rational(), task.running))
             }
             None => None,
         };
@@ -263,8 +263,8 @@ fn of_supply([least, most]: [Option<&Lowest>; 2]) -> Verdict {
 }
 
 impl Supplied {
-    /// From the lowest that was left of what was stored at the start, at the least and at the most.
-    fn new([least, most]: [Option<&Lowest>; 2], stored: &BigRational) -> Self {
+    /// From the lowest that was left of what was stored at the start, at the least and, where it is known, at the most.
+    fn new([least, most]: [Option<&Lowest>; 2], stored: &BigRational, most_is_known: bool) -> Self {
         use num_traits::{Signed as _, Zero as _};
         // At the start it is zero.
         let supplied = least.map(|lowest| (lowest.value() - stored, lowest.h));
@@ -276,8 +276,10 @@ impl Supplied {
             least,
             after,
             floor: -stored,
-            surely_drawn: surely.as_ref().map(|(value, _)| -value),
-            surely_drawn_after: surely.map(|(_, h)| h),
+            drawn: most_is_known.then(|| Drawn {
+                surely_drawn: surely.as_ref().map(|(value, _)| -value),
+                surely_drawn_after: surely.map(|(_, h)| h),
+            }),
         }
     }
 }

@@ -145,7 +145,15 @@ pub struct Supplied {
     /// has drawn more than was stored.
     #[serde(serialize_with = "rational")]
     pub floor: BigRational,
-    /// How far below the floor it surely was at the lowest, where it was.
+    /// What was surely drawn; `None` of the scene's own law without memory, for which no verdict asks for it.
+    #[serde(flatten)]
+    pub drawn: Option<Drawn>,
+}
+
+/// What the operator has surely drawn beyond what was stored at the start, in KΔ².
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Drawn {
+    /// How far below the floor the supply surely was at the lowest, where it was.
     #[serde(serialize_with = "optional_rational")]
     pub surely_drawn: Option<BigRational>,
     /// After how many intervals that was.

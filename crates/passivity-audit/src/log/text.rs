@@ -87,7 +87,8 @@ impl Report {
     fn answer(&self) -> String {
         let drawn = || {
             let supply = self.running.supply.as_ref();
-            let lowest = supply.and_then(|s| s.surely_drawn.as_ref().zip(s.surely_drawn_after));
+            let drawn = supply.and_then(|supply| supply.drawn.as_ref());
+            let lowest = drawn.and_then(|d| d.surely_drawn.as_ref().zip(d.surely_drawn_after));
             lowest.map_or_else(String::new, |(drawn, after)| {
                 let drawn = approx(drawn);
                 format!(", by {drawn} KΔ² after row {}", after + 1)

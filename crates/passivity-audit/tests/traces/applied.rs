@@ -328,6 +328,14 @@ fn a_loop_with_memory_is_judged_by_what_the_operator_drew() {
     let supply = &audit.to_json()["running"]["supply"];
     assert_eq!(supply["surely_drawn"], "188/5");
     assert_eq!(supply["least"], "-188/5");
+    let drawn = |scene: &Scene| {
+        let json = audited("xi\n0\n1\n", scene).to_json();
+        let supply = json["running"]["supply"].as_object().unwrap().clone();
+        ["surely_drawn", "surely_drawn_after"].map(|key| supply.get(key).cloned())
+    };
+    // Null says that nothing surely was; where the verdict does not ask, nothing is said.
+    assert_eq!(drawn(&late), [const { Some(Value::Null) }; 2]);
+    assert_eq!(drawn(&three_fifths()), [const { None }; 2]);
     let damped = scene(
         "[dimensionless]\nbeta = \"3\"\nsigma = \"3\"\n[sampling]\ndelay = 1\n[wall]\ndamping = \"1/4\"",
     );
@@ -401,7 +409,7 @@ proptest! {
             // By chance the forces may be the law's.
             prop_assume!(whole.report().judged == Judged::Running);
             let supply = whole.report().running.supply.as_ref().unwrap();
-            let drawn = supply.surely_drawn.clone();
+            let drawn = supply.drawn.clone().unwrap().surely_drawn;
             let is_drawn = lowest.is_negative();
             if is_exact {
                 prop_assert_eq!(&supply.floor, &-start.clone());
