@@ -166,10 +166,7 @@ impl<R: Read> Lines<R> {
     fn read(&self) -> impl Iterator<Item = &[u8]> {
         let lines = self.rest.split_inclusive(|byte| *byte == b'\n');
         let whole = lines.filter(|line| self.ended || line.last() == Some(&b'\n'));
-        let lines = whole.map(|line| {
-            let line = line.strip_suffix(b"\n").unwrap_or(line);
-            line.strip_suffix(b"\r").unwrap_or(line)
-        });
+        let lines = whole.map(|line| without_return(line.strip_suffix(b"\n").unwrap_or(line)));
         lines.filter(|line| !line.trim_ascii().is_empty())
     }
 
@@ -240,7 +237,11 @@ impl<R: Read> Lines<R> {
 
 fn clean(line: &[u8]) -> Vec<u8> {
     let line = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line);
-    line.strip_suffix(b"\r").unwrap_or(line).to_vec()
+    without_return(line).to_vec()
+}
+
+fn without_return(line: &[u8]) -> &[u8] {
+    line.strip_suffix(b"\r").unwrap_or(line)
 }
 
 /// Whether a line after comments is a row: it starts as a number does.

@@ -169,16 +169,11 @@ fn scaled(p: i64, n: i64, q: i64, k: u32) -> Option<Ball> {
     Ball::of_scaled_quotient((n < 0) != (p < 0), size * by, q.unsigned_abs(), k)
 }
 
-fn unit(text: Option<&str>, example: &str) -> Result<Unit, TraceError> {
-    match text {
-        Some(text) => read_unit(text),
-        None => Err(needed(example)),
-    }
-}
-
-fn needed(example: &str) -> TraceError {
-    let message = format!("a column with a unit is needed, as in `{example}`");
-    TraceError::new("unit", message)
+fn given<'t>(text: Option<&'t str>, example: &str) -> Result<&'t str, TraceError> {
+    text.ok_or_else(|| {
+        let message = format!("a column with a unit is needed, as in `{example}`");
+        TraceError::new("unit", message)
+    })
 }
 
 fn needs_units(scene: &Scene, instead: &str) -> Result<(), TraceError> {
@@ -211,7 +206,7 @@ fn expect(unit: &Unit, linear: Dimension, scene: &Scene, what: &str) -> Result<(
 
 pub(crate) fn position_scale(text: Option<&str>, scene: &Scene) -> Result<Scale, TraceError> {
     needs_units(scene, "xi")?;
-    let unit = unit(text, "x [rad]")?;
+    let unit = read_unit(given(text, "x [rad]")?)?;
     expect(&unit, Dimension::new(0, 1, 0, 0), scene, "a position")?;
     let scale = Scale::of(exact(&unit).over(nominal(scene).length()))?;
     if scale.is_irrational() && !scene.given.has_encoder() {
@@ -245,7 +240,7 @@ pub(crate) fn revolution(scene: &Scene) -> Option<f64> {
 
 pub(crate) fn time_scale(text: Option<&str>, scene: &Scene) -> Result<Number, TraceError> {
     needs_units(scene, "tau")?;
-    let unit = unit(text, "t [s]")?;
+    let unit = read_unit(given(text, "t [s]")?)?;
     if unit.dimension() != Dimension::new(0, 0, 1, 0) {
         let message = "expected a unit of time, such as `s`";
         return Err(TraceError::new("unit", message));
@@ -260,10 +255,7 @@ pub(crate) fn force_scale(text: Option<&str>, scene: &Scene) -> Result<Scale, Tr
     if text.is_none() && scene.motion == Motion::Dimensionless {
         return Ok(Scale::One);
     }
-    let Some(text) = text else {
-        return Err(needed("f [N]"));
-    };
-    let unit = read_unit_of_force(text)?;
+    let unit = read_unit_of_force(given(text, "f [N]")?)?;
     needs_units(scene, "f")?;
     expect(&unit, Dimension::new(1, 1, -2, 0), scene, "a force")?;
     Scale::of(exact(&unit).over(nominal(scene).force_unit()))
@@ -274,7 +266,7 @@ pub(crate) fn velocity_scale(text: Option<&str>, scene: &Scene) -> Result<f64, T
     if text.is_none() && scene.motion == Motion::Dimensionless {
         return Ok(1.0);
     }
-    let unit = unit(text, "v [rad/s]")?;
+    let unit = read_unit(given(text, "v [rad/s]")?)?;
     needs_units(scene, "v")?;
     let linear = scene.motion == Motion::Linear;
     let expected = Dimension::new(0, i8::from(linear), -1, 0);

@@ -209,13 +209,13 @@ impl Report {
     fn sampling(&self, out: &mut Lines) {
         let Some(timing) = &self.timing else { return };
         let (late, missed) = (timing.late, timing.missed_samples);
-        let samples = if missed == 1 { "sample" } else { "samples" };
         let [shortest, longest] = [&timing.shortest, &timing.longest].map(approx);
         out.put(
             "sampling",
             &format!(
-                "{shortest} … {longest} periods, {} late, {missed} {samples} missed",
-                intervals(late)
+                "{shortest} … {longest} periods, {} late, {} missed",
+                intervals(late),
+                number_of(missed, "sample")
             ),
         );
     }
@@ -238,8 +238,12 @@ fn listed(names: &[String]) -> String {
 
 /// `1 interval`, or `3 intervals`.
 fn intervals(count: u64) -> String {
+    number_of(count, "interval")
+}
+
+fn number_of(count: u64, what: &str) -> String {
     let ending = if count == 1 { "" } else { "s" };
-    format!("{count} interval{ending}")
+    format!("{count} {what}{ending}")
 }
 
 /// `, the first at row 3`, where there is one.

@@ -106,16 +106,12 @@ fn audited(document: &mut Document, study: &Study, log: &Log) {
             "1" => "every interval lasts one period".to_owned(),
             ends => format!("intervals of {ends} periods"),
         };
-        let samples = match timing.missed_samples {
-            1 => "sample",
-            _ => "samples",
-        };
         row(
             "Sampling",
             format!(
-                "{ends}; {} longer than a period; {} {samples} missed",
+                "{ends}; {} longer than a period; {} missed",
                 intervals(timing.late),
-                timing.missed_samples
+                number_of(timing.missed_samples, "sample")
             ),
         );
     }
@@ -142,8 +138,12 @@ fn counted(surely: u64, open: u64) -> String {
 }
 
 fn intervals(count: u64) -> String {
+    number_of(count, "interval")
+}
+
+fn number_of(count: u64, what: &str) -> String {
     let ending = if count == 1 { "" } else { "s" };
-    format!("{count} interval{ending}")
+    format!("{count} {what}{ending}")
 }
 
 /// A figure between the decimals on both sides of it.

@@ -33,8 +33,13 @@ pub(super) fn not_read(
             names.join(", ")
         )],
     };
+    let cannot_be_read = |column: usize, why: &str, put_right: &str| {
+        format!(
+            "the column {} cannot be read ({why}): {put_right}",
+            name(column)
+        )
+    };
     said.extend(unreadable.iter().map(|unreadable| {
-        let (name, why) = (name(unreadable.column), &unreadable.why);
         let put_right = match scene.motion {
             _ if unreadable.is_force() => FORCE,
             _ if !unreadable.is_clock() => "name the others to leave it out",
@@ -47,16 +52,13 @@ pub(super) fn not_read(
                  `2023-11-14T22:13:20.5Z`; if `--columns` leaves it out, all rows are taken to be one sampling period apart"
             }
         };
-        format!("the column {name} cannot be read ({why}): {put_right}")
+        cannot_be_read(unreadable.column, &unreadable.why, put_right)
     }));
     // Nor is a force of this name read, where its unit is another's.
     said.extend(known.iter().filter_map(|found| {
         let unit = found.unit.as_deref().filter(|_| found.role == Role::F)?;
-        let (name, why) = (name(found.column), force_scale(Some(unit), scene).err()?);
-        Some(format!(
-            "the column {name} cannot be read ({}): {FORCE}",
-            why.message
-        ))
+        let why = force_scale(Some(unit), scene).err()?;
+        Some(cannot_be_read(found.column, &why.message, FORCE))
     }));
     header(said.join("; "))
 }

@@ -127,16 +127,15 @@ fn state(xi: f64, velocity: f64, scales: &Scales) -> String {
 fn detail(detail: &Detail) -> Vec<String> {
     match detail {
         Detail::None => Vec::new(),
-        Detail::Exact([xi, v]) | Detail::Digits([xi, v]) => vec![
-            format!("              ξ = {xi}"),
-            format!("              ξ̇ = {v}"),
-        ],
+        Detail::Exact([xi, v]) | Detail::Digits([xi, v]) => {
+            vec![format!("{INDENT}ξ = {xi}"), format!("{INDENT}ξ̇ = {v}")]
+        }
         Detail::Enclosed {
             ends: [[xi_lo, xi_hi], [v_lo, v_hi]],
             bits,
         } => vec![
-            format!("              ξ in [{xi_lo:?}, {xi_hi:?}]"),
-            format!("              ξ̇ in [{v_lo:?}, {v_hi:?}], by numbers of {bits} bits"),
+            format!("{INDENT}ξ in [{xi_lo:?}, {xi_hi:?}]"),
+            format!("{INDENT}ξ̇ in [{v_lo:?}, {v_hi:?}], by numbers of {bits} bits"),
         ],
     }
 }
