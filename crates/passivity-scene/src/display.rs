@@ -1,7 +1,7 @@
 //! Exact numbers as people read them.
 
 use num_bigint::BigInt;
-use num_traits::Signed as _;
+use num_traits::{Signed as _, Zero as _};
 use passivity_core::{BigRational, Interval};
 
 use crate::number::nearest_f64;
@@ -18,10 +18,17 @@ use crate::number::nearest_f64;
 /// assert_eq!(approx(&ratio(2, 3)), "0.66667");
 /// assert_eq!(approx(&ratio(1, 2)), "0.5");
 /// assert_eq!(approx(&ratio(-9, 1_000_000)), "-9e-6");
+/// assert_eq!(approx(&ratio(10, 1).pow(400)), "1e400");
+/// assert_eq!(approx(&ratio(10, 1).pow(-400)), "1e-400");
 /// ```
 #[must_use]
 pub fn approx(x: &BigRational) -> String {
-    significant(nearest_f64(x))
+    let near = nearest_f64(x);
+    // No double is near what is past all of them, or too small.
+    match near.is_normal() || x.is_zero() {
+        true => significant(near),
+        false => nearest(x, 5),
+    }
 }
 
 /// Five significant digits of a double, plain between 10⁻⁴ and 10⁶ and with an exponent elsewhere.

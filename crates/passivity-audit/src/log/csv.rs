@@ -36,11 +36,22 @@ impl Default for Notation {
     }
 }
 
-/// The fields of a line, in the quotes in which they stand.
+/// The fields of a line, in the quotes in which they stand. Between two of them there may be a run of spaces, where it is
+/// spaces that stand there, and some at the ends.
 fn fields(line: &[u8], delimiter: u8) -> impl Iterator<Item = &[u8]> {
-    let mut rest = Some(line);
+    let by_spaces = delimiter == b' ';
+    let mut rest = Some(if by_spaces {
+        line.trim_ascii_end()
+    } else {
+        line
+    });
     std::iter::from_fn(move || {
         let text = rest?;
+        let text = if by_spaces {
+            text.trim_ascii_start()
+        } else {
+            text
+        };
         let mut end = memchr::memchr(delimiter, text);
         if text.trim_ascii_start().first() == Some(&b'"') {
             // A quote within quotes is written twice: it closes and opens them.

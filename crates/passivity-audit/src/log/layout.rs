@@ -9,7 +9,7 @@ use crate::log::error::{TraceError, shown};
 use crate::log::findings::Beside;
 use crate::log::guess;
 use crate::log::header::Heading;
-use crate::log::names::{by_name, is_no_clock};
+use crate::log::names::{by_name, is_no_clock, is_no_time};
 use crate::log::preview::Preview;
 use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
 use crate::number::{Number, difference, is_positive, quotient};
@@ -109,6 +109,7 @@ impl Layout {
                 if is_no_clock(&said, &headings, preview, scene) {
                     said.retain(|found| found.role != Role::Tau);
                 }
+                said.retain(|found| !is_no_time(found, &headings, preview));
                 let unread = guess::unread(&headings, preview, scene, &said);
                 let known: Vec<Found> = said.iter().chain(&unread).cloned().collect();
                 let unreadable = guess::unreadable(&headings, preview, scene, &known);

@@ -68,3 +68,11 @@ pub(crate) fn is_no_clock(
     let backward = scene.motion != Motion::Dimensionless && preview.runs_backward(tau.column);
     backward || unread.iter().any(is_other)
 }
+
+/// Whether a column is a time by its name, without a unit, whose values are something else than numbers: which unit they
+/// are in is not the question then.
+pub(crate) fn is_no_time(found: &Found, headings: &[Heading], preview: &Preview) -> bool {
+    let heading = headings.get(found.column);
+    let has_unit = found.unit.is_some() || heading.is_some_and(|heading| heading.unit.is_some());
+    matches!(found.role, Role::T | Role::Tau) && !has_unit && preview.has_no_numbers(found.column)
+}

@@ -46,6 +46,11 @@ impl Preview {
         }
     }
 
+    /// Whether there are rows, and a column has no number in any.
+    pub(crate) fn has_no_numbers(&self, column: usize) -> bool {
+        self.column(column).next().is_some() && self.column(column).all(|x| x.is_none())
+    }
+
     /// Whether two columns come from the same place.
     pub(crate) fn together(&self, a: usize, b: usize) -> bool {
         self.groups.get(a) == self.groups.get(b)

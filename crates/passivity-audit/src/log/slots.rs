@@ -66,6 +66,9 @@ impl Slots {
             if ended {
                 return None;
             }
+            if self.delimiter == b' ' {
+                at += text.get(at..)?.iter().take_while(|c| **c == b' ').count();
+            }
             let rest = text.get(at..)?;
             let length = match role {
                 // In quotes what stands between fields may be part of one.

@@ -4,6 +4,7 @@ mod clocks;
 mod forces;
 mod joints;
 mod quotes;
+mod spaces;
 
 use passivity_audit::{Audit, Dialect, Options, TraceError, audit_csv};
 use passivity_scene::Scene;
@@ -169,14 +170,6 @@ fn what_stands_in_the_way_of_a_header_is_named() {
             "the names of the columns, `measured at 1 kHz`, are 1, but the first row has 2 fields",
         ),
         ("t [s],count\r0,0\r0.001,1\r", "`tr '\\r' '\\n'`"),
-        (
-            "Time   Position  Torque\n0.000  0.001  -0.001\n0.001   0.002  -0.002\n",
-            "by several spaces: make one of each run",
-        ),
-        (
-            "Time Position\n 0.000  0.001\n 0.001 -0.002\n",
-            "and add `--delimiter ' '`",
-        ),
         (
             "{\"count\":1}\n{\"count\":2}\n",
             "the file is JSON, which is not read",

@@ -18,7 +18,29 @@ pub(crate) fn texts(line: &[u8], notation: Notation) -> Vec<String> {
             false => text,
         }
     };
-    fields(line, notation.delimiter).map(text).collect()
+    let texts = fields(line, notation.delimiter).map(text);
+    match notation.delimiter {
+        b' ' => united(texts),
+        _ => texts.collect(),
+    }
+}
+
+/// The names of columns that stand apart by spaces, with the units that stand so too: `t [s] f [N m]`.
+fn united(words: impl Iterator<Item = String>) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for word in words {
+        let is_open = |name: &String| {
+            let open = name.rfind(['[', '(']);
+            open.is_some_and(|at| !name.get(at..).is_some_and(|rest| rest.contains([']', ')'])))
+        };
+        match names.last_mut() {
+            Some(name) if word.starts_with(['[', '(']) || is_open(name) => {
+                *name = format!("{name} {word}");
+            }
+            _ => names.push(word),
+        }
+    }
+    names
 }
 
 /// Whether a field is a number.

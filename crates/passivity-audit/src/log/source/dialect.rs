@@ -127,9 +127,23 @@ fn otherwise(
             Some(line) => (&line[..], first.get(1..).unwrap_or_default()),
             None => (line, first),
         };
+        let apart = || {
+            let [text, usual] =
+                [delimiter, own.delimiter].map(|c| legible(&char::from(c).to_string()));
+            format!("its fields seem to stand apart by `{text}`, not by `{usual}`")
+        };
         let proposal = match layout(line, first, notation, None, scene) {
             Ok(layout) => layout.proposal(),
-            Err(other) => other.proposal,
+            Err(other) => {
+                // As one column it says nothing.
+                let is_one =
+                    !line.contains(&own.delimiter) && shape::is_even(line, first, notation);
+                if is_one && error.proposal.is_none() && other.proposal.is_none() {
+                    let message = format!("{}, and then {other}", apart());
+                    error = TraceError::new(other.kind, message);
+                }
+                other.proposal
+            }
         };
         let Some(mut proposal) = proposal else {
             continue;
@@ -142,11 +156,7 @@ fn otherwise(
         written(&mut proposal, notation);
         error.message = match delimiter == own.delimiter {
             true => "its numbers seem to be written with a comma".to_owned(),
-            false => {
-                let [text, usual] =
-                    [delimiter, own.delimiter].map(|c| legible(&char::from(c).to_string()));
-                format!("its fields seem to stand apart by `{text}`, not by `{usual}`")
-            }
+            false => apart(),
         };
         error.column = None;
         error.proposal = Some(proposal);

@@ -78,11 +78,6 @@ pub(super) fn obstacle(line: &[u8], first: &[&[u8]], notation: Notation) -> Opti
             as in `t [s],x [rad],f [N m]`, where columns that are not read may have any name";
         return Some(says.to_owned());
     }
-    if stand_apart_by_spaces(line, first, notation) {
-        let says = "its fields seem to stand apart by several spaces: make one of each run and none at the ends, \
-            with `sed 's/^ *//; s/ *$//; s/  */ /g'`, and add `--delimiter ' '`";
-        return Some(says.to_owned());
-    }
     let first = csv::texts(first.first()?, notation);
     let differ = names.len() != first.len() && first.iter().all(is_number);
     differ.then(|| {
@@ -92,23 +87,6 @@ pub(super) fn obstacle(line: &[u8], first: &[&[u8]], notation: Notation) -> Opti
             shown(line)
         )
     })
-}
-
-/// Whether a header and the first rows, which hold numbers, have equally many fields with runs of spaces between them.
-fn stand_apart_by_spaces(line: &[u8], first: &[&[u8]], notation: Notation) -> bool {
-    fn words(line: &[u8]) -> Vec<&[u8]> {
-        let words = line.split(|byte| *byte == b' ');
-        words.filter(|word| !word.is_empty()).collect()
-    }
-    let width = words(line).len();
-    let is_row = |row: &&[u8]| {
-        let words = words(row);
-        words.len() == width && words.iter().all(|word| csv::is_number(word, notation))
-    };
-    width > 1
-        && !line.contains(&notation.delimiter)
-        && !first.is_empty()
-        && first.iter().all(is_row)
 }
 
 /// The names of the columns with the units that stand in a line of their own after them: `time [s]`. `None` where that
@@ -139,10 +117,9 @@ pub(super) fn with_units(line: &[u8], first: &[&[u8]], notation: Notation) -> Op
     })
 }
 
-/// Whether a header and the first rows have equally many fields.
+/// Whether a header and the first rows have equally many fields, and more than one.
 pub(super) fn is_even(line: &[u8], first: &[&[u8]], notation: Notation) -> bool {
     let width = csv::texts(line, notation).len();
-    first
-        .iter()
-        .all(|row| csv::texts(row, notation).len() == width)
+    let is_as_wide = |row: &&[u8]| csv::texts(row, notation).len() == width;
+    width > 1 && !first.is_empty() && first.iter().all(is_as_wide)
 }

@@ -337,3 +337,21 @@ fn dates_and_stamps_in_pieces_are_those_of_the_whole() {
         assert_eq!(merged.to_json(), whole.to_json());
     }
 }
+
+#[test]
+fn no_unit_is_proposed_for_times_that_are_no_numbers() {
+    for clock in ["t", "tau", "time"] {
+        for times in [
+            ["14.11.2023 22:13", "14.11.2023 22:14", "14.11.2023 22:15"],
+            ["a", "b", "c"],
+        ] {
+            let error = refused(&counts(clock, times), None);
+            assert_eq!(error.proposal, None, "{error}");
+            let says = format!("the column `{clock}` cannot be read (row 1 has no number there)");
+            assert!(error.to_string().contains(&says), "{error}");
+        }
+    }
+    // One among numbers is an error of its row.
+    let error = refused(&counts("t", ["0", "?", "0.009"]), None);
+    assert!(error.to_string().contains("unit"), "{error}");
+}

@@ -1,0 +1,84 @@
+//! Fields that stand apart by spaces.
+
+use passivity_audit::{Audit, Dialect, Options, audit_csv};
+
+use super::{audited, audited_on, refused, rotary, scene};
+
+fn by_spaces(log: &str, columns: Option<&str>) -> Audit {
+    let dialect = Dialect {
+        delimiter: Some(b' '),
+        ..super::dialect(columns)
+    };
+    let options = Options {
+        dialect,
+        ..Options::default()
+    };
+    let input = Box::new(std::io::Cursor::new(log.as_bytes().to_vec()));
+    audit_csv(input, &scene(), options).unwrap_or_else(|error| panic!("{log}: {error}"))
+}
+
+fn json(audit: &Audit) -> serde_json::Value {
+    assert_eq!(audit.error(), None);
+    let mut json = audit.to_json();
+    json.as_object_mut().unwrap().remove("columns");
+    json
+}
+
+#[test]
+fn runs_of_spaces_are_one_and_those_at_the_ends_are_none() {
+    let rows = [
+        "0,0,0",
+        "0.001,0.02,-0.01",
+        "0.002,0,0",
+        "0.003,-0.01,0.005",
+    ];
+    let commas = format!("t [s],x [mm],f [N]\n{}\n", rows.join("\n"));
+    let expected = json(&audited(&commas, None).unwrap());
+    for (between, start, end) in [
+        (" ", "", ""),
+        ("   ", "  ", ""),
+        ("  ", "", " "),
+        (" ", " ", "   \r"),
+    ] {
+        let row = |row: &str| format!("{start}{}{end}\n", row.replace(',', between));
+        let rows: String = rows.iter().map(|it| row(it)).collect();
+        let log = format!("{start}t [s]{between}x [mm]{between}f [N]{end}\n{rows}");
+        assert_eq!(json(&by_spaces(&log, None)), expected, "{log}");
+        // The command that an error shows reads it too.
+        let header = ["Time (s)", "Position", "Torque [mN"];
+        let log = format!("{} m]\n{rows}", header.join(between));
+        let error = refused(&log.replace("mN m", "N"), None);
+        let proposal = error.proposal.clone().unwrap();
+        assert_eq!(proposal.delimiter, Some(' '), "{log}: {error}");
+        assert_eq!(proposal.columns, "t=Time (s), x=Position [m], f=Torque [N]");
+    }
+}
+
+#[test]
+fn units_of_several_words_stand_apart_by_spaces_too() {
+    let log = "Time [s]  Angle [mrad]  Torque [N m]\n0 0 0\n0.001 0.5 -0.25\n";
+    let proposal = |scene| audited_on(scene, log, None).unwrap_err().proposal.unwrap();
+    let columns = "t=Time [s], x=Angle [mrad], f=Torque [N m]";
+    let found = proposal(&rotary());
+    assert_eq!((&*found.columns, found.delimiter), (columns, Some(' ')));
+    // Where there is nothing to propose, the error is not that of one long column.
+    let error = refused(log, None);
+    assert_eq!(error.proposal, None);
+    let says = "its fields seem to stand apart by ` `, not by `,`, and then the column `Time [s]` is not read under this name; ";
+    assert!(error.to_string().starts_with(says), "{error}");
+}
+
+#[test]
+fn a_field_too_many_and_one_too_few_are_errors_of_their_rows() {
+    for (row, found) in [("0.001  1 2", 3), ("  0.001  ", 1)] {
+        let audit = by_spaces(&format!("t [s]  count\n0  0\n{row}\n0.002 0\n"), None);
+        let error = audit.error().unwrap();
+        assert_eq!((error.kind.as_ref(), error.row), ("fields", Some(2)));
+        assert!(
+            error
+                .message
+                .contains(&format!("expected 2 fields, found {found}")),
+            "{error}"
+        );
+    }
+}
