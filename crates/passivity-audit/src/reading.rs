@@ -95,7 +95,12 @@ impl Reading {
     /// generates nothing, however little is known of where.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
-        !matches!(self, Self::Count(_)) && self == other
+        match (self, other) {
+            (Self::Count(_), _) => false,
+            // However it is spelt, and whichever way it was enclosed.
+            (Self::Within(own), Self::Within(other)) => own.written == other.written,
+            _ => self == other,
+        }
     }
 
     /// What is known of the number, in doubles.

@@ -8,6 +8,8 @@ mod output;
 mod picture;
 #[cfg(any(feature = "identify", feature = "simulate"))]
 mod progress;
+#[cfg(feature = "audit")]
+mod typed;
 mod verbs;
 
 use clap::Parser as _;

@@ -16,7 +16,9 @@ use crate::log::running::near_number;
 use crate::log::slots::Slots;
 use crate::number::{Number, decimal, short};
 use crate::reading::Reading;
-pub(crate) use first::{digits, has_decimal_commas, headings, is_number, names, preview, texts};
+pub(crate) use first::{
+    has_decimal_commas, headings, is_number, names, place, preview, texts, units,
+};
 
 mod first;
 

@@ -22,6 +22,40 @@ pub(crate) struct Digits {
     pub(crate) significant: i32,
 }
 
+/// What the first rows of a log say of the digits of a column.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Seen {
+    pub(crate) digits: Digits,
+    /// How many bytes of rows were looked at, and how many since the first number that is not zero.
+    bytes: [usize; 2],
+}
+
+impl Seen {
+    /// So many bytes are looked at from the first number on that is not zero: a device may move on for a while before it meets
+    /// the wall.
+    const FEW: usize = 1 << 16;
+    /// No more are looked at in all.
+    const MANY: usize = 1 << 20;
+
+    /// Whether no more rows are looked at.
+    pub(crate) const fn is_done(&self) -> bool {
+        let [all, since] = self.bytes;
+        since >= Self::FEW || all >= Self::MANY
+    }
+
+    /// Looks at a row of so many bytes, and at its number where there is one.
+    pub(crate) fn see(&mut self, bytes: usize, place: Option<Place>) {
+        if let Some(place) = place {
+            self.digits.see(place);
+        }
+        let [all, since] = &mut self.bytes;
+        *all += bytes;
+        if self.digits.significant > 0 {
+            *since += bytes;
+        }
+    }
+}
+
 /// Where the digits of a decimal start and end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Place {
@@ -33,7 +67,7 @@ pub(crate) struct Place {
 
 impl Digits {
     /// Looks at one more number.
-    pub(crate) fn see(&mut self, place: Place) {
+    fn see(&mut self, place: Place) {
         self.decimals = self.decimals.max(place.decimals);
         if let Some(first) = place.first {
             let significant = first.saturating_add(place.decimals).saturating_add(1);

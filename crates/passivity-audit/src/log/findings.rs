@@ -175,7 +175,8 @@ fn beyond_rounding(agreement: &Agreement, left: f64, is_all: bool, form: Form) -
     }
 }
 
-fn samples(delay: usize) -> String {
+/// A delay in words.
+pub(crate) fn samples(delay: usize) -> String {
     match delay {
         0 => "no delay".to_owned(),
         1 => "1 sample of delay".to_owned(),

@@ -11,11 +11,11 @@ use crate::log::columns::{Found, Role, same_unit, typed};
 use crate::log::error::shown;
 use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
 use crate::log::preview::Preview;
-use clock::{parts_of_time, unit_of_time, unit_of_word};
+use clock::{Parts, multiple, parts_of_time, unit_of_time, unit_of_word};
 pub(crate) use joints::others;
 use kind::Kind;
 pub(crate) use units::same_letters;
-use words::{COUNTED, HELD, NO_POSITION, NOT_MEASURED, words};
+use words::{COUNTED, HELD, NO_POSITION, NO_TIME, NOT_MEASURED, words};
 
 mod clock;
 mod joints;
@@ -102,10 +102,7 @@ fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
         Err((stem, _)) => stem,
     };
     let words = words(stem);
-    let mut named: Vec<bool> = words
-        .iter()
-        .map(|word| kind.words().contains(&word.as_str()))
-        .collect();
+    let mut named: Vec<bool> = words.iter().map(|word| kind.is_named(word)).collect();
     // A time may be called by its unit alone; one of one letter is more often something else.
     if let (Kind::Time, Some(word), Some(last)) = (kind, words.last(), named.last_mut()) {
         *last |= word.len() > 1 && unit_of_word(word).is_some();
@@ -126,7 +123,9 @@ fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
         };
         score -= i32::from(has(other));
     } else if has(&NOT_MEASURED) {
-        score -= 4;
+        // A `command_time` is a time, though a `time` beside it is meant first.
+        let is_time = kind == Kind::Time && !has(&NO_TIME);
+        score -= if is_time { 1 } else { 4 };
     }
     if kind == Kind::Position && has(&NO_POSITION) {
         score -= 4;
@@ -137,22 +136,27 @@ fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
 /// How much what a column holds looks like a kind; or why it cannot be of that kind.
 fn held(
     kind: Kind,
-    heading: &Heading,
+    headings: &[Heading],
     column: usize,
     preview: &Preview,
     scene: &Scene,
 ) -> Result<i32, String> {
+    let heading = headings.get(column).ok_or("there is no such column")?;
     let split = split(&heading.name).map_err(|(_, why)| why.to_owned())?;
     if let Some(row) = preview.no_number(column) {
         return Err(format!("row {} has no number there", row + 1));
     }
     match (split.unit.as_deref().or(heading.unit), kind) {
-        (None, Kind::Time | Kind::Velocity) => Ok(0),
-        (None, _) if scene.motion == Motion::Dimensionless => Ok(0),
-        (None, _) => match units::said(kind, &heading.name, scene.motion) {
-            Ok(_) => Ok(0),
-            Err(unit) => Err(no_unit(unit, kind, scene)),
+        (_, Kind::Time) if matches!(parts_of_time(headings, preview, column), Parts::More) => {
+            Err("it is one of several columns that say together when a sample was".to_owned())
+        }
+        (None, Kind::Time) => match multiple(&heading.name) {
+            Some(unit) => Err(format!("a number stands before its unit, `{unit}`")),
+            None => Ok(0),
         },
+        (None, Kind::Velocity) => Ok(0),
+        (None, _) if scene.motion == Motion::Dimensionless => Ok(0),
+        (None, _) => units::said(kind, &heading.name, scene.motion).map(|_| 0),
         (Some(unit), Kind::Position) if is_counted(unit) => Ok(2),
         (Some(unit), _) if scene.motion == Motion::Dimensionless => {
             let unit = shown(unit.as_bytes());
@@ -171,15 +175,10 @@ fn held(
                 // A bare mass is no sign of a force.
                 true if kind == Kind::Force && !is_unit_of_force(unit) => Ok(0),
                 true => Ok(2),
-                false => Err(no_unit(unit, kind, scene)),
+                false => Err(units::no_unit(unit, kind, scene.motion)),
             }
         }
     }
-}
-
-fn no_unit(unit: &str, kind: Kind, scene: &Scene) -> String {
-    let (unit, kind, own) = (shown(unit.as_bytes()), kind.name(), kind.unit(scene.motion));
-    format!("`{unit}` is no unit of {kind} like `{own}`")
 }
 
 /// Of a heading: how much it looks like a kind; `None` when it cannot be.
@@ -191,13 +190,13 @@ fn score(
     scene: &Scene,
 ) -> Option<i32> {
     let heading = headings.get(column)?;
-    let mut score = held(kind, heading, column, preview, scene).ok()?;
+    let mut score = held(kind, headings, column, preview, scene).ok()?;
     score += called(kind, heading, scene.motion);
     if kind == Kind::Time {
         score += match parts_of_time(headings, preview, column) {
-            Some(_) => 4,
-            None if preview.increases(column) => 0,
-            None => -3,
+            Parts::Two(_) | Parts::More => 4,
+            Parts::One if preview.increases(column) => 0,
+            Parts::One => -3,
         };
     }
     (score >= LIKELY).then_some(score)
@@ -242,7 +241,7 @@ pub(crate) fn unreadable(
             if kind == Kind::Force && has_force(heading) {
                 score += LIKELY;
             }
-            let why = held(kind, heading, column, preview, scene).err()?;
+            let why = held(kind, headings, column, preview, scene).err()?;
             let unreadable = Unreadable { column, why, kind };
             (score >= LIKELY).then_some((score, unreadable))
         });
@@ -325,8 +324,8 @@ pub(crate) fn unread(
             let heading = headings.get(column);
             heading.map(|heading| role(kind, heading, column, preview, scene))
         };
-        let stamp = parts_of_time(headings, preview, column).filter(|_| kind == Kind::Time);
-        if let Some([whole, beyond]) = stamp {
+        let parts = parts_of_time(headings, preview, column);
+        if let (Kind::Time, Parts::Two([whole, beyond])) = (kind, parts) {
             // Neither part says alone when a sample was.
             if scene.motion != Motion::Dimensionless {
                 found.extend(read(whole));
@@ -364,13 +363,13 @@ fn role(kind: Kind, heading: &Heading, column: usize, preview: &Preview, scene: 
     };
     let unit = match own.as_deref().or(heading.unit) {
         _ if bare || role.is_bare() => None,
-        Some(unit) => units::respelt(kind, unit, scene.motion),
+        Some(unit) => units::respelt(kind, unit, scene.motion).map(str::to_owned),
         None => Some(unit_said(kind, heading, column, preview, scene)),
     };
     Found {
         role,
         column,
-        unit: unit.map(str::to_owned),
+        unit,
         reversed: false,
     }
 }
@@ -391,7 +390,7 @@ pub(crate) fn with_unit(
     let kind = Kind::of(found.role);
     let unit = heading.map(|heading| unit_said(kind, heading, found.column, preview, scene));
     Found {
-        unit: unit.map(str::to_owned),
+        unit,
         ..found.clone()
     }
 }
@@ -403,12 +402,12 @@ fn unit_said(
     column: usize,
     preview: &Preview,
     scene: &Scene,
-) -> &'static str {
+) -> String {
     let said = units::said(kind, &heading.name, scene.motion);
     match (kind, said) {
-        (Kind::Time, _) => unit_of_time(&heading.name, preview.step(column), scene),
+        (Kind::Time, _) => unit_of_time(&heading.name, preview.step(column), scene).to_owned(),
         (_, Ok(Some(unit))) => unit,
-        (kind, _) => kind.unit(scene.motion),
+        (kind, _) => kind.unit(scene.motion).to_owned(),
     }
 }
 

@@ -3,7 +3,7 @@
 use std::io::Read;
 
 use crate::log::csv::{self, Notation};
-use crate::log::digits::Digits;
+use crate::log::digits::Seen;
 use crate::log::error::TraceError;
 use crate::log::held::Mark;
 
@@ -149,16 +149,24 @@ impl<R: Read> Lines<R> {
         self.read().take(PREVIEWED).collect()
     }
 
-    /// How many digits the numbers of a column have in the lines that have been read. While they are zero more are read: a
-    /// device may move on for a while before it meets the wall.
-    pub(crate) fn digits(&mut self, column: usize, notation: Notation) -> Digits {
-        loop {
-            let digits = csv::digits(self.read(), column, notation);
-            let is_done = self.ended || self.broken.is_some() || self.rest.len() > BLOCK;
-            if digits.significant > 0 || is_done {
-                return digits;
+    /// Looks at the digits of the numbers of a column, row by row.
+    pub(crate) fn see(&mut self, column: usize, notation: Notation, seen: &mut Seen) {
+        let mut at = 0;
+        while !seen.is_done() {
+            let rest = self.rest.get(at..).unwrap_or_default();
+            let end = memchr::memchr(b'\n', rest).map(|end| end + 1);
+            let has_more = !self.ended && self.broken.is_none() && rest.len() <= MAX_LINE;
+            if end.is_none() && has_more {
+                self.fill(1 << 16);
+                continue;
             }
-            self.fill(BLOCK);
+            let line = rest.get(..end.unwrap_or(rest.len())).unwrap_or_default();
+            if line.is_empty() {
+                return;
+            }
+            let row = without_return(line.strip_suffix(b"\n").unwrap_or(line));
+            seen.see(line.len(), csv::place(row, column, notation));
+            at += line.len();
         }
     }
 

@@ -8,6 +8,7 @@ use passivity_scene::Scene;
 
 use crate::log::chunk::Chunk;
 use crate::log::csv::{self, Notation};
+use crate::log::digits::{Digits, Seen};
 use crate::log::error::TraceError;
 use crate::log::header::Heading;
 use crate::log::layout::Layout;
@@ -76,7 +77,10 @@ impl Source {
             return Err(TraceError::new("empty", "a log needs a file"));
         };
         let opened = open(first, block)?;
-        let (reader, layout) = opened.read(scene, dialect)?;
+        let (reader, mut layout) = opened.read(scene, dialect)?;
+        if let (Some(force), Reader::Csv(..), 2..) = (layout.force, &reader, paths.len()) {
+            layout.digits = digits(paths, dialect, force);
+        }
         let source = Self {
             reader,
             file: 0,
@@ -143,6 +147,25 @@ impl Source {
             }
         }
     }
+}
+
+/// The digits of a column at the start of a log, of which the first file may have few rows. What is wrong with another is
+/// said where it is read.
+fn digits(paths: &[PathBuf], dialect: &Dialect, column: usize) -> Digits {
+    let mut seen = Seen::default();
+    for path in paths {
+        if path.as_os_str() == "-" || seen.is_done() {
+            break;
+        }
+        let Ok(Opened::Csv(mut lines)) = open(path, lines::BLOCK) else {
+            break;
+        };
+        let Ok((_, notation)) = dialect.names(&mut lines) else {
+            break;
+        };
+        lines.see(column, notation, &mut seen);
+    }
+    seen.digits
 }
 
 /// A file whose header is still to be read.

@@ -6,7 +6,7 @@ use passivity_core::{BigRational, Effect};
 use passivity_scene::display::approx;
 
 use crate::figure::Figure;
-use crate::log::findings::{ROUGH, off_one};
+use crate::log::findings::{ROUGH, off_one, samples};
 use crate::log::layout::Form;
 use crate::log::report::{Agreement, ByLaw, Fitted, Force, Judged, Report, Verdict};
 
@@ -315,28 +315,18 @@ impl Agreement {
             } else {
                 ""
             };
-            let _ = write!(
-                text,
-                "; with {sign}{} samples of delay it agrees",
-                found.delay
-            );
+            let _ = write!(text, "; with {sign}{} it agrees", samples(found.delay));
         } else if let Some(fit) = self.multiple() {
-            let (scale, delay) = (off_one(fit.scale, fit.scale), fit.delay);
-            let _ = write!(
-                text,
-                "; it is {scale} times the law with {delay} samples of delay"
-            );
+            let (scale, delay) = (off_one(fit.scale, fit.scale), samples(fit.delay));
+            let _ = write!(text, "; it is {scale} times the law with {delay}");
         } else if found.mismatches < self.mismatches {
             let sign = if found.reversed {
                 "the opposite sign and "
             } else {
                 ""
             };
-            let (delay, left) = (found.delay, found.mismatches);
-            let _ = write!(
-                text,
-                "; with {sign}{delay} samples of delay it differs in {left}"
-            );
+            let (delay, left) = (samples(found.delay), found.mismatches);
+            let _ = write!(text, "; with {sign}{delay} it differs in {left}");
         }
         text
     }

@@ -1,7 +1,7 @@
 //! Short decimals as a log has them, read without big numbers.
 
-/// A short decimal as a numerator and a power of ten: `-12`, `0.375`. `None` for one of more than 19 digits
-/// and for all else.
+/// A short decimal as a numerator and a power of ten: `-12`, `0.375`, `3.75e-1`. `None` for one of more than 19 digits, or
+/// whose last digit is above the ones, and for all else.
 #[inline]
 pub(crate) fn decimal(text: &[u8]) -> Option<(i64, i64)> {
     /// 64 bits hold any number of as many digits.
@@ -13,19 +13,38 @@ pub(crate) fn decimal(text: &[u8]) -> Option<(i64, i64)> {
     };
     let (value, whole) = digits(text, 0)?;
     let (value, decimals) = match text.get(whole..)?.split_first() {
-        None => (value, 0),
-        Some((b'.', fraction)) => match digits(fraction, value)? {
-            (value, decimals) if decimals == fraction.len() => (value, decimals),
-            _ => return None,
-        },
-        Some(_) => return None,
+        Some((b'.', fraction)) => digits(fraction, value)?,
+        _ => (value, 0),
     };
-    if !(1..=MOST).contains(&(whole + decimals)) {
+    let at = whole + decimals + usize::from(text.get(whole) == Some(&b'.'));
+    let (exponent, length) = exponent(text.get(at..)?);
+    if !(1..=MOST).contains(&(whole + decimals)) || at + length != text.len() {
         return None;
     }
     let value = i64::try_from(value).ok()?;
-    let power = power_of_ten(u32::try_from(decimals).ok()?)?;
+    let power = power_of_ten(u32::try_from(i32::try_from(decimals).ok()? - exponent).ok()?)?;
     Some((if negative { -value } else { value }, power))
+}
+
+/// A power of ten as `e-05` at the start of a text, and its length: none where no such is there.
+#[inline(always)]
+fn exponent(text: &[u8]) -> (i32, usize) {
+    match text.first() {
+        Some(b'e' | b'E') => written_exponent(text).unwrap_or((0, 0)),
+        _ => (0, 0),
+    }
+}
+
+/// The same, of few digits.
+fn written_exponent(text: &[u8]) -> Option<(i32, usize)> {
+    const FEW: usize = 3;
+    let sign = usize::from(matches!(text.get(1)?, b'-' | b'+'));
+    let digits = text.get(1 + sign..)?.iter();
+    let digits = digits.take_while(|byte| byte.is_ascii_digit()).count();
+    let end = 1 + sign + digits;
+    let number = std::str::from_utf8(text.get(1..end)?).ok()?;
+    let number = number.parse().ok().filter(|_| digits <= FEW)?;
+    Some((number, end))
 }
 
 /// 10^k, where 64 bits hold it.
@@ -73,6 +92,8 @@ pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)
     if before + decimals == 0 || before + decimals > MOST {
         return None;
     }
+    let (exponent, length) = exponent(text.get(at..)?);
+    at += length;
     match text.get(at)? {
         b'\n' => {}
         b'\r' if text.get(at + 1) == Some(&b'\n') => {}
@@ -80,6 +101,7 @@ pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)
         _ => return None,
     }
     let value = i64::try_from(value).ok()?;
+    let decimals = i32::try_from(decimals).ok()? - exponent;
     let decimals = u8::try_from(decimals).ok().filter(|k| *k < 19)?;
     Some(((if negative { -value } else { value }, decimals), at))
 }
@@ -153,7 +175,10 @@ pub(crate) fn short(text: &[u8]) -> Option<(i64, i64)> {
     let slash = memchr::memchr(b'/', text)?;
     let (numerator, denominator) = text.split_at_checked(slash)?;
     match (decimal(numerator)?, decimal(denominator.get(1..)?)?) {
-        ((n, 1), (d @ 1.., 1)) if denominator.iter().skip(1).all(u8::is_ascii_digit) => {
+        ((n, 1), (d @ 1.., 1))
+            if denominator.iter().skip(1).all(u8::is_ascii_digit)
+                && !numerator.iter().any(u8::is_ascii_alphabetic) =>
+        {
             Some((n, d))
         }
         _ => None,
@@ -163,13 +188,25 @@ pub(crate) fn short(text: &[u8]) -> Option<(i64, i64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Number;
     use proptest::prelude::*;
 
     proptest! {
         #[test]
+        fn a_short_decimal_is_the_number_that_it_spells(
+            text in "[-+]?[0-9]{0,20}(\\.[0-9]{0,20})?([eE][-+]?[0-9]{0,4})?",
+        ) {
+            if let Some((n, power)) = decimal(text.as_bytes()) {
+                let expected = passivity_scene::number::parse(&text).unwrap();
+                prop_assert_eq!(Number::Small(n, power), Number::from(expected));
+            }
+        }
+
+        #[test]
         fn a_leading_decimal_is_the_decimal_up_to_its_end(
             text in prop_oneof![
                 "-?[0-9]{0,20}(\\.[0-9]{0,20})?[,;x\n]?",
+                "-?[0-9]{0,3}(\\.[0-9]{0,20})?[eE][-+]?[0-9]{0,4}[,;x\n]?",
                 "[-.0-9/:+e ]{0,6}[,\n]",
                 "[ -~\r\n]{0,12}",
             ],

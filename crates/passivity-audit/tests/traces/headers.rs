@@ -5,6 +5,7 @@ mod forces;
 mod joints;
 mod quotes;
 mod spaces;
+mod units;
 
 use passivity_audit::{Audit, Dialect, Options, TraceError, audit_csv};
 use passivity_scene::Scene;
@@ -73,7 +74,21 @@ fn missed(audit: &Audit) -> Option<u64> {
 
 #[test]
 fn forces_of_other_names_are_not_passed_over() {
-    for name in ["Fx", "Kraft", "force_cmd"] {
+    for name in [
+        "Fx",
+        "Kraft",
+        "force_cmd",
+        "Fcmd",
+        "FCmd",
+        "Fmotor",
+        "Ftot",
+        "Tcmd",
+        "FORCEX",
+        "gripforce",
+        "forceout",
+        "Motorkraft",
+        "Stellkraft",
+    ] {
         let log = format!("t [s],x [mm],{name}\n0,0,0\n0.001,0,0\n");
         assert_eq!(
             proposed(&log, None),

@@ -396,3 +396,18 @@ fn rows_of_large_energies_are_accounted_for_late_in_a_log_too() {
         across,
     );
 }
+
+#[test]
+fn what_rests_does_so_however_its_position_is_spelt() {
+    let scene = Scene::from_toml("rotary", ROTARY).unwrap();
+    let at_rest = ["0.0442", "0.04420", "4.42e-2", "4420e-5", "221/5000"];
+    let csv = format!("x [rad]\n{}\n", at_rest.join("\n"));
+    let input = Box::new(std::io::Cursor::new(csv.into_bytes()));
+    let audit = audit_csv(input, &scene, Options::default()).unwrap();
+    assert_eq!(
+        audit.report().verdict,
+        Verdict::Holds,
+        "{}",
+        audit.to_text()
+    );
+}

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use passivity_audit::{
-    Audit, Columns, Dialect, Options, Partial, Proposal, Stretch, TraceError, Verdict, audit_files,
+    Audit, Columns, Dialect, Options, Partial, Stretch, TraceError, Verdict, audit_files,
     audit_part, merge_parts,
 };
 #[cfg(feature = "plot")]
@@ -17,6 +17,7 @@ use passivity_scene::files::Output;
 use crate::exit::{Exit, Failure};
 use crate::files::{may_be_written, sources, write};
 use crate::output::{Format, emit, emit_json, read_scene, tell};
+use crate::typed::command;
 
 /// Compute the exact energy account of a recorded or simulated trace, interval by interval.
 ///
@@ -152,7 +153,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     };
     let traces = traces(args);
     let report = audit_files(&args.traces, &scene, options)
-        .map_err(|error| Failure::input(refusal(args, &traces, &error)))?;
+        .map_err(|error| Failure::input(refusal(&traces, &error)))?;
     if let (Some(rows), Some(path)) = (rows, &args.out) {
         rows.keep()
             .map_err(|error| Failure::io(path.display(), &error))?;
@@ -190,7 +191,7 @@ fn piece(args: &Args, scene: &Scene, path: &Path) -> Result<Exit, Failure> {
     let stretch = args.range.or(args.shard).unwrap_or(whole);
     let named = traces(args);
     let part = audit_part(trace, scene, stretch, options(args))
-        .map_err(|error| Failure::input(refusal(args, &named, &error)))?;
+        .map_err(|error| Failure::input(refusal(&named, &error)))?;
     let text = part.to_json().map_err(Failure::input)?;
     write(path, &(text + "\n"))?;
     match args.format {
@@ -257,78 +258,11 @@ pub(crate) fn names(paths: &[PathBuf]) -> String {
     names.join(", ")
 }
 
-/// The words of a command that read the columns and fields as they are proposed.
-pub(crate) fn read_as(proposal: &Proposal) -> Vec<String> {
-    let mut words = vec!["--columns".to_owned(), proposal.columns.clone()];
-    if let Some(delimiter) = proposal.delimiter {
-        let name = match delimiter {
-            '\t' => "tab".to_owned(),
-            other => other.to_string(),
-        };
-        words.extend(["--delimiter".to_owned(), name]);
-    }
-    words
-}
-
 /// Why a header is refused, with the command that reads it as it seems to be meant.
-fn refusal(args: &Args, traces: &str, error: &TraceError) -> String {
+fn refusal(traces: &str, error: &TraceError) -> String {
     match &error.proposal {
-        Some(proposal) => format!("{traces}: {error} run: {}", command(args, proposal)),
+        Some(proposal) => format!("{traces}: {error} run: {}", command(proposal)),
         None => format!("{traces}: {error}"),
-    }
-}
-
-/// The command that was typed, with the columns that are proposed.
-fn command(args: &Args, proposal: &Proposal) -> String {
-    let mut words = vec!["passivity".to_owned(), "audit".to_owned()];
-    // No option, though its name may look like one.
-    let file = |trace: &PathBuf| match trace.as_os_str().as_encoded_bytes() {
-        [b'-', _, ..] => format!("./{}", trace.display()),
-        _ => trace.display().to_string(),
-    };
-    words.extend(args.traces.iter().map(file));
-    words.extend(["--scene".to_owned(), args.scene.display().to_string()]);
-    words.extend(read_as(proposal));
-    let mut option = |name: &str, value: String| words.extend([format!("--{name}"), value]);
-    for (name, path) in [
-        ("out", &args.out),
-        ("plot", &args.plot),
-        ("certificate", &args.certificate),
-        ("partial", &args.partial),
-    ] {
-        if let Some(path) = path {
-            option(name, path.display().to_string());
-        }
-    }
-    if args.threads != 0 {
-        option("threads", args.threads.to_string());
-    }
-    for (name, stretch) in [("range", &args.range), ("shard", &args.shard)] {
-        if let Some(stretch) = stretch {
-            option(name, stretch.to_string());
-        }
-    }
-    if args.format == Format::Json {
-        option("format", "json".to_owned());
-    }
-    for (name, is_set) in [("decimal-comma", proposal.decimal_comma), ("law", args.law)] {
-        if is_set {
-            words.push(format!("--{name}"));
-        }
-    }
-    words
-        .iter()
-        .map(|word| quoted(word))
-        .collect::<Vec<_>>()
-        .join(" ")
-}
-
-/// A word as a shell takes it.
-pub(crate) fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./+:@%".contains(c);
-    match !word.is_empty() && word.chars().all(is_plain) {
-        true => word.to_owned(),
-        false => format!("'{}'", word.replace('\'', "'\\''")),
     }
 }
 

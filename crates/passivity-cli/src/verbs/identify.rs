@@ -16,7 +16,8 @@ use crate::exit::{Exit, Failure};
 use crate::files::may_be_written;
 use crate::output::{Format, emit, emit_json, tell};
 use crate::progress::Progress;
-use crate::verbs::audit::{delimiter, quoted, read_as};
+use crate::typed::command;
+use crate::verbs::audit::delimiter;
 
 /// Find the friction of a device, and its inertia, from logs of its motion: bounds that surely hold them,
 /// and a best estimate.
@@ -227,7 +228,7 @@ fn logs(args: &Args, sketch: &Scene) -> Result<(Vec<Sampled>, Vec<LogReport>), F
                 "a log must be a file: its hash goes into the scene",
             ));
         }
-        let log = read(path, sketch, &dialect).map_err(|error| refusal(args, path, &error))?;
+        let log = read(path, sketch, &dialect).map_err(|error| refusal(path, &error))?;
         logs.push(log);
         let sha256 = passivity_identify::sha256(path);
         files.push(LogReport {
@@ -239,24 +240,10 @@ fn logs(args: &Args, sketch: &Scene) -> Result<(Vec<Sampled>, Vec<LogReport>), F
 }
 
 /// Why a log is refused, with the command that reads it as it seems to be meant.
-fn refusal(args: &Args, path: &Path, error: &TraceError) -> Failure {
-    let Some(proposal) = &error.proposal else {
-        return Failure::input(format!("{}: {error}", path.display()));
-    };
-    let mut words = vec!["passivity".to_owned(), "identify".to_owned()];
-    words.extend(args.logs.iter().map(|log| log.display().to_string()));
-    words.extend(["--scene".to_owned(), args.scene.display().to_string()]);
-    words.extend(read_as(proposal));
-    if proposal.decimal_comma {
-        words.push("--decimal-comma".to_owned());
-    }
-    if let Some(out) = &args.out {
-        words.extend(["--out".to_owned(), out.display().to_string()]);
-    }
-    let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
-    Failure::input(format!(
-        "{}: {error} run: {}",
-        path.display(),
-        words.join(" ")
-    ))
+fn refusal(path: &Path, error: &TraceError) -> Failure {
+    let path = path.display();
+    Failure::input(match &error.proposal {
+        Some(proposal) => format!("{path}: {error} run: {}", command(proposal)),
+        None => format!("{path}: {error}"),
+    })
 }

@@ -2,7 +2,7 @@
 
 use super::{Notation, fields, moment, number, trimmed};
 use crate::log::dates;
-use crate::log::digits::{Digits, Place};
+use crate::log::digits::Place;
 use crate::log::error::TraceError;
 use crate::log::header::Heading;
 use crate::log::lines::CARRIAGE_RETURNS;
@@ -11,6 +11,26 @@ use crate::log::running::near_number;
 
 /// The fields of a line, without their quotes; one that is written twice in them is one.
 pub(crate) fn texts(line: &[u8], notation: Notation) -> Vec<String> {
+    united(line, notation, |word| word.starts_with(['[', '(']))
+}
+
+/// Those of a line of units, without the brackets in which they stand.
+pub(crate) fn units(line: &[u8], notation: Notation) -> Vec<String> {
+    let units = united(line, notation, |_| false);
+    let bare = |unit: String| {
+        let pairs = [('[', ']'), ('(', ')')];
+        let mut inner = pairs.iter().filter_map(|(open, close)| {
+            let inner = unit.strip_prefix(*open)?.strip_suffix(*close)?;
+            Some(inner.trim().to_owned())
+        });
+        inner.next().unwrap_or(unit)
+    };
+    units.into_iter().map(bare).collect()
+}
+
+/// The fields of a line. Where they stand apart by spaces, what has some within brackets is one of them, and so is one with the
+/// next that `goes_on` with it: `t [s] f [N m]`.
+fn united(line: &[u8], notation: Notation, goes_on: impl Fn(&str) -> bool) -> Vec<String> {
     let text = |field: &[u8]| {
         let text = String::from_utf8_lossy(trimmed(field)).trim().to_owned();
         match trimmed(field).len() < field.trim_ascii().len() {
@@ -19,24 +39,17 @@ pub(crate) fn texts(line: &[u8], notation: Notation) -> Vec<String> {
         }
     };
     let texts = fields(line, notation.delimiter).map(text);
-    match notation.delimiter {
-        b' ' => united(texts),
-        _ => texts.collect(),
+    if notation.delimiter != b' ' {
+        return texts.collect();
     }
-}
-
-/// The names of columns that stand apart by spaces, with the units that stand so too: `t [s] f [N m]`.
-fn united(words: impl Iterator<Item = String>) -> Vec<String> {
+    let is_open = |name: &String| {
+        let open = name.rfind(['[', '(']);
+        open.is_some_and(|at| !name.get(at..).is_some_and(|rest| rest.contains([']', ')'])))
+    };
     let mut names: Vec<String> = Vec::new();
-    for word in words {
-        let is_open = |name: &String| {
-            let open = name.rfind(['[', '(']);
-            open.is_some_and(|at| !name.get(at..).is_some_and(|rest| rest.contains([']', ')'])))
-        };
+    for word in texts {
         match names.last_mut() {
-            Some(name) if word.starts_with(['[', '(']) || is_open(name) => {
-                *name = format!("{name} {word}");
-            }
+            Some(name) if goes_on(&word) || is_open(name) => *name = format!("{name} {word}"),
             _ => names.push(word),
         }
     }
@@ -110,20 +123,10 @@ pub(crate) fn preview(lines: &[&[u8]], headings: &[Heading], notation: Notation)
     Preview::of_rows(&lines.iter().map(row).collect::<Vec<_>>())
 }
 
-/// How many digits the numbers of a column have.
-pub(crate) fn digits<'l>(
-    lines: impl Iterator<Item = &'l [u8]>,
-    column: usize,
-    notation: Notation,
-) -> Digits {
-    let mut digits = Digits::default();
-    for line in lines {
-        let field = fields(line, notation.delimiter).nth(column);
-        if let Some(place) = field.and_then(|field| Place::read(trimmed(field))) {
-            digits.see(place);
-        }
-    }
-    digits
+/// Where the digits of the number in a column of a row are.
+pub(crate) fn place(line: &[u8], column: usize, notation: Notation) -> Option<Place> {
+    let field = fields(line, notation.delimiter).nth(column)?;
+    Place::read(trimmed(field))
 }
 
 /// The double near a field that is a number.

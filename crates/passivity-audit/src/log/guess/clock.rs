@@ -2,6 +2,7 @@
 
 use passivity_scene::Scene;
 
+use super::units::is_multiple;
 use super::words::words;
 use crate::log::header::Heading;
 use crate::log::preview::Preview;
@@ -46,6 +47,15 @@ fn unit_said(name: &str) -> Option<&'static str> {
     })
 }
 
+/// The unit that a name gives, where it is a multiple of it that the clock ticks in: `time_100us`.
+pub(super) fn multiple(name: &str) -> Option<&'static str> {
+    let is_it = |word: &String| unit_of_word(word).is_some() && is_multiple(name, word);
+    words(name)
+        .iter()
+        .find(|word| is_it(word))
+        .and_then(|word| unit_of_word(word))
+}
+
 /// The unit of a clock: the one that its name says, or else the one in which it goes on by about a sampling period from
 /// row to row.
 pub(super) fn unit_of_time(name: &str, step: Option<f64>, scene: &Scene) -> &'static str {
@@ -68,38 +78,75 @@ fn nearest_unit(step: Option<f64>, scene: &Scene) -> &'static str {
     best.map_or("s", |(name, ..)| name)
 }
 
-/// The columns of a time in whole seconds and of what it is beyond them, as `stamp.sec` and `stamp.nanosec`, of which
-/// one is this column.
-pub(super) fn parts_of_time(
-    headings: &[Heading],
-    preview: &Preview,
-    column: usize,
-) -> Option<[usize; 2]> {
-    // The unit that a name ends with, and what is before it.
-    let part = |column: usize| {
+/// What is larger than a second, and how many of each are in the next.
+const LARGER: [(&[&str], f64); 3] = [
+    (&["min", "minute"], 60.0),
+    (&["h", "hr", "hour", "std", "stunde"], 24.0),
+    (&["d", "day", "tag"], 366.0),
+];
+
+/// Which columns say together when a sample was.
+pub(super) enum Parts {
+    /// One alone.
+    One,
+    /// Whole ones of a unit, and what the time is beyond them.
+    Two([usize; 2]),
+    /// Others, which are not read.
+    More,
+}
+
+/// The columns that say together with this one when a sample was, as `stamp.sec` and `stamp.nanosec` do.
+pub(super) fn parts_of_time(headings: &[Heading], preview: &Preview, column: usize) -> Parts {
+    // The word that a name ends with, and what is before it.
+    let named = |column: usize| {
         let name = &headings.get(column)?.name;
         let (word, lower) = (words(name).pop()?, name.to_lowercase());
         let before = lower.rfind(&word).and_then(|at| lower.get(..at))?;
-        Some((before.to_owned(), unit_of_word(&word)?))
+        Some((before.to_owned(), word))
     };
-    let (before, unit) = part(column)?;
-    let is_alike = |other: &Heading| {
-        let start = other.name.get(..before.len());
-        start.is_some_and(|start| start.to_lowercase() == before)
+    let Some((before, word)) = named(column) else {
+        return Parts::One;
     };
-    let is_other = |other: &usize| {
-        headings.get(*other).is_some_and(is_alike)
-            && part(*other).is_some_and(|(own, its)| own == before && (its == "s") != (unit == "s"))
+    let per_second = |word: &str| {
+        let unit = unit_of_word(word)?;
+        UNITS
+            .iter()
+            .find(|(name, ..)| *name == unit)
+            .map(|(_, n, _)| *n)
     };
-    let other = (0..headings.len()).find(is_other)?;
-    let [whole, beyond] = if unit == "s" {
-        [column, other]
-    } else {
-        [other, column]
+    let Some(own) = per_second(&word) else {
+        return Parts::One;
     };
-    let (_, unit) = part(beyond)?;
-    let (_, most, _) = UNITS.iter().find(|(name, ..)| *name == unit)?;
-    // Otherwise they are two clocks.
-    let is_split = preview.is_whole(whole) && preview.is_within(beyond, *most);
-    is_split.then_some([whole, beyond])
+    let beside = (0..headings.len()).filter_map(|other| {
+        let (its, word) = named(other)?;
+        (its == before && other != column).then_some((other, word))
+    });
+    let (mut parts, mut has_larger) = (vec![(own, column)], false);
+    for (other, word) in beside {
+        match per_second(&word) {
+            Some(its) => parts.push((its, other)),
+            None => {
+                let larger = LARGER
+                    .iter()
+                    .find(|(words, _)| words.contains(&word.as_str()));
+                let is_part = |(_, most): &(_, f64)| preview.is_within(other, *most);
+                has_larger |= larger.is_some_and(is_part);
+            }
+        }
+    }
+    parts.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    // Otherwise they are several clocks.
+    let is_part = |pair: &[(f64, usize)]| match pair {
+        [(whole, _), (finer, at)] => preview.is_within(*at, finer / whole),
+        _ => false,
+    };
+    let is_split = parts.windows(2).all(is_part);
+    match parts.as_slice() {
+        _ if has_larger => Parts::More,
+        [(_, whole), (_, beyond)] if is_split && preview.is_whole(*whole) => {
+            Parts::Two([*whole, *beyond])
+        }
+        [_, _, _, ..] if is_split => Parts::More,
+        _ => Parts::One,
+    }
 }

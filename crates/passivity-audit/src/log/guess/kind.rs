@@ -3,6 +3,7 @@
 use passivity_scene::Motion;
 use passivity_scene::units::Dimension;
 
+use super::words::OF_FORCE;
 use crate::log::columns::Role;
 
 /// What a column may be about.
@@ -52,7 +53,12 @@ impl Kind {
                 "perf",
                 "monotonic",
                 "zeit",
-                "zeitstempel",
+                "utc",
+                "tsec",
+                "tms",
+                "tus",
+                "tns",
+                "datum",
             ],
             Self::Position => &[
                 "x",
@@ -110,6 +116,24 @@ impl Kind {
                 "drehzahl",
             ],
         }
+    }
+
+    /// Whether a word names it, alone or as part of a longer one: `walltime`, `Motorkraft`, `Fcmd`.
+    pub(super) fn is_named(self, word: &str) -> bool {
+        let has = |parts: &[&str]| {
+            let is_part = |part: &&str| word.starts_with(part) || word.ends_with(part);
+            parts.iter().any(is_part)
+        };
+        self.words().contains(&word)
+            || match self {
+                Self::Time => has(&["time", "stamp", "zeit", "uhr"]),
+                Self::Force => {
+                    let behind = word.strip_prefix(['f', 't', 'm']);
+                    has(&["force", "torque", "kraft", "moment"])
+                        || behind.is_some_and(|rest| OF_FORCE.contains(&rest))
+                }
+                Self::Position | Self::Velocity => false,
+            }
     }
 
     /// What it is called in sentences.

@@ -4,7 +4,8 @@ use passivity_scene::Motion;
 
 use super::kind::Kind;
 use super::words::words;
-use crate::log::header::{read_unit, read_unit_of_force};
+use crate::log::error::shown;
+use crate::log::header::{is_unit, read_unit, read_unit_of_force};
 
 /// The units that names of columns give, as they are proposed. Of units whose letters differ only in case, such as
 /// `mN` and `MN`, those of a log.
@@ -19,6 +20,39 @@ const UNITS: [&str; 50] = [
 const WORDS: [&str; 12] = [
     "s", "ms", "us", "ns", "m", "in", "rev", "turn", "N", "mN", "uN", "g",
 ];
+
+/// Those that only the end of a name gives: within it they are other words or letters.
+const LAST: [&str; 7] = ["s", "m", "in", "rev", "turn", "N", "g"];
+
+/// Units in words, as [`words`] has them.
+const SPELT: [(&str, &str); 23] = [
+    ("inche", "in"),
+    ("meter", "m"),
+    ("metre", "m"),
+    ("millimeter", "mm"),
+    ("millimetre", "mm"),
+    ("centimeter", "cm"),
+    ("centimetre", "cm"),
+    ("micrometer", "um"),
+    ("micrometre", "um"),
+    ("micron", "um"),
+    ("radian", "rad"),
+    ("milliradian", "mrad"),
+    ("degree", "deg"),
+    ("revolution", "rev"),
+    ("newton", "N"),
+    ("millinewton", "mN"),
+    ("kilonewton", "kN"),
+    ("newtonmeter", "Nm"),
+    ("newtonmetre", "Nm"),
+    ("gram", "g"),
+    ("kilogram", "kg"),
+    ("ounce", "oz"),
+    ("pound", "lb"),
+];
+
+/// Words for units that are not read.
+const UNKNOWN: [&str; 2] = ["mil", "thou"];
 
 /// The letters of a unit.
 fn letters(text: &str) -> String {
@@ -49,33 +83,76 @@ pub(super) fn respelt(kind: Kind, unit: &str, motion: Motion) -> Option<&'static
 }
 
 fn spelt(kind: Kind, text: &str, motion: Motion) -> Option<&'static str> {
+    let in_words = SPELT.iter().find(|(words, _)| *words == text);
+    let text = in_words.map_or(text, |(_, unit)| unit);
     let is_it = |unit: &&&str| same_letters(unit, text) && fits(kind, unit, motion);
     UNITS.iter().find(is_it).copied()
 }
 
-/// The unit of a kind with which a name ends; or one of another kind, of which it cannot be.
-pub(super) fn said(
-    kind: Kind,
-    name: &str,
-    motion: Motion,
-) -> Result<Option<&'static str>, &'static str> {
-    let words = words(name);
-    let ends = (1..words.len()).map(|from| {
-        words
-            .iter()
-            .skip(from)
-            .map(String::as_str)
-            .collect::<String>()
+/// The unit in the last brackets or parentheses of a name that have one, wherever they are.
+fn enclosed(name: &str) -> Option<&str> {
+    let pairs = [('[', ']'), ('(', ')')];
+    let found = pairs.into_iter().flat_map(|(open, close)| {
+        let starts = name.match_indices(open);
+        starts.filter_map(move |(at, _)| {
+            let (inner, _) = name.get(at + 1..)?.split_once(close)?;
+            is_unit(inner.trim()).then_some((at, inner.trim()))
+        })
     });
-    for end in ends {
-        if let Some(unit) = spelt(kind, &end, motion) {
-            return Ok(Some(unit));
-        }
-        let is_other = |unit: &&&str| !WORDS.contains(*unit) && same_letters(unit, &end);
-        let other = UNITS.iter().find(is_other);
-        if let Some(other) = other {
-            return Err(other);
+    found.max_by_key(|(at, _)| *at).map(|(_, unit)| unit)
+}
+
+/// Whether a number stands right before a word, as in `pos_100um`.
+pub(super) fn is_multiple(name: &str, word: &str) -> bool {
+    let name = name.to_lowercase();
+    let before = name
+        .match_indices(word)
+        .filter_map(|(at, _)| name.get(..at));
+    before
+        .filter_map(|before| before.chars().last())
+        .any(|c| c.is_ascii_digit())
+}
+
+/// The unit of a kind that a name gives, if any; or why it can be none of this kind.
+pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<String>, String> {
+    if let Some(unit) = enclosed(name) {
+        let respelt = respelt(kind, unit, motion);
+        let unit = respelt.unwrap_or(unit);
+        return match fits(kind, unit, motion) {
+            true => Ok(Some(unit.to_owned())),
+            false => Err(no_unit(unit, kind, motion)),
+        };
+    }
+    let words = words(name);
+    if let Some(unknown) = words.iter().find(|word| UNKNOWN.contains(&word.as_str())) {
+        return Err(no_unit(unknown, kind, motion));
+    }
+    // The last one, of as many words as possible.
+    for until in (2..=words.len()).rev() {
+        for from in 1..until {
+            let some = words.iter().take(until).skip(from);
+            let text: String = some.map(String::as_str).collect();
+            let is_last = until == words.len();
+            if let Some(unit) = spelt(kind, &text, motion)
+                && (is_last || !LAST.contains(&unit))
+            {
+                let first = words.get(from).map_or("", String::as_str);
+                return match is_multiple(name, first) {
+                    true => Err(format!("a number stands before its unit, `{unit}`")),
+                    false => Ok(Some(unit.to_owned())),
+                };
+            }
+            let is_other = |unit: &&&str| !WORDS.contains(*unit) && same_letters(unit, &text);
+            let other = UNITS.iter().find(is_other);
+            if let Some(other) = other.filter(|_| is_last) {
+                return Err(no_unit(other, kind, motion));
+            }
         }
     }
     Ok(None)
+}
+
+pub(super) fn no_unit(unit: &str, kind: Kind, motion: Motion) -> String {
+    let (unit, kind, own) = (shown(unit.as_bytes()), kind.name(), kind.unit(motion));
+    format!("`{unit}` is no unit of {kind} like `{own}`")
 }

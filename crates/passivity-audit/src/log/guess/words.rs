@@ -20,6 +20,9 @@ pub(super) const NOT_MEASURED: [&str; 16] = [
     "stiffness",
 ];
 
+/// Those of them that are no time either: `wall_time` and `command_time` are.
+pub(super) const NO_TIME: [&str; 5] = ["error", "err", "offset", "limit", "stiffness"];
+
 /// What is no position, though its last word may be `x`: a derivative, which is named after what it is one of,
 /// and other vectors.
 pub(super) const NO_POSITION: [&str; 12] = [
@@ -39,6 +42,11 @@ pub(super) const NO_POSITION: [&str; 12] = [
 
 /// What a force that was held is called.
 pub(super) const HELD: [&str; 6] = ["cmd", "command", "commanded", "motor", "applied", "desired"];
+
+/// What stands behind the letter of a force in one word, as in `Fcmd` and `Ttot`.
+pub(super) const OF_FORCE: [&str; 9] = [
+    "cmd", "command", "motor", "mot", "applied", "tot", "total", "out", "act",
+];
 
 /// What a count is called, as a word of a name or as a unit.
 pub(super) const COUNTED: [&str; 6] = ["count", "tick", "cnt", "lsb", "inc", "increment"];

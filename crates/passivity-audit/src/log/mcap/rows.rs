@@ -9,7 +9,7 @@ use std::path::Path;
 use mcap::records::Record;
 
 use crate::log::csv::{self, Notation};
-use crate::log::digits::Digits;
+use crate::log::digits::{Digits, Seen};
 use crate::log::error::{TraceError, legible, shown};
 use crate::log::findings::Finding;
 use crate::log::guarded::guarded;
@@ -202,9 +202,14 @@ impl Rows {
         Ok(Some(Finding {
             kind: "not_yet",
             says: format!(
-                "{messages} on {} came before the first on {} and are no rows",
+                "{messages} on {} came before the first on {} and {}",
                 legible(&self.position.topic),
-                others.join(", ")
+                others.join(", "),
+                if self.skipped == 1 {
+                    "is no row"
+                } else {
+                    "are no rows"
+                }
             ),
             fix: "if they matter, record the other topic from an earlier time on".to_owned(),
         }))
@@ -212,13 +217,22 @@ impl Rows {
 
     /// How many digits the numbers of a column have in the first rows.
     pub(crate) fn digits(&mut self, column: usize) -> Digits {
-        /// About as much text as is looked at.
-        const FIRST: usize = 1 << 16;
-        while !self.ended && self.text.len() < FIRST {
+        let (mut seen, mut at) = (Seen::default(), 0);
+        loop {
+            let rest = self.text.get(at..).unwrap_or_default();
+            for line in rest.split_inclusive('\n') {
+                if seen.is_done() {
+                    break;
+                }
+                let row = line.trim_end().as_bytes();
+                seen.see(line.len(), csv::place(row, column, Notation::default()));
+                at += line.len();
+            }
+            if self.ended || seen.is_done() {
+                return seen.digits;
+            }
             self.step();
         }
-        let lines = self.text.lines().map(str::as_bytes);
-        csv::digits(lines, column, Notation::default())
     }
 
     /// The next rows; `None` after the last.

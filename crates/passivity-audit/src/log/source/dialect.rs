@@ -7,6 +7,7 @@ use passivity_scene::Scene;
 use super::shape;
 use crate::log::columns::Columns;
 use crate::log::csv::{self, Notation};
+use crate::log::digits::Seen;
 use crate::log::error::{TraceError, legible};
 use crate::log::guess;
 use crate::log::layout::Layout;
@@ -42,7 +43,9 @@ impl Dialect {
             preview: csv::preview(first, &layout.headings, notation),
         };
         if let Some(force) = layout.force {
-            layout.digits = lines.digits(force, notation);
+            let mut seen = Seen::default();
+            lines.see(force, notation, &mut seen);
+            layout.digits = seen.digits;
         }
         Ok((layout, said, notation))
     }
@@ -54,7 +57,7 @@ impl Dialect {
     ) -> Result<(Vec<u8>, Notation), TraceError> {
         let start = lines.start()?;
         let notation = self.notation(start.delimiter)?;
-        match shape::with_units(&start.names, &lines.first(), notation) {
+        match shape::with_units(&start.names, &lines.first(), notation)? {
             Some(names) => {
                 lines.line()?;
                 Ok((names, notation))
@@ -105,6 +108,9 @@ fn otherwise(
             Some(char::from(notation.delimiter)).filter(|c| *c != ',' || notation.decimal_comma);
         proposal.decimal_comma = notation.decimal_comma;
     };
+    if !shape::is_even(line, first, own) {
+        error.proposal = None;
+    }
     if let Some(proposal) = &mut error.proposal {
         written(proposal, own);
     }
@@ -117,20 +123,14 @@ fn otherwise(
             delimiter,
             decimal_comma: own.decimal_comma || csv::has_decimal_commas(first, delimiter),
         };
-        // Names have spaces too: where these stand between fields, all rows have as many.
-        let is_even = delimiter != b' ' || shape::is_even(line, first, notation);
-        if notation == own || !is_even {
+        // Names have other characters too: where these stand between fields, rows have as many.
+        if notation == own || !shape::is_table(line, first, notation) {
             continue;
         }
-        let united = shape::with_units(line, first, notation);
+        let united = shape::with_units(line, first, notation).ok().flatten();
         let (line, first) = match &united {
             Some(line) => (&line[..], first.get(1..).unwrap_or_default()),
             None => (line, first),
-        };
-        let apart = || {
-            let [text, usual] =
-                [delimiter, own.delimiter].map(|c| legible(&char::from(c).to_string()));
-            format!("its fields seem to stand apart by `{text}`, not by `{usual}`")
         };
         let proposal = match layout(line, first, notation, None, scene) {
             Ok(layout) => layout.proposal(),
@@ -139,7 +139,7 @@ fn otherwise(
                 let is_one =
                     !line.contains(&own.delimiter) && shape::is_even(line, first, notation);
                 if is_one && error.proposal.is_none() && other.proposal.is_none() {
-                    let message = format!("{}, and then {other}", apart());
+                    let message = format!("{}, and then {other}", apart(notation, own));
                     error = TraceError::new(other.kind, message);
                 }
                 other.proposal
@@ -156,14 +156,29 @@ fn otherwise(
         written(&mut proposal, notation);
         error.message = match delimiter == own.delimiter {
             true => "its numbers seem to be written with a comma".to_owned(),
-            false => apart(),
+            false => apart(notation, own),
         };
         error.column = None;
         error.proposal = Some(proposal);
     }
-    let obstacle = shape::obstacle(line, first, own);
+    let obstacle = shape::obstacle(line, first, own).or_else(|| {
+        let notation = Notation {
+            delimiter: b' ',
+            ..own
+        };
+        // Of numbers apart by spaces under names that are not.
+        let is_one = !line.contains(&own.delimiter);
+        let obstacle = shape::obstacle(line, first, notation).filter(|_| is_one)?;
+        Some(format!("{}, and then {obstacle}", apart(notation, own)))
+    });
     if let Some(message) = obstacle.filter(|_| error.proposal.is_none()) {
         error = TraceError::new("header", message);
     }
     error
+}
+
+/// What is said where fields stand apart otherwise than was taken for granted.
+fn apart(notation: Notation, own: Notation) -> String {
+    let [text, usual] = [notation, own].map(|it| legible(&char::from(it.delimiter).to_string()));
+    format!("its fields seem to stand apart by `{text}`, not by `{usual}`")
 }

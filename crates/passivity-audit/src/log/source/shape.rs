@@ -1,6 +1,6 @@
 //! Files that are no CSV, and CSV with more than a header and rows: what they are, and how they are made readable.
 
-use crate::log::columns::quoted;
+use crate::log::columns::{quoted, same_unit};
 use crate::log::csv::{self, Notation};
 use crate::log::error::{TraceError, shown};
 use crate::log::header::{is_unit, split};
@@ -91,35 +91,54 @@ pub(super) fn obstacle(line: &[u8], first: &[&[u8]], notation: Notation) -> Opti
 
 /// The names of the columns with the units that stand in a line of their own after them: `time [s]`. `None` where that
 /// line is something else.
-pub(super) fn with_units(line: &[u8], first: &[&[u8]], notation: Notation) -> Option<Vec<u8>> {
+pub(super) fn with_units(
+    line: &[u8],
+    first: &[&[u8]],
+    notation: Notation,
+) -> Result<Option<Vec<u8>>, TraceError> {
+    let [Some(units), Some(next)] = [first.first(), first.get(1)] else {
+        return Ok(None);
+    };
     let names = csv::texts(line, notation);
-    let [units, next] = [first.first()?, first.get(1)?].map(|line| csv::texts(line, notation));
+    let (units, next) = (csv::units(units, notation), csv::texts(next, notation));
     let is_number = |text: &String| csv::is_number(text.as_bytes(), notation);
-    let has_none = |text: &str| text.is_empty() || text == "-";
-    let units: Vec<&str> = units
-        .iter()
-        .map(|text| text.trim_matches(['[', ']', '(', ')']))
-        .collect();
+    // What has no unit may have anything there but a number.
     let are_units = units.len() == names.len()
         && units.iter().any(|text| is_unit(text))
-        && units.iter().all(|text| has_none(text) || is_unit(text))
+        && !units.iter().any(|text| is_number(text) && text != "1")
         && next.iter().any(is_number);
-    let has_its_own = |name: &str| split(name).is_ok_and(|split| split.unit.is_some());
-    let with = |(name, unit): (&String, &&str)| match has_none(unit) || has_its_own(name) {
-        true => quoted(name),
-        false => quoted(&format!("{name} [{unit}]")),
+    if !are_units {
+        return Ok(None);
+    }
+    let with = |(name, unit): (&String, &String)| {
+        let own = split(name).ok().and_then(|split| split.unit);
+        match own {
+            Some(own) if is_unit(unit) && !same_unit(&own, unit) => {
+                let message =
+                    format!("its name has the unit `{own}`, and the line after it `{unit}`");
+                Err(TraceError::new("unit", message).column(name))
+            }
+            Some(_) => Ok(quoted(name)),
+            None if matches!(&**unit, "" | "-" | "1") || unit.contains(['[', ']']) => {
+                Ok(quoted(name))
+            }
+            None => Ok(quoted(&format!("{name} [{unit}]"))),
+        }
     };
-    let named: Vec<String> = names.iter().zip(&units).map(with).collect();
-    are_units.then(|| {
-        named
-            .join(&char::from(notation.delimiter).to_string())
-            .into_bytes()
-    })
+    let named: Result<Vec<String>, TraceError> = names.iter().zip(&units).map(with).collect();
+    let delimiter = char::from(notation.delimiter).to_string();
+    Ok(Some(named?.join(&delimiter).into_bytes()))
 }
 
-/// Whether a header and the first rows have equally many fields, and more than one.
+/// Whether a header and most of the first rows have equally many fields.
 pub(super) fn is_even(line: &[u8], first: &[&[u8]], notation: Notation) -> bool {
     let width = csv::texts(line, notation).len();
-    let is_as_wide = |row: &&[u8]| csv::texts(row, notation).len() == width;
-    width > 1 && !first.is_empty() && first.iter().all(is_as_wide)
+    let is_as_wide = |row: &&&[u8]| csv::texts(row, notation).len() == width;
+    2 * first.iter().filter(is_as_wide).count() >= first.len()
+}
+
+/// Whether they are a table of several columns.
+pub(super) fn is_table(line: &[u8], first: &[&[u8]], notation: Notation) -> bool {
+    let width = csv::texts(line, notation).len();
+    width > 1 && !first.is_empty() && is_even(line, first, notation)
 }

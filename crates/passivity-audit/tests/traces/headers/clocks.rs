@@ -355,3 +355,56 @@ fn no_unit_is_proposed_for_times_that_are_no_numbers() {
     let error = refused(&counts("t", ["0", "?", "0.009"]), None);
     assert!(error.to_string().contains("unit"), "{error}");
 }
+
+#[test]
+fn clocks_of_other_names_are_not_passed_over() {
+    for name in [
+        "wall_time",
+        "wall clock",
+        "command_time",
+        "cmd_stamp",
+        "target_time",
+        "time_ref",
+        "walltime",
+        "rostime",
+        "runtime",
+        "sampletime",
+        "tstamp",
+        "tsec",
+        "utc",
+        "Uhrzeit",
+        "Datum",
+    ] {
+        let log = counts(name, ["0", "0.004", "0.009"]);
+        assert_eq!(proposed(&log, None), format!("t={name} [s], count=count"));
+        // The plain one is meant where there are both.
+        let log = format!("time,{name},count\n0,0,0\n0.004,1,20\n0.009,2,0\n");
+        assert_eq!(proposed(&log, None), "t=time [s], count=count", "{name}");
+    }
+}
+
+#[test]
+fn no_command_leaves_out_a_part_of_a_clock() {
+    for (names, times) in [
+        ("min,sec", ["0,10.000", "0,10.004", "1,10.009"]),
+        ("minute,second", ["0,59.996", "1,0.000", "1,0.005"]),
+        ("hour,min,sec", ["1,0,10.000", "1,0,10.004", "1,1,10.009"]),
+        ("s,ms,us", ["0,0,0", "0,4,0", "0,9,999"]),
+    ] {
+        let error = refused(&counts(names, times), None);
+        assert_eq!(error.proposal, None, "{error}");
+        assert!(
+            error
+                .to_string()
+                .contains("it is one of several columns that say together when a sample was"),
+            "{error}"
+        );
+    }
+    let log = counts("ms,us", ["0,999", "5,000", "9,999"]);
+    assert_eq!(proposed(&log, None), "t=ms [ms] + us [us], count=count");
+    // A least value is no minute.
+    let log = counts("min,sec", ["-3,10.000", "0,10.004", "1,10.009"]);
+    assert_eq!(proposed(&log, None), "t=sec [s], count=count");
+    let error = refused(&counts("time_100us", ["0", "40", "90"]), None);
+    assert_eq!(error.proposal, None, "{error}");
+}

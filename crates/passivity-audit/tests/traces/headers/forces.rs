@@ -1,6 +1,9 @@
 //! Columns of forces: the units that are weights, and those that no command may leave out.
 
-use super::{audited, audited_on, proposed, refused, rotary};
+use passivity_audit::{Options, audit_files};
+
+use super::{audited, audited_on, proposed, refused, rotary, scene};
+use crate::scratch::Scratch;
 
 /// Three samples in which a force that is three times the wall's, with the other sign, is held.
 fn log(force: &str, forces: [&str; 3]) -> String {
@@ -191,4 +194,24 @@ fn units_that_names_seem_to_give_are_proposed() {
     let log = "t [s],x [m],force [MN]\n0,0,0\n";
     let error = refused(log, Some("t=t [s], x=x [m], f=force [mN]")).to_string();
     assert!(error.contains("in `MN`, not in `mN`"), "{error}");
+}
+
+#[test]
+fn how_many_digits_forces_have_does_not_depend_on_how_a_log_is_cut_into_files() {
+    const HEADER: &str = "t [s],x [mm],f [N]\n";
+    // In the first file no force has decimals.
+    let first = "0.000,0,-0\n0.001,-0.1,0\n0.002,0.2,-0\n0.003,0.7,-1\n";
+    let second = "0.004,0.9,-0.91500\n0.005,1.4,-1.39500\n";
+    let whole = audited(&format!("{HEADER}{first}{second}"), None)
+        .unwrap()
+        .to_json();
+    assert_eq!(whole["force"]["agrees"], false);
+    let parts =
+        [first, second].map(|rows| Scratch::new("csv", format!("{HEADER}{rows}").as_bytes()));
+    let files = parts.each_ref().map(|file| file.to_path_buf());
+    let mut cut = audit_files(&files, &scene(), Options::default())
+        .unwrap()
+        .to_json();
+    cut.as_object_mut().unwrap().remove("files");
+    assert_eq!(cut, whole);
 }

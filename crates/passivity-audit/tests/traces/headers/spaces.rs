@@ -82,3 +82,28 @@ fn a_field_too_many_and_one_too_few_are_errors_of_their_rows() {
         );
     }
 }
+
+#[test]
+fn names_that_do_not_pair_with_the_fields_are_not_proposed() {
+    for (names, count) in [
+        ("motor torque [N]   x [mm]   t [s]", 4),
+        ("t / s   x / mm   f / N", 9),
+    ] {
+        let error = refused(&format!("{names}\n-1 1 0\n-1.1 1.1 0.001\n"), None);
+        assert_eq!(error.proposal, None, "{error}");
+        let says = format!(
+            "its fields seem to stand apart by ` `, not by `,`, and then the names of the columns, `{names}`, are {count}, but the \
+            first row has 3 fields"
+        );
+        assert_eq!(error.to_string(), says);
+    }
+}
+
+#[test]
+fn a_line_of_units_in_brackets_stands_apart_by_spaces_too() {
+    let expected = json(&audited("t [s],x [mm],f [N]\n0,1,-1\n0.001,1.1,-1.1\n", None).unwrap());
+    for units in ["[s]  [mm]  [N]", "s mm N", " (s) [ mm ] N"] {
+        let log = format!("t  x  f\n{units}\n0 1.0 -1\n0.001 1.1 -1.1\n");
+        assert_eq!(json(&by_spaces(&log, None)), expected, "{units}");
+    }
+}

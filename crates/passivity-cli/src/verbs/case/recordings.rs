@@ -9,7 +9,8 @@ use passivity_scene::Scene;
 
 use crate::exit::{Exit, Failure};
 use crate::progress::Progress;
-use crate::verbs::audit::{delimiter, quoted, read_as};
+use crate::typed::command;
+use crate::verbs::audit::delimiter;
 
 /// Logs of the device, how they are read, and what is said of them.
 #[derive(Debug, clap::Args)]
@@ -149,27 +150,6 @@ fn refusal(error: &CaseError) -> Failure {
         Some(proposal) => Failure::input(format!("{error} run: {}", command(proposal))),
         None => Failure::input(error),
     }
-}
-
-/// The command that was typed, with the columns that are proposed.
-fn command(proposal: &Proposal) -> String {
-    let mut words = vec!["passivity".to_owned()];
-    let typed = std::env::args_os().skip(1);
-    let mut typed = typed.map(|word| word.to_string_lossy().into_owned());
-    while let Some(word) = typed.next() {
-        let name = word.split('=').next().unwrap_or_default();
-        match name {
-            "--columns" | "--delimiter" if word == name => drop(typed.next()),
-            "--columns" | "--delimiter" | "--decimal-comma" => {}
-            _ => words.push(word),
-        }
-    }
-    words.extend(read_as(proposal));
-    if proposal.decimal_comma {
-        words.push("--decimal-comma".to_owned());
-    }
-    let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
-    words.join(" ")
 }
 
 /// What the recordings come to, as an exit code.

@@ -1,0 +1,102 @@
+//! Units: in a line of their own, anywhere in a name, and in words.
+
+use super::{audited, proposed, refused, scene};
+use crate::scratch::Scratch;
+use passivity_audit::{Options, audit_files};
+
+const ROWS: &str = "0,0,0\n0.001,0.3,-0.9\n0.002,1.2,-3.6\n0.003,0.4,-1.2\n";
+
+#[test]
+fn a_line_of_units_may_not_contradict_the_header() {
+    for (names, units, column) in [
+        ("t,x_m,f", "s,mm,N", "x_m"),
+        ("t [s],x [m],f [N]", "s,mm,N", "x [m]"),
+        ("t,x,f [N]", "s,mm,mN", "f [N]"),
+        ("t [ms],x,f", "s,mm,N", "t [ms]"),
+    ] {
+        let error = refused(&format!("{names}\n{units}\n{ROWS}"), None);
+        assert!(
+            error
+                .to_string()
+                .starts_with(&format!("column `{column}`: its name has the unit")),
+            "{error}"
+        );
+    }
+    let same = audited(&format!("t [s],x [mm],f\nseconds,mm,N\n{ROWS}"), None).unwrap();
+    let expected = audited(&format!("t [s],x [mm],f [N]\n{ROWS}"), None).unwrap();
+    assert_eq!(same.to_text(), expected.to_text());
+    // Nor that of a file that goes on with the log.
+    let header = "t [s],x [mm],f [N]\n";
+    let files = [format!("{header}{ROWS}"), format!("{header}s,um,N\n{ROWS}")]
+        .map(|text| Scratch::new("csv", text.as_bytes()));
+    let files = files.each_ref().map(|file| file.to_path_buf());
+    let audit = audit_files(&files, &scene(), Options::default()).unwrap();
+    let error = audit.error().unwrap().to_string();
+    assert!(
+        error.contains("its name has the unit `mm`, and the line after it `um`"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_line_of_units_may_have_others_for_columns_that_are_not_read() {
+    let expected = audited(&format!("t [s],x [mm],f [N]\n{ROWS}"), None)
+        .unwrap()
+        .to_json();
+    let rows = ROWS.replace('\n', ",7\n");
+    for other in ["V", "%", "°C", "n/a", "text", "1", "[A]", "", "-"] {
+        let audit = audited(&format!("t,x,f,aux\ns,mm,N,{other}\n{rows}"), None).unwrap();
+        assert_eq!(
+            audit.to_json()["dissipated_lower"],
+            expected["dissipated_lower"],
+            "{other}"
+        );
+        assert_eq!(audit.to_json()["intervals"], 3, "{other}");
+    }
+    // A row with text is none.
+    let error = refused("t,x,f\ns,2,N\n0,0,0\n", None);
+    assert!(
+        error.to_string().contains("`t` is given without a unit") || error.kind == "unit",
+        "{error}"
+    );
+}
+
+#[test]
+fn units_anywhere_in_a_name_are_proposed() {
+    for (name, unit) in [
+        ("x [mm] raw", "mm"),
+        ("Position [mm] (raw)", "mm"),
+        ("x (mm) joint 1", "mm"),
+        ("pos_mm_raw", "mm"),
+        ("pos_mm_filt", "mm"),
+        ("x_inches", "in"),
+        ("position in world", "m"),
+        ("pos millimeters", "mm"),
+    ] {
+        let found = proposed(&format!("t [s],{name},f [N]\n{ROWS}"), None);
+        assert_eq!(found, format!("t=t [s], x={name} [{unit}], f=f [N]"));
+    }
+    for (name, unit) in [
+        ("f [mN] (cmd)", "mN"),
+        ("force_mN_cmd", "mN"),
+        ("force_grams", "g"),
+        ("force milliNewton", "mN"),
+    ] {
+        let found = proposed(&format!("t [s],x [mm],{name}\n{ROWS}"), None);
+        assert_eq!(found, format!("t=t [s], x=x [mm], f={name} [{unit}]"));
+    }
+}
+
+#[test]
+fn nothing_is_proposed_for_units_that_are_not_read() {
+    for (name, says) in [
+        ("pos_100um", "a number stands before its unit, `um`"),
+        ("pos_0.1mm", "a number stands before its unit, `mm`"),
+        ("position_mils", "`mil` is no unit of a position like `m`"),
+        ("x [N] raw", "`N` is no unit of a position like `m`"),
+    ] {
+        let error = refused(&format!("t [s],{name},f [N]\n{ROWS}"), None);
+        assert_eq!(error.proposal, None, "{error}");
+        assert!(error.to_string().contains(says), "{error}");
+    }
+}
