@@ -6,13 +6,13 @@ use passivity_audit::Proposal;
 pub(crate) fn command(proposal: &Proposal) -> String {
     let typed = std::env::args_os().skip(1);
     let typed = typed.map(|word| word.to_string_lossy().into_owned());
-    let words = proposed(typed, proposal);
+    let words = proposed(typed, read_as(proposal));
     let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
     format!("passivity {}", words.join(" "))
 }
 
-fn proposed(typed: impl Iterator<Item = String>, proposal: &Proposal) -> Vec<String> {
-    let mut typed = typed;
+/// What was typed, with other words about how logs are read.
+fn proposed(mut typed: impl Iterator<Item = String>, read_as: Vec<String>) -> Vec<String> {
     let mut words = Vec::new();
     // What follows two hyphens is no option.
     let mut rest = None;
@@ -27,7 +27,14 @@ fn proposed(typed: impl Iterator<Item = String>, proposal: &Proposal) -> Vec<Str
             _ => words.push(word),
         }
     }
-    words.extend(["--columns".to_owned(), proposal.columns.clone()]);
+    words.extend(read_as);
+    words.extend(rest.into_iter().chain(typed));
+    words
+}
+
+/// The words of a command that read the columns and fields as they are proposed.
+fn read_as(proposal: &Proposal) -> Vec<String> {
+    let mut words = vec!["--columns".to_owned(), proposal.columns.clone()];
     if let Some(delimiter) = proposal.delimiter {
         let name = match delimiter {
             '\t' => "tab".to_owned(),
@@ -38,7 +45,6 @@ fn proposed(typed: impl Iterator<Item = String>, proposal: &Proposal) -> Vec<Str
     if proposal.decimal_comma {
         words.push("--decimal-comma".to_owned());
     }
-    words.extend(rest.into_iter().chain(typed));
     words
 }
 
@@ -57,13 +63,6 @@ mod tests {
 
     #[test]
     fn all_but_how_logs_are_read_is_kept() {
-        let proposal = Proposal {
-            columns: "x=pos [mm]".to_owned(),
-            delimiter: Some('\t'),
-            decimal_comma: true,
-            assumed: Vec::new(),
-            others: Vec::new(),
-        };
         for (typed, expected) in [
             (
                 "audit l.csv --scene s.toml --law",
@@ -79,21 +78,8 @@ mod tests {
             ),
         ] {
             let words = |text: &str| text.split(' ').map(str::to_owned).collect::<Vec<_>>();
-            let new = [
-                "--columns",
-                "x=pos [mm]",
-                "--delimiter",
-                "tab",
-                "--decimal-comma",
-            ];
-            let expected = words(expected)
-                .into_iter()
-                .flat_map(|word| match word.as_str() {
-                    "NEW" => new.map(str::to_owned).to_vec(),
-                    _ => vec![word],
-                });
-            let found = proposed(words(typed).into_iter(), &proposal);
-            assert_eq!(found, expected.collect::<Vec<_>>(), "{typed}");
+            let found = proposed(words(typed).into_iter(), vec!["NEW".to_owned()]);
+            assert_eq!(found, words(expected), "{typed}");
         }
         assert_eq!(quoted("it's"), "'it'\\''s'");
     }

@@ -168,7 +168,7 @@ fn the_command_that_is_shown_keeps_what_was_typed() {
         let run = dir.run(&args);
         let command = super::shown(&run);
         assert!(command.contains(columns), "{typed}: {command}");
-        assert!(command.ends_with(shown), "{typed}: {command}");
+        assert!(command.contains(shown), "{typed}: {command}");
         let (run, _) = super::follow(&dir, &command);
         assert!(run.code < 2, "{command}: {}", run.stderr);
     }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use passivity_audit::{Proposal, Verdict};
+use passivity_audit::Verdict;
 use passivity_case::recorded::Outcome;
 use passivity_case::{CaseError, Recorded, Recording, Recordings, Study};
 use passivity_scene::Scene;
