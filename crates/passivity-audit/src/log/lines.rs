@@ -87,7 +87,7 @@ impl<R: Read> Lines<R> {
         let (mut delimiter, mut comment) = (None, None);
         for _ in 0..=COMMENTS {
             let line = self.peek()?;
-            if let (None, None, Some([it])) = (delimiter, &comment, line.strip_prefix(b"sep=")) {
+            if let (None, Some([it])) = (delimiter, line.strip_prefix(b"sep=")) {
                 delimiter = Some(*it);
                 self.line()?;
                 continue;

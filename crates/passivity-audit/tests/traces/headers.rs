@@ -246,6 +246,7 @@ fn comments_a_line_of_excel_and_units_of_their_own_stand_before_the_rows() {
         "# a linear device\n#\n# t [s],count,f [N]\n",
         "\u{feff}# a linear device\r\n% at 1 kHz\r\nt [s],count,f [N]\r\n",
         "sep=,\nt [s],count,f [N]\n",
+        "\u{feff}# a linear device\nsep=,\nt [s],count,f [N]\n",
         "t,count,f\n[s],,(N)\n",
         "# a linear device\nt,count,f\ns,-,N\n",
     ] {

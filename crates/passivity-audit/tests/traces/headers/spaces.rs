@@ -73,7 +73,7 @@ fn a_field_too_many_and_one_too_few_are_errors_of_their_rows() {
     for (row, found) in [("0.001  1 2", 3), ("  0.001  ", 1)] {
         let audit = by_spaces(&format!("t [s]  count\n0  0\n{row}\n0.002 0\n"), None);
         let error = audit.error().unwrap();
-        assert_eq!((error.kind.as_ref(), error.row), ("fields", Some(2)));
+        assert_eq!((error.kind, error.row), ("fields", Some(2)));
         assert!(
             error
                 .message
