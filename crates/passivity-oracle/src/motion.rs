@@ -4,7 +4,8 @@
 //! ξ(t) = ξ₀ + v₀·t·φ₁(−λt) + a·t²·φ₂(−λt), where φ₁(z) = (eᶻ − 1)/z and φ₂(z) = (eᶻ − 1 − z)/z².
 
 use num_bigint::BigInt;
-use num_traits::{One, Pow, Signed, Zero};
+use num_integer::Integer as _;
+use num_traits::{One, Signed, Zero};
 use passivity_core::{BigRational, Friction, Interval};
 use serde::Serialize;
 
@@ -70,68 +71,150 @@ impl Piece {
         if self.velocity.is_zero() || !self.mu.is_positive() || self.duration.is_negative() {
             return None;
         }
-        let t = &self.duration;
-        let z = &self.friction.beta * t / &self.mu;
+        let [mu, t, xi, v] = [&self.mu, &self.duration, &self.xi, &self.velocity].map(Fraction::of);
+        let z = &self.friction.beta * &self.duration / &self.mu;
         if z > BigRational::one() {
             return None;
         }
         let against = &self.friction.sigma * self.velocity.signum();
-        let a = (&self.force - against) / &self.mu;
-        let [phi_1, phi_2] = [phi(&z, 1), phi(&z, 2)];
+        let pushed = Fraction::of(&(&self.force - against)).times(&t);
+        let (gained, moved) = (pushed.over(&mu), v.times(&t));
+        let [phi_1, phi_2] = phi(&z);
+        let z = Fraction::of(&z);
         // Both are linear in φ, so extreme at its ends.
-        let slope = &a * t - &self.velocity * &z;
-        let velocity = along(&phi_1, |phi| &self.velocity + &slope * phi);
-        let drift = along(&phi_1, |phi| &self.xi + &self.velocity * t * phi);
-        let pull = along(&phi_2, |phi| &a * t * t * phi);
-        let xi = Interval::hull(drift.lo() + pull.lo(), drift.hi() + pull.hi());
+        let velocity = phi_1.map_ends(&gained.plus(&v.times(&z).negated()), &v);
+        let drift = phi_1.map_ends(&moved, &xi);
+        let xi = drift.plus(&phi_2.map_ends(&gained.times(&t), &Fraction::zero()));
         // Velocity is monotone within a piece, so its signs at the ends are those in between.
         let turned = match self.velocity.is_positive() {
-            true => velocity.lo().is_negative(),
-            false => velocity.hi().is_positive(),
+            true => velocity.lo.numerator.is_negative(),
+            false => velocity.hi.numerator.is_positive(),
         };
         (!turned).then(|| Arrival {
-            xi: outward(&xi),
-            velocity: outward(&velocity),
+            xi: xi.outward(),
+            velocity: velocity.outward(),
         })
     }
 }
 
-/// The values of a linear function over an interval.
-fn along(
-    of: &Interval<BigRational>,
-    f: impl Fn(&BigRational) -> BigRational,
-) -> Interval<BigRational> {
-    Interval::hull(f(of.lo()), f(of.hi()))
+/// φ₁(−z) and φ₂(−z) for 0 ≤ z ≤ 1, each between two consecutive partial sums of Σ (−z)ʲ/(j + k)!, which
+/// alternates and falls.
+///
+/// As φ₁(−z) = 1 − z·φ₂(−z), term by term, one sum gives both.
+fn phi(z: &BigRational) -> [Range; 2] {
+    /// The last power of z, an odd one: 1/38! is below 10⁻⁴⁴.
+    const LAST: u32 = 37;
+    let (n, d) = (z.numer(), z.denom());
+    // Σ (−z)ʲ/(j + 2)! for j below `LAST` in units of 1/((LAST + 1)!·dʲ), from the last term on.
+    let (mut sum, mut power, mut factor) = (BigInt::one(), BigInt::one(), BigInt::one());
+    for j in (0..LAST - 1).rev() {
+        factor *= j + 3;
+        power *= d;
+        sum = &factor * &power - sum * n;
+    }
+    let (sum, last) = (sum * (LAST + 2), n.pow(LAST));
+    let unit: BigInt = factor * 2 * (LAST + 2) * power * d;
+    let between = |lo: BigInt, more: BigInt| Range {
+        hi: Fraction::new(&lo + more, unit.clone()),
+        lo: Fraction::new(lo, unit.clone()),
+    };
+    let one_less = &unit - n * &sum;
+    [
+        between(one_less, &last * (LAST + 2)),
+        between(sum * d - &last, last),
+    ]
 }
 
-/// φ_k(−z) = Σ (−z)ʲ/(j + k)! for 0 ≤ z ≤ 1: alternating and falling, so that two consecutive
-/// partial sums enclose it.
-fn phi(z: &BigRational, k: u32) -> Interval<BigRational> {
-    /// 1/38! is below 10⁻⁴⁴.
-    const TERMS: u32 = 38;
-    let mut term = (1..=k).fold(BigRational::one(), |x, n| x / BigInt::from(n));
-    let (mut sum, mut before) = (term.clone(), BigRational::zero());
-    if z.is_zero() {
-        return Interval::point(sum);
-    }
-    for j in 1..TERMS {
-        term = -term * z / BigInt::from(j + k);
-        before = sum.clone();
-        sum += &term;
-    }
-    Interval::hull(before, sum)
+/// A fraction that is not reduced: the sums of [`phi`] are long, and nothing is asked of them but where they
+/// lie between decimals, which one division says. Reducing each on the way took a thousand times as long.
+#[derive(Clone)]
+struct Fraction {
+    numerator: BigInt,
+    /// Above zero.
+    denominator: BigInt,
 }
 
-/// Rounded outward to [`DIGITS`] decimal places; exact numbers stay.
-fn outward(range: &Interval<BigRational>) -> Figure<BigRational> {
-    if range.is_point() {
-        return Figure::Exact(range.lo().clone());
+impl Fraction {
+    const fn new(numerator: BigInt, denominator: BigInt) -> Self {
+        Self {
+            numerator,
+            denominator,
+        }
     }
-    let scale = BigRational::from_integer(BigInt::from(10).pow(DIGITS));
-    Figure::Enclosed(Interval::hull(
-        (range.lo() * &scale).floor() / &scale,
-        (range.hi() * &scale).ceil() / &scale,
-    ))
+
+    fn of(x: &BigRational) -> Self {
+        Self::new(x.numer().clone(), x.denom().clone())
+    }
+
+    fn zero() -> Self {
+        Self::new(BigInt::zero(), BigInt::one())
+    }
+
+    fn negated(self) -> Self {
+        Self::new(-self.numerator, self.denominator)
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        if self.denominator == other.denominator {
+            let sum = &self.numerator + &other.numerator;
+            return Self::new(sum, self.denominator.clone());
+        }
+        let numerator = &self.numerator * &other.denominator + &other.numerator * &self.denominator;
+        Self::new(numerator, &self.denominator * &other.denominator)
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        let numerator = &self.numerator * &other.numerator;
+        Self::new(numerator, &self.denominator * &other.denominator)
+    }
+
+    /// The quotient by what is above zero.
+    fn over(&self, divisor: &Self) -> Self {
+        let numerator = &self.numerator * &divisor.denominator;
+        Self::new(numerator, &self.denominator * &divisor.numerator)
+    }
+}
+
+/// All numbers between two that have the same denominator.
+struct Range {
+    lo: Fraction,
+    hi: Fraction,
+}
+
+impl Range {
+    /// Of slope·x + start.
+    fn map_ends(&self, slope: &Fraction, start: &Fraction) -> Self {
+        let at = |end: &Fraction| slope.times(end).plus(start);
+        let (lo, hi) = match slope.numerator.is_negative() {
+            true => (&self.hi, &self.lo),
+            false => (&self.lo, &self.hi),
+        };
+        Self {
+            lo: at(lo),
+            hi: at(hi),
+        }
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Self {
+            lo: self.lo.plus(&other.lo),
+            hi: self.hi.plus(&other.hi),
+        }
+    }
+
+    /// Rounded outward to [`DIGITS`] decimal places; exact numbers stay.
+    fn outward(self) -> Figure<BigRational> {
+        let (lo, hi) = (&self.lo, &self.hi);
+        if lo.numerator == hi.numerator {
+            return Figure::Exact(BigRational::new(self.lo.numerator, self.lo.denominator));
+        }
+        let scale = BigInt::from(10).pow(DIGITS);
+        let below = (&lo.numerator * &scale).div_floor(&lo.denominator);
+        let above = (&hi.numerator * &scale).div_ceil(&hi.denominator);
+        let ends = [below, above].map(|end| BigRational::new(end, scale.clone()));
+        let [lo, hi] = ends;
+        Figure::Enclosed(Interval::hull(lo, hi))
+    }
 }
 
 #[cfg(test)]
@@ -166,6 +249,23 @@ mod tests {
         // ξ = 1 − 1/e.
         let xi = ratio(1, 1) - inverse_e;
         assert!(*arrival.xi.lo() < xi && xi < *arrival.xi.hi());
+    }
+
+    #[test]
+    fn both_sums_are_those_of_their_terms() {
+        for z in [ratio(0, 1), ratio(1, 1), ratio(3, 7), ratio(1, 1_000_003)] {
+            for (k, range) in (1..).zip(phi(&z)) {
+                let mut term = (1..=k).fold(BigRational::one(), |x, n| x / BigInt::from(n));
+                let mut sums = vec![term.clone()];
+                for j in 1..38 {
+                    term = -term * &z / BigInt::from(j + k);
+                    sums.push(sums.last().unwrap() + &term);
+                }
+                let ends = [range.hi, range.lo];
+                let ends = ends.map(|end| BigRational::new(end.numerator, end.denominator));
+                assert_eq!(ends, [sums[36].clone(), sums[37].clone()], "{z} {k}");
+            }
+        }
     }
 
     #[test]

@@ -135,3 +135,43 @@ fn a_check_of_long_numbers_asks_for_more_work() {
         );
     }
 }
+
+/// However long its seven numbers are, and without a refusal: each of the first three took more than ten seconds, the last
+/// one more than forty.
+#[test]
+fn a_motion_takes_little_work() {
+    let long = |first: char| format!("{first}{}", "7".repeat(1000));
+    let below = |first| {
+        format!(
+            "1{}/{}",
+            "3".repeat(599),
+            long(first)[..600].to_owned() + "1"
+        )
+    };
+    for (mu, beta, tau, others) in [
+        ("1", "1e-1200", "1", ["0", "1", "0"]),
+        ("1e1200", "1", "1", ["0", "1", "0"]),
+        ("1", "1", "1e-1200", ["0", "1", "0"]),
+        (
+            &*below('2'),
+            &*below('3'),
+            &*below('5'),
+            [&*long('1'), &*long('9'), &*long('4')],
+        ),
+    ] {
+        let [xi, velocity, force] = others;
+        let start = std::time::Instant::now();
+        let answer = ask(&format!(
+            r#"{{"op": "motion", "mu": "{mu}", "beta": "{beta}", "sigma": "0", "tau": "{tau}", "xi": "{xi}",
+                "velocity": "{velocity}", "force": "{force}"}}"#
+        ));
+        let seconds = start.elapsed().as_secs_f64();
+        assert!(
+            answer.contains(r#""velocity": {"lo": "#),
+            "{}",
+            &answer[..200]
+        );
+        // Without optimisation and beside other tests: some milliseconds, and of the last some tenths of a second.
+        assert!(seconds < 5.0, "{seconds} s: {mu} {beta} {tau}");
+    }
+}
