@@ -112,7 +112,7 @@ fn read_line(input: &mut impl BufRead) -> std::io::Result<Option<Vec<u8>>> {
     }
     if line.last() != Some(&b'\n') && input.skip_until(b'\n')? > 0 {
         // Too long to be an answer, and nothing that it says is used.
-        line.clear();
+        line = format!("a line of more than {MAX_ANSWER} bytes").into_bytes();
     }
     Ok(Some(line))
 }
@@ -138,6 +138,10 @@ pub struct Judge<'a> {
     open: HashMap<u64, &'a Test>,
     /// What differs in each answer, and the answer.
     found: HashMap<u64, (Found, Value)>,
+    /// How many lines it said.
+    lines: usize,
+    /// By the test that was to be answered next, the first line that is no answer to any.
+    talk: HashMap<u64, String>,
 }
 
 impl<'a> Judge<'a> {
@@ -149,17 +153,23 @@ impl<'a> Judge<'a> {
             groups,
             open: tests.map(|test| (test.id, test)).collect(),
             found: HashMap::new(),
+            lines: 0,
+            talk: HashMap::new(),
         }
     }
 
-    /// Takes a line that the implementation says. What is no answer to a test is passed over; of several
-    /// answers the first counts, and that there are more is a difference.
+    /// Takes a line that the implementation says. One that is no answer to a test is a difference of the test that was
+    /// to be answered next, but for blank ones, which are passed over; of several answers the first counts, and
+    /// that there are more is a difference.
     pub fn hear(&mut self, line: &[u8]) {
-        let Ok(answer) = serde_json::from_slice::<Value>(line) else {
+        self.lines += 1;
+        if line.trim_ascii().is_empty() {
             return;
-        };
-        let Some(id) = answer["id"].as_u64() else {
-            return;
+        }
+        let answer = serde_json::from_slice::<Value>(line).unwrap_or_default();
+        let known = |id: &u64| self.open.contains_key(id) || self.found.contains_key(id);
+        let Some(id) = answer["id"].as_u64().filter(known) else {
+            return self.note(line);
         };
         if let Some(test) = self.open.remove(&id) {
             let mut found = Vec::new();
@@ -173,6 +183,18 @@ impl<'a> Judge<'a> {
         }
     }
 
+    /// Notes a line that is no answer.
+    fn note(&mut self, line: &[u8]) {
+        let mut tests = self.groups.iter().flat_map(|group| &group.tests);
+        let next = tests.clone().find(|test| self.open.contains_key(&test.id));
+        let Some(test) = next.or_else(|| tests.next_back()) else {
+            return;
+        };
+        let text = String::from_utf8_lossy(line.trim_ascii());
+        let message = format!("line {} is no answer to a test: {}", self.lines, cut(&text));
+        self.talk.entry(test.id).or_insert(message);
+    }
+
     /// What came of it.
     #[must_use]
     pub fn finish(mut self) -> Outcome {
@@ -180,10 +202,11 @@ impl<'a> Judge<'a> {
         for group in self.groups {
             for test in &group.tests {
                 outcome.tests += 1;
-                let (fields, answer) = match self.found.remove(&test.id) {
+                let (mut fields, answer) = match self.found.remove(&test.id) {
                     Some((fields, answer)) => (fields, Some(answer)),
                     None => (vec![(String::new(), "no answer".to_owned())], None),
                 };
+                fields.extend(self.talk.remove(&test.id).map(|talk| (String::new(), talk)));
                 if !fields.is_empty() {
                     outcome.differences.push(Difference {
                         group: group.name,
@@ -222,10 +245,15 @@ fn judge(test: &Test, answer: &Value, found: &mut Found) {
             }
             blame_formula(test, result, found);
             // A witness need not be the expected one, but it must draw energy.
-            if result["verdict"] == "not_passive"
-                && let Err(message) = witness::check(&test.request["scene"], &result["witness"])
+            if result["verdict"] == "not_passive" {
+                if let Err(message) = witness::check(&test.request["scene"], &result["witness"]) {
+                    found.push(("witness".to_owned(), message));
+                }
+            } else if expected.get("witness").is_some()
+                && result.get("witness") != Some(&Value::Null)
             {
-                found.push(("witness".to_owned(), message));
+                let message = "expected null, for a wall that is not called not passive";
+                found.push(("witness".to_owned(), message.to_owned()));
             }
         }
     }
@@ -290,7 +318,8 @@ fn encloses(expected: &Value, actual: &Value) -> bool {
     is_open && least <= hi && lo <= most && &hi - &lo <= tight && &most - &least <= tight
 }
 
-/// Whether numbers meet the enclosures of the test, widened a little.
+/// Whether numbers are in the enclosures of the test, widened a little, as a whole: no part of an interval may be further
+/// from them than a number may be.
 fn meets(expected: &Value, actual: &Value, found: &mut Found) {
     for field in ["xi", "velocity"] {
         let ends = [&expected[field], &actual[field]].map(ends);
@@ -301,7 +330,7 @@ fn meets(expected: &Value, actual: &Value, found: &mut Found) {
         let tolerance = BigRational::new(1.into(), 1_000_000_000.into());
         let size = num_traits::Signed::abs(&hi) + BigRational::from_integer(1.into());
         let slack = tolerance * size;
-        if least > most || least > &hi + &slack || most < &lo - &slack {
+        if least > most || most > &hi + &slack || least < &lo - &slack {
             let [lo, hi, least, most] = [lo, hi, least, most].map(|x| nearest_f64(&x));
             let message = format!("expected {lo} … {hi}, found {least} … {most}");
             found.push((field.to_owned(), message));
@@ -320,10 +349,13 @@ fn ends(value: &Value) -> Option<[BigRational; 2]> {
 }
 
 fn short(value: &Value) -> String {
+    cut(&value.to_string())
+}
+
+fn cut(text: &str) -> String {
     const MOST: usize = 120;
-    let text = value.to_string();
     match text.char_indices().nth(MOST) {
         Some((at, _)) => format!("{}…", text.get(..at).unwrap_or_default()),
-        None => text,
+        None => text.to_owned(),
     }
 }

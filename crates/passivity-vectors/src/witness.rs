@@ -24,12 +24,15 @@ const BITS: u32 = 192;
 /// Bits to which the cosine of a wave is enclosed: a border may be 10⁻³⁰ away, and waves are long.
 const COSINE_BITS: u32 = 600;
 
-/// Checks the `witness` of an answer about a scene; the error says what is wrong with it.
+/// Checks the `witness` of an answer about a scene, and that it gains what is said of it; the error says what is wrong with it.
 pub(super) fn check(scene: &Value, witness: &Value) -> Result<(), String> {
     let scene = Scene::from_json(scene).map_err(|error| error.to_string())?;
     let tested = Tested::of(&scene).ok_or("the scene has tolerances")?;
+    let claimed = read_rational(&witness["gain_per_cycle"]).ok();
+    let claimed = claimed.filter(BigRational::is_positive);
+    let claimed = claimed.ok_or("expected a gain_per_cycle above zero")?;
     if !witness["wave"].is_null() {
-        return tested.check_wave(&witness["wave"]);
+        return tested.check_wave(&witness["wave"], &claimed);
     }
     let given = match &witness["positions"] {
         Value::Array(positions) => positions.iter().collect(),
@@ -47,10 +50,17 @@ pub(super) fn check(scene: &Value, witness: &Value) -> Result<(), String> {
         return Err("the motion is faster than the operator".to_owned());
     }
     let gain = tested.gain(&positions).ok_or("a force is not defined")?;
-    if gain.is_positive() {
-        Ok(())
-    } else {
+    // With a lag the gain is a lower bound, some 2⁻¹⁹⁰ below what another may know.
+    let slack = match tested.has_lag() {
+        true => BigRational::new(1.into(), 1_000_000_000_000_i64.into()) * &gain,
+        false => BigRational::zero(),
+    };
+    if !gain.is_positive() {
         Err(format!("the motion gains {gain} at least"))
+    } else if claimed > &gain + slack {
+        Err(format!("the motion gains {gain}, not {claimed}"))
+    } else {
+        Ok(())
     }
 }
 
@@ -101,6 +111,11 @@ impl Tested {
             friction: given.friction(),
             applied: Controller::of(&dimensionless),
         })
+    }
+
+    fn has_lag(&self) -> bool {
+        let actuator = self.part.actuator.as_ref();
+        actuator.is_some_and(|actuator| *actuator.time_constant.lo() != BigRational::zero())
     }
 
     /// A lower bound of what the operator gains each time round; the gain itself without a lag.
@@ -182,8 +197,9 @@ impl Tested {
     }
 
     /// Checks a wave, steps A·cos θh off by at most 1 with θ = 2πq/p: with s ≤ λ(θ) − β it gains at
-    /// least p·[s(½A² − 2A) − F − (σ + ½δ)(A + 1)], where F is at least every |λ − β|.
-    fn check_wave(&self, wave: &Value) -> Result<(), String> {
+    /// least p·[s(½A² − 2A) − F − (σ + ½δ)(A + 1)], where F is at least every |λ − β|. And with s ≥ λ(θ) − β at most
+    /// p·[s(½A² + 2A) + F + ½δ(A + 1)], for a wave is an eigenvector of the account and the rest has length √p at most.
+    fn check_wave(&self, wave: &Value, claimed: &BigRational) -> Result<(), String> {
         let number = |name: &str| read_rational(&wave[name]).map_err(|_| format!("no {name}"));
         let [q, p, amplitude] = [number("turns")?, number("period")?, number("amplitude")?];
         let three = [&q, &p, &amplitude];
@@ -202,8 +218,9 @@ impl Tested {
         let beta = &self.friction.beta;
         let one_at_most =
             |end: &BigRational| Scalar::max(Scalar::min(end.clone(), one.clone()), -one.clone());
-        let cosine = Circle::to(COSINE_BITS).cosine(&(q / p)).map(one_at_most);
-        let spare = (cost.at(cosine.lo()) - beta).half();
+        let cosine = Circle::to(COSINE_BITS).cosine(&(q / &p)).map(one_at_most);
+        let short = cost.at(cosine.lo()) - beta;
+        let (spare, most) = (short.clone().half(), short.double());
         let over = cost.spare(&(beta + &spare)).scaled(&-one.clone());
         if !spare.is_positive() || !sturm::sign_over(&over, &cosine).is_nonnegative() {
             return Err("friction is enough at the frequency of the wave".to_owned());
@@ -212,7 +229,14 @@ impl Tested {
             Some([n, d]) => (n / d).half(),
             None => BigRational::zero(),
         };
-        let drawn = spare * (amplitude.square().half() - amplitude.clone().double());
+        let at_most = cost.spare(&(beta + &most));
+        let square = amplitude.square().half();
+        let yields = most * (&square + amplitude.clone().double()) + bound.hi() + beta;
+        let yields = p * (yields + &rounding * (&amplitude + &one));
+        if !sturm::sign_over(&at_most, &cosine).is_nonnegative() || *claimed > yields {
+            return Err("the wave does not gain as much as gain_per_cycle says".to_owned());
+        }
+        let drawn = spare * (square - amplitude.clone().double());
         let spent = bound.hi() + beta + (&self.friction.sigma + rounding) * (amplitude + one);
         if drawn > spent {
             Ok(())
@@ -227,7 +251,7 @@ impl Tested {
         let Some(actuator) = &self.part.actuator else {
             return Some(late);
         };
-        if *actuator.time_constant.lo() != BigRational::zero() {
+        if self.has_lag() {
             return None;
         }
         let latency = actuator.latency.lo();

@@ -133,3 +133,96 @@ fn the_last_answer_too_must_not_come_twice() {
         assert_eq!(outcome.differences.len(), differences, "{outcome:?}");
     }
 }
+
+#[test]
+fn every_number_of_a_motion_is_near_and_every_line_an_answer() {
+    let groups = named(&["motion"]).unwrap();
+    let wide = judged(&groups, |answer| {
+        let mut answer = answer.clone();
+        for field in ["xi", "velocity"] {
+            answer["result"][field] = json!({"lo": "-1e12", "hi": "1e12"});
+        }
+        vec![answer]
+    });
+    assert_eq!(wide.differences.len(), wide.tests);
+    let talk = |line: &str| {
+        let mut judge = Judge::new(&groups);
+        for test in &groups[0].tests {
+            let mut answer = Vec::new();
+            passivity_oracle::protocol::answer(test.line().as_bytes(), &mut answer);
+            judge.hear(line.as_bytes());
+            judge.hear(&answer);
+        }
+        judge.finish()
+    };
+    assert_eq!(talk(" \r\n").differences, []);
+    for line in ["thinking", "7", r#"{"id": 0, "result": {}}"#] {
+        let outcome = talk(line);
+        assert_eq!(outcome.differences.len(), outcome.tests);
+        let message = format!("line 3 is no answer to a test: {line}");
+        assert_eq!(outcome.differences[1].fields, [(String::new(), message)]);
+    }
+}
+
+#[test]
+fn a_witness_is_there_for_a_wall_that_is_not_passive_and_gains_what_it_says() {
+    // One test in eight, and two whose witness is a formula.
+    let mut groups = named(&["regions", "linear"]).unwrap();
+    for group in &mut groups {
+        let is_formula = |test: &Test| {
+            let result = test.result.as_ref();
+            result.is_some_and(|result| !result["witness"]["wave"].is_null())
+        };
+        let mut formulas = 0;
+        group.tests.retain(|test| {
+            formulas += usize::from(is_formula(test));
+            if is_formula(test) {
+                formulas <= 2
+            } else {
+                test.id % 8 == 0
+            }
+        });
+    }
+    let with = |change: &dyn Fn(&mut Value)| {
+        let outcome = judged(&groups, |answer| {
+            let mut answer = answer.clone();
+            if let Some(result) = answer.get_mut("result") {
+                change(result);
+            }
+            vec![answer]
+        });
+        for (field, message) in outcome.differences.iter().flat_map(|d| &d.fields) {
+            assert_eq!(field, "witness", "{message}");
+        }
+        outcome.differences.len()
+    };
+    assert_eq!(with(&|_| {}), 0);
+    let tests = || groups.iter().flat_map(|group| &group.tests);
+    let count = |is_meant: &dyn Fn(&Value) -> bool| {
+        let witnesses = tests().filter_map(|test| test.result.as_ref()?.get("witness"));
+        witnesses.filter(|witness| is_meant(witness)).count()
+    };
+    let drawn = count(&|witness| !witness.is_null());
+    for gain in [json!("1e99"), json!("0"), json!("-1"), Value::Null] {
+        let found = with(&|result| {
+            if let Some(witness) = result["witness"].as_object_mut() {
+                witness.insert("gain_per_cycle".to_owned(), gain.clone());
+            }
+        });
+        assert_eq!(found, drawn, "{gain}");
+    }
+    // Less than it gains is true.
+    let less = with(&|result| {
+        if let Some(witness) = result["witness"].as_object_mut() {
+            witness.insert("gain_per_cycle".to_owned(), json!("1e-99"));
+        }
+    });
+    assert_eq!(less, 0);
+    let added = json!({"from": "0", "to": "1", "gain_per_cycle": "1"});
+    let found = with(&|result| {
+        if result["witness"].is_null() {
+            result["witness"] = added.clone();
+        }
+    });
+    assert_eq!(found, count(&Value::is_null));
+}
