@@ -136,6 +136,56 @@ fn a_check_of_long_numbers_asks_for_more_work() {
     }
 }
 
+/// A controller of long fractions, or one that is slow to forget, asks for more work than others: the first took 20 s, the
+/// second 90 s, the third 27 s.
+#[test]
+fn a_check_of_a_controller_asks_for_bounded_work() {
+    let fractions = |n: u32, bits: u32| {
+        let one = num_bigint::BigInt::from(1);
+        let mut numbers = (1..=n).map(|i| {
+            format!(
+                "\"{}/{}\"",
+                (&one << bits) + 3 * i,
+                (&one << bits) + 2 * i + 1
+            )
+        });
+        let first = numbers.next().unwrap_or_default();
+        numbers.fold(first, |list, number| list + "," + &number)
+    };
+    let start = std::time::Instant::now();
+    for (numerator, denominator, is_refused) in [
+        (fractions(64, 100), r#""1""#, true),
+        (fractions(24, 200), r#""1""#, true),
+        (r#""1""#.to_owned(), r#""1", "-1.998", "0.998001""#, true),
+        (fractions(8, 60), r#""1""#, false),
+        (
+            r#""1.5", "-0.5""#.to_owned(),
+            r#""1", "-0.5", "0.05""#,
+            false,
+        ),
+        (vec![r#""1.5""#; 64].join(","), r#""1""#, false),
+    ] {
+        let answer = ask(&format!(
+            r#"{{"op": "check", "scene": {{"dimensionless": {{"beta": "300", "sigma": "200"}},
+                "controller": {{"numerator": [{numerator}], "denominator": [{denominator}]}}}}}}"#
+        ));
+        assert_eq!(
+            answer.contains(r#""kind": "too_much_work""#),
+            is_refused,
+            "{answer}"
+        );
+        assert_eq!(answer.contains(r#""verdict":"#), !is_refused, "{answer}");
+    }
+    let seconds = start.elapsed().as_secs_f64();
+    assert!(seconds < 15.0, "{seconds} s");
+    // What is not stable is said to be so.
+    let answer = ask(
+        r#"{"op": "check", "scene": {"dimensionless": {"beta": "3", "sigma": "2"},
+            "controller": {"numerator": ["1"], "denominator": ["1", "0", "1"]}}}"#,
+    );
+    assert!(answer.contains("not stable"), "{answer}");
+}
+
 /// However long its seven numbers are, and without a refusal: each of the first three took more than ten seconds, the last
 /// one more than forty.
 #[test]

@@ -3,12 +3,17 @@
 //! The amount is counted before and while it is done, from the request alone, so that the same request is
 //! refused everywhere. A step is about what two machine words take to be multiplied and reduced.
 
-use num_traits::Zero as _;
+use std::collections::VecDeque;
+
+use num_traits::{One as _, ToPrimitive as _, Zero as _};
 use passivity_audit::number::{Number, Written};
 use passivity_audit::{Ledger, Reading};
 use passivity_core::linear_part::MOST_DEGREE;
 use passivity_core::{BigRational, Interval, Loop, Parameter};
 use passivity_scene::AnyScene;
+use passivity_scene::json::read_rational;
+use passivity_scene::number::nearest_f64;
+use serde_json::Value;
 
 use super::{At, Refusal};
 
@@ -136,6 +141,78 @@ pub(super) fn of_check(scene: &AnyScene) -> u64 {
     degree
         .saturating_pow(2)
         .saturating_mul(pieces * ends * words)
+}
+
+/// The steps of a check with a digital controller, as measured: those of polynomials whose degree it makes with the delay, or
+/// of sums alone above the highest degree, and those of a response that is summed until it is forgotten.
+///
+/// Reading a scene computes what its controller costs, so this is of the scene as it was sent. What is no controller of a
+/// scene takes no work: its reader refuses it.
+pub(super) fn of_controller(scene: &Value) -> u64 {
+    /// A scene has no more coefficients in a list.
+    const MOST: usize = 64;
+    let read = |name: &str| -> Option<Vec<BigRational>> {
+        let list = scene.get("controller")?.get(name)?.as_array()?;
+        let few = (1..=MOST).contains(&list.len()).then_some(list)?;
+        few.iter().map(|x| read_rational(x).ok()).collect()
+    };
+    let (Some(numerator), denominator) = (read("numerator"), read("denominator")) else {
+        return 0;
+    };
+    let denominator = denominator.unwrap_or_else(|| vec![BigRational::one()]);
+    let mut width = Width::default();
+    for x in numerator.iter().chain(&denominator) {
+        width.add(x);
+    }
+    let whole = |n: usize| u64::try_from(n).unwrap_or(u64::MAX);
+    let words = 1 + width.bits(whole(numerator.len() + denominator.len())) / 64;
+    let delay = scene.pointer("/sampling/delay");
+    let delay = delay.and_then(|delay| read_rational(delay).ok());
+    let delay = delay
+        .and_then(|delay| delay.to_integer().to_u16())
+        .unwrap_or(0);
+    let n = whole(numerator.len().max(denominator.len()) + usize::from(delay));
+    let steps = match n <= whole(MOST_DEGREE) {
+        true => 2 * n * n * words.saturating_mul(n * n + words),
+        false => 20 * n * words.saturating_mul(n + words),
+    };
+    // Closed forms sum what a denominator of degree 0 or 1 makes.
+    let terms = if denominator.len() > 2 {
+        terms(&denominator)
+    } else {
+        0
+    };
+    steps + 500 * terms
+}
+
+/// How many terms the response of a stable denominator has until it is below 2⁻⁶⁴, about.
+fn terms(denominator: &[BigRational]) -> u64 {
+    const MOST: u64 = 1 << 16;
+    let ratios: Vec<f64> = match denominator.split_first() {
+        Some((leading, others)) if !leading.is_zero() => {
+            others.iter().map(|d| nearest_f64(&(d / leading))).collect()
+        }
+        _ => return 0,
+    };
+    let mut state = VecDeque::from(vec![0.0; ratios.len()]);
+    state.push_front(1.0);
+    for j in 0..MOST {
+        state.pop_back();
+        let next = ratios
+            .iter()
+            .zip(&state)
+            .fold(0.0, |sum, (d, c)| sum - d * c);
+        state.push_front(next);
+        if state.iter().all(|c| c.abs() < 0.5_f64.powi(64)) {
+            return j;
+        }
+    }
+    // What has grown is not stable, which its reader says.
+    if state.iter().all(|c| c.abs() < 0.1) {
+        MOST
+    } else {
+        0
+    }
 }
 
 /// The steps of adding a row to sums whose denominators have this many bits.
