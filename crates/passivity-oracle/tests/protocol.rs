@@ -383,3 +383,20 @@ fn a_key_that_is_given_twice_is_an_error() {
         assert!(answer.starts_with(&format!(r#"{{"id": {id}"#)), "{answer}");
     }
 }
+
+/// The reader of JSON takes an object with this key for a number.
+#[test]
+fn a_reserved_key_is_called_so() {
+    let answer: Value = serde_json::from_str(&ask(
+        r#"{"id": {"$serde_json::private::Number": "7"}, "op": "version"}"#,
+    ))
+    .unwrap();
+    assert_eq!(answer["id"], Value::Null, "{answer}");
+    assert_eq!(answer["error"]["kind"], "bad_request", "{answer}");
+    assert_eq!(answer["error"]["at"], 9, "{answer}");
+    let message = answer["error"]["message"].as_str().unwrap();
+    assert!(
+        message.contains("cannot be used") && !message.contains("twice"),
+        "{message}"
+    );
+}

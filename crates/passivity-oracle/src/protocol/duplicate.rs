@@ -5,6 +5,9 @@ use std::hash::Hash;
 
 use serde_json::Value;
 
+/// A key that the reader of JSON keeps for itself: an object with it alone is read as a number.
+pub(super) const RESERVED: &str = "$serde_json::private::Number";
+
 /// A key that was there before in the same object, and the byte, from 1, at which it stands again.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Duplicate {
@@ -23,11 +26,12 @@ pub(super) fn find(text: &[u8], value: &Value) -> Option<Duplicate> {
     if let Some((key, at)) = first_again(text, of_literal) {
         return Some(Duplicate { key, at });
     }
-    // A key that the reader of JSON keeps for itself stands for something else than an entry.
-    Some(Duplicate {
-        key: "$serde_json::private::Number".to_owned(),
-        at: 1,
-    })
+    let mut places = text.windows(RESERVED.len());
+    let place = places.position(|bytes| bytes == RESERVED.as_bytes());
+    // Its characters may be escaped.
+    let at = place.unwrap_or(0).max(1);
+    let key = RESERVED.to_owned();
+    Some(Duplicate { key, at })
 }
 
 /// The first key that was there before in the same object, and its byte, with each key read by `read`.

@@ -83,6 +83,12 @@ pub fn answer(line: &[u8], out: &mut Vec<u8>) {
     };
     if let Some(duplicate) = duplicate::find(line, &request) {
         let key = shown(&duplicate.key);
+        if duplicate.key == duplicate::RESERVED {
+            // It may stand in the id.
+            let message = format!("the key `{key}` cannot be used: it stands for a number here");
+            let refusal = Refusal::new("bad_request", At::Byte(duplicate.at), message);
+            return refuse(&Value::Null, &refusal, out);
+        }
         let message = format!("the key `{key}` is given twice in one object");
         let refusal = Refusal::new("duplicate_key", At::Byte(duplicate.at), message);
         return refuse(request.get("id").unwrap_or(&Value::Null), &refusal, out);
