@@ -52,6 +52,22 @@ class Interval(unittest.TestCase):
             passivity.interval(0, "x", beta=1, sigma=1)
         with self.assertRaises(ValueError):
             passivity.interval(0, float("nan"), beta=1, sigma=1)
+        with self.assertRaisesRegex(ValueError, r"^beta: '\\udcff' is not a number$"):
+            passivity.interval(0, 1, beta="\udcff", sigma=1)
+
+    def test_a_float_is_the_dyadic_rational_that_it_is(self):
+        floats = [0.1] if numpy is None else [0.1, numpy.float64(0.1), numpy.float32(0.1), numpy.float16(0.1)]
+        for x in floats:
+            row = passivity.interval(x, 1, beta=1, sigma=1)
+            self.assertEqual(Fraction(row["xi0"]), Fraction(*x.as_integer_ratio()))
+        if numpy is not None:
+            with self.assertRaisesRegex(ValueError, "^xi0: inf is not a number"):
+                passivity.interval(numpy.float32("inf"), 1, beta=1, sigma=1)
+
+    def test_a_sweep_of_nothing_is_refused_in_pythons_words(self):
+        for grid in ({}, {"vary": {}}, {"vary": {"stiffness": "1:2:3 N/m"}}):
+            with self.assertRaisesRegex(ValueError, "^expected `beta` and `sigma`, or two or three parameters"):
+                passivity.sweep(SCENE, **grid)
 
 
 class Audit(unittest.TestCase):

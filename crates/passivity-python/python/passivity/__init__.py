@@ -123,6 +123,9 @@ def _range(values):
 
 def _ranges(beta=None, sigma=None, speed=None, vary=None, intervals=None):
     """A grid as the native functions take it."""
+    if beta is sigma is speed is None and len(vary or {}) not in (2, 3):
+        found = f"found {len(vary)} in `vary`" if vary else "found none of them"
+        raise SimulationError(f"expected `beta` and `sigma`, or two or three parameters in `vary`, {found}")
     return {
         "beta": _range(beta),
         "sigma": _range(sigma),
@@ -158,19 +161,22 @@ def check(scene):
 def interval(xi0, xi1, *, beta, sigma, dtau=1):
     """The exact ledger row of one interval, from ``xi0`` to ``xi1`` encoder ticks.
 
-    Numbers are ints, ``Fraction``, ``Decimal``, strings such as ``"3/8"``, or floats, each of which
-    is the dyadic rational that it is. Raises ``ValueError`` for what is no number.
+    Numbers are ints, ``Fraction``, ``Decimal``, strings such as ``"3/8"``, or floats, NumPy's too, each of
+    which is the dyadic rational that it is. Raises ``ValueError`` for what is no number.
 
     >>> interval(1, 0.5, beta=1, sigma=1).generated_linear
     '3/8'
     """
     request = {"op": "interval", "xi0": xi0, "xi1": xi1, "beta": beta, "sigma": sigma, "dtau": dtau}
     for name, value in request.items():
-        if isinstance(value, float):
-            if value != value or value in (float("inf"), float("-inf")):
+        # NumPy's floats are no `float` but for those of 64 bits.
+        if hasattr(value, "as_integer_ratio") and isinstance(value, _Real) and not isinstance(value, _Rational):
+            if not _isfinite(value):
                 raise ValueError(f"{name}: {value} is not a number that a quantity can have")
-            value = _Fraction(value)
+            value = _Fraction(*value.as_integer_ratio())
         request[name] = value if isinstance(value, str) else str(value)
+        if any("\ud800" <= character <= "\udfff" for character in request[name]):
+            raise ValueError(f"{name}: {value!a} is not a number")
     answer = _json.loads(_passivity.answer(_json.dumps(request).encode()), object_hook=Record)
     if "error" in answer:
         raise ValueError(f"{answer['error']['at']}: {answer['error']['message']}")
