@@ -16,6 +16,7 @@ use passivity_core::{
 };
 use passivity_scene::Scene;
 use passivity_scene::json::read_rational;
+use passivity_scene::number::MAX_CHARS;
 use serde_json::Value;
 
 /// Bits to which exponentials, and what a lag makes of them, are enclosed.
@@ -28,7 +29,7 @@ const COSINE_BITS: u32 = 600;
 pub(super) fn check(scene: &Value, witness: &Value) -> Result<(), String> {
     let scene = Scene::from_json(scene).map_err(|error| error.to_string())?;
     let tested = Tested::of(&scene).ok_or("the scene has tolerances")?;
-    let claimed = read_rational(&witness["gain_per_cycle"]).ok();
+    let claimed = long_rational(&witness["gain_per_cycle"]);
     let claimed = claimed.filter(BigRational::is_positive);
     let claimed = claimed.ok_or("expected a gain_per_cycle above zero")?;
     if !witness["wave"].is_null() {
@@ -61,6 +62,15 @@ pub(super) fn check(scene: &Value, witness: &Value) -> Result<(), String> {
         Err(format!("the motion gains {gain}, not {claimed}"))
     } else {
         Ok(())
+    }
+}
+
+/// A figure, which may have more digits than what is given.
+fn long_rational(figure: &Value) -> Option<BigRational> {
+    const MOST: usize = 1 << 16;
+    match figure.as_str() {
+        Some(text) if text.len() > MAX_CHARS && text.len() <= MOST => text.parse().ok(),
+        _ => read_rational(figure).ok(),
     }
 }
 
