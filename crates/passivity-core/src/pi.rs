@@ -265,7 +265,7 @@ impl Exact {
     }
 
     /// A rational enclosure of relative width about 2^−`digits`; a point when π cancels, and
-    /// `None` for an undefined number.
+    /// `None` for an undefined number, and where 262144 bits of π are not enough for it.
     #[must_use]
     pub fn enclosure(&self, digits: u32) -> Option<Interval<BigRational>> {
         if let Some(x) = self.to_rational() {
@@ -277,8 +277,10 @@ impl Exact {
             let (n, d) = (n.enclosure(bits), d.enclosure(bits));
             let tight = |x: &Interval<BigRational>| {
                 let width = x.hi() - x.lo();
-                let size = x.lo().abs().min(x.hi().abs());
-                width * BigRational::from_integer(BigInt::one() << digits) <= size
+                let scaled = width * BigRational::from_integer(BigInt::one() << digits);
+                // By a difference: the order of the type could exhaust the stack.
+                let is_wider = |end: &BigRational| (end.abs() - &scaled).is_negative();
+                ![x.lo(), x.hi()].into_iter().any(is_wider)
             };
             if !d.lo().is_positive() || !tight(&n) || !tight(&d) {
                 return None;

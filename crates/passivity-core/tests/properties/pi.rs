@@ -36,6 +36,17 @@ fn num_exact_pi_enclosures_as_narrow_as_asked() {
     }
 }
 
+/// The order of the rationals' own type, which recurses, took all of the stack for so many digits.
+#[test]
+fn num_exact_pi_of_many_digits_is_enclosed() {
+    let digits = 20_000;
+    let found = pi().enclosure(digits).unwrap();
+    let width = found.hi() - found.lo();
+    let scaled = width * BigRational::from_integer(BigInt::from(1) << digits);
+    assert_ne!(scaled.compare(found.lo()), Some(Greater));
+    assert_eq!(pi().enclosure(1 << 19), None);
+}
+
 /// ⌊π·2^bits⌋.
 fn cut(bits: u32) -> BigInt {
     (&*PI * BigRational::from_integer(BigInt::from(1) << bits)).to_integer()
