@@ -100,8 +100,9 @@ pub(crate) struct Args {
         conflicts_with = "shard"
     )]
     range: Option<Stretch>,
-    /// Account only for one piece of the trace: `3/8` is the third of eight, as even as the file allows.
-    #[arg(long, value_name = "I/N", requires = "partial", value_parser = Stretch::parse_shard)]
+    /// Account only for one piece of the trace: `3/8` is the third of eight, as even as the file allows,
+    /// and `3-5/8` the third to the fifth.
+    #[arg(long, value_name = "I[-J]/N", requires = "partial", value_parser = Stretch::parse_shard)]
     shard: Option<Stretch>,
     /// Report on the whole trace from the partial accounts of all its pieces: the same report as in one run.
     #[arg(long, value_name = "PART", num_args = 1.., conflicts_with_all = ["partial", "range", "shard", "columns", "delimiter", "decimal_comma", "out", "plot", "law", "threads"])]

@@ -70,8 +70,9 @@ pub(crate) struct Args {
     /// Continue the interrupted sweep whose results are in the file of --out.
     #[arg(long, requires = "out")]
     resume: bool,
-    /// Simulate one piece of the grid only: `3/8` is the third of eight, as even as they can be.
-    #[arg(long, value_name = "I/N", requires = "out", conflicts_with = "plot", value_parser = Shard::parse)]
+    /// Simulate one piece of the grid only: `3/8` is the third of eight, as even as they can be, and
+    /// `3-5/8` the third to the fifth.
+    #[arg(long, value_name = "I[-J]/N", requires = "out", conflicts_with = "plot", value_parser = Shard::parse)]
     shard: Option<Shard>,
     /// Simulate nothing: write the files of all shards of this sweep as one, the same as that of one run.
     #[arg(long, value_name = "PART", num_args = 1.., requires = "out", conflicts_with_all = ["shard", "resume"])]

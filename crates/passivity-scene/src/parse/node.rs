@@ -92,7 +92,11 @@ fn syntax(source: &str, error: &toml_edit::TomlError) -> Diagnostic {
         Kind::Duplicate => "this key or section is given twice".to_owned(),
         _ => format!("this is not TOML: {message}"),
     };
-    Diagnostic::new(kind, shown).at(span)
+    let diagnostic = Diagnostic::new(kind, shown).at(span);
+    match message.contains("overflow") {
+        true => diagnostic.expected(format!("a whole number of at most {}", i64::MAX)),
+        false => diagnostic,
+    }
 }
 
 fn entries(source: &str, table: &dyn TableLike) -> Vec<Entry> {

@@ -184,7 +184,10 @@ impl Reader<'_> {
                 }
                 diagnostic = about(diagnostic);
                 if tolerance {
-                    diagnostic = diagnostic.expected("a tolerance such as `± 10%` or `± 1e-6`");
+                    diagnostic = diagnostic.expected(
+                        "a tolerance such as `± 10%` or `± 1e-6`, or a range with the smaller number first, such \
+                         as `2 … 5`",
+                    );
                 }
                 self.report(diagnostic);
                 None

@@ -58,11 +58,28 @@ fn table(section: &'static str) -> Value {
     for (key, name) in all_keys().filter_map(in_section) {
         properties.insert(name.to_owned(), value(key));
     }
-    json!({
+    let mut table = json!({
         "type": "object",
         "description": about(section),
         "additionalProperties": false,
         "properties": properties,
+    });
+    if let (Some(pair), Some(table)) = (pair(section), table.as_object_mut()) {
+        table.insert("not".to_owned(), json!({"required": pair}));
+    }
+    table
+}
+
+/// The keys of a section that say the same, of which only one may be given.
+fn pair(section: &str) -> Option<[&'static str; 2]> {
+    Parameter::ALL.iter().find_map(|parameter| {
+        let row = parameter.row();
+        let name = |key: &'static str| {
+            let (home, name) = key.rsplit_once('.')?;
+            (home == section.trim_start_matches("joint.")).then_some(name)
+        };
+        let other = row.other_keys.iter().find_map(|key| name(key))?;
+        Some([name(row.key)?, other])
     })
 }
 
@@ -105,7 +122,7 @@ fn value(key: &'static str) -> Value {
     match (key, parameter) {
         ("encoder.counts_per_revolution" | "joint.encoder.counts_per_revolution", _) => json!({
             "description": "counts per revolution behind the decoder, such as 8192 or \"14 bit\"; the resolution Δ is 2π over it",
-            "type": ["integer", "string"],
+            "type": ["integer", "string"], "minimum": 1,
         }),
         ("operator.force", _) => json!({
             "description": "a constant force of the operator, a CSV file of forces, or { file, column }",
@@ -115,11 +132,11 @@ fn value(key: &'static str) -> Value {
         ("operator.arm", None) => table("operator.arm"),
         ("sampling.delay", None) => json!({
             "description": "whole samples by which the force is late",
-            "type": "integer", "minimum": 0, "maximum": u16::MAX,
+            "type": ["integer", "string"], "minimum": 0, "maximum": u16::MAX,
         }),
         ("run.intervals", None) => json!({
             "description": "how many sampling intervals a simulation runs",
-            "type": "integer", "minimum": 1, "maximum": super::MAX_INTERVALS,
+            "type": ["integer", "string"], "minimum": 1, "maximum": super::MAX_INTERVALS,
         }),
         ("wall.unilateral", None) => json!({
             "description": "whether the wall is on one side only, x ≥ 0",
@@ -197,6 +214,31 @@ fn quantity(parameter: Parameter, key: &'static str) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// What the reader refuses an editor marks, and what it reads an editor accepts.
+    #[test]
+    fn keys_that_say_the_same_exclude_each_other() {
+        let schema = schema();
+        let properties = &schema["properties"];
+        let joint = &properties["joint"]["items"]["properties"];
+        let encoder = json!(["resolution", "counts_per_revolution"]);
+        for (table, pair) in [
+            (&properties["sampling"], json!(["period", "rate"])),
+            (&properties["encoder"], encoder.clone()),
+            (&joint["encoder"], encoder),
+            (
+                &properties["wall"],
+                json!(["damping_time_constant", "damping_cutoff"]),
+            ),
+        ] {
+            assert_eq!(table["not"]["required"], pair);
+        }
+        assert!(properties["operator"].get("not").is_none());
+        let counts = &properties["encoder"]["properties"]["counts_per_revolution"];
+        assert_eq!(counts["minimum"], 1);
+        let delay = &properties["sampling"]["properties"]["delay"];
+        assert_eq!(delay["type"], json!(["integer", "string"]));
+    }
 
     #[test]
     fn every_key_of_a_scene_file_is_described() {

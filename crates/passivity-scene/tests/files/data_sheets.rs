@@ -141,6 +141,11 @@ fn a_range_is_its_ends() {
         error,
         "malformed_tolerance: the range ends below its beginning"
     );
+    let error = rotary("coulomb = \"6 … 4 mN m\"").unwrap_err().to_string();
+    assert!(
+        error.contains("or a range with the smaller number first, such as `2 … 5`"),
+        "{error}"
+    );
     let error = first_error(rotary("coulomb = \"4 mN m … 6 N\""));
     assert!(
         error.starts_with("malformed_tolerance: the two ends"),

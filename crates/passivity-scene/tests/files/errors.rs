@@ -23,7 +23,7 @@ fn after_good(more: &str) -> SceneError {
 
 /// Mistakes: what stands after the good sections, kind, line, column, a part of the message.
 #[rustfmt::skip]
-const CASES: [(&str, &str, usize, usize, &str); 59] = [
+const CASES: [(&str, &str, usize, usize, &str); 60] = [
     ("[divice]\n", "unknown_section", 5, 2, "a scene has no section `[divice]`"),
     ("[device]\nviscosity = \"1 N m s\"\n", "unknown_key", 6, 1, "`viscosity` is not a key of [device]"),
     ("[device]\ninertia.x = 1\n", "wrong_type", 6, 1, "`device.inertia` is a table"),
@@ -33,6 +33,7 @@ const CASES: [(&str, &str, usize, usize, &str); 59] = [
     ("[device]\nviscous \"1\"\n", "syntax", 6, 9, "this is not TOML"),
     ("[device]\nviscous = \n", "syntax", 6, 11, "this is not TOML"),
     ("[device\n", "syntax", 5, 8, "this is not TOML"),
+    ("[encoder]\ncounts_per_revolution = 99999999999999999999\n", "syntax", 6, 25, "expected a whole number of at most 9223372036854775807"),
     ("[device]\nviscous = \"\0 N\"\n", "syntax", 6, 12, "this is not TOML"),
     ("[device]\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n", "conflicting_keys", 7, 1, "`device.inertia` and `device.mass` cannot both be given"),
     ("[encoder]\nresolution = \"1 deg\"\ncounts_per_revolution = 4\n", "conflicting_keys", 7, 1, "cannot both be given"),
