@@ -288,6 +288,7 @@ fn any_parameters_of_the_scene_can_be_varied() {
         "comes to rest",
         "border of the criterion: at every speed",
         "up to operator.max_speed",
+        "a cell stands for one point of the grid",
     ] {
         assert!(svg.contains(word), "{word}");
     }
@@ -395,6 +396,10 @@ fn mistakes_in_what_is_varied_are_said() {
 #[test]
 fn shards_are_merged_into_the_file_of_one_run() {
     let dir = Dir::new();
+    for verb in ["sweep", "audit"] {
+        let help = dir.run(&[verb, "--help"]).stdout;
+        assert!(help.contains("`3-5/8` the third to the fifth"), "{help}");
+    }
     let scene = scene(&dir, 500);
     let sweep = |more: &[&str]| {
         let mut all = args(&scene, "0:1:5", "0:1.5:4");

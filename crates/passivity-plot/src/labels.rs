@@ -1,7 +1,7 @@
 //! Numbers beside marks and lines, none over another.
 
 use crate::frame::{Frame, width};
-use crate::svg::{Anchor, BLACK, DARK, Pixel, Stroke, Svg};
+use crate::svg::{Anchor, BLACK, DARK, Pixel, Stroke, Svg, rectangle};
 
 /// What of the picture is taken.
 pub(crate) struct Labels {
@@ -11,6 +11,9 @@ pub(crate) struct Labels {
 }
 
 const SIZE: f64 = 14.0;
+
+/// How far strokes and the line itself stay from words on a line.
+const CLEAR: f64 = 3.0;
 
 /// Where a number is tried first around its mark, in turns from the right, clockwise: to the upper
 /// right, above, to the upper left, …
@@ -59,10 +62,22 @@ impl Labels {
     fn is_free(&self, [from, to]: [Pixel; 2]) -> bool {
         let inside = from[0] >= self.from[0] + 2.0 && to[0] <= self.to[0] - 2.0;
         let inside = inside && from[1] >= self.from[1] + 2.0 && to[1] <= self.to[1] - 2.0;
-        let apart = |[a, b]: &[Pixel; 2]| {
-            to[0] <= a[0] || b[0] <= from[0] || to[1] <= a[1] || b[1] <= from[1]
-        };
-        inside && self.boxes.iter().all(apart)
+        inside && self.is_apart(&[from, to], 0.0)
+    }
+
+    /// Whether a stroke from one place to another is clear of all that is taken.
+    pub(crate) fn is_clear(&self, stroke: &[Pixel; 2]) -> bool {
+        self.is_apart(stroke, CLEAR)
+    }
+
+    fn is_apart(&self, [from, to]: &[Pixel; 2], distance: f64) -> bool {
+        self.boxes.iter().all(|[a, b]| {
+            let apart = |i: usize| {
+                let (low, high) = (from[i].min(to[i]), from[i].max(to[i]));
+                high + distance <= a[i] || b[i] <= low - distance
+            };
+            apart(0) || apart(1)
+        })
     }
 
     /// Takes the place of words with their middle there, if it is free.
@@ -87,7 +102,8 @@ impl Labels {
                 let at = [place[0] + (away + half - 6.0) * cos, place[1] + away * sin];
                 if self.reserve(at, words) {
                     if ring > 0 {
-                        svg.line(&[place, at], Stroke::solid(DARK, 0.7));
+                        let end = edge(place, at, [half + 2.0, 0.5 * SIZE + 1.0]);
+                        svg.line(&[place, end], Stroke::solid(DARK, 0.7));
                     }
                     write(svg, at, words, BLACK);
                     return;
@@ -108,6 +124,9 @@ impl Labels {
                 continue;
             };
             if self.reserve(place, words) {
+                let [x, y] = place;
+                let [dx, dy] = [0.5 * width(words, SIZE) + CLEAR, 0.5 * SIZE + CLEAR];
+                svg.area(&rectangle([x - dx, y - dy], [x + dx, y + dy]), "#ffffff");
                 write(svg, place, words, colour);
                 return;
             }
@@ -116,6 +135,13 @@ impl Labels {
             self.beside(svg, place, words);
         }
     }
+}
+
+/// Where a line to the middle of a box meets its edge.
+fn edge(from: Pixel, middle: Pixel, [half_width, half_height]: [f64; 2]) -> Pixel {
+    let (dx, dy) = (middle[0] - from[0], middle[1] - from[1]);
+    let inside = (half_width / dx.abs()).min(half_height / dy.abs()).min(1.0);
+    [middle[0] - inside * dx, middle[1] - inside * dy]
 }
 
 /// Words with their middle at a place.
@@ -130,7 +156,7 @@ pub(crate) fn length(way: &[Pixel]) -> f64 {
 }
 
 /// The place at a part of a way's length.
-fn part_of(way: &[Pixel], part: f64) -> Option<Pixel> {
+pub(crate) fn part_of(way: &[Pixel], part: f64) -> Option<Pixel> {
     let mut left = part * length(way);
     for (a, b) in way.iter().zip(way.iter().skip(1)) {
         let length = (b[0] - a[0]).hypot(b[1] - a[1]);
@@ -148,6 +174,16 @@ mod tests {
     use passivity_scene::plane::Extent;
 
     use super::*;
+
+    #[test]
+    fn a_line_to_words_ends_at_their_edge() {
+        let half = [10.0, 8.0];
+        assert_eq!(edge([0.0, 0.0], [100.0, 0.0], half), [90.0, 0.0]);
+        assert_eq!(edge([0.0, 50.0], [0.0, 0.0], half), [0.0, 8.0]);
+        assert_eq!(edge([0.0, 0.0], [40.0, 40.0], half), [32.0, 32.0]);
+        // From inside of the box there is no line.
+        assert_eq!(edge([1.0, 1.0], [2.0, 2.0], half), [1.0, 1.0]);
+    }
 
     #[test]
     fn thirteen_numbers_at_one_place_do_not_touch() {

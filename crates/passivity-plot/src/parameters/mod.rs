@@ -1,6 +1,7 @@
 //! The plane of two parameters: where the criterion holds, its border, the scenes and what was measured.
 
 mod key;
+mod marks;
 
 use passivity_core::{BigRational, Interval};
 use passivity_scene::Axis;
@@ -8,8 +9,10 @@ use passivity_scene::check::Verdict;
 use passivity_scene::number::nearest_f64;
 use passivity_scene::plane::{Extent, Prediction, Region, Speeds};
 
+pub(crate) use marks::{scene, scenes};
+
 use crate::frame::Frame;
-use crate::labels::{Labels, length};
+use crate::labels::{Labels, length, part_of};
 use crate::svg::{BLACK, COLOURS, DARK, Pixel, Stroke, Svg, rectangle};
 
 /// Scenes with the same border, and where the criterion holds for them.
@@ -71,9 +74,6 @@ const FROM: Pixel = [96.0, 24.0];
 const TO: Pixel = [700.0, 560.0];
 const WIDTH: f64 = 1080.0;
 
-/// The radius of a scene's mark.
-pub(crate) const RADIUS: f64 = 5.0;
-
 /// Draws the picture as SVG text.
 ///
 /// With one border the regions are shaded; with several each border is a line with the numbers of its
@@ -109,21 +109,9 @@ pub fn draw(picture: &Picture<'_>) -> String {
         labels.take(place, 7.0);
         measured(&mut svg, place, point);
     }
-    let mut places: Vec<(Pixel, Vec<usize>)> = Vec::new();
-    for (number, mark) in picture.marks.iter().enumerate() {
-        let Some(place) = place_of(&frame, mark) else {
-            continue;
-        };
-        labels.take(place, RADIUS + 2.0);
-        scene(&mut svg, place, mark.verdict, colour(number));
-        let near = |(other, _): &&mut (Pixel, Vec<usize>)| {
-            (other[0] - place[0]).hypot(other[1] - place[1]) < 3.0
-        };
-        match places.iter_mut().find(near) {
-            Some((_, numbers)) => numbers.push(number),
-            None => places.push((place, vec![number])),
-        }
-    }
+    let marks = picture.marks.iter();
+    let marks = marks.map(|mark| (place_of(&frame, mark), mark.verdict));
+    let places = scenes(&mut svg, &mut labels, marks);
     let regions = picture.groups.iter().flat_map(|group| &group.regions);
     for border in regions.flat_map(|(_, region)| &region.borders) {
         labels.take_line(&pixels(&frame, border));
@@ -232,23 +220,49 @@ fn outlined(svg: &mut Svg, frame: &Frame, groups: &[Group], labels: &mut Labels)
         };
         let colour = group.marks.first().map_or(BLACK, |number| colour(*number));
         for border in &region.borders {
-            let way = pixels(frame, border);
-            svg.line(&way, stroke(*speeds, colour));
-            for [from, to] in strokes(&way) {
-                svg.line(&[from, to], Stroke::solid(colour, 1.0));
+            svg.line(&pixels(frame, border), stroke(*speeds, colour));
+        }
+    }
+    // Borders one on the other have one label.
+    let mut labelled: Vec<(Vec<Pixel>, Vec<usize>)> = Vec::new();
+    for group in groups {
+        let borders = group.regions.last().map(|(_, region)| &region.borders);
+        let ways = borders.into_iter().flatten();
+        let ways = ways.map(|border| pixels(frame, border));
+        let Some(longest) = ways.max_by(|a, b| length(a).total_cmp(&length(b))) else {
+            continue;
+        };
+        match labelled.iter_mut().find(|(way, _)| is_on(way, &longest)) {
+            Some((_, marks)) => marks.extend(&group.marks),
+            None => labelled.push((longest, group.marks.clone())),
+        }
+    }
+    for (way, marks) in &mut labelled {
+        marks.sort_unstable();
+        let is_of_one = groups.iter().any(|group| group.marks == *marks);
+        let first = marks.first().filter(|_| is_of_one);
+        let colour = first.map_or(BLACK, |number| colour(*number));
+        labels.along(svg, way, &list(marks), colour);
+    }
+    // Strokes leave out the labels, of which they would seem to be a part.
+    for group in groups {
+        let borders = group.regions.last().map(|(_, region)| &region.borders);
+        let colour = group.marks.first().map_or(BLACK, |number| colour(*number));
+        for border in borders.into_iter().flatten() {
+            let all = strokes(&pixels(frame, border)).into_iter();
+            for ends in all.filter(|ends| labels.is_clear(ends)) {
+                svg.line(&ends, Stroke::solid(colour, 1.0));
             }
         }
     }
-    for group in groups {
-        let Some((_, region)) = group.regions.last() else {
-            continue;
-        };
-        let ways = region.borders.iter().map(|border| pixels(frame, border));
-        let colour = group.marks.first().map_or(BLACK, |number| colour(*number));
-        if let Some(longest) = ways.max_by(|a, b| length(a).total_cmp(&length(b))) {
-            labels.along(svg, &longest, &list(&group.marks), colour);
-        }
-    }
+}
+
+/// Whether a way runs along another from end to end, as far as can be seen.
+fn is_on(way: &[Pixel], other: &[Pixel]) -> bool {
+    [0.0, 0.25, 0.5, 0.75, 1.0].into_iter().all(|part| {
+        let places = part_of(way, part).zip(part_of(other, part));
+        places.is_some_and(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]) < 2.0)
+    })
 }
 
 /// Short strokes on the left of a way, where the region is; left on a page, on which y goes down.
@@ -310,19 +324,6 @@ fn tolerance_box(svg: &mut Svg, frame: &Frame, mark: &Mark, colour: &str) {
     }
 }
 
-/// The mark of a scene: full where it is passive, empty where it is not, half where neither is sure.
-pub(crate) fn scene(svg: &mut Svg, place: Pixel, verdict: Verdict, colour: &str) {
-    let edge = Stroke::solid(colour, 2.0);
-    match verdict {
-        Verdict::Passive => svg.disc(place, RADIUS, colour, edge),
-        Verdict::NotPassive => svg.disc(place, RADIUS, "#ffffff", edge),
-        _ => {
-            svg.disc(place, RADIUS, "#ffffff", edge);
-            svg.disc(place, 0.4 * RADIUS, colour, edge);
-        }
-    }
-}
-
 /// A measured point: a full triangle where it was stable, a cross where not; a ring where the
 /// criterion says more than was measured.
 fn measured(svg: &mut Svg, [x, y]: Pixel, point: &Point) {
@@ -347,6 +348,13 @@ mod tests {
     fn numbers_are_listed_in_runs() {
         assert_eq!(list(&[0]), "1");
         assert_eq!(list(&[0, 1, 4, 5, 6, 9]), "1, 2, 5–7, 10");
+    }
+
+    #[test]
+    fn borders_on_each_other_are_one_way() {
+        let way = [[0.0, 0.0], [100.0, 100.0]];
+        assert!(is_on(&way, &[[0.0, 1.0], [50.0, 51.0], [100.0, 101.0]]));
+        assert!(!is_on(&way, &[[0.0, 0.0], [50.0, 60.0], [100.0, 100.0]]));
     }
 
     #[test]

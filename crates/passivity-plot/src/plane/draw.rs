@@ -6,7 +6,7 @@ use super::{Mark, key};
 use crate::PlotError;
 use crate::frame::Frame;
 use crate::labels::Labels;
-use crate::parameters::{RADIUS, colour, list, scene};
+use crate::parameters::{colour, list, scenes};
 use crate::svg::{Anchor, DARK, Pixel, Stroke, Svg, rectangle};
 
 /// The regions: globally and locally stable, limit cycles, unstable.
@@ -73,22 +73,14 @@ pub fn draw_on_axes(marks: &[Mark], log: [Option<bool>; 2]) -> Result<String, Pl
     let words = [format!("β = b/(KT){less}"), format!("σ = c/(KΔ){less}")];
     frame.draw(&mut svg, words.each_ref().map(String::as_str));
     names(&mut svg, &frame, &mut labels, marks);
-    let mut places: Vec<(Pixel, Vec<usize>)> = Vec::new();
     for (number, mark) in marks.iter().enumerate() {
         tolerances(&mut svg, &frame, mark, colour(number));
-        let (beta, sigma) = mark.middle();
-        let place = frame.clamped([beta, sigma]);
-        labels.take(place, RADIUS + 2.0);
-        scene(&mut svg, place, mark.verdict, colour(number));
-        let near = |(other, _): &&mut (Pixel, Vec<usize>)| {
-            (other[0] - place[0]).hypot(other[1] - place[1]) < 3.0
-        };
-        match places.iter_mut().find(near) {
-            Some((_, numbers)) => numbers.push(number),
-            None => places.push((place, vec![number])),
-        }
     }
-    for (place, numbers) in places {
+    let placed = marks.iter().map(|mark| {
+        let (beta, sigma) = mark.middle();
+        (Some(frame.clamped([beta, sigma])), mark.verdict)
+    });
+    for (place, numbers) in scenes(&mut svg, &mut labels, placed) {
         labels.beside(&mut svg, place, &list(&numbers));
     }
     key::draw(&mut svg, marks, [TO[0] + 28.0, FROM[1]]);

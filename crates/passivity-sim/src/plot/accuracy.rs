@@ -6,7 +6,7 @@ use plotters::prelude::*;
 use crate::accuracy::{Measured, Table};
 use crate::plot::{Area, COLOURS, Drawn, svg};
 
-/// Errors below this are drawn on it: a double has no more digits.
+/// Errors below this are drawn on it, for a double has no more digits; without an error there is nothing to draw.
 const FLOOR: f64 = 1e-17;
 
 /// Draws the table of a scene as SVG text.
@@ -52,14 +52,17 @@ fn chart(root: &Area<'_>, title: &str, table: &Table) -> Drawn {
         "adaptive",
     ];
     for (name, colour) in names.into_iter().zip(COLOURS) {
-        let rows: Vec<&Measured> = table
-            .rows
-            .iter()
-            .filter(|r| r.method.name() == name)
-            .collect();
+        let of_method = |row: &&Measured| row.method.name() == name;
+        let rows: Vec<&Measured> = table.rows.iter().filter(of_method).collect();
         if rows.is_empty() {
             continue;
         }
+        let has_error = |row: &&Measured| row.position.max(row.energy) > 0.0;
+        let (rows, exact): (Vec<&Measured>, Vec<&Measured>) = rows.into_iter().partition(has_error);
+        let label = match exact.is_empty() {
+            true => name.to_owned(),
+            false => format!("{name}: error 0, not drawn"),
+        };
         let line = rows.iter().map(|row| (row.nanoseconds, error(row)));
         chart.draw_series(LineSeries::new(line, colour.mix(0.6).stroke_width(1)))?;
         // A ring says that the outcome is not the reference's.
@@ -73,7 +76,7 @@ fn chart(root: &Area<'_>, title: &str, table: &Table) -> Drawn {
         });
         chart
             .draw_series(dots)?
-            .label(name)
+            .label(label)
             .legend(move |(x, y)| Circle::new((x + 9, y), 5, colour.filled()));
     }
     chart
@@ -107,4 +110,40 @@ fn power(x: f64) -> String {
         })
         .collect();
     format!("10{digits}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method::Method;
+    use crate::outcome::ExactOutcome;
+
+    #[test]
+    fn what_has_no_error_is_no_point() {
+        let row = |method, position| Measured {
+            method,
+            position,
+            velocity: 0.0,
+            energy: 0.0,
+            exact: ExactOutcome::AtRest,
+            same_outcome: true,
+            late: 0,
+            nanoseconds: 100.0,
+        };
+        let drawn = |error| {
+            let table = Table {
+                intervals: 9,
+                reference: ExactOutcome::AtRest,
+                rows: vec![row(Method::ClosedForm, 1e-15), row(Method::Exact, error)],
+                left_out: Vec::new(),
+            };
+            draw("test", &table).unwrap()
+        };
+        // Its sign in the key is left.
+        let circles = |svg: &str| svg.matches("<circle").count();
+        let [none, some] = [0.0, 1e-30].map(drawn);
+        assert_eq!(circles(&none) + 1, circles(&some));
+        assert!(none.contains("exact: error 0, not drawn"), "{none}");
+        assert!(!some.contains("error 0"), "{some}");
+    }
 }

@@ -56,7 +56,7 @@ pub fn draw(title: &str, grid: &Grid, rows: &[Option<Row>], borders: &Borders) -
     let (wide, high) = (size + 120.0, 0.85 * size + 100.0);
     let number = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
     let width = (number(across) * wide + 40.0).max(760.0);
-    let mut svg = Svg::new([width, 60.0 + number(down) * high + 70.0]);
+    let mut svg = Svg::new([width, 60.0 + number(down) * high + 90.0]);
     svg.text([0.5 * width, 28.0], 18.0, Anchor::Middle, title);
     for (place, third) in maps.iter().enumerate() {
         let left = 90.0 + number(place % across) * wide;
@@ -164,4 +164,6 @@ fn key(svg: &mut Svg, top: f64, rows: &[Option<Row>], borders: &Borders) {
             at += 46.0 + passivity_plot::frame::width(words, 13.0);
         }
     }
+    let cells = "a cell stands for one point of the grid, and reaches half-way to the next";
+    svg.text([60.0, top + 57.0], 13.0, Anchor::Start, cells);
 }
