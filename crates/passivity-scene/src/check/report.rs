@@ -296,10 +296,9 @@ fn left_alone<S: Enclosed>(
     let Some(start) = StartSpeed::of(scene, bounds) else {
         return Some(None);
     };
-    let holds = if not_covered.is_empty() {
-        unforced::holds(bounds, &start.speeds())?
-    } else {
-        Truth::Depends
+    let holds = match not_covered {
+        [] => unforced::holds(bounds, &start.speeds())?,
+        _ => Truth::Depends,
     };
     let speed = start.enclosure(BITS)?;
     let factor = Figures { bounds }.in_ticks(&Interval::point(Scalar::one()));
@@ -307,6 +306,7 @@ fn left_alone<S: Enclosed>(
     let ticks = Interval::hull(speed.lo() * factor.lo(), speed.hi() * factor.hi());
     Some(Some(Unforced {
         holds,
+        assumes: unforced::assumes(scene),
         speed: ticks,
         speed_si: (scene.motion != Motion::Dimensionless).then_some(speed),
     }))
@@ -355,8 +355,8 @@ struct UnforcedShape<'a> {
     /// The same in m/s or rad/s.
     #[serde(with = "shape::OptionalInterval")]
     speed_si: &'a Option<Interval<BigRational>>,
-    /// What it assumes of the controller's memory.
-    assumes: &'static str,
+    /// What it assumes of the controller's memory; null where it has none.
+    assumes: Option<&'static str>,
 }
 
 impl Serialize for Unforced {
@@ -369,7 +369,7 @@ impl Serialize for Unforced {
             },
             speed: &self.speed,
             speed_si: &self.speed_si,
-            assumes: super::unforced::ASSUMES,
+            assumes: self.assumes,
         };
         shape.serialize(serializer)
     }

@@ -163,10 +163,11 @@ impl Report {
             None => format!("{} ticks/sample", v(&unforced.speed)),
         };
         Some(match unforced.holds {
-            Truth::Holds => format!(
-                "from the start on never faster than {speed} (TH-START), if {}",
-                super::unforced::ASSUMES
-            ),
+            Truth::Holds => {
+                let assumed = unforced.assumes.map(|assumes| format!(", if {assumes}"));
+                let assumed = assumed.unwrap_or_default();
+                format!("from the start on never faster than {speed} (TH-START){assumed}")
+            }
             Truth::Fails => {
                 format!("not shown: the criterion fails at the speed of the start, {speed}")
             }

@@ -4,13 +4,11 @@ use std::cmp::Ordering;
 
 use num_bigint::BigInt;
 use passivity_core::verdict::Speeds;
-use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Ordered, Scalar, Truth, start};
+use passivity_core::{
+    BigRational, Effect, Enclosed, Exact, Interval, Loop, Ordered, Scalar, Truth, start,
+};
 
 use crate::scene::Scene;
-
-/// What TH-START assumes of the controller's memory, in words.
-pub(super) const ASSUMES: &str =
-    "the device had rested there before, for as long as delay and damping look back";
 
 /// What holds of the device when the hand lets go of it at the scene's start.
 ///
@@ -20,6 +18,8 @@ pub(super) const ASSUMES: &str =
 pub struct Unforced {
     /// Whether it never gets faster than `speed`, and generates no more than friction takes.
     pub holds: Truth,
+    /// What is assumed of the controller's memory, in words; `None` where it has none.
+    pub assumes: Option<&'static str>,
     /// V, ticks per sample.
     pub speed: Interval<BigRational>,
     /// V in SI units; `None` for a dimensionless scene.
@@ -32,6 +32,22 @@ pub(super) struct StartSpeed<S> {
     squared: Interval<S>,
     /// The values of V where x(0) is zero, so that no root is needed.
     known: Option<Interval<S>>,
+}
+
+/// What TH-START assumes of the controller's memory, in words; `None` where it has none.
+pub(super) fn assumes(scene: &Scene) -> Option<&'static str> {
+    match [Effect::Delay, Effect::Damping].map(|effect| scene.has(effect)) {
+        [true, true] => {
+            Some("the device had rested there before, for as long as delay and damping look back")
+        }
+        [true, false] => {
+            Some("the device had rested there before, for as long as the delay looks back")
+        }
+        [false, true] => {
+            Some("the device had rested there before, for as long as the damping looks back")
+        }
+        [false, false] => None,
+    }
 }
 
 impl<S: Enclosed> StartSpeed<S> {

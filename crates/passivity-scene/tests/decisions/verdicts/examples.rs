@@ -36,7 +36,7 @@ fn an_unforced_motion_says_what_it_assumes_of_the_controllers_memory() {
     let json = report.to_json();
     assert_eq!(json["unforced"]["holds"], true);
     let assumes = json["unforced"]["assumes"].as_str().unwrap();
-    assert!(assumes.contains("rested there before, for as long as delay and damping look back"));
+    assert!(assumes.contains("rested there before, for as long as the delay looks back"));
     let text = report
         .to_text()
         .split_whitespace()
@@ -44,6 +44,18 @@ fn an_unforced_motion_says_what_it_assumes_of_the_controllers_memory() {
         .join(" ");
     assert!(
         text.contains(&format!("(TH-START), if {assumes}")),
+        "{text}"
+    );
+    // Without a memory nothing is assumed of it.
+    let bare = dimensionless("2", "3/2", "[start]\nvelocity = \"-1.9\"\n");
+    assert_eq!(bare.to_json()["unforced"]["holds"], true);
+    assert_eq!(
+        bare.to_json()["unforced"]["assumes"],
+        serde_json::Value::Null
+    );
+    let text = bare.to_text();
+    assert!(
+        text.contains("(TH-START)\n") && !text.contains("rested"),
         "{text}"
     );
 }
