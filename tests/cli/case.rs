@@ -1,5 +1,6 @@
 //! `passivity case`.
 
+mod checked;
 mod evidence;
 mod forces;
 mod identified;

@@ -1,6 +1,7 @@
 //! Checking a written case against the tree: what has changed since.
 
 use std::collections::BTreeMap;
+use std::iter;
 use std::path::Path;
 
 use passivity_audit::legible;
@@ -10,6 +11,7 @@ use serde_json::Value;
 use crate::case::{Case, Objection};
 use crate::error::CaseError;
 use crate::files::read_bytes;
+use crate::folder::HTML;
 use crate::manifest::{FileEntry, MANIFEST, Manifest, RecordedEntry, SceneEntry, words};
 use crate::recorded::{Recorded, Recordings, record_name, sum};
 use crate::records::Records;
@@ -82,6 +84,13 @@ pub fn check(folder: &Path, records: &Records) -> Result<Findings, CaseError> {
             Err(error) => findings.changed.push(error.to_string()),
         }
     }
+    for name in documents(&manifest) {
+        if !manifest.files.contains_key(&name) {
+            let says =
+                format!("`{name}` is a part of the case, and `{MANIFEST}` has no hash of it");
+            findings.changed.push(says);
+        }
+    }
     for (name, entry) in &manifest.scenes {
         if manifest.files.get(&format!("{name}.toml")) != Some(&entry.sha256) {
             findings.changed.push(format!(
@@ -94,6 +103,17 @@ pub fn check(folder: &Path, records: &Records) -> Result<Findings, CaseError> {
     verdicts(&manifest, studies, records, &mut findings);
     evidence(&manifest, records, &mut findings);
     Ok(findings)
+}
+
+/// The files that a case of these scenes must have, beside the scenes.
+fn documents(manifest: &Manifest) -> Vec<String> {
+    let of_scene = |(name, entry): (&String, &SceneEntry)| {
+        let record = entry.recorded.as_ref().map(|_| record_name(name));
+        let drawn = ["gsn.yaml", "gsn.svg"].map(|end| format!("{name}.{end}"));
+        drawn.into_iter().chain(record)
+    };
+    let of_scenes = manifest.scenes.iter().flat_map(of_scene);
+    iter::once(HTML.to_owned()).chain(of_scenes).collect()
 }
 
 /// Compares what the manifest says of recordings with the record of them, of which it has the hash: what a
