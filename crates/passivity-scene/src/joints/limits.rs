@@ -17,7 +17,7 @@ use crate::written::Written;
 /// The limit of one parameter of a device of several joints, all others as they are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointLimit {
-    /// Its key, of a joint with the joint's number, as in `joint[2].coulomb`.
+    /// Its key in the scene file, of a joint with the joint's number, as in `joint[2].coulomb`.
     pub key: String,
     /// Which parameter it is.
     pub place: Place,
@@ -29,16 +29,30 @@ pub struct JointLimit {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "JointLimit")]
 pub(super) struct JointLimitShape<'a> {
-    /// The key of the parameter, of a joint with its number from 1, as in `joint[2].coulomb`.
-    parameter: &'a str,
+    /// The key of the parameter in a scene file, of which the figures are values in SI: of a joint with its
+    /// number from 1, as in `joint[2].coulomb`. Those of `wall.stiffness_matrix` are factors of the matrix.
+    parameter: String,
     #[serde(flatten)]
     figures: LimitFigures<'a>,
+}
+
+impl JointLimit {
+    /// The key of which the figures in SI are values: a rate, or counts, is another form of them.
+    fn si_key(&self) -> String {
+        let name = match self.place.parameter {
+            Parameter::Period => "period",
+            Parameter::Resolution => "resolution",
+            _ => return self.key.clone(),
+        };
+        let section = self.key.rsplit_once('.').map_or("", |(section, _)| section);
+        format!("{section}.{name}")
+    }
 }
 
 impl Serialize for JointLimit {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let shape = JointLimitShape {
-            parameter: &self.key,
+            parameter: self.si_key(),
             figures: LimitFigures::of(&self.limit),
         };
         shape.serialize(serializer)

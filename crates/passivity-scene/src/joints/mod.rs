@@ -85,6 +85,9 @@ impl JointScene {
     #[must_use]
     pub fn key(&self, place: Place) -> String {
         let key = match self.given.get(place) {
+            Some(_) if place.parameter == Parameter::Stiffness && self.has_matrix() => {
+                "wall.stiffness_matrix"
+            }
             Some(given) => given.key,
             None => place.parameter.row().key,
         };

@@ -232,7 +232,7 @@ fn limits_of_a_matrix_are_those_of_the_formulas() {
     assert_eq!(
         found,
         [
-            "wall.stiffness ≤ 64/25: 2.56",
+            "wall.stiffness_matrix ≤ 64/25: 2.56",
             "joint[1].viscous ≥ 57/224: 0.25447",
             "joint[1].coulomb ≥ 5/16: 0.3125",
             "joint[1].encoder.resolution ≤ 59/20: 2.95",

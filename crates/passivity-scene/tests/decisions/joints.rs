@@ -267,7 +267,7 @@ fn replaced(text: &str, key: &str, value: &str, unit: &str) -> String {
         }
         None => (0, key.split_once('.').unwrap().1),
     };
-    if key == "wall.stiffness" && text.contains("stiffness_matrix") {
+    if key == "wall.stiffness_matrix" {
         let factor = number::parse(value).unwrap();
         let scaled = |x: &str| (number::parse(x).unwrap() * &factor).to_string();
         return text

@@ -1,8 +1,8 @@
-//! What `explain` says of several joints.
+//! What `explain` says of several joints, and the keys in the JSON of `check`.
 
 use passivity_scene::joints::{JointExplanation, explain};
 
-use super::scene;
+use super::{MATRIX, report, scene};
 
 /// k = 5 N m/rad along (1, ½) with Δ = 0.1 rad, where joint 1 needs 0.375 N m and joint 2 half of it.
 fn explained(first: &str, second: &str) -> JointExplanation {
@@ -65,4 +65,32 @@ fn keys_end_before_values() {
         text.contains(&format!("  {:<column$}1 kHz\n", "sampling.rate")),
         "{text}"
     );
+}
+
+/// Figures in SI are of the period and the resolution, however the file writes them, and of a matrix factors.
+#[test]
+fn keys_of_limits_in_json_are_of_values_in_si() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../scenes/joints/planar-arm-slow.toml"
+    );
+    let arm = std::fs::read_to_string(path).unwrap();
+    let keys = |text: &str| {
+        let json = report(text).to_json();
+        let limits = json["limits"].as_array().unwrap().iter();
+        limits
+            .map(|limit| limit["parameter"].as_str().unwrap().to_owned())
+            .collect::<Vec<_>>()
+    };
+    let found = keys(&arm);
+    for key in [
+        "sampling.period",
+        "joint[1].encoder.resolution",
+        "wall.stiffness",
+    ] {
+        assert!(found.iter().any(|other| other == key), "{key}: {found:?}");
+    }
+    let is_other = |key: &String| key.ends_with("rate") || key.ends_with("counts_per_revolution");
+    assert!(!found.iter().any(is_other), "{found:?}");
+    assert!(keys(MATRIX).contains(&"wall.stiffness_matrix".to_owned()));
 }
