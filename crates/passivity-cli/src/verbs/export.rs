@@ -11,7 +11,8 @@ use crate::output::{emit, emit_json, json_text, read_scene, tell};
 /// Write the constants that a control program asks for: stiffness, damping, rate, speed.
 ///
 /// Every number is a double on the safe side. The largest stiffness passes beside the scene's damping, the
-/// largest damping beside the scene's stiffness, and not the two together. What they hold only with, as a filter
+/// largest damping beside the scene's stiffness, and not the two together; each does with the tolerance that
+/// the scene gives it, in the same ratio. What they hold only with, as a filter
 /// on the damping, a delay or a D/A step, is written below them. A comment says what binds, which theorems the
 /// verdict rests on, and with what nothing is shown.
 #[derive(Debug, clap::Args)]

@@ -44,6 +44,9 @@ impl Target {
 }
 
 /// The constants of a scene: each number is a double on the safe side of what was proved, in the units of the program.
+///
+/// Where the scene gives a parameter a tolerance, each number of it holds with that tolerance, in the
+/// same ratio to the number.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Constants {
     /// The scene's name.
@@ -80,6 +83,9 @@ pub struct Constants {
     /// The smallest virtual damping beside `stiffness`: less, or none, does not pass or is not shown
     /// to. `None` where all up to `max_damping` pass.
     pub min_damping: Option<f64>,
+    /// Whether the scene's stiffness or damping has a tolerance.
+    #[serde(skip)]
+    pub has_tolerance: bool,
     /// Whether a digital controller is in the place of virtual damping.
     #[serde(skip)]
     pub has_controller: bool,
@@ -176,6 +182,10 @@ fn of_loop<S: Enclosed>(
         damping: typed.double(Parameter::Damping).unwrap_or(0.0),
         max_damping: written.max_damping,
         min_damping: written.min_damping,
+        has_tolerance: [Parameter::Stiffness, Parameter::Damping]
+            .iter()
+            .filter_map(|parameter| scene.given.get(*parameter))
+            .any(|given| !given.value.is_point()),
         has_controller: bounds.controller.is_some(),
         rate: typed.rate()?,
         whole_rate,

@@ -1,6 +1,6 @@
 //! Limits of parameters whose values pass from one end to another: less is not always safer.
 
-use passivity_core::Parameter;
+use passivity_core::{BigRational, Parameter};
 use passivity_scene::Scene;
 use passivity_scene::check::{Target, Verdict, check, constants};
 
@@ -206,4 +206,39 @@ fn exported_damping_has_a_smallest_beside_its_largest() {
     let plain = found("viscous 3/4, coulomb 5/4, damping 0.1", Target::C);
     assert_eq!(plain.min_damping, None);
     assert!(!plain.to_source().contains("MIN_DAMPING"));
+}
+
+/// The largest and the smallest values of constants hold with the tolerance that the scene gives their parameter,
+/// in the same ratio to them.
+#[test]
+fn the_ends_of_constants_hold_over_their_own_tolerance() {
+    let of = |values: &str| constants(&wall::scene(values), Target::C).unwrap();
+    // Colgate's bound 2b/T is 2, and of a quarter more 1.6; of B it is b − KT/2 = ½, and 0.4.
+    for (values, stiffness, damping) in [
+        ("stiffness 0.75 … 1.25", 1.6, 0.375),
+        ("damping 3/16 … 5/16", 1.375, 0.4),
+        ("damping 1/4", 1.5, 0.5),
+    ] {
+        let found = of(&format!("viscous 1, coulomb 9, {values}"));
+        let ends = [found.max_stiffness, found.max_damping].map(Option::unwrap);
+        for (end, border) in ends.into_iter().zip([stiffness, damping]) {
+            assert!((0.9999 * border..=border).contains(&end), "{values}: {end}");
+        }
+        let source = found.to_source();
+        let is_said = source.contains("tolerance");
+        assert_eq!(is_said, values.contains('…'), "{source}");
+    }
+    // Behind a delay one value of the damping passes from 1/6 to 0.63715.
+    let values = |damping: f64| {
+        let exact = BigRational::from_float(damping).unwrap();
+        let [lo, hi] = ["0.9", "1.1"].map(|factor| &exact * wall::q(factor));
+        format!("viscous 4/3, coulomb 4, delay 1, damping {lo} … {hi}")
+    };
+    let found = of(&values(0.375));
+    let verdict = |damping: f64| report(&values(damping)).verdict;
+    let [least, most] = [found.min_damping, found.max_damping].map(Option::unwrap);
+    assert!((0.18518..0.1853).contains(&least), "{least}");
+    assert!((0.5791..0.57923).contains(&most), "{most}");
+    assert_eq!([least, most].map(verdict), [Verdict::Passive; 2]);
+    assert_eq!([0.185, 0.5793].map(verdict), [Verdict::Depends; 2]);
 }

@@ -64,8 +64,15 @@ impl Constants {
             }
             _ => String::new(),
         };
+        let tolerance = match self.has_tolerance {
+            true => {
+                " Each holds with the tolerance that the scene gives its parameter, in the same ratio \
+                 to the number."
+            }
+            false => "",
+        };
         say(&format!(
-            "Every number is a double on the safe side of what was proved.{largest}"
+            "Every number is a double on the safe side of what was proved.{tolerance}{largest}"
         ));
         say(&format!(
             "The loop for which it was proved has {}.",

@@ -127,16 +127,38 @@ impl<'a, S: Enclosed> Typed<'a, S> {
     fn bounds(&self) -> Option<Loop<Interval<S>>> {
         let mut values = self.values.iter();
         values.try_fold(self.bounds.clone(), |bounds, (parameter, value)| {
-            let nominal = S::of(&self.scene.given.get(*parameter)?.nominal)?;
-            if nominal.is_positive() != Some(true) {
-                return Some(bounds);
-            }
-            let scale = S::of(&Exact::of(value))?.over(nominal);
-            let moved = bounds
-                .get(*parameter)?
-                .map(|end| end.clone() * scale.clone());
-            Some(bounds.with(*parameter, moved))
+            Some(bounds.with(*parameter, self.with_tolerance(*parameter, value)?))
         })
+    }
+
+    /// A value of a parameter with the tolerance that the scene gives it, in the same ratio to it.
+    fn with_tolerance(&self, parameter: Parameter, value: &BigRational) -> Option<Interval<S>> {
+        let value = S::of(&Exact::of(value))?;
+        let (Some(given), Some(range)) =
+            (self.scene.given.get(parameter), self.bounds.get(parameter))
+        else {
+            return Some(Interval::point(value));
+        };
+        let nominal = S::of(&given.nominal)?;
+        if !nominal.is_positive()? {
+            return Some(Interval::point(value));
+        }
+        let scale = value.over(nominal);
+        Some(range.map(|end| end.clone() * scale.clone()))
+    }
+
+    /// The end of a parameter's tolerance on one side, as a part of the value without it.
+    fn tolerance(&self, parameter: Parameter, side: Side) -> Option<BigRational> {
+        let Some(given) = self.scene.given.get(parameter) else {
+            return Some(BigRational::one());
+        };
+        let nominal = given.nominal.enclosure(BITS)?;
+        let part = match side {
+            _ if given.value.is_point() => BigRational::one(),
+            Side::AtLeast => given.value.lo().enclosure(BITS)?.lo() / nominal.hi(),
+            Side::AtMost => given.value.hi().enclosure(BITS)?.hi() / nominal.lo(),
+        };
+        part.is_positive().then_some(part)
     }
 
     fn holds(&self) -> bool {
@@ -144,12 +166,13 @@ impl<'a, S: Enclosed> Typed<'a, S> {
         bounds.is_some_and(|bounds| bounds.surely_holds(&self.speeds))
     }
 
-    /// Whether the criterion holds with another double of one parameter.
+    /// Whether the criterion holds with another double of one parameter, over its tolerance.
     fn holds_with(&self, parameter: Parameter, value: f64) -> bool {
         let moved = || {
             let (_, in_units) = self.unit(parameter);
-            let value = S::of(&Exact::of(&(BigRational::from_float(value)? / in_units)))?;
-            Some(self.bounds()?.with(parameter, Interval::point(value)))
+            let value = BigRational::from_float(value)? / in_units;
+            let moved = self.with_tolerance(parameter, &value)?;
+            Some(self.bounds()?.with(parameter, moved))
         };
         moved().is_some_and(|bounds| bounds.surely_holds(&self.speeds))
     }
@@ -169,10 +192,12 @@ impl<'a, S: Enclosed> Typed<'a, S> {
         limits::limit(parameter, self.scene, &bounds, &self.speeds)
     }
 
-    /// The shortest double of at least five digits at an end of a limit, on its safe side, that passes.
+    /// The shortest double of at least five digits at an end of a limit, on its safe side, that passes
+    /// over the parameter's tolerance.
     fn at_end(&self, limit: &Limit, side: Side) -> Option<f64> {
         let (_, in_units) = self.unit(limit.parameter);
-        let border = &(side.hardest(limit.end(side)?) * in_units);
+        let tolerance = &self.tolerance(limit.parameter, side)?;
+        let border = &(side.hardest(limit.end(side)?) * in_units / tolerance);
         let (beside, is_safe): (_, fn(&f64, &f64) -> bool) = match side {
             Side::AtLeast => (above(border), f64::ge),
             Side::AtMost => (below(border), f64::le),
@@ -182,7 +207,11 @@ impl<'a, S: Enclosed> Typed<'a, S> {
             let double = nearest_f64(&crate::number::parse(&text).ok()?);
             is_safe(&double, &beside).then_some(double)
         });
-        let mut doubles = short.chain([beside]);
+        // Over a tolerance less may be shown than at each of its values.
+        let own = self.double(limit.parameter);
+        let is_known = beside.is_finite() && !tolerance.is_one();
+        let own = own.filter(|own| is_known && is_safe(own, &beside));
+        let mut doubles = short.chain([beside]).chain(own);
         doubles.find(|double| self.holds_with(limit.parameter, *double))
     }
 
