@@ -224,14 +224,32 @@ pub(crate) fn spread(
             turned(&residuals, &all, &begun, 100).0
         }
     };
+    apart(&of(&numbers), parameters(&numbers))
+}
+
+/// How far the residuals of a log are apart, at the most over the logs.
+fn apart(logs: &[Log], at: [f64; 3]) -> f64 {
     let apart = |log: &Log| {
-        let all = DVector::from_vec(residuals(log, parameters(&numbers)));
+        let all = DVector::from_vec(residuals(log, at));
         match all.iter().all(|residual| residual.is_finite()) {
             true => all.max() - all.min(),
             false => f64::INFINITY,
         }
     };
-    of(&numbers).iter().map(apart).fold(0.0, f64::max)
+    logs.iter().map(apart).fold(0.0, f64::max)
+}
+
+/// The parameters with the least squares near some, with an inertia between its ends, and how far the residuals of a
+/// log are apart there, at the most over the logs.
+pub(crate) fn near(logs: &[Log], start: [f64; 3], inertia: Ends) -> ([f64; 3], f64) {
+    let [viscous, coulomb, of_inertia] = knobs(inertia);
+    let of_inertia = match of_inertia {
+        // Over decades its logarithm is turned, over less it stays between its ends.
+        Knob::Logarithm if inertia[1] < 10.0 * inertia[0] => Knob::Within(inertia),
+        knob => knob,
+    };
+    let (at, _) = minimized(logs, [viscous, coulomb, of_inertia], start);
+    (at, apart(logs, at))
 }
 
 /// How many intervals of motion the costs on a grid may take.

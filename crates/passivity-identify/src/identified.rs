@@ -60,6 +60,8 @@ pub struct Identified {
     #[cfg_attr(not(feature = "plot"), expect(dead_code, reason = "for pictures"))]
     pub(crate) shear: Shear,
     pub(crate) best: Option<[f64; 3]>,
+    /// Where the inertia was looked for.
+    pub(crate) inertia: Ends,
     pub(crate) units: [[f64; 2]; 3],
     /// T in seconds.
     pub(crate) period: f64,
@@ -172,13 +174,19 @@ pub fn identify(
     for (number, log) in logs.iter().enumerate() {
         starts_at_rest(log, number, logs.len())?;
     }
-    let inertia = match options.inertia {
+    let known = match options.inertia {
         Inertia::Sketch => inertia(sketch, &nominal)?,
         Inertia::Free => None,
     };
     let period = middle(ends(&nominal.period)?);
     let bounds = search::first_bounds(&logs);
-    let least_inertia = 1.001 * LEAST_INERTIA * bounds[2].unwrap_or(0.0);
+    // Without an inertia in the sketch it is looked for over six decades.
+    let mass = bounds[2].unwrap_or(0.0);
+    let (inertia, slabs) = match known {
+        Some(ends) => (ends, 1),
+        None => ([mass * LEAST_INERTIA, mass], SLABS),
+    };
+    let least_inertia = 1.001 * LEAST_INERTIA * mass;
     let whole = |found: Found, shear, best, suspicion: String| {
         let mut identified = Identified {
             parameters: Vec::new(),
@@ -190,14 +198,15 @@ pub fn identify(
             found,
             shear,
             best,
+            inertia,
             units,
             period,
             motion: sketch.motion,
         };
-        identified.describe(inertia.is_none(), least_inertia, suspicion);
+        identified.describe(known.is_none(), least_inertia, suspicion);
         identified
     };
-    let [Some(viscous), Some(coulomb), Some(mass)] = bounds else {
+    let [Some(viscous), Some(coulomb), Some(_)] = bounds else {
         let nothing = Found {
             parts: Vec::new(),
             hull: None,
@@ -207,11 +216,6 @@ pub fn identify(
         return Ok(whole(nothing, Shear::default(), None, String::new()));
     };
     let most = [viscous, coulomb];
-    // Without an inertia in the sketch it is looked for over six decades.
-    let (inertia, slabs) = match inertia {
-        Some(ends) => (ends, 1),
-        None => ([mass * LEAST_INERTIA, mass], SLABS),
-    };
     let first = estimate::first(&logs, most, inertia);
     let (shear, weights) = estimate::coordinates(&logs, first);
     let task = Task {

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::estimate;
 use crate::identified::Identified;
 use crate::kept::Propagators;
 use crate::log::Log;
@@ -36,6 +37,8 @@ pub enum Lack {
     ForceError,
     /// All motion, or nearly all, is in one direction.
     OtherWay,
+    /// The logs fit with forces that act a row later or earlier too, with other friction.
+    Row,
     /// None of these: there is too little of it.
     Length,
 }
@@ -84,6 +87,11 @@ impl fmt::Display for Lack {
                 "all motion, or nearly all, is in one direction, so that a constant force, as of gravity or a \
                  biased amplifier, cannot be told from friction: record one log each way",
             ),
+            Self::Row => f.write_str(
+                "with a force that acts a row later or earlier than its own the logs fit too, with a friction beyond \
+                 these bounds, which are wrong if it does: add a log with a sudden push each way, hard enough for many \
+                 ticks a row",
+            ),
             Self::Length => f.write_str("there is too little motion: add a longer log, or a second one"),
         }
     }
@@ -99,7 +107,45 @@ pub(crate) fn lacks(identified: &Identified) -> Vec<Lack> {
     if goes_one_way(&identified.logs) {
         all.push(Lack::OtherWay);
     }
+    if fits_another_row(identified) {
+        all.push(Lack::Row);
+    }
     all
+}
+
+/// Whether the logs fit with forces a row later or earlier as well, with friction beyond the box.
+///
+/// A spring force of a swing that acts late by a time t is, nearly, one in time with a viscous friction that is less
+/// by t times its stiffness.
+fn fits_another_row(identified: &Identified) -> bool {
+    /// Of the width of a count: least squares do not make the largest residual the smallest.
+    const SHARE: f64 = 1.5;
+    let (Some(hull), Some(best)) = (identified.found.hull, identified.best) else {
+        return false;
+    };
+    let widths = identified.logs.iter().flat_map(|log| log.positions.first());
+    let width = widths.map(|[lo, hi]| hi - lo).fold(0.0, f64::max);
+    // Before the first row there may have been no force, or its own.
+    let shifts: [fn(&mut Log); 3] = [
+        |log| log.shift(1),
+        |log| log.shift(-1),
+        |log| {
+            let before = log.forces.first().copied();
+            log.shift(-1);
+            log.forces
+                .iter_mut()
+                .zip(before)
+                .for_each(|(first, own)| *first = own);
+        },
+    ];
+    shifts.iter().any(|shift| {
+        let mut logs = identified.logs.clone();
+        logs.iter_mut().for_each(shift);
+        let (at, apart) = estimate::near(&logs, best, identified.inertia);
+        let mut frictions = at.iter().zip(hull).take(INERTIA);
+        let is_beyond = frictions.any(|(x, [lo, hi])| !(lo..=hi).contains(x));
+        is_beyond && apart <= SHARE * width
+    })
 }
 
 /// Whether the device surely moves, and nowhere the other way by a tenth of that or more.

@@ -137,6 +137,17 @@ impl Log {
         [up, down]
     }
 
+    /// Lets each force act so many rows earlier.
+    pub(crate) fn shift(&mut self, rows: isize) {
+        let forces = &self.forces;
+        let of = |row: usize| {
+            let from = row.checked_add_signed(rows)?;
+            forces.get(from).or(forces.last()).copied()
+        };
+        let shifted = (0..forces.len()).map(|row| of(row).unwrap_or_default());
+        self.forces = shifted.collect();
+    }
+
     /// The largest magnitude of the force.
     pub(crate) fn largest_force(&self) -> f64 {
         let forces = self.intervals().flat_map(|(force, _)| *force);

@@ -99,17 +99,6 @@ fn speed(log: &Log, sample: usize) -> f64 {
         .map_or(0.0, |((to, from), time)| (to - from) / time)
 }
 
-/// Lets each force act so many rows earlier.
-fn shift(log: &mut Log, rows: isize) {
-    let forces = &log.forces;
-    let of = |row: usize| {
-        let from = row.checked_add_signed(rows)?;
-        forces.get(from).or(forces.last()).copied()
-    };
-    let shifted = (0..forces.len()).map(|row| of(row).unwrap_or_default());
-    log.forces = shifted.collect();
-}
-
 /// All ways to differ that are tried, of logs of which the last one is refuted at a sample.
 fn suspects(last: &Log, sample: usize, inertia: Ends) -> Vec<Suspect> {
     let simple = |name: &'static str, turn: Turn| Suspect {
@@ -142,23 +131,23 @@ fn suspects(last: &Log, sample: usize, inertia: Ends) -> Vec<Suspect> {
             )
         },
         simple("a force that acts a row later than its own", |log, _, _| {
-            shift(log, -1)
+            log.shift(-1)
         }),
         simple(
             "a force that acts two rows later than its own",
-            |log, _, _| shift(log, -2),
+            |log, _, _| log.shift(-2),
         ),
         simple(
             "a force that acts three rows later than its own",
-            |log, _, _| shift(log, -3),
+            |log, _, _| log.shift(-3),
         ),
         simple(
             "a force that acts a row earlier than its own",
-            |log, _, _| shift(log, 1),
+            |log, _, _| log.shift(1),
         ),
         simple(
             "a force that acts two rows earlier than its own",
-            |log, _, _| shift(log, 2),
+            |log, _, _| log.shift(2),
         ),
         Suspect {
             ends: vec![[-force, force]],

@@ -66,6 +66,9 @@ fn th_ident_the_true_values_are_inside() {
         let found = run(&[trial.log], &trial.device);
         assert_holds(&found, &trial.device, number);
         informative += u32::from(found.is_informative());
+        if trial.kind != trial::Kind::Swing {
+            assert!(!found.lacks.contains(&Lack::Row), "{number}: {found:?}");
+        }
     }
     assert!(informative >= 20, "{informative}");
     assert_eq!(kinds.len(), trial::KINDS.len());
@@ -308,6 +311,39 @@ fn a_constant_force_is_told_from_friction_by_motion_both_ways_only() {
     let both = run(&[biased(0.0, 20.0), biased(0.0, -20.0)], &DEVICE);
     assert_holds(&both, &DEVICE, 0);
     assert!(!both.lacks.contains(&Lack::OtherWay), "{:?}", both.lacks);
+}
+
+/// The same log with each force a row later, as where a program logs the force of the last sample.
+fn logged_late(mut log: Sampled) -> Sampled {
+    let first = log.forces.first().cloned();
+    log.forces.pop();
+    log.forces.splice(..0, first);
+    log
+}
+
+/// Let go away from zero, under a spring force.
+fn swing(seed: u64) -> Sampled {
+    let mut random = Random::new(seed);
+    recorded(&DEVICE, 400.3, &even(400), &mut random, false, |_, n| {
+        -0.025 * n as f64
+    })
+}
+
+#[test]
+fn a_force_in_the_wrong_row_is_told_from_friction_by_pushes_not_by_a_swing() {
+    for seed in 1..4 {
+        let wrong = run(&[logged_late(swing(seed))], &DEVICE);
+        let viscous = bounds(&wrong, Parameter::Viscous);
+        assert!(viscous.lo > DEVICE.viscous, "{viscous:?}");
+        assert!(wrong.lacks.contains(&Lack::Row), "{:?}", wrong.lacks);
+    }
+    let pushes = [pushed(30.0, 20, 500, 2), pushed(-30.0, 20, 500, 3)];
+    let right = run(&[vec![swing(1)], pushes.to_vec()].concat(), &DEVICE);
+    assert_holds(&right, &DEVICE, 0);
+    assert!(right.lacks.is_empty(), "{:?}", right.lacks);
+    let late = [vec![swing(1)], pushes.to_vec()].concat();
+    let late: Vec<Sampled> = late.into_iter().map(logged_late).collect();
+    assert!(!run(&late, &DEVICE).fits());
 }
 
 #[test]
