@@ -360,6 +360,36 @@ fn an_error_of_the_force_that_makes_the_box_wide_is_named() {
     assert!(!found.lacks.contains(&Lack::Coasting), "{:?}", found.lacks);
 }
 
+/// The ends of forces that are no whole numbers are some roundings apart, beside which the best viscous friction may be
+/// nothing.
+#[test]
+fn a_rounding_of_the_force_is_no_error_of_it() {
+    let device = Device {
+        viscous: 0.1,
+        coulomb: 1.0,
+        inertia: 110.0,
+    };
+    for seed in 0..3 {
+        let mut random = Random::new(seed);
+        let pushes = |row, _| match row {
+            0..15 => 2.8,
+            200..215 => -2.8,
+            _ => 0.0,
+        };
+        let log = recorded(
+            &device,
+            0.15 * seed as f64,
+            &even(400),
+            &mut random,
+            false,
+            pushes,
+        );
+        let found = run(&[log], &device);
+        assert!(!found.is_informative());
+        assert!(!found.lacks.contains(&Lack::ForceError), "{found:?}");
+    }
+}
+
 #[test]
 fn the_error_of_the_force_is_taken_into_account() {
     let log = pushed(12.0, 20, 300, 1);
