@@ -1,6 +1,6 @@
 //! The monitor in the loop and `passivity audit` of the log give the same account.
 //!
-//! What can have been given at the most is the same number, which the monitor rounds outward to its unit;
+//! What can have been given at the most is the same, but that the monitor rounds each interval outward to its unit;
 //! what was given at the least is exact in the monitor, and in an audit never more.
 
 #[path = "../../crates/passivity-monitor-capi/tests/bare/mod.rs"]
