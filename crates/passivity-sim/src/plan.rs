@@ -119,7 +119,11 @@ pub(crate) fn in_range(x: &BigRational, parameter: Parameter) -> Result<f64, Sim
 }
 
 impl Plan {
-    /// The plan of the paper's own scene.
+    /// The plan of the paper's own scene, of numbers that are taken as they are.
+    ///
+    /// Those of a scene are checked before they come here; here nothing is. μ is to be from 1e-120 to 1e120, β and σ
+    /// from zero to 1e120, and ξ and ξ̇ up to 1e120 in magnitude: of other numbers, as of a μ of zero or of one that is
+    /// none, there is no motion, and of what a run of them says nothing holds.
     #[must_use]
     pub fn plain(plain: &Plain, intervals: u64) -> Self {
         let constants = Constants::new(plain.mu, plain.beta, plain.sigma);
