@@ -202,8 +202,9 @@ width!(i128, u128, i64, (1 << 31) - 1, 1 << 63);
 /// the force gives 2F·D.
 ///
 /// On top comes what a new force adds to the most, up to 2⁶² after a start far from zero. Both together
-/// fit: a step adds no more than 2F·D + 4P·D, as the rest of its terms are below zero. The harnesses of
-/// `proofs/kani` have each at its largest.
+/// fit: a step adds no more than 2F·D + 4P·D, as the rest of its terms are below zero. From the least comes as much
+/// where it is far apart at the ends of the tick; an account with larger forces than of 32 bits goes on in 64 bits only
+/// where that is at most 2⁶¹. The harnesses of `proofs/kani` have each at its largest.
 const fn largest_term(step: i64, force: u128) -> u128 {
     let (p, d) = (
         PARAMETER_MAX.unsigned_abs() as u128,

@@ -279,14 +279,20 @@ const fn at(stiffness: i64, viscous: i64, coulomb: i64) -> Config {
 /// what it is then, if it fits, and what it is by the definition, in sums that are exact or none. The step is a number
 /// that the compiler knows, so that nothing is left to multiply but by numbers.
 fn advances(config: &Config, ticks: i64) -> [Option<Account<i64>>; 2] {
-    let far = || kani::any_where(|far: &i64| *far >= -(1 << 62) && *far <= 1 << 62);
+    let force = kani::any_where(|n: &i64| *n >= -i64::FORCE_MAX && *n <= i64::FORCE_MAX);
+    // A start with forces of 32 bits leads as far as that; one with more goes on in 64 bits only up to half of it.
+    let most_apart = if i32::try_from(force).is_ok() {
+        1 << 62
+    } else {
+        1 << 61
+    };
+    let far = || kani::any_where(|far: &i64| *far >= -most_apart && *far <= most_apart);
     let before = Account {
         most: kani::any(),
         slope: far(),
         least: kani::any(),
         apart: far(),
     };
-    let force = kani::any_where(|n: &i64| *n >= -i64::FORCE_MAX && *n <= i64::FORCE_MAX);
     let mut account = before;
     let fits = account.advance(config, force, ticks);
     let (stiffness, twice) = (config.stiffness(), force + force);
