@@ -276,9 +276,9 @@ const fn at(stiffness: i64, viscous: i64, coulomb: i64) -> Config {
 }
 
 /// Advances an account of any numbers, the slope and the leasts as far as a start can lead, by any force and a step:
-/// what it is then, if it fits, and what it is by the definition, in sums that are exact or none. The step is a number
-/// that the compiler knows, so that nothing is left to multiply but by numbers.
-fn advances(config: &Config, ticks: i64) -> [Option<Account<i64>>; 2] {
+/// what it is then, if it fits, and how it slopes by the definition, in wider integers. The step is a
+/// number that the compiler knows, so that nothing is left to multiply but by numbers.
+fn advances(config: &Config, ticks: i64) -> (Option<Account<i64>>, i128) {
     let force = kani::any_where(|n: &i64| *n >= -i64::FORCE_MAX && *n <= i64::FORCE_MAX);
     // A start with forces of 32 bits leads as far as that; one with more goes on in 64 bits only up to half of it.
     let most_apart = if i32::try_from(force).is_ok() {
@@ -287,112 +287,92 @@ fn advances(config: &Config, ticks: i64) -> [Option<Account<i64>>; 2] {
         1 << 61
     };
     let far = || kani::any_where(|far: &i64| *far >= -most_apart && *far <= most_apart);
-    let before = Account {
+    let mut account = Account {
         most: kani::any(),
         slope: far(),
         least: kani::any(),
         apart: far(),
     };
-    let mut account = before;
     let fits = account.advance(config, force, ticks);
-    let (stiffness, twice) = (config.stiffness(), force + force);
-    let (viscous, coulomb) = (2 * config.viscous(), 2 * config.coulomb());
-    let taken = |d: i64| viscous * d * d + coulomb * d.abs();
-    // What is given over the ticks, and how much more over one more and over one less.
-    let stays = (twice - (viscous * ticks + coulomb * ticks.signum())) * ticks;
-    let more = twice - (taken(ticks + 1) - taken(ticks));
-    let less = -twice - (taken(ticks - 1) - taken(ticks));
-    let under = twice + stiffness;
-    let held = (before.slope - under).max(0);
-    let moved = (under - stiffness * ticks) * ticks;
-    let ahead: i64 = net(config, ticks.abs());
-    // The least at either end of the tick is that from either end of the one before.
-    let lower = (before.apart + less).min(0);
-    let exact = || {
-        let most = before.most.checked_add(held - ahead + moved)?;
-        let least = before.least.checked_add(stays + lower)?;
-        let apart = before.apart.min(more) - lower;
-        least.checked_add(apart)?;
-        let slope = under - 2 * stiffness * ticks;
-        Some(Account {
-            most,
-            slope,
-            least,
-            apart,
-        })
-    };
-    [fits.map(|()| account), exact()]
+    let stiffness = i128::from(config.stiffness());
+    let slope = stiffness + 2 * i128::from(force) - 2 * stiffness * i128::from(ticks);
+    (fits.map(|()| account), slope)
+}
+
+/// Whether it slopes so, and its leasts at both ends of the tick fit.
+fn slopes(account: &Account<i64>, slope: i128) -> bool {
+    i128::from(account.slope) == slope && account.at_least() <= account.least
 }
 
 /// TH-MONITOR: with the largest parameters, the longest step forward after any samples makes no account panic or wrap.
 #[kani::proof]
 fn th_monitor_never_wraps_with_the_largest_parameters_forward() {
-    let [account, exact] = advances(&LARGEST, i64::STEP_MAX);
+    let (account, slope) = advances(&LARGEST, i64::STEP_MAX);
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account == exact,
-        "TH-MONITOR: an account is exact, or does not fit",
+        account.is_none_or(|account| slopes(&account, slope)),
+        "TH-MONITOR: an account that fits slopes by the definition, and its leasts fit",
     );
 }
 
 /// TH-MONITOR: with the largest parameters, the longest step back after any samples makes no account panic or wrap.
 #[kani::proof]
 fn th_monitor_never_wraps_with_the_largest_parameters_back() {
-    let [account, exact] = advances(&LARGEST, -i64::STEP_MAX);
+    let (account, slope) = advances(&LARGEST, -i64::STEP_MAX);
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account == exact,
-        "TH-MONITOR: an account is exact, or does not fit",
+        account.is_none_or(|account| slopes(&account, slope)),
+        "TH-MONITOR: an account that fits slopes by the definition, and its leasts fit",
     );
 }
 
 /// TH-MONITOR: with the stiffest spring and no friction, the longest step forward after any samples makes no account panic or wrap.
 #[kani::proof]
 fn th_monitor_never_wraps_without_friction_forward() {
-    let [account, exact] = advances(&NO_FRICTION, i64::STEP_MAX);
+    let (account, slope) = advances(&NO_FRICTION, i64::STEP_MAX);
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account == exact,
-        "TH-MONITOR: an account is exact, or does not fit",
+        account.is_none_or(|account| slopes(&account, slope)),
+        "TH-MONITOR: an account that fits slopes by the definition, and its leasts fit",
     );
 }
 
 /// TH-MONITOR: with the stiffest spring and no friction, the longest step back after any samples makes no account panic or wrap.
 #[kani::proof]
 fn th_monitor_never_wraps_without_friction_back() {
-    let [account, exact] = advances(&NO_FRICTION, -i64::STEP_MAX);
+    let (account, slope) = advances(&NO_FRICTION, -i64::STEP_MAX);
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account == exact,
-        "TH-MONITOR: an account is exact, or does not fit",
+        account.is_none_or(|account| slopes(&account, slope)),
+        "TH-MONITOR: an account that fits slopes by the definition, and its leasts fit",
     );
 }
 
 /// TH-MONITOR: with the most friction and no spring, the longest step forward after any samples makes no account panic or wrap.
 #[kani::proof]
 fn th_monitor_never_wraps_without_a_spring_forward() {
-    let [account, exact] = advances(&NO_SPRING, i64::STEP_MAX);
+    let (account, slope) = advances(&NO_SPRING, i64::STEP_MAX);
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account == exact,
-        "TH-MONITOR: an account is exact, or does not fit",
+        account.is_none_or(|account| slopes(&account, slope)),
+        "TH-MONITOR: an account that fits slopes by the definition, and its leasts fit",
     );
 }
 
 /// TH-MONITOR: with the most friction and no spring, the longest step back after any samples makes no account panic or wrap.
 #[kani::proof]
 fn th_monitor_never_wraps_without_a_spring_back() {
-    let [account, exact] = advances(&NO_SPRING, -i64::STEP_MAX);
+    let (account, slope) = advances(&NO_SPRING, -i64::STEP_MAX);
     kani::cover!(account.is_some(), "it fits");
     kani::cover!(account.is_none(), "it does not fit");
     kani::assert(
-        account == exact,
-        "TH-MONITOR: an account is exact, or does not fit",
+        account.is_none_or(|account| slopes(&account, slope)),
+        "TH-MONITOR: an account that fits slopes by the definition, and its leasts fit",
     );
 }
 
