@@ -1,5 +1,5 @@
-//! What the library carries of other folders, made small: the recorded evidence compressed, since
-//! most of it is paths said again and again, and of the kernel's sources their SHA-256 sums.
+//! What the library carries of other folders, made small: the claims and the recorded evidence compressed, since
+//! most of that is paths said again and again, and of the kernel's sources their SHA-256 sums.
 
 use std::fmt::Write as _;
 use std::io::{Error, Write as _};
@@ -9,17 +9,21 @@ use std::{env, fs};
 use flate2::{Compression, write::DeflateEncoder};
 use sha2::{Digest as _, Sha256};
 
-const EVIDENCE: &str = "data/evidence.json";
+const TEXTS: [(&str, &str); 2] = [
+    ("data/claims.toml", "claims"),
+    ("data/evidence.json", "evidence"),
+];
 const KERNEL: &str = "data/kernel";
 
 fn main() -> Result<(), Error> {
     let out = env::var_os("OUT_DIR").ok_or_else(|| Error::other("run by cargo"))?;
-    for read in [EVIDENCE, KERNEL] {
+    println!("cargo::rerun-if-changed={KERNEL}");
+    for (read, name) in TEXTS {
         println!("cargo::rerun-if-changed={read}");
+        let mut text = DeflateEncoder::new(Vec::new(), Compression::best());
+        text.write_all(&fs::read(read)?)?;
+        fs::write(Path::new(&out).join(name), text.finish()?)?;
     }
-    let mut evidence = DeflateEncoder::new(Vec::new(), Compression::best());
-    evidence.write_all(&fs::read(EVIDENCE)?)?;
-    fs::write(Path::new(&out).join("evidence"), evidence.finish()?)?;
 
     let files = fs::read_dir(KERNEL)?.collect::<Result<Vec<_>, _>>()?;
     let mut sums = files

@@ -93,7 +93,7 @@ impl Records {
                 Ok(records)
             }
             None => {
-                let claims = Text::of_build(Claims::PATH, evidence::CLAIMS);
+                let claims = Text::of_build(Claims::PATH, &evidence::claimed()?);
                 let evidence = match given {
                     Some(evidence) => evidence,
                     None => Text::of_build("evidence", &evidence::recorded()?),

@@ -34,13 +34,22 @@ pub use mutation::{Mutation, Search, Survivor};
 pub use record::{Evidence, FORMAT, Failure, Outcome, Record, Run, RunOutcome, Shown, Tool};
 pub use sha256::Sha256;
 
-/// The claims that this crate was built with: the text of `claims.toml`.
-pub const CLAIMS: &str = include_str!("../data/claims.toml");
-
 /// The files of the kernel that this crate was built with: their paths from the root of the
 /// workspace, in order, and their sums. A program that runs where the sources are not can so still
 /// say which evidence speaks of the kernel that it was built from.
 pub const KERNEL: &[(&str, Sha256)] = include!(concat!(env!("OUT_DIR"), "/kernel.rs"));
+
+/// The claims that this crate was built with: the text of `claims.toml`.
+///
+/// # Errors
+///
+/// A build whose copy, which is kept compressed, was damaged.
+pub fn claimed() -> Result<String, EvidenceError> {
+    inflated(
+        include_bytes!(concat!(env!("OUT_DIR"), "/claims")),
+        "the claims of this build",
+    )
+}
 
 /// The evidence that this crate was built with: the text of `evidence.json`.
 ///
@@ -48,11 +57,16 @@ pub const KERNEL: &[(&str, Sha256)] = include!(concat!(env!("OUT_DIR"), "/kernel
 ///
 /// A build whose copy, which is kept compressed, was damaged.
 pub fn recorded() -> Result<String, EvidenceError> {
-    const COMPRESSED: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/evidence"));
+    inflated(
+        include_bytes!(concat!(env!("OUT_DIR"), "/evidence")),
+        "the evidence of this build",
+    )
+}
+
+fn inflated(compressed: &[u8], name: &str) -> Result<String, EvidenceError> {
     let mut text = String::new();
-    let read = flate2::read::DeflateDecoder::new(COMPRESSED).read_to_string(&mut text);
-    let name = std::path::Path::new("the evidence of this build");
-    read.map_err(|error| EvidenceError::io(name, &error))?;
+    let read = flate2::read::DeflateDecoder::new(compressed).read_to_string(&mut text);
+    read.map_err(|error| EvidenceError::io(std::path::Path::new(name), &error))?;
     Ok(text)
 }
 
