@@ -33,9 +33,11 @@ fn read(bytes: &[u8], name: &str) -> Result<Scene, SceneError> {
         (scene, start.elapsed())
     };
     let (scene, mut taken) = attempt();
-    if taken > LIMIT / 2 {
+    for _ in 0..5 {
         // Slow input is slow every time, a busy machine is not.
-        taken = taken.min(attempt().1);
+        if taken > LIMIT / 2 {
+            taken = taken.min(attempt().1);
+        }
     }
     assert!(taken < LIMIT, "{name}: {taken:?}");
     scene
