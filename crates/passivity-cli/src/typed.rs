@@ -1,6 +1,18 @@
 //! The command that was typed, with another way to read its logs.
 
-use passivity_audit::Proposal;
+use std::fmt::Display;
+
+use passivity_audit::{Proposal, TraceError};
+
+use crate::exit::Failure;
+
+/// Why a log is refused, with the command that reads it as it seems to be meant.
+pub(crate) fn refusal(log: impl Display, error: &TraceError) -> Failure {
+    Failure::input(match &error.proposal {
+        Some(proposal) => format!("{log}: {error} run: {}", command(proposal)),
+        None => format!("{log}: {error}"),
+    })
+}
 
 /// The command that was typed, with everything that it says but how its logs are read: as is proposed.
 pub(crate) fn command(proposal: &Proposal) -> String {

@@ -25,6 +25,22 @@ const BETWEEN: [f64; 2] = [90.0, 40.0];
 const SIZE: f64 = 13.0;
 
 impl Frame {
+    /// One of numbers from 0 to 1, from the corner of the page on.
+    #[cfg(test)]
+    pub(crate) fn of_unit(to: Pixel) -> Self {
+        let unit = Extent {
+            from: 0.0,
+            to: 1.0,
+            log: false,
+        };
+        Self {
+            x: unit,
+            y: unit,
+            from: [0.0, 0.0],
+            to,
+        }
+    }
+
     /// Where a place of the chart is in the picture; outside it where the value is outside.
     #[must_use]
     pub fn pixel(&self, [x, y]: [f64; 2]) -> Pixel {

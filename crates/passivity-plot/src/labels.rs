@@ -171,8 +171,6 @@ pub(crate) fn part_of(way: &[Pixel], part: f64) -> Option<Pixel> {
 
 #[cfg(test)]
 mod tests {
-    use passivity_scene::plane::Extent;
-
     use super::*;
 
     #[test]
@@ -187,17 +185,7 @@ mod tests {
 
     #[test]
     fn thirteen_numbers_at_one_place_do_not_touch() {
-        let unit = Extent {
-            from: 0.0,
-            to: 1.0,
-            log: false,
-        };
-        let frame = Frame {
-            x: unit,
-            y: unit,
-            from: [0.0, 0.0],
-            to: [600.0, 500.0],
-        };
+        let frame = Frame::of_unit([600.0, 500.0]);
         let mut labels = Labels::new(&frame);
         let mut svg = Svg::new([600.0, 500.0]);
         labels.take([300.0, 250.0], 7.0);

@@ -4,8 +4,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use passivity_audit::{
-    Audit, Columns, Dialect, Options, Partial, Stretch, TraceError, Verdict, audit_files,
-    audit_part, merge_parts,
+    Audit, Columns, Dialect, Options, Partial, Stretch, Verdict, audit_files, audit_part,
+    merge_parts,
 };
 #[cfg(feature = "plot")]
 use passivity_plot::energy::{Point, draw};
@@ -17,7 +17,7 @@ use passivity_scene::files::Output;
 use crate::exit::{Exit, Failure};
 use crate::files::{may_be_written, sources, write};
 use crate::output::{Format, emit, emit_json, read_scene, tell};
-use crate::typed::command;
+use crate::typed::refusal;
 
 /// Compute the exact energy account of a recorded or simulated trace, interval by interval.
 ///
@@ -153,8 +153,8 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         ..options(args)
     };
     let traces = traces(args);
-    let report = audit_files(&args.traces, &scene, options)
-        .map_err(|error| Failure::input(refusal(&traces, &error)))?;
+    let report =
+        audit_files(&args.traces, &scene, options).map_err(|error| refusal(&traces, &error))?;
     if let (Some(rows), Some(path)) = (rows, &args.out) {
         rows.keep()
             .map_err(|error| Failure::io(path.display(), &error))?;
@@ -192,7 +192,7 @@ fn piece(args: &Args, scene: &Scene, path: &Path) -> Result<Exit, Failure> {
     let stretch = args.range.or(args.shard).unwrap_or(whole);
     let named = traces(args);
     let part = audit_part(trace, scene, stretch, options(args))
-        .map_err(|error| Failure::input(refusal(&named, &error)))?;
+        .map_err(|error| refusal(&named, &error))?;
     let text = part.to_json().map_err(Failure::input)?;
     write(path, &(text + "\n"))?;
     match args.format {
@@ -257,14 +257,6 @@ pub(crate) fn names(paths: &[PathBuf]) -> String {
         .map(|path| path.display().to_string())
         .collect();
     names.join(", ")
-}
-
-/// Why a header is refused, with the command that reads it as it seems to be meant.
-fn refusal(traces: &str, error: &TraceError) -> String {
-    match &error.proposal {
-        Some(proposal) => format!("{traces}: {error} run: {}", command(proposal)),
-        None => format!("{traces}: {error}"),
-    }
 }
 
 /// Writes the certificate of the first violated interval, or says why there is none.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_audit::{Columns, Dialect, TraceError};
+use passivity_audit::{Columns, Dialect};
 use passivity_core::Effect;
 use passivity_identify::{
     Identified, Inertia, LogReport, Options, Provenance, Report, Sampled, identify, read,
@@ -16,7 +16,7 @@ use crate::exit::{Exit, Failure};
 use crate::files::may_be_written;
 use crate::output::{Format, emit, emit_json, tell};
 use crate::progress::Progress;
-use crate::typed::command;
+use crate::typed::refusal;
 use crate::verbs::audit::delimiter;
 
 /// Find the friction of a device, and its inertia, from logs of its motion: bounds that surely hold them,
@@ -228,7 +228,7 @@ fn logs(args: &Args, sketch: &Scene) -> Result<(Vec<Sampled>, Vec<LogReport>), F
                 "a log must be a file: its hash goes into the scene",
             ));
         }
-        let log = read(path, sketch, &dialect).map_err(|error| refusal(path, &error))?;
+        let log = read(path, sketch, &dialect).map_err(|error| refusal(path.display(), &error))?;
         logs.push(log);
         let sha256 = passivity_identify::sha256(path);
         files.push(LogReport {
@@ -237,13 +237,4 @@ fn logs(args: &Args, sketch: &Scene) -> Result<(Vec<Sampled>, Vec<LogReport>), F
         });
     }
     Ok((logs, files))
-}
-
-/// Why a log is refused, with the command that reads it as it seems to be meant.
-fn refusal(path: &Path, error: &TraceError) -> Failure {
-    let path = path.display();
-    Failure::input(match &error.proposal {
-        Some(proposal) => format!("{path}: {error} run: {}", command(proposal)),
-        None => format!("{path}: {error}"),
-    })
 }

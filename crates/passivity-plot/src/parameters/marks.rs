@@ -70,24 +70,12 @@ fn sized_scene(svg: &mut Svg, place: Pixel, radius: f64, verdict: Verdict, colou
 
 #[cfg(test)]
 mod tests {
-    use passivity_scene::plane::Extent;
-
     use super::*;
     use crate::frame::Frame;
 
     #[test]
     fn no_mark_hides_one_of_another_verdict() {
-        let unit = Extent {
-            from: 0.0,
-            to: 1.0,
-            log: false,
-        };
-        let frame = Frame {
-            x: unit,
-            y: unit,
-            from: [0.0, 0.0],
-            to: [800.0, 600.0],
-        };
+        let frame = Frame::of_unit([800.0, 600.0]);
         let at = Some([300.0, 300.0]);
         for order in [[0, 1, 2], [2, 1, 0], [1, 0, 2]] {
             let kinds = [Verdict::Passive, Verdict::NotPassive, Verdict::NotPassive];
