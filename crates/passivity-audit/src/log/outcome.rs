@@ -1,6 +1,6 @@
 //! The outcome of an audit: its report, made of what was found.
 
-use passivity_core::BigRational;
+use passivity_core::{BigRational, Scalar as _};
 use passivity_scene::Scene;
 
 use crate::json::NumberedRow;
@@ -16,9 +16,9 @@ use crate::log::report::{
     Agreement, ByLaw, Drawn, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
     Running, Sampling, Shown, Supplied, Verdict,
 };
-use crate::log::running::{Lowest, RunningSum};
+use crate::log::running::RunningSum;
 use crate::log::step::undefined;
-use crate::log::supply::{is_below_zero, potential};
+use crate::log::supply::potential;
 use crate::log::task::Task;
 use crate::log::velocity::Velocities;
 use crate::number::Number;
@@ -56,10 +56,19 @@ impl Audit {
             true => account.supply.lowest(),
             false => [account.stored.as_ref(), None],
         };
+        let mut lowest = lowest.map(|lowest| lowest.map(|lowest| (lowest.value(), lowest.h)));
         let supply = match &findings.first {
             Some(first) => {
-                let [_, stored] = potential(task.ledger, first).ok_or_else(undefined)?;
-                Some(Supplied::new(lowest, &stored.to_rational(), task.running))
+                let stored = potential(task.ledger, first).ok_or_else(undefined)?;
+                let [least, most] = stored.map(|stored| stored.to_rational());
+                // A spring that is so much stiffer than the wall's stores so much more.
+                let more = stiffness_at_rest(scene) - BigRational::one();
+                let mut beyond = [least, most.clone()].map(|stored| stored * &more);
+                beyond.sort();
+                for (lowest, beyond) in lowest.iter_mut().flatten().zip(&beyond) {
+                    lowest.0 += beyond;
+                }
+                Some(Supplied::new(&lowest, &(most + &beyond[0]), task.running))
             }
             None => None,
         };
@@ -113,7 +122,7 @@ impl Audit {
             (Some(_), _) => Verdict::Broken,
             (None, _) if !unaccounted.is_empty() => Verdict::NotCovered,
             (None, Judged::Interval) => of_intervals(&totals),
-            (None, Judged::Running) => of_supply(lowest),
+            (None, Judged::Running) => of_supply(&lowest),
         };
         let report = Report {
             scene: scene.name.clone(),
@@ -253,9 +262,25 @@ const fn of_intervals(totals: &Totals) -> Verdict {
     }
 }
 
+/// H(1), what the loop's spring is as stiff as once everything has come to rest (TH-LTI): that of the wall, where no
+/// controller says otherwise.
+fn stiffness_at_rest(scene: &Scene) -> BigRational {
+    let controller = scene.point().at.controller;
+    controller.map_or_else(BigRational::one, |controller| controller.at_one())
+}
+
+/// The lowest that was left of what was stored at the start, taken at the least and at the most, and after how many
+/// intervals that was.
+type Lowest = [Option<(BigRational, u64)>; 2];
+
 /// The operator has surely never drawn more than was stored at the start; surely has; perhaps.
-fn of_supply([least, most]: [Option<&Lowest>; 2]) -> Verdict {
-    match (is_below_zero(least), is_below_zero(most)) {
+fn of_supply(lowest: &Lowest) -> Verdict {
+    use num_traits::Signed as _;
+    let is_below_zero = |(value, _): &(BigRational, u64)| value.is_negative();
+    let [least, most] = lowest
+        .each_ref()
+        .map(|lowest| lowest.as_ref().is_some_and(is_below_zero));
+    match (least, most) {
         (_, true) => Verdict::Fails,
         (true, false) => Verdict::Depends,
         (false, false) => Verdict::Holds,
@@ -263,22 +288,21 @@ fn of_supply([least, most]: [Option<&Lowest>; 2]) -> Verdict {
 }
 
 impl Supplied {
-    /// From the lowest that was left of what was stored at the start, at the least and, where it is known, at the most.
-    fn new([least, most]: [Option<&Lowest>; 2], stored: &BigRational, most_is_known: bool) -> Self {
-        use num_traits::{Signed as _, Zero as _};
+    /// From the lowest that was left of what was stored at the start, of which the latter is known where it is asked for.
+    fn new([least, most]: &Lowest, stored: &BigRational, most_is_known: bool) -> Self {
+        use num_traits::Signed as _;
         // At the start it is zero.
-        let supplied = least.map(|lowest| (lowest.value() - stored, lowest.h));
+        let supplied = least.as_ref().map(|(value, h)| (value - stored, *h));
         let below = supplied.filter(|(value, _)| value.is_negative());
         let (least, after) = below.unwrap_or_else(|| (BigRational::zero(), 0));
-        let surely = most.map(|most| (most.value(), most.h));
-        let surely = surely.filter(|(value, _)| value.is_negative());
+        let surely = most.as_ref().filter(|(value, _)| value.is_negative());
         Self {
             least,
             after,
             floor: -stored,
             drawn: most_is_known.then(|| Drawn {
-                surely_drawn: surely.as_ref().map(|(value, _)| -value),
-                surely_drawn_after: surely.map(|(_, h)| h),
+                surely_drawn: surely.map(|(value, _)| -value),
+                surely_drawn_after: surely.map(|(_, h)| *h),
             }),
         }
     }

@@ -11,8 +11,8 @@
 //! and an excess G, whose work is summed by parts: with n the lower end of what is known of ξ and
 //! ρ = ξ − n, Σ G_i(ξ_{i+1} − ξ_i) = Σ G_i(n_{i+1} − n_i) − Σ (G_i − G_{i−1})ρ_i + G_last·ρ_h.
 
+use passivity_core::BigRational;
 use passivity_core::course::Last;
-use passivity_core::{BigRational, Ordered};
 
 use super::running::{Lowest, RunningSum};
 use crate::ball::Ball;
@@ -371,10 +371,4 @@ pub(crate) fn observed(row: &Accounted) -> Option<Reduced> {
         Accounted::Exact(row) => on_entry!(row, entry => of(entry)),
         Accounted::Decided(row) => on_entry!(row, entry => of(entry)).map(below_on_grid),
     }
-}
-
-/// Whether that is below zero.
-pub(crate) fn is_below_zero(lowest: Option<&Lowest>) -> bool {
-    lowest
-        .is_some_and(|lowest| BigRational::sign(&lowest.value()) == Some(std::cmp::Ordering::Less))
 }

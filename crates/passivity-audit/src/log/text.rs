@@ -95,13 +95,15 @@ impl Report {
             })
         };
         // What such a controller remembered when the log began is not in the log.
-        let remembers = |e: &Effect| matches!(e, Effect::DampingFilter | Effect::Controller);
-        let (stored, aside) = match self.effects.iter().any(remembers) {
-            true => (
-                "the wall's spring stored at the start",
-                "; what the controller remembered then is not counted",
+        let has = |effect| self.effects.contains(&effect);
+        let remembers = "; what the controller remembered then is not counted";
+        let (stored, aside) = match [Effect::Controller, Effect::DampingFilter].map(has) {
+            [true, _] => (
+                "the spring of H(1) times the stiffness stored at the start",
+                remembers,
             ),
-            false => ("was stored at the start", ""),
+            [_, true] => ("the wall's spring stored at the start", remembers),
+            _ => ("was stored at the start", ""),
         };
         let applied = self.account == Force::Applied;
         let opened = self.findings.iter().any(|f| f.leaves_open(applied));

@@ -259,3 +259,32 @@ fn merged_pieces_are_the_report_of_the_whole() {
         }
     }
 }
+
+/// Counts 0, 0, 0, 8, 0, 0, 0 in a page with a checksum, which our writer has none of.
+const CHECKED: &str = "\
+    5041523115001544154415c78fd1ea0a1c150e1500150615061c000000020000000e01000000000000000000000000080000\
+    000000000000000000000000001504192c35001806736368656d61150200150225021805636f756e7400160e191c191c2600\
+    1c150219250600191805636f756e741500160e167616762608491c150015001502003c29061926000e0000001676160e2608\
+    1676002820706172717565742d6370702d6172726f772076657273696f6e2032362e302e31191c1c00000082000000504152\
+    31";
+
+#[test]
+fn a_page_that_its_checksum_does_not_fit_is_an_error() {
+    let digits = CHECKED
+        .as_bytes()
+        .chunks(2)
+        .map(|pair| str::from_utf8(pair).unwrap());
+    let mut bytes: Vec<u8> = digits
+        .map(|byte| u8::from_str_radix(byte, 16).unwrap())
+        .collect();
+    let said = |bytes: &[u8]| read(&Scratch::new("parquet", bytes)).map(|audit| audit.to_text());
+    assert_eq!(
+        said(&bytes).unwrap(),
+        csv("count\n0\n0\n0\n8\n0\n0\n0\n").to_text()
+    );
+    // The count of 8 becomes one of 0.
+    let at = bytes.iter().position(|byte| *byte == 8).unwrap();
+    bytes[at] = 0;
+    let text = said(&bytes).unwrap_or_else(|error| error.to_string());
+    assert!(text.contains("checksum"), "{text}");
+}

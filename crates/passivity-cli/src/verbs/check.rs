@@ -100,7 +100,7 @@ fn saved(paths: &[PathBuf]) -> Vec<Option<(SystemTime, u64)>> {
 fn check_all(args: &Args) -> Result<(Exit, bool), Failure> {
     let (mut exit, mut is_heard) = (Exit::Holds, true);
     let mut document = Document {
-        units: "SI: m, rad, s, kg, N, N m, J; ticks and samples where a name says nothing of SI",
+        units: "SI: m, rad, s, kg, N, N m, J; ticks and samples where a name says nothing of SI; without an encoder m or rad for ticks",
         scenes: Vec::new(),
         errors: Vec::new(),
     };

@@ -106,8 +106,9 @@ impl<S: Enclosed> StartSpeed<S> {
 
 /// Whether TH-START shows that a device left alone keeps to these speeds.
 ///
-/// Of delay and damping it says so with the sum of their costs. Of a filter, a controller, a latency
-/// and an amplifier nothing is proved, so it depends.
+/// Of delay and damping it says so with the sum of their costs, which may be more than the loop really costs: where that
+/// sum is too much and the criterion does not fail, it depends. Of a filter, a controller, a latency and an amplifier nothing
+/// is proved, so it depends.
 pub(super) fn holds<S: Enclosed>(
     bounds: &Loop<Interval<S>>,
     speeds: &Speeds<Interval<S>>,
@@ -116,10 +117,12 @@ pub(super) fn holds<S: Enclosed>(
     let is_proved = bounds.controller.is_none()
         && bounds.damping_time_constant.is_none()
         && !bounds.has_actuator();
-    if is_proved {
-        by_sums.decide(speeds)
-    } else {
-        Some(Truth::Depends)
+    if !is_proved {
+        return Some(Truth::Depends);
+    }
+    match by_sums.decide(speeds)? {
+        Truth::Fails if bounds.decide(speeds)? != Truth::Fails => Some(Truth::Depends),
+        found => Some(found),
     }
 }
 

@@ -1,8 +1,11 @@
 //! Logs that have the force: what is said of the wall's law beside it, and what is accounted for without one.
 
 use std::fmt::Write as _;
+use std::str::FromStr as _;
 
 use passivity_audit::Verdict;
+use passivity_core::{BigRational, Scalar as _};
+use serde_json::Value;
 
 use super::{audited, scene, three_fifths};
 
@@ -56,11 +59,12 @@ fn a_logged_force_is_accounted_for_whatever_filter_or_controller_made_it() {
             let said = audit.to_json();
             assert_eq!(said["not_covered"], serde_json::json!([]));
             assert!(said["force"].is_null() && said["law"].is_null(), "{said}");
-            assert!(
-                audit.to_text().contains("the wall's spring"),
-                "{}",
-                audit.to_text()
-            );
+            let text = audit.to_text();
+            let spring = match more == filter {
+                true => "the wall's spring stored at the start",
+                false => "the spring of H(1) times the stiffness stored at the start",
+            };
+            assert!(text.contains(spring), "{text}");
         }
         assert_eq!(of(latency, log).verdict(), Verdict::NotCovered);
     }
@@ -68,6 +72,54 @@ fn a_logged_force_is_accounted_for_whatever_filter_or_controller_made_it() {
     for more in [filter, controller] {
         assert_eq!(of(more, b"xi\n0\n1\n").verdict(), Verdict::NotCovered);
     }
+}
+
+/// A controller stores ½H(1)ξ² (TH-LTI). From ξ₀ = 10¼ by one after the other with force F each way, F is what the hand
+/// gets of each, and friction takes β + σ = 12/5 of it.
+#[test]
+fn a_controller_has_the_spring_that_it_acts_as_at_rest() {
+    let of = |numerator: &str, log: &str| {
+        let text = format!(
+            "[dimensionless]\nbeta = \"6/5\"\nsigma = \"6/5\"\n[controller]\nnumerator = {numerator}\ndenominator = [\"1\"]"
+        );
+        audited(log.as_bytes(), &scene(&text), 1, 0).0
+    };
+    let supply =
+        |numerator: &str, log: &str| of(numerator, log).to_json()["running"]["supply"].clone();
+    // Of H = 2 the law commands −2(n + ½): it gives back what its spring has, 10¼², less what friction takes.
+    let mut release = "xi,f\n".to_owned();
+    for n in (0..=10).rev() {
+        writeln!(release, "{n}.25,{}", -(2 * n + 1)).unwrap();
+    }
+    let given = supply("[\"2\"]", &release);
+    // Σ from 1 to 10 of 2n + 1, less 12/5 each: 120 − 24.
+    assert_eq!(
+        (&given["least"], &given["floor"]),
+        (&"-96".into(), &"-1681/16".into())
+    );
+    assert_eq!(given["surely_drawn"], Value::Null);
+    assert_eq!(of("[\"2\"]", &release).verdict(), Verdict::Holds);
+    // That of the wall alone stores half as much, and one with H(1) = 0 nothing.
+    assert_eq!(of("[\"1\"]", &release).verdict(), Verdict::Fails);
+    let pushed = "xi,f\n10.25,-5\n9.25,-5\n8.25,0\n";
+    let drawn = supply("[\"1\", \"-1\"]", pushed);
+    assert_eq!(
+        (&drawn["floor"], &drawn["surely_drawn"]),
+        (&"0".into(), &"26/5".into())
+    );
+    assert_eq!(of("[\"1\", \"-1\"]", pushed).verdict(), Verdict::Fails);
+    assert_eq!(of("[\"1\"]", pushed).verdict(), Verdict::Holds);
+    // Counts leave room: by a tick, and of H = 2 by ½(11² − 10²) more of what was stored.
+    let counted = "count,f\n10,-5\n9,-5\n8,0\n";
+    let most = |numerator: &str| {
+        let supply = supply(numerator, counted);
+        ["least", "floor"].map(|key| BigRational::from_str(supply[key].as_str().unwrap()).unwrap())
+    };
+    let ([least, wall], [same, double], [_, none]) =
+        (most("[\"1\"]"), most("[\"2\"]"), most("[\"1\", \"-1\"]"));
+    assert_eq!(least, same);
+    assert_eq!(wall - double, BigRational::from_integer(50.into()));
+    assert_eq!(none, BigRational::zero());
 }
 
 /// Of 1000 N/m, 0.03 mm and a law of −0.03 N/tick.
