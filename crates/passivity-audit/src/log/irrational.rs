@@ -164,15 +164,20 @@ impl Irrational {
 
     /// What [`near_double`](Self::near_double) finds of doubles, soonest: their middles and radii, with no number in the
     /// middle where that takes longer.
-    pub(crate) fn of_several(&self, values: &[f64], balls: (&mut [f64], &mut [f64])) {
+    pub(crate) fn of_several(&self, kind: Kind, values: &[f64], balls: (&mut [f64], &mut [f64])) {
         if let Some(halves) = self.halves.first() {
-            doubles::balls(values, *halves, balls);
+            doubles::balls(kind, values, *halves, balls);
         }
     }
 
     /// The same of [`near`](Self::near).
-    pub(crate) fn of_decimals(&self, decimals: (&[i64], &[u8]), balls: (&mut [f64], &mut [f64])) {
-        doubles::balls_of_decimals(decimals, &self.halves, balls);
+    pub(crate) fn of_decimals(
+        &self,
+        kind: Kind,
+        decimals: (&[i64], &[u8]),
+        balls: (&mut [f64], &mut [f64]),
+    ) {
+        doubles::balls_of_decimals(kind, decimals, &self.halves, balls);
     }
 
     /// What [`near_double`](Self::near_double) finds, sooner: of most doubles.
@@ -294,7 +299,7 @@ mod tests {
                 // Below the grid, and from 2⁵³ on or so.
                 prop_assert!(sooner.is_some() || !(1e-3..1e6).contains(&x.abs()));
                 let (mut middle, mut radius) = ([0.0], [0.0]);
-                by.of_several(&[x], (&mut middle, &mut radius));
+                by.of_several(kind, &[x], (&mut middle, &mut radius));
                 let decided = (!middle[0].is_nan()).then(|| Ball::from_parts(middle[0], radius[0]));
                 for found in [sooner, decided].into_iter().flatten() {
                     prop_assert_eq!(Some(found), by.near_double(kind, x));
@@ -325,7 +330,7 @@ mod tests {
             for kind in [Kind::Position, Kind::Force] {
                 let k = u8::try_from(decimals).unwrap();
                 let (mut middle, mut radius) = ([0.0], [0.0]);
-                by.of_decimals((&[n], &[k]), (&mut middle, &mut radius));
+                by.of_decimals(kind, (&[n], &[k]), (&mut middle, &mut radius));
                 if !middle[0].is_nan() {
                     prop_assert_eq!(Some(Ball::from_parts(middle[0], radius[0])), by.near(kind, n, k));
                 }
@@ -344,10 +349,20 @@ mod tests {
         // Radians from 10 to 1300 ticks.
         let values: Vec<f64> = (1..1000).map(|i| f64::from(i) * 1.001e-3 + 7e-3).collect();
         let (mut middles, mut radii) = (vec![0.0; values.len()], vec![0.0; values.len()]);
-        by.of_several(&values, (&mut middles, &mut radii));
-        let open = middles.iter().filter(|middle| middle.is_nan()).count();
+        let mut open = |kind, values: &[f64]| {
+            by.of_several(kind, values, (&mut middles, &mut radii));
+            middles.iter().filter(|middle| middle.is_nan()).count()
+        };
         // Above 8 doubles are 2^-49 apart: a part in 2^10 is within 2^-61 of a middle or of half that, on either side.
-        assert!(open < 10, "{open}");
+        let found = open(Kind::Position, &values);
+        assert!(found < 10, "{found}");
+        // Forces may be whole numbers of KΔ, as those of a wall that counts without half a tick are.
+        let whole: Vec<f64> = (1..1000)
+            .map(|n| f64::from(n) * (std::f64::consts::PI / 4096.0))
+            .collect();
+        let found = open(Kind::Force, &whole);
+        assert!(found < 10, "{found}");
+        assert_eq!(open(Kind::Position, &whole), whole.len());
     }
 
     #[test]

@@ -368,7 +368,7 @@ impl Readings {
         } = self;
         let (written, kind) = (&*written, *kind);
         let several = |from: usize, balls: (&mut [f64], &mut [f64])| {
-            scale.near_several(written, from, balls);
+            scale.near_several(kind, written, from, balls);
         };
         near.complete(written.len(), several, |i| {
             let quickly = match written {

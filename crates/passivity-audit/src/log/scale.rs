@@ -126,6 +126,7 @@ impl Scale {
     /// without a number in the middle, and stay or become so where that takes longer to find out.
     pub(crate) fn near_several(
         &self,
+        kind: Kind,
         written: &Numbers,
         from: usize,
         balls: (&mut [f64], &mut [f64]),
@@ -135,7 +136,7 @@ impl Scale {
             Numbers::Doubles(values) => {
                 let values = values.get(from..).unwrap_or_default();
                 match (self, factor) {
-                    (Self::Irrational(by), _) => by.of_several(values, balls),
+                    (Self::Irrational(by), _) => by.of_several(kind, values, balls),
                     (_, Some(factor)) => ball::scaled(values, factor, balls),
                     (_, None) => {}
                 }
@@ -144,7 +145,7 @@ impl Scale {
                 let numerators = numerators.get(from..).unwrap_or_default();
                 let decimals = (numerators, powers.get(from..).unwrap_or_default());
                 match (self, factor) {
-                    (Self::Irrational(by), _) => by.of_decimals(decimals, balls),
+                    (Self::Irrational(by), _) => by.of_decimals(kind, decimals, balls),
                     (_, Some(factor)) => ball::scaled_decimals(decimals, factor, balls),
                     (_, None) => {}
                 }
@@ -322,7 +323,7 @@ mod tests {
             let decimals = Numbers::Decimals(vec![n, n % 1000, count.into()], vec![k, 0, 3]);
             for written in [doubles, decimals] {
                 let (mut middles, mut radii) = ([0.0; 3], [0.0; 3]);
-                scale.near_several(&written, 0, (&mut middles, &mut radii));
+                scale.near_several(kind, &written, 0, (&mut middles, &mut radii));
                 for (i, parts) in middles.into_iter().zip(radii).enumerate() {
                     let number = written.get(i).unwrap();
                     let expected = Reading::Exact(product(&number, &factor)).to_near();

@@ -3,6 +3,7 @@
 use multiversion::multiversion;
 
 use crate::ball::{radius_of_span, rest_of_product, unless};
+use crate::log::numbers::Kind;
 
 /// A factor, as the sum of the double nearest to it and of the one nearest to what that leaves.
 pub(super) type Halves = [f64; 2];
@@ -17,10 +18,17 @@ const fn power(k: i32) -> f64 {
 const SMALLEST: f64 = power(-4);
 const LARGEST: f64 = power(29);
 
-/// How near to the middle between two doubles, and to a whole number, nothing is decided. Of products below [`LARGEST`]
-/// the sum of both parts is off by a few 2⁻⁷⁰, and on the grid by one 2⁻⁶⁴; a ball has a radius of 2⁻²² at most.
+/// How near to the middle between two doubles nothing is decided. Of products below [`LARGEST`] the sum of both parts is off
+/// by a few 2⁻⁷⁰, and on the grid by one 2⁻⁶⁴.
 const MIDDLE: f64 = power(-61);
-const BORDER: f64 = power(-20);
+
+/// How near to a whole number nothing is decided: of positions, which are within a tick. A ball has a radius of 2⁻²² at most.
+const fn border(kind: Kind) -> f64 {
+    match kind {
+        Kind::Position => power(-20),
+        Kind::Force => -1.0,
+    }
+}
 
 /// The ball of a number scaled by a factor, with no number in the middle where it is not decided: otherwise that around
 /// the [span](crate::span::Span) on the grid that the product is cut off to, to the last bit.
@@ -28,7 +36,7 @@ const BORDER: f64 = power(-20);
 /// The middle of that is the double nearest to a number that is less than two units of the grid nearer to zero than the
 /// product is. So it is the double nearest to the product, where that is not as near to the middle between two doubles.
 #[inline(always)]
-fn ball(x: f64, [factor, rest]: Halves) -> (f64, f64) {
+fn ball(x: f64, [factor, rest]: Halves, border: f64) -> (f64, f64) {
     const EXPONENT: u64 = 0x7ff << 52;
     const ONES: f64 = 1.5 * power(52);
     let product = x * factor;
@@ -43,7 +51,7 @@ fn ball(x: f64, [factor, rest]: Halves) -> (f64, f64) {
         + unless((off - 0.5 * half).abs() > MIDDLE)
         + unless(size >= SMALLEST)
         + unless(size < LARGEST)
-        + unless((size - whole).abs() > BORDER);
+        + unless((size - whole).abs() > border);
     let found = if open == 0.0 { middle } else { f64::NAN };
     let radius = radius_of_span(2.0, size);
     // Nothing is scaled to nothing.
@@ -54,9 +62,15 @@ fn ball(x: f64, [factor, rest]: Halves) -> (f64, f64) {
 
 /// The [balls](ball) of numbers: their middles and radii.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-pub(super) fn balls(values: &[f64], factor: Halves, (middles, radii): (&mut [f64], &mut [f64])) {
+pub(super) fn balls(
+    kind: Kind,
+    values: &[f64],
+    factor: Halves,
+    (middles, radii): (&mut [f64], &mut [f64]),
+) {
+    let border = border(kind);
     for ((x, middle), radius) in values.iter().zip(middles).zip(radii) {
-        (*middle, *radius) = ball(*x, factor);
+        (*middle, *radius) = ball(*x, factor, border);
     }
 }
 
@@ -64,17 +78,18 @@ pub(super) fn balls(values: &[f64], factor: Halves, (middles, radii): (&mut [f64
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
 #[allow(clippy::cast_precision_loss)] // what has more digits is left open
 pub(super) fn balls_of_decimals(
+    kind: Kind,
     (numerators, powers): (&[i64], &[u8]),
     factors: &[Halves],
     (middles, radii): (&mut [f64], &mut [f64]),
 ) {
-    let decimals = numerators.iter().zip(powers);
+    let (border, decimals) = (border(kind), numerators.iter().zip(powers));
     for ((decimal, middle), radius) in decimals.zip(middles).zip(radii) {
         let (n, k) = decimal;
         let unknown = [f64::NAN; 2];
         let factor = factors.get(usize::from(*k)).copied().unwrap_or(unknown);
         let is_exact = n.unsigned_abs() < 1 << f64::MANTISSA_DIGITS;
         let n = if is_exact { *n as f64 } else { f64::NAN };
-        (*middle, *radius) = ball(n, factor);
+        (*middle, *radius) = ball(n, factor, border);
     }
 }
