@@ -117,6 +117,17 @@ impl Account {
         Some(())
     }
 
+    /// Its sums, with what rows answer and where it ends.
+    pub(crate) fn sums_alone(self) -> Self {
+        Self {
+            intervals: self.intervals,
+            sums: self.sums,
+            last: self.last,
+            tallies: self.tallies,
+            ..Self::default()
+        }
+    }
+
     /// Goes on with the account of the intervals that follow.
     pub(crate) fn append(&mut self, mut other: Self) {
         let before = self.intervals;

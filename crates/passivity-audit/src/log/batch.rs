@@ -29,6 +29,8 @@ fn lowest(least: Least<i128>) -> Option<Lowest> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Batch {
     pub(crate) intervals: u64,
+    /// Whether [sums](crate::log::task::Task::sums_alone) are all that is told of rows computed several at a time.
+    sums_alone: bool,
     /// The five figures that totals are kept of, at the least and at the most.
     sums: [[i128; 2]; 5],
     courses: Courses<i128>,
@@ -43,9 +45,10 @@ pub(crate) struct Batch {
 
 impl Batch {
     /// After an interval with this excess force.
-    pub(crate) fn after(excess: Option<Bounds>) -> Self {
+    pub(crate) fn after(excess: Option<Bounds>, sums_alone: bool) -> Self {
         Self {
             excess: excess.filter(|excess| *excess != NO_FORCE),
+            sums_alone,
             ..Self::default()
         }
     }
@@ -100,6 +103,10 @@ impl Batch {
         if rows.is_empty() || before + rows.len() as u64 > MOST {
             return 0;
         }
+        if self.sums_alone {
+            let sums = tile.totals(&rows);
+            return self.add_sums(&sums, (tile, &rows));
+        }
         if tile.add_up(&rows, running, self.excess()).is_none() {
             return 0;
         }
@@ -117,10 +124,6 @@ impl Batch {
             }
         }
         self.courses.append(&courses, before);
-        for ([lo, hi], [least, most]) in self.sums.iter_mut().zip(sums.sums) {
-            *lo += least;
-            *hi += most;
-        }
         let mut observer = match self.observer.sum + sums.least_observed >= self.observer.least {
             true => Course::default(),
             false => tile.observer(&rows, &sums),
@@ -130,8 +133,22 @@ impl Batch {
         if running {
             self.excess = sums.excess;
         }
+        self.add_sums(&sums.sums, (tile, &rows))
+    }
+
+    /// Adds the sums of some rows and what these answer: how many they are.
+    fn add_sums(
+        &mut self,
+        sums: &[[i128; 2]; 5],
+        (tile, rows): (&impl TileRows, &Range<usize>),
+    ) -> usize {
+        let before = self.intervals;
+        for ([lo, hi], [least, most]) in self.sums.iter_mut().zip(sums) {
+            *lo += least;
+            *hi += most;
+        }
         self.intervals += rows.len() as u64;
-        tile.answers(&rows, |truths, first, times| {
+        tile.answers(rows, |truths, first, times| {
             self.tally(truths, before + first as u64, times as u64);
         });
         rows.len()

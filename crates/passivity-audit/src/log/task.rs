@@ -77,6 +77,12 @@ impl<'a> Task<'a> {
         })
     }
 
+    /// Whether sums and what rows answer are all that is told of the account: of one by the law beside another, which is
+    /// judged interval by interval.
+    pub(crate) const fn sums_alone(&self) -> bool {
+        !self.compares && !self.running
+    }
+
     /// Whether the forces in the trace are compared with those of the scene's law.
     pub(crate) const fn compares_forces(&self) -> bool {
         self.compares && self.knows_law && self.layout.force.is_some()

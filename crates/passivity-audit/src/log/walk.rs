@@ -123,7 +123,7 @@ impl Walk<'_> {
     fn batch(&mut self, chunk: &Chunk, account: &mut Account) -> Result<bool, TraceError> {
         let task = self.task;
         let start = self.at;
-        let mut batch = Batch::after(account.supply.excess.clone());
+        let mut batch = Batch::after(account.supply.excess.clone(), task.sums_alone());
         let mut came = Ok(());
         while self.at < self.until {
             if !self.tiles(&mut batch, chunk, account) {

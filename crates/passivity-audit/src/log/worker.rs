@@ -89,6 +89,10 @@ impl Worker {
         if let Err(error) = walk.settle(&mut self.table, chunk, &mut account) {
             chunk.cut(walk.at, error);
         }
+        if task.sums_alone() {
+            // The rest has what was computed row by row alone, and is not told.
+            account = account.sums_alone();
+        }
         self.denominators = [&account.net, &account.observer].map(RunningSum::denominator);
         account
     }

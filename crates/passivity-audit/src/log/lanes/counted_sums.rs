@@ -349,6 +349,10 @@ impl TileRows for Counted {
         }
     }
 
+    fn totals(&self, rows: &Range<usize>) -> [[i128; 2]; 5] {
+        totals(self, rows).0
+    }
+
     fn courses(&self, rows: &Range<usize>, of: (Asked, &Sums)) -> Courses<i128> {
         courses(self, rows, of)
     }

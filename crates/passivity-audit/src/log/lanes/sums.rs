@@ -110,6 +110,9 @@ pub(crate) trait TileRows {
     /// Their sums.
     fn sums(&self, rows: &Range<usize>) -> Sums;
 
+    /// The five figures of [`Sums::sums`] alone, before which nothing has to be [made ready](Self::add_up).
+    fn totals(&self, rows: &Range<usize>) -> [[i128; 2]; 5];
+
     /// Where the sums that it is asked of are least, in units of the grid: without the sums of all rows.
     fn courses(&self, rows: &Range<usize>, of: (Asked, &Sums)) -> Courses<i128>;
 
@@ -176,6 +179,10 @@ impl TileRows for Under<'_> {
         self.tile.sums(rows, self.applied)
     }
 
+    fn totals(&self, rows: &Range<usize>) -> [[i128; 2]; 5] {
+        self.tile.figures(rows, self.applied).0
+    }
+
     fn courses(&self, rows: &Range<usize>, of: (Asked, &Sums)) -> Courses<i128> {
         courses(self, rows, of)
     }
@@ -190,8 +197,8 @@ impl TileRows for Under<'_> {
 }
 
 impl Tile {
-    /// The sums of rows that are decided.
-    pub(crate) fn sums(&self, rows: &Range<usize>, applied: bool) -> Sums {
+    /// The five figures of rows that are decided, and what the observer adds.
+    fn figures(&self, rows: &Range<usize>, applied: bool) -> ([[i128; 2]; 5], i128) {
         let totals = match &self.whole {
             Some(totals) if *rows == (0..TILE) => *totals,
             _ => self.totals_of(rows),
@@ -203,13 +210,18 @@ impl Tile {
             observed,
         } = totals;
         let more = if applied { more } else { [0, 0] };
+        (figures(generated, more, taken), observed[0] - more[1])
+    }
+
+    /// The sums of rows that are decided.
+    pub(crate) fn sums(&self, rows: &Range<usize>, applied: bool) -> Sums {
+        let (sums, observed) = self.figures(rows, applied);
         let ([least_net, least_stored, least_observed, least_row], off) =
             least(self, rows, applied);
-        let sums = figures(generated, more, taken);
         let [_, _, _, net, _] = sums;
         Sums {
             sums,
-            observed: observed[0] - more[1],
+            observed,
             least_net,
             least_stored,
             least_observed,

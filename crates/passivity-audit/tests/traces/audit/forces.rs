@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::str::FromStr as _;
 
-use passivity_audit::Verdict;
+use passivity_audit::{Options, Verdict, audit_csv};
 use passivity_core::{BigRational, Scalar as _};
 use serde_json::Value;
 
@@ -167,4 +167,38 @@ fn a_limit_that_is_written_short_is_no_rounding() {
     // More zeros than are looked at at once come before.
     let late = |written: &dyn Fn(i64) -> String| force(&clipped(14_000, written), 0);
     assert_eq!(late(&short), late(&fixed));
+}
+
+/// The account of the wall's law beside that of the forces in a log is the one that is asked for by itself, however the
+/// log is cut, of counts and of positions, and with a motion across a tick that doubles do not decide.
+#[test]
+fn the_laws_account_beside_another_is_that_of_itself() {
+    let path = [0, 1, 3, 6, 8, 9, 9, 8, 4, 0, -3, -7, -5, 0, 2, 3];
+    let scene = three_fifths();
+    for column in ["count", "xi"] {
+        let mut csv = format!("tau,{column},f\n");
+        for i in 0..3000_i64 {
+            let n = path[i as usize % path.len()] + i / 700;
+            let late = [0, 7, 0, 31][i as usize % 4];
+            writeln!(csv, "{i}.{late:03},{n},{}", 3 - n).unwrap();
+        }
+        let json = |law, block| {
+            let options = Options {
+                law,
+                block,
+                threads: 2,
+                ..Options::default()
+            };
+            let input = Box::new(std::io::Cursor::new(csv.clone()));
+            audit_csv(input, &scene, options).unwrap().to_json()
+        };
+        let alone = json(true, 0);
+        assert_eq!(alone["intervals"], 2999);
+        for block in [0, 4096] {
+            let beside = &json(false, block)["law"];
+            for key in ["verdict", "judged", "totals"] {
+                assert_eq!(beside[key], alone[key], "{column} {key} {block}");
+            }
+        }
+    }
 }

@@ -98,7 +98,7 @@ proptest! {
         let unit = crate::span::ONE;
         let before = [before.0, before.0 + before.1].map(|n| Reduced::Small(n << 40, unit));
         let rows = tile.decided(ends.0.min(ends.1), ends.0.abs_diff(ends.1));
-        let mut alone = Batch::after(Some(before));
+        let mut alone = Batch::after(Some(before), false);
         if !rows.is_empty() {
             tile.add_up(&rows, running, alone.excess()).unwrap();
             let sums = tile.sums(&rows);
