@@ -236,7 +236,11 @@ impl Balls {
         self.radii.resize(len, 0.0);
         let parts = (self.middles.get_mut(known..), self.radii.get_mut(known..));
         if let (Some(middles), Some(radii)) = parts {
-            several(known, (middles, radii));
+            several(known, (&mut *middles, radii));
+            // Of several at a time it is asked whether all of them were found.
+            if !middles.iter().fold(false, |open, x| open | x.is_nan()) {
+                return Ok(());
+            }
         }
         let parts = self.middles.iter_mut().zip(&mut self.radii);
         for (i, (middle, radius)) in parts.enumerate().skip(known) {

@@ -40,7 +40,7 @@ pub(crate) struct Counted {
     pub(super) crossed: [i64; TILE],
     /// Whether each is for sums of its own: it crosses many ticks, its force is large, or it lasts one
     /// period under the force of the wall.
-    apart: [bool; TILE],
+    apart: [u64; TILE],
     /// What is not negative, as bits: the margin of the criterion, net energy, and that against the quantized wall, each
     /// at the least and at the most.
     pub(super) covers: [u64; TILE],
@@ -66,7 +66,7 @@ impl Counted {
             stored: [NONE; 2],
             lengths: [Length::OPEN; TILE],
             crossed: [0; TILE],
-            apart: [false; TILE],
+            apart: [0; TILE],
             covers: [0; TILE],
             open: [0; TILE],
             at: 0,
@@ -95,7 +95,7 @@ impl Counted {
         if self.is_whole {
             return from..until.max(from);
         }
-        let stays = |i: &usize| self.open[*i] == 0 && !self.apart[*i];
+        let stays = |i: &usize| self.open[*i] | self.apart[*i] == 0;
         from..from + (from..until).take_while(stays).count()
     }
 
@@ -171,16 +171,27 @@ impl Counted {
     /// open.
     #[inline(always)]
     fn mark(&mut self, has_periods: bool) {
+        // Of a number of rows that the compiler knows, processors mark several at a time.
+        let left = match self.len {
+            TILE => self.mark_first(TILE, has_periods),
+            len => self.mark_first(len, has_periods),
+        };
+        self.is_whole = left == 0;
+    }
+
+    /// The same of the first rows: not zero where one of them is apart or open.
+    #[inline(always)]
+    fn mark_first(&mut self, len: usize, has_periods: bool) -> u64 {
         let mut left = 0;
-        for i in 0..self.len {
+        for i in 0..len {
             let is_period = self.lengths[i].0 == self.lengths[i].1;
             let apart = (self.crossed[i].unsigned_abs() >= MANY)
                 | (has_periods & is_period)
                 | (self.excess[0][0][i].abs() >= LARGE);
-            self.apart[i] = apart;
-            left |= self.open[i] | u64::from(apart);
+            self.apart[i] = apart.into();
+            left |= self.open[i] | self.apart[i];
         }
-        self.is_whole = left == 0;
+        left
     }
 
     /// Where intervals start and end and how long they last, of most; not zero for others.
