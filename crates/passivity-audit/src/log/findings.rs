@@ -1,7 +1,8 @@
 //! What stands out in a log beside its account, each with the change to the scene or to the columns that
 //! puts it right.
 
-use passivity_scene::display::{figures, significant};
+use passivity_core::{BigRational, Scalar as _};
+use passivity_scene::display::{Rounding, figures, rounded, significant};
 use passivity_scene::number::nearest_f64;
 use passivity_scene::{Motion, Scene};
 use serde::Serialize;
@@ -41,8 +42,9 @@ impl Finding {
     /// of the law.
     pub(crate) fn leaves_open(&self, applied: bool) -> bool {
         match self.kind {
-            "wrap" => true,
+            "wrap" | "fast_clock" => true,
             "missed_force" | "old_force" => applied,
+            "oversampled" => !applied,
             _ => false,
         }
     }
@@ -97,7 +99,14 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
                 samples(delay),
                 samples(agreement.delay)
             ),
-            fix: format!("in the scene, under [sampling]: delay = {delay}"),
+            fix: match delay < agreement.delay {
+                // A force that was written down as soon as it was commanded looks as if there were no delay.
+                true => format!(
+                    "in the scene, under [sampling]: delay = {delay}, if the force was held from its row on; if it \
+                     was held later, write it into the row from which on it was"
+                ),
+                false => format!("in the scene, under [sampling]: delay = {delay}"),
+            },
         });
     }
     if scale < 0.0 {
@@ -210,9 +219,43 @@ fn scaled(scale: f64, scene: &Scene) -> String {
         return "correct the stiffness of the wall, or the unit of the force".to_owned();
     };
     let stiffness = off_one(scale, stiffness * scale);
+    let motor = match scene.transmission {
+        Some(_) => ", which is that at the device, not at the motor",
+        None => "",
+    };
     format!(
-        "in the scene, under [wall]: stiffness = \"{stiffness} {unit}\"; or correct the unit of the force"
+        "in the scene, under [wall]: stiffness = \"{stiffness} {unit}\"; or correct the unit of the force{motor}"
     )
+}
+
+/// What stands out in times of which the longest interval lasts so many sampling periods.
+pub(crate) fn of_clock(longest: &BigRational) -> Option<Finding> {
+    // Milliseconds for seconds are a thousand, minutes sixty; no loop's log has so many rows of a sample.
+    const OTHER_UNIT: i64 = 32;
+    const SEVERAL: i64 = 2;
+    let is_part = |n: i64| longest * BigRational::from_integer(n.into()) <= BigRational::one();
+    let says = format!(
+        "no interval between rows is longer than {} sampling periods",
+        rounded(longest, 5, Rounding::Up)
+    );
+    let unit = "check the unit of the times, and the sampling period of the scene";
+    match (is_part(OTHER_UNIT), is_part(SEVERAL)) {
+        (true, _) => Some(Finding {
+            kind: "fast_clock",
+            says: format!(
+                "{says}: friction would take so much more than it does if the clock is not as fast"
+            ),
+            fix: unit.to_owned(),
+        }),
+        (false, true) => Some(Finding {
+            kind: "oversampled",
+            says: format!("{says}, and the wall's law commands one force for each period"),
+            fix: format!(
+                "log one row for each sample, or the force beside the position; or {unit}"
+            ),
+        }),
+        (false, false) => None,
+    }
 }
 
 /// What stands out in the velocities of a log.

@@ -9,7 +9,7 @@ use crate::log::account::{Place, Point};
 use crate::log::certificate::Certificate;
 use crate::log::comparison::Comparison;
 use crate::log::error::TraceError;
-use crate::log::findings::{Finding, of_force, of_velocity};
+use crate::log::findings::{Finding, of_clock, of_force, of_velocity};
 use crate::log::layout::Form;
 use crate::log::merge::Findings;
 use crate::log::report::{
@@ -86,10 +86,12 @@ impl Audit {
         let agree = findings.velocities.as_ref().is_some_and(Velocities::agree);
         let moving = moved.iter().filter(|_| !agree).flat_map(of_velocity);
         let found = task.layout.beside.finding.clone().into_iter().chain(forced);
+        let range = account.timing.range.as_ref();
+        let clock = range.and_then(|[_, longest]| of_clock(&longest.to_rational()));
         let wrapped = findings.wrapped.finding(task.layout, &task.periods);
         let force = task.layout.force.map(|column| task.layout.name(column));
         let held = findings.held.findings(&force.unwrap_or_default());
-        let found = found.chain(held).chain(moving).chain(wrapped);
+        let found = found.chain(clock).chain(held).chain(moving).chain(wrapped);
         let found: Vec<Finding> = found.collect();
         let opened = |verdict: Verdict, applied: bool| match verdict {
             Verdict::Holds if found.iter().any(|f| f.leaves_open(applied)) => Verdict::Depends,
