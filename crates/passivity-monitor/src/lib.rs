@@ -8,15 +8,17 @@
 //! | [`Answer`] | means |
 //! | --- | --- |
 //! | `SurelyPassive` | at no sample so far can the operator have drawn more than was stored at the start |
-//! | `SurelyActive` | at some sample more had been drawn, wherever between the ticks the positions were |
+//! | `SurelyActive` | at one and the same sample more had been drawn, wherever between the ticks the positions were |
 //! | `Open` | the counts leave it open |
-//! | `Unknown` | a number did not fit; [`Monitor::saturation`] says which, and where |
+//! | `Unknown` | a number did not fit: nothing is shown until the monitor starts anew; [`Monitor::saturation`] says which, and where |
 //!
 //! and with both bounds of the energy, [`Monitor::given`]. Any controller will do, linear or not:
 //! only the force that was commanded counts.
 //!
 //! What it is **not**: it does not change the force (a passivity *controller* does), it knows no
-//! units, and it allocates nothing, uses no floating point, no loops and no unsafe code, and does not panic.
+//! units, and it allocates nothing, uses no floating point and no unsafe code, and does not panic. A sample has no
+//! loops and no divisions; [`Config::new`], which may run when the program is compiled, has both, and
+//! [`Monitor::given`] one division.
 //!
 //! # Units
 //!
@@ -30,7 +32,7 @@
 //! | `coulomb` | c, its Coulomb friction | down |
 //! | [`with_friction_at_most`](Config::with_friction_at_most) | the most that either can be | up; T the shortest period |
 //! | force | the commanded force, positive towards rising counts | exact |
-//! | count | from where the wall's spring is relaxed | |
+//! | count | from where the wall's spring is relaxed, and unwrapped | |
 //! | energies | in halves of the unit of force times a tick | outward |
 //!
 //! # Example
@@ -55,8 +57,10 @@
 //! for sample in 1..9 {
 //!     let count = read_counter(sample);
 //!     let force = law(count);
-//!     if monitor.sample(count, force) == Answer::SurelyActive {
-//!         unreachable!("here the loop would lower its stiffness");
+//!     match monitor.sample(count, force) {
+//!         Answer::SurelyPassive | Answer::Open => {}
+//!         Answer::SurelyActive => unreachable!("here the loop would lower its stiffness"),
+//!         Answer::Unknown => unreachable!("here it would stop rendering, and start anew"),
 //!     }
 //! }
 //! let given = monitor.given().expect("all numbers fit");
@@ -70,8 +74,9 @@
 //! the start. TH-MONITOR, as this crate has it:
 //!
 //! - **least ≤ U_h ≤ most** for all such positions; [`account`] has the proof.
-//! - **least is exact**: some positions give it. So every motion that is surely active is told, and none
-//!   is by mistake.
+//! - **least is exact**: some positions give it. So it is told when at one and the same sample more had been drawn,
+//!   wherever between the ticks the positions were, and never by mistake. Where more had surely been drawn at one of
+//!   several samples, and the positions decide at which, the answer stays `Open`.
 //! - **A passive wall stays surely passive**: under the wall's own force, where b ≥ KT/2 and c ≥ KΔ/2, for
 //!   ever.
 //! - **Nothing wraps or panics**: what does not fit ends in `Unknown`. What was surely active before
@@ -85,10 +90,14 @@
 //! - *The start* is any sample. K says no more than what is stored there, ½Kx² with x from where the
 //!   spring is relaxed; the force may be of any law. For a wall that the device starts outside of,
 //!   nothing is stored: `with_stored_at_start(0)`. K also shapes the upper bound, which is tightest for the
-//!   stiffness that the wall has, and does not grow at rest where KΔ ≤ 2c: for an upper bound on a device
-//!   with little friction choose a smaller K.
+//!   stiffness that the wall has, and does not grow at rest under a force that stays the same where KΔ ≤ 2c. Give
+//!   the K that the wall has: with a smaller one less counts as stored, and a passive wall that lets the device out is
+//!   called surely active.
 //! - *A count* n stands for n ≤ x < n + 1. The bounds are those of n ≤ x ≤ n + 1, which are the same:
 //!   energy is continuous in the positions.
+//! - *A counter that wraps* must be unwrapped first: add up its changes. A wrap is taken for a motion over all those
+//!   ticks, up to 32767 in one sample with 64-bit sums and up to 2³¹ − 1 with 128-bit sums. Friction would take so much
+//!   over it that it hides what follows: an active wall is called surely passive. Only a longer one is `Unknown`.
 //! - *A force that comes late* by whole samples: give each call the force that is in effect from then
 //!   on, not the one that was computed then. If the output changes within the period, read the encoder when it
 //!   changes. A force that is known to within e only: take e from `coulomb`, and add it to the most.

@@ -13,10 +13,11 @@ pub enum Answer {
     SurelyPassive = 0,
     /// The counts leave it open.
     Open = 1,
-    /// At some sample the wall had given more, wherever within the ticks the positions were. This
-    /// is never taken back.
+    /// At one and the same sample the wall had given more, wherever within the ticks the positions were.
+    /// This is never taken back.
     SurelyActive = 2,
-    /// A number did not fit: see [`Monitor::saturation`]. Stays until the monitor starts anew.
+    /// A number did not fit: see [`Monitor::saturation`]. Stays until the monitor starts anew: until then nothing shows
+    /// that the wall is passive.
     Unknown = 3,
 }
 
@@ -95,8 +96,9 @@ pub struct Monitor<W: Width> {
 }
 
 impl<W: Width> Monitor<W> {
-    /// A monitor at its first sample: the encoder's count, from where the wall begins, and the force
-    /// that is held from now until the next sample, in the unit of the configuration.
+    /// A monitor at its first sample: the encoder's count, unwrapped and from where the wall begins, and the
+    /// force that is held from now until the next sample, in the unit of the configuration. So far from there that the
+    /// energy stored does not fit, its answer is [`Answer::Unknown`] from the start on.
     #[must_use]
     pub fn start(config: Config, count: W::Input, force: W::Input) -> Self {
         let account = Account::start(&config, count.into());

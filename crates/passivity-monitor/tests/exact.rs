@@ -125,7 +125,8 @@ proptest! {
     }
 
     /// TH-MONITOR: the least that was given is reached by a motion with these counts, with every
-    /// position at an end of its tick: so every surely active motion is told.
+    /// position at an end of its tick: so it is told when more was given at one and the same sample, wherever the
+    /// positions were.
     #[test]
     fn th_monitor_least_is_reached(device in device(), samples in samples(8)) {
         let (bounds, _) = watched::<i64>(config(&device), &samples);

@@ -109,8 +109,8 @@ fn th_monitor_least_bounds_every_motion() {
     );
 }
 
-/// TH-MONITOR: the least is what some motion between ends of ticks gives: whatever is surely active
-/// is told.
+/// TH-MONITOR: the least is what some motion between ends of ticks gives: it is told when more was given
+/// at one and the same sample, wherever the positions were.
 #[kani::proof]
 fn th_monitor_least_is_reached() {
     let config = configured(0, parameter(4), parameter(4));
