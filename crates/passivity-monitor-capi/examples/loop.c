@@ -53,6 +53,7 @@ int main(int argc, char **argv) {
     FILE *log = argc > 1 ? fopen(argv[1], "w") : NULL;
     int64_t highest_least = INT64_MIN, highest_most = INT64_MIN;
     int32_t answer = PASSIVITY_UNKNOWN, count, before = 0;
+    int renders = 1;
 
     if (argc > 1 && log == NULL) {
         perror(argv[1]);
@@ -64,7 +65,8 @@ int main(int argc, char **argv) {
     for (int started = 0; read_counter(&count); started = 1) {
         int64_t moved = started ? (int64_t)count - before : 0;
         /* The middle of the tick, as the count is its lower end. */
-        int32_t force = held(-(STIFFNESS * (int64_t)count + STIFFNESS / 2 + DAMPING * moved));
+        int64_t wall = -(STIFFNESS * (int64_t)count + STIFFNESS / 2 + DAMPING * moved);
+        int32_t force = renders ? held(wall) : 0;
         set_amplifier(force);
         before = count;
         if (log) {
@@ -75,11 +77,18 @@ int main(int argc, char **argv) {
                 fputs("the configuration is out of range\n", stderr);
                 return 1;
             }
+            /* So far from where the wall begins that the stored energy does not fit: unknown for good. */
+            renders = passivity_monitor_saturation(&monitor, NULL) != PASSIVITY_START_DOES_NOT_FIT;
             continue;
         }
         answer = passivity_monitor_sample(&monitor, count, force);
         if (answer == PASSIVITY_SURELY_ACTIVE) {
             /* Here a real loop lowers its stiffness, or switches the wall off. */
+        }
+        if (answer == PASSIVITY_UNKNOWN) {
+            /* A number did not fit, and nothing shows any more that the wall is passive. A real loop
+             * starts monitor and wall anew when the device rests where the wall begins. */
+            renders = 0;
         }
         int64_t least, most;
         if (passivity_monitor_given(&monitor, &least, &most)) {

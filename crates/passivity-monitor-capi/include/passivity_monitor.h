@@ -3,19 +3,25 @@
  * Tell it the encoder's count and the force that you command; it answers whether the wall can have
  * given the operator more energy than was stored at the start, for every motion that the counts
  * allow. Any controller will do: only the force that was commanded counts. No allocation, no
- * floating point, no loops, no panic; a bounded number of instructions a sample.
+ * floating point, no panic. Each sample: no loops, no divisions, a bounded number of instructions.
+ * The start goes sixteen times around a loop with divisions; what was given takes one division.
  *
  * UNITS. Choose one unit of force for everything, fine enough that rounding to whole numbers does
  * not matter, such as a thousandth of the spring's force at one encoder tick. With tick D and
  * sampling period T:
  *
  *     stiffness        K D, the force of the wall's spring at one tick
- *     viscous          b D / T, the least force of viscous friction at one tick a sample, rounded down
+ *     viscous          b D / T, the least force of viscous friction at one tick a sample, rounded down,
+ *                      with the longest T
  *     coulomb          c, the least Coulomb friction, rounded down
- *     ..._at_most      the most that either can be, rounded up
+ *     ..._at_most      the most that either can be, rounded up; viscous_at_most with the shortest T
  *     force            the commanded force, exact, positive in the direction of rising counts
- *     count            from where the wall begins: the spring has no energy at count 0
+ *     count            from where the wall begins: the spring has no energy at count 0; unwrapped
  *     energies         in halves of the unit of force times a tick
+ *
+ * COUNTERS THAT WRAP. Unwrap the count: add up the changes of the counter. A wrap of up to 32767
+ * ticks is taken for a motion over all of them, and friction would take so much over it that it hides
+ * what follows: an active wall is called surely passive.
  *
  * THREADS. Each monitor is used by one thread, or interrupt handler, at a time.
  */
@@ -28,7 +34,9 @@
 extern "C" {
 #endif
 
-/* Memory for a monitor: 320 bytes, wherever you like. What is in it is not for reading. */
+/* Memory for a monitor: 320 bytes, wherever you like, aligned as a uint64_t is, which is mostly to 8
+ * bytes. A variable of this type is; memory that you cut out of bytes has to be, which nothing checks.
+ * What is in it is not for reading. */
 typedef struct passivity_monitor {
     uint64_t opaque[40];
 } passivity_monitor;
@@ -51,8 +59,10 @@ typedef struct passivity_monitor_config {
 enum {
     PASSIVITY_SURELY_PASSIVE = 0, /* no more was given at any sample so far */
     PASSIVITY_OPEN = 1,           /* the counts leave it open */
-    PASSIVITY_SURELY_ACTIVE = 2,  /* more was given at some sample, whatever was between the ticks */
-    PASSIVITY_UNKNOWN = 3         /* a number did not fit, or the monitor was not started */
+    PASSIVITY_SURELY_ACTIVE = 2,  /* more was given at one and the same sample, wherever between the
+                                   * ticks the positions were */
+    PASSIVITY_UNKNOWN = 3         /* a number did not fit, or the monitor was not started: until it
+                                   * starts anew nothing shows that the wall is passive */
 };
 
 /* Which number did not fit. */
@@ -67,7 +77,9 @@ enum {
 
 /* Starts a monitor at the first sample, or anew: 0 when all is well, else which field of the
  * configuration is out of range, from 1 for stiffness to 6 for stored_at_start. `force` is held
- * from now until the next sample. */
+ * from now until the next sample. So far from count 0 that the stored energy does not fit, it returns
+ * 0 too: passivity_monitor_saturation is PASSIVITY_START_DOES_NOT_FIT, and every sample
+ * PASSIVITY_UNKNOWN. */
 int32_t passivity_monitor_start(passivity_monitor *monitor,
                                 const passivity_monitor_config *config, int32_t count,
                                 int32_t force);
@@ -78,10 +90,10 @@ int32_t passivity_monitor_sample(passivity_monitor *monitor, int32_t count, int3
 
 /* The energy given up to the last sample beyond what was stored at the start: surely no less than
  * *least, surely no more than *most. 1, or 0 where that is not known. Either may be NULL. */
-int32_t passivity_monitor_given(passivity_monitor *monitor, int64_t *least, int64_t *most);
+int32_t passivity_monitor_given(const passivity_monitor *monitor, int64_t *least, int64_t *most);
 
 /* Which number did not fit, and in *sample, unless NULL, at which sample, from 0; 0 where all did. */
-int32_t passivity_monitor_saturation(passivity_monitor *monitor, uint64_t *sample);
+int32_t passivity_monitor_saturation(const passivity_monitor *monitor, uint64_t *sample);
 
 #ifdef __cplusplus
 }

@@ -71,20 +71,26 @@ fn config(parameters: &Parameters) -> Result<Config, i32> {
     }
 }
 
-/// The monitor at a pointer, if one was started there.
+/// Whether a monitor was started at a pointer.
 ///
 /// # Safety
 ///
-/// The pointer is null or points at a `passivity_monitor` that nothing else uses meanwhile, started
+/// The pointer is null or points at a `passivity_monitor` that nothing else writes meanwhile, started
 /// or with another first word than [`STARTED`].
-unsafe fn started<'a>(memory: *mut Memory) -> Option<&'a mut Monitor<i64>> {
+unsafe fn is_started(memory: *const Memory) -> bool {
     // SAFETY: null or valid, as the caller vouches. The rest of the memory need not have been written.
-    let first = unsafe { memory.cast::<u64>().as_ref() }?;
-    if *first != STARTED {
-        return None;
-    }
-    // SAFETY: valid, and where its first word is there, so is a monitor.
-    Some(unsafe { (*memory).monitor.assume_init_mut() })
+    let first = unsafe { memory.cast::<u64>().as_ref() };
+    first == Some(&STARTED)
+}
+
+/// The monitor at a pointer, if one was started there, to read.
+///
+/// # Safety
+///
+/// As of [`is_started`].
+unsafe fn started<'a>(memory: *const Memory) -> Option<&'a Monitor<i64>> {
+    // SAFETY: as the caller vouches; where the first word is there, so is a monitor.
+    unsafe { is_started(memory).then(|| (*memory).monitor.assume_init_ref()) }
 }
 
 /// Starts a monitor in the memory of the caller: 0, the number of the parameter that is out of range, or
@@ -138,11 +144,12 @@ pub unsafe extern "C" fn passivity_monitor_sample(
     force: i32,
 ) -> i32 {
     // SAFETY: as the caller vouches.
-    let answer = match unsafe { started(memory) } {
-        Some(monitor) => monitor.sample(count, force),
-        None => Answer::Unknown,
-    };
-    answer as i32
+    if !unsafe { is_started(memory) } {
+        return Answer::Unknown as i32;
+    }
+    // SAFETY: started, and nothing else uses it meanwhile.
+    let monitor = unsafe { (*memory).monitor.assume_init_mut() };
+    monitor.sample(count, force) as i32
 }
 
 /// The least and the most that was given, and 1; 0, and neither, where they are not known.
@@ -152,7 +159,7 @@ pub unsafe extern "C" fn passivity_monitor_sample(
 /// `memory` is null or points at a `passivity_monitor`; the others are null or point at a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn passivity_monitor_given(
-    memory: *mut Memory,
+    memory: *const Memory,
     least: *mut i64,
     most: *mut i64,
 ) -> i32 {
@@ -176,7 +183,7 @@ pub unsafe extern "C" fn passivity_monitor_given(
 /// `memory` is null or points at a `passivity_monitor`; `sample` is null or points at a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn passivity_monitor_saturation(
-    memory: *mut Memory,
+    memory: *const Memory,
     sample: *mut u64,
 ) -> i32 {
     // SAFETY: as the caller vouches.

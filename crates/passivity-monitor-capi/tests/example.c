@@ -4,6 +4,7 @@
 
 static int check(void) {
     static passivity_monitor monitor;
+    const passivity_monitor *reading = &monitor;
     passivity_monitor_config config = {1000, 500, 500, 500, 500, PASSIVITY_STORED_BY_THE_SPRING};
     int64_t least = 7, most = 7;
     uint64_t sample = 7;
@@ -27,9 +28,9 @@ static int check(void) {
             return 3;
         }
     }
-    if (passivity_monitor_given(&monitor, &least, &most) != 1 || least > most || most > 0 ||
-        passivity_monitor_given(&monitor, 0, 0) != 1 ||
-        passivity_monitor_saturation(&monitor, &sample) != 0 || sample != 7) {
+    if (passivity_monitor_given(reading, &least, &most) != 1 || least > most || most > 0 ||
+        passivity_monitor_given(reading, 0, 0) != 1 ||
+        passivity_monitor_saturation(reading, &sample) != 0 || sample != 7) {
         return 4;
     }
 
@@ -42,12 +43,20 @@ static int check(void) {
         return 5;
     }
 
-    /* A counter that wrapped around. */
+    /* A step that is too long. A counter that wraps within 32767 ticks is not noticed. */
     if (passivity_monitor_start(&monitor, &config, 0, 0) != 0 ||
         passivity_monitor_sample(&monitor, 40000, 0) != PASSIVITY_UNKNOWN ||
         passivity_monitor_saturation(&monitor, &sample) != PASSIVITY_STEP_DOES_NOT_FIT ||
         sample != 1 || passivity_monitor_given(&monitor, &least, &most) != 0) {
         return 6;
+    }
+
+    /* So far from where the wall begins that the stored energy does not fit: that is no error of the
+     * configuration, but unknown from the start on. */
+    if (passivity_monitor_start(&monitor, &config, INT32_MIN, 0) != 0 ||
+        passivity_monitor_saturation(reading, &sample) != PASSIVITY_START_DOES_NOT_FIT ||
+        sample != 0 || passivity_monitor_sample(&monitor, INT32_MIN, 0) != PASSIVITY_UNKNOWN) {
+        return 9;
     }
 
     config.coulomb_at_most = 499;
