@@ -352,4 +352,7 @@ fn the_course_of_energy_is_drawn() {
             "{file}"
         );
     }
+    let svg = fs::read_to_string(dir.path("energy.svg")).unwrap();
+    // The commanded force does the work that the hand takes.
+    assert!(svg.contains("passivity observer −Σ f·Δx"));
 }

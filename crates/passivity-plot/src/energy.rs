@@ -70,7 +70,7 @@ pub fn draw(title: &str, course: &[Point]) -> Result<String, PlotError> {
     type Value = fn(&Point) -> f64;
     let series: [(&str, Value); 2] = [
         ("dissipated less generated, at least", |p| p.net),
-        ("passivity observer Σ f·Δx", |p| p.observer),
+        ("passivity observer −Σ f·Δx", |p| p.observer),
     ];
     let [net, observer] = [COLOURS[0], COLOURS[1]].map(|colour| Stroke::solid(colour, 2.0));
     for ((_, value), stroke) in series.iter().zip([net, observer]) {

@@ -26,7 +26,7 @@ pub struct Point {
     pub h: u64,
     /// Net energy so far, E_d − E_gᴸ, at the least, in KΔ².
     pub net: f64,
-    /// Σ f·Δξ so far: the passivity observer.
+    /// −Σ F·Δξ so far: the passivity observer.
     pub observer: f64,
 }
 

@@ -205,7 +205,7 @@ impl Report {
         }
         let (energy, least) = (approx(&self.observer.energy), approx(&self.observer.least));
         let text = format!("{energy} KΔ², lowest {least}");
-        out.put("passivity observer Σf·Δx", &text);
+        out.put("passivity observer −Σ f·Δx", &text);
     }
 
     fn sampling(&self, out: &mut Lines) {
