@@ -134,6 +134,19 @@ class Containers(unittest.TestCase):
             with self.subTest(values=repr(values)), self.assertRaises(ValueError):
                 passivity.audit(values, SCENE)
 
+    def test_a_count_that_does_not_fit_is_an_error_of_its_row(self):
+        columns = [[0, 2**63]]
+        if numpy is not None:
+            columns.append(numpy.array([0, 2**63], dtype=numpy.uint64))
+        if polars is not None:
+            columns.append(polars.Series([0, 2**63], dtype=polars.UInt64))
+        if pyarrow is not None:
+            columns.append(pyarrow.array([0, 2**63], pyarrow.uint64()))
+            columns.append(pyarrow.chunked_array([[0], [2**63]], pyarrow.uint64()))
+        for values in columns:
+            with self.subTest(values=repr(values)), self.assertRaisesRegex(ValueError, "trace: row 2: expected an integer from"):
+                passivity.audit(values, SCENE)
+
     def test_forces_and_times(self):
         stiff = {"dimensionless": {"mu": 50, "beta": "3/5", "sigma": "3/5"}}
         with tempfile.TemporaryDirectory() as folder:

@@ -41,7 +41,7 @@ def _of_numpy(values, name, numpy):
     if kind == "O":
         return _of_sequence(values.tolist(), name)
     if kind == "u" and len(values) and values.max() > numpy.iinfo(numpy.int64).max:
-        raise ValueError(f"{name}: a count of more than 64 bits")
+        return _column("q", values.tolist(), name), True
     if kind in "iu":
         return numpy.ascontiguousarray(values, dtype=numpy.int64), True
     if kind == "f" and values.dtype.itemsize <= 8:
@@ -88,8 +88,5 @@ def _of_sequence(values, name):
 
 def _column(code, values, name):
     column = _array(code)
-    try:
-        column.extend(values)
-    except (OverflowError, TypeError) as error:
-        raise ValueError(f"{name}: row {len(column) + 1}: {error}") from None
+    _arrow.extend(column, values, name)
     return column

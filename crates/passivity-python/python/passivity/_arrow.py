@@ -89,7 +89,7 @@ def numbers(values, name):
         schema, column = values.__arrow_c_array__()
         kind = _kind(_at(schema, b"arrow_schema", _Schema), name)
         part = _part(_at(column, b"arrow_array", _Array), kind[0], name)
-        return _whole([part], kind, (schema, column))
+        return _whole([part], kind, (schema, column), name)
     capsule = values.__arrow_c_stream__()
     stream = _at(capsule, b"arrow_array_stream", _Stream)
     schema, kept = _Schema(), _Kept()
@@ -104,7 +104,7 @@ def numbers(values, name):
             break
         kept.structures.append(column)
         parts.append(_part(column, kind[0], name))
-    return _whole(parts, kind, kept)
+    return _whole(parts, kind, kept, name)
 
 
 class _Kept:
@@ -153,7 +153,7 @@ def _part(column, kind, name):
     return (kind * column.length).from_address(start)
 
 
-def _whole(parts, kind, owner):
+def _whole(parts, kind, owner, name):
     """One buffer of 64-bit numbers."""
     type_, whole = kind
     code = "q" if whole else "d"
@@ -167,5 +167,15 @@ def _whole(parts, kind, owner):
         elif type_ is _Half:
             joined.extend(_struct.unpack(f"{len(part)}e", part))
         elif len(part):
-            joined.extend(part)
+            extend(joined, part, name)
     return joined, whole
+
+
+def extend(column, values, name):
+    """Adds numbers to an array; an error has the row of one that does not fit."""
+    try:
+        column.extend(values)
+    except (OverflowError, TypeError) as error:
+        if column.typecode == "q" and isinstance(error, OverflowError):
+            error = "expected an integer from -2**63 to 2**63 - 1"
+        raise ValueError(f"{name}: row {len(column) + 1}: {error}") from None
