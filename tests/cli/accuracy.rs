@@ -1,6 +1,8 @@
 //! `passivity accuracy`.
 
-use crate::harness::Dir;
+use serde_json::Value;
+
+use crate::harness::{Dir, root};
 
 #[test]
 fn every_method_has_its_error_and_its_time() {
@@ -61,6 +63,42 @@ fn every_method_has_its_error_and_its_time() {
     for word in ["time per interval (ns)", "closed-form", "adaptive"] {
         assert!(svg.contains(word), "{word}");
     }
+}
+
+/// What docs/simulator.md says of the methods that rest at another interval than the reference.
+#[test]
+fn the_page_says_when_methods_of_fixed_steps_rest() {
+    let scene = root().join("scenes/dimensionless.toml");
+    let scene = scene.to_str().expect("a path");
+    let run = Dir::new().run(&["accuracy", scene, "--intervals", "2000", "--format", "json"]);
+    let document = run.json();
+    assert_eq!(document["intervals"], 833);
+    let rows = document["rows"].as_array().expect("a list");
+    let (undecided, at_rest): (Vec<_>, Vec<_>) =
+        rows.iter().partition(|row| row["outcome"] != "at_rest");
+    assert_eq!(undecided.len(), 1);
+    assert_eq!(undecided[0]["method"], "rk4:1000");
+    let late = |row: &Value| row["intervals_late"].as_i64().expect("a number");
+    let (on_time, other): (Vec<&Value>, Vec<&Value>) =
+        at_rest.into_iter().partition(|row| late(row) == 0);
+    let is_fixed = |row: &&&Value| {
+        let method = row["method"].as_str().expect("a name");
+        method.starts_with("euler") || method.starts_with("rk4")
+    };
+    assert_eq!(on_time.iter().filter(is_fixed).count(), 2);
+    assert_eq!(other.iter().filter(is_fixed).count(), other.len());
+    assert_eq!(other.len(), 9);
+    let (earliest, latest) = (
+        other.iter().map(|row| -late(row)).max(),
+        other.iter().map(|row| late(row)).max(),
+    );
+    let says = format!(
+        "nine from {} intervals earlier to {} later",
+        earliest.expect("some"),
+        latest.expect("some")
+    );
+    let page = std::fs::read_to_string(root().join("docs/simulator.md")).expect("the page");
+    assert!(page.contains(&says), "{says}");
 }
 
 #[test]

@@ -7,7 +7,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::harness::Dir;
+use crate::harness::{Dir, root};
 
 /// The pages outside the folder of guides that show commands.
 const PAGES: [&str; 5] = [
@@ -21,10 +21,6 @@ const PAGES: [&str; 5] = [
 struct Shown {
     command: String,
     output: String,
-}
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
 /// The commands of each block, with what is shown as their output.

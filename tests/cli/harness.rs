@@ -158,10 +158,14 @@ pub(crate) fn ratio(n: i64, d: i64) -> BigRational {
     BigRational::new(n.into(), d.into())
 }
 
+/// The folder of the workspace.
+pub(crate) fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
 /// The shipped scenes.
 pub(crate) fn shipped() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-    let mut scenes: Vec<PathBuf> = std::fs::read_dir(folder)
+    let mut scenes: Vec<PathBuf> = std::fs::read_dir(root().join("scenes"))
         .expect("the shipped scenes")
         .map(|entry| entry.expect("a folder entry").path())
         .filter(|path| path.extension().is_some_and(|e| e == "toml"))

@@ -18,11 +18,7 @@ use passivity_scene::Scene;
 use passivity_sim::{Method, simulate};
 use serde_json::Value;
 
-use crate::harness::Dir;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
+use crate::harness::{Dir, root};
 
 fn ratio(n: i128, d: i128) -> BigRational {
     BigRational::new(n.into(), d.into())
