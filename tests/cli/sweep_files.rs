@@ -85,6 +85,84 @@ fn a_finished_shard_says_again_what_it_is() {
 }
 
 #[test]
+fn a_shard_that_is_taken_up_as_another_says_which_one_it_is() {
+    let dir = folder();
+    for (is, asked, says) in [
+        (
+            "1/2",
+            "",
+            "is shard 1 of 2, not the whole sweep: give --shard 1/2, or another --out",
+        ),
+        (
+            "1/2",
+            "--shard 1/3",
+            "is shard 1 of 2, not of 3: give --shard 1/2, or another --out",
+        ),
+        (
+            "1/2",
+            "--shard 3/3",
+            "is shard 1 of 2, not shard 3 of 3: give --shard 1/2",
+        ),
+        (
+            "2-3/3",
+            "--shard 3/3",
+            "is shards 2 to 3 of 3, not shard 3 of 3: give --shard 2-3/3",
+        ),
+        (
+            "1/1",
+            "--shard 1/2",
+            "is the whole sweep, not shard 1 of 2: leave out --shard",
+        ),
+        (
+            "1/1",
+            "--intervals 98",
+            "is a shard of a sweep of another scene: give another --out",
+        ),
+        (
+            "1/2",
+            "--shard 1/2 --intervals 98",
+            "is a shard of a sweep of another scene",
+        ),
+    ] {
+        for out in ["part.csv", "part.parquet"] {
+            assert_eq!(sweep(&dir, &format!("--shard {is} --out {out}")).code, 0);
+            let rows = read(&dir, out);
+            refused(&sweep(&dir, &format!("--resume --out {out} {asked}")), says);
+            assert_eq!(read(&dir, out), rows);
+        }
+    }
+}
+
+#[test]
+fn a_shard_that_there_is_not_names_those_there_are() {
+    let dir = folder();
+    for (shard, says) in [
+        ("2/1", "expected 1/1, the only piece"),
+        (
+            "0/3",
+            "expected a piece from 1/3 to 3/3, or several in order, as in 1-2/3",
+        ),
+        ("three", "as in 3/8 for the third of eight pieces, or 3-5/8"),
+    ] {
+        refused(&sweep(&dir, &format!("--out x.csv --shard {shard}")), says);
+    }
+    let run = dir.run(&[
+        "audit",
+        "x.csv",
+        "--scene",
+        "scene.toml",
+        "--partial",
+        "p",
+        "--shard",
+        "2/1",
+    ]);
+    refused(
+        &run,
+        "from 1/8 to 8/8 or several in order, as in 3-5/8, found `2/1`",
+    );
+}
+
+#[test]
 fn no_file_beside_a_sweep_takes_the_name_of_what_is_read() {
     let dir = folder();
     let scene = read(&dir, "scene.toml");

@@ -56,7 +56,7 @@ impl Stretch {
             _ => Err(TraceError::new(
                 "shard",
                 format!(
-                    "expected which piece of how many, as in 3/8 or 3-5/8, found `{}`",
+                    "expected which piece of how many, from 1/8 to 8/8 or several in order, as in 3-5/8, found `{}`",
                     shown(text.as_bytes())
                 ),
             )),

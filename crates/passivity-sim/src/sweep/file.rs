@@ -30,6 +30,7 @@ use crate::sweep::manifest::{Manifest, forget};
 use crate::sweep::row::Row;
 use crate::sweep::shard::Shard;
 use crate::sweep::taken::Taken;
+use crate::sweep::whose::{fingerprint, is_taken_up, of_another, unbound};
 
 /// A file that rows can be added to.
 #[derive(Debug)]
@@ -82,23 +83,6 @@ pub(super) fn spare_unfinished(path: &Path, form: Form) -> Result<(), SimError> 
         ))),
         false => Ok(()),
     }
-}
-
-/// What tells one sweep from another: a hash of the scene, the grid and the shard, exactly.
-fn fingerprint(scene: &Point, grid: &Grid, shard: Option<Shard>) -> String {
-    let scene = grid.without(scene);
-    let whole = format!("{scene:?}\n{grid:?}\n");
-    match shard {
-        None => format!("passivity sweep 2 {}\n", hash(&whole)),
-        Some(shard) => format!("passivity sweep 2 {} {shard}\n", hash(&whole)),
-    }
-}
-
-/// SHA-256 as hexadecimal digits.
-pub(super) fn hash(text: &str) -> String {
-    use sha2::Digest as _;
-    let hash = sha2::Sha256::digest(text);
-    hash.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// Opens the file of a sweep: a new one, or with `resume` one that was left unfinished.
@@ -171,7 +155,10 @@ fn open_as(
     }
     let is_begun = is_only_begun(&rows.journal, grid)?;
     if resume && !is_begun && path.exists() {
-        let done = rows.finished(scene, grid, see)?;
+        let asked = Manifest::new(scene, grid, shard.unwrap_or(Shard::WHOLE));
+        let done = rows
+            .finished(scene, grid, see)
+            .map_err(|error| of_another(path, form, &asked).unwrap_or(error))?;
         return Ok(Opened { rows, done });
     }
     if resume && !is_begun && rows.journal.exists() {
@@ -194,13 +181,6 @@ fn is_only_begun(journal: &Path, grid: &Grid) -> Result<bool, SimError> {
         }
         Ok(_) | Err(_) => Ok(false),
     }
-}
-
-/// The error of rows that nothing says the sweep of.
-fn unbound(path: &Path, why: &str) -> SimError {
-    let message =
-        format!("{why}, and no file `.run` says of which sweep it is: remove it to start anew");
-    failed(path, &message)
 }
 
 impl Rows {
@@ -226,13 +206,7 @@ impl Rows {
         see: &mut dyn FnMut(usize, &Row),
     ) -> Result<Opened, SimError> {
         let saved = fs::read_to_string(mark).map_err(|error| failed(mark, &error))?;
-        if saved != fingerprint(scene, grid, shard) {
-            return Err(SimError::File(format!(
-                "`{}` is of a sweep of another scene or other ranges: give the same ones, or \
-                 another --out",
-                self.path.display()
-            )));
-        }
+        is_taken_up(&self.path, &saved, scene, grid, shard)?;
         let journal = &self.journal;
         let mut taken = Taken::new(Form::Csv, journal, grid, &self.range, see);
         let length = csv::read(journal, grid, &mut |number, found| {

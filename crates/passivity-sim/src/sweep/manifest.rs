@@ -8,12 +8,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::SimError;
 use crate::sweep::disk::{MANIFEST, failed, with_suffix};
-use crate::sweep::file::hash;
 use crate::sweep::form::Form;
 use crate::sweep::grid::Grid;
 #[cfg(feature = "parquet")]
 use crate::sweep::parquet;
 use crate::sweep::shard::Shard;
+use crate::sweep::whose::hash;
 
 const FORMAT: &str = "passivity-sweep-shard-1";
 
@@ -99,8 +99,8 @@ impl Manifest {
         Shard::run(self.shard, self.last, self.of)
     }
 
-    /// Whether another is of the same sweep in as many shards; in words why not.
-    pub(super) fn is_with(&self, other: &Self) -> Result<(), String> {
+    /// Whether another is of the same sweep; in words why not.
+    pub(super) fn is_of_sweep(&self, other: &Self) -> Result<(), String> {
         let differs = |what: &str| Err(format!("is a shard of a sweep {what}"));
         if self.format != other.format || self.version != other.version {
             return differs(&format!(
@@ -114,10 +114,19 @@ impl Manifest {
         if self.grid != other.grid {
             return differs("of other ranges");
         }
-        if self.of != other.of {
-            return differs(&format!("in {} shards, not in {}", self.of, other.of));
-        }
         Ok(())
+    }
+
+    /// Whether another is of the same sweep in as many shards; in words why not.
+    pub(super) fn is_with(&self, other: &Self) -> Result<(), String> {
+        self.is_of_sweep(other)?;
+        match self.of == other.of {
+            true => Ok(()),
+            false => Err(format!(
+                "is a shard of a sweep in {} shards, not in {}",
+                self.of, other.of
+            )),
+        }
     }
 }
 

@@ -14,6 +14,7 @@ mod range;
 mod row;
 mod shard;
 mod taken;
+mod whose;
 
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

@@ -41,8 +41,14 @@ impl Shard {
     pub fn run(first: usize, last: usize, count: usize) -> Result<Self, SimError> {
         let shard = Self { first, last, count };
         if first == 0 || first > last || last > count {
+            let expected = match count {
+                1 => "1/1, the only piece".to_owned(),
+                _ => format!(
+                    "a piece from 1/{count} to {count}/{count}, or several in order, as in 1-2/{count}"
+                ),
+            };
             return Err(SimError::Method(format!(
-                "shard `{shard}`: expected a number from 1 to {count} before the stroke, or two in order"
+                "shard `{shard}`: expected {expected}"
             )));
         }
         Ok(shard)
@@ -94,6 +100,33 @@ impl Shard {
     #[must_use]
     pub const fn count(self) -> usize {
         self.count
+    }
+
+    /// What is said of a file of this shard where another is asked for.
+    pub(super) fn instead_of(self, asked: Self) -> String {
+        let words = |shard: Self| match (shard == Self::WHOLE, shard.first == shard.last) {
+            (true, _) => "the whole sweep".to_owned(),
+            (_, true) => format!("shard {} of {}", shard.first, shard.count),
+            (_, false) => format!(
+                "shards {} to {} of {}",
+                shard.first, shard.last, shard.count
+            ),
+        };
+        if self == Self::WHOLE {
+            let asked = words(asked);
+            return format!(
+                "is the whole sweep, not {asked}: leave out --shard, or give another --out"
+            );
+        }
+        let not = match asked != Self::WHOLE && (self.first, self.last) == (asked.first, asked.last)
+        {
+            true => format!("of {}", asked.count),
+            false => words(asked),
+        };
+        format!(
+            "is {}, not {not}: give --shard {self}, or another --out",
+            words(self)
+        )
     }
 
     /// The indices that are its own, of `len`.
