@@ -11,6 +11,7 @@ mod certificates;
 mod check;
 mod design;
 mod explain;
+mod figures;
 mod frequencies;
 mod growing;
 mod guides;
