@@ -1,9 +1,9 @@
 //! The frame of a chart: its axes with their ticks, and where a value lies in it.
 
-use passivity_scene::display::significant;
 use passivity_scene::plane::Extent;
 
 use crate::svg::{Anchor, DARK, Pixel, Stroke, Svg, rectangle};
+use crate::ticks::{Along, SIZE, ticks};
 
 /// A chart's place in a picture, and what its axes show.
 #[derive(Clone, Copy, Debug)]
@@ -17,12 +17,6 @@ pub struct Frame {
     /// The lower right corner.
     pub to: Pixel,
 }
-
-/// About how many pixels are between the labels of an axis.
-const BETWEEN: [f64; 2] = [90.0, 40.0];
-
-/// The size of a label.
-const SIZE: f64 = 13.0;
 
 impl Frame {
     /// One of numbers from 0 to 1, from the corner of the page on.
@@ -87,7 +81,7 @@ impl Frame {
     pub fn draw_x(&self, svg: &mut Svg, words: &str) {
         let [left, _] = self.from;
         let [right, bottom] = self.to;
-        for tick in ticks(&self.x, (right - left) / BETWEEN[0]) {
+        for tick in ticks(&self.x, Along::Page(right - left)) {
             let x = left + self.x.share(tick.at) * (right - left);
             let length = if tick.label.is_empty() { 3.0 } else { 6.0 };
             svg.line(
@@ -129,7 +123,7 @@ impl Frame {
             Anchor::Start
         };
         let mut longest: f64 = 0.0;
-        for tick in ticks(extent, (bottom - top) / BETWEEN[1]) {
+        for tick in ticks(extent, Along::Side(bottom - top)) {
             let y = bottom + extent.share(tick.at) * (top - bottom);
             let length = if tick.label.is_empty() { 3.0 } else { 6.0 };
             svg.line(
@@ -160,115 +154,9 @@ pub fn width(words: &str, size: f64) -> f64 {
     0.6 * size * f64::from(u32::try_from(letters).unwrap_or(u32::MAX))
 }
 
-/// A tick of an axis; one between others has no label.
-struct Tick {
-    at: f64,
-    label: String,
-}
-
-/// The ticks of an axis with about so many labels.
-fn ticks(extent: &Extent, wanted: f64) -> Vec<Tick> {
-    let wanted = wanted.max(2.0);
-    if extent.log {
-        return logarithmic(extent, wanted);
-    }
-    let span = extent.to - extent.from;
-    let power = 10.0_f64.powf((span / wanted).log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0].map(|n| n * power);
-    let step = steps.into_iter().find(|step| span / step <= wanted);
-    let step = step.unwrap_or(10.0 * power);
-    let first = (extent.from / step - 1e-9).ceil();
-    let count = ((extent.to / step + 1e-9).floor() - first).clamp(0.0, 50.0);
-    let whole = |i: f64| {
-        let at = (first + i) * step;
-        // What rounding leaves of zero.
-        let at = if at.abs() < 1e-9 * span { 0.0 } else { at };
-        Tick {
-            at,
-            label: significant(at),
-        }
-    };
-    let mut all = Vec::new();
-    let mut i = 0.0;
-    while i <= count {
-        all.push(whole(i));
-        i += 1.0;
-    }
-    all
-}
-
-fn logarithmic(extent: &Extent, wanted: f64) -> Vec<Tick> {
-    let decades = (extent.to / extent.from).log10();
-    let labelled: &[u8] = match decades {
-        d if d > wanted => &[],
-        d if 3.0 * d <= wanted => &[1, 2, 5],
-        _ => &[1],
-    };
-    // Every so many decades, where even these are too many.
-    let every = if labelled.is_empty() {
-        (decades / wanted).ceil()
-    } else {
-        1.0
-    };
-    let mut all = Vec::new();
-    let mut exponent = extent.from.log10().floor();
-    while exponent <= extent.to.log10() {
-        for digit in 1..=9_u8 {
-            let at = f64::from(digit) * 10.0_f64.powf(exponent);
-            let share = extent.share(at);
-            if !(-1e-9..=1.0 + 1e-9).contains(&share) {
-                continue;
-            }
-            let whole = digit == 1 && exponent.rem_euclid(every) == 0.0;
-            let is_labelled = labelled.contains(&digit) || (labelled.is_empty() && whole);
-            if every > 1.0 && digit > 1 {
-                continue;
-            }
-            let label = if is_labelled {
-                significant(at)
-            } else {
-                String::new()
-            };
-            all.push(Tick { at, label });
-        }
-        exponent += 1.0;
-    }
-    all
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn labels(extent: Extent, wanted: f64) -> Vec<String> {
-        let all = ticks(&extent, wanted).into_iter().map(|tick| tick.label);
-        all.filter(|label| !label.is_empty()).collect()
-    }
-
-    #[test]
-    fn ticks_are_round_numbers_within_the_axis() {
-        let linear = |from, to| Extent {
-            from,
-            to,
-            log: false,
-        };
-        assert_eq!(labels(linear(0.0, 1.3), 6.0), ["0", "0.5", "1"]);
-        assert_eq!(
-            labels(linear(-0.3, 0.3), 6.0),
-            ["-0.3", "-0.2", "-0.1", "0", "0.1", "0.2", "0.3"].map(String::from)[..]
-        );
-        let log = |from, to| Extent {
-            from,
-            to,
-            log: true,
-        };
-        assert_eq!(labels(log(0.006, 3.0), 6.0), ["0.01", "0.1", "1"]);
-        assert_eq!(
-            labels(log(0.5, 20.0), 6.0),
-            ["0.5", "1", "2", "5", "10", "20"]
-        );
-        assert_eq!(labels(log(1e-9, 1e9), 6.0).len(), 7);
-    }
 
     #[test]
     fn a_value_lies_where_the_axes_say() {

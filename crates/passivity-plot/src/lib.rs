@@ -15,6 +15,7 @@ pub mod plane;
 #[cfg(feature = "png")]
 mod png;
 pub mod svg;
+mod ticks;
 
 pub use file::{PlotError, check_name, save};
 #[cfg(feature = "png")]
