@@ -146,7 +146,8 @@ fn edge(from: Pixel, middle: Pixel, [half_width, half_height]: [f64; 2]) -> Pixe
 
 /// Words with their middle at a place.
 fn write(svg: &mut Svg, [x, y]: Pixel, words: &str, colour: &str) {
-    svg.coloured([x, y + 0.36 * SIZE], SIZE, Anchor::Middle, words, colour);
+    let place = [x, y + 0.36 * SIZE];
+    svg.text_over(place, SIZE, Anchor::Middle, words, colour);
 }
 
 /// How long a way is.

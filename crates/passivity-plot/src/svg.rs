@@ -134,27 +134,31 @@ impl Svg {
         ));
     }
 
-    /// Words of a size in pixels, their base line at a place.
+    /// Words of a size in pixels, their base line at a place with nothing below them.
     pub fn text(&mut self, place: Pixel, size: f64, anchor: Anchor, words: &str) {
-        self.coloured(place, size, anchor, words, BLACK);
+        self.words(place, size, anchor, words, &format!("fill=\"{BLACK}\""));
     }
 
-    /// Words in a colour.
-    pub fn coloured(
+    /// Words in a colour over what is drawn: a white rim keeps them readable. It is a text of its own below them, as
+    /// not all viewers draw the rim of a text below its letters.
+    pub fn text_over(
         &mut self,
-        [x, y]: Pixel,
+        place: Pixel,
         size: f64,
         anchor: Anchor,
         words: &str,
         colour: &str,
     ) {
+        self.words(place, size, anchor, words, RIM);
+        self.words(place, size, anchor, words, &format!("fill=\"{colour}\""));
+    }
+
+    fn words(&mut self, [x, y]: Pixel, size: f64, anchor: Anchor, words: &str, paint: &str) {
         let anchor = anchor.name();
         let words = escaped(words);
-        // A white rim keeps them readable on lines.
         self.put(format_args!(
             "<text x=\"{x:.2}\" y=\"{y:.2}\" font-family=\"sans-serif\" font-size=\"{size}\" \
-             text-anchor=\"{anchor}\" fill=\"{colour}\" stroke=\"#ffffff\" stroke-width=\"3\" \
-             stroke-linejoin=\"round\" paint-order=\"stroke\">{words}</text>"
+             text-anchor=\"{anchor}\" {paint}>{words}</text>"
         ));
     }
 
@@ -182,6 +186,9 @@ impl Svg {
         )
     }
 }
+
+/// How the rim of words is painted.
+const RIM: &str = "fill=\"none\" stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\"";
 
 /// Slanting grey lines.
 const HATCHING: &str = "<defs><pattern id=\"hatched\" width=\"6\" height=\"6\" \
@@ -233,6 +240,29 @@ mod tests {
         assert!(
             text.contains("a &lt; b &amp; c") && !text.contains("polyline"),
             "{text}"
+        );
+    }
+
+    /// Of the letters of a text nothing is covered by a rim, in whatever order a viewer paints it.
+    #[test]
+    fn a_rim_is_a_text_below_the_words() {
+        let mut svg = Svg::new([90.0, 30.0]);
+        svg.text([1.0, 9.0], 12.0, Anchor::Start, "plain");
+        svg.text_over([1.0, 20.0], 12.0, Anchor::Start, "over", COLOURS[0]);
+        let svg = svg.finish();
+        assert!(!svg.contains("paint-order"), "{svg}");
+        let texts: Vec<&str> = svg
+            .lines()
+            .filter(|line| line.starts_with("<text"))
+            .collect();
+        let [plain, rim, words] = texts[..] else {
+            panic!("{svg}");
+        };
+        assert!(rim.contains("fill=\"none\" stroke=\"#ffffff\"") && rim.contains(">over<"));
+        assert!(words.contains("fill=\"#0072b2\"") && words.contains(">over<"));
+        assert!(
+            !plain.contains("stroke") && !words.contains("stroke"),
+            "{svg}"
         );
     }
 }

@@ -7,7 +7,7 @@ use crate::PlotError;
 use crate::frame::Frame;
 use crate::labels::Labels;
 use crate::parameters::{colour, list, scenes};
-use crate::svg::{Anchor, DARK, Pixel, Stroke, Svg, rectangle};
+use crate::svg::{Anchor, BLACK, DARK, Pixel, Stroke, Svg, rectangle};
 
 /// The regions: globally and locally stable, limit cycles, unstable.
 pub(super) const REGIONS: [(&str, &str); 4] = [
@@ -149,7 +149,8 @@ fn names(svg: &mut Svg, frame: &Frame, labels: &mut Labels, marks: &[Mark]) {
         let at = [outer, inner].into_iter().find(is_free).unwrap_or(outer);
         let middle = [at, height];
         labels.take_box(middle, [0.5 * long, 8.0]);
-        svg.text([middle[0], middle[1] + 4.0], SIZE, Anchor::Middle, name);
+        let place = [middle[0], middle[1] + 4.0];
+        svg.text_over(place, SIZE, Anchor::Middle, name, BLACK);
     }
 }
 

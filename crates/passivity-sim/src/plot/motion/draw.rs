@@ -258,8 +258,9 @@ impl Chart<'_> {
             let corners = rectangle([x, top + 9.0], [x + 18.0, top + 20.0]);
             self.svg.area(&corners, fill);
             self.edge(&corners);
+            let place = [x + 26.0, top + 19.0];
             self.svg
-                .text([x + 26.0, top + 19.0], 13.0, Anchor::Start, &words);
+                .text_over(place, 13.0, Anchor::Start, &words, BLACK);
         }
         self.axes(&frame, &values, ["energy", "KΔ²"], &scale);
     }
