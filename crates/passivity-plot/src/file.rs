@@ -95,23 +95,27 @@ pub fn save(svg: &str, path: &Path) -> Result<(), PlotError> {
     files::write(path, bytes).map_err(|error| unwritable(path, &error))
 }
 
-/// XML with the characters that it may not have as `\u{1b}`.
+/// XML without the characters that it may not have.
 fn valid(svg: &str) -> Cow<'_, str> {
-    let is_refused = |c: char| {
+    by_number(svg, |c| {
         let is_space = matches!(c, '\t' | '\n' | '\r');
         (c.is_control() && !is_space) || matches!(c, '\u{fffe}' | '\u{ffff}')
-    };
-    if !svg.contains(is_refused) {
-        return Cow::Borrowed(svg);
+    })
+}
+
+/// A text with some of its characters by their numbers, as `\u{1b}`.
+pub(crate) fn by_number(text: &str, is_refused: impl Fn(char) -> bool) -> Cow<'_, str> {
+    if !text.contains(&is_refused) {
+        return Cow::Borrowed(text);
     }
-    let mut text = String::with_capacity(svg.len());
-    for c in svg.chars() {
+    let mut told = String::with_capacity(text.len());
+    for c in text.chars() {
         match is_refused(c) {
-            true => text.extend(c.escape_default()),
-            false => text.push(c),
+            true => told.extend(c.escape_unicode()),
+            false => told.push(c),
         }
     }
-    Cow::Owned(text)
+    Cow::Owned(told)
 }
 
 #[cfg(feature = "png")]
