@@ -289,6 +289,45 @@ pub(crate) fn first(logs: &[Log], most: [f64; 2], inertia: Ends) -> [f64; 3] {
     best.map_or([most[0], most[1], middle], |(at, _)| at)
 }
 
+/// The knobs that stay in a box.
+fn knobs_within(hull: &[Ends; 3]) -> [Knob; 3] {
+    hull.map(|[lo, hi]| match hi > lo {
+        true => Knob::Within([lo, hi]),
+        false => Knob::Fixed(lo),
+    })
+}
+
+/// Parameters in a box from some on, each with a smaller largest residual, or nearly so: those with the least sums of
+/// ever higher powers of the residuals, which are taken from the middle of the largest and the smallest of a log.
+pub(crate) fn evener<'a>(
+    logs: &'a [Log],
+    hull: &[Ends; 3],
+    start: [f64; 3],
+) -> impl Iterator<Item = [f64; 3]> + 'a {
+    let knobs = knobs_within(hull);
+    let of_power = move |power: i32| {
+        move |numbers: &[f64]| {
+            let all = logs.iter().flat_map(|log| {
+                let all = DVector::from_vec(residuals(log, parameters(numbers)));
+                let middle = 0.5 * all.max() + 0.5 * all.min();
+                let raised = |residual: &f64| {
+                    let off = residual - middle;
+                    off.signum() * off.abs().powi(power)
+                };
+                all.iter().map(raised).collect::<Vec<f64>>()
+            });
+            DVector::from_vec(all.collect())
+        }
+    };
+    [2, 4, 8, 16, 32, 64]
+        .into_iter()
+        .scan(start, move |at, power| {
+            let (found, _) = turned(&of_power(power), &knobs, at.as_slice(), 12);
+            *at = parameters(&found);
+            Some(*at)
+        })
+}
+
 /// The parameters with the least squares among those that are left, in a box around them; `first` are those
 /// of all, near which the squares grow with the weights of the coordinates.
 ///
@@ -300,10 +339,7 @@ pub(crate) fn best(
     (shear, weights): (&Shear, [f64; 3]),
     first: [f64; 3],
 ) -> [f64; 3] {
-    let knobs = hull.map(|[lo, hi]| match hi > lo {
-        true => Knob::Within([lo, hi]),
-        false => Knob::Fixed(lo),
-    });
+    let knobs = knobs_within(hull);
     let inside = |at: [f64; 3]| {
         let mut values = at.into_iter();
         hull.map(|[lo, hi]| values.next().unwrap_or(lo).clamp(lo, hi))

@@ -4,17 +4,19 @@ use std::fmt;
 use std::path::Path;
 
 use passivity_audit::{Dialect, Sampled, TraceError, samples};
-use passivity_core::parameter::Unit;
-use passivity_core::{BigRational, Effect, Exact, Interval, Loop, Parameter, Scalar as _};
+use passivity_core::Parameter;
+use passivity_scene::display::figures;
 use passivity_scene::{Motion, Scene};
-use passivity_sim::{Double, Enclosed};
 
 use crate::estimate;
+use crate::fitting::fitting;
 use crate::lacks::{self, Lack};
 use crate::log::{Errors, Log};
 use crate::options::{Inertia, Options};
 use crate::region::{COULOMB, Corner, Ends, INERTIA, Part, Shear};
-use crate::search::{self, Found, Task};
+use crate::report::DIGITS;
+use crate::search::{self, Found, Judge, Task};
+use crate::sketch::{covered, ends, inertia, middle, units};
 use crate::suspects::suspicion;
 
 /// What is known of a parameter, in SI units (in K, T and Δ where the sketch is dimensionless).
@@ -53,6 +55,8 @@ pub struct Identified {
     pub refuted_by: Option<Refutation>,
     /// Whether the work came to its bound before the box was as narrow as it could be.
     pub stopped_early: bool,
+    /// Whether the logs refute the best estimate: no parameters were found that they do not.
+    pub best_refuted: bool,
     /// What the logs lack: where the box is wide, and where all motion is one way.
     pub lacks: Vec<Lack>,
     pub(crate) logs: Vec<Log>,
@@ -71,8 +75,8 @@ pub struct Identified {
 /// Why parameters cannot be looked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct IdentifyError {
-    message: String,
-    is_not_covered: bool,
+    pub(crate) message: String,
+    pub(crate) is_not_covered: bool,
 }
 
 impl IdentifyError {
@@ -187,17 +191,18 @@ pub fn identify(
         None => ([mass * LEAST_INERTIA, mass], SLABS),
     };
     let least_inertia = 1.001 * LEAST_INERTIA * mass;
-    let whole = |found: Found, shear, best, suspicion: String| {
+    let whole = |found: Found, shear, best: Option<([f64; 3], bool)>, suspicion: String| {
         let mut identified = Identified {
             parameters: Vec::new(),
             samples: logs.iter().map(Log::len).sum(),
             refuted_by: None,
             stopped_early: found.stopped_early,
+            best_refuted: best.is_some_and(|(_, is_refuted)| is_refuted),
             lacks: Vec::new(),
             logs: logs.clone(),
             found,
             shear,
-            best,
+            best: best.map(|(best, _)| best),
             inertia,
             units,
             period,
@@ -229,7 +234,11 @@ pub fn identify(
     let found = task.search(parts(&shear, most, inertia, slabs), progress);
     let best = found.hull.map(|hull| {
         let left = (found.parts.as_slice(), &hull);
-        estimate::best(&logs, left, (&shear, weights), first)
+        let best = estimate::best(&logs, left, (&shear, weights), first);
+        match fitting(&logs, &hull, best) {
+            Some(fitting) => (fitting, false),
+            None => (best, true),
+        }
     });
     let refuted = found.refuted_by;
     let suspicion = refuted.map_or_else(String::new, |place| suspicion(&logs, place, inertia));
@@ -264,68 +273,6 @@ fn parts(shear: &Shear, most: [f64; 2], [least, largest]: Ends, slabs: u32) -> V
         upper = lower;
     }
     parts
-}
-
-/// Refuses what TH-IDENT does not cover: a force that changes between samples, and a hand.
-fn covered(sketch: &Scene) -> Result<(), IdentifyError> {
-    let refused = [Effect::Latency, Effect::Amplifier, Effect::Arm];
-    let mut effects = sketch.effects();
-    effects.retain(|effect| {
-        refused.contains(effect) || (*effect == Effect::Force && !sketch.is_unforced())
-    });
-    if let Some(effect) = effects.first() {
-        return Err(IdentifyError {
-            message: format!(
-                "the sketch has {}: TH-IDENT is about a device that nobody touches, under a force that is \
-                 held from each sample to the next",
-                effect.name()
-            ),
-            is_not_covered: true,
-        });
-    }
-    if sketch.motion != Motion::Dimensionless && !sketch.given.has_encoder() {
-        return Err(IdentifyError::new(
-            "the sketch needs an [encoder]: its resolution says how well positions are known",
-        ));
-    }
-    Ok(())
-}
-
-/// KT, KΔ and KT², between doubles.
-fn units(nominal: &Loop<Exact>) -> Result<[[f64; 2]; 3], IdentifyError> {
-    let [viscous, coulomb, inertia] =
-        [Unit::VISCOUS, Unit::FORCE, Unit::INERTIA].map(|unit| ends(&nominal.unit(unit)));
-    Ok([viscous?, coulomb?, inertia?])
-}
-
-/// Doubles around a number.
-fn ends(x: &Exact) -> Result<[f64; 2], IdentifyError> {
-    /// Bits of an enclosure: past those of a double.
-    const BITS: u32 = 80;
-    let undefined = || IdentifyError::new("a number of the sketch is not defined");
-    let known = x.enclosure(BITS).ok_or_else(undefined)?;
-    Ok(around(&known))
-}
-
-fn around(known: &Interval<BigRational>) -> [f64; 2] {
-    let [lo, _] = Enclosed::<Double>::from(known.lo()).bounds();
-    let [_, hi] = Enclosed::<Double>::from(known.hi()).bounds();
-    [lo, hi]
-}
-
-fn middle([lo, hi]: [f64; 2]) -> f64 {
-    0.5 * lo + 0.5 * hi
-}
-
-/// μ over the tolerance of the sketch; `None` where it has no inertia.
-fn inertia(sketch: &Scene, nominal: &Loop<Exact>) -> Result<Option<[f64; 2]>, IdentifyError> {
-    let Some(given) = &sketch.given.inertia else {
-        return Ok(None);
-    };
-    let unit = nominal.unit(Unit::INERTIA);
-    let [lo, _] = ends(&given.value.lo().clone().over(unit.clone()))?;
-    let [_, hi] = ends(&given.value.hi().clone().over(unit))?;
-    Ok(Some([lo, hi]))
 }
 
 /// Refuses a log in which the device moves while there is surely no force. Where the force may be off there may
@@ -435,7 +382,32 @@ impl Identified {
                 },
             ));
         }
+        self.shorten();
         self.lacks = lacks::lacks(self);
+    }
+
+    /// Rounds the best estimate to as few digits as do not lead it to what the logs refute, or out of its bounds.
+    fn shorten(&mut self) {
+        let mut judge = Judge::new(&self.logs);
+        let mut all = DIGITS;
+        let rounded = all.find_map(|digits| {
+            let mut best = self.best?;
+            let mut known = self.parameters.clone();
+            let units = self.units.into_iter().map(middle);
+            for (((_, bounds), best), unit) in known.iter_mut().zip(&mut best).zip(units) {
+                let short: f64 = figures(bounds.best?, digits).parse().ok()?;
+                let hi = bounds.hi.unwrap_or(f64::INFINITY);
+                if !(bounds.lo..=hi).contains(&short) {
+                    return None;
+                }
+                bounds.best = Some(short);
+                *best = short / unit;
+            }
+            (self.best_refuted || judge.lets(best)).then_some((known, best))
+        });
+        if let Some((known, best)) = rounded {
+            (self.parameters, self.best) = (known, Some(best));
+        }
     }
 }
 

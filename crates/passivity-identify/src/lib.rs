@@ -23,6 +23,7 @@
 
 mod directed;
 mod estimate;
+mod fitting;
 mod hash;
 mod identified;
 mod kept;
@@ -36,6 +37,7 @@ mod propagator;
 mod region;
 mod report;
 mod search;
+mod sketch;
 mod stop;
 mod suspects;
 mod written;

@@ -106,7 +106,8 @@ impl Identified {
             let [from, to] = [frame.y.from, frame.y.to].map(|y| frame.clamped([refuted.time, y]));
             svg.line(&[from, to], Stroke::dashed(BLACK, 1.5));
             let words = "up to here nothing fits";
-            svg.text([from[0] + 6.0, from[1] - 8.0], 13.0, Anchor::Start, words);
+            let place = [from[0] + 6.0, from[1] - 8.0];
+            svg.text_over(place, 13.0, Anchor::Start, words, BLACK);
         }
         frame.draw(
             svg,
@@ -127,10 +128,11 @@ impl Identified {
         let Some(best) = self.best else {
             return Ok(());
         };
-        let all: Vec<Vec<f64>> = self.logs.iter().map(|log| residuals(log, best)).collect();
         let width = self.logs.iter().filter_map(|log| log.positions.first());
         let half = width.map(|[lo, hi]| 0.5 * (hi - lo)).fold(0.5, f64::max);
         let band = [-half, half];
+        let of = |log: &Log| within(residuals(log, best), half);
+        let all: Vec<Vec<f64>> = self.logs.iter().map(of).collect();
         let frame = Frame {
             x: self.time_axis(),
             y: extent(all.iter().flatten().copied().chain(band))?,
@@ -181,10 +183,15 @@ impl Identified {
         let [kt, kd] = [scale(VISCOUS), scale(COULOMB)];
         let [b, c, _] = hull;
         let [viscous, coulomb, _] = best;
+        let mut said = self.parameters.iter().map(|(_, bounds)| bounds.best);
         let axes = [
-            Axis::of(Parameter::Viscous, b, kt, viscous, self.motion),
-            Axis::of(Parameter::Coulomb, c, kd, coulomb, self.motion),
+            (Parameter::Viscous, b, kt, viscous),
+            (Parameter::Coulomb, c, kd, coulomb),
         ];
+        let axes = axes.map(|(parameter, ends, si, best)| {
+            let said = said.next().flatten().unwrap_or(best * si);
+            Axis::of(parameter, ends, si, [best, said], self.motion)
+        });
         let [x, y] = &axes;
         let frame = Frame {
             x: extent(b.into_iter().map(|b| x.shown(b)))?,
@@ -217,7 +224,10 @@ impl Identified {
             [left, top - 10.0],
             12.0,
             Anchor::Start,
-            "disc: best estimate",
+            match self.best_refuted {
+                true => "disc: best estimate, which the logs refute",
+                false => "disc: best estimate",
+            },
         );
         Ok(())
     }
@@ -243,8 +253,14 @@ struct Axis {
 
 impl Axis {
     /// Of a parameter between `ends`: in per cent from the best estimate, where it is known so well that its
-    /// digits would not tell.
-    fn of(parameter: Parameter, ends: Ends, si: f64, best: f64, motion: Motion) -> Self {
+    /// digits would not tell; the estimate is given in SI units too.
+    fn of(
+        parameter: Parameter,
+        ends: Ends,
+        si: f64,
+        [best, said]: [f64; 2],
+        motion: Motion,
+    ) -> Self {
         let name = parameter.row().name;
         let unit = match (unit(parameter, motion), parameter) {
             ("", Parameter::Viscous) => " KT",
@@ -259,7 +275,7 @@ impl Axis {
             };
         }
         Self {
-            words: format!("{name}, % from {}{unit}", nearest(best * si)),
+            words: format!("{name}, % from {}{unit}", nearest(said)),
             origin: best,
             factor: 100.0 / best,
         }
@@ -293,6 +309,20 @@ fn hull(mut places: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     around
 }
 
+/// Residuals from where the device can have started: moved as little as lets them all be within a band, where they can be.
+fn within(mut residuals: Vec<f64>, half: f64) -> Vec<f64> {
+    let ends = [f64::INFINITY, f64::NEG_INFINITY];
+    let fold = |[lo, hi]: [f64; 2], x: &f64| [lo.min(*x), hi.max(*x)];
+    let [lo, hi] = residuals.iter().fold(ends, fold);
+    let (least, most) = (-half - lo, half - hi);
+    let by = match least <= most {
+        true => 0.0_f64.max(least).min(most),
+        false => 0.5 * (least + most),
+    };
+    residuals.iter_mut().for_each(|residual| *residual += by);
+    residuals
+}
+
 /// Positions from the first sample on.
 fn from_start(log: &Log) -> Vec<f64> {
     let middles: Vec<f64> = log.middles().collect();
@@ -320,4 +350,18 @@ fn extent(values: impl Iterator<Item = f64>) -> Result<Extent, PlotError> {
         to: hi + room,
         log: false,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::within;
+
+    #[test]
+    fn residuals_that_fit_a_band_are_drawn_within_it() {
+        assert_eq!(within(vec![-1.25, 1.75, 0.0], 1.5), [-1.5, 1.5, -0.25]);
+        assert_eq!(within(vec![-1.0, 1.25], 1.5), [-1.0, 1.25]);
+        assert_eq!(within(vec![-1.75, 1.0, 0.0], 1.5), [-1.5, 1.25, 0.25]);
+        // Where they do not fit, as far out on both sides.
+        assert_eq!(within(vec![-1.0, 3.0], 1.5), [-2.0, 2.0]);
+    }
 }

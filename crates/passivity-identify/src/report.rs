@@ -1,7 +1,9 @@
 //! What `passivity identify` answers: for programs, and for people.
 
+use std::ops::RangeInclusive;
+
 use passivity_core::Parameter;
-use passivity_scene::display::{figures, significant};
+use passivity_scene::display::{Rounding, figures, rounded, significant};
 use passivity_scene::{Motion, Scene};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -29,6 +31,9 @@ pub struct Report {
     pub lacks: Vec<String>,
     /// Whether the work came to its bound before the box was as narrow as it could be.
     pub stopped_early: bool,
+    /// Whether the logs refute the best estimate: no parameters were found, with a tenth of the effort, that they do
+    /// not refute. `false` where there is no estimate.
+    pub best_refuted: bool,
 }
 
 /// A log.
@@ -110,6 +115,7 @@ impl Report {
             informative: identified.is_informative(),
             lacks: identified.lacks.iter().map(ToString::to_string).collect(),
             stopped_early: identified.stopped_early,
+            best_refuted: identified.best_refuted,
             logs,
         }
     }
@@ -158,6 +164,13 @@ impl Report {
         if self.refuted_by.is_none() && self.informative {
             lines.push("surely within these bounds, if the device is one of this model".to_owned());
         }
+        if self.best_refuted {
+            lines.push(
+                "the logs refute the best estimate, and no parameters were found that they do not refute: \
+                 with more --effort some may be, or it may show that none fit"
+                    .to_owned(),
+            );
+        }
         lines.extend(
             self.lacks
                 .iter()
@@ -186,27 +199,29 @@ pub(crate) fn unit(parameter: Parameter, motion: Motion) -> &'static str {
     }
 }
 
-/// How many digits of a parameter are written.
-const DIGITS: u8 = 6;
+/// How many digits of a bound are written, and how many an estimate may need.
+pub(crate) const DIGITS: RangeInclusive<u8> = 6..=17;
 
 /// Six digits that are not above a bound.
 pub(crate) fn below(x: f64) -> String {
-    digits(x, passivity_scene::display::Rounding::Down)
+    digits(x, Rounding::Down)
 }
 
 /// Six digits that are not below a bound.
 pub(crate) fn above(x: f64) -> String {
-    digits(x, passivity_scene::display::Rounding::Up)
+    digits(x, Rounding::Up)
 }
 
-/// Six digits of an estimate: as many as its bounds have, so that it does not come to stand outside of them.
+/// The digits of an estimate: six, as its bounds have, or as many more as were left to it.
 pub(crate) fn nearest(x: f64) -> String {
-    figures(x, DIGITS)
+    let mut all = DIGITS.map(|digits| figures(x, digits));
+    let exact = all.find(|text| text.parse() == Ok(x));
+    exact.unwrap_or_else(|| x.to_string())
 }
 
-fn digits(x: f64, to: passivity_scene::display::Rounding) -> String {
+fn digits(x: f64, to: Rounding) -> String {
     match passivity_core::BigRational::from_float(x) {
-        Some(exact) => passivity_scene::display::rounded(&exact, DIGITS.into(), to),
+        Some(exact) => rounded(&exact, (*DIGITS.start()).into(), to),
         None => x.to_string(),
     }
 }

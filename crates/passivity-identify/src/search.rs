@@ -35,6 +35,40 @@ pub(crate) struct Found {
     pub(crate) stopped_early: bool,
 }
 
+/// What refutes parameters: the logs, and how many intervals of motion that took.
+pub(crate) struct Judge<'a> {
+    logs: Vec<Kept<'a>>,
+    steps: u64,
+}
+
+impl<'a> Judge<'a> {
+    pub(crate) fn new(logs: &'a [Log]) -> Self {
+        let kept = |log| Kept {
+            log,
+            propagators: Propagators::default(),
+        };
+        Self {
+            logs: logs.iter().map(kept).collect(),
+            steps: 0,
+        }
+    }
+
+    /// Where the logs refute a bundle.
+    pub(crate) fn refuted(&mut self, bundle: &Bundle) -> Option<Place> {
+        let steps = &mut self.steps;
+        let mut all = (0..).zip(&mut self.logs);
+        all.find_map(|(log, kept)| {
+            let sample = kept.refute(bundle, steps)?;
+            Some(Place { log, sample })
+        })
+    }
+
+    /// Whether the logs do not refute the parameters b, c and m.
+    pub(crate) fn lets(&mut self, at: [f64; 3]) -> bool {
+        self.refuted(&Bundle::point(at)).is_none()
+    }
+}
+
 /// A log and what is kept for its motions.
 struct Kept<'a> {
     log: &'a Log,
@@ -203,25 +237,14 @@ fn along(extent: &[Ends; 3], dimension: usize) -> Ends {
 /// A search that is going on.
 struct Search<'a> {
     task: &'a Task<'a>,
-    logs: Vec<Kept<'a>>,
+    judge: Judge<'a>,
     parts: Parts,
-    steps: u64,
     last: Option<Place>,
     /// How far towards each face parameters are known that fit.
     reached: [f64; 6],
 }
 
 impl Search<'_> {
-    /// Where the logs refute a bundle.
-    fn refuted(&mut self, bundle: &Bundle) -> Option<Place> {
-        let steps = &mut self.steps;
-        let mut all = (0..).zip(&mut self.logs);
-        all.find_map(|(log, kept)| {
-            let sample = kept.refute(bundle, steps)?;
-            Some(Place { log, sample })
-        })
-    }
-
     /// Keeps a part, unless it is refuted or holds nothing that a device can be.
     fn keep(&mut self, part: Part) {
         let shear = &self.task.shear;
@@ -232,7 +255,7 @@ impl Search<'_> {
         if too_much.into_iter().any(|([lo, _], most)| *lo > most) {
             return;
         }
-        match self.refuted(&Bundle::new(shear.corners(&part))) {
+        match self.judge.refuted(&Bundle::new(shear.corners(&part))) {
             None => self.parts.add(Left { part, extent }),
             place => self.last = self.last.max(place),
         }
@@ -240,7 +263,7 @@ impl Search<'_> {
 
     /// Notes parameters that fit, where they do.
     fn look_at(&mut self, at: [f64; 3]) {
-        if self.refuted(&Bundle::point(at)).is_none() {
+        if self.judge.lets(at) {
             for (reached, (dimension, is_most)) in self.reached.iter_mut().zip(FACES) {
                 let value = at.get(dimension).copied().unwrap_or(f64::NAN);
                 *reached = reached.max(if is_most { value } else { -value });
@@ -268,15 +291,10 @@ impl Task<'_> {
     /// Searches parts; `progress` is told how much of the effort is spent, and ends the search where it says
     /// `false`.
     pub(crate) fn search(&self, parts: Vec<Part>, mut progress: impl FnMut(u64) -> bool) -> Found {
-        let kept = |log| Kept {
-            log,
-            propagators: Propagators::default(),
-        };
         let mut search = Search {
             task: self,
-            logs: self.logs.iter().map(kept).collect(),
+            judge: Judge::new(self.logs),
             parts: Parts::new(),
-            steps: 0,
             last: None,
             reached: [f64::NEG_INFINITY; 6],
         };
@@ -303,7 +321,7 @@ impl Task<'_> {
                 }
                 continue;
             }
-            if search.steps >= self.effort {
+            if search.judge.steps >= self.effort {
                 stopped_early = true;
                 break;
             }
@@ -313,7 +331,7 @@ impl Task<'_> {
             for half in left.part.halves(self.widest(&left.part)) {
                 search.keep(half);
             }
-            if !progress(search.steps.min(self.effort)) {
+            if !progress(search.judge.steps.min(self.effort)) {
                 stopped_early = true;
                 break;
             }

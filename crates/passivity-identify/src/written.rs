@@ -128,7 +128,13 @@ impl Identified {
             if let Some(best) = bounds.best {
                 let unit = unit(*parameter, self.motion);
                 let name = parameter.row().name;
-                lines.push(format!("Best estimate of {name}: {}{unit}", nearest(best)));
+                let refuted = if self.best_refuted {
+                    ", refuted by the logs"
+                } else {
+                    ""
+                };
+                let best = nearest(best);
+                lines.push(format!("Best estimate of {name}: {best}{unit}{refuted}"));
             }
         }
         let device = said

@@ -1,6 +1,8 @@
 //! TH-IDENT: the box holds what is true, a log that fits nothing is refuted at its place, and one that says
 //! little says what it lacks.
 
+#[path = "trial/estimates.rs"]
+mod estimates;
 #[path = "trial/misfits.rs"]
 mod misfits;
 mod trial;
@@ -63,8 +65,20 @@ fn th_ident_the_true_values_are_inside() {
     for number in 0..32 {
         let trial = trial(number);
         kinds.insert(trial.kind);
-        let found = run(&[trial.log], &trial.device);
+        let found = run(std::slice::from_ref(&trial.log), &trial.device);
         assert_holds(&found, &trial.device, number);
+        let best = |parameter| bounds(&found, parameter).best.unwrap();
+        let device = Device {
+            viscous: best(Parameter::Viscous),
+            coulomb: best(Parameter::Coulomb),
+            ..trial.device
+        };
+        let spread = estimates::spread(&device, &trial.log);
+        assert!(
+            !found.best_refuted && spread <= 3.0 + estimates::ROUNDING,
+            "{number}: {spread} {:?}",
+            found.parameters
+        );
         informative += u32::from(found.is_informative());
         if trial.kind != trial::Kind::Swing {
             assert!(!found.lacks.contains(&Lack::Row), "{number}: {found:?}");

@@ -98,7 +98,7 @@ pub(crate) fn recorded(
     log
 }
 
-fn near(x: &Number) -> f64 {
+pub(crate) fn near(x: &Number) -> f64 {
     match x {
         Number::Small(n, d) => *n as f64 / *d as f64,
         Number::Tiny(..) | Number::Big(_) => unreachable!("short numbers only"),

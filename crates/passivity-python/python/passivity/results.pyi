@@ -39,6 +39,7 @@ class Identification(Record):
     informative: bool
     lacks: list[str]
     stopped_early: bool
+    best_refuted: bool
     def svg(self) -> str: ...
 
 class Simulation(Record):

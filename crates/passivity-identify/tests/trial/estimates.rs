@@ -1,0 +1,90 @@
+//! TH-IDENT: the best estimate is not refuted by its own logs, by a motion that is written without the library's.
+
+use std::path::Path;
+
+use passivity_audit::Reading;
+use passivity_identify::{
+    Dialect, Options, Provenance, Report, Sampled, identify, read, read_sketch,
+};
+use passivity_scene::Scene;
+
+use super::quick;
+use super::trial::{Device, near};
+
+/// By how much the motion in closed form, in doubles, may be off.
+pub(crate) const ROUNDING: f64 = 1e-6;
+
+/// How far apart what was counted and what is simulated are at the best estimate, by a motion in closed form: with
+/// counts off by up to a tick at most 3 ticks, wherever the device started.
+pub(crate) fn spread(device: &Device, log: &Sampled) -> f64 {
+    let (mut state, mut ends) = ([0.0; 2], [f64::INFINITY, f64::NEG_INFINITY]);
+    for (row, (position, force)) in log.positions.iter().zip(&log.forces).enumerate() {
+        let Reading::Count(count) = position else {
+            panic!("positions are counts");
+        };
+        let off = *count as f64 - state[0];
+        ends = [ends[0].min(off), ends[1].max(off)];
+        if let Some(duration) = log.durations.get(row) {
+            let force = passivity_scene::number::nearest_f64(force.to_rational().lo());
+            state = device.moved(state, force, near(duration));
+        }
+    }
+    ends[1] - ends[0]
+}
+
+/// A log among the example scenes, with its sketch.
+fn shipped(name: &str) -> (Scene, Sampled) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/identify");
+    let text = std::fs::read_to_string(folder.join("sketch.toml")).unwrap();
+    let sketch = read_sketch("sketch", &text).unwrap();
+    let log = read(&folder.join(name), &sketch, &Dialect::default()).unwrap();
+    (sketch, log)
+}
+
+/// The least squares of this log are refuted by it: the errors of its counts have a mean.
+#[test]
+fn th_ident_the_estimate_that_is_printed_fits_its_own_log() {
+    let (sketch, log) = shipped("push.csv");
+    let found = identify(std::slice::from_ref(&log), &sketch, &quick(), |_| true).unwrap();
+    let text = Report::new(&sketch, &found, Vec::new()).to_text(sketch.motion);
+    let mut said = text.lines().filter_map(|line| {
+        let (_, best) = line.split_once("best estimate ")?;
+        best.parse::<f64>().ok()
+    });
+    // In K, T and Δ of the sketch.
+    let mut best = |unit: f64| said.next().unwrap() / unit;
+    let device = Device {
+        viscous: best(0.5 * 1e-3),
+        coulomb: best(0.5 * std::f64::consts::TAU / 8192.0),
+        inertia: 2e-5 / (0.5 * 1e-6),
+    };
+    assert!(spread(&device, &log) <= 3.0 + ROUNDING, "{text}");
+    let refuted = Device {
+        viscous: 3.99656e-5 / (0.5 * 1e-3),
+        coulomb: 0.001_500_72 / (0.5 * std::f64::consts::TAU / 8192.0),
+        ..device
+    };
+    assert!(spread(&refuted, &log) > 3.1);
+}
+
+/// Nothing fits it, which so little work does not show.
+#[test]
+fn an_estimate_that_is_refuted_is_said_to_be() {
+    let (sketch, log) = shipped("backlash.csv");
+    let little = Options {
+        effort: 1,
+        ..quick()
+    };
+    let found = identify(&[log], &sketch, &little, |_| true).unwrap();
+    assert!(found.fits() && found.stopped_early && found.best_refuted);
+    let report = Report::new(&sketch, &found, Vec::new());
+    assert!(report.best_refuted);
+    let told = report.to_text(sketch.motion);
+    assert!(told.contains("the logs refute the best estimate"), "{told}");
+    let written = found.scene(
+        "[device]\ninertia = \"2e-5 kg m^2\"\n[sampling]\nrate = \"1 kHz\"\n\
+         [encoder]\ncounts_per_revolution = 8192\n",
+        &Provenance::default(),
+    );
+    assert!(written.unwrap().contains(" N m, refuted by the logs\n"));
+}
