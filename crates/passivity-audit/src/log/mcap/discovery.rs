@@ -33,7 +33,7 @@ pub(crate) enum Place {
 pub(crate) struct Column {
     pub(crate) topic: String,
     pub(crate) place: Place,
-    name: String,
+    pub(crate) name: String,
     /// The first numbers.
     first: Vec<Option<f64>>,
 }

@@ -16,10 +16,10 @@ use crate::log::guarded::guarded;
 use crate::log::held::{Mark, OLD};
 use crate::log::layout::Layout;
 use crate::log::lines::Block;
-use crate::log::mcap::channels::{Channels, Message};
+use crate::log::mcap::channels::{Channels, Decoder, Message};
 use crate::log::mcap::discovery::{Column, Place};
 use crate::log::mcap::records::Records;
-use crate::log::mcap::value::{Scalar, Value};
+use crate::log::mcap::value::{Missing, Scalar, Value};
 
 /// A column that is read.
 #[derive(Clone)]
@@ -304,26 +304,49 @@ impl Rows {
             let decoder = channel.decoder.as_ref().map_err(|why| place(why))?;
             let value = decoder.decode(message.bytes).map_err(place)?;
             let own = first.own;
-            if own && number(position, &value, &message).is_none() {
-                // A message of another joint, from another sender.
-                return Ok(());
-            }
+            // Joints may be on one topic from several senders, and so may messages with other definitions.
+            let is_other = |missing: &Missing| match missing {
+                Missing::Joint => true,
+                Missing::Field => !matches!(decoder, Decoder::Json),
+                Missing::Other(_) => false,
+            };
+            let lacks = |column: &Column, missing: Missing| {
+                let has = match missing {
+                    Missing::Joint => "nothing of this joint".to_owned(),
+                    Missing::Field => "no such field".to_owned(),
+                    Missing::Other(what) => what,
+                };
+                no_number(column, &message, &format!("has {has}, and a number was expected"))
+            };
+            let is_row = match number(position, &value, &message) {
+                _ if !own => false,
+                Ok(_) => true,
+                Err(missing) if is_other(&missing) => false,
+                Err(missing) => return Err(lacks(position, missing)),
+            };
             for wanted in std::iter::once(first).chain(read) {
-                let found = number(&wanted.column, &value, &message);
-                let force = force.as_mut().filter(|force| force.at == wanted.at);
-                if let (Some(force), Some(found)) = (force, &found) {
-                    force.say(found, message.log_time);
-                }
-                match (&mut wanted.now, found) {
-                    (Some(now), Some(found)) => {
+                let mut force = force.as_mut().filter(|force| force.at == wanted.at);
+                match number(&wanted.column, &value, &message) {
+                    Err(missing) if !is_row && is_other(&missing) => {}
+                    _ if own && !is_row && force.is_none() => {}
+                    Err(missing) => return Err(lacks(&wanted.column, missing)),
+                    Ok(_) if own && !is_row => {
+                        let why = "has this force without the position of its row";
+                        return Err(no_number(&wanted.column, &message, why));
+                    }
+                    Ok(found) => {
+                        if let Some(force) = &mut force {
+                            force.say(&found, message.log_time);
+                        }
+                        let now = wanted.now.get_or_insert_default();
                         now.clear();
                         // Writing to a text cannot fail.
                         let _ = write!(now, "{found}");
                     }
-                    (now @ None, Some(found)) => *now = Some(found.to_string()),
-                    (now, None) if own => *now = Some(String::new()),
-                    (_, None) => {}
                 }
+            }
+            if own && !is_row {
+                return Ok(());
             }
             if wanted.iter().any(|wanted| !wanted.own) {
                 if message.log_time < *last {
@@ -364,12 +387,19 @@ impl Rows {
     }
 }
 
+/// The error of a message in a column.
+fn no_number(column: &Column, message: &Message<'_>, why: &str) -> TraceError {
+    let (topic, time) = (shown(column.topic.as_bytes()), message.log_time);
+    let message = format!("the message on `{topic}` recorded at {time} ns {why}");
+    TraceError::new("mcap", message).column(&column.name)
+}
+
 /// What a message says in a column.
-fn number(column: &Column, value: &Value<'_>, message: &Message<'_>) -> Option<Scalar> {
+fn number(column: &Column, value: &Value<'_>, message: &Message<'_>) -> Result<Scalar, Missing> {
     match &column.place {
         Place::Within(path) => value.at(path),
-        Place::LogTime => Some(Scalar::Whole(message.log_time.into())),
-        Place::PublishTime => Some(Scalar::Whole(message.publish_time.into())),
+        Place::LogTime => Ok(Scalar::Whole(message.log_time.into())),
+        Place::PublishTime => Ok(Scalar::Whole(message.publish_time.into())),
     }
 }
 

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::fmt::{self, Write as _};
 
+use crate::log::error::shown;
 use crate::log::layout::MAX_COLUMNS;
 
 /// How many elements of a list can be columns.
@@ -97,26 +98,70 @@ fn names<'v>(fields: &'v [(Cow<'_, str>, Value<'_>)]) -> Option<Vec<&'v str>> {
     once.then_some(names)
 }
 
+/// Why a message has no number at the end of a path.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Missing {
+    /// It is about other joints than the one of the path, or about none.
+    Joint,
+    /// It has no such field.
+    Field,
+    /// What it has there instead, in words.
+    Other(String),
+}
+
+/// The element of a list that the list `name` beside it calls so.
+fn named<'v, 'a>(
+    fields: &[(Cow<'_, str>, Value<'_>)],
+    list: &'v [Value<'a>],
+    wanted: &str,
+) -> Result<&'v Value<'a>, Missing> {
+    let other = |what: &str| Missing::Other(format!("a list of {} there {what}", list.len()));
+    let names = names(fields).ok_or_else(|| other("whose elements have no names of their own"))?;
+    let at = names.iter().position(|name| *name == wanted);
+    match at.and_then(|at| list.get(at)) {
+        _ if list.len() != names.len() && (at.is_some() || !list.is_empty()) => {
+            Err(other(&format!("beside a list `name` of {}", names.len())))
+        }
+        Some(value) => Ok(value),
+        None if names.len() == MOST_ELEMENTS => Err(other(
+            "or more, of which only these are read, and none has this name",
+        )),
+        None => Err(Missing::Joint),
+    }
+}
+
 impl Value<'_> {
-    /// The number, or the time, at the end of a path; `None` where there is none.
-    pub(crate) fn at(&self, path: &[Step]) -> Option<Scalar> {
+    /// The number, or the time, at the end of a path.
+    pub(crate) fn at(&self, path: &[Step]) -> Result<Scalar, Missing> {
         match (self, path) {
-            (Value::Number(number), []) => Some(number.clone()),
-            (Value::Nanoseconds(n), []) => Some(Scalar::Whole(*n)),
-            (Value::List(list), [Step::Element(i), rest @ ..]) => list.get(*i)?.at(rest),
+            (Value::Number(number), []) => Ok(number.clone()),
+            (Value::Nanoseconds(n), []) => Ok(Scalar::Whole(*n)),
+            (Value::List(list), [Step::Element(i), rest @ ..]) => match list.get(*i) {
+                Some(value) => value.at(rest),
+                None => Err(Missing::Other(format!("{} there", self.words()))),
+            },
             (Value::Struct(fields), [Step::Field(field), rest @ ..]) => {
-                let (_, value) = fields.iter().find(|(name, _)| name == field)?;
-                let [Step::Named(wanted), rest @ ..] = rest else {
-                    return value.at(rest);
-                };
-                let Value::List(list) = value else {
-                    return None;
-                };
-                let names = names(fields)?;
-                let i = names.iter().position(|name| name == wanted)?;
-                list.get(i).filter(|_| list.len() == names.len())?.at(rest)
+                let value = fields.iter().find(|(name, _)| name == field);
+                let (_, value) = value.ok_or(Missing::Field)?;
+                match (rest, value) {
+                    ([Step::Named(wanted), rest @ ..], Value::List(list)) => {
+                        named(fields, list, wanted)?.at(rest)
+                    }
+                    _ => value.at(rest),
+                }
             }
-            _ => None,
+            _ => Err(Missing::Other(format!("{} there", self.words()))),
+        }
+    }
+
+    /// What it is, in words.
+    fn words(&self) -> String {
+        match self {
+            Value::Number(_) | Value::Nanoseconds(_) => "one number".to_owned(),
+            Value::Text(text) => format!("the text `{}`", shown(text.as_bytes())),
+            Value::List(list) => format!("a list of {}", list.len()),
+            Value::Struct(_) => "other fields".to_owned(),
+            Value::Nothing => "null".to_owned(),
         }
     }
 

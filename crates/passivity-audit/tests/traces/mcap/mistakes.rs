@@ -5,7 +5,7 @@ use std::io::Cursor;
 
 use mcap::{WriteOptions, Writer};
 use passivity_audit::{
-    Dialect, Options, Stretch, Verdict, audit, audit_csv, audit_files, audit_part,
+    Dialect, Options, Stretch, TraceError, Verdict, audit, audit_csv, audit_files, audit_part,
 };
 
 use super::write::{Form, Sent, file, put};
@@ -28,20 +28,134 @@ fn a_file_out_of_order_is_refused_where_it_matters() {
     assert_eq!(read(&path, columns, &scene()).unwrap().error(), None);
 }
 
+const JOINT: &str = "t=/joint_states.log_time, x=/joint_states.position.slide [m], f=/joint_states.effort.slide [N]";
+
+/// The error of the messages, of which the one that the fifth row is of has these bytes.
+fn error_of(form: Form, columns: &str, at: usize, bytes: Vec<u8>) -> TraceError {
+    let mut sent = sent(form);
+    sent[at].bytes = bytes;
+    let path = save(&file(WriteOptions::new(), form, &sent));
+    let found = read(&path, columns, &scene()).unwrap();
+    assert_eq!(found.verdict(), Verdict::Broken);
+    let error = found.error().unwrap().clone();
+    assert_eq!(
+        (error.row, found.totals().intervals),
+        (Some(5), 3),
+        "{error}"
+    );
+    error
+}
+
 #[test]
 fn what_is_missing_in_a_row_is_an_error_there() {
-    for (effort, why) in [(&[][..], "``"), (&[f64::NAN, 0.0][..], "NaN")] {
-        let mut sent = sent(Form::Cdr);
-        sent[9].bytes =
-            Form::Cdr.joints(START + 4_000_000, &["slide", "other"], &[0.0, 0.0], effort);
-        let path = save(&file(WriteOptions::new(), Form::Cdr, &sent));
-        let columns = "t=/joint_states.log_time, x=/joint_states.position.slide [m], f=/joint_states.effort.slide [N]";
-        let found = read(&path, columns, &scene()).unwrap();
-        let error = found.error().unwrap();
-        assert_eq!(error.row, Some(5));
-        assert_eq!(error.column.as_deref(), Some("/joint_states.effort.slide"));
-        assert!(error.message.contains(why), "{error}");
-        assert_eq!(found.totals().intervals, 3);
+    let names = &["slide", "other"][..];
+    let (no_position, no_effort) = ("/joint_states.position.slide", "/joint_states.effort.slide");
+    for (names, position, effort, column, why) in [
+        (
+            names,
+            &[0.0, 0.0][..],
+            &[][..],
+            no_effort,
+            "a list of 0 there beside a list `name` of 2",
+        ),
+        (names, &[0.0, 0.0], &[f64::NAN, 0.0], no_effort, "NaN"),
+        (
+            names,
+            &[],
+            &[0.05, 0.0],
+            no_position,
+            "a list of 0 there beside a list `name` of 2",
+        ),
+        (
+            names,
+            &[0.0],
+            &[0.05, 0.0],
+            no_position,
+            "a list of 1 there beside a list `name` of 2",
+        ),
+        (
+            &["slide", "slide"],
+            &[0.0, 0.0],
+            &[0.05, 0.0],
+            no_position,
+            "no names of their own",
+        ),
+        // Of a force without a name nobody knows the joint.
+        (
+            &[],
+            &[],
+            &[0.05],
+            no_effort,
+            "a list of 1 there beside a list `name` of 0",
+        ),
+        (
+            &["other"],
+            &[0.0, 0.0],
+            &[0.05],
+            no_position,
+            "beside a list `name` of 1",
+        ),
+    ] {
+        for form in [Form::Cdr, Form::Ros1] {
+            let bytes = form.joints(START + 4_000_000, names, position, effort);
+            let error = error_of(form, JOINT, 9, bytes);
+            assert_eq!(error.column.as_deref(), Some(column), "{error}");
+            assert!(error.message.contains(why), "{error}");
+        }
+    }
+    // A force that another joint has, whose position is not in the message.
+    let columns = JOINT.replace("effort.slide", "effort.other");
+    let bytes = Form::Cdr.joints(START + 4_000_000, &["other"], &[0.0], &[0.05]);
+    let error = error_of(Form::Cdr, &columns, 9, bytes);
+    assert!(error.message.contains("without the position"), "{error}");
+}
+
+#[test]
+fn a_message_in_json_without_its_number_is_an_error() {
+    let (x, f) = ("/joint_states.position.slide", "/wrench.wrench.force.x");
+    let joints =
+        |fields: &str| format!("{{\"header\":{{\"stamp\":{{\"sec\":1,\"nsec\":5}}}}{fields}}}");
+    let wrench = |fields: &str| format!("{{\"wrench\":{fields}}}");
+    for (at, bytes, column, why) in [
+        (
+            9,
+            joints(r#","name":["slide"],"position":[null]"#),
+            x,
+            "has null there",
+        ),
+        (
+            9,
+            joints(r#","name":["slide"],"position":["NaN"]"#),
+            x,
+            "the text `NaN`",
+        ),
+        (
+            9,
+            joints(r#","name":["slide"],"position":null"#),
+            x,
+            "has null there",
+        ),
+        (9, joints(r#","name":["slide"]"#), x, "no such field"),
+        (
+            9,
+            joints(r#","position":[0.0]"#),
+            x,
+            "no names of their own",
+        ),
+        (9, "5".to_owned(), x, "one number there"),
+        (8, wrench(r#"{"force":{"x":null}}"#), f, "has null there"),
+        (8, wrench(r#"{"force":{"x":"0.2"}}"#), f, "the text `0.2`"),
+        (8, wrench(r#"{"force":{"y":0.0}}"#), f, "no such field"),
+        (8, wrench(r#"{"force":[]}"#), f, "a list of 0 there"),
+    ] {
+        let error = error_of(Form::Json, COLUMNS, at, bytes.into_bytes());
+        assert_eq!(error.column.as_deref(), Some(column), "{error}");
+        let topic = column.split('.').next().unwrap();
+        assert!(
+            error.message.contains(why)
+                && error.message.contains(&format!("on `{topic}` recorded at")),
+            "{error}"
+        );
     }
 }
 
