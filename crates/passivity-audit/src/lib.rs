@@ -38,8 +38,8 @@ pub use log::{
     Agreement, Audit, ByLaw, Certificate, Columns, Dialect, Drawn, Finding, Firsts, Fitted, Force,
     Form, Found, Judged, Least, MAX_SAMPLES, MAX_THREADS, Moved, Observer, Options, Partial, Point,
     Positions, Proposal, Report, Role, Running, Sampled, Sampling, Shown, Stretch, Supplied,
-    TraceError, Values, Verdict, audit, audit_arrays, audit_columns, audit_csv, audit_files,
-    audit_part, legible, merge_parts, samples,
+    TraceError, UnendedRow, Values, Verdict, audit, audit_arrays, audit_columns, audit_csv,
+    audit_files, audit_part, legible, merge_parts, samples,
 };
 pub use number::Number;
 pub use reading::{Reading, Scaled};

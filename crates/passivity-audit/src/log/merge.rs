@@ -2,26 +2,21 @@
 
 use std::io::Write;
 
-use passivity_scene::Scene;
-
-use crate::json::NumberedRow;
 use crate::ledger::Logged;
 use crate::log::account::Account;
 use crate::log::chunk::Chunk;
 use crate::log::comparison::Comparison;
-use crate::log::computed::{Accounted, Computed};
+use crate::log::computed::Computed;
 use crate::log::error::TraceError;
+use crate::log::found::{Findings, ROWS_IN_REPORT};
 use crate::log::held::Held;
-use crate::log::outcome::Audit;
+use crate::log::report::UnendedRow;
 use crate::log::step::{between, check_jump, duration, undefined};
 use crate::log::task::Task;
 use crate::log::velocity::Velocities;
-use crate::log::wraps::{Wrapped, Wraps};
+use crate::log::wraps::Wraps;
 use crate::number::Number;
 use crate::reading::Reading;
-
-/// The most intervals whose rows a report carries itself.
-pub(crate) const ROWS_IN_REPORT: usize = 1000;
 
 /// The most points that a plot is made of.
 const MAX_POINTS: usize = 8192;
@@ -60,28 +55,11 @@ pub(crate) struct Merge<'a, 'w> {
     head: Vec<Logged>,
     error: Option<TraceError>,
     unended: bool,
+    /// The last rows of files before this one that lack their line break.
+    unended_rows: Vec<UnendedRow>,
     /// Which file is being read, and how many samples came before it.
     file: usize,
     before_file: u64,
-}
-
-/// All that an audit found.
-pub(crate) struct Findings {
-    pub(crate) account: Account,
-    pub(crate) samples: u64,
-    pub(crate) first: Option<Reading>,
-    /// From the first sample's time to the last one's, in sampling periods.
-    pub(crate) duration: Option<Number>,
-    pub(crate) comparison: Option<Comparison>,
-    pub(crate) velocities: Option<Velocities>,
-    pub(crate) wrapped: Wrapped,
-    pub(crate) held: Held,
-    pub(crate) head: Vec<Logged>,
-    pub(crate) error: Option<TraceError>,
-    pub(crate) unended: bool,
-    /// The last file, where there are several, and how many samples came before it.
-    pub(crate) file: Option<String>,
-    pub(crate) before_file: u64,
 }
 
 impl<'a, 'w> Merge<'a, 'w> {
@@ -113,6 +91,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             head: Vec::new(),
             error: None,
             unended: false,
+            unended_rows: Vec::new(),
             file: 0,
             before_file: 0,
         })
@@ -171,7 +150,14 @@ impl<'a, 'w> Merge<'a, 'w> {
         chunk: &Chunk,
         (account, inside): (Account, Option<Comparison>),
     ) -> Result<bool, TraceError> {
-        if chunk.file != self.file {
+        let whole = chunk.samples.len();
+        // A file without rows is none.
+        let has_any = whole > 0 || chunk.error.is_some();
+        if has_any && chunk.file != self.file {
+            if std::mem::take(&mut self.unended) {
+                let (file, row) = (self.file_name(), self.samples - self.before_file);
+                self.unended_rows.push(UnendedRow { file, row });
+            }
             self.file = chunk.file;
             self.before_file = self.samples;
         }
@@ -179,7 +165,6 @@ impl<'a, 'w> Merge<'a, 'w> {
             self.began = chunk.times.get(0);
         }
         let lead = self.task.lead();
-        let whole = chunk.samples.len();
         // Intervals that end at the first samples of the chunk reach back beyond it.
         for i in 0..whole.min(lead + 1) {
             if let Err(error) = self.single(chunk, i) {
@@ -205,7 +190,9 @@ impl<'a, 'w> Merge<'a, 'w> {
         if whole > 0 {
             self.closing.clone_from(&chunk.closing);
         }
-        self.unended = chunk.unended;
+        if has_any {
+            self.unended = chunk.unended;
+        }
         let before = self.samples;
         self.samples += whole as u64;
         self.flush()?;
@@ -219,8 +206,13 @@ impl<'a, 'w> Merge<'a, 'w> {
 
     /// The error at a row of the log, counted from 1, as the row of its file.
     fn placed(&self, mut error: TraceError, row: u64) -> TraceError {
-        error.file = self.task.files.get(self.file).cloned();
+        error.file = self.file_name();
         error.row(row - self.before_file)
+    }
+
+    /// The file that is being read, where there are several.
+    fn file_name(&self) -> Option<String> {
+        self.task.files.get(self.file).cloned()
     }
 
     /// The interval that ends at sample `i` of a chunk.
@@ -367,7 +359,7 @@ impl<'a, 'w> Merge<'a, 'w> {
         let duration = times.and_then(|(from, to)| self.task.layout.duration(from, to));
         Findings {
             duration,
-            file: self.task.files.get(self.file).cloned(),
+            file: self.file_name(),
             before_file: self.before_file,
             account: self.account,
             samples: self.samples,
@@ -382,58 +374,8 @@ impl<'a, 'w> Merge<'a, 'w> {
             head: self.head,
             error: self.error,
             unended: self.unended,
+            unended_rows: self.unended_rows,
         }
-    }
-}
-
-impl Findings {
-    /// The report, with the account of the wall's own law beside it.
-    pub(crate) fn audit(
-        mut self,
-        task: &Task<'_>,
-        scene: &Scene,
-        beside: Option<Self>,
-    ) -> Result<Audit, TraceError> {
-        let law = match (beside, task.by_law()) {
-            (Some(beside), Some(by_law)) => Some(beside.audit(&by_law, scene, None)?),
-            _ => None,
-        };
-        if self.error.is_none() && self.account.intervals == 0 {
-            let message = "a trace needs two samples at least: there is nothing to account for";
-            let mut error = TraceError::new("empty", message);
-            error.file.clone_from(&self.file);
-            self.error = Some(error.row(self.samples + 1 - self.before_file));
-        }
-        let rows = match self.account.intervals > ROWS_IN_REPORT as u64 {
-            true => None,
-            false => Some(self.exactly(task)?),
-        };
-        Audit::new(task, scene, self, (law, rows))
-    }
-
-    /// Accounts for a short log once more, in exact numbers, so that its sums are exact: its rows.
-    fn exactly(&mut self, task: &Task<'_>) -> Result<Vec<NumberedRow>, TraceError> {
-        let task = Task {
-            rows: None,
-            ..task.clone()
-        };
-        let mut account = Account::default();
-        let mut rows = Vec::with_capacity(self.head.len());
-        for (h, interval) in (0..).zip(&self.head) {
-            let computed = Computed::exactly(&task, interval)?;
-            computed.account(&task, interval, &mut account)?;
-            let row = match computed.row {
-                Accounted::Exact(row) => row,
-                _ => task.ledger.row(interval).ok_or_else(undefined)?,
-            };
-            rows.push(NumberedRow { h, row });
-        }
-        let found = &mut self.account;
-        account.last = found.last.take();
-        account.points = std::mem::take(&mut found.points);
-        account.timing = std::mem::take(&mut found.timing);
-        self.account = account;
-        Ok(rows)
     }
 }
 

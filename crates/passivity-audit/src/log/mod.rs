@@ -16,6 +16,7 @@ mod digits;
 mod error;
 mod exact;
 mod findings;
+mod found;
 #[cfg(any(feature = "mcap", feature = "parquet"))]
 mod guarded;
 mod guess;
@@ -77,7 +78,7 @@ pub use partial::{Partial, audit_part, merge_parts};
 pub use piece::Stretch;
 pub use report::{
     Agreement, ByLaw, Drawn, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
-    Running, Sampling, Shown, Supplied, Verdict,
+    Running, Sampling, Shown, Supplied, UnendedRow, Verdict,
 };
 pub use samples::{MAX_SAMPLES, Sampled, samples};
 pub use source::Dialect;
@@ -92,8 +93,9 @@ use crate::ledger::Ledger;
 use crate::log::account::Account;
 use crate::log::chunk::Chunk;
 use crate::log::comparison::Comparison;
+use crate::log::found::Findings;
 use crate::log::layout::Layout;
-use crate::log::merge::{Findings, Merge};
+use crate::log::merge::Merge;
 use crate::log::source::{Source, Work};
 use crate::log::task::Task;
 use crate::log::worker::Worker;

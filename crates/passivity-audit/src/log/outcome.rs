@@ -10,11 +10,11 @@ use crate::log::certificate::Certificate;
 use crate::log::comparison::Comparison;
 use crate::log::error::TraceError;
 use crate::log::findings::{Finding, of_clock, of_force, of_velocity};
+use crate::log::found::Findings;
 use crate::log::layout::Form;
-use crate::log::merge::Findings;
 use crate::log::report::{
     Agreement, ByLaw, Drawn, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
-    Running, Sampling, Shown, Supplied, Verdict,
+    Running, Sampling, Shown, Supplied, UnendedRow, Verdict,
 };
 use crate::log::running::RunningSum;
 use crate::log::step::undefined;
@@ -126,6 +126,12 @@ impl Audit {
             (None, Judged::Interval) => of_intervals(&totals),
             (None, Judged::Running) => of_supply(&lowest),
         };
+        let mut unended_rows = findings.unended_rows;
+        if findings.unended {
+            let row = findings.samples - findings.before_file;
+            let file = findings.file;
+            unended_rows.push(UnendedRow { file, row });
+        }
         let report = Report {
             scene: scene.name.clone(),
             positions: task.layout.form,
@@ -177,6 +183,7 @@ impl Audit {
             not_read: task.layout.not_read(),
             rows,
             last_row_unended: findings.unended,
+            unended_rows,
             error: findings.error,
             totals,
         };

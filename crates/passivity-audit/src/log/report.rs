@@ -109,8 +109,21 @@ pub struct Report {
     pub rows: Option<Vec<NumberedRow>>,
     /// Whether the last row lacks its line break.
     pub last_row_unended: bool,
+    /// The last rows of files that lack their line break, with that of the log.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unended_rows: Vec<UnendedRow>,
     /// What is wrong with the trace; the account is that of what came before.
     pub error: Option<TraceError>,
+}
+
+/// The last row of a file, without a line break: it may be incomplete.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct UnendedRow {
+    /// The file, where the log is of several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// The row of the file, from 1.
+    pub row: u64,
 }
 
 /// How low energies ran, in KΔ².

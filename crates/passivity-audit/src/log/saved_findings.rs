@@ -9,8 +9,8 @@ use crate::ledger::Ledger;
 use crate::log::comparison::Comparison;
 use crate::log::error::TraceError;
 use crate::log::exact::ExactSum;
+use crate::log::found::{Findings, ROWS_IN_REPORT};
 use crate::log::held::Held;
-use crate::log::merge::{Findings, ROWS_IN_REPORT};
 use crate::log::saved::{SavedAccount, SavedInterval, SavedReading, counted, wrong};
 use crate::log::velocity::Velocities;
 use crate::log::wraps::Wrapped;
@@ -201,33 +201,10 @@ impl SavedFindings {
             head: head.collect::<Result<_, _>>()?,
             error: self.error.as_ref().map(SavedError::value).transpose()?,
             unended: self.unended,
+            // A piece is of one file.
+            unended_rows: Vec::new(),
             file: None,
             before_file: 0,
         })
-    }
-}
-
-impl Findings {
-    /// Goes on with what was found in the stretch that follows.
-    pub(crate) fn append(&mut self, next: Self) {
-        let before = self.samples;
-        if self.account.intervals + next.account.intervals <= ROWS_IN_REPORT as u64 {
-            self.head.extend(next.head);
-        }
-        self.account.append(next.account);
-        self.samples += next.samples;
-        self.first = self.first.take().or(next.first);
-        if let (Some(own), Some(next)) = (&mut self.comparison, &next.comparison) {
-            own.append(next);
-        }
-        if let (Some(own), Some(next)) = (&mut self.velocities, &next.velocities) {
-            own.append(next);
-        }
-        self.wrapped.append(before, &next.wrapped);
-        self.error = next.error.map(|error| TraceError {
-            row: error.row.map(|row| before + row),
-            ..error
-        });
-        self.unended |= next.unended;
     }
 }

@@ -6,9 +6,10 @@ use passivity_core::{BigRational, Effect};
 use passivity_scene::display::approx;
 
 use crate::figure::Figure;
+use crate::log::error::legible;
 use crate::log::findings::{ROUGH, off_one, samples};
 use crate::log::layout::Form;
-use crate::log::report::{Agreement, ByLaw, Fitted, Force, Judged, Report, Verdict};
+use crate::log::report::{Agreement, ByLaw, Fitted, Force, Judged, Report, UnendedRow, Verdict};
 
 /// A report that grows line by line.
 struct Lines(String);
@@ -50,9 +51,17 @@ impl Report {
         if !self.nominal.is_empty() {
             out.put("at nominal value", &self.nominal.join(", "));
         }
-        if self.last_row_unended {
-            let row = self.samples;
-            let text = format!("row {row} has no line break and may be incomplete");
+        if !self.unended_rows.is_empty() {
+            let named = |it: &UnendedRow| match &it.file {
+                Some(file) => format!("row {} of {}", it.row, legible(file)),
+                None => format!("row {}", it.row),
+            };
+            let rows: Vec<String> = self.unended_rows.iter().map(named).collect();
+            let has = if rows.len() == 1 { "has" } else { "have" };
+            let text = format!(
+                "{} {has} no line break and may be incomplete",
+                listed(&rows)
+            );
             out.put("last row", &text);
         }
         if let Some(error) = &self.error {

@@ -1,9 +1,10 @@
 //! Logs with mistakes in them: an error that says where, and what came before is accounted for.
 
-use passivity_audit::{Options, TraceError, Verdict, audit, audit_csv};
+use passivity_audit::{Options, TraceError, Verdict, audit, audit_csv, audit_files};
 use passivity_scene::Scene;
 
 use super::{audited, scene, three_fifths};
+use crate::scratch::Scratch;
 
 fn refusal(csv: &[u8], text: &str) -> TraceError {
     let input = Box::new(std::io::Cursor::new(csv.to_vec()));
@@ -131,5 +132,56 @@ fn what_a_broken_ledger_accounts_for_does_not_depend_on_where_a_block_ends() {
         let audit = audit_csv(text, &scene, options).unwrap();
         assert_eq!(audit.totals().intervals, 3, "{block}");
         assert_eq!(audit.error().and_then(|error| error.row), Some(4));
+    }
+}
+
+#[test]
+fn a_last_row_without_its_line_break_is_told_of_each_file() {
+    let text = |torn: bool| {
+        if torn {
+            "count\n0\n1\n2"
+        } else {
+            "count\n0\n1\n2\n"
+        }
+    };
+    for torn in [
+        [true, false, false],
+        [false, true, true],
+        [false; 3],
+        [true; 3],
+    ] {
+        let files = torn.map(|torn| Scratch::new("csv", text(torn).as_bytes()));
+        // One without rows, or with a mistake in its first, changes nothing of what came before.
+        for after in [None, Some("count\n"), Some("count\n?\n")] {
+            let breaks = after.is_some_and(|text| text.contains('?'));
+            let after = after.map(|text| Scratch::new("csv", text.as_bytes()));
+            let paths: Vec<_> = files
+                .iter()
+                .chain(&after)
+                .map(|file| file.to_path_buf())
+                .collect();
+            for block in [0, 4] {
+                let options = Options {
+                    block,
+                    ..Options::default()
+                };
+                let audit = audit_files(&paths, &three_fifths(), options).unwrap();
+                let named = torn.iter().zip(&paths).filter(|(torn, _)| **torn);
+                let rows: Vec<_> = named
+                    .map(|(_, path)| serde_json::json!({ "file": path.to_str(), "row": 3 }))
+                    .collect();
+                let (text, json) = (audit.to_text(), audit.to_json());
+                assert_eq!(json["last_row_unended"], torn[2] && !breaks);
+                let told = json.get("unended_rows").and_then(|rows| rows.as_array());
+                assert_eq!(told.cloned().unwrap_or_default(), rows);
+                let of_first = format!("row 3 of {}", paths[0].display());
+                assert_eq!(text.contains(&of_first), torn[0], "{text}");
+                assert_eq!(
+                    text.contains("may be incomplete"),
+                    !rows.is_empty(),
+                    "{text}"
+                );
+            }
+        }
     }
 }
