@@ -375,6 +375,49 @@ fn a_full_standard_error_is_no_panic() {
     }
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_takes_no_verdict_away_and_names_the_file() {
+    let dir = folder();
+    dir.write("long.csv", format!("count\n{}", "0\n1\n".repeat(20_000)));
+    dir.write("wild.csv", "count\n0\n9\n-9\n0\n");
+    dir.write("rows.csv", "earlier rows\n");
+    // Files of as many blocks of 512 bytes, as on a disk that is full then: in the midst of the rows, and at their end.
+    for (blocks, command, file) in [
+        (
+            200,
+            "long.csv --scene scene.toml --out rows.csv",
+            "rows.csv",
+        ),
+        (0, "log.csv --scene scene.toml --out rows.csv", "rows.csv"),
+        (0, "log.csv --scene scene.toml --plot rows.svg", "rows.svg"),
+        (
+            0,
+            "wild.csv --scene free.toml --certificate rows.json",
+            "rows.json",
+        ),
+    ] {
+        let before = files(&dir);
+        let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" audit {command}");
+        let run = Command::new("sh")
+            .args(["-c", &script, env!("CARGO_BIN_EXE_passivity")])
+            .current_dir(dir.path(""))
+            .output()
+            .unwrap();
+        let [out, err] = [run.stdout, run.stderr].map(|text| String::from_utf8(text).unwrap());
+        assert_eq!(run.status.code(), Some(2), "{command}: {err}");
+        assert!(
+            err.contains(file) && err.contains("File too large"),
+            "{command}: {err}"
+        );
+        assert!(
+            !err.contains(".csv: row") && out.contains("intervals  "),
+            "{command}: {out}"
+        );
+        assert!(files(&dir) == before, "{command}: the files are others");
+    }
+}
+
 #[test]
 fn a_picture_has_something_to_draw() {
     let dir = folder();

@@ -140,13 +140,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     if !args.merge.is_empty() {
         return reported(args, &merged(args, &scene)?);
     }
-    let mut rows = match &args.out {
-        Some(path) => {
-            let file = Output::create(path);
-            Some(file.map_err(|error| Failure::io(path.display(), &error))?)
-        }
-        None => None,
-    };
+    let mut rows = args.out.as_deref().map(Rows::create).transpose()?;
     let options = Options {
         rows: rows.as_mut().map(|rows| rows as &mut dyn Write),
         points: args.plot.is_some(),
@@ -155,18 +149,59 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let traces = traces(args);
     let report =
         audit_files(&args.traces, &scene, options).map_err(|error| refusal(&traces, &error))?;
-    if let (Some(rows), Some(path)) = (rows, &args.out) {
-        rows.keep()
-            .map_err(|error| Failure::io(path.display(), &error))?;
-    }
+    let kept = rows.map_or(Ok(()), Rows::keep);
     #[cfg(feature = "plot")]
-    if let Some(path) = &args.plot {
-        let course: Vec<Point> = report.points().iter().map(point).collect();
-        let title = format!("{traces} in {}", scene.name);
-        let picture = draw(&title, &course).map_err(Failure::input)?;
-        save(&picture, path).map_err(Failure::input)?;
+    let kept = kept.and(drawn(args, &scene, &report));
+    // What cannot be written takes no verdict away.
+    let exit = reported(args, &report)?;
+    kept.map(|()| exit)
+}
+
+/// The rows of the ledger on their way to a file. What cannot be written ends them, and not the audit.
+struct Rows<'a> {
+    path: &'a Path,
+    file: Output,
+    failed: std::io::Result<()>,
+}
+
+impl<'a> Rows<'a> {
+    fn create(path: &'a Path) -> Result<Self, Failure> {
+        let file = Output::create(path);
+        let file = file.map_err(|error| Failure::io(path.display(), &error))?;
+        let failed = Ok(());
+        Ok(Self { path, file, failed })
     }
-    reported(args, &report)
+
+    fn keep(self) -> Result<(), Failure> {
+        let kept = self.failed.and_then(|()| self.file.keep());
+        kept.map_err(|error| Failure::io(self.path.display(), &error))
+    }
+}
+
+impl Write for Rows<'_> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        if self.failed.is_ok() {
+            self.failed = self.file.write_all(bytes);
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        // The file is whole when it is kept.
+        Ok(())
+    }
+}
+
+/// Draws the course of the energy, where that is asked for.
+#[cfg(feature = "plot")]
+fn drawn(args: &Args, scene: &Scene, report: &Audit) -> Result<(), Failure> {
+    let Some(path) = &args.plot else {
+        return Ok(());
+    };
+    let course: Vec<Point> = report.points().iter().map(point).collect();
+    let title = format!("{} in {}", traces(args), scene.name);
+    let picture = draw(&title, &course).map_err(Failure::input)?;
+    save(&picture, path).map_err(Failure::input)
 }
 
 /// How the trace is read.
@@ -224,9 +259,10 @@ fn merged(args: &Args, scene: &Scene) -> Result<Audit, Failure> {
 /// Reports.
 fn reported(args: &Args, report: &Audit) -> Result<Exit, Failure> {
     let traces = traces(args);
-    if let Some(path) = &args.certificate {
-        certify(report, path)?;
-    }
+    let certified = match &args.certificate {
+        Some(path) => certify(report, path),
+        None => Ok(()),
+    };
     match args.format {
         Format::Text => emit(&report.to_text())?,
         Format::Json => emit_json(&report.to_json())?,
@@ -237,6 +273,7 @@ fn reported(args: &Args, report: &Audit) -> Result<Exit, Failure> {
             _ => format!("error: {error}"),
         });
     }
+    certified?;
     Ok(match report.verdict() {
         Verdict::Holds => Exit::Holds,
         Verdict::Fails | Verdict::Depends => Exit::Fails,
