@@ -237,7 +237,10 @@ fn unknown(span: Range<usize>, symbol: &str) -> UnitError {
     UnitError {
         unknown: true,
         span,
-        message: format!("unknown unit `{shown}`"),
+        message: match symbols::is_ambiguous(symbol) {
+            true => format!("`{shown}` may be degrees or gradians: write `deg` or `gon`"),
+            false => format!("unknown unit `{shown}`"),
+        },
         help: symbols::suggestion(symbol).map(|s| format!("did you mean {s}?")),
     }
 }

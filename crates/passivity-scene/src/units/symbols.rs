@@ -26,7 +26,7 @@ const ANGULAR_SPEED: Dimension = Dimension::new(0, 0, -1, 1);
 const FORCE: Dimension = Dimension::new(1, 1, -2, 0);
 const TORQUE: Dimension = Dimension::new(1, 2, -2, 0);
 
-const SYMBOLS: [Symbol; 34] = [
+const SYMBOLS: [Symbol; 35] = [
     si("g", 1, 1000, MASS),
     si("m", 1, 1, LENGTH),
     si("s", 1, 1, TIME),
@@ -41,6 +41,7 @@ const SYMBOLS: [Symbol; 34] = [
     plain("min", 60, 1, 0, TIME),
     si("deg", 1, 180, ANGLE).times_pi(),
     plain("°", 1, 180, 1, ANGLE),
+    plain("gon", 1, 200, 1, ANGLE),
     plain("arcmin", 1, 10_800, 1, ANGLE),
     plain("arcsec", 1, 648_000, 1, ANGLE),
     plain("rev", 2, 1, 1, ANGLE),
@@ -123,7 +124,8 @@ const PREFIXES: [(&str, i32); 18] = [
 ];
 
 /// The unit that a symbol stands for, prefix included: an exact name goes before a prefix, so that
-/// `min` is a minute.
+/// `min` is a minute. No device has times, ways and angles of millions of their units: what looks like one is another
+/// word, as the German `Grad` for degrees, or a unit in letters of another case, as `Ms` and `Mm`.
 pub(super) fn find(text: &str) -> Option<Unit> {
     if let Some(symbol) = SYMBOLS.iter().find(|symbol| symbol.name == text) {
         return Some(symbol.unit(0));
@@ -131,6 +133,10 @@ pub(super) fn find(text: &str) -> Option<Unit> {
     PREFIXES.iter().find_map(|(prefix, power)| {
         let rest = text.strip_prefix(prefix)?;
         let symbol = SYMBOLS.iter().find(|s| s.prefixed && s.name == rest)?;
+        let is_word = *power > 3 && [TIME, LENGTH, ANGLE].contains(&symbol.dimension);
+        if is_word {
+            return None;
+        }
         Some(symbol.unit(*power))
     })
 }
@@ -140,8 +146,16 @@ pub(super) fn is_compound(text: &str) -> bool {
     find(text).is_some_and(|unit| unit.dimension == TORQUE)
 }
 
+/// Whether a word is one of several units: degrees in German, gradians in other languages.
+pub(super) fn is_ambiguous(text: &str) -> bool {
+    text.eq_ignore_ascii_case("grad")
+}
+
 /// A unit that may have been meant: another case, a plural, or a product without its space.
 pub(super) fn suggestion(text: &str) -> Option<String> {
+    if is_ambiguous(text) {
+        return None;
+    }
     if let Some(singular) = text.strip_suffix('s').filter(|t| find(t).is_some()) {
         // `newtons` is a plural, `Nms` a product with seconds.
         let is_word = singular.len() > 4;
@@ -164,7 +178,7 @@ pub(super) fn suggestion(text: &str) -> Option<String> {
     for symbol in SYMBOLS.iter().filter(|symbol| symbol.prefixed) {
         for (prefix, _) in &PREFIXES {
             let candidate = format!("{prefix}{}", symbol.name);
-            if same_letters(&candidate) {
+            if same_letters(&candidate) && find(&candidate).is_some() {
                 return Some(format!("`{candidate}`"));
             }
         }

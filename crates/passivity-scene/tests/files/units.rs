@@ -58,6 +58,8 @@ fn every_spelling_has_its_exact_factor_and_dimension() {
         ("°", "1/180", 1, Dimension::new(0, 0, 0, 1)),
         ("rev", "2", 1, Dimension::new(0, 0, 0, 1)),
         ("turn", "2", 1, Dimension::new(0, 0, 0, 1)),
+        ("gon", "1/200", 1, Dimension::new(0, 0, 0, 1)),
+        ("MN/km", "1000", 0, Dimension::new(1, 0, -2, 0)),
         ("arcsec", "1/648000", 1, Dimension::new(0, 0, 0, 1)),
         ("rpm", "1/30", 1, Dimension::new(0, 0, -1, 1)),
         ("rev/min", "1/30", 1, Dimension::new(0, 0, -1, 1)),
@@ -77,6 +79,16 @@ fn what_is_no_unit_is_refused_with_its_place() {
     let cases = [
         ("", 0..0, "expected a unit here, found nothing"),
         ("N foo", 2..5, "unknown unit `foo`"),
+        (
+            "N m/Grad",
+            4..8,
+            "`Grad` may be degrees or gradians: write `deg` or `gon`",
+        ),
+        (
+            "grad/s",
+            0..4,
+            "`grad` may be degrees or gradians: write `deg` or `gon`",
+        ),
         ("N m//s", 4..5, "expected a unit here, found `/`"),
         ("N m/", 4..4, "expected a unit here, found nothing"),
         ("N^", 1..2, "expected a whole number as the power"),
@@ -143,6 +155,19 @@ fn an_unknown_unit_comes_with_what_may_have_been_meant() {
         ("newtons", Some("did you mean `newton`?")),
         ("kgm", Some("did you mean `kg m`?")),
         ("furlong", None),
+        ("Grad", None),
+        // Millions of seconds, metres and radians are other units in letters of another case, or other words.
+        ("Ms", Some("did you mean `ms`?")),
+        ("Mm", Some("did you mean `mm`?")),
+        ("Mrad", Some("did you mean `mrad`?")),
+        ("MRad", Some("did you mean `mrad`?")),
+        ("Msec", Some("did you mean `msec`?")),
+        ("Min", Some("did you mean `min`?")),
+        ("Ts", None),
+        ("Gs", None),
+        ("Trad", None),
+        ("Pin", None),
+        ("Tick", None),
     ];
     for (text, help) in cases {
         let error = Unit::parse(text).expect_err(text);

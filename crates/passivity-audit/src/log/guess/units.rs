@@ -51,8 +51,8 @@ const SPELT: [(&str, &str); 23] = [
     ("pound", "lb"),
 ];
 
-/// Words for units that are not read.
-const UNKNOWN: [&str; 2] = ["mil", "thou"];
+/// Words for units that are not read, and for degrees or gradians.
+const UNKNOWN: [&str; 3] = ["mil", "thou", "grad"];
 
 /// The letters of a unit.
 fn letters(text: &str) -> String {
