@@ -3,76 +3,28 @@
 //! A guess is never acted upon. It goes by the words in a name, by the unit, and by the first rows: a
 //! clock runs forward, and where its name says no unit, it is the one in which it ticks about once a sampling period.
 
-use std::fmt;
-
 use passivity_scene::{Motion, Scene};
 
-use crate::log::columns::{Found, Role, same_unit, typed};
+use crate::log::columns::{Found, Role};
 use crate::log::error::shown;
 use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
 use crate::log::preview::Preview;
-use clock::{Parts, multiple, parts_of_time, unit_of_time, unit_of_word};
+use clock::{
+    Counter, Parts, counter, has_a_unit, multiple, parts_of_time, unit_of_time, unit_of_word,
+};
 pub(crate) use joints::others;
 use kind::Kind;
+pub use proposal::Proposal;
+pub(crate) use proposal::propose;
 pub(crate) use units::same_letters;
 use words::{COUNTED, HELD, NO_POSITION, NO_TIME, NOT_MEASURED, words};
 
 mod clock;
 mod joints;
 mod kind;
+mod proposal;
 mod units;
 mod words;
-
-/// The columns that a header seems to mean, as `passivity audit` takes them.
-#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
-pub struct Proposal {
-    /// For `--columns`.
-    pub columns: String,
-    /// For `--delimiter`, where it is not a comma.
-    pub delimiter: Option<char>,
-    /// Whether numbers are written with a comma.
-    pub decimal_comma: bool,
-    /// The units that the header does not give.
-    pub assumed: Vec<String>,
-    /// Columns that may be the position or the force as well, as those of other joints.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub others: Vec<String>,
-    /// How many columns are read.
-    #[serde(skip)]
-    pub(crate) said: usize,
-}
-
-impl fmt::Display for Proposal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "did you mean {}?", self.columns)?;
-        if !self.assumed.is_empty() {
-            let assumed = self.assumed.join(", ");
-            write!(
-                f,
-                " (units that the header does not give are assumed: {assumed})"
-            )?;
-        }
-        if !self.others.is_empty() {
-            const SHOWN: usize = 6;
-            let others: Vec<String> = self
-                .others
-                .iter()
-                .take(SHOWN)
-                .map(|it| format!("`{it}`"))
-                .collect();
-            let more = match self.others.len().saturating_sub(SHOWN) {
-                0 => String::new(),
-                more => format!(" and {more} more"),
-            };
-            write!(
-                f,
-                " (these may be meant as well: {}{more})",
-                others.join(", ")
-            )?;
-        }
-        Ok(())
-    }
-}
 
 /// Whether two roles are about the same.
 pub(crate) fn are_kin(a: Role, b: Role) -> bool {
@@ -83,6 +35,11 @@ impl Found {
     pub(crate) fn is_position(&self) -> bool {
         Kind::of(self.role) == Kind::Position
     }
+}
+
+/// Whether a column only counts sampling periods, or ticks of a clock.
+pub(crate) fn is_counter(headings: &[Heading], preview: &Preview, column: usize) -> bool {
+    counter(headings, preview, column).is_some()
 }
 
 /// From this score on a column is taken for what it looks like.
@@ -106,6 +63,11 @@ fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
     // A time may be called by its unit alone; one of one letter is more often something else.
     if let (Kind::Time, Some(word), Some(last)) = (kind, words.last(), named.last_mut()) {
         *last |= word.len() > 1 && unit_of_word(word).is_some();
+    }
+    // Everything on a topic of this name has the word; of the thing itself it is the last, but for a component.
+    let last = words.iter().rev().find(|word| word.len() > 1);
+    if kind == Kind::Force && last.is_some_and(|word| word == "wrench") {
+        named.push(true);
     }
     let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
     let mut score = 0;
@@ -152,6 +114,12 @@ fn held(
         }
         (None, Kind::Time) => match multiple(&heading.name) {
             Some(unit) => Err(format!("a number stands before its unit, `{unit}`")),
+            None if scene.motion != Motion::Dimensionless
+                && counter(headings, preview, column) == Some(Counter::Ticks)
+                && !has_a_unit(preview, column, scene) =>
+            {
+                Err("nothing says how long one of its ticks is".to_owned())
+            }
             None => Ok(0),
         },
         (None, Kind::Velocity) => Ok(0),
@@ -192,6 +160,11 @@ fn score(
     let heading = headings.get(column)?;
     let mut score = held(kind, headings, column, preview, scene).ok()?;
     score += called(kind, heading, scene.motion);
+    match counter(headings, preview, column).filter(|_| kind == Kind::Time) {
+        Some(Counter::Periods) => return Some(LIKELY),
+        Some(Counter::Ticks) => return Some(LIKELY + 1),
+        None => {}
+    }
     if kind == Kind::Time {
         score += match parts_of_time(headings, preview, column) {
             Parts::Two(_) | Parts::More => 4,
@@ -232,7 +205,10 @@ pub(crate) fn unreadable(
     scene: &Scene,
     said: &[Found],
 ) -> Vec<Unreadable> {
-    let is_open = |kind: &Kind| !said.iter().any(|found| Kind::of(found.role) == *kind);
+    // A counter stands in for no other clock.
+    let is_it = |found: &Found| found.is_position() || !is_counter(headings, preview, found.column);
+    let said_of = |kind| said.iter().filter(move |f| Kind::of(f.role) == kind);
+    let is_open = |kind: &Kind| !said_of(*kind).any(is_it);
     let of_kind = |kind: Kind| {
         let columns = (0..).zip(headings);
         let free = columns.filter(|(column, _)| !said.iter().any(|f| f.column == *column));
@@ -240,6 +216,9 @@ pub(crate) fn unreadable(
             let mut score = called(kind, heading, scene.motion);
             if kind == Kind::Force && has_force(heading) {
                 score += LIKELY;
+            }
+            if kind == Kind::Time && is_counter(headings, preview, column) {
+                score = LIKELY;
             }
             let why = held(kind, headings, column, preview, scene).err()?;
             let unreadable = Unreadable { column, why, kind };
@@ -291,10 +270,25 @@ pub(crate) fn unread(
             }
         }
     }
-    // Of equals what is not zero goes before what is, what is said together with the position before what is
-    // said elsewhere, what is of its joint before what is of another, what moves before what does not, and then the
-    // first column: the sort is stable.
-    let likely = |c: &Candidate| (c.score, !preview.is_zero(c.column));
+    // What only counts up goes behind another clock and another position. Of equals what is not zero goes before what
+    // is, what is said together with the position before what is said elsewhere, what is of its joint before what is of
+    // another, what moves before what does not, and then the first column: the sort is stable.
+    let counts_up = |c: &Candidate| is_counter(headings, preview, c.column);
+    let [has_clock, has_place] = [Kind::Time, Kind::Position].map(|kind| {
+        let mut of_kind = candidates.iter().filter(|c| c.kind == kind);
+        of_kind.any(|c| !counts_up(c))
+    });
+    let is_timed = has_clock || said.iter().any(|f| Kind::of(f.role) == Kind::Time);
+    // Alone with what is not known, as even as a clock is none but one.
+    let is_clock = |column| !is_timed && headings.len() > 1 && preview.is_even(column);
+    let likely = |c: &Candidate| {
+        let is_behind = match c.kind {
+            Kind::Time => has_clock && counts_up(c),
+            Kind::Position => (has_place || is_clock(c.column)) && counts_up(c),
+            Kind::Force | Kind::Velocity => false,
+        };
+        (!is_behind, c.score, !preview.is_zero(c.column))
+    };
     let best = |kind: Kind| {
         let of_kind = candidates.iter().filter(|c| c.kind == kind);
         let most = of_kind
@@ -320,10 +314,7 @@ pub(crate) fn unread(
         {
             continue;
         }
-        let read = |column| {
-            let heading = headings.get(column);
-            heading.map(|heading| role(kind, heading, column, preview, scene))
-        };
+        let read = |column| role(kind, headings, column, preview, scene);
         let parts = parts_of_time(headings, preview, column);
         if let (Kind::Time, Parts::Two([whole, beyond])) = (kind, parts) {
             // Neither part says alone when a sample was.
@@ -340,7 +331,14 @@ pub(crate) fn unread(
 }
 
 /// What exactly a column of a kind says.
-fn role(kind: Kind, heading: &Heading, column: usize, preview: &Preview, scene: &Scene) -> Found {
+fn role(
+    kind: Kind,
+    headings: &[Heading],
+    column: usize,
+    preview: &Preview,
+    scene: &Scene,
+) -> Option<Found> {
+    let heading = headings.get(column)?;
     let own = split(&heading.name).ok().and_then(|split| split.unit);
     let counts = kind == Kind::Position
         && scene.given.has_encoder()
@@ -354,7 +352,9 @@ fn role(kind: Kind, heading: &Heading, column: usize, preview: &Preview, scene: 
     let bare = scene.motion == Motion::Dimensionless;
     let role = match kind {
         _ if counts => Role::Count,
-        Kind::Time if bare => Role::Tau,
+        Kind::Time if bare || counter(headings, preview, column) == Some(Counter::Periods) => {
+            Role::Tau
+        }
         Kind::Time => Role::T,
         Kind::Position if bare => Role::Xi,
         Kind::Position => Role::X,
@@ -366,12 +366,12 @@ fn role(kind: Kind, heading: &Heading, column: usize, preview: &Preview, scene: 
         Some(unit) => units::respelt(kind, unit, scene.motion).map(str::to_owned),
         None => Some(unit_said(kind, heading, column, preview, scene)),
     };
-    Found {
+    Some(Found {
         role,
         column,
         unit,
         reversed: false,
-    }
+    })
 }
 
 /// What a column says, with the unit that its name should give.
@@ -409,38 +409,4 @@ fn unit_said(
         (_, Ok(Some(unit))) => unit,
         (kind, _) => kind.unit(scene.motion).to_owned(),
     }
-}
-
-/// The proposal to name these columns; `None` when there is no position among them, or when a name
-/// cannot be typed.
-pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal> {
-    let mut sorted: Vec<&Found> = found.iter().collect();
-    sorted.sort_by_key(|found| found.role);
-    if !sorted.iter().any(|found| found.is_position()) {
-        return None;
-    }
-    let mut columns = String::new();
-    let mut assumed = Vec::new();
-    let said = sorted.len();
-    for found in sorted {
-        let heading = headings.get(found.column)?;
-        let own = split(&heading.name).ok().and_then(|split| split.unit);
-        let is_new = |unit: &&str| match &own {
-            Some(own) => own != unit && !same_unit(own, unit),
-            None => true,
-        };
-        let added = found.unit.as_deref().filter(is_new);
-        columns.push_str(&typed(found, heading, added, columns.is_empty())?);
-        if let Some(unit) = added.filter(|_| found.role != Role::Fine) {
-            assumed.push(format!("{} in {unit}", found.role.name()));
-        }
-    }
-    Some(Proposal {
-        said,
-        columns,
-        delimiter: None,
-        decimal_comma: false,
-        assumed,
-        others: Vec::new(),
-    })
 }

@@ -182,7 +182,7 @@ pub(crate) fn is_unit_of_force(text: &str) -> bool {
 
 /// Points and hyphens between units as spaces, and units spelt out as their symbols.
 fn as_scenes_write(text: &str) -> String {
-    const SPELT: [(&str, &str); 12] = [
+    const SPELT: [(&str, &str); 27] = [
         ("microsecond", "us"),
         ("micros", "us"),
         ("millisecond", "ms"),
@@ -195,6 +195,21 @@ fn as_scenes_write(text: &str) -> String {
         ("millimetre", "mm"),
         ("millimeter", "mm"),
         ("Newton", "N"),
+        ("с", "s"),
+        ("мс", "ms"),
+        ("мкс", "us"),
+        ("нс", "ns"),
+        ("м", "m"),
+        ("см", "cm"),
+        ("мм", "mm"),
+        ("мкм", "um"),
+        ("рад", "rad"),
+        ("мрад", "mrad"),
+        ("град", "deg"),
+        ("об", "rev"),
+        ("Н", "N"),
+        ("мН", "mN"),
+        ("Нм", "Nm"),
     ];
     let symbol = |word: &str| {
         let single = word.strip_suffix('s').filter(|rest| rest.len() > 3);
@@ -300,6 +315,16 @@ mod tests {
         same("degrees", "deg");
         same("radians/s", "rad/s");
         same("deg.s^-1", "deg/s");
+        for (cyrillic, latin) in [
+            ("с", "s"),
+            ("мс", "ms"),
+            ("Н·м", "N m"),
+            ("мН м", "mN m"),
+            ("рад/с", "rad/s"),
+            ("мм", "mm"),
+        ] {
+            same(cyrillic, latin);
+        }
         assert!(read_unit("parsec").is_err());
     }
 }

@@ -64,7 +64,10 @@ pub(crate) fn is_no_clock(
         .cloned()
         .collect();
     let unread = guess::unread(headings, preview, scene, &others);
-    let is_other = |f: &Found| matches!(f.role, Role::T | Role::Tau) && f.column != tau.column;
+    let is_other = |f: &Found| {
+        let is_clock = matches!(f.role, Role::T | Role::Tau) && f.column != tau.column;
+        is_clock && !guess::is_counter(headings, preview, f.column)
+    };
     let backward = scene.motion != Motion::Dimensionless && preview.runs_backward(tau.column);
     backward || unread.iter().any(is_other)
 }

@@ -85,6 +85,13 @@ impl Preview {
         values.iter().zip(values.iter().skip(1)).all(|(a, b)| a < b)
     }
 
+    /// Whether a column goes on by the same step from row to row, of two at least.
+    pub(crate) fn is_even(&self, column: usize) -> bool {
+        let values: Vec<f64> = self.column(column).flatten().collect();
+        let second = |three: &[f64]| matches!(three, [a, b, c] if b - a == c - b);
+        values.len() > 2 && values.windows(3).all(second)
+    }
+
     /// Whether a value is less than the one before it.
     pub(crate) fn runs_backward(&self, column: usize) -> bool {
         let values: Vec<f64> = self.column(column).flatten().collect();

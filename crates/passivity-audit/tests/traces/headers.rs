@@ -1,6 +1,7 @@
 //! What a log is taken to be by its header and its first rows, and what is proposed where that is not understood.
 
 mod clocks;
+mod counters;
 mod forces;
 mod joints;
 mod quotes;
@@ -88,6 +89,20 @@ fn forces_of_other_names_are_not_passed_over() {
         "forceout",
         "Motorkraft",
         "Stellkraft",
+        "forza",
+        "fuerza",
+        "kracht",
+        "тяга",
+        "сила",
+        "Момент_двигателя",
+        "トルク",
+        "モータトルク",
+        "力矩",
+        "电机扭矩",
+        "力",
+        "wrench",
+        "wrench_x",
+        "thrust",
     ] {
         let log = format!("t [s],x [mm],{name}\n0,0,0\n0.001,0,0\n");
         assert_eq!(

@@ -2,9 +2,10 @@
 
 use passivity_scene::Scene;
 
+use super::kind::Kind;
 use super::units::is_multiple;
-use super::words::words;
-use crate::log::header::Heading;
+use super::words::{COUNTED, OF_PERIODS, OF_TICKS, words};
+use crate::log::header::{Heading, split};
 use crate::log::preview::Preview;
 
 /// Units of clocks, how many of each are in a second, and the words that say them.
@@ -64,18 +65,64 @@ pub(super) fn unit_of_time(name: &str, step: Option<f64>, scene: &Scene) -> &'st
 
 /// The unit in which a clock goes on by about a sampling period from row to row.
 fn nearest_unit(step: Option<f64>, scene: &Scene) -> &'static str {
+    nearest(step, scene).map_or("s", |(name, _)| name)
+}
+
+/// The same, and how many sampling periods it goes on by, where that is known.
+fn nearest(step: Option<f64>, scene: &Scene) -> Option<(&'static str, f64)> {
     let period = scene.given.map(|_, given| given.nominal.clone()).period;
-    let seconds = period
-        .to_rational()
-        .map(|x| passivity_scene::number::nearest_f64(&x));
-    let (Some(step), Some(period)) = (step, seconds) else {
-        return "s";
+    let period = passivity_scene::number::nearest_f64(&period.to_rational()?);
+    let step = step?;
+    let periods = UNITS.map(|(name, per_second, _)| (name, step / per_second / period));
+    let off = |periods: f64| periods.ln().abs();
+    let best = periods.into_iter();
+    best.min_by(|(_, a), (_, b)| off(*a).total_cmp(&off(*b)))
+}
+
+/// What a column without a unit counts, that rises from row to row and is called so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Counter {
+    Periods,
+    Ticks,
+}
+
+/// What a column counts where it seems to be a clock: the name of no time, nor that of a position.
+pub(super) fn counter(headings: &[Heading], preview: &Preview, column: usize) -> Option<Counter> {
+    let heading = headings.get(column)?;
+    let split = split(&heading.name).ok()?;
+    if split.unit.is_some() || heading.unit.is_some() || unit_said(&heading.name).is_some() {
+        return None;
+    }
+    let words = words(split.stem);
+    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
+    let is_other = |word: &String| {
+        let is_place = Kind::Position.words().contains(&word.as_str());
+        Kind::Time.is_named(word) || is_place && !COUNTED.contains(&word.as_str())
     };
-    let off = |per_second: f64| (step / per_second / period).ln().abs();
-    let best = UNITS
-        .iter()
-        .min_by(|(_, a, _), (_, b, _)| off(*a).total_cmp(&off(*b)));
-    best.map_or("s", |(name, ..)| name)
+    // `xTaskGetTickCount` is no `x`.
+    let is_asked = words.windows(2).any(|pair| pair == ["get", "tick"]);
+    let counter = match () {
+        () if is_asked => Counter::Ticks,
+        () if words.iter().any(is_other) => return None,
+        () if has(&OF_PERIODS) => Counter::Periods,
+        () if has(&OF_TICKS) => Counter::Ticks,
+        () => return None,
+    };
+    let goes_on = match counter {
+        Counter::Periods => preview.increases(column),
+        // One of a millisecond stands still in shorter periods.
+        Counter::Ticks => preview.moves(column) && !preview.runs_backward(column),
+    };
+    (preview.is_whole(column) && goes_on).then_some(counter)
+}
+
+/// Whether ticks of a clock are long enough to tell rows apart, and about a sampling period goes on from row to row in
+/// some unit.
+pub(super) fn has_a_unit(preview: &Preview, column: usize, scene: &Scene) -> bool {
+    const MOST: f64 = 1.5;
+    let near = nearest(preview.step(column), scene);
+    preview.increases(column)
+        && near.is_some_and(|(_, periods)| (1.0 / MOST..=MOST).contains(&periods))
 }
 
 /// What is larger than a second, and how many of each are in the next.

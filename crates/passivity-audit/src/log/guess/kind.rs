@@ -59,6 +59,15 @@ impl Kind {
                 "tus",
                 "tns",
                 "datum",
+                "temps",
+                "tempo",
+                "tiempo",
+                "hora",
+                "heure",
+                "tid",
+                "czas",
+                "čas",
+                "час",
             ],
             Self::Position => &[
                 "x",
@@ -96,6 +105,19 @@ impl Kind {
                 "fz",
                 "kraft",
                 "drehmoment",
+                "forza",
+                "fuerza",
+                "força",
+                "kracht",
+                "couple",
+                "coppia",
+                "koppel",
+                "siła",
+                "сила",
+                "усилие",
+                "тяга",
+                "力",
+                "힘",
             ],
             Self::Velocity => &[
                 "v",
@@ -126,11 +148,36 @@ impl Kind {
         };
         self.words().contains(&word)
             || match self {
-                Self::Time => has(&["time", "stamp", "zeit", "uhr"]),
+                Self::Time => has(&[
+                    "time",
+                    "stamp",
+                    "zeit",
+                    "uhr",
+                    "tijd",
+                    "время",
+                    "时间",
+                    "時間",
+                    "时刻",
+                    "時刻",
+                    "시간",
+                ]),
                 Self::Force => {
                     let behind = word.strip_prefix(['f', 't', 'm']);
-                    has(&["force", "torque", "kraft", "moment"])
-                        || behind.is_some_and(|rest| OF_FORCE.contains(&rest))
+                    has(&[
+                        "force",
+                        "torque",
+                        "kraft",
+                        "moment",
+                        "thrust",
+                        "момент",
+                        "トルク",
+                        "力矩",
+                        "扭矩",
+                        "转矩",
+                        "轉矩",
+                        "推力",
+                        "토크",
+                    ]) || behind.is_some_and(|rest| OF_FORCE.contains(&rest))
                 }
                 Self::Position | Self::Velocity => false,
             }

@@ -51,6 +51,10 @@ pub(super) const OF_FORCE: [&str; 9] = [
 /// What a count is called, as a word of a name or as a unit.
 pub(super) const COUNTED: [&str; 6] = ["count", "tick", "cnt", "lsb", "inc", "increment"];
 
+/// What counts sampling periods, and what counts ticks of a clock, whose length it does not say.
+pub(super) const OF_PERIODS: [&str; 5] = ["sample", "seq", "sequence", "iteration", "iter"];
+pub(super) const OF_TICKS: [&str; 4] = ["tick", "systick", "jiffie", "cyccnt"];
+
 /// The words of a name, in lower case and in the singular.
 pub(super) fn words(name: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
@@ -68,7 +72,9 @@ pub(super) fn words(name: &str) -> Vec<String> {
         before = c;
     }
     for word in &mut words {
-        if word.len() > 3 && word.ends_with('s') {
+        // Times in French and in Polish are no plurals.
+        let is_plural = word.ends_with('s') && !["temps", "czas"].contains(&word.as_str());
+        if word.len() > 3 && is_plural {
             word.pop();
         }
     }

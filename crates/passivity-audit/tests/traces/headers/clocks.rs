@@ -374,6 +374,15 @@ fn clocks_of_other_names_are_not_passed_over() {
         "utc",
         "Uhrzeit",
         "Datum",
+        "temps",
+        "tempo",
+        "tijd",
+        "czas",
+        "время",
+        "時間",
+        "时刻",
+        "时间",
+        "hora",
     ] {
         let log = counts(name, ["0", "0.004", "0.009"]);
         assert_eq!(proposed(&log, None), format!("t={name} [s], count=count"));

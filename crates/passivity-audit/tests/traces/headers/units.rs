@@ -94,9 +94,34 @@ fn nothing_is_proposed_for_units_that_are_not_read() {
         ("pos_0.1mm", "a number stands before its unit, `mm`"),
         ("position_mils", "`mil` is no unit of a position like `m`"),
         ("x [N] raw", "`N` is no unit of a position like `m`"),
+        ("pos_Grad", "`grad` is no unit of a position like `m`"),
+        (
+            "x [Grad]",
+            "`Grad` may be degrees or gradians: write `deg` or `gon`",
+        ),
+        (
+            "pos [Grad]",
+            "`Grad` may be degrees or gradians: write `deg` or `gon`",
+        ),
+        ("pos [Mmm]", "unknown unit `Mmm`"),
     ] {
         let error = refused(&format!("t [s],{name},f [N]\n{ROWS}"), None);
         assert_eq!(error.proposal, None, "{error}");
         assert!(error.to_string().contains(says), "{error}");
+    }
+}
+
+#[test]
+fn units_in_cyrillic_letters_are_read() {
+    let expected = audited(&format!("t [s],x [mm],f [N]\n{ROWS}"), None).unwrap();
+    let audit = audited(&format!("t [с],x [мм],f [Н]\n{ROWS}"), None).unwrap();
+    assert_eq!(audit.to_json(), expected.to_json());
+    for (name, columns) in [
+        ("время (мс)", "t=время (мс), x=x [mm]"),
+        ("время_мс", "t=время_мс, x=x [mm]"),
+        ("время, мс", "t=\"время, мс\", x=x [mm]"),
+    ] {
+        let log = format!("\"{name}\",x [mm]\n0,0\n1,1\n");
+        assert_eq!(proposed(&log, None), columns);
     }
 }
