@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use passivity_core::{BigRational, Effect};
-use passivity_scene::display::approx;
+use passivity_scene::display::{Rounding, approx, rounded};
 
 use crate::figure::Figure;
 use crate::log::error::legible;
@@ -99,7 +99,7 @@ impl Report {
             let drawn = supply.and_then(|supply| supply.drawn.as_ref());
             let lowest = drawn.and_then(|d| d.surely_drawn.as_ref().zip(d.surely_drawn_after));
             lowest.map_or_else(String::new, |(drawn, after)| {
-                let drawn = approx(drawn);
+                let drawn = least(drawn);
                 format!(", by {drawn} KΔ² after row {}", after + 1)
             })
         };
@@ -198,7 +198,7 @@ impl Report {
         if let Some(worst) = &self.worst
             && let Some(net) = worst.ledger.row.net_linear()
         {
-            let net = approx(net.lo());
+            let net = least(net.lo());
             out.put(
                 "worst interval",
                 &format!("row {}, where {net} KΔ² was left", worst.row),
@@ -208,8 +208,11 @@ impl Report {
 
     fn running(&self, out: &mut Lines) {
         if let Some(supply) = &self.running.supply {
-            let least = approx(&supply.least);
-            let text = format!("{least} KΔ² after row {}", supply.after + 1);
+            let text = format!(
+                "{} KΔ² after row {}",
+                least(&supply.least),
+                supply.after + 1
+            );
             out.put("least energy balance", &text);
         }
         let (energy, least) = (approx(&self.observer.energy), approx(&self.observer.least));
@@ -220,11 +223,11 @@ impl Report {
     fn sampling(&self, out: &mut Lines) {
         let Some(timing) = &self.timing else { return };
         let (late, missed) = (timing.late, timing.missed_samples);
-        let [shortest, longest] = [&timing.shortest, &timing.longest].map(approx);
+        let lengths = between(&timing.shortest, &timing.longest);
         out.put(
             "sampling",
             &format!(
-                "{shortest} … {longest} periods, {} late, {} missed",
+                "{lengths} periods, {} late, {} missed",
                 intervals(late),
                 number_of(missed, "sample")
             ),
@@ -262,10 +265,20 @@ fn first_row(h: Option<u64>) -> String {
     h.map_or_else(String::new, |h| format!(", the first at row {}", h + 1))
 }
 
+/// At the least, as people read it.
+fn least(x: &BigRational) -> String {
+    rounded(x, 5, Rounding::Down)
+}
+
+/// Between two numbers, which those that are shown enclose.
+fn between(lo: &BigRational, hi: &BigRational) -> String {
+    format!("{} … {}", least(lo), rounded(hi, 5, Rounding::Up))
+}
+
 fn shown(figure: &Figure<BigRational>) -> String {
     match figure {
         Figure::Exact(x) => approx(x),
-        Figure::Enclosed(range) => format!("{} … {}", approx(range.lo()), approx(range.hi())),
+        Figure::Enclosed(range) => between(range.lo(), range.hi()),
     }
 }
 

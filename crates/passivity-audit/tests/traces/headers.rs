@@ -302,3 +302,12 @@ fn comments_a_line_of_excel_and_units_of_their_own_stand_before_the_rows() {
         );
     }
 }
+
+#[test]
+fn a_column_called_count_is_no_angle_whatever_was_typed() {
+    let csv = "t [s],count\n0,0\n1e-3,1\n";
+    let typed = "t=t [s], x=angle [mm]";
+    assert_eq!(proposed(csv, Some(typed)), "t=t [s], count=count");
+    let csv = "t [s],pos\n0,0\n1e-3,1\n";
+    assert_eq!(proposed(csv, Some(typed)), "t=t [s], x=pos [mm]");
+}

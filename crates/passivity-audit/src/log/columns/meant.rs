@@ -5,6 +5,7 @@ use passivity_scene::Scene;
 use super::{Assignment, Columns, Found};
 use crate::log::guess;
 use crate::log::header::{Heading, split};
+use crate::log::names::by_name;
 use crate::log::preview::Preview;
 
 impl Columns {
@@ -36,15 +37,27 @@ impl Columns {
                 Some(_) => None,
                 None => assignment.most_alike(headings),
             };
+            let said = by_name(headings).unwrap_or_default();
+            let is_kin = |found: &&Found| guess::are_kin(found.role, assignment.role);
             let guessed = || {
                 let unread = guess::unread(headings, preview, scene, &meant);
-                let kin = unread
-                    .into_iter()
-                    .find(|f| guess::are_kin(f.role, assignment.role));
-                kin.map(|found| found.column)
+                let mut known = said
+                    .iter()
+                    .chain(&unread)
+                    .filter(|found| is_free(&found.column));
+                known.find(is_kin).map(|found| found.column)
             };
             let column = alike.filter(is_free).or_else(guessed)?;
-            meant.push(assignment.at(column));
+            // A column that is called `count` has no angles, whatever was typed of one that is not there.
+            let mut own = said
+                .iter()
+                .filter(is_kin)
+                .filter(|found| found.role != assignment.role);
+            let other = own.find(|own| own.column == column);
+            meant.push(match other {
+                Some(other) => other.clone(),
+                None => assignment.at(column),
+            });
         }
         Some(meant)
     }

@@ -202,3 +202,34 @@ fn the_laws_account_beside_another_is_that_of_itself() {
         }
     }
 }
+
+/// A clock that is a thousand times too fast makes friction a thousand times too much: what would hold is left open.
+#[test]
+fn a_clock_that_is_too_fast_leaves_open_what_would_hold() {
+    let said = |csv: &str| {
+        let audit = audited(csv.as_bytes(), &three_fifths(), 1, 0).0;
+        let kinds = audit.report().findings.iter().map(|finding| finding.kind);
+        let clock = kinds.filter(|kind| ["fast_clock", "oversampled"].contains(kind));
+        (audit.verdict(), clock.collect::<Vec<_>>())
+    };
+    let log = |step: &str, force: &str| {
+        let mut csv = format!("tau,xi{}\n", if force.is_empty() { "" } else { ",f" });
+        for i in 0..4 {
+            writeln!(csv, "{i}{step},{}{force}", i % 2).unwrap();
+        }
+        said(&csv)
+    };
+    for force in ["", ",1/8"] {
+        assert_eq!(log("", force), (Verdict::Holds, Vec::new()));
+        assert_eq!(log("e-3", force), (Verdict::Depends, vec!["fast_clock"]));
+    }
+    // Several rows of a sample: the law would command a force for each, and those in a log are what they are.
+    assert_eq!(log("e-1", ""), (Verdict::Depends, vec!["oversampled"]));
+    assert_eq!(log("e-1", ",1/8"), (Verdict::Holds, vec!["oversampled"]));
+    // A gap is no finding of this kind, and what fails, though friction takes 600, does so by any clock.
+    assert_eq!(
+        said("tau,xi\n0,0\n0.001,0\n1,1\n"),
+        (Verdict::Holds, Vec::new())
+    );
+    assert_eq!(said("tau,xi,f\n0,0,900\n0.001,1,0\n").0, Verdict::Fails);
+}
