@@ -23,8 +23,8 @@ use crate::typed::refusal;
 ///
 /// The trace is CSV with a header, as it is or compressed by gzip or zstd, Parquet, or MCAP, where a column is a
 /// number in the messages on a topic, such as `/joint_states.position.knee`. It has one of the columns `xi` (ticks), `x [unit]` or `count` (encoder counts), and perhaps `t [unit]` (or `tau`, in
-/// sampling periods), `v [unit]` and `f [unit]`, the force that was commanded at each sample and held
-/// until the next. Columns of other names are named by `--columns`; if a header is not understood, the
+/// sampling periods), `v [unit]` and `f [unit]`, the force that was held from each sample
+/// to the next. Columns of other names are named by `--columns`; if a header is not understood, the
 /// error shows the command that reads it. If the trace has forces, the account is that of
 /// these forces, and their differences from the wall's force law are reported beside it; `--law`
 /// selects the force of the law instead. The file that `simulate --out` writes is a trace as well, unless its
