@@ -6,9 +6,10 @@
 //! with `.rows` appended. A killed sweep leaves both; `open` with `resume` takes it up, drops a torn last
 //! line, and refuses rows that are not of this sweep. A sweep that was finished has no `.run` file any
 //! more. Whatever is taken up, some of its points are simulated again, and must be the same to the last bit.
+//! The process that writes has `.run` locked.
 //!
-//! Wherever a process is killed, rows stand beside a `.run` file only if they are of its sweep: a new
-//! sweep empties the file of rows before it says whose they are, and `.run` is written whole. Taking a sweep up leaves it as it is.
+//! Wherever a process is killed, rows stand beside a `.run` file that says something only if they are of its sweep: a
+//! new sweep empties the file of rows before it says whose they are. Taking a sweep up leaves it as it is.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -17,7 +18,6 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use passivity_scene::Point;
-use passivity_scene::files;
 
 use crate::error::SimError;
 use crate::sweep::csv;
@@ -26,6 +26,7 @@ use crate::sweep::disk::ROWS;
 use crate::sweep::disk::{RUN, failed, plain, with_suffix};
 use crate::sweep::form::{Form, Writer};
 use crate::sweep::grid::Grid;
+use crate::sweep::lock::Lock;
 use crate::sweep::manifest::{Manifest, forget};
 use crate::sweep::row::Row;
 use crate::sweep::shard::Shard;
@@ -42,6 +43,8 @@ pub struct Rows {
     journal: PathBuf,
     /// `None` when the sweep was finished before.
     file: Option<File>,
+    /// That no other process writes here; `None` when the sweep was finished before.
+    lock: Option<Lock>,
     buffer: String,
     written: usize,
     /// The points whose rows these are.
@@ -72,17 +75,25 @@ fn journal(path: &Path, form: Form) -> PathBuf {
     }
 }
 
-/// Refuses to replace the rows of a sweep that was left unfinished.
+/// Refuses to replace the rows of a sweep that was left unfinished, or that another process is at.
 pub(super) fn spare_unfinished(path: &Path, form: Form) -> Result<(), SimError> {
     let mark = marker(path);
-    match mark.exists() && journal(path, form).exists() {
-        true => Err(SimError::File(format!(
-            "`{}` is of a sweep that was not finished: take it up with --resume, or remove `{}`",
-            path.display(),
-            mark.display()
-        ))),
+    if !mark.exists() {
+        return Ok(());
+    }
+    let said = Lock::take(path, &mark)?.read()?;
+    match !said.is_empty() && journal(path, form).exists() {
+        true => Err(unfinished(path)),
         false => Ok(()),
     }
+}
+
+fn unfinished(path: &Path) -> SimError {
+    SimError::File(format!(
+        "`{}` is of a sweep that was not finished: take it up with --resume, or remove `{}`",
+        path.display(),
+        marker(path).display()
+    ))
 }
 
 /// Opens the file of a sweep: a new one, or with `resume` one that was left unfinished.
@@ -93,7 +104,7 @@ pub(super) fn spare_unfinished(path: &Path, form: Form) -> Result<(), SimError> 
 /// # Errors
 ///
 /// A file that cannot be read or written, one of another sweep, one with a row that is none; without
-/// `resume`, one that was left unfinished.
+/// `resume`, one that was left unfinished; one that another process is writing.
 pub fn open(
     path: &Path,
     scene: &Point,
@@ -136,24 +147,38 @@ fn open_as(
     for file in [path, &mark, &journal] {
         plain(file)?;
     }
-    let unfinished = mark.exists() && journal.exists();
-    if !resume {
-        spare_unfinished(path, form)?;
+    // A finished sweep is read alone, perhaps where nothing can be written.
+    let mut lock = match resume && path.exists() && !mark.exists() {
+        true => None,
+        false => Some(Lock::take(path, &mark)?),
+    };
+    let said = lock
+        .as_mut()
+        .map_or_else(|| Ok(String::new()), Lock::read)?;
+    let is_begun = is_only_begun(&journal, grid)?;
+    // A start that was killed may not have said all.
+    let is_unfinished = journal.exists()
+        && match is_begun {
+            true => said.ends_with('\n'),
+            false => !said.is_empty(),
+        };
+    if is_unfinished && !resume {
+        return Err(unfinished(path));
     }
     let mut rows = Rows {
         path: path.to_owned(),
         form,
         journal,
         file: None,
+        lock,
         buffer: String::new(),
         written: 0,
         range: shard.unwrap_or(Shard::WHOLE).range(grid.len()),
         manifest: shard.map(|shard| Manifest::new(scene, grid, shard)),
     };
-    if resume && unfinished {
-        return rows.take_up(&mark, scene, grid, shard, see);
+    if is_unfinished {
+        return rows.take_up(&said, scene, grid, shard, see);
     }
-    let is_begun = is_only_begun(&rows.journal, grid)?;
     if resume && !is_begun && path.exists() {
         let asked = Manifest::new(scene, grid, shard.unwrap_or(Shard::WHOLE));
         let done = rows
@@ -186,27 +211,31 @@ fn is_only_begun(journal: &Path, grid: &Grid) -> Result<bool, SimError> {
 impl Rows {
     /// Starts a new sweep: no rows first, then whose they will be.
     fn start(&mut self, mark: &Path, print: &str, grid: &Grid) -> Result<(), SimError> {
+        let mut lock = match self.lock.take() {
+            Some(lock) => lock,
+            None => Lock::take(&self.path, mark)?,
+        };
         let journal = &self.journal;
         forget(&self.path)?;
         let mut file = File::create(journal).map_err(|error| failed(journal, &error))?;
         let written = writeln!(file, "{}", csv::header(grid)).and_then(|()| file.sync_all());
         written.map_err(|error| failed(journal, &error))?;
-        files::write(mark, print).map_err(|error| failed(mark, &error))?;
+        lock.write(print)?;
         self.file = Some(file);
+        self.lock = Some(lock);
         Ok(())
     }
 
     /// Takes up a sweep that was left unfinished.
     fn take_up(
         mut self,
-        mark: &Path,
+        said: &str,
         scene: &Point,
         grid: &Grid,
         shard: Option<Shard>,
         see: &mut dyn FnMut(usize, &Row),
     ) -> Result<Opened, SimError> {
-        let saved = fs::read_to_string(mark).map_err(|error| failed(mark, &error))?;
-        is_taken_up(&self.path, &saved, scene, grid, shard)?;
+        is_taken_up(&self.path, said, scene, grid, shard)?;
         let journal = &self.journal;
         let mut taken = Taken::new(Form::Csv, journal, grid, &self.range, see);
         let length = csv::read(journal, grid, &mut |number, found| {
@@ -314,8 +343,7 @@ impl Rows {
         if self.journal != self.path {
             fs::remove_file(&self.journal).map_err(|error| failed(&self.journal, &error))?;
         }
-        let mark = marker(&self.path);
-        fs::remove_file(&mark).map_err(|error| failed(&mark, &error))
+        self.lock.map_or(Ok(()), Lock::remove)
     }
 }
 

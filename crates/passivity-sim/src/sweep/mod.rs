@@ -6,6 +6,7 @@ mod disk;
 mod file;
 mod form;
 mod grid;
+mod lock;
 mod manifest;
 mod merge;
 #[cfg(feature = "parquet")]

@@ -290,6 +290,47 @@ fn a_long_axis_costs_nothing() {
 }
 
 #[test]
+fn a_file_is_written_by_one_sweep_at_a_time() {
+    let folder = folder("two");
+    let (scene, grid) = (paper("1", "1", "1", 300), grid("1/2:1:4", "0:1:4", "1"));
+    for name in ["sweep.csv", "sweep.parquet"] {
+        let path = folder.join(name);
+        let mark = folder.join(format!("{name}.run"));
+        // Of a start that was killed before it said whose the rows are.
+        fs::write(&mark, "").unwrap();
+        let mut rows = open(&path, &scene, &grid, false, |_, _| {}).unwrap().rows;
+        let is_refused = || {
+            for resume in [false, true] {
+                let error = sweep(&path, &scene, &grid, resume, None).unwrap_err();
+                let error = error.to_string();
+                assert!(error.contains("another process is writing"), "{error}");
+            }
+        };
+        is_refused();
+        run(&scene, &grid, &[], |index, row| {
+            if index == 7 {
+                is_refused();
+            }
+            rows.add(&grid, index, &row)
+        })
+        .unwrap();
+        is_refused();
+        rows.finish(&grid).unwrap();
+        assert!(!mark.exists());
+        // Nothing is left of the lock, nor is it needed for what is finished.
+        assert_eq!(found(&path, &scene, &grid).unwrap().len(), grid.len());
+        fs::write(&mark, "").unwrap();
+        assert_eq!(found(&path, &scene, &grid).unwrap().len(), grid.len());
+        assert!(!mark.exists());
+        // A killed process gives it back.
+        sweep(&path, &scene, &grid, false, Some(5)).unwrap_err();
+        assert_eq!(found(&path, &scene, &grid).unwrap().len(), 5);
+        assert_eq!(sweep(&path, &scene, &grid, true, None).unwrap(), 11);
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
 fn rows_are_taken_up_by_their_own_sweep_only_wherever_a_start_was_killed() {
     let folder = folder("foreign");
     let (scene, grid) = (paper("1", "1", "1", 300), grid("1/2:1:4", "0:1:4", "1"));
