@@ -136,8 +136,8 @@ fn a_check_of_long_numbers_asks_for_more_work() {
     }
 }
 
-/// A controller of long fractions, or one that is slow to forget, asks for more work than others: the first took 20 s, the
-/// second 90 s, the third 27 s.
+/// A controller of long fractions, one that is slow to forget, or one that remembers many samples asks for more work than
+/// others: the first took 20 s, the second 90 s, the third 27 s, and the next four from 3 to 14 s.
 #[test]
 fn a_check_of_a_controller_asks_for_bounded_work() {
     let fractions = |n: u32, bits: u32| {
@@ -152,12 +152,27 @@ fn a_check_of_a_controller_asks_for_bounded_work() {
         let first = numbers.next().unwrap_or_default();
         numbers.fold(first, |list, number| list + "," + &number)
     };
+    let one = || r#""1""#.to_owned();
+    let after = |others: &str| format!(r#""1"{others}"#);
+    let zeros = |n: usize| r#","0""#.repeat(n);
     let start = std::time::Instant::now();
     for (numerator, denominator, is_refused) in [
         (fractions(64, 100), r#""1""#, true),
         (fractions(24, 200), r#""1""#, true),
-        (r#""1""#.to_owned(), r#""1", "-1.998", "0.998001""#, true),
+        (one(), r#""1", "-1.998", "0.998001""#, true),
+        (
+            vec![r#""1""#; 64].join(","),
+            &after(&",\"0.015\"".repeat(63)),
+            true,
+        ),
+        (one(), &after(&(zeros(39) + r#","0.5""#)), true),
+        (one(), &after(&(zeros(62) + r#","0.5""#)), true),
+        (one(), &after(&(zeros(62) + r#","0.01""#)), true),
         (fractions(8, 60), r#""1""#, false),
+        // Poles of 0.99, twelve samples that are remembered, and zeros that are no order.
+        (one(), r#""1", "-1.98", "0.9801""#, false),
+        (one(), &after(&",\"0.05\"".repeat(11)), false),
+        (one(), &after(&zeros(63)), false),
         (
             r#""1.5", "-0.5""#.to_owned(),
             r#""1", "-0.5", "0.05""#,

@@ -3,8 +3,6 @@
 //! The amount is counted before and while it is done, from the request alone, so that the same request is
 //! refused everywhere. A step is about what two machine words take to be multiplied and reduced.
 
-use std::collections::VecDeque;
-
 use num_traits::{One as _, ToPrimitive as _, Zero as _};
 use passivity_audit::number::{Number, Written};
 use passivity_audit::{Ledger, Reading};
@@ -144,7 +142,7 @@ pub(super) fn of_check(scene: &AnyScene) -> u64 {
 }
 
 /// The steps of a check with a digital controller, as measured: those of polynomials whose degree it makes with the delay, or
-/// of sums alone above the highest degree, and those of a response that is summed until it is forgotten.
+/// of sums alone above the highest degree, and those of a response that is summed until it is forgotten ([`forgetting`]).
 ///
 /// Reading a scene computes what its controller costs, so this is of the scene as it was sent. What is no controller of a
 /// scene takes no work: its reader refuses it.
@@ -176,42 +174,70 @@ pub(super) fn of_controller(scene: &Value) -> u64 {
         true => 2 * n * n * words.saturating_mul(n * n + words),
         false => 20 * n * words.saturating_mul(n + words),
     };
-    // Closed forms sum what a denominator of degree 0 or 1 makes.
-    let terms = if denominator.len() > 2 {
-        terms(&denominator)
-    } else {
-        0
-    };
-    steps + 500 * terms
+    steps.saturating_add(forgetting(&denominator, words))
 }
 
-/// How many terms the response of a stable denominator has until it is below 2⁻⁶⁴, about.
-fn terms(denominator: &[BigRational]) -> u64 {
-    const MOST: u64 = 1 << 16;
+/// The steps of what a response costs that never ends: some hundred times, as limits are sought, its terms are summed, and
+/// before it the matrix that takes one to the next is squared until it is small. Closed forms say what a denominator of
+/// degree 0 or 1 makes.
+fn forgetting(denominator: &[BigRational], words: u64) -> u64 {
+    /// The bits that the squares are computed to, one after the other, until they are enough.
+    const WIDTHS: [u64; 4] = [128, 512, 2048, 8192];
+    let order = denominator.iter().rposition(|d| !d.is_zero());
+    let order = order.unwrap_or_default();
     let ratios: Vec<f64> = match denominator.split_first() {
-        Some((leading, others)) if !leading.is_zero() => {
-            others.iter().map(|d| nearest_f64(&(d / leading))).collect()
+        Some((leading, others)) if !leading.is_zero() && order > 1 => {
+            let others = others.iter().take(order);
+            others.map(|d| nearest_f64(&(d / leading))).collect()
         }
         _ => return 0,
     };
-    let mut state = VecDeque::from(vec![0.0; ratios.len()]);
-    state.push_front(1.0);
-    for j in 0..MOST {
-        state.pop_back();
-        let next = ratios
+    let response = response(&ratios);
+    let whole = |n: usize| u64::try_from(n).unwrap_or(u64::MAX);
+    let terms = whole(response.len());
+    let sums = 250 * whole(order) * terms * (3 + words) / 4;
+    // The k-th power takes what was held by the ratios to the terms up to k, or on to the next place.
+    let held: f64 = ratios.iter().map(|d| d.abs()).sum();
+    let (mut bits, mut squares) = (1.0, 0);
+    for power in (0..24).map(|i| 1_usize << i) {
+        let last = response
             .iter()
-            .zip(&state)
-            .fold(0.0, |sum, (d, c)| sum - d * c);
-        state.push_front(next);
-        if state.iter().all(|c| c.abs() < 0.5_f64.powi(64)) {
-            return j;
+            .take(power + 1)
+            .skip((power + 1).saturating_sub(2 * order));
+        let on = if power < order { 1.0 } else { 0.0 };
+        let norm = held * last.map(|c| c.abs()).sum::<f64>() + on;
+        if norm <= 0.5 {
+            break;
+        }
+        bits += 1.0 + norm.log2().max(0.0);
+        squares += 1;
+    }
+    #[expect(clippy::cast_precision_loss, reason = "these are powers of two")]
+    let width = WIDTHS.into_iter().find(|width| *width as f64 >= bits);
+    let width = width.unwrap_or(8192) / 128;
+    let squaring = 20 * whole(order).pow(3) * squares * (1 + width * width / 16);
+    sums.saturating_add(squaring)
+}
+
+/// The terms of the response of a stable denominator until they are below 2⁻⁶⁴, about; none of one that is not stable,
+/// which its reader says.
+fn response(ratios: &[f64]) -> Vec<f64> {
+    const MOST: usize = 1 << 16;
+    let small = |terms: &[f64], below: f64| {
+        let mut state = terms.iter().rev().take(ratios.len());
+        state.all(|c| c.abs() < below)
+    };
+    let mut terms = vec![1.0];
+    while terms.len() < MOST {
+        let past = ratios.iter().zip(terms.iter().rev());
+        terms.push(past.fold(0.0, |sum, (d, c)| sum - d * c));
+        if small(&terms, 0.5_f64.powi(64)) {
+            return terms;
         }
     }
-    // What has grown is not stable, which its reader says.
-    if state.iter().all(|c| c.abs() < 0.1) {
-        MOST
-    } else {
-        0
+    match small(&terms, 0.1) {
+        true => terms,
+        false => Vec::new(),
     }
 }
 
