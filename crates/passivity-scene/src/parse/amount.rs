@@ -228,7 +228,9 @@ fn typed_one(form: Form, unit: &Exact) -> Exact {
     match form {
         Form::Value => unit.clone(),
         Form::Reciprocal => Exact::one().over(unit.clone()),
-        Form::Count | Form::Cutoff => Exact::one().over(two_pi * unit.clone()),
+        Form::Cutoff => Exact::one().over(two_pi * unit.clone()),
+        // A revolution over its counts.
+        Form::Count => two_pi,
     }
 }
 

@@ -396,6 +396,20 @@ mod tests {
     }
 
     #[test]
+    fn counts_are_the_same_whether_the_scene_gives_counts_or_a_resolution() {
+        let counts = scene();
+        let text = "[sampling]\nrate = \"2 kHz\"\n[encoder]\nresolution = \"0.1 deg\"\n[wall]\n\
+                    stiffness = \"2 N m/deg\"\n";
+        let resolution = Scene::from_toml("knob", text).unwrap();
+        let si = [&counts, &resolution].map(|scene| {
+            let axis = Axis::parse("counts_per_revolution", scene).unwrap();
+            axis.si(&axis.number("512").unwrap()).unwrap()
+        });
+        assert_eq!(si[0], si[1]);
+        assert_eq!(si[0], counts.given.resolution.unwrap().nominal);
+    }
+
+    #[test]
     fn what_is_no_axis_is_said() {
         let scene = scene();
         let error = |text| Axis::parse(text, &scene).unwrap_err().to_string();
