@@ -27,6 +27,7 @@ mod pieces;
 mod plane;
 mod recordings;
 mod schema;
+mod sides;
 mod simulate;
 mod sweep;
 mod sweep_files;

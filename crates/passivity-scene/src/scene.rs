@@ -35,6 +35,8 @@ pub struct Given {
     pub span: Range<usize>,
     /// How the text was taken, where a reader could have taken it otherwise.
     pub remark: Option<String>,
+    /// The parts at the device and at the motor, where the value is their sum.
+    pub parts: Option<Box<[Self; 2]>>,
 }
 
 /// A rigid transmission between the motor and the part that the hand holds.
@@ -58,13 +60,15 @@ impl Given {
             written: Written::si(""),
             span: 0..0,
             remark: None,
+            parts: None,
         }
     }
 
-    /// The sum with a value of the same parameter from another key: the inertia of the motor and that
-    /// of the device.
+    /// The sum of a value at the device and one at the motor: of the inertia.
     pub(crate) fn and(self, other: Self) -> Self {
+        let parts = Some(Box::new([self.clone(), other.clone()]));
         Self {
+            parts,
             value: Interval::hull(
                 self.value.lo().clone() + other.value.lo().clone(),
                 self.value.hi().clone() + other.value.hi().clone(),
@@ -73,6 +77,14 @@ impl Given {
             text: format!("{} and {} at the motor", self.text, other.text),
             remark: self.remark.or(other.remark),
             ..self
+        }
+    }
+
+    /// What of the value is given at the motor's side of a transmission, or at the device's.
+    pub(crate) fn part(&self, at_motor: bool) -> Option<&Self> {
+        match self.parts.as_deref() {
+            Some([device, motor]) => Some(if at_motor { motor } else { device }),
+            None => (self.written.is_at_motor() == at_motor).then_some(self),
         }
     }
 

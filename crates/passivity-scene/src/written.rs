@@ -64,6 +64,11 @@ impl Written {
         self.at_motor
     }
 
+    /// Whether the numbers of the file have a unit.
+    pub(crate) const fn has_unit(&self) -> bool {
+        !self.unit.is_empty()
+    }
+
     /// The same unit per second: of a speed, where this is one of a position at the device.
     pub(crate) fn per_second(&self) -> Option<Self> {
         let is_plain = self.form == Form::Value && !self.at_motor && !self.unit.contains('/');

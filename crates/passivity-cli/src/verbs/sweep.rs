@@ -58,7 +58,8 @@ pub(crate) struct Args {
     /// Speeds at the start, in ticks per sample; by default the scene's.
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     speed: Option<String>,
-    /// A parameter of the scene by its key, with a range and a unit; two or three of them, the first on x.
+    /// A parameter of the scene by its key, with a range and a unit; two or three of them, the first on x. Behind
+    /// a transmission it is at the side where the scene gives it, unless `at the motor` or `at the device` follows.
     #[arg(long, value_name = "KEY=RANGE UNIT", conflicts_with_all = ["beta", "sigma", "speed"])]
     vary: Vec<String>,
     /// The number of sampling intervals to simulate, in place of the scene's.

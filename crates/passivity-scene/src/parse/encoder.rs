@@ -146,6 +146,7 @@ pub(super) fn counts_per_revolution(
         written,
         span: entry.node.span.clone(),
         remark: None,
+        parts: None,
     })
 }
 

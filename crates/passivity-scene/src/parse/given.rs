@@ -2,7 +2,7 @@
 //! how a text was taken.
 
 use passivity_core::parameter::Hurts;
-use passivity_core::{BigRational, Exact, Interval, Ordered as _, Parameter, Scalar as _};
+use passivity_core::{BigRational, Exact, Interval, Ordered as _, Parameter};
 
 use crate::diagnostic::{Diagnostic, Kind};
 use crate::parse::amount::{Amount, Bound};
@@ -75,20 +75,14 @@ impl Reader<'_> {
             written,
             span: node.span.clone(),
             remark,
+            parts: None,
         })
     }
 
     /// What a quantity at the motor is multiplied with to have it at the device; `None`, and a
     /// diagnostic before, where no transmission says it.
     pub(super) fn factor(&self, parameter: Parameter) -> Option<Exact> {
-        let ratio = &self.transmission.as_ref()?.ratio;
-        let power = parameter.row().unit.transmission_power();
-        let size = (0..power.unsigned_abs()).fold(Exact::one(), |x, _| x * ratio.clone());
-        Some(if power < 0 {
-            Exact::one().over(size)
-        } else {
-            size
-        })
+        Some(self.transmission.as_ref()?.factor(parameter))
     }
 
     /// The amount with the open side of a bound closed, and how its text was taken; on a bound that

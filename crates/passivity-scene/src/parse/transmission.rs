@@ -221,6 +221,17 @@ pub(super) fn read_motor(
 }
 
 impl Transmission {
+    /// What a value of a parameter at the motor is multiplied with to have it at the device.
+    pub(crate) fn factor(&self, parameter: Parameter) -> Exact {
+        let power = parameter.row().unit.transmission_power();
+        let size = (0..power.unsigned_abs()).fold(Exact::one(), |x, _| x * self.ratio.clone());
+        if power < 0 {
+            Exact::one().over(size)
+        } else {
+            size
+        }
+    }
+
     /// What the transmission does to values at the motor.
     pub(crate) fn remark(&self) -> String {
         const BITS: u32 = 60;

@@ -142,7 +142,7 @@ impl Layout {
             if slot.is_some() {
                 return Err(place(format!("`{cell}` is there twice")));
             }
-            if !cell.contains('[') && !axis.unit().is_empty() {
+            if axis.lacks_unit(cell) {
                 let expected = axis.column();
                 return Err(place(format!(
                     "`{cell}` has no unit: expected one, as in `{expected}`"
@@ -203,7 +203,7 @@ impl Layout {
 
 /// A number of one axis on another of the same parameter.
 fn converted(from: &Axis, to: &Axis, number: &BigRational) -> Option<BigRational> {
-    if from == to {
+    if from.is_scaled_as(to) {
         return Some(number.clone());
     }
     let si = from.si(number)?.enclosure(crate::check::BITS)?;

@@ -13,4 +13,5 @@ mod number;
 mod planes;
 mod quantities;
 mod random_loops;
+mod sides;
 mod units;

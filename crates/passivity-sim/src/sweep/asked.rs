@@ -89,7 +89,7 @@ fn varied(text: &str, scene: &Scene) -> Result<(Axis, Range), SimError> {
         unit => format!("{key} [{unit}]"),
     };
     let axis = Axis::parse(&named, scene).map_err(|error| fail(error.to_string()))?;
-    if unit.is_empty() && !axis.unit().is_empty() {
+    if axis.lacks_unit(&named) {
         return Err(fail(format!(
             "expected a unit after the range, as in {range} {}",
             axis.unit()
@@ -97,4 +97,93 @@ fn varied(text: &str, scene: &Scene) -> Result<(Axis, Range), SimError> {
     }
     let range = Range::parse(range).map_err(|error| fail(error.to_string()))?;
     Ok((axis, range))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A paddle with friction and encoder at the motor, and inertia at both sides.
+    const TEXT: &str = "[device]\ninertia = \"1e-3 kg m^2\"\n[transmission]\nratio = \"15:1\"\n[motor]\n\
+                        inertia = \"2e-6 kg m^2\"\ncoulomb = \"0.0011 N m\"\n[sampling]\nrate = \"1 kHz\"\n\
+                        [encoder]\ncounts_per_revolution = 4000\nside = \"motor\"\n[wall]\n\
+                        stiffness = \"1 N m/rad\"\n[start]\nvelocity = \"1 rad/s\"\n";
+
+    #[test]
+    fn a_value_is_at_the_side_of_the_scene_unless_another_is_said() {
+        let scene = Scene::from_toml("paddle", TEXT).unwrap();
+        for (vary, column, from, to) in [
+            (
+                "coulomb=1,2 mN m",
+                "coulomb [mN m at the motor]",
+                "0.0011 N m",
+                "2 mN m",
+            ),
+            (
+                "coulomb=1,30 mN m at the device",
+                "coulomb [mN m at the device]",
+                "0.0011 N m",
+                "2 mN m",
+            ),
+            (
+                "counts_per_revolution=2000,500",
+                "counts_per_revolution [at the motor]",
+                "4000",
+                "500",
+            ),
+            (
+                "counts_per_revolution=2000,500 at the motor",
+                "counts_per_revolution [at the motor]",
+                "4000",
+                "500",
+            ),
+            (
+                "counts_per_revolution=2000,7500 at the device",
+                "counts_per_revolution [at the device]",
+                "4000",
+                "500",
+            ),
+            // What the other side adds to the inertia stays.
+            (
+                "inertia=1,2 g m^2",
+                "inertia [g m^2 at the device]",
+                "1e-3 kg m^2",
+                "2 g m^2",
+            ),
+            (
+                "motor.inertia=1,50 g cm^2",
+                "inertia [g cm^2 at the motor]",
+                "2e-6 kg m^2",
+                "50 g cm^2",
+            ),
+        ] {
+            let vary = [vary.to_owned(), "rate=1,2 kHz".to_owned()];
+            let asked = Asked {
+                vary: &vary,
+                ..Asked::default()
+            };
+            let grid = asked.grid(&scene, &scene.point()).unwrap();
+            assert_eq!(grid.columns(), [column, "rate [kHz]"]);
+            let typed = Scene::from_toml("paddle", &TEXT.replace(from, to)).unwrap();
+            // A turn has π in it, which a point has to many digits only.
+            let figures = |point: &Point| {
+                let near = |x: &_| format!("{:.12e}", crate::number::to_double(x));
+                let units = &point.units;
+                (
+                    point.at.map(|_, x| near(x)),
+                    near(&units.length),
+                    near(&units.period),
+                )
+            };
+            let point = grid.point(&scene.point(), 2);
+            assert_eq!(figures(&point), figures(&typed.point()), "{vary:?}");
+        }
+        let error = varied("coulomb=1,2 at the device", &scene).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .ends_with("expected a unit after the range, as in 1,2 N m at the device"),
+            "{error}"
+        );
+    }
 }

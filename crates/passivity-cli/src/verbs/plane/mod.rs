@@ -31,7 +31,10 @@ use crate::output::{Format, read_scene};
   passivity plane arm.toml --axes stiffness,damping --measured bench.csv --plot bench.svg
 
 A file of measured points is CSV with a header: a column for either axis, with its unit as in
-`stiffness [N/mm]`, and a column `stable` with the words stable and unstable.")]
+`stiffness [N/mm]`, and a column `stable` with the words stable and unstable.
+
+Behind a transmission friction and encoder are at the side where the scene gives them, unless the unit
+says `at the motor` or `at the device`, as in `coulomb [mN m at the motor]`.")]
 pub(crate) struct Args {
     /// Scene files.
     #[arg(required = true, value_name = "SCENE")]

@@ -122,7 +122,20 @@ fn axes(names: [&str; 2], scenes: &[Scene]) -> Result<[Axis; 2], Failure> {
                 .iter()
                 .any(|(given, _)| *given == parameter)
         };
-        axis(scenes.iter().find(gives).unwrap_or(first))
+        let scene = scenes.iter().find(gives).unwrap_or(first);
+        let shown = axis(scene)?;
+        let mut others = scenes.iter().filter(|other| !std::ptr::eq(*other, scene));
+        match others.find(|other| !shown.is_of(other)) {
+            Some(other) => Err(Failure::input(format!(
+                "--axes `{}` is not the same in `{}` and `{}`, of which a transmission or the side of it differs: \
+                 write it at the device, as in `{}`",
+                shown.column(),
+                scene.name,
+                other.name,
+                shown.at_device()
+            ))),
+            None => Ok(shown),
+        }
     };
     let [x, y] = names;
     Ok([parse(x)?, parse(y)?])
