@@ -4,7 +4,7 @@ use passivity_core::{BigRational, Parameter};
 use passivity_scene::{Motion, Scene, SceneError};
 use toml_edit::{DocumentMut, Item, Table, value};
 
-use crate::identified::{Identified, IdentifyError};
+use crate::identified::{Bounds, Identified, IdentifyError};
 use crate::report::{LogReport, above, below, nearest, unit};
 
 /// A wall for sketches that have none: no parameter of the device depends on it.
@@ -53,6 +53,28 @@ pub fn read_sketch(name: &str, text: &str) -> Result<Scene, SceneError> {
 }
 
 impl Identified {
+    /// The key under which a scene is given what was identified of a parameter: it is of the device, also where the
+    /// sketch gives the parameter at the motor.
+    #[must_use]
+    pub fn key(&self, parameter: Parameter) -> &'static str {
+        let row = parameter.row();
+        match (self.motion, row.dimensionless_key) {
+            (Motion::Dimensionless, Some(key)) => key,
+            (Motion::Linear, _) if parameter == Parameter::Inertia => "device.mass",
+            _ => row.key,
+        }
+    }
+
+    /// Bounds of a parameter, rounded outwards, as a scene is given them; in words where nothing bounds it above.
+    #[must_use]
+    pub fn range(&self, parameter: Parameter, bounds: &Bounds) -> String {
+        let (lo, unit) = (below(bounds.lo), unit(parameter, self.motion));
+        match bounds.hi {
+            Some(hi) => format!("{lo} … {}{unit}", above(hi)),
+            None => format!("at least {lo}{unit}; nothing bounds it above"),
+        }
+    }
+
     /// The sketch's text with what is known of the device, as ranges that surely hold it.
     ///
     /// # Errors
@@ -66,13 +88,7 @@ impl Identified {
         let refuse = |error: &dyn std::fmt::Display| IdentifyError::new(error.to_string());
         let mut document: DocumentMut = sketch.parse().map_err(|error| refuse(&error))?;
         for (parameter, bounds) in &self.parameters {
-            let Some(hi) = bounds.hi else { continue };
-            let text = format!(
-                "{} … {}{}",
-                below(bounds.lo),
-                above(hi),
-                unit(*parameter, self.motion)
-            );
+            let text = self.range(*parameter, bounds);
             self.put(&mut document, *parameter, &text)?;
         }
         self.note(&mut document, said);
@@ -90,11 +106,7 @@ impl Identified {
     ) -> Result<(), IdentifyError> {
         let row = parameter.row();
         let keys = [row.key].into_iter().chain(row.other_keys.iter().copied());
-        let key = match (self.motion, row.dimensionless_key) {
-            (Motion::Dimensionless, Some(key)) => key,
-            (Motion::Linear, _) if parameter == Parameter::Inertia => "device.mass",
-            _ => row.key,
-        };
+        let key = self.key(parameter);
         let (section, name) = key.split_once('.').unwrap_or(("device", key));
         for other in keys
             .chain(row.dimensionless_key)

@@ -135,6 +135,70 @@ fn friction_outside_of_what_was_identified_contradicts_the_case() {
     assert!(objections.contains("A-FRICTION is not met"), "{objections}");
 }
 
+/// What is given at the motor is compared, and what the scene is to be given is said, at the device.
+#[test]
+fn friction_at_the_motor_is_told_from_that_at_the_device() {
+    let dir = Dir::new();
+    let push = shipped("push.csv");
+    let evidence = ["--identification", push.as_str(), "--effort", "1"];
+    let knob = |device: &str, motor: &str| {
+        let text = KNOB
+            .replace("viscous = \"4e-5 N m s/rad ± 5%\"\n", device)
+            .replace("coulomb = \"1.5e-3 N m ± 5%\"\n", "")
+            .replace("5 rad/s", "2 rad/s");
+        dir.write(
+            "scene.toml",
+            format!("{text}[transmission]\nratio = \"10:1\"\n{motor}"),
+        )
+    };
+    let motor = |viscous: &str, coulomb: &str| {
+        let motor = format!("[motor]\nviscous = \"{viscous}\"\ncoulomb = \"{coulomb}\"\n");
+        let run = case(&dir, &knob("", &motor), &evidence);
+        scene(&run)["recorded"]["identification"].clone()
+    };
+    let found = motor("3e-7 N m s/rad", "0.1 mN m");
+    assert_eq!(found["evidence"]["outcome"], "contradicts");
+    let because = found["evidence"]["because"].as_str().expect("a reason");
+    for says in [
+        "viscous friction is 3e-7 N m s/rad at the motor (3e-5 N m s/rad at the device) in the scene",
+        "Coulomb friction is 0.1 mN m at the motor (0.001 N m at the device) in the scene",
+    ] {
+        assert!(because.contains(says), "{because}");
+    }
+    // The lines that the page shows are those of the device, and a scene with them agrees.
+    let html = read(&dir, "case/case.html").replace("<wbr>", "");
+    let mut lines = String::new();
+    for (compared, key) in found["compared"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(["viscous", "coulomb"])
+    {
+        assert_eq!(compared["parameter"], format!("device.{key}"));
+        let range = compared["identified"].as_str().expect("a range");
+        let line = format!(
+            "<code>device.{key} = &quot;{range}&quot;</code> in place of <code>motor.{key}</code>"
+        );
+        assert!(html.contains(&line), "{line}");
+        lines += &format!("{key} = \"{range}\"\n");
+    }
+    let run = case(&dir, &knob(&lines, ""), &evidence);
+    let pasted = scene(&run)["recorded"]["identification"].clone();
+    assert_eq!(pasted["evidence"]["outcome"], "supports", "{pasted}");
+    // At the motor these hold what was identified.
+    let found = motor("3.9e-7 … 4.1e-7 N m s/rad", "0.14 … 0.16 mN m");
+    assert_eq!(found["evidence"]["outcome"], "supports", "{found}");
+    let found = motor("3.9e-7 … 4.1e-7 N m s/rad", "0.14 … 0.15 mN m");
+    assert_eq!(found["evidence"]["outcome"], "open", "{found}");
+    let because = found["evidence"]["because"].as_str().expect("a reason");
+    for says in [
+        "0.14 … 0.15 mN m at the motor (0.0014 … 0.0015 N m at the device) in the scene",
+        "give the scene the identified range, as `device.coulomb`",
+    ] {
+        assert!(because.contains(says), "{because}");
+    }
+}
+
 #[test]
 fn a_verdict_that_part_of_the_identified_range_does_not_have_is_open() {
     let dir = Dir::new();

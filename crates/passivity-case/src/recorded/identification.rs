@@ -2,9 +2,9 @@
 
 use passivity_audit::{Dialect, Sampled};
 use passivity_core::{BigRational, Interval, Parameter, Scalar as _};
-use passivity_identify::{LogReport, Options, Provenance, Report, identify};
+use passivity_identify::{Bounds, Identified, LogReport, Options, Provenance, Report, identify};
 use passivity_scene::check::{Verdict, check, enclosure};
-use passivity_scene::display::{Rounding, rounded};
+use passivity_scene::display::range;
 use passivity_scene::{Given, Scene};
 use serde_json::{Value, json};
 
@@ -46,11 +46,13 @@ pub struct Over {
 pub struct Compared {
     /// The parameter.
     pub parameter: Parameter,
-    /// The key under which the scene file gives it, or would.
+    /// The key under which a scene is given what was identified, which is of the device.
     pub key: &'static str,
-    /// What the scene file says of it; `None` where it has no such friction.
-    pub text: Option<String>,
-    /// What the scene says of it, with its tolerance, in SI units.
+    /// Another key under which the scene has it, which the identified range takes the place of.
+    pub in_place_of: Option<&'static str>,
+    /// What the scene file says of it, and what that is at the device where it is said of the motor.
+    pub in_scene: String,
+    /// What the scene says of it, with its tolerance, at the device and in SI units.
     pub scene: Interval<BigRational>,
     /// The least that it can be.
     pub lo: BigRational,
@@ -58,8 +60,8 @@ pub struct Compared {
     pub hi: Option<BigRational>,
     /// The best estimate.
     pub best: Option<f64>,
-    /// The unit, after a space.
-    pub unit: &'static str,
+    /// The identified range, rounded outwards, as a scene takes it.
+    pub range: String,
 }
 
 impl Compared {
@@ -79,26 +81,16 @@ impl Compared {
         scene_is_inside || range_is_inside
     }
 
-    /// The identified range, rounded outwards, as a scene takes it.
+    /// The line of a scene that gives it the identified range.
     #[must_use]
-    pub fn range(&self) -> String {
-        let lo = rounded(&self.lo, 6, Rounding::Down);
-        match &self.hi {
-            Some(hi) => format!("{lo} … {}{}", rounded(hi, 6, Rounding::Up), self.unit),
-            None => format!("at least {lo}{}; nothing bounds it above", self.unit),
-        }
-    }
-
-    /// What the scene says, in words.
-    #[must_use]
-    pub fn in_scene(&self) -> String {
-        self.text.clone().unwrap_or_else(|| "none".to_owned())
+    pub fn line(&self) -> String {
+        format!("{} = \"{}\"", self.key, self.range)
     }
 
     fn of(
-        parameter: Parameter,
+        found: &Identified,
+        (parameter, known): (Parameter, &Bounds),
         given: Option<&Given>,
-        known: passivity_identify::Known,
         unit: &'static str,
     ) -> Result<Self, CaseError> {
         let undefined = || {
@@ -113,16 +105,28 @@ impl Compared {
             None => Interval::point(BigRational::zero()),
             Some(given) => enclosure(&given.value).ok_or_else(undefined)?,
         };
-        let row = parameter.row();
+        let key = found.key(parameter);
+        let in_scene = match given {
+            None => "none".to_owned(),
+            Some(given) if given.key.starts_with("motor.") => {
+                let at_device = range(&scene);
+                format!(
+                    "{} at the motor ({at_device}{unit} at the device)",
+                    given.text
+                )
+            }
+            Some(given) => given.text.clone(),
+        };
         Ok(Self {
             parameter,
-            key: given.map_or(row.key, |given| given.key),
-            text: given.map(|given| given.text.clone()),
+            key,
+            in_place_of: given.map(|given| given.key).filter(|own| *own != key),
+            in_scene,
             scene,
             lo: exact(known.lo)?,
             hi: known.hi.map(exact).transpose()?,
             best: known.best,
-            unit,
+            range: found.range(parameter, known),
         })
     }
 }
@@ -189,25 +193,15 @@ impl Identification {
         let report = Report::new(scene, &found, files.collect());
         let (viscous_unit, coulomb_unit) = Criterion::of(scene).units();
         let [own_viscous, own_coulomb] = [&scene.given.viscous, &scene.given.coulomb];
-        let pairs = [
-            (
-                Parameter::Viscous,
-                own_viscous,
-                report.parameters.viscous,
-                viscous_unit,
-            ),
-            (
-                Parameter::Coulomb,
-                own_coulomb,
-                report.parameters.coulomb,
-                coulomb_unit,
-            ),
-        ];
-        let compared = pairs
-            .into_iter()
-            .filter_map(|(parameter, own, known, unit)| {
-                Some(Compared::of(parameter, own.as_ref(), known?, unit))
-            });
+        let compared = found.parameters.iter().filter_map(|(parameter, known)| {
+            let (own, unit) = match parameter {
+                Parameter::Viscous => (own_viscous, viscous_unit),
+                Parameter::Coulomb => (own_coulomb, coulomb_unit),
+                _ => return None,
+            };
+            let known = (*parameter, known);
+            Some(Compared::of(&found, known, own.as_ref(), unit))
+        });
         Ok(Self {
             compared: compared.collect::<Result<_, _>>()?,
             sources,
@@ -240,8 +234,8 @@ impl Identification {
                 format!(
                     "{} is {} in the scene, and surely {} on the device",
                     compared.parameter.row().name,
-                    compared.in_scene(),
-                    compared.range()
+                    compared.in_scene,
+                    compared.range
                 )
             })
             .collect();
@@ -270,10 +264,11 @@ impl Identification {
         let beyond = self.compared.iter().find(|one| !one.is_within())?;
         Some(format!(
             "{} is {} in the scene, and {} on the device, which is only partly within that: give the scene the \
-             identified range",
+             identified range, as `{}`",
             beyond.parameter.row().name,
-            beyond.in_scene(),
-            beyond.range()
+            beyond.in_scene,
+            beyond.range,
+            beyond.key
         ))
     }
 
@@ -290,7 +285,7 @@ impl Identification {
             return "nothing fits".to_owned();
         }
         let ranges = self.compared.iter();
-        let ranges = ranges.map(|one| format!("{} {}", one.parameter.row().name, one.range()));
+        let ranges = ranges.map(|one| format!("{} {}", one.parameter.row().name, one.range));
         let ranges: Vec<String> = ranges.collect();
         let but = self
             .one_way()
@@ -358,8 +353,8 @@ impl Identification {
     #[must_use]
     pub fn to_json(&self) -> Value {
         let compared = self.compared.iter().map(|compared| {
-            json!({ "parameter": compared.key, "in_scene": compared.in_scene(),
-                "identified": compared.range(), "agrees": compared.agrees() })
+            json!({ "parameter": compared.key, "in_scene": compared.in_scene,
+                "identified": compared.range, "agrees": compared.agrees() })
         });
         let compared: Vec<Value> = compared.collect();
         let over = self

@@ -178,8 +178,8 @@ fn identified(document: &mut Document, study: &Study, recorded: &Recorded, found
         let agrees = if one.agrees() { "yes" } else { "NO" };
         [
             one.parameter.row().name.into(),
-            Line::code(one.in_scene()),
-            one.range().into(),
+            Line::code(&one.in_scene),
+            one.range.as_str().into(),
             one.best
                 .map_or_else(|| "none".to_owned(), significant)
                 .into(),
@@ -195,15 +195,19 @@ fn identified(document: &mut Document, study: &Study, recorded: &Recorded, found
         ("Agree", 12),
     ];
     let caption = format!(
-        "Friction of «{}», identified and in the scene",
+        "Friction of «{}» at the device, identified and in the scene",
         recorded.device()
     );
     document.table(&caption, &columns, rows.collect());
     if found.outside().next().is_some() {
-        let ranges = found
-            .compared
-            .iter()
-            .map(|one| Line::code(format!("{} = \"{}\"", one.key, one.range())));
+        let bounded = found.compared.iter().filter(|one| one.hi.is_some());
+        let ranges = bounded.map(|one| {
+            let line = Line::code(one.line());
+            match one.in_place_of {
+                Some(key) => line.and(" in place of ".into()).and(Line::code(key)),
+                None => line,
+            }
+        });
         document.say(
             Line::text("What the logs say, as a scene takes it: ")
                 .and(Line::joined(ranges, ", "))
