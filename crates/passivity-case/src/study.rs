@@ -240,12 +240,8 @@ impl Study {
             return Some(comment.to_owned());
         }
         let above = self.text.get(..start)?;
-        // The head of the file is no comment at a parameter.
-        let own = above.lines().any(|line| {
-            let line = line.trim();
-            !line.is_empty() && !line.starts_with('#')
-        });
-        if !own {
+        // The head of the file, which ends with the first line that is no comment, is no comment at a parameter.
+        if above.lines().all(|line| line.trim().starts_with('#')) {
             return None;
         }
         let mut lines: Vec<&str> = above

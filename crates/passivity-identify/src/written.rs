@@ -7,6 +7,9 @@ use toml_edit::{DocumentMut, Item, Table, value};
 use crate::identified::{Bounds, Identified, IdentifyError};
 use crate::report::{LogReport, above, below, nearest, unit};
 
+/// How the comments begin that say where what was identified comes from.
+const MARK: &str = "# Identified by `passivity identify`";
+
 /// A wall for sketches that have none: no parameter of the device depends on it.
 const WALLS: [&str; 2] = ["1 N m/rad", "1 N/m"];
 
@@ -107,83 +110,65 @@ impl Identified {
         let row = parameter.row();
         let keys = [row.key].into_iter().chain(row.other_keys.iter().copied());
         let key = self.key(parameter);
-        let (section, name) = key.split_once('.').unwrap_or(("device", key));
+        let (section, name) = place(key);
         for other in keys
             .chain(row.dimensionless_key)
             .filter(|other| *other != key)
         {
-            let (section, name) = other.split_once('.').unwrap_or(("device", other));
+            let (section, name) = place(other);
             let table = document.get_mut(section).and_then(Item::as_table_like_mut);
             if let Some(table) = table {
                 table.remove(name);
             }
         }
+        in_lines(document, section);
         let place = document.entry(section).or_insert(Item::Table(Table::new()));
         let Some(table) = place.as_table_like_mut() else {
             return Err(IdentifyError::new(format!(
                 "`{section}` is not a section of the sketch"
             )));
         };
-        table.insert(name, value(text));
+        match table.get_mut(name) {
+            // What stands above it stays.
+            Some(item) => *item = value(text),
+            None => {
+                table.insert(name, value(text));
+            }
+        }
         Ok(())
     }
 
-    /// Says above the sketch where the numbers come from.
+    /// Says above each number that was identified where it comes from: above the sketch it would be said of all of it.
     fn note(&self, document: &mut DocumentMut, said: &Provenance) {
         let plain = |text: &str| text.chars().filter(|c| !c.is_control()).collect::<String>();
-        let mut lines = vec![
-            "Friction identified by `passivity identify`: it is surely in these ranges, if \
-                              the device is one of the model (TH-IDENT)."
-                .to_owned(),
-        ];
-        for (parameter, bounds) in &self.parameters {
+        for (index, (parameter, bounds)) in self.parameters.iter().enumerate() {
+            let is_first = index == 0;
+            let name = parameter.row().name;
+            let from = if is_first { "" } else { " from the same logs" };
+            let mut lines = vec![format!(
+                "{MARK}{from}: {name} is surely in this range, if the device is one of the model (TH-IDENT)."
+            )];
             if let Some(best) = bounds.best {
                 let unit = unit(*parameter, self.motion);
-                let name = parameter.row().name;
                 let refuted = if self.best_refuted {
                     ", refuted by the logs"
                 } else {
                     ""
                 };
                 let best = nearest(best);
-                lines.push(format!("Best estimate of {name}: {best}{unit}{refuted}"));
+                lines.push(format!("# Best estimate of {name}: {best}{unit}{refuted}"));
             }
-        }
-        let device = said
-            .device
-            .iter()
-            .map(|device| format!("Device: {}", plain(device)));
-        lines.extend(device);
-        lines.extend(
-            said.date
-                .iter()
-                .map(|date| format!("Recorded: {}", plain(date))),
-        );
-        let logs = said
-            .logs
-            .iter()
-            .map(|log| format!("Log: {}, sha256 {}", plain(&log.file), log.sha256));
-        lines.extend(logs);
-        let comment: String = lines.iter().map(|line| format!("# {line}\n")).collect();
-        let first = document.iter().next().map(|(key, _)| key.to_owned());
-        // The comment goes above the first section, or, where there are keys before it, above these.
-        let Some(first) = first else { return };
-        if let Some(table) = document.get_mut(&first).and_then(Item::as_table_mut) {
-            let before = table
-                .decor()
-                .prefix()
-                .and_then(|prefix| prefix.as_str())
-                .unwrap_or_default();
-            let prefix = above_own(&comment, before);
-            table.decor_mut().set_prefix(prefix);
-        } else if let Some(mut key) = document.key_mut(&first) {
-            let before = key
-                .leaf_decor()
-                .prefix()
-                .and_then(|prefix| prefix.as_str())
-                .unwrap_or_default();
-            let prefix = above_own(&comment, before);
-            key.leaf_decor_mut().set_prefix(prefix);
+            if is_first {
+                let device = said.device.iter();
+                lines.extend(device.map(|device| format!("# Device: {}", plain(device))));
+                let date = said.date.iter();
+                lines.extend(date.map(|date| format!("# Recorded: {}", plain(date))));
+                let logs = said.logs.iter();
+                lines.extend(
+                    logs.map(|log| format!("# Log: {}, sha256 {}", plain(&log.file), log.sha256)),
+                );
+            }
+            comment_above(document, place(self.key(*parameter)), &lines.join("\n"));
         }
     }
 
@@ -217,10 +202,50 @@ impl Identified {
     }
 }
 
-/// A comment above what stood before; a line for editors stays the first.
-fn above_own(comment: &str, before: &str) -> String {
-    match before.split_once('\n') {
-        Some((first, rest)) if first.starts_with("#:schema") => format!("{first}\n{comment}{rest}"),
-        _ => format!("{comment}{before}"),
+/// The section of a key, and its name there.
+fn place(key: &'static str) -> (&'static str, &'static str) {
+    key.split_once('.').unwrap_or(("device", key))
+}
+
+/// Writes a section that is in one line as a line for each key, with the comments of the one: a comment above that
+/// would be said of all that is in it.
+fn in_lines(document: &mut DocumentMut, section: &str) {
+    let key = document.key(section);
+    let above = key.and_then(|key| key.leaf_decor().prefix()?.as_str());
+    let above = above.unwrap_or_default().to_owned();
+    let line = document.get_mut(section);
+    let Some(line) = line.filter(|line| line.is_inline_table()) else {
+        return;
+    };
+    let beside = line
+        .as_value()
+        .and_then(|line| line.decor().suffix()?.as_str());
+    let beside = beside.unwrap_or_default().to_owned();
+    let Ok(mut table) = std::mem::take(line).into_table() else {
+        return;
+    };
+    table.set_dotted(true);
+    for (index, (mut key, item)) in table.iter_mut().enumerate() {
+        if index == 0 {
+            key.leaf_decor_mut().set_prefix(above.as_str());
+        }
+        if let Some(value) = item.as_value_mut() {
+            value.decor_mut().set_suffix(beside.as_str());
+        }
     }
+    *line = Item::Table(table);
+}
+
+/// Puts a comment above a key, apart from what stands there, in place of one of an earlier identification.
+fn comment_above(document: &mut DocumentMut, (section, name): (&str, &str), comment: &str) {
+    let table = document.get_mut(section).and_then(Item::as_table_mut);
+    let Some(mut key) = table.and_then(|table| table.key_mut(name)) else {
+        return;
+    };
+    let before = key.leaf_decor().prefix().and_then(|prefix| prefix.as_str());
+    let before = before.unwrap_or_default();
+    let own = before
+        .split_once(MARK)
+        .map_or_else(|| format!("{before}\n"), |(own, _)| own.to_owned());
+    key.leaf_decor_mut().set_prefix(format!("{own}{comment}\n"));
 }

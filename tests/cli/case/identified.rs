@@ -199,6 +199,99 @@ fn friction_at_the_motor_is_told_from_that_at_the_device() {
     }
 }
 
+/// What `identify --out` says of where numbers come from is said of those that it identified, in every form of a sketch.
+#[test]
+fn a_scene_that_was_identified_has_sources_for_friction_alone() {
+    let dir = Dir::new();
+    let push = shipped("push.csv");
+    let inertia = "inertia = \"2e-5 kg m^2\"";
+    let encoder = "encoder.counts_per_revolution = 8192\nwall.stiffness = \"0.05 N m/rad\"\n";
+    let sections =
+        "[encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"0.05 N m/rad\"\n";
+    let rate = "rate = \"1 kHz\"\n";
+    for sketch in [
+        format!("[device]\n{inertia}\n[sampling]\n{rate}{sections}"),
+        format!(
+            "#:schema scene.schema.json\ndevice = {{ {inertia} }}\nwall = {{ stiffness = \"0.05 N m/rad\" }}\n\
+             [sampling]\n{rate}[encoder]\ncounts_per_revolution = 8192\n"
+        ),
+        format!("sampling.{rate}device.{inertia}\n{encoder}"),
+        format!("device.{inertia}\nsampling.{rate}{encoder}"),
+        format!(
+            "device.viscous = \"1 N m s/rad\" # guess\ndevice.{inertia}\nsampling.{rate}{encoder}"
+        ),
+    ] {
+        dir.write("sketch.toml", &sketch);
+        // What was identified is a sketch again, and nothing of it is said twice.
+        for (from, to) in [("sketch.toml", "first.toml"), ("first.toml", "scene.toml")] {
+            let words = [
+                "--effort",
+                "1",
+                "--device",
+                "knob 3",
+                "--date",
+                "2026-11-20",
+            ];
+            let run = dir.run(
+                &[
+                    &["identify", &push, "--scene", from, "--out", to][..],
+                    &words,
+                ]
+                .concat(),
+            );
+            assert_eq!(run.code, 0, "{sketch}: {}", run.stderr);
+        }
+        let written = read(&dir, "scene.toml");
+        for says in [
+            "# Device: knob 3\n# Recorded: 2026-11-20\n# Log: ",
+            "sha256 133c77d24f7fc6510f46a6604313b140ab401caacc401f771673f3221e32b97f\n",
+            "# Best estimate of viscous friction: ",
+            "# Best estimate of Coulomb friction: ",
+        ] {
+            assert_eq!(written.matches(says).count(), 1, "{says}: {written}");
+        }
+        let run = dir.run(&["case", "scene.toml", "--out", "case"]);
+        assert!(run.stdout.contains("top goal open"), "{}", run.stdout);
+        let open = element(&dir, "G-sources");
+        for key in [
+            "device.inertia",
+            "sampling.rate",
+            "encoder.counts_per_revolution",
+            "wall.stiffness",
+        ] {
+            assert!(open.contains(key), "{key}: {open}: {written}");
+        }
+        assert!(
+            !open.contains("device.viscous") && !open.contains("coulomb"),
+            "{open}: {written}"
+        );
+        // The head stays that of all.
+        let headed = sketch.replace("#:schema scene.schema.json\n", "");
+        let headed = format!("# Measured.\n{headed}").replace(" }\nwall", " } # drawing\nwall");
+        dir.write("sketch.toml", &headed);
+        let run = dir.run(&[
+            "identify",
+            &push,
+            "--scene",
+            "sketch.toml",
+            "--effort",
+            "1",
+            "--out",
+            "scene.toml",
+        ]);
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        let run = dir.run(&["case", "scene.toml", "--out", "case"]);
+        assert!(!run.stdout.contains("top goal open"), "{}", run.stdout);
+        let kept = read(&dir, "scene.toml");
+        assert!(kept.starts_with("# Measured.\n"), "{kept}");
+        assert_eq!(
+            kept.matches("# drawing\n").count(),
+            headed.matches("# drawing\n").count()
+        );
+        assert!(!read(&dir, "case/scene.gsn.yaml").contains("G-sources"));
+    }
+}
+
 #[test]
 fn a_verdict_that_part_of_the_identified_range_does_not_have_is_open() {
     let dir = Dir::new();
