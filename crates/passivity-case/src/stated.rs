@@ -24,7 +24,9 @@ pub struct Stated {
 }
 
 /// The sections with keys that are no parameters; the keys are all of them where none is named.
-const OTHERS: [(&str, &[&str]); 5] = [
+const OTHERS: [(&str, &[&str]); 6] = [
+    // Beside that of the device, with which it is one parameter.
+    ("motor", &["inertia"]),
     ("sampling", &["delay"]),
     ("encoder", &["side"]),
     ("wall", &["unilateral"]),
@@ -82,10 +84,11 @@ impl Study {
             };
             (at, stated)
         };
-        let parameters = self.scene.parameters().into_iter().map(of_parameter);
-        let mut all: Vec<_> = parameters
-            .chain(others(&self.text).into_iter().map(of_other))
-            .collect();
+        let parameters = self.scene.parameters();
+        let mut places = others(&self.text);
+        places.retain(|(key, ..)| parameters.iter().all(|(_, given)| given.key != key));
+        let parameters = parameters.into_iter().map(of_parameter);
+        let mut all: Vec<_> = parameters.chain(places.into_iter().map(of_other)).collect();
         all.sort_by_key(|(at, _)| *at);
         all.into_iter().map(|(_, stated)| stated).collect()
     }
@@ -131,6 +134,20 @@ mod tests {
         assert_eq!(side.source, Source::Comment("It is a floor.".to_owned()));
         assert_eq!(find("controller.numerator").text, "[\"7\", \"-2.5\"]");
         assert_eq!(find("sampling.delay").text, "3");
+        // Inertia is given in two places, each with a source of its own; alone it is in one.
+        let motor = "[motor]\ninertia = \"9.4 g cm^2\" # TODO: source\n[sampling]";
+        let alone = text.replace("[sampling]", motor);
+        let both = alone.replace("[device]", "[device]\ninertia = \"2e-5 kg m^2\" # CAD");
+        for (text, before) in [(alone, 0), (both, 1)] {
+            let scene = Scene::from_toml("scene", &text).expect("a scene");
+            let study = Study::new(scene, text, Path::new("scene.toml"));
+            let stated = study.stated();
+            let keys = stated.iter().filter(|one| one.key.ends_with(".inertia"));
+            assert_eq!(keys.count(), before + 1);
+            let open = study.unsourced();
+            assert!(open.contains(&"motor.inertia".to_owned()), "{open:?}");
+            assert_eq!(open.len(), 4, "{open:?}");
+        }
         // And the head speaks of all.
         let text = format!("# Ours.\n{text}").replace("# TODO", "");
         let scene = Scene::from_toml("scene", &text).expect("a scene");
