@@ -1,6 +1,6 @@
 //! The hazards for the operator, and what the criterion says about each.
 
-use passivity_core::Region;
+use passivity_core::{BigRational, Region};
 use passivity_scene::check::{Report, Verdict};
 
 use crate::case::Case;
@@ -33,6 +33,9 @@ pub(super) fn write(document: &mut Document, case: &Case) {
     }
 }
 
+/// What is said where some values within the tolerances exclude a hazard, or may, and others do not.
+const DEPENDS: &str = "It depends on where in their tolerances the parameters are.";
+
 /// The critical speed, after `of`.
 fn speed(report: &Report) -> String {
     let speed = report.critical_speed_text();
@@ -47,7 +50,7 @@ fn row(hazard: &str, shows: &str, here: String) -> Row {
 fn divergence(report: &Report) -> Row {
     let here = match report.region {
         _ if report.verdict == Verdict::NotCovered => not_covered(),
-        None => "It depends on where in their tolerances the parameters are.".to_owned(),
+        None => divergence_over_tolerances(report).to_owned(),
         Some(Region::GloballyStable) => {
             "Excluded: viscous friction covers what the hold generates at every speed.".to_owned()
         }
@@ -78,6 +81,32 @@ fn divergence(report: &Report) -> Row {
     )
 }
 
+/// What holds of divergence for every value within the tolerances, where they reach into several regions.
+fn divergence_over_tolerances(report: &Report) -> &'static str {
+    let viscous = &report.spare.viscous;
+    let zero = BigRational::default();
+    match (report.verdict, &report.speed_bound) {
+        // The criterion holds up to the bound, whatever the values.
+        (Verdict::Passive, _) => {
+            "Excluded up to the bound on the speed, for every value within the tolerances; for some the hold \
+             generates more above it than friction dissipates. It is the bound on the speed that excludes it."
+        }
+        _ if *viscous.lo() > zero => {
+            "Excluded at high speeds, for every value within the tolerances: viscous friction covers the hold; \
+             growth ends there."
+        }
+        (_, None) if *viscous.hi() < zero => {
+            "Not excluded for any value within the tolerances: viscous friction does not cover what the hold \
+             generates at high speeds, and nothing bounds the speed."
+        }
+        (Verdict::NotPassive | Verdict::NotGuaranteed, Some(_)) if *viscous.hi() < zero => {
+            "Not excluded for any value within the tolerances: viscous friction does not cover what the hold \
+             generates, and the bound on the speed does not exclude it."
+        }
+        _ => DEPENDS,
+    }
+}
+
 /// Energy of the quantizer, which grows with the distance.
 fn oscillation(report: &Report) -> Row {
     let here = match report.region {
@@ -85,7 +114,7 @@ fn oscillation(report: &Report) -> Row {
         _ if report.sigma.is_none() => {
             "The scene has no encoder, and no quantization to sustain one.".to_owned()
         }
-        None => "It depends on where in their tolerances the parameters are.".to_owned(),
+        None => oscillation_over_tolerances(report).to_owned(),
         Some(Region::GloballyStable | Region::LocallyStable) => {
             "Excluded at small speeds: Coulomb friction covers what the quantizer generates."
                 .to_owned()
@@ -104,6 +133,21 @@ fn oscillation(report: &Report) -> Row {
         "The device vibrates within a few ticks of the wall.",
         here,
     )
+}
+
+/// What holds of it for every value within the tolerances, where they reach into several regions.
+fn oscillation_over_tolerances(report: &Report) -> &'static str {
+    let coulomb = &report.spare.coulomb;
+    let zero = BigRational::default();
+    if report.verdict == Verdict::Passive || *coulomb.lo() > zero {
+        "Excluded at small speeds, for every value within the tolerances: Coulomb friction covers what the \
+         quantizer generates."
+    } else if *coulomb.hi() < zero {
+        "Not excluded for any value within the tolerances: at small speeds the quantizer generates more than \
+         friction dissipates."
+    } else {
+        DEPENDS
+    }
 }
 
 fn single(report: &Report) -> Row {

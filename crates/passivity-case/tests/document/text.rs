@@ -177,6 +177,62 @@ fn hazards_are_said_to_be_excluded_only_where_they_are() {
     );
 }
 
+/// What the tolerances leave open is said to be open, and nothing else.
+#[test]
+fn hazards_that_no_value_within_the_tolerances_has_are_excluded() {
+    let every = "for every value within the tolerances";
+    let any = "Not excluded for any value within the tolerances";
+    let depends = "It depends on where in their tolerances the parameters are.";
+    let bounded = "[operator]\nmax_speed = \"1\"\n";
+    let by_bound = format!("Excluded up to the bound on the speed, {every}");
+    let at_high = format!("Excluded at high speeds, {every}");
+    let at_small = format!("Excluded at small speeds, {every}");
+    for (study, divergence, oscillation) in [
+        // The bound of 1 is below the least critical speed, 0.2/0.1.
+        (
+            dimensionless("2/5 … 3/5", "7/10", bounded),
+            by_bound.as_str(),
+            at_small.as_str(),
+        ),
+        (
+            shipped("tolerance-straddling.toml"),
+            depends,
+            at_small.as_str(),
+        ),
+        (
+            dimensionless("3/5", "2/5 … 3/5", ""),
+            at_high.as_str(),
+            depends,
+        ),
+        (dimensionless("2/5", "2/5 … 3/5", ""), any, depends),
+        (dimensionless("2/5 … 3/5", "2/5", ""), depends, any),
+        // For no value does the bound exclude it: the largest critical speed is 1/2.
+        (dimensionless("3/10", "2/5 … 3/5", bounded), any, depends),
+        // For some it does.
+        (
+            dimensionless("2/5", "2/5 … 7/10", bounded),
+            depends,
+            depends,
+        ),
+        (
+            dimensionless("2/5 … 3/5", "2/5 … 3/5", ""),
+            depends,
+            depends,
+        ),
+    ] {
+        let name = study.report().headline();
+        assert_eq!(study.report().region, None, "{name}");
+        let page = page(&case(study));
+        let (_, table) = page.split_once("Divergence</th>").expect("a row");
+        let (first, rest) = table
+            .split_once("Sustained oscillation</th>")
+            .expect("a row");
+        let (second, _) = rest.split_once("</tr>").expect("its end");
+        assert!(first.contains(divergence), "{name}: {first}");
+        assert!(second.contains(oscillation), "{name}: {second}");
+    }
+}
+
 #[test]
 fn what_does_not_apply_is_said_in_the_words_of_check() {
     for name in ["devices/smartknob.toml", "amplifier-lag.toml"] {
