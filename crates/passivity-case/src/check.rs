@@ -10,9 +10,9 @@ use serde_json::Value;
 
 use crate::case::{Case, Objection};
 use crate::error::CaseError;
-use crate::files::read_bytes;
+use crate::files::{read_bytes, read_text};
 use crate::folder::HTML;
-use crate::manifest::{FileEntry, MANIFEST, Manifest, RecordedEntry, SceneEntry, words};
+use crate::manifest::{FileEntry, MANIFEST, Manifest, PAST, RecordedEntry, SceneEntry, words};
 use crate::recorded::{Recorded, Recordings, record_name, sum};
 use crate::records::Records;
 use crate::study::Study;
@@ -91,6 +91,7 @@ pub fn check(folder: &Path, records: &Records) -> Result<Findings, CaseError> {
             findings.changed.push(says);
         }
     }
+    past(folder, &manifest, &mut findings);
     for (name, entry) in &manifest.scenes {
         if manifest.files.get(&format!("{name}.toml")) != Some(&entry.sha256) {
             findings.changed.push(format!(
@@ -114,6 +115,23 @@ fn documents(manifest: &Manifest) -> Vec<String> {
     };
     let of_scenes = manifest.scenes.iter().flat_map(of_scene);
     iter::once(HTML.to_owned()).chain(of_scenes).collect()
+}
+
+/// Compares what the manifest says of the past with the hash that the document has of it.
+fn past(folder: &Path, manifest: &Manifest, findings: &mut Findings) {
+    // A document that cannot be read was told of already.
+    let Ok(page) = read_text(&folder.join(HTML), MOST_BYTES) else {
+        return;
+    };
+    let what = "the version, the commit and the history of verdicts";
+    if !page.contains(PAST) {
+        findings.not_at_hand.push(format!(
+            "{what}: `{HTML}` is from before it has a hash of them; write the case again"
+        ));
+    } else if !page.contains(&manifest.past().to_string()) {
+        let says = format!("{what}: `{MANIFEST}` says other than `{HTML}`");
+        findings.changed.push(says);
+    }
 }
 
 /// Compares what the manifest says of recordings with the record of them, of which it has the hash: what a

@@ -101,6 +101,26 @@ pub(crate) fn words(study: &Study) -> Vec<String> {
     outcomes.iter().map(|o| o.word().to_owned()).collect()
 }
 
+/// What the document calls the SHA-256 of version, commit and history.
+pub(crate) const PAST: &str = "SHA-256 of version, commit and history";
+
+/// The SHA-256 of the version, the commit and the verdicts given so far, each on lines of its own.
+pub(crate) fn past(version: &str, commit: Option<&str>, history: &[HistoryEntry]) -> Sha256 {
+    let mut lines = vec![format!("{version}\n{}", commit.unwrap_or_default())];
+    lines.extend(history.iter().map(|entry| {
+        let HistoryEntry {
+            scene,
+            scene_sha256,
+            claims_sha256,
+            version,
+            verdict,
+            headline,
+        } = entry;
+        format!("{scene}\n{scene_sha256}\n{claims_sha256}\n{version}\n{verdict}\n{headline}")
+    }));
+    Sha256::of(lines.join("\n").as_bytes())
+}
+
 impl Manifest {
     /// The manifest of a case with these files.
     #[must_use]
@@ -137,6 +157,11 @@ impl Manifest {
                 .collect(),
             history: case.history.clone(),
         }
+    }
+
+    /// The SHA-256 that the document has of what nothing else can be compared with.
+    pub(crate) fn past(&self) -> Sha256 {
+        past(&self.passivity, self.commit.as_deref(), &self.history)
     }
 
     /// The manifest as JSON text.

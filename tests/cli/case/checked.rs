@@ -24,6 +24,58 @@ fn a_check_misses_a_document_that_was_taken_out_of_the_manifest() {
     }
 }
 
+/// Nothing that is at hand says what the verdicts were: the document has a hash of them.
+#[test]
+fn a_check_finds_a_manifest_in_which_the_past_was_rewritten() {
+    let dir = Dir::new();
+    let scene = dir.write("good.toml", GOOD);
+    assert_eq!(dir.run(&["case", &scene, "--out", "case"]).code, 0);
+    dir.write("good.toml", BAD);
+    assert_eq!(dir.run(&["case", &scene, "--out", "case"]).code, 1);
+    assert_eq!(dir.run(&["case", "--check", "case"]).code, 0);
+    let whole = read(&dir, "case/manifest.json");
+    let edits: [fn(&mut serde_json::Value); 5] = [
+        |past| past["history"][1]["verdict"] = "passive".into(),
+        |past| past["history"][0]["headline"] = "PASSIVE at every speed, as ever".into(),
+        |past| {
+            past["history"].as_array_mut().expect("a list").remove(0);
+        },
+        |past| past["passivity"] = "9.9.9".into(),
+        |past| past["commit"] = "0123".into(),
+    ];
+    let says =
+        "changed: the version, the commit and the history of verdicts: `manifest.json` says other";
+    for (number, edit) in edits.iter().enumerate() {
+        let mut manifest: serde_json::Value = serde_json::from_str(&whole).expect("JSON");
+        edit(&mut manifest);
+        dir.write("case/manifest.json", manifest.to_string());
+        let run = dir.run(&["case", "--check", "case"]);
+        assert_eq!(run.code, 1, "{number}: {}", run.stdout);
+        assert!(run.stdout.contains(says), "{number}: {}", run.stdout);
+    }
+}
+
+/// A case that was written before its document had that hash says that it is not compared.
+#[test]
+fn a_check_says_that_it_has_nothing_to_compare_the_past_with() {
+    let dir = Dir::new();
+    let scene = dir.write("good.toml", GOOD);
+    assert_eq!(dir.run(&["case", &scene, "--out", "case"]).code, 0);
+    let html = read(&dir, "case/case.html");
+    let html = html.replace("SHA-256 of version, commit and history", "Something else");
+    let mut manifest: serde_json::Value =
+        serde_json::from_str(&read(&dir, "case/manifest.json")).expect("JSON");
+    let sum = passivity_evidence::Sha256::of(html.as_bytes());
+    manifest["files"]["case.html"] = sum.to_string().into();
+    dir.write("case/case.html", html);
+    dir.write("case/manifest.json", manifest.to_string());
+    let run = dir.run(&["case", "--check", "case"]);
+    assert_eq!(run.code, 0, "{}", run.stdout);
+    let says = "not compared: the version, the commit and the history of verdicts: `case.html` is from before";
+    assert!(run.stdout.contains(says), "{}", run.stdout);
+    assert_eq!(dir.run(&["case", "--check", "case", "--strict"]).code, 1);
+}
+
 #[test]
 fn scenes_of_one_name_are_told_apart() {
     let dir = Dir::new();

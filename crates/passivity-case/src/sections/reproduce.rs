@@ -7,6 +7,7 @@ use passivity_evidence::{Claim, Sha256};
 
 use crate::case::{Case, VERSION};
 use crate::document::{Block, Document, Line, Row};
+use crate::manifest::{PAST, past};
 use crate::recorded::Recorded;
 
 pub(super) fn write(document: &mut Document, case: &Case) {
@@ -51,6 +52,15 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         [
             "SHA-256 of the recorded evidence".into(),
             Line::hash(&case.records.evidence_sha256),
+        ]
+        .into(),
+        [
+            PAST.into(),
+            Line::hash(&past(
+                VERSION,
+                case.records.commit.as_deref(),
+                &case.history,
+            )),
         ]
         .into(),
     ];
