@@ -84,8 +84,8 @@ impl Keep for i128 {
         let is_up_to = |n: Self, most: Self| n.is_within(most, most.plus(most));
         let goes_on = is_up_to(whole.most, SUM_MAX)
             && is_up_to(whole.least, SUM_MAX)
-            && is_up_to(whole.slope, APART_MAX)
-            && is_up_to(whole.apart, APART_MAX);
+            && is_up_to(whole.slope, PART_MAX)
+            && is_up_to(whole.apart, PART_MAX);
         if !goes_on {
             return Kept {
                 account: NOTHING,
@@ -140,8 +140,5 @@ const NOTHING: Account<i64> = Account {
 /// Sums up to this leave room for any change of the 64 bits.
 const SUM_MAX: i128 = 1 << 125;
 
-/// How steep the most may be, and how far apart the least at both ends of a tick, for an account of 64 bits.
-const APART_MAX: i128 = 1 << 61;
-
-/// An account of 64 bits takes sums up to this, which leaves room for what samples add.
+/// An account of 64 bits takes numbers up to this, which leaves room for what samples add.
 const PART_MAX: i128 = 1 << 62;

@@ -115,7 +115,7 @@
 //! rest, at a few and at many ticks a sample, outside of the wall, open, surely active, and as the answer changes.
 //! That last one is the longest way through the machine code, and is taken at most once. With 128-bit sums it takes
 //! 79 to 100: what samples change of the sums is kept in 64 bits. Samples that are too much for that take up to 320:
-//! those with a force of 2⁴⁵ or more or a step of 2¹⁵ ticks or more, and the few others at which the 64 bits are
+//! those with a force of 2⁴⁴ or more or a step of 2¹⁵ ticks or more, and the few others at which the 64 bits are
 //! full.
 #![no_std]
 #![forbid(unsafe_code)]

@@ -191,7 +191,7 @@ macro_rules! width {
     };
 }
 
-width!(i64, u64, i32, (1 << 15) - 1, 1 << 45);
+width!(i64, u64, i32, (1 << 15) - 1, 1 << 44);
 width!(i128, u128, i64, (1 << 31) - 1, 1 << 63);
 
 /// The largest that one sample adds, of inputs at their limits: the magnitudes of all terms of
@@ -203,8 +203,7 @@ width!(i128, u128, i64, (1 << 31) - 1, 1 << 63);
 ///
 /// On top comes what a new force adds to the most, up to 2⁶² after a start far from zero. Both together
 /// fit: a step adds no more than 2F·D + 4P·D, as the rest of its terms are below zero. From the least comes as much
-/// where it is far apart at the ends of the tick; an account with larger forces than of 32 bits goes on in 64 bits only
-/// where that is at most 2⁶¹. The harnesses of `proofs/kani` have each at its largest.
+/// where it is far apart at the ends of the tick. The harnesses of `proofs/kani` have each at its largest.
 const fn largest_term(step: i64, force: u128) -> u128 {
     let (p, d) = (
         PARAMETER_MAX.unsigned_abs() as u128,

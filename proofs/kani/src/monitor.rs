@@ -280,13 +280,7 @@ const fn at(stiffness: i64, viscous: i64, coulomb: i64) -> Config {
 /// number that the compiler knows, so that nothing is left to multiply but by numbers.
 fn advances(config: &Config, ticks: i64) -> (Option<Account<i64>>, i128) {
     let force = kani::any_where(|n: &i64| *n >= -i64::FORCE_MAX && *n <= i64::FORCE_MAX);
-    // A start with forces of 32 bits leads as far as that; one with more goes on in 64 bits only up to half of it.
-    let most_apart = if i32::try_from(force).is_ok() {
-        1 << 62
-    } else {
-        1 << 61
-    };
-    let far = || kani::any_where(|far: &i64| *far >= -most_apart && *far <= most_apart);
+    let far = || kani::any_where(|far: &i64| *far >= -(1 << 62) && *far <= 1 << 62);
     let mut account = Account {
         most: kani::any(),
         slope: far(),
