@@ -33,8 +33,8 @@ use crate::output::{Format, read_scene};
 A file of measured points is CSV with a header: a column for either axis, with its unit as in
 `stiffness [N/mm]`, and a column `stable` with the words stable and unstable.
 
-Behind a transmission friction and encoder are at the side where the scene gives them, unless the unit
-says `at the motor` or `at the device`, as in `coulomb [mN m at the motor]`.")]
+Behind a transmission a value is at the side where the scene gives it, unless the side stands behind
+the unit, as in `coulomb [mN m at the motor]` or `coulomb [mN m at the device]`.")]
 pub(crate) struct Args {
     /// Scene files.
     #[arg(required = true, value_name = "SCENE")]
