@@ -238,8 +238,20 @@ fn an_error_leaves_no_half_written_case() {
         "none.toml",
     );
     dir.write("file", "");
-    one_error(&dir.run(&["case", &good, "--out", "file/case"]), "file");
+    one_error(
+        &dir.run(&["case", &good, "--out", "file/case"]),
+        "`file` is no folder",
+    );
     one_error(&dir.run(&["case", &good, "--out", "file"]), "file");
+    #[cfg(unix)]
+    for (link, to) in [("nowhere", "none"), ("round", "round")] {
+        std::os::unix::fs::symlink(to, dir.path(link)).expect("a link");
+        for out in [link.to_owned(), format!("{link}/new/case")] {
+            let run = dir.run(&["case", &good, "--out", &out]);
+            one_error(&run, &format!("`{link}` is no folder: the case cannot be"));
+        }
+        fs::remove_file(dir.path(link)).expect("a link");
+    }
     // A folder with something else in it is left as it is.
     fs::create_dir(dir.path("mine")).expect("a folder");
     dir.write("mine/notes.txt", "mine");

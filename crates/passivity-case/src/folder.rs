@@ -89,6 +89,17 @@ pub fn history(folder: &Path) -> Result<Vec<HistoryEntry>, CaseError> {
 /// A folder that cannot be written, or that holds something that is no case.
 pub fn write(case: &Case, folder: &Path) -> Result<(), CaseError> {
     let files = files(case)?;
+    // What is there, if only as a link that leads nowhere.
+    let mut there = folder
+        .ancestors()
+        .filter(|path| path.symlink_metadata().is_ok());
+    if let Some(path) = there.next().filter(|path| !path.is_dir()) {
+        let message = format!(
+            "`{}` is no folder: the case cannot be written into it",
+            path.display()
+        );
+        return Err(CaseError::new(message));
+    }
     refuse_others(folder)?;
     let parent = match folder.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
