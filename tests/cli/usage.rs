@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::harness::Dir;
+use crate::harness::{Dir, root};
 
 #[test]
 fn help_shows_examples_and_exit_codes() {
@@ -110,6 +110,7 @@ fn a_mistake_is_told_by_what_was_typed() {
     let text =
         "[dimensionless]\nmu = \"50\"\nbeta = \"1\"\nsigma = \"1\"\n[start]\nvelocity = \"1\"\n";
     let scene = dir.write("scene.toml", text);
+    let re35 = root().join("scenes/re35.toml").display().to_string();
     let wrong = "[sampling]\nrate = \"1 kHz ± 1 ±\"\n[wall]\nstiffness = \"1 N/m\"\n";
     let wrong = dir.write("wrong.toml", wrong);
     for (args, says) in [
@@ -122,11 +123,39 @@ fn a_mistake_is_told_by_what_was_typed() {
             "error: --speed `1e300`: ",
         ),
         (&["check", &wrong], "expected a unit here, found `±`"),
+        // A number below zero is a value, not an option.
+        (
+            &[
+                "plane",
+                &re35,
+                "--axes",
+                "stiffness,damping",
+                "--x",
+                "-1:1",
+                "--plot",
+                "p.svg",
+            ],
+            "--x `-1:1`: expected FROM not below zero",
+        ),
+        (&["design", &re35, "--rates", "-1 kHz"], "-1 kHz"),
+        (
+            &["identify", &scene, "log.csv", "--effort", "-1"],
+            "expected a whole number from 1 to 100000",
+        ),
+        (
+            &["case", &scene, "--out", "case", "--effort", "-1"],
+            "expected a whole number from 1 to 100000",
+        ),
+        (
+            &["simulate", &re35, "--speed", "1 ± 10%"],
+            "--speed `1 ± 10%`: expected one number of ticks per sample, without a tolerance",
+        ),
     ] {
         let run = dir.run(args);
         assert_eq!(run.code, 2, "{args:?}: {}", run.stderr);
         assert!(run.stderr.contains(says), "{args:?}: {}", run.stderr);
         assert!(!run.stderr.contains("\\u{"), "{}", run.stderr);
+        assert!(!run.stderr.contains("tip:"), "{}", run.stderr);
     }
     let run = dir.run(&["simulate", &scene, "--intervals", "1e1", "--format", "json"]);
     assert_eq!(run.json()["intervals"], 10, "{}", run.stderr);

@@ -1,5 +1,8 @@
 //! The command-line arguments, from which help, man page and completions are made.
 
+#[cfg(any(feature = "audit", feature = "simulate", feature = "vectors"))]
+use std::{fmt::Display, ops::RangeInclusive, str::FromStr};
+
 use clap::{Parser, Subcommand};
 
 use crate::verbs;
@@ -49,4 +52,20 @@ pub(crate) enum Command {
     Case(verbs::case::Args),
     Completions(verbs::completions::Args),
     Man(verbs::man::Args),
+}
+
+/// Reads a whole number in a range.
+#[cfg(any(feature = "audit", feature = "simulate", feature = "vectors"))]
+pub(crate) fn whole<T>(range: RangeInclusive<T>) -> impl Fn(&str) -> Result<T, String> + Clone
+where
+    T: Clone + Display + FromStr + PartialOrd,
+{
+    move |text| match text.parse() {
+        Ok(number) if range.contains(&number) => Ok(number),
+        _ => Err(format!(
+            "expected a whole number from {} to {}",
+            range.start(),
+            range.end()
+        )),
+    }
 }

@@ -86,7 +86,7 @@ pub(crate) struct Args {
     #[arg(long)]
     law: bool,
     /// The number of processor cores to use; 0 for all.
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=1024))]
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true, value_parser = crate::args::whole(0..=1024_u16))]
     threads: u16,
     /// Write the exact account of a piece of the trace to this file, as JSON for --merge, and no report.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "plot", "certificate"])]

@@ -24,11 +24,21 @@ pub(crate) struct Args {
     scene: PathBuf,
     /// Sampling rates or periods, with units, separated by commas; by default from a quarter to eight
     /// times the scene's.
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
     rates: Vec<String>,
     /// Encoders, as counts per revolution or as resolutions with units, separated by commas; by default
     /// from a quarter to eight times the scene's counts.
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
     encoders: Vec<String>,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]

@@ -52,10 +52,20 @@ pub(crate) struct Args {
     out: Option<PathBuf>,
     /// By how many ticks a count may be off to either side: count n then says that the device is between n − N
     /// and n + 1 + N ticks. A position x of a log is taken as a count of x/Δ.
-    #[arg(long, value_name = "N", default_value_t = 1.0)]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1.0,
+        allow_negative_numbers = true
+    )]
     count_error: f64,
     /// By how much the force may differ from the logged one to either side, in N or N m.
-    #[arg(long, value_name = "F", default_value_t = 0.0)]
+    #[arg(
+        long,
+        value_name = "F",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
     force_error: f64,
     /// Take the inertia, with its tolerance, from the sketch, or look for it (over six decades); a sketch
     /// without an inertia has it looked for.
@@ -63,7 +73,7 @@ pub(crate) struct Args {
     inertia: Mass,
     /// How much work the search for the bounds may be, in millions of sampling intervals of motion; when it
     /// is spent, the bounds are wider, and as sure. By default 20, or a thousandth of the number of rows if that is more.
-    #[arg(long, value_name = "MILLIONS", value_parser = clap::value_parser!(u64).range(1..=100_000))]
+    #[arg(long, value_name = "MILLIONS", allow_negative_numbers = true, value_parser = crate::args::whole(1..=100_000_u64))]
     effort: Option<u64>,
     /// Say which columns are read: `role=name`, as for `passivity audit`.
     #[arg(long, value_name = "COLUMNS")]

@@ -74,10 +74,23 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
     /// The first interval to draw, counted from 0.
-    #[arg(long, value_name = "N", requires = "plot", default_value_t = 0)]
+    #[arg(
+        long,
+        value_name = "N",
+        requires = "plot",
+        default_value_t = 0,
+        allow_negative_numbers = true,
+        value_parser = crate::args::whole(0..=MAX_INTERVALS)
+    )]
     plot_from: u64,
     /// The interval before which the picture ends; by default all are drawn.
-    #[arg(long, value_name = "N", requires = "plot")]
+    #[arg(
+        long,
+        value_name = "N",
+        requires = "plot",
+        allow_negative_numbers = true,
+        value_parser = crate::args::whole(0..=MAX_INTERVALS)
+    )]
     plot_until: Option<u64>,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]
@@ -278,7 +291,15 @@ impl Start {
     pub(crate) fn put(&self, scene: &Scene, point: &mut Point) -> Result<(), Failure> {
         if let Some(text) = &self.speed {
             let speed = scene.ticks_per_sample(text).map_err(|error| {
-                Failure::Scene(format!("--speed `{text}`: {}", error.render(look())))
+                let kinds = error.diagnostics().iter().map(|problem| problem.kind().name());
+                // A number alone is in ticks per sample, and was read before.
+                match kinds.into_iter().any(|kind| kind == "missing_unit") {
+                    true => Failure::input(format!(
+                        "--speed `{text}`: expected one number of ticks per sample, without a tolerance, or a \
+                         speed with a unit"
+                    )),
+                    false => Failure::Scene(format!("--speed `{text}`: {}", error.render(look()))),
+                }
             })?;
             point.at.start_velocity = Some(speed);
         }

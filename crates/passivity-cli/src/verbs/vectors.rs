@@ -36,8 +36,8 @@ pub(crate) struct Args {
     group: Vec<String>,
     /// With `--against`: how many seconds to wait for each next answer before the rest counts as not
     /// answered and the command is ended.
-    #[arg(long, value_name = "SECONDS", default_value_t = PATIENCE.as_secs(), requires = "against",
-          value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true, default_value_t = PATIENCE.as_secs(), requires = "against",
+          value_parser = crate::args::whole(1..=86_400_u64))]
     timeout: u64,
     /// How to write the result.
     #[arg(long, value_enum, default_value_t)]

@@ -44,6 +44,7 @@ pub(super) struct Options {
         long,
         value_name = "N",
         default_value_t = 1.0,
+        allow_negative_numbers = true,
         conflicts_with = "check"
     )]
     count_error: f64,
@@ -52,12 +53,13 @@ pub(super) struct Options {
         long,
         value_name = "F",
         default_value_t = 0.0,
+        allow_negative_numbers = true,
         conflicts_with = "check"
     )]
     force_error: f64,
     /// How much work the identification may be, in millions of intervals of motion, as for
     /// `passivity identify`.
-    #[arg(long, value_name = "MILLIONS", value_parser = clap::value_parser!(u64).range(1..=100_000), conflicts_with = "check")]
+    #[arg(long, value_name = "MILLIONS", allow_negative_numbers = true, value_parser = crate::args::whole(1..=100_000_u64), conflicts_with = "check")]
     effort: Option<u64>,
 }
 

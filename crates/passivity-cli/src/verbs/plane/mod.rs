@@ -52,10 +52,10 @@ pub(crate) struct Args {
     #[arg(long, value_name = "AXES")]
     log: Option<Log>,
     /// From where to where x goes, in its unit.
-    #[arg(long, value_name = "FROM:TO")]
+    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     x: Option<String>,
     /// From where to where y goes, in its unit.
-    #[arg(long, value_name = "FROM:TO")]
+    #[arg(long, value_name = "FROM:TO", allow_hyphen_values = true)]
     y: Option<String>,
     /// Draw the measured points of this CSV file too, and compare them with what the criterion says.
     #[arg(long, value_name = "FILE")]

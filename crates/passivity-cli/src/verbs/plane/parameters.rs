@@ -172,6 +172,9 @@ fn window_of(
             .split_once(':')
             .map(|(from, to)| [from, to].map(|end| end.trim().parse::<f64>().ok()));
         match ends {
+            Some([Some(from), Some(_)]) if from < 0.0 => Err(Failure::input(format!(
+                "{option} `{text}`: expected FROM not below zero, as in 0:2.5"
+            ))),
             Some([Some(from), Some(to)]) => Ok(Some([from, to])),
             _ => Err(Failure::input(format!(
                 "{option} `{text}`: expected FROM:TO, as in 0:2.5"
