@@ -117,6 +117,13 @@ impl Account {
         Some(())
     }
 
+    /// The intervals worth showing, and the last one.
+    pub(crate) fn shown(&self) -> impl Iterator<Item = &Logged> {
+        let worst = self.worst.iter().map(|(_, place)| place);
+        let places = worst.chain(self.firsts.iter().flatten());
+        places.map(|place| &place.interval).chain(&self.last)
+    }
+
     /// Its sums, with what rows answer and where it ends.
     pub(crate) fn sums_alone(self) -> Self {
         Self {

@@ -3,7 +3,7 @@
 use passivity_scene::Scene;
 
 use crate::json::NumberedRow;
-use crate::ledger::Logged;
+use crate::ledger::{Ledger, Logged};
 use crate::log::account::Account;
 use crate::log::comparison::Comparison;
 use crate::log::computed::{Accounted, Computed};
@@ -90,6 +90,12 @@ impl Findings {
         account.timing = std::mem::take(&mut found.timing);
         self.account = account;
         Ok(rows)
+    }
+
+    /// Whether the intervals that are shown have figures, as those of an account that was changed may not.
+    pub(crate) fn is_defined(&self, ledger: &Ledger) -> bool {
+        let mut shown = self.account.shown().chain(&self.head);
+        shown.all(|interval| ledger.row(interval).is_some())
     }
 
     /// Goes on with what was found in the stretch that follows.

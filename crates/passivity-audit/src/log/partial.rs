@@ -22,6 +22,7 @@ use crate::log::preview::Preview;
 use crate::log::saved::wrong;
 use crate::log::saved_findings::SavedFindings;
 use crate::log::source::Dialect;
+use crate::log::step::undefined;
 use crate::log::task::Task;
 use crate::log::{Options, Reading, account};
 
@@ -272,6 +273,9 @@ fn joined(
             return Ok(None);
         };
         let found = saved.value(ledger).map_err(|error| error.of(name))?;
+        if !found.is_defined(ledger) {
+            return Err(undefined().of(name));
+        }
         if let Some(error) = &found.error
             && error.row == Some(0)
         {
