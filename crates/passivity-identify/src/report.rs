@@ -148,14 +148,7 @@ impl Report {
             (Parameter::Inertia, &self.parameters.inertia),
         ] {
             let Some(known) = known else { continue };
-            let unit = unit(parameter, motion);
-            let range = match known.hi {
-                Some(hi) => format!("{} … {}{unit}", below(known.lo), above(hi)),
-                None => format!(
-                    "at least {}{unit}; nothing bounds it above",
-                    below(known.lo)
-                ),
-            };
+            let range = range(known.lo, known.hi, unit(parameter, motion));
             let best = known.best.map_or_else(String::new, |best| {
                 format!("; best estimate {}", nearest(best))
             });
@@ -202,13 +195,21 @@ pub(crate) fn unit(parameter: Parameter, motion: Motion) -> &'static str {
 /// How many digits of a bound are written, and how many an estimate may need.
 pub(crate) const DIGITS: RangeInclusive<u8> = 6..=17;
 
+/// Bounds, rounded outwards, as a scene is given them; in words where nothing bounds above.
+pub(crate) fn range(lo: f64, hi: Option<f64>, unit: &str) -> String {
+    match hi {
+        Some(hi) => format!("{} … {}{unit}", below(lo), above(hi)),
+        None => format!("at least {}{unit}; nothing bounds it above", below(lo)),
+    }
+}
+
 /// Six digits that are not above a bound.
-pub(crate) fn below(x: f64) -> String {
+fn below(x: f64) -> String {
     digits(x, Rounding::Down)
 }
 
 /// Six digits that are not below a bound.
-pub(crate) fn above(x: f64) -> String {
+fn above(x: f64) -> String {
     digits(x, Rounding::Up)
 }
 

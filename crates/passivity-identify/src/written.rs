@@ -5,7 +5,7 @@ use passivity_scene::{Motion, Scene, SceneError};
 use toml_edit::{DocumentMut, Item, Table, value};
 
 use crate::identified::{Bounds, Identified, IdentifyError};
-use crate::report::{LogReport, above, below, nearest, unit};
+use crate::report::{LogReport, nearest, range, unit};
 
 /// How the comments begin that say where what was identified comes from.
 const MARK: &str = "# Identified by `passivity identify`";
@@ -71,11 +71,7 @@ impl Identified {
     /// Bounds of a parameter, rounded outwards, as a scene is given them; in words where nothing bounds it above.
     #[must_use]
     pub fn range(&self, parameter: Parameter, bounds: &Bounds) -> String {
-        let (lo, unit) = (below(bounds.lo), unit(parameter, self.motion));
-        match bounds.hi {
-            Some(hi) => format!("{lo} … {}{unit}", above(hi)),
-            None => format!("at least {lo}{unit}; nothing bounds it above"),
-        }
+        range(bounds.lo, bounds.hi, unit(parameter, self.motion))
     }
 
     /// The sketch's text with what is known of the device, as ranges that surely hold it.

@@ -27,6 +27,7 @@ impl Columns {
         };
         let once = found.iter().flatten().filter(|f| times(f.column) == 1);
         let mut meant: Vec<Found> = once.cloned().collect();
+        let said = by_name(headings).unwrap_or_default();
         for (assignment, found) in self.0.iter().zip(&found) {
             if meant.iter().any(|other| other.role == assignment.role) {
                 continue;
@@ -37,7 +38,6 @@ impl Columns {
                 Some(_) => None,
                 None => assignment.most_alike(headings),
             };
-            let said = by_name(headings).unwrap_or_default();
             let is_kin = |found: &&Found| guess::are_kin(found.role, assignment.role);
             let guessed = || {
                 let unread = guess::unread(headings, preview, scene, &meant);
@@ -49,15 +49,9 @@ impl Columns {
             };
             let column = alike.filter(is_free).or_else(guessed)?;
             // A column that is called `count` has no angles, whatever was typed of one that is not there.
-            let mut own = said
-                .iter()
-                .filter(is_kin)
-                .filter(|found| found.role != assignment.role);
-            let other = own.find(|own| own.column == column);
-            meant.push(match other {
-                Some(other) => other.clone(),
-                None => assignment.at(column),
-            });
+            let mut own = said.iter().filter(is_kin);
+            let own = own.find(|own| own.column == column && own.role != assignment.role);
+            meant.push(own.cloned().unwrap_or_else(|| assignment.at(column)));
         }
         Some(meant)
     }
