@@ -69,7 +69,7 @@ features: ## lint and test the builds that leave something out: no pictures, no 
 	    $(CARGO) clippy --quiet $(FLAGS) --no-default-features -p $$build -- -D warnings; \
 	done
 	@echo "== cargo test: what is left out says which feature has it"
-	$(CARGO) test --quiet $(FLAGS) --no-default-features --features simulate -p passivity-cli --bins
+	$(CARGO) test --quiet $(FLAGS) --no-default-features --features simulate -p passivity-command --lib
 
 package: ## pack every crate that is published, and build each from its package
 	@echo "== cargo package: $(PUBLISHED)"

@@ -132,8 +132,21 @@ fn fresh(path: &Path) -> io::Result<(PathBuf, File)> {
     }
 }
 
-/// Brings a new name in a folder to the disk, where folders can be opened.
-fn sync_folder(path: &Path) -> io::Result<()> {
+/// Brings the name of a file that was made, renamed or removed to the disk, where folders can be opened.
+///
+/// # Errors
+///
+/// What the system reports.
+///
+/// # Example
+///
+/// ```
+/// let path = std::env::temp_dir().join(format!("named-{}", std::process::id()));
+/// std::fs::write(&path, "").unwrap();
+/// passivity_scene::files::sync_folder(&path).unwrap();
+/// # std::fs::remove_file(&path).unwrap();
+/// ```
+pub fn sync_folder(path: &Path) -> io::Result<()> {
     #[cfg(unix)]
     if let Some(folder) = names::folder(path)
         && let Ok(folder) = File::open(folder)

@@ -31,20 +31,3 @@ pub(super) const MANIFEST: &str = ".manifest";
 pub(super) fn plain(path: &Path) -> Result<(), SimError> {
     may_be_replaced(path).map_err(|error| failed(path, &error))
 }
-
-/// Brings a new name in a folder to the disk, where folders can be opened.
-pub(super) fn sync_folder(path: &Path) -> std::io::Result<()> {
-    #[cfg(unix)]
-    if let Some(folder) = path.parent() {
-        let folder = match folder.as_os_str().is_empty() {
-            true => Path::new("."),
-            false => folder,
-        };
-        if let Ok(folder) = std::fs::File::open(folder) {
-            folder.sync_all()?;
-        }
-    }
-    #[cfg(not(unix))]
-    let _ = path;
-    Ok(())
-}

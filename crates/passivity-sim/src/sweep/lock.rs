@@ -7,8 +7,10 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read as _, Seek as _, Write as _};
 use std::path::{Path, PathBuf};
 
+use passivity_scene::files::sync_folder;
+
 use crate::error::SimError;
-use crate::sweep::disk::{failed, sync_folder};
+use crate::sweep::disk::failed;
 
 /// The file, and that no other process has it.
 #[derive(Debug)]
