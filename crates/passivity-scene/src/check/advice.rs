@@ -8,6 +8,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::decide::Verdict;
+use super::figures::Figures;
 use super::limits::{Limit, typed_back};
 use super::report::Report;
 use super::{BITS, figure};
@@ -75,7 +76,7 @@ pub struct Advice {
 /// The advice on a box of loops, about the speeds that its limits speak of; `None` where a figure is
 /// undefined.
 pub(super) fn of<S: Enclosed>(
-    bounds: &Loop<Interval<S>>,
+    figures: &Figures<'_, S>,
     speeds: &Speeds<Interval<S>>,
     verdict: Verdict,
     limits: &[Limit],
@@ -86,13 +87,13 @@ pub(super) fn of<S: Enclosed>(
         Speeds::UpTo(v) => Some(upper(&v)?),
         _ => None,
     };
-    let (binds, used, shares) = uses(bounds, speed.as_ref())?;
+    let (binds, used, shares) = uses(figures.bounds, speed.as_ref())?;
     Some(Advice {
         binds,
         used,
         shares,
         max_speed: if to_mend {
-            speed_to_set(bounds, speed_written)
+            speed_to_set(figures, speed_written)
         } else {
             None
         },
@@ -220,14 +221,9 @@ fn uses<S: Enclosed>(bounds: &Loop<Interval<S>>, speed: Option<&BigRational>) ->
 }
 
 /// The largest bound on the speed that is enough, as the scene file would write it.
-fn speed_to_set<S: Enclosed>(bounds: &Loop<Interval<S>>, written: &Written) -> Option<SpeedToSet> {
-    let [hardest, _] = bounds.criteria();
-    let is_slow_only = hardest.coulomb.is_positive() == Some(true)
-        && hardest.viscous.is_nonnegative() == Some(false);
-    if !is_slow_only {
-        return None;
-    }
-    let border = Interval::point(hardest.coulomb.over(-hardest.viscous));
+fn speed_to_set<S: Enclosed>(figures: &Figures<'_, S>, written: &Written) -> Option<SpeedToSet> {
+    let bounds = figures.bounds;
+    let border = Interval::point(figures.speed_to_set()?);
     let border = figure(&border)?.lo().clone();
     let suffices = |v: &S| bounds.surely_holds(&Speeds::UpTo(Interval::point(v.clone())));
     let typed = typed_back(written, &border, Rounding::Down, suffices)?;

@@ -1,14 +1,81 @@
 //! The figures of a box of loops: the least and the largest value of each over the tolerances.
 
 use passivity_core::verdict::End;
-use passivity_core::{Criterion, Interval, Loop, Ordered, Parameter, Region, Truth, region};
+use passivity_core::{Criterion, Enclosed, Interval, Loop, Parameter, Region, Truth, region};
+
+use super::BITS;
 
 /// A box of loops whose figures are asked for.
 pub(super) struct Figures<'a, S> {
     pub(super) bounds: &'a Loop<Interval<S>>,
+    /// The whole box, in pieces where figures of the whole would be too wide.
+    pieces: Vec<Loop<Interval<S>>>,
 }
 
-impl<S: Ordered> Figures<'_, S> {
+/// The box in pieces along the stiffness, each with its own costs: how many times KT damping costs where that is computed
+/// falls with K, so that what the softest wall costs, taken of the stiffest, is more than any wall costs.
+fn pieces<S: Enclosed>(bounds: &Loop<Interval<S>>) -> Option<Vec<Loop<Interval<S>>>> {
+    /// So many pieces leave a sixteenth of what figures were too wide by.
+    const PIECES: i32 = 16;
+    let stiffness = &bounds.stiffness;
+    if !bounds.has_computed_costs() || bounds.damping.is_none() || stiffness.is_point() {
+        return None;
+    }
+    let width = stiffness.hi().clone() - stiffness.lo().clone();
+    let at = |i| match i {
+        PIECES => stiffness.hi().clone(),
+        _ => stiffness.lo().clone() + (width.clone() * S::integer(i)).over(S::integer(PIECES)),
+    };
+    let piece = |i| {
+        let softer = Interval::hull(at(i), at(i + 1));
+        let piece = bounds.clone().with(Parameter::Stiffness, softer);
+        piece.with_costs(BITS)
+    };
+    (0..PIECES).map(piece).collect()
+}
+
+impl<'a, S: Enclosed> Figures<'a, S> {
+    pub(super) fn of(bounds: &'a Loop<Interval<S>>) -> Self {
+        Self {
+            bounds,
+            pieces: pieces(bounds).unwrap_or_else(|| vec![bounds.clone()]),
+        }
+    }
+
+    /// A figure over all pieces.
+    fn over_pieces<F>(
+        &self,
+        figure: impl Fn(&Loop<Interval<S>>) -> F,
+        joined: impl Fn(F, F) -> F,
+    ) -> F {
+        let figures = self.pieces.iter().map(figure);
+        let all = figures.reduce(joined);
+        all.unwrap_or_else(|| unreachable!("a box has a piece"))
+    }
+
+    /// The region of every loop of the box; `None` where it depends.
+    pub(super) fn region(&self) -> Option<Region> {
+        self.over_pieces(Loop::region, |a, b| if a == b { a } else { None })
+    }
+
+    /// The fastest that all loops of the box may surely go, where speed has a bound in some.
+    pub(super) fn speed_to_set(&self) -> Option<S> {
+        let of = |piece: &Loop<Interval<S>>| {
+            let [hardest, _] = piece.criteria();
+            let is_slow_only = hardest.coulomb.is_positive() == Some(true);
+            match hardest.viscous.is_nonnegative() {
+                Some(false) if is_slow_only => Some(Some(hardest.coulomb.over(-hardest.viscous))),
+                Some(true) if is_slow_only => Some(None),
+                _ => None,
+            }
+        };
+        let slower = |a: Option<Option<S>>, b: Option<Option<S>>| match (a?, b?) {
+            (Some(a), Some(b)) => Some(Some(a.min(b))),
+            (a, b) => Some(a.or(b)),
+        };
+        self.over_pieces(of, slower)?
+    }
+
     /// A figure that the hardest and the easiest end of the tolerances bound.
     pub(super) fn between(&self, figure: impl Fn(&Loop<S>) -> S) -> Interval<S> {
         let [a, b] = [End::Hardest, End::Easiest].map(|end| figure(&self.bounds.at(end)));
@@ -54,11 +121,13 @@ impl<S: Ordered> Figures<'_, S> {
     pub(super) fn critical_speed(&self, region: Option<Region>) -> Option<Interval<S>> {
         match region? {
             Region::LocallyStable | Region::LimitCycles => {
-                let [a, b] = self
-                    .bounds
-                    .criteria()
-                    .map(|c: Criterion<S>| region::critical_speed(&c));
-                Some(Interval::hull(a, b))
+                let of = |piece: &Loop<Interval<S>>| {
+                    let [a, b] = piece
+                        .criteria()
+                        .map(|c: Criterion<S>| region::critical_speed(&c));
+                    Interval::hull(a, b)
+                };
+                Some(self.over_pieces(of, |a, b| a.joined(&b)))
             }
             Region::GloballyStable | Region::Unstable => None,
         }
@@ -87,62 +156,23 @@ impl<S: Ordered> Figures<'_, S> {
                 let unit = corner.viscous_unit() * v.clone();
                 corner.criterion().margin(v).over(unit)
             };
-            let range = self.over_corners(margin);
-            match self.best_period(v) {
-                Some(period) => {
-                    let inner = self
-                        .bounds
-                        .clone()
-                        .with(Parameter::Period, Interval::point(period));
-                    range.joined(&Figures { bounds: &inner }.over_corners(margin))
-                }
-                None => range,
-            }
+            let of = |piece: &Loop<Interval<S>>| {
+                let range = over_corners(piece, margin);
+                let Some(period) = best_period(piece, v) else {
+                    return range;
+                };
+                let inner = piece.clone();
+                let inner = inner.with(Parameter::Period, Interval::point(period));
+                range.joined(&over_corners(&inner, margin))
+            };
+            self.over_pieces(of, |a, b| a.joined(&b))
         });
         a.joined(&b)
     }
 
-    /// The sampling period inside its tolerance at which the margin at a speed is largest, where
-    /// one pulls both ways: the margin is then p/T − q/T² and a constant, largest at T = 2q/p.
-    fn best_period(&self, v: &S) -> Option<S> {
-        if !self.bounds.period_pulls_both_ways() {
-            return None;
-        }
-        let easiest = self.bounds.at(End::Easiest);
-        // With T = 1 and without damping, the margin is p − ½ − k in units of K and v.
-        let damping = easiest.damping.clone()?;
-        let undamped = Loop {
-            damping: None,
-            ..easiest.clone().with(Parameter::Period, S::one())
-        };
-        let p = easiest.viscous_friction() * v.clone() - damping.clone() * v.clone()
-            + undamped.criterion().coulomb;
-        let best = (damping * easiest.length()).double().over(p);
-        let after = best.compare(self.bounds.period.lo())?.is_gt();
-        let before = best.compare(self.bounds.period.hi())?.is_lt();
-        (after && before).then_some(best)
-    }
-
-    /// The least and the largest value of a figure that is monotone in each of K, T and Δ while the
-    /// others stay, with friction and the other effects at either end.
+    /// The least and the largest value of a figure over the corners of all pieces.
     fn over_corners(&self, figure: impl Fn(&Loop<S>) -> S) -> Interval<S> {
-        let bounds = self.bounds;
-        let mut corners: Vec<Loop<S>> = vec![bounds.at(End::Hardest), bounds.at(End::Easiest)];
-        for parameter in [
-            Parameter::Stiffness,
-            Parameter::Period,
-            Parameter::Resolution,
-        ] {
-            if let Some(range) = bounds.get(parameter).filter(|range| !range.is_point()) {
-                let both = |corner: Loop<S>| {
-                    [range.lo(), range.hi()].map(|x| corner.clone().with(parameter, x.clone()))
-                };
-                corners = corners.into_iter().flat_map(both).collect();
-            }
-        }
-        let values = corners.iter().map(|corner| Interval::point(figure(corner)));
-        let all = values.reduce(|all, value| all.joined(&value));
-        all.unwrap_or_else(|| unreachable!("a box has corners"))
+        self.over_pieces(|piece| over_corners(piece, &figure), |a, b| a.joined(&b))
     }
 
     /// b ≥ KT/2 + B, for comparison; `None` where it does not apply: with a delay, a latency, a filter
@@ -179,4 +209,49 @@ impl<S: Ordered> Figures<'_, S> {
             .then(|| self.between(margin))?
             .is_nonnegative()
     }
+}
+
+/// The sampling period inside its tolerance at which the margin at a speed is largest, where
+/// one pulls both ways: the margin is then p/T − q/T² and a constant, largest at T = 2q/p.
+fn best_period<S: Enclosed>(bounds: &Loop<Interval<S>>, v: &S) -> Option<S> {
+    if !bounds.period_pulls_both_ways() {
+        return None;
+    }
+    let easiest = bounds.at(End::Easiest);
+    // With T = 1 and without damping, the margin is p − ½ − k in units of K and v.
+    let damping = easiest.damping.clone()?;
+    let undamped = Loop {
+        damping: None,
+        ..easiest.clone().with(Parameter::Period, S::one())
+    };
+    let p = easiest.viscous_friction() * v.clone() - damping.clone() * v.clone()
+        + undamped.criterion().coulomb;
+    let best = (damping * easiest.length()).double().over(p);
+    let after = best.compare(bounds.period.lo())?.is_gt();
+    let before = best.compare(bounds.period.hi())?.is_lt();
+    (after && before).then_some(best)
+}
+
+/// The least and the largest value of a figure that is monotone in each of K, T and Δ while the
+/// others stay, with friction and the other effects at either end.
+fn over_corners<S: Enclosed>(
+    bounds: &Loop<Interval<S>>,
+    figure: impl Fn(&Loop<S>) -> S,
+) -> Interval<S> {
+    let mut corners: Vec<Loop<S>> = vec![bounds.at(End::Hardest), bounds.at(End::Easiest)];
+    for parameter in [
+        Parameter::Stiffness,
+        Parameter::Period,
+        Parameter::Resolution,
+    ] {
+        if let Some(range) = bounds.get(parameter).filter(|range| !range.is_point()) {
+            let both = |corner: Loop<S>| {
+                [range.lo(), range.hi()].map(|x| corner.clone().with(parameter, x.clone()))
+            };
+            corners = corners.into_iter().flat_map(both).collect();
+        }
+    }
+    let values = corners.iter().map(|corner| Interval::point(figure(corner)));
+    let all = values.reduce(|all, value| all.joined(&value));
+    all.unwrap_or_else(|| unreachable!("a box has corners"))
 }

@@ -161,7 +161,7 @@ pub fn check(scene: &Scene) -> Report {
 
 /// The report, or `None` where a figure is undefined.
 fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Report> {
-    let figures = Figures { bounds };
+    let figures = Figures::of(bounds);
     let asked = bounds.speeds();
     let unbounded = bounds.truth(&Speeds::All)?;
     let at_every_speed = unbounded == Truth::Holds;
@@ -185,7 +185,7 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
     // What is decided of all loops says more than figures that are enclosed one by one.
     let region = match at_every_speed {
         true => Some(Region::GloballyStable),
-        false => bounds.region(),
+        false => figures.region(),
     };
     let decided = |range: Interval<BigRational>, holds: bool| match holds {
         true => range.map(|end| Scalar::max(end.clone(), Scalar::zero())),
@@ -215,7 +215,7 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
             .unwrap_or_else(|| Interval::point(Scalar::zero()))
     };
     let speed_written = speed_written(scene);
-    let advice = advice::of(bounds, of_limits, verdict, &limits, &speed_written)?;
+    let advice = advice::of(&figures, of_limits, verdict, &limits, &speed_written)?;
     Some(Report {
         scene: scene.name.clone(),
         motion: scene.motion,
@@ -266,7 +266,7 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
             Some(cycle) => Some(witness(cycle, bounds, has_units)?),
             None => None,
         },
-        unforced: left_alone(scene, bounds, &not_covered)?,
+        unforced: left_alone(scene, &figures, &not_covered)?,
         not_covered,
     })
 }
@@ -290,19 +290,18 @@ fn speed_written(scene: &Scene) -> Written {
 /// What TH-START says of the scene's start.
 fn left_alone<S: Enclosed>(
     scene: &Scene,
-    bounds: &Loop<Interval<S>>,
+    figures: &Figures<'_, S>,
     not_covered: &[Effect],
 ) -> Option<Option<Unforced>> {
-    let Some(start) = StartSpeed::of(scene, bounds) else {
+    let Some(start) = StartSpeed::of(scene, figures.bounds) else {
         return Some(None);
     };
     let holds = match not_covered {
-        [] => unforced::holds(bounds, &start.speeds())?,
+        [] => unforced::holds(figures.bounds, &start.speeds())?,
         _ => Truth::Depends,
     };
     let speed = start.enclosure(BITS)?;
-    let factor = Figures { bounds }.in_ticks(&Interval::point(Scalar::one()));
-    let factor = figure(&factor)?;
+    let factor = figure(&figures.in_ticks(&Interval::point(Scalar::one())))?;
     let ticks = Interval::hull(speed.lo() * factor.lo(), speed.hi() * factor.hi());
     Some(Some(Unforced {
         holds,

@@ -247,3 +247,70 @@ fn a_filter_may_cost_the_most_inside_its_tolerance() {
     }
     assert!(*of("6.11428", whole).cost.viscous.hi() >= q("6.11429"));
 }
+
+/// Of filtered damping beside a tolerance of the stiffness, figures contain those of each wall alone and are hardly wider.
+///
+/// What viscous friction has to spare is b/K − ½ − B·r/K for a number r below 1. Each of sixteen stretches of K, w = p/8
+/// long, may take another K for b than for B, here 1: that adds at most w/(1 − p)².
+#[test]
+fn figures_of_filtered_damping_are_those_of_one_wall_each() {
+    let of = |viscous: &str, stiffness: &str, more: &str| {
+        let text = format!(
+            "device = {{ viscous = \"{viscous} N s/m\", coulomb = \"1 N\" }}\n\
+             sampling.period = \"1 s\"\n\
+             encoder.resolution = \"0.1 m\"\n\
+             wall = {{ stiffness = \"{stiffness} N/m\", damping = \"1 N s/m\", damping_time_constant = \"0.5 s\" }}\n\
+             {more}"
+        );
+        check(&Scene::from_toml("scene", &text).unwrap())
+    };
+    for (viscous, percent) in [("0.93", 2), ("0.93", 10), ("0.9", 30)] {
+        let box_of_walls = format!("1 ± {percent}%");
+        let report = of(viscous, &box_of_walls, "");
+        let walls =
+            [100 - percent, 100, 100 + percent].map(|k| of(viscous, &format!("{k}e-2"), ""));
+        let same = walls.iter().all(|wall| wall.region == walls[0].region);
+        assert_eq!(
+            report.region,
+            walls[0].region.filter(|_| same),
+            "{percent} %"
+        );
+
+        let [p, one] = [q(&format!("{percent}e-2")), q("1")];
+        let softest = &one - &p;
+        let wider = p / q("8") / (&softest * &softest);
+        let spared = walls.iter().map(|wall| wall.spare.viscous.lo().clone());
+        let least = spared.min().unwrap();
+        let range = &report.spare.viscous;
+        assert!(
+            *range.lo() <= least && *range.lo() >= &least - &wider,
+            "{percent} %"
+        );
+        for wall in &walls {
+            assert!(wall.spare.viscous.hi() <= range.hi(), "{percent} %");
+        }
+
+        // A wall that is passive at every speed has no slowest.
+        let speeds = walls
+            .iter()
+            .filter_map(|wall| wall.critical_speed_si.clone());
+        let slowest = speeds.map(|v| v.lo().clone()).min().unwrap();
+        let set = report.advice.max_speed.unwrap();
+        // Five digits are printed, rounded down.
+        let fastest = &slowest * &least / (&least - wider) * q("0.9999");
+        assert!(
+            set.value <= slowest && set.value >= fastest,
+            "{}",
+            set.typed
+        );
+        let bound = format!("operator.max_speed = \"{}\"\n", set.typed);
+        let bounded = of(viscous, &box_of_walls, &bound);
+        assert_eq!(bounded.verdict, Verdict::Passive, "{percent} %");
+        assert!(
+            *bounded.margin_at_speed_bound.unwrap().lo() > q("0"),
+            "{percent} %"
+        );
+        let critical = bounded.critical_speed_si.or(report.critical_speed_si);
+        assert!(critical.is_none_or(|v| *v.lo() <= slowest && *v.lo() >= set.value));
+    }
+}
