@@ -28,6 +28,7 @@ use crate::exit::{Exit, Failure};
 use crate::files::{may_be_written, sources};
 use crate::output::{Format, emit, emit_json, look, read_scene};
 use crate::progress::Progress;
+pub(crate) use text::deciding;
 use text::text;
 
 /// Simulate a scene: the motion between samples in closed form, with the energy ledger.

@@ -14,7 +14,7 @@ use crate::exit::{Exit, Failure};
 use crate::files::{may_be_written, sources};
 use crate::output::{Format, emit, emit_json, read_scene};
 use crate::progress::Progress;
-use crate::verbs::simulate::intervals;
+use crate::verbs::simulate::{deciding, intervals};
 
 /// Simulate every point of a grid, on all cores: of (β, σ, speed at the start), Fig. 5 of the paper, or
 /// of any two or three parameters of the scene.
@@ -138,7 +138,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         seconds,
     );
     match args.format {
-        Format::Text => emit(&text(&report))?,
+        Format::Text => emit(&text(&report, &point))?,
         Format::Json => emit_json(&report)?,
     }
     Ok(Exit::Holds)
@@ -321,13 +321,14 @@ mod picture {
     }
 }
 
-fn text(report: &Sweep) -> String {
+fn text(report: &Sweep, point: &Point) -> String {
     let (exact, paper) = (&report.exact, &report.paper);
     let near = match report.within_rounding_of_edge {
         0 => String::new(),
         n => format!(
             "\n  of those simulated now, {n} had a sample within rounding of an encoder edge, from which on \
-             the motion may be another one: `simulate --method enclosure` decides"
+             the motion may be another one: in `simulate`, {}",
+            deciding(point)
         ),
     };
     format!(

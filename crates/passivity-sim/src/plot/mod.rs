@@ -40,7 +40,7 @@ pub(crate) fn svg(
 
 /// A label of an axis over `range`: no more digits than needed.
 pub(crate) fn label(x: f64, range: &std::ops::Range<f64>) -> String {
-    if x.abs() < 1e-9 * (range.end - range.start) {
+    if x == 0.0 || x.abs() < 1e-9 * (range.end - range.start) {
         return "0".to_owned(); // What rounding left of it.
     }
     let (text, exponent) = if (1e-4..1e6).contains(&x.abs()) {
@@ -91,6 +91,7 @@ mod tests {
             assert_eq!(label(x, &wide), text);
         }
         assert_eq!(label(1.4e-17, &(-1.0..1.0)), "0");
+        assert_eq!(label(0.0, &(0.0..0.0)), "0");
         assert_eq!(label(1.5e-7, &(0.0..1e-6)), "1.5e-7");
         assert_eq!(label(2e9, &(0.0..1e10)), "2e9");
     }

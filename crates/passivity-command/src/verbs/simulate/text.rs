@@ -1,12 +1,28 @@
 //! What `passivity simulate` says of a motion to people.
 
-use passivity_scene::Scene;
 use passivity_scene::display::significant;
+use passivity_scene::{Point, Scene};
 use passivity_sim::report::Simulation;
 use passivity_sim::scales::{Scale, Scales};
-use passivity_sim::{Beyond, Detail, ExactOutcome, Plan, Simulated};
+use passivity_sim::{Beyond, Detail, ExactOutcome, Method, Plan, Simulated};
 
 use super::words;
+
+/// Which methods decide of a sample on which side of an encoder's edge it is, of those that the scene's effects allow.
+pub(crate) fn deciding(point: &Point) -> String {
+    let methods = [Method::Exact, Method::Enclosure].into_iter();
+    let methods: Vec<_> = methods
+        .filter(|method| method.unsupported(point).is_empty())
+        .map(|method| format!("`--method {method}`"))
+        .collect();
+    match methods.is_empty() {
+        true => {
+            "of more digits (`--method reference:60`) more is to be believed, and no method decides"
+                .to_owned()
+        }
+        false => format!("{} decides", methods.join(" or ")),
+    }
+}
 
 /// The motion in words.
 pub(super) fn text(
@@ -34,7 +50,8 @@ pub(super) fn text(
     if let Some(h) = end.within_rounding_of_edge {
         lines.push(format!(
             "  sample {h} is within rounding of an encoder edge, and the motion from there on may be another \
-             one: `--method exact` (without viscous friction) or `--method enclosure` decides"
+             one: {}",
+            deciding(&scene.point())
         ));
     }
     lines.extend([
@@ -137,5 +154,30 @@ fn detail(detail: &Detail) -> Vec<String> {
             format!("{INDENT}ξ in [{xi_lo:?}, {xi_hi:?}]"),
             format!("{INDENT}ξ̇ in [{v_lo:?}, {v_hi:?}], by numbers of {bits} bits"),
         ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_methods_that_take_the_scene_are_said_to_decide() {
+        let of = |viscous: &str, arm: &str| {
+            let text = format!(
+                "[device]\ninertia = \"1 kg\"\nviscous = \"{viscous} N s/m\"\ncoulomb = \"1 N\"\n\
+                 [sampling]\nperiod = \"1 ms\"\n[wall]\nstiffness = \"1 N/m\"\n\
+                 [encoder]\nresolution = \"1 mm\"\n{arm}"
+            );
+            deciding(&Scene::from_toml("scene", &text).unwrap().point())
+        };
+        let arm =
+            "[operator]\narm = { mass = \"1 kg\", damping = \"1 N s/m\", stiffness = \"1 N/m\" }\n";
+        assert_eq!(of("1", ""), "`--method enclosure` decides");
+        assert_eq!(
+            of("0", ""),
+            "`--method exact` or `--method enclosure` decides"
+        );
+        assert!(of("0", arm).ends_with("no method decides"));
     }
 }
