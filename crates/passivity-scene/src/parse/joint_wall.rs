@@ -210,7 +210,9 @@ fn exact(
             return None;
         }
     };
-    let amount = match Amount::parse(text, Unit::parse) {
+    // An angle may be left out, as `N m s` is as good as `N m s/rad`.
+    let fits = |unit: &Unit| [dimension, dimension.with_angle(0)].contains(&unit.dimension());
+    let amount = match Amount::parse(text, |unit| Unit::parse_for(unit, fits)) {
         Ok(amount) => amount,
         Err(fault) => {
             let diagnostic = Diagnostic::new(fault.kind, fault.message)
@@ -220,10 +222,8 @@ fn exact(
             return None;
         }
     };
-    // An angle may be left out, as `N m s` is as good as `N m s/rad`.
     let own = amount.unit.dimension();
-    let fits = own == dimension || own == dimension.with_angle(0);
-    if !fits {
+    if !fits(&amount.unit) {
         let (kind, span) = match &amount.unit_text {
             Some((_, span)) => (Kind::WrongUnit, node.part(span.clone())),
             None => (Kind::MissingUnit, node.span.clone()),

@@ -136,6 +136,16 @@ impl Measure {
             .then_some(Some(Motion::Rotary))
     }
 
+    /// The motion that a unit tells of, where it fits, and the weight that it stands for where that is what fits.
+    pub(super) fn reads(self, unit: &Unit) -> Option<(Option<Motion>, Option<Unit>)> {
+        if let Some(motion) = self.accepts(unit.dimension()) {
+            return Some((motion, None));
+        }
+        let weight = self.weight(unit)?;
+        let motion = self.accepts(weight.dimension())?;
+        Some((motion, Some(weight)))
+    }
+
     /// The unit with its masses as weights, where data sheets mean that: not for a bare mass, which may
     /// be a slip of the key.
     pub(super) fn weight(self, unit: &Unit) -> Option<Unit> {

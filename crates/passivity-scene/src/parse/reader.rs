@@ -115,14 +115,17 @@ impl Reader<'_> {
             .and_then(|amount| self.given(&entry.node, spec, &amount, Form::Cutoff))
     }
 
+    /// The motion of what a key is of, as far as it is known: a motor turns.
+    fn motion_of(&self, spec: &Spec) -> Option<Motion> {
+        match spec.at_motor {
+            true => Some(Motion::Rotary),
+            false => self.motion(),
+        }
+    }
+
     fn expected(&self, spec: &Spec) -> String {
         if !self.dimensionless {
-            let motion = if spec.at_motor {
-                Some(Motion::Rotary)
-            } else {
-                self.motion()
-            };
-            return spec.measure.expected(motion);
+            return spec.measure.expected(self.motion_of(spec));
         }
         let unit = match spec.measure {
             Measure::Inertia | Measure::Mass => "KT²",
@@ -168,7 +171,14 @@ impl Reader<'_> {
         let amount = if self.dimensionless {
             Amount::parse(text, plain)
         } else {
-            Amount::parse(text, Unit::parse)
+            let known = self.motion_of(spec);
+            let fits = |unit: &Unit| {
+                let read = spec.measure.reads(unit);
+                read.is_some_and(|(motion, _)| {
+                    motion.is_none() || known.is_none() || motion == known
+                })
+            };
+            Amount::parse(text, |unit| Unit::parse_for(unit, fits))
         };
         let checked = amount.and_then(|amount| self.check_unit(amount, text, spec));
         match checked {
@@ -209,13 +219,6 @@ impl Reader<'_> {
             });
         };
         let dimension = amount.unit.dimension();
-        let accepted = spec.measure.accepts(dimension).or_else(|| {
-            let weight = spec.measure.weight(&amount.unit)?;
-            let accepted = spec.measure.accepts(weight.dimension())?;
-            amount.unit = weight;
-            amount.is_weight = true;
-            Some(accepted)
-        });
         let wrong = |help| Fault {
             kind: Kind::WrongUnit,
             span: span.clone(),
@@ -227,12 +230,16 @@ impl Reader<'_> {
             ),
             help,
         };
-        let Some(motion) = accepted else {
+        let Some((motion, weight)) = spec.measure.reads(&amount.unit) else {
             let weight = amount.unit.as_weight();
             let is_weight = weight.is_some_and(|w| spec.measure.accepts(w.dimension()).is_some());
             let help = "write the weight of a mass as `gf`, `kgf`, `ozf` or `lbf`".to_owned();
             return Err(wrong(is_weight.then_some(help)));
         };
+        if let Some(weight) = weight {
+            amount.unit = weight;
+            amount.is_weight = true;
+        }
         if spec.at_motor {
             return match motion {
                 Some(Motion::Linear) => Err(wrong(None)),

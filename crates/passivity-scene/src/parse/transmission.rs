@@ -116,7 +116,8 @@ fn plain(entry: &Entry, key: &str, reader: &mut Reader<'_>) -> Option<(Exact, Mo
         reader.report(refused(entry, key, "this is no ratio", expected));
         return None;
     }
-    let (value, dimension) = exact(entry, key, expected, reader)?;
+    let units = [Dimension::NONE, ANGLE_PER_LENGTH, LENGTH_PER_ANGLE];
+    let (value, dimension) = exact(entry, key, expected, &units, reader)?;
     match dimension {
         Dimension::NONE => Some((value, Motion::Rotary)),
         ANGLE_PER_LENGTH => Some((value, Motion::Linear)),
@@ -131,7 +132,7 @@ fn plain(entry: &Entry, key: &str, reader: &mut Reader<'_>) -> Option<(Exact, Mo
 
 fn length(entry: &Entry, key: &str, reader: &mut Reader<'_>) -> Option<Exact> {
     let expected = "a radius above zero such as `\"5 mm\"`";
-    let (value, dimension) = exact(entry, key, expected, reader)?;
+    let (value, dimension) = exact(entry, key, expected, &[LENGTH], reader)?;
     if dimension == LENGTH {
         return Some(value);
     }
@@ -140,11 +141,12 @@ fn length(entry: &Entry, key: &str, reader: &mut Reader<'_>) -> Option<Exact> {
     None
 }
 
-/// A value above zero without a tolerance, in SI units, and its dimension.
+/// A value above zero without a tolerance, in SI units, and its dimension; units of `dimensions` are proposed.
 fn exact(
     entry: &Entry,
     key: &str,
     expected: &str,
+    dimensions: &[Dimension],
     reader: &mut Reader<'_>,
 ) -> Option<(Exact, Dimension)> {
     let (Content::Text(text, _) | Content::Number(text)) = &entry.node.content else {
@@ -152,7 +154,8 @@ fn exact(
         reader.report(refused(entry, key, &message, expected));
         return None;
     };
-    let amount = match Amount::parse(text, Unit::parse) {
+    let fits = |unit: &Unit| dimensions.contains(&unit.dimension());
+    let amount = match Amount::parse(text, |unit| Unit::parse_for(unit, fits)) {
         Ok(amount) => amount,
         Err(fault) => {
             let diagnostic = Diagnostic::new(fault.kind, fault.message)

@@ -241,6 +241,37 @@ fn unknown(span: Range<usize>, symbol: &str) -> UnitError {
             true => format!("`{shown}` may be degrees or gradians: write `deg` or `gon`"),
             false => format!("unknown unit `{shown}`"),
         },
-        help: symbols::suggestion(symbol).map(|s| format!("did you mean {s}?")),
+        help: None,
     }
+}
+
+/// The most unknown symbols of one unit that others are proposed for.
+const MOST_UNKNOWN: u8 = 3;
+
+/// Which unit may have been meant, of those that fit: all that differ from the nearest in the case of letters only.
+pub(super) fn proposal(text: &str, fits: &dyn Fn(&Unit) -> bool) -> Option<String> {
+    let mut found = repaired(text, MOST_UNKNOWN, fits);
+    let nearest = found.first()?.clone();
+    found.retain(|other| other.eq_ignore_ascii_case(&nearest));
+    let found: Vec<String> = found.iter().map(|unit| format!("`{unit}`")).collect();
+    Some(format!("did you mean {}?", found.join(" or ")))
+}
+
+/// The text with known symbols in place of at most so many unknown ones, where it then fits.
+fn repaired(text: &str, unknown: u8, fits: &dyn Fn(&Unit) -> bool) -> Vec<String> {
+    let error = match parse(text) {
+        Ok(unit) if fits(&unit) => return vec![text.to_owned()],
+        Err(error) if error.unknown && unknown > 0 => error,
+        _ => return Vec::new(),
+    };
+    let part = |range| text.get(range).unwrap_or_default();
+    let [before, symbol, behind] = [
+        part(0..error.span.start),
+        part(error.span.clone()),
+        part(error.span.end..text.len()),
+    ];
+    let meant = symbols::meant(symbol).into_iter();
+    meant
+        .flat_map(|symbol| repaired(&format!("{before}{symbol}{behind}"), unknown - 1, fits))
+        .collect()
 }

@@ -70,6 +70,33 @@ impl Unit {
         expression::parse(text)
     }
 
+    /// Reads a unit of which is known what it is for; that an unknown one may have been, if it then fits, is the
+    /// error's [help](UnitError::help).
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Unit::parse`]: whether the unit fits is not looked at.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_scene::units::Unit;
+    ///
+    /// let stiffness = Unit::parse("N/m").unwrap().dimension();
+    /// let fits = |unit: &Unit| unit.dimension() == stiffness;
+    /// let error = Unit::parse_for("KN/M", fits).unwrap_err();
+    /// assert_eq!(error.help(), Some("did you mean `kN/m`?"));
+    /// ```
+    pub fn parse_for(text: &str, fits: impl Fn(&Self) -> bool) -> Result<Self, UnitError> {
+        Self::parse(text).map_err(|error| match error.unknown {
+            true => UnitError {
+                help: expression::proposal(text, &fits),
+                ..error
+            },
+            false => error,
+        })
+    }
+
     /// The factor to SI units, without its power of π.
     #[must_use]
     pub const fn scale(&self) -> &BigRational {
@@ -143,7 +170,7 @@ impl UnitError {
         self.span.clone()
     }
 
-    /// What may have been meant.
+    /// What may have been meant, or how to write it.
     #[must_use]
     pub fn help(&self) -> Option<&str> {
         self.help.as_deref()

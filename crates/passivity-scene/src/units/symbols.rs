@@ -151,39 +151,46 @@ pub(super) fn is_ambiguous(text: &str) -> bool {
     text.eq_ignore_ascii_case("grad")
 }
 
-/// A unit that may have been meant: another case, a plural, or a product without its space.
-pub(super) fn suggestion(text: &str) -> Option<String> {
+/// The symbols that an unknown one may have been: in letters of another case, one of several, as the weight of a
+/// mass, or a product without its spaces.
+pub(super) fn meant(text: &str) -> Vec<String> {
     if is_ambiguous(text) {
-        return None;
+        return Vec::new();
     }
-    if let Some(singular) = text.strip_suffix('s').filter(|t| find(t).is_some()) {
-        // `newtons` is a plural, `Nms` a product with seconds.
-        let is_word = singular.len() > 4;
-        return Some(if is_word {
-            format!("`{singular}`")
-        } else {
-            format!("`{singular} s`")
-        });
-    }
-    let lower = text.to_lowercase();
-    let same_letters = |candidate: &str| candidate.to_lowercase() == lower;
-    for symbol in SYMBOLS
-        .iter()
-        .filter(|symbol| symbol.name.len() > 1 || text.len() == 1)
-    {
-        if same_letters(symbol.name) {
-            return Some(format!("`{}`", symbol.name));
-        }
-    }
-    for symbol in SYMBOLS.iter().filter(|symbol| symbol.prefixed) {
-        for (prefix, _) in &PREFIXES {
-            let candidate = format!("{prefix}{}", symbol.name);
-            if same_letters(&candidate) && find(&candidate).is_some() {
-                return Some(format!("`{candidate}`"));
-            }
-        }
-    }
+    let mut meant = in_any_case(text);
+    let singular = text.strip_suffix(['s', 'S']).unwrap_or_default();
+    let singular = in_any_case(singular).into_iter();
+    // `newtons` is a plural, `Ns` and `Nms` are products with seconds.
+    meant.extend(singular.filter(|symbol| !symbol.contains('N')));
+    let weights = meant.iter().map(|symbol| format!("{symbol}f"));
+    let weights: Vec<String> = weights.filter(|symbol| find(symbol).is_some()).collect();
+    meant.extend(weights);
     let splits = text.char_indices().skip(1).map(|(at, _)| text.split_at(at));
-    let mut products = splits.filter(|(a, b)| find(a).is_some() && find(b).is_some());
-    products.next().map(|(a, b)| format!("`{a} {b}`"))
+    let products = splits.filter(|(a, b)| find(a).is_some() && find(b).is_some());
+    meant.extend(products.map(|(a, b)| format!("{a} {b}")));
+    meant
+}
+
+/// The symbols that have these letters in any case.
+fn in_any_case(text: &str) -> Vec<String> {
+    if find(text).is_some() {
+        return vec![text.to_owned()];
+    }
+    let prefixed = SYMBOLS.iter().filter(|symbol| symbol.prefixed);
+    let prefixed = prefixed.flat_map(|symbol| {
+        let prefixes = PREFIXES.iter();
+        prefixes.map(|(prefix, _)| format!("{prefix}{}", symbol.name))
+    });
+    let mut found: Vec<String> = SYMBOLS
+        .iter()
+        .map(|symbol| symbol.name.to_owned())
+        .chain(prefixed)
+        .filter(|symbol| symbol.eq_ignore_ascii_case(text) && find(symbol).is_some())
+        .collect();
+    // A capital M is mega where that is a unit, as in `MHZ`; of `mhz` nothing says whether it is milli or mega.
+    let keeps = |symbol: &String| symbol.chars().next() == text.chars().next();
+    if text.contains(char::is_uppercase) && found.iter().any(keeps) {
+        found.retain(keeps);
+    }
+    found
 }

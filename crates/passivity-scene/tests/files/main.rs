@@ -9,6 +9,7 @@ mod devices;
 #[path = "../decisions/dimensionless.rs"]
 mod dimensionless;
 mod errors;
+mod meant;
 mod number;
 mod planes;
 mod quantities;

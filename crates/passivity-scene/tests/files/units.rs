@@ -146,36 +146,6 @@ fn what_is_no_unit_is_refused_with_its_place() {
     assert!(Unit::parse(&"m^9 ".repeat(40)).is_err());
 }
 
-#[test]
-fn an_unknown_unit_comes_with_what_may_have_been_meant() {
-    let cases = [
-        ("khz", Some("did you mean `kHz`?")),
-        ("RPM", Some("did you mean `rpm`?")),
-        ("Nms", Some("did you mean `Nm s`?")),
-        ("newtons", Some("did you mean `newton`?")),
-        ("kgm", Some("did you mean `kg m`?")),
-        ("furlong", None),
-        ("Grad", None),
-        // Millions of seconds, metres and radians are other units in letters of another case, or other words.
-        ("Ms", Some("did you mean `ms`?")),
-        ("Mm", Some("did you mean `mm`?")),
-        ("Mrad", Some("did you mean `mrad`?")),
-        ("MRad", Some("did you mean `mrad`?")),
-        ("Msec", Some("did you mean `msec`?")),
-        ("Min", Some("did you mean `min`?")),
-        ("Ts", None),
-        ("Gs", None),
-        ("Trad", None),
-        ("Pin", None),
-        ("Tick", None),
-    ];
-    for (text, help) in cases {
-        let error = Unit::parse(text).expect_err(text);
-        assert!(error.is_unknown_symbol());
-        assert_eq!(error.help(), help, "{text}");
-    }
-}
-
 proptest! {
     #[test]
     fn any_text_is_read_or_refused(text in "\\PC{0,12}|[Nmkgsrad/^()*· 1-3²⁻-]{0,16}") {

@@ -70,17 +70,19 @@ pub(super) fn unit_written(
             unit => Err(format!("expected a plain number, found the unit `{unit}`")),
         };
     }
-    let parsed = Unit::parse(unit).map_err(|error| match error.help() {
-        Some(help) => format!("{error}: {help}"),
-        None => error.to_string(),
-    })?;
     let accepts = |unit: &Unit| match measure.accepts(unit.dimension()) {
         Some(found) => found.is_none_or(|found| found == motion),
         None => false,
     };
     // As in a scene, `oz in` in place of a torque is a weight.
-    let weight = measure.weight(&parsed).filter(|_| !accepts(&parsed));
-    let parsed = weight.filter(accepts).unwrap_or(parsed);
+    let as_weight = |unit: &Unit| measure.weight(unit).filter(accepts);
+    let fits = |unit: &Unit| accepts(unit) || as_weight(unit).is_some();
+    let parsed = Unit::parse_for(unit, fits).map_err(|error| match error.help() {
+        Some(help) => format!("{error}: {help}"),
+        None => error.to_string(),
+    })?;
+    let weight = as_weight(&parsed).filter(|_| !accepts(&parsed));
+    let parsed = weight.unwrap_or(parsed);
     if !accepts(&parsed) {
         let (found, expected) = (describe(parsed.dimension()), measure.expected(Some(motion)));
         return Err(format!("the unit is that of {found}, expected {expected}"));
