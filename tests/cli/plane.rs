@@ -281,7 +281,11 @@ fn what_has_no_plane_is_said() {
         ),
         (
             &["--axes", "stiffness,inertia"],
-            "`inertia` has no part in the criterion",
+            "`inertia` has no part in the criterion, so no border depends on it: expected one of stiffness, ",
+        ),
+        (
+            &["--axes", "stiffness,mu"],
+            "`mu` has no part in the criterion, so no border depends on it: expected one of stiffness, ",
         ),
         (
             &["--axes", "stiffness,damping [N]"],

@@ -341,7 +341,7 @@ fn mistakes_in_what_is_varied_are_said() {
         ),
         (
             &["stiffness=1 N/m", "max_speed=1 mm/s"],
-            "`max_speed` has no part in the motion",
+            "`max_speed` has no part in the motion: expected one of stiffness, ",
         ),
         // As where they are typed in.
         (

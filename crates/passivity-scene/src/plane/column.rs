@@ -73,7 +73,9 @@ impl Plane {
             return Err(PlaneError::new(message));
         }
         for axis in &axes {
-            refuse(axis)?;
+            if let Some(why) = Self::refusal(axis.parameter()) {
+                return Err(PlaneError::new(format!("`{}` {why}", axis.name())));
+            }
         }
         Axis::fit(&axes, scene).map_err(|error| PlaneError::new(error.to_string()))?;
         if let Some(effect) = scene.not_covered().first() {
@@ -86,6 +88,13 @@ impl Plane {
             None => Bounds::Exact(Box::new(bounds)),
         };
         Ok(Self { axes, bounds })
+    }
+
+    /// Why no plane has a parameter on an axis, for [`Axis::parse_for`]: the criterion does not know it.
+    #[must_use]
+    pub fn refusal(parameter: Parameter) -> Option<&'static str> {
+        (parameter.row().hurts == Hurts::Neither)
+            .then_some("has no part in the criterion, so no border depends on it")
     }
 
     /// Whether the scene, or one of the axes, bounds the speed.
@@ -252,16 +261,6 @@ fn value<S: Enclosed>(x: &Exact) -> Option<Interval<S>> {
         return Some(Interval::point(x));
     }
     x.enclosure(BITS)?.try_map(|end| S::of(&Exact::of(end)))
-}
-
-/// Refuses an axis that the criterion does not know, or that a scene cannot have.
-fn refuse(axis: &Axis) -> Result<(), PlaneError> {
-    let name = axis.name();
-    if axis.parameter().row().hurts == Hurts::Neither {
-        let message = format!("`{name}` has no part in the criterion, so no border depends on it");
-        return Err(PlaneError::new(message));
-    }
-    Ok(())
 }
 
 /// The loop at a point of the plane.

@@ -88,7 +88,8 @@ fn varied(text: &str, scene: &Scene) -> Result<(Axis, Range), SimError> {
         "" => key.to_owned(),
         unit => format!("{key} [{unit}]"),
     };
-    let axis = Axis::parse(&named, scene).map_err(|error| fail(error.to_string()))?;
+    let axis =
+        Axis::parse_for(&named, scene, Grid::refusal).map_err(|error| fail(error.to_string()))?;
     if axis.lacks_unit(&named) {
         return Err(fail(format!(
             "expected a unit after the range, as in {range} {}",

@@ -103,8 +103,8 @@ impl Grid {
             {
                 return fail(format!("`{name}`: the same parameter is varied twice"));
             }
-            if axis.parameter() == Parameter::MaxSpeed {
-                return fail(format!("`{name}` has no part in the motion"));
+            if let Some(why) = Self::refusal(axis.parameter()) {
+                return fail(format!("`{name}` {why}"));
             }
             let fits =
                 |x: &BigRational| axis.si(x).is_some() && (!axis.is_whole() || x.is_integer());
@@ -122,6 +122,11 @@ impl Grid {
         }
         Axis::fit(&axes, scene).map_err(|error| SimError::Method(error.to_string()))?;
         Self::of(values, Axes::Parameters(axes))
+    }
+
+    /// Why no grid varies a parameter, for [`Axis::parse_for`].
+    pub(super) fn refusal(parameter: Parameter) -> Option<&'static str> {
+        (parameter == Parameter::MaxSpeed).then_some("has no part in the motion")
     }
 
     fn of(values: [Range; 3], axes: Axes) -> Result<Self, SimError> {

@@ -113,7 +113,8 @@ fn axes(names: [&str; 2], scenes: &[Scene]) -> Result<[Axis; 2], Failure> {
     }
     let parse = |name: &str| {
         let axis = |scene| {
-            Axis::parse(name, scene).map_err(|error| Failure::input(format!("--axes {error}")))
+            let axis = Axis::parse_for(name, scene, Plane::refusal);
+            axis.map_err(|error| Failure::input(format!("--axes {error}")))
         };
         let parameter = axis(first)?.parameter();
         let gives = |scene: &&Scene| {

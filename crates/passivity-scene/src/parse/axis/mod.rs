@@ -67,6 +67,11 @@ fn short(key: &str) -> &str {
     key.split_once('.').map_or(key, |(_, name)| name)
 }
 
+/// The parameter of a name, with or without its section, and the key that it has then.
+fn find(name: &str) -> Option<(Parameter, &'static str)> {
+    keys().find(|(_, key)| *key == name || short(key) == name)
+}
+
 /// Every key of a parameter, the dimensionless one as well.
 fn keys() -> impl Iterator<Item = (Parameter, &'static str)> {
     let rows = Parameter::ALL.iter().map(|p| (*p, p.row()));
@@ -78,16 +83,8 @@ fn keys() -> impl Iterator<Item = (Parameter, &'static str)> {
         })
 }
 
-/// The names of all parameters, each once: a value at the motor may be named like the one at the device.
-fn names() -> String {
-    let mut names: Vec<&str> = Vec::new();
-    for (_, key) in keys() {
-        if !names.contains(&short(key)) {
-            names.push(short(key));
-        }
-    }
-    names.join(", ")
-}
+/// Why a parameter cannot be on an axis, of those that one use of axes has no place for.
+type Refusal = fn(Parameter) -> Option<&'static str>;
 
 impl Axis {
     /// Reads `stiffness`, `wall.stiffness`, `stiffness [N/mm]` or `coulomb [mN m at the motor]`: a key of
@@ -101,15 +98,49 @@ impl Axis {
     ///
     /// A name that no parameter has, or a unit or a side that does not fit it.
     pub fn parse(text: &str, scene: &Scene) -> Result<Self, AxisError> {
+        Self::parse_for(text, scene, |_| None)
+    }
+
+    /// The same where not every parameter can be on an axis.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Axis::parse`], and a parameter that is refused. A name that is none is told which there are, without
+    /// those that are refused or that the scene cannot have.
+    pub fn parse_for(text: &str, scene: &Scene, refusal: Refusal) -> Result<Self, AxisError> {
         let shown: String = text.chars().take(80).collect();
         let fail = |message: String| AxisError {
             message: format!("`{shown}`: {message}"),
         };
         let named = Named::of(text).map_err(fail)?;
-        let found = keys().find(|(_, key)| *key == named.name || short(key) == named.name);
-        let (parameter, key) =
-            found.ok_or_else(|| fail(format!("expected a parameter: one of {}", names())))?;
+        let (parameter, key) = find(named.name).ok_or_else(|| {
+            let names = Self::names(scene, refusal).join(", ");
+            fail(format!("expected a parameter: one of {names}"))
+        })?;
+        if let Some(why) = refusal(parameter) {
+            let names = Self::names(scene, refusal).join(", ");
+            let message = format!("`{}` {why}: expected one of {names}", named.name);
+            return Err(AxisError { message });
+        }
         Self::of(parameter, key, &named, scene).map_err(fail)
+    }
+
+    /// The names of what can be an axis of the scene, each once: a value at the motor may be named like the one at
+    /// the device.
+    fn names(scene: &Scene, refusal: Refusal) -> Vec<&'static str> {
+        let mut names: Vec<&str> = Vec::new();
+        for (_, key) in keys() {
+            let name = short(key);
+            let works = || {
+                let (parameter, key) = find(name).filter(|(p, _)| refusal(*p).is_none())?;
+                let axis = Self::of(parameter, key, &Named::of(name).ok()?, scene).ok()?;
+                Self::fit(&[axis], scene).ok()
+            };
+            if !names.contains(&name) && works().is_some() {
+                names.push(name);
+            }
+        }
+        names
     }
 
     fn of(
@@ -147,6 +178,9 @@ impl Axis {
             return Err(format!(
                 "`{name}` is linear: expected `resolution`{or_motor}"
             ));
+        }
+        if key == "device.mass" && scene.motion == Motion::Rotary {
+            return Err(format!("`{}` is rotary: expected `inertia`", scene.name));
         }
         let form = match key {
             "sampling.rate" => Form::Reciprocal,

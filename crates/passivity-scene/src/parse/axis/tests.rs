@@ -1,6 +1,7 @@
 //! Axes of a scene without a transmission; those with one are in `tests/files/sides.rs`.
 
 use super::*;
+use crate::plane::Plane;
 
 fn scene() -> Scene {
     let text = "[device]\nviscous = \"9 mN m s/rad ± 10%\"\n[sampling]\nrate = \"2 kHz\"\n\
@@ -61,6 +62,57 @@ fn counts_are_the_same_whether_the_scene_gives_counts_or_a_resolution() {
     assert_eq!(si[0], counts.given.resolution.unwrap().nominal);
 }
 
+/// What an error lists, after `one of`.
+fn listed(error: &AxisError) -> Vec<String> {
+    let message = error.to_string();
+    let (_, names) = message.split_once("one of ").expect("a list");
+    names.split(", ").map(str::to_owned).collect()
+}
+
+#[test]
+fn a_name_that_is_none_is_told_those_that_work_in_this_scene() {
+    const LINEAR: &str = "[sampling]\nperiod = \"1 ms\"\n[wall]\nstiffness = \"1 N/mm\"\n[controller]\n\
+                          numerator = [\"1.5\", \"-0.5\"]\n";
+    const PLAIN: &str = "[dimensionless]\nbeta = \"1/2\"\nsigma = \"1/2\"\n";
+    let read = |text| Scene::from_toml("scene", text).unwrap();
+    let no_speed: Refusal = |p| (p == Parameter::MaxSpeed).then_some("has no part in the motion");
+    for scene in [scene(), read(LINEAR), read(PLAIN)] {
+        for refusal in [no_speed, Plane::refusal] {
+            let names = listed(&Axis::parse_for("foo", &scene, refusal).unwrap_err());
+            assert!(names.len() > 5, "{names:?}");
+            for name in &names {
+                let axis = Axis::parse_for(name, &scene, refusal).unwrap();
+                Axis::parse_for(&axis.column(), &scene, refusal).unwrap();
+                assert_eq!(Axis::fit(std::slice::from_ref(&axis), &scene), Ok(()));
+            }
+        }
+    }
+    // On a plane beside another one, each is an axis.
+    let scene = scene();
+    let axis = |name: &str| Axis::parse(name, &scene).unwrap();
+    for name in listed(&Axis::parse_for("foo", &scene, Plane::refusal).unwrap_err()) {
+        let other = if name == "stiffness" {
+            "viscous"
+        } else {
+            "stiffness"
+        };
+        let plane = Plane::new(&scene, [axis(&name), axis(other)]);
+        assert!(plane.is_ok(), "{name}");
+    }
+    let error = Axis::parse_for("mu", &scene, Plane::refusal).unwrap_err();
+    let names = listed(&error);
+    assert!(
+        error
+            .to_string()
+            .starts_with("`mu` has no part in the criterion")
+    );
+    assert!(
+        !names
+            .iter()
+            .any(|name| name == "inertia" || name == "damping_cutoff")
+    );
+}
+
 #[test]
 fn what_is_no_axis_is_said() {
     let scene = scene();
@@ -81,6 +133,10 @@ fn what_is_no_axis_is_said() {
         error("stiffness [N/mm]"),
         "`stiffness [N/mm]`: the unit is that of a linear stiffness, expected a torsional \
          stiffness such as `\"2 N m/rad\"`"
+    );
+    assert_eq!(
+        error("mass [kg]"),
+        "`mass [kg]`: `knob` is rotary: expected `inertia`"
     );
     assert_eq!(
         error("beta"),
