@@ -85,6 +85,29 @@ fn a_finished_shard_says_again_what_it_is() {
 }
 
 #[test]
+fn a_merge_says_what_differs_and_which_file_is_missing() {
+    let dir = folder();
+    for part in ["1", "2"] {
+        let run = sweep(&dir, &format!("--shard {part}/2 --out part-{part}.csv"));
+        assert_eq!(run.code, 0, "{}", run.stderr);
+    }
+    let merge = "--merge part-1.csv part-2.csv --out all.csv";
+    let differs = "`part-1.csv`: is a shard of a sweep with 99 intervals for each point, not 98";
+    refused(&sweep(&dir, &format!("{merge} --intervals 98")), differs);
+    // One that says nothing of its intervals is compared by its hashes alone.
+    let said = read(&dir, "part-1.csv.manifest");
+    let silent = said.replace("\"intervals\": 99, ", "");
+    assert_ne!(silent, said);
+    dir.write("part-1.csv.manifest", &silent);
+    let differs = "of another scene or with another number of intervals";
+    refused(&sweep(&dir, &format!("{merge} --intervals 98")), differs);
+    assert_eq!(sweep(&dir, merge).code, 0);
+    std::fs::remove_file(dir.path("part-2.csv.manifest")).expect("a manifest");
+    let missing = "`part-2.csv`: is no finished shard, for `part-2.csv.manifest` is missing";
+    refused(&sweep(&dir, merge), missing);
+}
+
+#[test]
 fn a_shard_that_is_taken_up_as_another_says_which_one_it_is() {
     let dir = folder();
     for (is, asked, says) in [
@@ -116,12 +139,12 @@ fn a_shard_that_is_taken_up_as_another_says_which_one_it_is() {
         (
             "1/1",
             "--intervals 98",
-            "is a shard of a sweep of another scene: give another --out",
+            "is a shard of a sweep with 99 intervals for each point, not 98: give another --out",
         ),
         (
             "1/2",
             "--shard 1/2 --intervals 98",
-            "is a shard of a sweep of another scene",
+            "is a shard of a sweep with 99 intervals for each point, not 98",
         ),
     ] {
         for out in ["part.csv", "part.parquet"] {

@@ -23,8 +23,11 @@ pub(super) struct Manifest {
     format: String,
     /// Of this program: other versions may simulate otherwise in the last bit.
     version: String,
-    /// A hash of what the points have in common.
+    /// A hash of what the points have in common, with the number of intervals.
     scene: String,
+    /// How many intervals each point has, to say what differs; 0 in files that do not say.
+    #[serde(default)]
+    intervals: u64,
     /// A hash of the axes and their values.
     grid: String,
     /// The first of the pieces that it is, from 1, the last, and of how many.
@@ -40,6 +43,7 @@ impl Manifest {
             format: FORMAT.to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
             scene: hash(&format!("{:?}", grid.without(scene))),
+            intervals: scene.intervals,
             grid: hash(&format!("{grid:?}")),
             shard: shard.first(),
             last: shard.last(),
@@ -50,11 +54,12 @@ impl Manifest {
 
     pub(super) fn to_json(&self) -> String {
         format!(
-            "{{\"format\": \"{}\", \"version\": \"{}\", \"scene\": \"{}\", \"grid\": \"{}\", \
-             \"shard\": {}, \"last\": {}, \"of\": {}, \"points\": {}}}\n",
+            "{{\"format\": \"{}\", \"version\": \"{}\", \"scene\": \"{}\", \"intervals\": {}, \
+             \"grid\": \"{}\", \"shard\": {}, \"last\": {}, \"of\": {}, \"points\": {}}}\n",
             self.format,
             self.version,
             self.scene,
+            self.intervals,
             self.grid,
             self.shard,
             self.last,
@@ -79,7 +84,12 @@ impl Manifest {
                 let text = match fs::read_to_string(&at) {
                     Ok(text) => text,
                     Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
-                        return Err(no_shard(path));
+                        let why = format!(
+                            "is no finished shard, for `{}` is missing, which says of which sweep it is: \
+                             expected both files together",
+                            at.display()
+                        );
+                        return Err(failed(path, &why));
                     }
                     Err(error) => return Err(failed(&at, &error)),
                 };
@@ -88,7 +98,11 @@ impl Manifest {
             #[cfg(feature = "parquet")]
             Form::Parquet => {
                 let text = parquet::manifest(path).map_err(|error| failed(path, &error))?;
-                (path.to_owned(), text.ok_or_else(|| no_shard(path))?)
+                let no_shard = "is no finished shard: nothing in it says of which sweep it is";
+                (
+                    path.to_owned(),
+                    text.ok_or_else(|| failed(path, &no_shard))?,
+                )
             }
         };
         serde_json::from_str(&text).map_err(|error| failed(&at, &format!("manifest: {error}")))
@@ -108,8 +122,17 @@ impl Manifest {
                 self.version
             ));
         }
-        if self.scene != other.scene {
-            return differs("of another scene");
+        match [self.intervals, other.intervals] {
+            _ if self.scene == other.scene => {}
+            [0, _] | [_, 0] => {
+                return differs("of another scene or with another number of intervals");
+            }
+            [own, others] if own != others => {
+                return differs(&format!(
+                    "with {own} intervals for each point, not {others}"
+                ));
+            }
+            _ => return differs("of another scene"),
         }
         if self.grid != other.grid {
             return differs("of other ranges");
@@ -128,13 +151,6 @@ impl Manifest {
             )),
         }
     }
-}
-
-fn no_shard(path: &Path) -> SimError {
-    failed(
-        path,
-        &"is no finished shard: nothing says of which sweep it is",
-    )
 }
 
 /// Removes what is said of a file that is replaced.

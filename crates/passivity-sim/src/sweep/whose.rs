@@ -53,7 +53,8 @@ pub(super) fn is_taken_up(
         Some(found) if found == asked => Ok(()),
         Some(found) => Err(failed(path, &found.instead_of(asked))),
         None => Err(SimError::File(format!(
-            "`{}` is of a sweep of another scene or other ranges: give the same ones, or another --out",
+            "`{}` is of a sweep of another scene, other ranges or another number of intervals: give the same ones, or \
+             another --out",
             path.display()
         ))),
     }
@@ -126,6 +127,6 @@ mod tests {
             }
         }
         let error = taken_up(shard("2/3"), "4", shard("2/3")).unwrap();
-        assert!(error.contains("another scene or other ranges"), "{error}");
+        assert!(error.contains("another scene, other ranges"), "{error}");
     }
 }

@@ -193,10 +193,10 @@ fn a_file_of_another_sweep_is_refused() {
     let error = sweep(&path, &other, &small, true, None)
         .unwrap_err()
         .to_string();
-    assert!(error.contains("another scene or other ranges"), "{error}");
+    assert!(error.contains("another scene, other ranges"), "{error}");
     let error = sweep(&path, &scene, &grid("0:1:3", "0:1:4", "1"), true, None).unwrap_err();
     assert!(
-        error.to_string().contains("another scene or other ranges"),
+        error.to_string().contains("another scene, other ranges"),
         "{error}"
     );
     assert_eq!(fs::read(&path).unwrap(), kept, "what was finished stays");
@@ -351,7 +351,7 @@ fn rows_are_taken_up_by_their_own_sweep_only_wherever_a_start_was_killed() {
         );
         let rows = fs::read(&journal).unwrap();
         let error = found(&path, &other, &grid).unwrap_err().to_string();
-        assert!(error.contains("another scene or other ranges"), "{error}");
+        assert!(error.contains("another scene, other ranges"), "{error}");
         // A mark that was put beside the rows of another scene does not make them its own.
         fs::remove_file(&journal).unwrap();
         fs::remove_file(&mark).unwrap();
