@@ -15,6 +15,25 @@ fn help_shows_examples_and_exit_codes() {
 }
 
 #[test]
+fn the_trace_of_the_first_example_of_audit_is_written_by_one_of_simulate() {
+    let dir = Dir::new();
+    let examples = |verb: &str| -> Vec<String> {
+        let help = dir.run(&["help", verb]).stdout;
+        let start = format!("  passivity {verb} ");
+        let lines = help.lines().filter_map(|line| line.strip_prefix(&start));
+        lines.map(str::to_owned).collect()
+    };
+    let audit = examples("audit");
+    let trace = audit[0].split(' ').next().expect("a trace");
+    let out = format!("--out {trace}");
+    let writes: Vec<String> = examples("simulate");
+    let writes: Vec<&String> = writes.iter().filter(|line| line.contains(&out)).collect();
+    assert_eq!(writes.len(), 1, "{writes:?}");
+    // What holds bounds only is no trace.
+    assert!(!writes[0].contains("enclosure"), "{writes:?}");
+}
+
+#[test]
 fn help_wraps_as_it_was_written() {
     let dir = Dir::new();
     let verbs = [

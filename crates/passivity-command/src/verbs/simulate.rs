@@ -45,8 +45,8 @@ use text::text;
   adaptive:1e-9   Dormand-Prince with event detection and the given tolerance
 
 Examples:
-  passivity simulate scenes/re35.toml --speed 5 --plot motion.svg
-  passivity simulate scenes/re35.toml --speed 5 --method enclosure --out trace.csv
+  passivity simulate scenes/re35.toml --speed 5 --out trace.csv --plot motion.svg
+  passivity simulate scenes/re35.toml --speed 5 --method enclosure --out bounds.csv
   passivity simulate scenes/dimensionless.toml --method reference:60 --format json")]
 pub(crate) struct Args {
     /// Scene file.
