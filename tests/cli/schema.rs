@@ -40,6 +40,19 @@ fn the_schema_describes_every_key_that_the_shipped_scenes_use() {
     assert!(keys > 50, "{keys}");
 }
 
+#[test]
+fn the_conditions_for_comparison_are_said_where_the_vectors_are() {
+    let schema = Dir::new().run(&["schema", "check"]).stdout;
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for page in ["docs/oracle.md", "crates/passivity-vectors/README.md"] {
+        let page = std::fs::read_to_string(root.join(page)).expect("a page");
+        for said in ["b ≥ KT/2 + B", "K ≤ min(2b/T, 2c/Δ)"] {
+            assert!(schema.contains(said) && page.contains(said), "{said}");
+        }
+        assert!(page.contains("`colgate`") && page.contains("`abbott_okamura`"));
+    }
+}
+
 /// Whether a document has every key that its schema asks for and none that it does not know; pushes
 /// where it has not.
 fn differs(schema: &Value, root: &Value, document: &Value, place: &str, found: &mut Vec<String>) {
