@@ -105,7 +105,8 @@ fn shards_that_are_not_all_of_one_sweep_are_refused_by_name() {
     let foreign = write("scene.parquet", &other_scene, &grid, "2/3");
     let error = refused(&[&one, &foreign, &three]);
     assert!(
-        error.contains("scene.parquet") && error.contains("another scene"),
+        error.contains("scene.parquet")
+            && error.contains("with 301 intervals for each point, not 300"),
         "{error}"
     );
     let foreign = write("grid.csv", &scene, &other_grid, "2/3");
