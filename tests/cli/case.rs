@@ -1,6 +1,7 @@
 //! `passivity case`.
 
 mod checked;
+mod doubted;
 mod evidence;
 mod forces;
 mod identified;

@@ -196,7 +196,8 @@ impl Study {
     #[must_use]
     pub fn unmet(&self, argument: &Argument) -> Vec<Observed> {
         let mut observed = self.observed();
-        observed.retain(|seen| !seen.is_met && argument.node(seen.assumption).is_some());
+        observed
+            .retain(|seen| seen.is_met == Some(false) && argument.node(seen.assumption).is_some());
         observed
     }
 

@@ -14,7 +14,7 @@ use crate::lacks::{self, Lack};
 use crate::log::{Errors, Log};
 use crate::options::{Inertia, Options};
 use crate::region::{COULOMB, Corner, Ends, INERTIA, Part, Shear};
-use crate::report::DIGITS;
+use crate::report::{BEST_REFUTED, DIGITS};
 use crate::search::{self, Found, Judge, Task};
 use crate::sketch::{covered, ends, inertia, middle, units};
 use crate::suspects::suspicion;
@@ -341,6 +341,18 @@ impl Identified {
     #[must_use]
     pub fn is_informative(&self) -> bool {
         self.fits() && self.parameters.iter().all(|(_, bounds)| bounds.is_narrow())
+    }
+
+    /// Why the bounds may be wrong, however narrow they are: what the logs leave open of whether the device is one of
+    /// the model.
+    #[must_use]
+    pub fn doubts(&self) -> Vec<String> {
+        let refuted = self.best_refuted.then(|| BEST_REFUTED.to_owned());
+        let lacks = self.lacks.iter().filter(|lack| lack.is_doubt());
+        refuted
+            .into_iter()
+            .chain(lacks.map(ToString::to_string))
+            .collect()
     }
 
     /// Fills in what follows from the search.

@@ -43,6 +43,29 @@ pub enum Lack {
     Length,
 }
 
+impl Lack {
+    /// Whether the bounds may be wrong, however narrow they are, and not only wide: the logs do not show that the
+    /// device is one of the model.
+    #[must_use]
+    pub const fn is_doubt(&self) -> bool {
+        match self {
+            Self::OtherWay | Self::Row => true,
+            // Such bounds are wide, or there are none, and what they leave out is refuted.
+            Self::Force
+            | Self::Motion
+            | Self::Way { .. }
+            | Self::Coasting
+            | Self::Speeds
+            | Self::Fast
+            | Self::Slow
+            | Self::Acceleration
+            | Self::Inertia
+            | Self::ForceError
+            | Self::Length => false,
+        }
+    }
+}
+
 /// So many ticks at least make a log that says something.
 const FEW: f64 = 100.0;
 
@@ -89,8 +112,8 @@ impl fmt::Display for Lack {
             ),
             Self::Row => f.write_str(
                 "with a force that acts a row later or earlier than its own the logs fit too, with a friction beyond \
-                 these bounds, which are wrong if it does: add a log with a sudden push each way, hard enough for many \
-                 ticks a row",
+                 these bounds, which are wrong if it does: log each force in the row from which it acts, and add a log \
+                 with a sudden push each way, hard enough for many ticks a row",
             ),
             Self::Length => f.write_str("there is too little motion: add a longer log, or a second one"),
         }

@@ -47,5 +47,5 @@ pub use identified::{Bounds, Identified, IdentifyError, Refutation, identify, re
 pub use lacks::Lack;
 pub use options::{Inertia, Options};
 pub use passivity_audit::{Dialect, Sampled, TraceError};
-pub use report::{Known, LogReport, Parameters, RefutedBy, Report};
+pub use report::{Known, LogReport, Parameters, RefutedBy, Report, nearest};
 pub use written::{Provenance, read_sketch};

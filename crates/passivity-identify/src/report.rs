@@ -158,11 +158,7 @@ impl Report {
             lines.push("surely within these bounds, if the device is one of this model".to_owned());
         }
         if self.best_refuted {
-            lines.push(
-                "the logs refute the best estimate, and no parameters were found that they do not refute: \
-                 with more --effort some may be, or it may show that none fit"
-                    .to_owned(),
-            );
+            lines.push(BEST_REFUTED.to_owned());
         }
         lines.extend(
             self.lacks
@@ -178,6 +174,10 @@ impl Report {
         lines.join("\n")
     }
 }
+
+/// What is said where the logs refute the best estimate.
+pub(crate) const BEST_REFUTED: &str = "the logs refute the best estimate, and no parameters were found that they do \
+    not refute: with more --effort some may be, or it may show that none fit";
 
 /// The unit of a parameter after a space, as a scene writes it.
 pub(crate) fn unit(parameter: Parameter, motion: Motion) -> &'static str {
@@ -214,7 +214,8 @@ fn above(x: f64) -> String {
 }
 
 /// The digits of an estimate: six, as its bounds have, or as many more as were left to it.
-pub(crate) fn nearest(x: f64) -> String {
+#[must_use]
+pub fn nearest(x: f64) -> String {
     let mut all = DIGITS.map(|digits| figures(x, digits));
     let exact = all.find(|text| text.parse() == Ok(x));
     exact.unwrap_or_else(|| x.to_string())

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::read;
 use super::recorded::{case, element, scene};
-use crate::harness::Dir;
+use crate::harness::{Dir, Run};
 
 /// The knob that the shipped logs were simulated with, with a wall that is passive to 5 rad/s.
 const KNOB: &str = "# A knob, from its drawing.\n[device]\ninertia = \"2e-5 kg m^2\"\n\
@@ -12,36 +12,39 @@ const KNOB: &str = "# A knob, from its drawing.\n[device]\ninertia = \"2e-5 kg m
     [encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"0.5 N m/rad\"\n\
     [operator]\nmax_speed = \"5 rad/s\"\n";
 
-fn shipped(name: &str) -> String {
+pub(super) fn shipped(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/identify");
     folder.join(name).to_str().expect("UTF-8").to_owned()
+}
+
+/// Writes a case with the friction of a push each way as evidence.
+fn case_of_pushes(dir: &Dir, path: &str) -> Run {
+    let [there, back] = ["push.csv", "push-back.csv"].map(shipped);
+    let logs = ["--identification", &there, "--identification", &back];
+    case(dir, path, &[&logs[..], &["--effort", "1"]].concat())
 }
 
 #[test]
 fn identified_friction_is_compared_with_the_scene_and_links_its_assumption() {
     let dir = Dir::new();
-    let push = shipped("push.csv");
-    let evidence = ["--identification", &push, "--effort", "1"];
     let path = dir.write("scene.toml", KNOB);
-    let run = case(&dir, &path, &evidence);
+    let run = case_of_pushes(&dir, &path);
     assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
     let found = scene(&run)["recorded"]["identification"].clone();
     assert_eq!(found["evidence"]["outcome"], "supports");
-    assert_eq!(found["sources"][0]["path"], push.as_str());
+    assert_eq!(found["sources"][0]["path"], shipped("push.csv"));
     assert_eq!(found["over_identified_ranges"]["verdict"], "passive");
     assert_eq!(found["compared"].as_array().unwrap().len(), 2);
     let goal = element(&dir, "G-friction");
     assert!(goal.contains("supportedBy: [Sn-identification]"), "{goal}");
     assert!(goal.contains("inContextOf: [A-FRICTION]"), "{goal}");
     let html = read(&dir, "case/case.html");
-    assert!(html.contains("explain every one of 501 samples"));
-    // A push one way alone.
-    assert!(html.contains("free motion; but all motion, or nearly all, is in one direction"));
+    assert!(html.contains("explain every one of 1002 samples of free motion ("));
     assert!(html.contains("met in the recording"));
     // A parameter of which the scene names no source has one now.
     let unsourced = KNOB.replace("# A knob, from its drawing.\n", "");
     dir.write("scene.toml", unsourced);
-    let run = case(&dir, &path, &evidence);
+    let run = case_of_pushes(&dir, &path);
     let open = element(&dir, "G-sources");
     assert!(open.contains("device.inertia"), "{open}");
     assert!(
@@ -139,8 +142,6 @@ fn friction_outside_of_what_was_identified_contradicts_the_case() {
 #[test]
 fn friction_at_the_motor_is_told_from_that_at_the_device() {
     let dir = Dir::new();
-    let push = shipped("push.csv");
-    let evidence = ["--identification", push.as_str(), "--effort", "1"];
     let knob = |device: &str, motor: &str| {
         let text = KNOB
             .replace("viscous = \"4e-5 N m s/rad ± 5%\"\n", device)
@@ -153,7 +154,7 @@ fn friction_at_the_motor_is_told_from_that_at_the_device() {
     };
     let motor = |viscous: &str, coulomb: &str| {
         let motor = format!("[motor]\nviscous = \"{viscous}\"\ncoulomb = \"{coulomb}\"\n");
-        let run = case(&dir, &knob("", &motor), &evidence);
+        let run = case_of_pushes(&dir, &knob("", &motor));
         scene(&run)["recorded"]["identification"].clone()
     };
     let found = motor("3e-7 N m s/rad", "0.1 mN m");
@@ -182,7 +183,7 @@ fn friction_at_the_motor_is_told_from_that_at_the_device() {
         assert!(html.contains(&line), "{line}");
         lines += &format!("{key} = \"{range}\"\n");
     }
-    let run = case(&dir, &knob(&lines, ""), &evidence);
+    let run = case_of_pushes(&dir, &knob(&lines, ""));
     let pasted = scene(&run)["recorded"]["identification"].clone();
     assert_eq!(pasted["evidence"]["outcome"], "supports", "{pasted}");
     // At the motor these hold what was identified.
@@ -199,99 +200,6 @@ fn friction_at_the_motor_is_told_from_that_at_the_device() {
     }
 }
 
-/// What `identify --out` says of where numbers come from is said of those that it identified, in every form of a sketch.
-#[test]
-fn a_scene_that_was_identified_has_sources_for_friction_alone() {
-    let dir = Dir::new();
-    let push = shipped("push.csv");
-    let inertia = "inertia = \"2e-5 kg m^2\"";
-    let encoder = "encoder.counts_per_revolution = 8192\nwall.stiffness = \"0.05 N m/rad\"\n";
-    let sections =
-        "[encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"0.05 N m/rad\"\n";
-    let rate = "rate = \"1 kHz\"\n";
-    for sketch in [
-        format!("[device]\n{inertia}\n[sampling]\n{rate}{sections}"),
-        format!(
-            "#:schema scene.schema.json\ndevice = {{ {inertia} }}\nwall = {{ stiffness = \"0.05 N m/rad\" }}\n\
-             [sampling]\n{rate}[encoder]\ncounts_per_revolution = 8192\n"
-        ),
-        format!("sampling.{rate}device.{inertia}\n{encoder}"),
-        format!("device.{inertia}\nsampling.{rate}{encoder}"),
-        format!(
-            "device.viscous = \"1 N m s/rad\" # guess\ndevice.{inertia}\nsampling.{rate}{encoder}"
-        ),
-    ] {
-        dir.write("sketch.toml", &sketch);
-        // What was identified is a sketch again, and nothing of it is said twice.
-        for (from, to) in [("sketch.toml", "first.toml"), ("first.toml", "scene.toml")] {
-            let words = [
-                "--effort",
-                "1",
-                "--device",
-                "knob 3",
-                "--date",
-                "2026-11-20",
-            ];
-            let run = dir.run(
-                &[
-                    &["identify", &push, "--scene", from, "--out", to][..],
-                    &words,
-                ]
-                .concat(),
-            );
-            assert_eq!(run.code, 0, "{sketch}: {}", run.stderr);
-        }
-        let written = read(&dir, "scene.toml");
-        for says in [
-            "# Device: knob 3\n# Recorded: 2026-11-20\n# Log: ",
-            "sha256 133c77d24f7fc6510f46a6604313b140ab401caacc401f771673f3221e32b97f\n",
-            "# Best estimate of viscous friction: ",
-            "# Best estimate of Coulomb friction: ",
-        ] {
-            assert_eq!(written.matches(says).count(), 1, "{says}: {written}");
-        }
-        let run = dir.run(&["case", "scene.toml", "--out", "case"]);
-        assert!(run.stdout.contains("top goal open"), "{}", run.stdout);
-        let open = element(&dir, "G-sources");
-        for key in [
-            "device.inertia",
-            "sampling.rate",
-            "encoder.counts_per_revolution",
-            "wall.stiffness",
-        ] {
-            assert!(open.contains(key), "{key}: {open}: {written}");
-        }
-        assert!(
-            !open.contains("device.viscous") && !open.contains("coulomb"),
-            "{open}: {written}"
-        );
-        // The head stays that of all.
-        let headed = sketch.replace("#:schema scene.schema.json\n", "");
-        let headed = format!("# Measured.\n{headed}").replace(" }\nwall", " } # drawing\nwall");
-        dir.write("sketch.toml", &headed);
-        let run = dir.run(&[
-            "identify",
-            &push,
-            "--scene",
-            "sketch.toml",
-            "--effort",
-            "1",
-            "--out",
-            "scene.toml",
-        ]);
-        assert_eq!(run.code, 0, "{}", run.stderr);
-        let run = dir.run(&["case", "scene.toml", "--out", "case"]);
-        assert!(!run.stdout.contains("top goal open"), "{}", run.stdout);
-        let kept = read(&dir, "scene.toml");
-        assert!(kept.starts_with("# Measured.\n"), "{kept}");
-        assert_eq!(
-            kept.matches("# drawing\n").count(),
-            headed.matches("# drawing\n").count()
-        );
-        assert!(!read(&dir, "case/scene.gsn.yaml").contains("G-sources"));
-    }
-}
-
 #[test]
 fn a_verdict_that_part_of_the_identified_range_does_not_have_is_open() {
     let dir = Dir::new();
@@ -302,12 +210,13 @@ fn a_verdict_that_part_of_the_identified_range_does_not_have_is_open() {
         .replace("1.5e-3 N m ± 5%", "1.501e-3 N m")
         .replace("5 rad/s", "6.23 rad/s");
     let path = dir.write("scene.toml", text);
-    let push = shipped("push.csv");
-    let run = case(&dir, &path, &["--identification", &push, "--effort", "1"]);
+    let run = case_of_pushes(&dir, &path);
     let answer = scene(&run);
     assert_eq!(answer["verdict"], "passive", "{}", run.stderr);
     let evidence = answer["recorded"]["identification"]["evidence"].clone();
     assert_eq!(evidence["outcome"], "open", "{evidence}");
+    let because = evidence["because"].as_str().expect("a reason");
+    assert!(because.starts_with("over the identified ranges the verdict"));
     assert_eq!((run.code, answer["standing"].as_str()), (1, Some("open")));
     assert!(element(&dir, "G-identification-open").contains("undeveloped: true"));
 }
@@ -316,7 +225,6 @@ fn a_verdict_that_part_of_the_identified_range_does_not_have_is_open() {
 #[test]
 fn friction_that_is_partly_outside_of_what_was_identified_is_open() {
     let dir = Dir::new();
-    let push = shipped("push.csv");
     for (coulomb, outcome) in [
         ("1.5 … 3 mN m", "open"),
         ("1.4 … 3 mN m", "supports"),
@@ -324,7 +232,7 @@ fn friction_that_is_partly_outside_of_what_was_identified_is_open() {
     ] {
         let text = KNOB.replace("1.5e-3 N m ± 5%", coulomb);
         let path = dir.write("scene.toml", text.replace("5 rad/s", "3 rad/s"));
-        let run = case(&dir, &path, &["--identification", &push, "--effort", "1"]);
+        let run = case_of_pushes(&dir, &path);
         let evidence = scene(&run)["recorded"]["identification"]["evidence"].clone();
         assert_eq!(evidence["outcome"], outcome, "{coulomb}: {evidence}");
     }
@@ -335,8 +243,7 @@ fn an_inertia_that_may_be_as_small_as_zero_leaves_the_case_open() {
     let dir = Dir::new();
     let text = KNOB.replace("inertia = \"2e-5 kg m^2\"\n", "");
     let path = dir.write("scene.toml", text);
-    let push = shipped("push.csv");
-    let run = case(&dir, &path, &["--identification", &push, "--effort", "1"]);
+    let run = case_of_pushes(&dir, &path);
     let evidence = scene(&run)["recorded"]["identification"]["evidence"].clone();
     assert_eq!((run.code, evidence["outcome"].as_str()), (1, Some("open")));
     let why = evidence["because"].as_str().expect("a reason");

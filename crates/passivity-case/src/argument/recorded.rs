@@ -93,13 +93,13 @@ impl Builder<'_> {
                 self.argument.hang(goal, node);
             }
             Outcome::Open(why) => {
-                let text = format!("It is left open: {}.", clipped(why, 200));
+                let text = format!("It is left open: {}.", clipped(why, 400));
                 let node = Node::new(Kind::Goal, format!("G-{id}-open"), text).at(anchor);
                 self.argument.hang(goal, node);
             }
             Outcome::Contradicts(how) => {
                 let counter = format!("CG-{id}");
-                let text = format!("{}.", capital(&clipped(how, 240)));
+                let text = format!("{}.", capital(&clipped(how, 400)));
                 let node = Node::new(Kind::CounterGoal, &counter, text).at(anchor.clone());
                 self.argument.challenge(goal, node);
                 let node = Node::new(Kind::CounterSolution, format!("CSn-{id}"), evidence);

@@ -26,6 +26,8 @@ pub struct Identification {
     pub over: Option<Over>,
     /// Why there can be no such scene.
     pub unwritten: Option<String>,
+    /// Why the identified ranges may be wrong.
+    pub doubts: Vec<String>,
     /// The verdict of the scene itself.
     own: Over,
 }
@@ -208,6 +210,7 @@ impl Identification {
             report,
             over,
             unwritten,
+            doubts: found.doubts(),
             own: Over::of(scene),
         })
     }
@@ -228,34 +231,45 @@ impl Identification {
                 refuted.suspicion
             ));
         }
-        let outside: Vec<String> = self
-            .outside()
-            .map(|compared| {
-                format!(
-                    "{} is {} in the scene, and surely {} on the device",
-                    compared.parameter.row().name,
-                    compared.in_scene,
-                    compared.range
-                )
-            })
-            .collect();
-        if !outside.is_empty() {
-            return Outcome::Contradicts(outside.join("; "));
+        let surely = if self.doubts.is_empty() {
+            "surely "
+        } else {
+            ""
+        };
+        let outside = self.outside().map(|compared| {
+            format!(
+                "{} is {} in the scene, and {surely}{} on the device",
+                compared.parameter.row().name,
+                compared.in_scene,
+                compared.range
+            )
+        });
+        let mut why: Vec<String> = outside.collect();
+        let is_outside = !why.is_empty();
+        if !is_outside {
+            why.extend(self.open());
         }
+        why.extend(self.doubts.iter().cloned());
+        match (is_outside, why.is_empty()) {
+            (true, _) => Outcome::Contradicts(why.join("; ")),
+            (false, true) => Outcome::Supports,
+            (false, false) => Outcome::Open(why.join("; ")),
+        }
+    }
+
+    /// What the ranges leave open, be they right: the verdict, or whether the device has the scene's friction.
+    fn open(&self) -> Vec<String> {
         match &self.over {
             None => {
-                let why = self.unwritten.iter().chain(&self.report.lacks);
-                let why: Vec<&str> = why.map(String::as_str).collect();
-                Outcome::Open(why.join("; "))
+                let lacks = self.report.lacks.iter();
+                let lacks = lacks.filter(|lack| !self.doubts.contains(lack));
+                self.unwritten.iter().chain(lacks).cloned().collect()
             }
-            Some(over) if self.is_as_own(over) => match self.beyond() {
-                None => Outcome::Supports,
-                Some(why) => Outcome::Open(why),
-            },
-            Some(over) => Outcome::Open(format!(
+            Some(over) if self.is_as_own(over) => self.beyond().into_iter().collect(),
+            Some(over) => vec![format!(
                 "over the identified ranges the verdict is another than for the scene's values: {}",
                 over.headline
-            )),
+            )],
         }
     }
 
@@ -272,12 +286,6 @@ impl Identification {
         ))
     }
 
-    /// What a constant force has to do with friction, where all motion is one way.
-    fn one_way(&self) -> Option<&str> {
-        let mut lacks = self.report.lacks.iter().map(String::as_str);
-        lacks.find(|lack| lack.contains("is in one direction"))
-    }
-
     /// What was found, in a line.
     #[must_use]
     pub fn headline(&self) -> String {
@@ -287,10 +295,7 @@ impl Identification {
         let ranges = self.compared.iter();
         let ranges = ranges.map(|one| format!("{} {}", one.parameter.row().name, one.range));
         let ranges: Vec<String> = ranges.collect();
-        let but = self
-            .one_way()
-            .map_or_else(String::new, |why| format!("; {why}"));
-        format!("{}{but}", ranges.join(", "))
+        ranges.join(", ")
     }
 
     /// Whether the identified ranges have the scene's verdict.
@@ -311,26 +316,36 @@ impl Identification {
     pub(super) fn observed(&self) -> Vec<Observed> {
         let samples = self.report.samples;
         let mut all = Vec::new();
-        let mut see = |assumption, is_met, says: String| {
+        let mut see = |assumption, is_met: Option<bool>, says: String| {
             all.push(Observed {
                 assumption,
                 is_met,
                 says: format!("Identification: {says}"),
             });
         };
+        let why = self.doubts.join("; ");
+        let but = match why.is_empty() {
+            true => String::new(),
+            false => format!("; but {why}"),
+        };
         match &self.report.refuted_by {
+            None if self.report.best_refuted => see(
+                "A-FRICTION",
+                None,
+                format!(
+                    "whether constant b and c explain every one of {samples} samples of free motion: {why}"
+                ),
+            ),
             None => see(
                 "A-FRICTION",
-                true,
+                Some(true),
                 format!(
-                    "constant b and c explain every one of {samples} samples of free motion{}",
-                    self.one_way()
-                        .map_or_else(String::new, |why| format!("; but {why}"))
+                    "constant b and c explain every one of {samples} samples of free motion{but}"
                 ),
             ),
             Some(refuted) => see(
                 "A-FRICTION",
-                false,
+                Some(false),
                 format!(
                     "no constant b and c explain rows 1 to {} of «{}»",
                     refuted.row,
@@ -343,8 +358,14 @@ impl Identification {
             hi.is_some_and(|hi| hi <= compared.scene.hi())
         };
         if !self.compared.is_empty() && self.compared.iter().all(is_at_most) {
-            let says = "b and c are surely no more than the scene says".to_owned();
-            see("A-FRICTION-AT-MOST", true, says);
+            let surely = if self.doubts.is_empty() {
+                " surely"
+            } else {
+                ""
+            };
+            let is_met = self.doubts.is_empty().then_some(true);
+            let says = format!("b and c are{surely} no more than the scene says{but}");
+            see("A-FRICTION-AT-MOST", is_met, says);
         }
         all
     }

@@ -182,7 +182,7 @@ impl Log {
         let mut see = |assumption, is_met, says: String| {
             all.push(Observed {
                 assumption,
-                is_met,
+                is_met: Some(is_met),
                 says: format!("«{name}»: {says}"),
             });
         };

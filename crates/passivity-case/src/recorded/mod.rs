@@ -86,8 +86,8 @@ pub enum Outcome {
 pub struct Observed {
     /// The assumption.
     pub assumption: &'static str,
-    /// Whether the recording agrees with it.
-    pub is_met: bool,
+    /// Whether the recording agrees with it; `None` where it leaves that open.
+    pub is_met: Option<bool>,
     /// What was found.
     pub says: String,
 }

@@ -48,8 +48,9 @@ fn recorded(document: &mut Document, case: &Case, used: &BTreeSet<&str>) {
         .map(|(study, seen)| {
             let anchor = Anchor::Assumption(seen.assumption.to_owned());
             let met = match seen.is_met {
-                true => Line::text("met in the recording"),
-                false => Line::strong("NOT met in the recording"),
+                Some(true) => Line::text("met in the recording"),
+                Some(false) => Line::strong("NOT met in the recording"),
+                None => Line::strong("left open by the recording"),
             };
             let says = Line::text(format!("{} (", seen.says))
                 .and(Line::link(

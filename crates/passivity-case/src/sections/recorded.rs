@@ -181,7 +181,7 @@ fn identified(document: &mut Document, study: &Study, recorded: &Recorded, found
             Line::code(&one.in_scene),
             one.range.as_str().into(),
             one.best
-                .map_or_else(|| "none".to_owned(), significant)
+                .map_or_else(|| "none".to_owned(), passivity_identify::nearest)
                 .into(),
             agrees.into(),
         ]
