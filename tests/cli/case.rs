@@ -9,6 +9,7 @@ mod law;
 #[cfg(unix)]
 mod pdf;
 mod recorded;
+mod sources;
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -225,20 +225,19 @@ impl Study {
     /// Where what the file says at a place comes from, but for logs.
     pub(crate) fn source_at(&self, at: usize) -> Source {
         match self.comment_at(at) {
-            Some(comment) if !is_placeholder(&comment) => Source::Comment(comment),
-            // Who wrote that it is still to be done has said that there is no source.
-            Some(_) => Source::None,
+            Some(lines) if is_open(&lines) => Source::None,
+            Some(lines) => Source::Comment(lines.join(" ")),
             None if is_placeholder(&self.head()) => Source::None,
             None => Source::Head,
         }
     }
 
-    /// The comment at a place of the file, or on the lines just above it.
-    fn comment_at(&self, at: usize) -> Option<String> {
+    /// The lines of the comment at a place of the file, or just above it.
+    fn comment_at(&self, at: usize) -> Option<Vec<&str>> {
         let start = self.text.get(..at)?.rfind('\n').map_or(0, |i| i + 1);
         let line = self.text.get(start..)?.lines().next()?;
         if let Some(comment) = trailing_comment(line).filter(|comment| !comment.is_empty()) {
-            return Some(comment.to_owned());
+            return Some(vec![comment]);
         }
         let above = self.text.get(..start)?;
         // The head of the file, which ends with the first line that is no comment, is no comment at a parameter.
@@ -250,11 +249,19 @@ impl Study {
             .rev()
             .map_while(|line| line.trim().strip_prefix('#'))
             .filter(|line| !is_directive(line))
+            .map(str::trim)
             .collect();
         lines.reverse();
-        let comment: Vec<&str> = lines.iter().map(|line| line.trim()).collect();
-        (!comment.is_empty()).then(|| comment.join(" "))
+        (!lines.is_empty()).then_some(lines)
     }
+}
+
+/// Whether somebody wrote in a comment that it is still to be done, and so that there is no source. What `identify` wrote
+/// is one, whatever the device is called.
+fn is_open(comment: &[&str]) -> bool {
+    let said = passivity_identify::remarks(comment.iter().copied());
+    let is_identified = said.len() < comment.len();
+    !(is_identified && said.is_empty()) && is_placeholder(&said.join(" "))
 }
 
 /// Whether a comment speaks to editors, as `#:schema scene.schema.json` does, and not to readers.

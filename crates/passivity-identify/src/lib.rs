@@ -48,4 +48,4 @@ pub use lacks::Lack;
 pub use options::{Inertia, Options};
 pub use passivity_audit::{Dialect, Sampled, TraceError};
 pub use report::{Known, LogReport, Parameters, RefutedBy, Report, nearest};
-pub use written::{Provenance, read_sketch};
+pub use written::{Provenance, read_sketch, remarks};

@@ -7,8 +7,15 @@ use toml_edit::{DocumentMut, Item, Table, value};
 use crate::identified::{Bounds, Identified, IdentifyError};
 use crate::report::{LogReport, nearest, range, unit};
 
-/// How the comments begin that say where what was identified comes from.
-const MARK: &str = "# Identified by `passivity identify`";
+/// How the lines begin of a comment that says where what was identified comes from, in their order; the last one may be
+/// there several times.
+const FORM: [&str; 5] = [
+    "Identified by `passivity identify`",
+    "Best estimate of ",
+    "Device: ",
+    "Recorded: ",
+    "Log: ",
+];
 
 /// A wall for sketches that have none: no parameter of the device depends on it.
 const WALLS: [&str; 2] = ["1 N m/rad", "1 N/m"];
@@ -134,15 +141,15 @@ impl Identified {
         Ok(())
     }
 
-    /// Says above each number that was identified where it comes from: above the sketch it would be said of all of it.
+    /// Says above each number that was identified where it comes from, of each by itself: a later identification may
+    /// replace some of them only.
     fn note(&self, document: &mut DocumentMut, said: &Provenance) {
         let plain = |text: &str| text.chars().filter(|c| !c.is_control()).collect::<String>();
-        for (index, (parameter, bounds)) in self.parameters.iter().enumerate() {
-            let is_first = index == 0;
+        let [mark, best_estimate, device, recorded, log] = FORM;
+        for (parameter, bounds) in &self.parameters {
             let name = parameter.row().name;
-            let from = if is_first { "" } else { " from the same logs" };
             let mut lines = vec![format!(
-                "{MARK}{from}: {name} is surely in this range, if the device is one of the model (TH-IDENT)."
+                "{mark}: {name} is surely in this range, if the device is one of the model (TH-IDENT)."
             )];
             if let Some(best) = bounds.best {
                 let unit = unit(*parameter, self.motion);
@@ -152,19 +159,16 @@ impl Identified {
                     ""
                 };
                 let best = nearest(best);
-                lines.push(format!("# Best estimate of {name}: {best}{unit}{refuted}"));
+                lines.push(format!("{best_estimate}{name}: {best}{unit}{refuted}"));
             }
-            if is_first {
-                let device = said.device.iter();
-                lines.extend(device.map(|device| format!("# Device: {}", plain(device))));
-                let date = said.date.iter();
-                lines.extend(date.map(|date| format!("# Recorded: {}", plain(date))));
-                let logs = said.logs.iter();
-                lines.extend(
-                    logs.map(|log| format!("# Log: {}, sha256 {}", plain(&log.file), log.sha256)),
-                );
-            }
-            comment_above(document, place(self.key(*parameter)), &lines.join("\n"));
+            let given = said.device.iter().map(|text| (device, text));
+            let given = given.chain(said.date.iter().map(|text| (recorded, text)));
+            lines.extend(given.map(|(what, text)| format!("{what}{}", plain(text))));
+            let logs = said.logs.iter();
+            lines.extend(
+                logs.map(|one| format!("{log}{}, sha256 {}", plain(&one.file), one.sha256)),
+            );
+            comment_above(document, place(self.key(*parameter)), &lines);
         }
     }
 
@@ -232,16 +236,45 @@ fn in_lines(document: &mut DocumentMut, section: &str) {
     *line = Item::Table(table);
 }
 
+/// The lines of comments that are not those that `identify` writes above a number, with or without their `#`.
+pub fn remarks<'a>(lines: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut last = None;
+    let mut is_own = |line: &str| {
+        let words = line.trim_start_matches([' ', '\t', '#']);
+        let Some(index) = FORM.iter().position(|begins| words.starts_with(begins)) else {
+            return false;
+        };
+        let follows = match last {
+            None => index == 0,
+            Some(last) => index > last || [0, FORM.len() - 1].contains(&index),
+        };
+        if follows {
+            last = Some(index);
+        }
+        follows
+    };
+    let lines = lines.into_iter();
+    lines.filter(|line| !is_own(line)).collect()
+}
+
 /// Puts a comment above a key, apart from what stands there, in place of one of an earlier identification.
-fn comment_above(document: &mut DocumentMut, (section, name): (&str, &str), comment: &str) {
+fn comment_above(document: &mut DocumentMut, (section, name): (&str, &str), comment: &[String]) {
     let table = document.get_mut(section).and_then(Item::as_table_mut);
     let Some(mut key) = table.and_then(|table| table.key_mut(name)) else {
         return;
     };
     let before = key.leaf_decor().prefix().and_then(|prefix| prefix.as_str());
     let before = before.unwrap_or_default();
-    let own = before
-        .split_once(MARK)
-        .map_or_else(|| format!("{before}\n"), |(own, _)| own.to_owned());
-    key.leaf_decor_mut().set_prefix(format!("{own}{comment}\n"));
+    let lines: Vec<&str> = before.lines().collect();
+    let earlier = lines.iter().position(|line| remarks([*line]).is_empty());
+    let (above, below) = lines.split_at(earlier.unwrap_or(lines.len()));
+    let below = remarks(below.iter().copied()).into_iter();
+    let apart = if earlier.is_none() { "\n" } else { "" };
+    let mut text: String = above.iter().map(|line| format!("{line}\n")).collect();
+    text.push_str(apart);
+    text.extend(comment.iter().map(|line| format!("# {line}\n")));
+    // An empty line would part the comment from its key.
+    let below = below.filter(|line| !line.trim().is_empty());
+    text.extend(below.map(|line| format!("{line}\n")));
+    key.leaf_decor_mut().set_prefix(text);
 }
