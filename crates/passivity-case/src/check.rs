@@ -123,7 +123,7 @@ fn past(folder: &Path, manifest: &Manifest, findings: &mut Findings) {
     let Ok(page) = read_text(&folder.join(HTML), MOST_BYTES) else {
         return;
     };
-    let what = "the version, the commit and the history of verdicts";
+    let what = "the version, the commit, the scenes and the history of verdicts";
     if !page.contains(PAST) {
         findings.not_at_hand.push(format!(
             "{what}: `{HTML}` is from before it has a hash of them; write the case again"

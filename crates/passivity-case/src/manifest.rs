@@ -101,25 +101,8 @@ pub(crate) fn words(study: &Study) -> Vec<String> {
     outcomes.iter().map(|o| o.word().to_owned()).collect()
 }
 
-/// What the document calls the SHA-256 of version, commit and history.
-pub(crate) const PAST: &str = "SHA-256 of version, commit and history";
-
-/// The SHA-256 of the version, the commit and the verdicts given so far, each on lines of its own.
-pub(crate) fn past(version: &str, commit: Option<&str>, history: &[HistoryEntry]) -> Sha256 {
-    let mut lines = vec![format!("{version}\n{}", commit.unwrap_or_default())];
-    lines.extend(history.iter().map(|entry| {
-        let HistoryEntry {
-            scene,
-            scene_sha256,
-            claims_sha256,
-            version,
-            verdict,
-            headline,
-        } = entry;
-        format!("{scene}\n{scene_sha256}\n{claims_sha256}\n{version}\n{verdict}\n{headline}")
-    }));
-    Sha256::of(lines.join("\n").as_bytes())
-}
+/// What the document calls the SHA-256 of version, commit, scenes and history.
+pub(crate) const PAST: &str = "SHA-256 of version, commit, scenes and history";
 
 impl Manifest {
     /// The manifest of a case with these files.
@@ -161,7 +144,22 @@ impl Manifest {
 
     /// The SHA-256 that the document has of what nothing else can be compared with.
     pub(crate) fn past(&self) -> Sha256 {
-        past(&self.passivity, self.commit.as_deref(), &self.history)
+        let scenes = self.scenes.iter().map(|(name, entry)| {
+            let SceneEntry {
+                path,
+                sha256,
+                verdict,
+                standing,
+                // That is compared with the record of the recordings.
+                recorded: _,
+            } = entry;
+            (name, path, sha256, verdict, standing)
+        });
+        let scenes: Vec<_> = scenes.collect();
+        // As JSON no two of them are the same text; all of it is text, of which JSON can write any.
+        let all = (&self.passivity, &self.commit, scenes, &self.history);
+        let text = serde_json::to_string(&all).unwrap_or_else(|error| error.to_string());
+        Sha256::of(text.as_bytes())
     }
 
     /// The manifest as JSON text.

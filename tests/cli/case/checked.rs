@@ -34,7 +34,7 @@ fn a_check_finds_a_manifest_in_which_the_past_was_rewritten() {
     assert_eq!(dir.run(&["case", &scene, "--out", "case"]).code, 1);
     assert_eq!(dir.run(&["case", "--check", "case"]).code, 0);
     let whole = read(&dir, "case/manifest.json");
-    let edits: [fn(&mut serde_json::Value); 5] = [
+    let edits: [fn(&mut serde_json::Value); 9] = [
         |past| past["history"][1]["verdict"] = "passive".into(),
         |past| past["history"][0]["headline"] = "PASSIVE at every speed, as ever".into(),
         |past| {
@@ -42,9 +42,37 @@ fn a_check_finds_a_manifest_in_which_the_past_was_rewritten() {
         },
         |past| past["passivity"] = "9.9.9".into(),
         |past| past["commit"] = "0123".into(),
+        |past| {
+            let commit = past["commit"].as_str().unwrap_or_default().to_owned();
+            past["commit"] = match commit.is_empty() {
+                true => "".into(),
+                false => serde_json::Value::Null,
+            };
+        },
+        // An entry that another one swallows, as lines of its last field.
+        |past| {
+            let history = past["history"].as_array_mut().expect("a list");
+            let last = history.pop().expect("an entry");
+            let fields = [
+                "scene",
+                "scene_sha256",
+                "claims_sha256",
+                "version",
+                "verdict",
+                "headline",
+            ];
+            let lines = fields.map(|field| last[field].as_str().expect("a text").to_owned());
+            let line = history[0]["headline"].as_str().expect("a text").to_owned();
+            history[0]["headline"] = format!("{line}\n{}", lines.join("\n")).into();
+        },
+        |past| past["scenes"] = serde_json::json!({}),
+        |past| {
+            let scenes = past["scenes"].as_object_mut().expect("scenes");
+            let scene = scenes.remove("good").expect("a scene");
+            scenes.insert("better".to_owned(), scene);
+        },
     ];
-    let says =
-        "changed: the version, the commit and the history of verdicts: `manifest.json` says other";
+    let says = "changed: the version, the commit, the scenes and the history of verdicts: `manifest.json` says other";
     for (number, edit) in edits.iter().enumerate() {
         let mut manifest: serde_json::Value = serde_json::from_str(&whole).expect("JSON");
         edit(&mut manifest);
@@ -62,7 +90,10 @@ fn a_check_says_that_it_has_nothing_to_compare_the_past_with() {
     let scene = dir.write("good.toml", GOOD);
     assert_eq!(dir.run(&["case", &scene, "--out", "case"]).code, 0);
     let html = read(&dir, "case/case.html");
-    let html = html.replace("SHA-256 of version, commit and history", "Something else");
+    let html = html.replace(
+        "SHA-256 of version, commit, scenes and history",
+        "Something else",
+    );
     let mut manifest: serde_json::Value =
         serde_json::from_str(&read(&dir, "case/manifest.json")).expect("JSON");
     let sum = passivity_evidence::Sha256::of(html.as_bytes());
@@ -71,9 +102,28 @@ fn a_check_says_that_it_has_nothing_to_compare_the_past_with() {
     dir.write("case/manifest.json", manifest.to_string());
     let run = dir.run(&["case", "--check", "case"]);
     assert_eq!(run.code, 0, "{}", run.stdout);
-    let says = "not compared: the version, the commit and the history of verdicts: `case.html` is from before";
+    let says = "not compared: the version, the commit, the scenes and the history of verdicts: `case.html` is from before";
     assert!(run.stdout.contains(says), "{}", run.stdout);
     assert_eq!(dir.run(&["case", "--check", "case", "--strict"]).code, 1);
+}
+
+/// A scene that is active is not taken out of the case by leaving it out of the manifest's scenes.
+#[test]
+fn a_check_misses_a_scene_that_was_taken_out_of_the_manifest() {
+    let dir = Dir::new();
+    let scenes = [dir.write("good.toml", GOOD), dir.write("bad.toml", BAD)];
+    let run = dir.run(&["case", &scenes[0], &scenes[1], "--out", "case"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    let mut manifest: serde_json::Value =
+        serde_json::from_str(&read(&dir, "case/manifest.json")).expect("JSON");
+    let of_scenes = manifest["scenes"].as_object_mut().expect("scenes");
+    assert!(of_scenes.remove("bad").is_some());
+    dir.write("case/manifest.json", manifest.to_string());
+    let run = dir.run(&["case", "--check", "case"]);
+    assert_eq!(run.code, 1, "{}", run.stdout);
+    let says =
+        "the scenes and the history of verdicts: `manifest.json` says other than `case.html`";
+    assert!(run.stdout.contains(says), "{}", run.stdout);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use passivity_evidence::{Claim, Sha256};
 
 use crate::case::{Case, VERSION};
 use crate::document::{Block, Document, Line, Row};
-use crate::manifest::{PAST, past};
+use crate::manifest::{Manifest, PAST};
 use crate::recorded::Recorded;
 
 pub(super) fn write(document: &mut Document, case: &Case) {
@@ -56,11 +56,7 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         .into(),
         [
             PAST.into(),
-            Line::hash(&past(
-                VERSION,
-                case.records.commit.as_deref(),
-                &case.history,
-            )),
+            Line::hash(&Manifest::of(case, &BTreeMap::new()).past()),
         ]
         .into(),
     ];
