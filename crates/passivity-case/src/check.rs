@@ -11,7 +11,7 @@ use serde_json::Value;
 use crate::case::{Case, Objection};
 use crate::error::CaseError;
 use crate::files::{read_bytes, read_text};
-use crate::folder::HTML;
+use crate::folder::{HTML, INFO, PDF};
 use crate::manifest::{FileEntry, MANIFEST, Manifest, PAST, RecordedEntry, SceneEntry, words};
 use crate::recorded::{Recorded, Recordings, record_name, sum};
 use crate::records::Records;
@@ -89,6 +89,13 @@ pub fn check(folder: &Path, records: &Records) -> Result<Findings, CaseError> {
             let says =
                 format!("`{name}` is a part of the case, and `{MANIFEST}` has no hash of it");
             findings.changed.push(says);
+        }
+    }
+    for name in [INFO, PDF] {
+        if folder.join(name).exists() && !manifest.files.contains_key(name) {
+            findings.changed.push(format!(
+                "`{name}` is none of the case's files, as `{MANIFEST}` has no hash of it: move it out of the folder"
+            ));
         }
     }
     past(folder, &manifest, &mut findings);

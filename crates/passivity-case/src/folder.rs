@@ -164,13 +164,15 @@ fn swap(new: &Path, old: &Path, folder: &Path) -> Result<(), CaseError> {
 ///
 /// A browser that does not print the page; the rest of the case is left as it is.
 pub fn add_pdf(folder: &Path, browser: &Path) -> Result<(), CaseError> {
-    let pdf = folder.join(PDF);
-    print::to_pdf(browser, &folder.join(HTML), &pdf, print::TIME_LIMIT)?;
-    let bytes = fs::read(&pdf).map_err(|error| CaseError::io(&pdf, &error))?;
+    let pdf = print::to_pdf(browser, &folder.join(HTML), print::TIME_LIMIT)?;
     let mut manifest = Manifest::read(folder)?;
-    manifest.files.insert(PDF.to_owned(), Sha256::of(&bytes));
-    let path = folder.join(MANIFEST);
-    fs::write(&path, manifest.to_text()?).map_err(|error| CaseError::io(&path, &error))
+    manifest.files.insert(PDF.to_owned(), Sha256::of(&pdf));
+    // The manifest first: where this is broken off, the PDF is one that is missing, and none of somebody's own.
+    for (name, bytes) in [(MANIFEST, manifest.to_text()?.into_bytes()), (PDF, pdf)] {
+        let path = folder.join(name);
+        fs::write(&path, bytes).map_err(|error| CaseError::io(&path, &error))?;
+    }
+    Ok(())
 }
 
 /// Refuses a folder that is not empty and holds no case: writing would lose what is in it.
@@ -198,8 +200,7 @@ fn refuse_foreign_files(folder: &Path) -> Result<(), CaseError> {
     for entry in entries {
         let entry = entry.map_err(|error| CaseError::io(folder, &error))?;
         let name = entry.file_name().to_string_lossy().into_owned();
-        // A PDF whose printing was broken off is not in the manifest yet.
-        if name != MANIFEST && name != PDF && !manifest.files.contains_key(&name) {
+        if name != MANIFEST && !manifest.files.contains_key(&name) {
             return Err(CaseError::new(format!(
                 "`{}`: no part of the case, and writing the case again would lose it: move it \
                  elsewhere",

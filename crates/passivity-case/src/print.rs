@@ -31,14 +31,13 @@ pub fn browser(named: Option<OsString>, path: Option<OsString>) -> Option<PathBu
     })
 }
 
-/// Prints the page `html` as `pdf`.
+/// Prints the page `html` as PDF.
 ///
 /// # Errors
 ///
 /// A browser that cannot be started, takes longer than `limit`, or writes no PDF.
-pub fn to_pdf(browser: &Path, html: &Path, pdf: &Path, limit: Duration) -> Result<(), CaseError> {
+pub fn to_pdf(browser: &Path, html: &Path, limit: Duration) -> Result<Vec<u8>, CaseError> {
     let html = std::path::absolute(html).map_err(|error| CaseError::io(html, &error))?;
-    let pdf = std::path::absolute(pdf).map_err(|error| CaseError::io(pdf, &error))?;
     let scratch = Scratch::new()?;
     let output = scratch.0.join("page.pdf");
     let log = scratch.0.join("log");
@@ -89,7 +88,7 @@ pub fn to_pdf(browser: &Path, html: &Path, pdf: &Path, limit: Duration) -> Resul
     if !bytes.starts_with(b"%PDF-") {
         return Err(failed("wrote a file that is no PDF"));
     }
-    std::fs::write(&pdf, bytes).map_err(|error| CaseError::io(&pdf, &error))
+    Ok(bytes)
 }
 
 fn option(name: &str, path: &Path) -> OsString {
@@ -187,10 +186,8 @@ mod tests {
 
     fn print(script: &str, limit: Duration) -> Result<Vec<u8>, String> {
         let (folder, browser) = with_browser(script);
-        let pdf = folder.0.join("case.pdf");
-        let printed = to_pdf(&browser, &folder.0.join("page.html"), &pdf, limit);
-        printed.map_err(|error| error.to_string())?;
-        Ok(fs::read(pdf).unwrap())
+        let printed = to_pdf(&browser, &folder.0.join("page.html"), limit);
+        printed.map_err(|error| error.to_string())
     }
 
     /// Finds where the PDF is wanted, and the page.
@@ -220,7 +217,6 @@ mod tests {
         let none = to_pdf(
             Path::new("/nowhere/browser"),
             Path::new("page.html"),
-            Path::new("case.pdf"),
             TIME_LIMIT,
         );
         assert!(none.unwrap_err().to_string().contains("/nowhere/browser"));

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use super::{BAD, GOOD, read};
+use super::{BAD, GOOD, one_error, read};
 use crate::harness::Dir;
 
 /// A file that is not in the manifest is not compared: so those that a case must have are asked for.
@@ -124,6 +124,32 @@ fn a_check_misses_a_scene_that_was_taken_out_of_the_manifest() {
     let says =
         "the scenes and the history of verdicts: `manifest.json` says other than `case.html`";
     assert!(run.stdout.contains(says), "{}", run.stdout);
+}
+
+/// What is called like a file of the case, and is none, is told of, and not lost.
+#[test]
+fn a_pdf_that_somebody_put_beside_the_case_is_no_part_of_it() {
+    let dir = Dir::new();
+    let scene = dir.write("good.toml", GOOD);
+    assert_eq!(dir.run(&["case", &scene, "--out", "case"]).code, 0);
+    for name in ["case.pdf", "case.info.toml"] {
+        let own = dir.write(&format!("case/{name}"), "of somebody");
+        let check = dir.run(&["case", "--check", "case"]);
+        let says = format!("changed: `{name}` is none of the case's files");
+        assert!(
+            check.code == 1 && check.stdout.contains(&says),
+            "{}",
+            check.stdout
+        );
+        let again = dir.run(&["case", &scene, "--out", "case"]);
+        one_error(
+            &again,
+            "no part of the case, and writing the case again would lose it",
+        );
+        assert_eq!(read(&dir, &own), "of somebody");
+        fs::remove_file(dir.path(&own)).expect("the file");
+    }
+    assert_eq!(dir.run(&["case", "--check", "case"]).code, 0);
 }
 
 #[test]

@@ -77,6 +77,7 @@ fn without_a_browser_the_case_is_written_and_the_error_says_how_to_print_by_hand
             run.stderr
                 .contains("to print it by hand, open `case/case.html`")
         );
+        assert!(run.stderr.contains("outside of the folder of the case"));
         assert!(dir.path("case/case.html").is_file());
         assert!(!dir.path("case/case.pdf").exists());
         assert_eq!(dir.run(&["case", "--check", "case"]).code, 0);

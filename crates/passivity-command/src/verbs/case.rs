@@ -162,7 +162,7 @@ fn print_pdf(out: &Path) -> Result<(), Failure> {
     let page = out.join(folder::HTML);
     let by_hand = format!(
         "the case is written; to print it by hand, open `{}` in a browser, choose Print, and save it \
-         as PDF",
+         as PDF, outside of the folder of the case",
         page.display()
     );
     let browser = print::browser(std::env::var_os(print::VARIABLE), std::env::var_os("PATH"));
