@@ -1,14 +1,14 @@
 //! What stands out in a log beside its account, each with the change to the scene or to the columns that
 //! puts it right.
 
-use passivity_core::{BigRational, Scalar as _};
-use passivity_scene::display::{Rounding, figures, rounded, significant};
+use passivity_scene::display::{figures, significant};
 use passivity_scene::number::nearest_f64;
 use passivity_scene::{Motion, Scene};
 use serde::Serialize;
 
 use crate::log::layout::{Form, Layout};
 use crate::log::report::{Agreement, Fitted, Moved};
+use crate::log::timing::SHORT;
 
 /// Of forces that are no multiple of the law's, a scale that is nearer to one than this is no finding.
 const SCALED: f64 = 0.01;
@@ -228,34 +228,36 @@ fn scaled(scale: f64, scene: &Scene) -> String {
     )
 }
 
-/// What stands out in times of which the longest interval lasts so many sampling periods.
-pub(crate) fn of_clock(longest: &BigRational) -> Option<Finding> {
-    // Milliseconds for seconds are a thousand, minutes sixty; no loop's log has so many rows of a sample.
-    const OTHER_UNIT: i64 = 32;
-    const SEVERAL: i64 = 2;
-    let is_part = |n: i64| longest * BigRational::from_integer(n.into()) <= BigRational::one();
+/// What stands out in times of which so many of all intervals are as short as [`SHORT`] says.
+pub(crate) fn of_clock(short: [u64; 2], intervals: u64) -> Option<Finding> {
+    // One interval alone may be a motion that ended within it. A recorder that pauses makes a few long ones.
+    let is_usual = |count: &u64| intervals > 1 && 10 * count >= 9 * intervals;
+    let at = short.iter().position(is_usual)?;
+    let (n, d) = SHORT[at];
     let says = format!(
-        "no interval between rows is longer than {} sampling periods",
-        rounded(longest, 5, Rounding::Up)
+        "{} of {intervals} intervals between rows are at most {n}/{d} of a sampling period",
+        short[at]
     );
     let unit = "check the unit of the times, and the sampling period of the scene";
-    match (is_part(OTHER_UNIT), is_part(SEVERAL)) {
-        (true, _) => Some(Finding {
+    Some(match at {
+        0 => Finding {
             kind: "fast_clock",
             says: format!(
                 "{says}: friction would take so much more than it does if the clock is not as fast"
             ),
-            fix: unit.to_owned(),
-        }),
-        (false, true) => Some(Finding {
+            fix: format!(
+                "{unit}; if the log does have so many rows of each sample, keep one of each period, that from which on \
+                 its force is held"
+            ),
+        },
+        _ => Finding {
             kind: "oversampled",
             says: format!("{says}, and the wall's law commands one force for each period"),
             fix: format!(
                 "log one row for each sample, or the force beside the position; or {unit}"
             ),
-        }),
-        (false, false) => None,
-    }
+        },
+    })
 }
 
 /// What stands out in the velocities of a log.

@@ -86,13 +86,7 @@ impl Audit {
         let agree = findings.velocities.as_ref().is_some_and(Velocities::agree);
         let moving = moved.iter().filter(|_| !agree).flat_map(of_velocity);
         let found = task.layout.beside.finding.clone().into_iter().chain(forced);
-        // One interval alone may be a motion that ended within it.
-        let range = account
-            .timing
-            .range
-            .as_ref()
-            .filter(|_| account.intervals > 1);
-        let clock = range.and_then(|[_, longest]| of_clock(&longest.to_rational()));
+        let clock = of_clock(account.timing.short, account.intervals);
         let wrapped = findings.wrapped.finding(task.layout, &task.periods);
         let force = task.layout.force.map(|column| task.layout.name(column));
         let held = findings.held.findings(&force.unwrap_or_default());

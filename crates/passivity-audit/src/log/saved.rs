@@ -241,6 +241,7 @@ struct SavedTiming {
     missed: u64,
     first_missed: Option<u64>,
     range: Option<[Ratio; 2]>,
+    short: [u64; 2],
 }
 
 /// An [`Account`].
@@ -301,6 +302,7 @@ impl SavedAccount {
                     .range
                     .as_ref()
                     .map(|range| range.each_ref().map(|dtau| Ratio::of(&dtau.to_rational()))),
+                short: x.timing.short,
             },
         }
     }
@@ -324,6 +326,7 @@ impl SavedAccount {
             [self.intervals, timing.uneven, timing.late]
                 .into_iter()
                 .chain(timing.first_missed)
+                .chain(timing.short)
                 .chain(tallies)
                 .chain(running.flat_map(|sum| [sum.at, sum.steps]))
                 .chain(lowest.map(|lowest| lowest.h))
@@ -380,6 +383,7 @@ impl SavedAccount {
                 missed: self.timing.missed,
                 first_missed: self.timing.first_missed,
                 range,
+                short: self.timing.short,
             },
             rows: Vec::new(),
             points: Vec::new(),

@@ -19,6 +19,23 @@ pub(crate) struct Timing {
     pub(crate) first_missed: Option<u64>,
     /// The shortest and the longest.
     pub(crate) range: Option<[Number; 2]>,
+    /// Intervals of at most as many periods as [`SHORT`] has.
+    pub(crate) short: [u64; 2],
+}
+
+/// How long, in periods, intervals are at the most of a clock that is too fast, and of a log with several rows of a sample.
+///
+/// - Milliseconds for seconds are a thousand times too fast, minutes for seconds sixty times.
+/// - Of a log with one row a period intervals last a period on average: if 9 of 10 took no more than 3/4 of one, the others
+///   would take more than three. Several rows of a sample are at most half a period apart on average, and may jitter.
+pub(crate) const SHORT: [(i64, i64); 2] = [(1, 32), (3, 4)];
+
+/// The largest numerators of lengths over a denominator that are as short as [`SHORT`] says.
+#[inline(always)]
+const fn most_short(one: i64) -> [i64; 2] {
+    // Down from a fraction of what need not be a multiple of it, without a product that could overflow.
+    let below = one - 1;
+    [one >> 5, below - (below >> 2)]
 }
 
 impl Timing {
@@ -39,6 +56,9 @@ impl Timing {
                 self.missed = self.missed.saturating_add(missed);
                 self.first_missed.get_or_insert(h);
             }
+            for (count, (n, d)) in self.short.iter_mut().zip(SHORT) {
+                *count += u64::from(!is_less(&Number::Small(n, d), dtau));
+            }
         }
         self.widen([dtau, dtau]);
     }
@@ -49,9 +69,9 @@ impl Timing {
             return;
         };
         let of_one = over_one_denominator(lengths, *first);
-        let ([shortest, longest], [uneven, late]) = of_one.unwrap_or_else(|| {
+        let ([shortest, longest], [uneven, late, very, rather]) = of_one.unwrap_or_else(|| {
             let (mut shortest, mut longest) = (*first, *first);
-            let [mut uneven, mut late] = [0, 0];
+            let mut counts = [0; 4];
             for length in lengths {
                 let Length(n, d) = length;
                 if is_shorter(length, &shortest) {
@@ -60,10 +80,9 @@ impl Timing {
                 if is_shorter(&longest, length) {
                     longest = *length;
                 }
-                uneven += u64::from(n != d);
-                late += u64::from(n > d);
+                count(&mut counts, *n, *d, most_short(*d));
             }
-            ([shortest, longest], [uneven, late])
+            ([shortest, longest], counts)
         });
         if i128::from(longest.0) * 2 >= i128::from(longest.1) * 3 {
             // A sample is missing.
@@ -74,6 +93,7 @@ impl Timing {
         }
         self.uneven += uneven;
         self.late += late;
+        add_to(&mut self.short, [very, rather]);
         let range = [shortest, longest].map(|Length(n, d)| Number::Small(n, d));
         self.widen(range.each_ref());
     }
@@ -96,6 +116,7 @@ impl Timing {
     pub(crate) fn append(&mut self, other: Self, before: u64) {
         self.uneven += other.uneven;
         self.late += other.late;
+        add_to(&mut self.short, other.short);
         self.missed = self.missed.saturating_add(other.missed);
         let mut first = First(self.first_missed);
         first.append(First(other.first_missed), before);
@@ -106,23 +127,38 @@ impl Timing {
     }
 }
 
-/// The shortest and the longest of some lengths, and how many are not one period and longer than that, where all have the
-/// denominator of the first: decimals with as many digits do.
+fn add_to(counts: &mut [u64; 2], others: [u64; 2]) {
+    for (count, other) in counts.iter_mut().zip(others) {
+        *count += other;
+    }
+}
+
+/// Counts a length that is not one period, one that is longer, and those that are [`SHORT`].
+#[inline(always)]
+fn count([uneven, late, very, rather]: &mut [u64; 4], n: i64, one: i64, short: [i64; 2]) {
+    // There are not as many as to overflow.
+    *uneven = uneven.wrapping_add(u64::from(n != one));
+    *late = late.wrapping_add(u64::from(n > one));
+    *very = very.wrapping_add(u64::from(n <= short[0]));
+    *rather = rather.wrapping_add(u64::from(n <= short[1]));
+}
+
+/// The shortest and the longest of some lengths, and what [`count`] counts of them, where all have the denominator of the
+/// first: decimals with as many digits do.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn over_one_denominator(lengths: &[Length], first: Length) -> Option<([Length; 2], [u64; 2])> {
+fn over_one_denominator(lengths: &[Length], first: Length) -> Option<([Length; 2], [u64; 4])> {
     let Length(n, one) = first;
     let (mut shortest, mut longest) = (n, n);
-    let [mut uneven, mut late, mut others] = [0_u64; 3];
+    let (mut counts, mut others) = ([0; 4], 0_u64);
+    let short = most_short(one);
     for Length(n, d) in lengths {
         shortest = shortest.min(*n);
         longest = longest.max(*n);
-        // There are not as many as to overflow.
-        uneven = uneven.wrapping_add(u64::from(*n != one));
-        late = late.wrapping_add(u64::from(*n > one));
+        count(&mut counts, *n, one, short);
         others |= u64::from(*d != one);
     }
     let ends = [Length(shortest, one), Length(longest, one)];
-    (others == 0).then_some((ends, [uneven, late]))
+    (others == 0).then_some((ends, counts))
 }
 
 /// Whether one length is less than another.
@@ -155,17 +191,17 @@ mod tests {
     proptest! {
         #[test]
         fn lengths_are_counted_together_as_one_by_one(
-            lengths in prop::collection::vec((1..40_i64, 0..4_u32), 0..40), same: bool, h: u32,
+            lengths in prop::collection::vec((1..40_i64, 0..4_u32), 0..40), same: bool, h: u32, one in 12..1400_i64,
         ) {
-            // About a period, over powers of two or over one denominator.
-            let length = |(n, k): &(i64, u32)| Length(n + 10, if same { 20 } else { 8 << k });
+            // From some 1/64 of a period to some periods, over powers of two and over one denominator.
+            let length = |(n, k): &(i64, u32)| Length(*n, if same { one } else { 8 << (2 * k) });
             let lengths: Vec<Length> = lengths.iter().map(length).collect();
             let (mut one, mut all) = (Timing::default(), Timing::default());
             for (Length(n, d), h) in lengths.iter().zip(u64::from(h)..) {
                 one.add(&Number::Small(*n, *d), h);
             }
             all.add_all(&lengths, h.into());
-            prop_assert_eq!((one.uneven, one.late, one.missed), (all.uneven, all.late, all.missed));
+            prop_assert_eq!((one.uneven, one.late, one.missed, one.short), (all.uneven, all.late, all.missed, all.short));
             prop_assert_eq!((one.first_missed, one.range), (all.first_missed, all.range));
         }
     }

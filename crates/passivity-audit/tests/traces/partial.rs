@@ -273,6 +273,38 @@ fn a_wrap_is_found_once_wherever_a_log_is_cut() {
 }
 
 #[test]
+fn a_clock_that_is_too_fast_is_found_wherever_a_log_is_cut() {
+    let scene = &scenes()[3];
+    // Seconds, with a pause, that are read as milliseconds.
+    let row = |i: u32| {
+        format!(
+            "{},{}\n",
+            f64::from(i / 31 * 2000 + i) / 1000.0,
+            i % 31 % 2 * 10
+        )
+    };
+    let text: String = (0..62).map(row).collect();
+    let log = Scratch::new("csv", format!("t [ms],count\n{text}").as_bytes());
+    let whole = audit(&log, scene, Options::default()).unwrap();
+    assert_eq!(whole.report().findings[0].kind, "fast_clock");
+    assert_eq!(whole.verdict(), passivity_audit::Verdict::Depends);
+    for cut in [1, 30, 31, 32, 61] {
+        let parts = stretches(&[cut, cut + 9]).into_iter();
+        let parts = parts.map(|stretch| part(&log, scene, stretch, false));
+        let mut parts = parts.collect::<Result<Vec<_>, _>>().unwrap();
+        let merged = merge_parts(&parts, scene).unwrap();
+        assert_eq!(merged.to_json(), whole.to_json(), "{cut}");
+        // An account that does not count short intervals is none.
+        let json = parts.swap_remove(0).1.to_json().unwrap();
+        let at = json.find(",\"short\":[").unwrap();
+        let end = at + json[at..].find(']').unwrap();
+        let older = format!("{}{}", &json[..at], &json[end + 1..]);
+        let error = Partial::from_json(&older).unwrap_err().to_string();
+        assert!(error.contains("missing field `short`"), "{error}");
+    }
+}
+
+#[test]
 fn a_piece_of_short_forces_knows_how_long_those_of_the_log_are() {
     // The law is −(n + ½) KΔ, and from row 6 on the force is limited.
     let limited = "3,-3\n".repeat(6);

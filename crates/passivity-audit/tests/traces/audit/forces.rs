@@ -233,3 +233,82 @@ fn a_clock_that_is_too_fast_leaves_open_what_would_hold() {
     );
     assert_eq!(said("tau,xi,f\n0,0,900\n0.001,1,0\n").0, Verdict::Fails);
 }
+
+/// A recorder that pauses makes some intervals long, and a clock jitters: what 9 of 10 intervals are is found.
+#[test]
+fn a_clock_that_is_too_fast_is_found_beside_pauses() {
+    let scene = three_fifths();
+    // So many rows at such steps, and some pauses: whole numbers, decimals, doubles as they are printed, or fractions.
+    let log = |column: &str, written: &dyn Fn(f64) -> String, step: &dyn Fn(usize) -> f64| {
+        let mut csv = format!("tau,{column}\n");
+        let mut time = 0.0;
+        for i in 0..401 {
+            writeln!(csv, "{},{}", written(time), i % 2 * 10).unwrap();
+            time += step(i);
+        }
+        csv
+    };
+    let decimal = |x: f64| format!("{x:.6}");
+    let double = |x: f64| x.to_string();
+    let fraction = |x: f64| format!("{:.0}/1024000", x * 1_024_000.0);
+    let ways: [&dyn Fn(f64) -> String; 3] = [&decimal, &double, &fraction];
+    let even = |step: f64| move |i: usize| if i % 100 == 50 { 2000.0 } else { step };
+    let tenth = |step: f64| move |i: usize| if i % 10 == 5 { 7.0 } else { step };
+    let ninth = |step: f64| move |i: usize| if i % 9 == 5 { 7.0 } else { step };
+    let jitter = |step: f64| move |i: usize| step * [1.0, 1.1, 2.2, 0.9, 1.0][i % 5];
+    type Steps<'a> = &'a dyn Fn(usize) -> f64;
+    let cases: [(Steps<'_>, Option<(&str, &str)>); 10] = [
+        (
+            &even(0.001),
+            Some((
+                "fast_clock",
+                "396 of 400 intervals between rows are at most 1/32 of",
+            )),
+        ),
+        (&even(1.0 / 32.0), Some(("fast_clock", "396 of 400"))),
+        (&tenth(0.001), Some(("fast_clock", "360 of 400"))),
+        (&ninth(0.001), None),
+        (
+            &even(0.032),
+            Some((
+                "oversampled",
+                "396 of 400 intervals between rows are at most 3/4 of",
+            )),
+        ),
+        (&even(0.5), Some(("oversampled", "396 of 400"))),
+        (&jitter(0.25), Some(("oversampled", "400 of 400"))),
+        (&ninth(0.5), None),
+        (&even(0.76), None),
+        (&jitter(0.8), None),
+    ];
+    for column in ["count", "xi"] {
+        for (case, (step, expected)) in cases.iter().enumerate() {
+            for written in ways {
+                let csv = log(column, written, step);
+                let whole = audited(csv.as_bytes(), &scene, 1, 0).0;
+                let mut clock = whole.report().findings.iter();
+                let clock = clock.find(|it| ["fast_clock", "oversampled"].contains(&it.kind));
+                let found = clock.map(|finding| (finding.kind, &finding.says[..]));
+                let is_so = match (found, expected) {
+                    (Some((kind, says)), Some((of, start))) => {
+                        kind == *of && says.starts_with(start)
+                    }
+                    (found, expected) => found.is_none() && expected.is_none(),
+                };
+                assert!(is_so, "{column} {case}: {found:?}");
+                assert!(expected.is_none() || whole.verdict() != Verdict::Holds);
+                // However it is cut, and without points or rows.
+                let cut = audited(csv.as_bytes(), &scene, 2, 300).0;
+                let input = Box::new(std::io::Cursor::new(csv));
+                let alone = audit_csv(input, &scene, Options::default()).unwrap();
+                for other in [cut, alone] {
+                    assert_eq!(
+                        other.report().findings,
+                        whole.report().findings,
+                        "{column} {case}"
+                    );
+                }
+            }
+        }
+    }
+}
