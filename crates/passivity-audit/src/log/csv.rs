@@ -17,7 +17,7 @@ use crate::log::slots::Slots;
 use crate::number::{Number, decimal, short};
 use crate::reading::Reading;
 pub(crate) use first::{
-    has_decimal_commas, headings, is_number, names, place, preview, texts, units,
+    has_decimal_commas, headings, is_number, misread, names, place, preview, texts, units,
 };
 
 mod first;
@@ -319,11 +319,12 @@ fn trimmed(field: &[u8]) -> &[u8] {
 }
 
 fn number(field: &[u8], notation: Notation) -> Result<Number, TraceError> {
+    refuse_point(field, notation)?;
     if let Some((n, d)) = short(field) {
         return Ok(Number::Small(n, d));
     }
     let comma = field.contains(&b',');
-    if notation.decimal_comma && comma && !field.contains(&b'.') {
+    if notation.decimal_comma && comma {
         let mut pointed = field.to_vec();
         for byte in &mut pointed {
             if *byte == b',' {
@@ -336,12 +337,30 @@ fn number(field: &[u8], notation: Notation) -> Result<Number, TraceError> {
         .map_err(|_| TraceError::new("number", format!("`{}` is no number", shown(field))))?;
     error::number(text).map_err(|mut error| {
         if comma && !notation.decimal_comma {
-            error
-                .message
-                .push_str(" (is the comma a decimal sign? then add --decimal-comma)");
+            let delimiter = match notation.delimiter {
+                b',' => "--delimiter ',' ",
+                _ => "",
+            };
+            error.message.push_str(&format!(
+                " (is the comma a decimal sign? then add {delimiter}--decimal-comma; if it stands between thousands, write \
+                 the numbers without it)"
+            ));
         }
         error
     })
+}
+
+/// Refuses a number with a point where a comma stands before decimals: the point may stand between thousands.
+fn refuse_point(field: &[u8], notation: Notation) -> Result<(), TraceError> {
+    if !notation.decimal_comma || !field.contains(&b'.') {
+        return Ok(());
+    }
+    let message = format!(
+        "`{}`: with --decimal-comma a point is neither a decimal sign nor read between thousands: write the numbers without \
+         points between thousands, or with points before decimals in all columns and without --decimal-comma",
+        shown(field)
+    );
+    Err(TraceError::new("number", message))
 }
 
 /// A number, or in a column of dates the seconds since 1970.
@@ -374,6 +393,7 @@ fn whole(field: &[u8], notation: Notation) -> Result<i64, TraceError> {
 
 /// A number, and how far off it may have been rounded: a fraction is exact.
 fn rounded(text: &[u8], notation: Notation, digits: Digits) -> Result<(Number, f64), TraceError> {
+    refuse_point(text, notation)?;
     if let Some((n, power)) = decimal(text) {
         let decimals = u8::try_from(power.ilog10()).unwrap_or(u8::MAX);
         return Ok((Number::Small(n, power), digits.half_a_unit_of(n, decimals)));

@@ -141,14 +141,30 @@ pub(crate) fn has_decimal_commas(lines: &[&[u8]], delimiter: u8) -> bool {
         delimiter,
         decimal_comma: true,
     };
-    // Where commas stand between fields, too, `"1,000"` may be a thousand.
+    // `1,000` may be a thousand.
     let is_sure = |field: &[u8]| {
         let mut parts = field.split(|byte| *byte == b',');
         let whole = parts.next().unwrap_or_default();
-        delimiter != b',' || matches!(whole, b"0" | b"-0") || parts.any(|it| it.len() != 3)
+        matches!(whole, b"0" | b"-0") || parts.any(|it| it.len() != 3)
     };
     let fields = lines.iter().flat_map(|line| fields(line, delimiter));
     fields
         .map(trimmed)
         .any(|field| field.contains(&b',') && is_sure(field) && number(field, comma).is_ok())
+}
+
+/// Why the first field that would be a number if points and commas meant what they do not is none.
+pub(crate) fn misread(lines: &[&[u8]], notation: Notation) -> Option<TraceError> {
+    let other = Notation {
+        decimal_comma: !notation.decimal_comma,
+        ..notation
+    };
+    let fields = lines
+        .iter()
+        .flat_map(|line| fields(line, notation.delimiter));
+    let mut errors = fields.map(trimmed).filter_map(|field| {
+        let error = number(field, notation).err()?;
+        number(field, other).is_ok().then_some(error)
+    });
+    errors.next()
 }

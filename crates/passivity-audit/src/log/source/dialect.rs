@@ -114,6 +114,7 @@ fn otherwise(
     if let Some(proposal) = &mut error.proposal {
         written(proposal, own);
     }
+    let mut read = own;
     let delimiters = match dialect.delimiter {
         Some(_) => vec![own.delimiter],
         None => vec![b';', b'\t', b'|', b' ', b','],
@@ -141,6 +142,7 @@ fn otherwise(
                 if is_one && error.proposal.is_none() && other.proposal.is_none() {
                     let message = format!("{}, and then {other}", apart(notation, own));
                     error = TraceError::new(other.kind, message);
+                    read = notation;
                 }
                 other.proposal
             }
@@ -173,6 +175,10 @@ fn otherwise(
     });
     if let Some(message) = obstacle.filter(|_| error.proposal.is_none()) {
         error = TraceError::new("header", message);
+    } else if error.proposal.is_none()
+        && let Some(why) = csv::misread(first, read)
+    {
+        error.message = format!("{}; {why}", error.message);
     }
     error
 }

@@ -251,7 +251,8 @@ fn a_clock_that_is_too_fast_is_found_beside_pauses() {
     let decimal = |x: f64| format!("{x:.6}");
     let double = |x: f64| x.to_string();
     let fraction = |x: f64| format!("{:.0}/1024000", x * 1_024_000.0);
-    let ways: [&dyn Fn(f64) -> String; 3] = [&decimal, &double, &fraction];
+    type Written<'a> = &'a dyn Fn(f64) -> String;
+    let ways: [(&str, Written<'_>); 3] = [("count", &decimal), ("xi", &double), ("xi", &fraction)];
     let even = |step: f64| move |i: usize| if i % 100 == 50 { 2000.0 } else { step };
     let tenth = |step: f64| move |i: usize| if i % 10 == 5 { 7.0 } else { step };
     let ninth = |step: f64| move |i: usize| if i % 9 == 5 { 7.0 } else { step };
@@ -281,33 +282,29 @@ fn a_clock_that_is_too_fast_is_found_beside_pauses() {
         (&even(0.76), None),
         (&jitter(0.8), None),
     ];
-    for column in ["count", "xi"] {
+    for (column, written) in ways {
         for (case, (step, expected)) in cases.iter().enumerate() {
-            for written in ways {
-                let csv = log(column, written, step);
-                let whole = audited(csv.as_bytes(), &scene, 1, 0).0;
-                let mut clock = whole.report().findings.iter();
-                let clock = clock.find(|it| ["fast_clock", "oversampled"].contains(&it.kind));
-                let found = clock.map(|finding| (finding.kind, &finding.says[..]));
-                let is_so = match (found, expected) {
-                    (Some((kind, says)), Some((of, start))) => {
-                        kind == *of && says.starts_with(start)
-                    }
-                    (found, expected) => found.is_none() && expected.is_none(),
-                };
-                assert!(is_so, "{column} {case}: {found:?}");
-                assert!(expected.is_none() || whole.verdict() != Verdict::Holds);
-                // However it is cut, and without points or rows.
-                let cut = audited(csv.as_bytes(), &scene, 2, 300).0;
-                let input = Box::new(std::io::Cursor::new(csv));
-                let alone = audit_csv(input, &scene, Options::default()).unwrap();
-                for other in [cut, alone] {
-                    assert_eq!(
-                        other.report().findings,
-                        whole.report().findings,
-                        "{column} {case}"
-                    );
-                }
+            let csv = log(column, written, step);
+            let whole = audited(csv.as_bytes(), &scene, 1, 0).0;
+            let mut clock = whole.report().findings.iter();
+            let clock = clock.find(|it| ["fast_clock", "oversampled"].contains(&it.kind));
+            let found = clock.map(|finding| (finding.kind, &finding.says[..]));
+            let is_so = match (found, expected) {
+                (Some((kind, says)), Some((of, start))) => kind == *of && says.starts_with(start),
+                (found, expected) => found.is_none() && expected.is_none(),
+            };
+            assert!(is_so, "{column} {case}: {found:?}");
+            assert!(expected.is_none() || whole.verdict() != Verdict::Holds);
+            // However it is cut, and without points or rows.
+            let cut = audited(csv.as_bytes(), &scene, 2, 300).0;
+            let input = Box::new(std::io::Cursor::new(csv));
+            let alone = audit_csv(input, &scene, Options::default()).unwrap();
+            for other in [cut, alone] {
+                assert_eq!(
+                    other.report().findings,
+                    whole.report().findings,
+                    "{column} {case}"
+                );
             }
         }
     }

@@ -62,3 +62,71 @@ fn numbers_with_a_comma_stand_in_quotes_between_commas() {
     let thousands = "time [ms],pos [um]\n\"1,000\",\"1,250\"\n\"1,001\",\"1,000\"\n";
     assert_eq!(refused(thousands, None).proposal, None);
 }
+
+/// Of a log whose numbers may be thousands or decimals, the error says both, and what to do about each.
+#[test]
+fn a_comma_or_a_point_that_may_stand_between_thousands_is_not_taken_for_a_decimal_sign() {
+    let comma = |options: &str| {
+        format!(
+            "`1,700`: `,` cannot stand here in a number (is the comma a decimal sign? then add {options}; if it stands \
+             between thousands, write the numbers without it)"
+        )
+    };
+    let [quoted, bare] = ["--delimiter ',' --decimal-comma", "--decimal-comma"].map(comma);
+    let point = |number: &str| {
+        format!(
+            "`{number}`: with --decimal-comma a point is neither a decimal sign nor read between thousands: write"
+        )
+    };
+    let [thousand, both] = ["1.700", "1.700,5"].map(point);
+    let german = Dialect {
+        decimal_comma: true,
+        ..Dialect::default()
+    };
+    let tabs = Dialect {
+        delimiter: Some(b'\t'),
+        ..Dialect::default()
+    };
+    let usual = Dialect::default();
+    // In a row, and in a header that is not understood.
+    for (log, dialect, says) in [
+        ("t [ms],x [um]\n0,\"1,700\"\n1,\"2,300\"\n", &usual, &quoted),
+        (
+            "time [ms],pos [um]\n0,\"1,700\"\n1,\"2,300\"\n",
+            &usual,
+            &quoted,
+        ),
+        ("t [ms]\tx [um]\n0\t1,700\n1\t2,300\n", &tabs, &bare),
+        ("time [ms]\tpos [um]\n0\t1,700\n1\t2,300\n", &usual, &bare),
+        ("time [ms];pos [um]\n0;1,700\n1;2,300\n", &usual, &bare),
+        ("t [ms];x [um]\n0,0;1.700\n1,0;2.300\n", &german, &thousand),
+        ("t [ms];x [um]\n0,0;1.700,5\n1,0;2.300,0\n", &german, &both),
+        (
+            "time [ms];pos [um]\n0,0;1.700\n1,0;2.300\n",
+            &german,
+            &thousand,
+        ),
+        (
+            "time [ms];pos [um]\n0,0;1.700\n1,0;2.300\n",
+            &usual,
+            &thousand,
+        ),
+        (
+            "t [ms];count;f [N]\n0,0;1;1.700\n1,0;2;1\n",
+            &german,
+            &thousand,
+        ),
+    ] {
+        let options = Options {
+            dialect: dialect.clone(),
+            ..Options::default()
+        };
+        let input = Box::new(std::io::Cursor::new(log.as_bytes().to_vec()));
+        let error = match audit_csv(input, &scene(), options) {
+            Ok(audit) => audit.error().unwrap().clone(),
+            Err(error) => error,
+        };
+        assert!(error.to_string().contains(&**says), "{log}: {error}");
+        assert_eq!(error.proposal, None, "{log}");
+    }
+}
