@@ -355,4 +355,22 @@ fn the_course_of_energy_is_drawn() {
     let svg = fs::read_to_string(dir.path("energy.svg")).unwrap();
     // The commanded force does the work that the hand takes.
     assert!(svg.contains("passivity observer −Σ f·Δx"));
+    assert!(svg.contains("time from the start (sampling periods)"));
+    assert!(svg.contains(">trace.csv in scene<"), "{svg}");
+    // What ends at an error says so.
+    dir.write("trace.csv", "count\n0\n1\n3\nnan\n2\n");
+    let run = dir.run(&[
+        "audit",
+        "trace.csv",
+        "--scene",
+        "scene.toml",
+        "--plot",
+        "cut.svg",
+    ]);
+    assert_eq!(run.code, 2);
+    let svg = fs::read_to_string(dir.path("cut.svg")).unwrap();
+    assert!(
+        svg.contains(">trace.csv in scene, up to the error in row 4<"),
+        "{svg}"
+    );
 }

@@ -9,8 +9,8 @@ use crate::svg::{Anchor, COLOURS, LIGHT, Stroke, Svg};
 /// A point of the course.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// After how many sampling intervals.
-    pub interval: f64,
+    /// When, in sampling periods from the start.
+    pub time: f64,
     /// E_d − E_gᴸ so far, at the least, in KΔ².
     pub net: f64,
     /// Σ f·Δξ so far, in KΔ².
@@ -29,19 +29,19 @@ pub struct Point {
 /// use passivity_plot::energy::{Point, draw};
 ///
 /// let course = [
-///     Point { interval: 1.0, net: 0.5, observer: -0.1 },
-///     Point { interval: 2.0, net: 0.9, observer: -0.2 },
+///     Point { time: 1.0, net: 0.5, observer: -0.1 },
+///     Point { time: 2.0, net: 0.9, observer: -0.2 },
 /// ];
 /// assert!(draw("a trace", &course).unwrap().starts_with("<svg"));
 /// assert!(draw("nothing", &[]).is_err());
 /// ```
 pub fn draw(title: &str, course: &[Point]) -> Result<String, PlotError> {
-    let finite = |p: &Point| p.interval.is_finite() && p.net.is_finite() && p.observer.is_finite();
+    let finite = |p: &Point| p.time.is_finite() && p.net.is_finite() && p.observer.is_finite();
     let Some(last) = course.last().filter(|_| course.iter().all(finite)) else {
         return Err(PlotError::new("a trace of at least one interval is needed"));
     };
     let start = Point {
-        interval: 0.0,
+        time: 0.0,
         net: 0.0,
         observer: 0.0,
     };
@@ -58,7 +58,7 @@ pub fn draw(title: &str, course: &[Point]) -> Result<String, PlotError> {
         log: false,
     };
     let frame = Frame {
-        x: extent(0.0, last.interval.max(1.0)),
+        x: extent(0.0, if last.time > 0.0 { last.time } else { 1.0 }),
         y: extent(low - air, high + air),
         from: [110.0, 72.0],
         to: [868.0, 456.0],
@@ -74,9 +74,7 @@ pub fn draw(title: &str, course: &[Point]) -> Result<String, PlotError> {
     ];
     let [net, observer] = [COLOURS[0], COLOURS[1]].map(|colour| Stroke::solid(colour, 2.0));
     for ((_, value), stroke) in series.iter().zip([net, observer]) {
-        let line: Vec<_> = all()
-            .map(|p| frame.clamped([p.interval, value(p)]))
-            .collect();
+        let line: Vec<_> = all().map(|p| frame.clamped([p.time, value(p)])).collect();
         svg.line(&line, stroke);
     }
     // Above the frame, where no curve is.
@@ -84,7 +82,10 @@ pub fn draw(title: &str, course: &[Point]) -> Result<String, PlotError> {
     key(&mut svg, [frame.from[0], 54.0], &keys);
     frame.draw(
         &mut svg,
-        ["sampling intervals", "energy from the start (KΔ²)"],
+        [
+            "time from the start (sampling periods)",
+            "energy from the start (KΔ²)",
+        ],
     );
     Ok(svg.finish())
 }

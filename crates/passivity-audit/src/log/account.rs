@@ -24,6 +24,8 @@ pub(crate) struct Place {
 pub struct Point {
     /// After how many intervals.
     pub h: u64,
+    /// When, in sampling periods from the first sample on; without a clock, rows are taken to be one apart.
+    pub time: f64,
     /// Net energy so far, E_d − E_gᴸ, at the least, in KΔ².
     pub net: f64,
     /// −Σ F·Δξ so far: the passivity observer.
@@ -148,6 +150,7 @@ impl Account {
             let (net, observer) = (self.net.near(), self.observer.near());
             self.points.extend(other.points.iter().map(|point| Point {
                 h: before + point.h,
+                time: point.time,
                 net: net + point.net,
                 observer: observer + point.observer,
             }));
@@ -186,6 +189,8 @@ impl Account {
     pub(crate) fn plot(&mut self) {
         self.points.push(Point {
             h: self.intervals,
+            // Where samples are joined it is known when they were taken.
+            time: 0.0,
             net: self.net.near(),
             observer: self.observer.near(),
         });

@@ -11,6 +11,7 @@ use crate::log::error::TraceError;
 use crate::log::found::{Findings, ROWS_IN_REPORT};
 use crate::log::held::Held;
 use crate::log::report::UnendedRow;
+use crate::log::running::near_number;
 use crate::log::step::{between, check_jump, duration, undefined};
 use crate::log::task::Task;
 use crate::log::velocity::Velocities;
@@ -47,6 +48,8 @@ pub(crate) struct Merge<'a, 'w> {
     first: Option<Reading>,
     /// When the first sample was taken.
     began: Option<Number>,
+    /// How long the rows of a ledger last so far, in periods, for the plot.
+    lasted: f64,
     comparison: Option<Comparison>,
     velocities: Option<Velocities>,
     wraps: Option<Wraps>,
@@ -84,6 +87,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             closing: None,
             first: None,
             began: None,
+            lasted: 0.0,
             comparison: compared.then(|| Comparison::new(task.ledger)),
             velocities: moved.then(Velocities::default),
             wraps: Wraps::new(&task.periods).filter(|_| task.compares),
@@ -164,10 +168,11 @@ impl<'a, 'w> Merge<'a, 'w> {
         if self.began.is_none() {
             self.began = chunk.times.get(0);
         }
-        let lead = self.task.lead();
+        let (lead, plotted) = (self.task.lead(), self.account.points.len());
         // Intervals that end at the first samples of the chunk reach back beyond it.
         for i in 0..whole.min(lead + 1) {
             if let Err(error) = self.single(chunk, i) {
+                self.time_points(plotted, chunk);
                 self.samples += i as u64;
                 self.error = Some(self.placed(error, self.samples + 1));
                 self.closing = None;
@@ -186,6 +191,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             self.onward = onward(chunk, whole - 1);
         }
         self.compare(chunk, whole, inside)?;
+        self.time_points(plotted, chunk);
         self.thin_points();
         if whole > 0 {
             self.closing.clone_from(&chunk.closing);
@@ -286,6 +292,39 @@ impl<'a, 'w> Merge<'a, 'w> {
         Ok(())
     }
 
+    /// Says when the samples of a chunk were taken to which the points from the first `plotted` on belong.
+    fn time_points(&mut self, plotted: usize, chunk: &Chunk) {
+        if !self.task.points {
+            return;
+        }
+        let mut lasted = 0;
+        let mut dtaus = chunk.dtaus.iter().map(near_number);
+        let mut points = std::mem::take(&mut self.account.points);
+        for point in points.iter_mut().skip(plotted) {
+            // Interval h ends at sample h, counted from 0.
+            let i = usize::try_from(point.h.saturating_sub(self.samples)).unwrap_or(usize::MAX);
+            self.lasted += dtaus.by_ref().take(i - lasted).sum::<f64>();
+            lasted = i;
+            let times = self.began.as_ref().zip(chunk.times.get(i));
+            let clock = times.and_then(|(from, to)| self.task.layout.duration(from, &to));
+            point.time = match clock {
+                Some(time) => near_number(&time),
+                None => self.without_a_clock(point.h),
+            };
+        }
+        self.account.points = points;
+        self.lasted += dtaus.sum::<f64>();
+    }
+
+    /// When so many intervals are over by how long rows of a ledger last, or are taken to.
+    #[allow(clippy::cast_precision_loss)] // for a picture
+    fn without_a_clock(&self, h: u64) -> f64 {
+        match self.task.layout.dtau {
+            Some(_) => self.lasted,
+            None => h as f64,
+        }
+    }
+
     /// Keeps the plot to a bounded number of points, evenly spread.
     fn thin_points(&mut self) {
         while self.account.points.len() > MAX_POINTS {
@@ -341,6 +380,10 @@ impl<'a, 'w> Merge<'a, 'w> {
             let dtau = self.onward.dtau.take();
             if let Err(error) = self.interval(closing, dtau) {
                 self.error = Some(self.placed(error, self.samples));
+            }
+            let time = self.without_a_clock(self.account.intervals);
+            if let Some(last) = self.account.points.last_mut() {
+                last.time = time;
             }
             self.flush()?;
         }

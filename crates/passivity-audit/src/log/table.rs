@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use passivity_core::course::{Course, Least};
 
-use crate::log::account::{Account, Point};
+use crate::log::account::Account;
 use crate::log::computed::{Accounted, Computed};
 use crate::log::running::Lowest;
 use crate::log::wall::{Part, Parts};
@@ -238,11 +238,7 @@ impl Table {
             // There are not as many intervals as to overflow.
             i += found.intervals as usize;
             if plot.is_some_and(|(stride, from)| (i - from).is_multiple_of(stride)) {
-                account.points.push(Point {
-                    h: account.intervals,
-                    net: account.net.near(),
-                    observer: account.observer.near(),
-                });
+                account.plot();
             }
         }
         if let Least(Some((twice, h))) = lowest {

@@ -375,6 +375,53 @@ fn a_trace_is_as_long_as_its_times_say() {
     assert_eq!(untimed.duration(), None);
 }
 
+/// Late samples are drawn late, of any kind of log, however it is cut and wherever it ends.
+#[test]
+fn the_course_of_energy_is_at_the_times_of_the_log() {
+    let scene = three_fifths();
+    let late = |h: u64| h + h / 7 * 3;
+    let even = |h: u64| h;
+    let xi = |h: u64| h % 5;
+    type Time<'a> = &'a dyn Fn(u64) -> u64;
+    type Row<'a> = &'a dyn Fn(u64) -> String;
+    let ledger = |h: u64| format!("{},{},{}", xi(h), xi(h + 1), late(h + 1) - late(h));
+    let logs: [(&str, Row<'_>, Time<'_>); 6] = [
+        (
+            "tau,count",
+            &|h| format!("{},{}", 10 + late(h), xi(h)),
+            &late,
+        ),
+        (
+            "tau,xi",
+            &|h| format!("{},{}/3", 10 + late(h), xi(h)),
+            &late,
+        ),
+        ("xi0,xi1,dtau", &ledger, &late),
+        ("count", &|h| xi(h).to_string(), &even),
+        ("xi", &|h| format!("{}/3", xi(h)), &even),
+        ("xi0,xi1", &|h| format!("{},{}", xi(h), xi(h + 1)), &even),
+    ];
+    for (header, row, time) in logs {
+        let rows: String = (0..900).map(|h| row(h) + "\n").collect();
+        for end in ["", "oops\n"] {
+            let csv = format!("{header}\n{rows}{end}");
+            for block in [0, 70, 2000] {
+                let audit = audited(csv.as_bytes(), &scene, 2, block).0;
+                let points = audit.points();
+                assert!(points.len() > 400, "{header} {block}");
+                for point in points {
+                    assert_eq!(
+                        point.time,
+                        time(point.h) as f64,
+                        "{header} {block} {}",
+                        point.h
+                    );
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_ledger_is_a_trace() {
     let (first, rows) = audited(b"tau,xi\n0,1\n1,1/2\n3,4\n", &three_fifths(), 1, 0);

@@ -76,7 +76,7 @@ pub(crate) struct Args {
     /// Write the rows of the ledger to a CSV file.
     #[arg(long, value_name = "FILE", value_parser = crate::files::csv())]
     out: Option<PathBuf>,
-    /// Draw energy against time, as SVG or PNG.
+    /// Draw energy against time in sampling periods, as SVG or PNG.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
     plot: Option<PathBuf>,
     /// Write the first violated interval to a JSON file, with all that its figures follow from.
@@ -199,7 +199,13 @@ fn drawn(args: &Args, scene: &Scene, report: &Audit) -> Result<(), Failure> {
         return Ok(());
     };
     let course: Vec<Point> = report.points().iter().map(point).collect();
-    let title = format!("{} in {}", traces(args), scene.name);
+    let mut title = format!("{} in {}", traces(args), scene.name);
+    if let Some(error) = &report.report().error {
+        let file = error.file.iter().map(|file| format!(" of {file}"));
+        let row = error.row.iter().map(|row| format!(" in row {row}"));
+        let place: String = row.chain(file).collect();
+        title.push_str(&format!(", up to the error{place}"));
+    }
     let picture = draw(&title, &course).map_err(Failure::input)?;
     save(&picture, path).map_err(Failure::input)
 }
@@ -313,10 +319,9 @@ fn certify(report: &Audit, path: &Path) -> Result<(), Failure> {
 
 /// A point of the audit as the picture has it.
 #[cfg(feature = "plot")]
-#[allow(clippy::cast_precision_loss)] // for a picture
 fn point(point: &passivity_audit::Point) -> Point {
     Point {
-        interval: point.h as f64,
+        time: point.time,
         net: point.net,
         observer: point.observer,
     }
