@@ -231,12 +231,11 @@ fn scaled(scale: f64, scene: &Scene) -> String {
 /// What stands out in times of which so many of all intervals are as short as [`SHORT`] says.
 pub(crate) fn of_clock(short: [u64; 2], intervals: u64) -> Option<Finding> {
     // One interval alone may be a motion that ended within it. A recorder that pauses makes a few long ones.
-    let is_usual = |count: &u64| intervals > 1 && 10 * count >= 9 * intervals;
-    let at = short.iter().position(is_usual)?;
-    let (n, d) = SHORT[at];
+    let is_usual = |count: u64| intervals > 1 && 10 * count >= 9 * intervals;
+    let mut counted = short.into_iter().zip(SHORT).enumerate();
+    let (at, (count, (n, d))) = counted.find(|(_, (count, _))| is_usual(*count))?;
     let says = format!(
-        "{} of {intervals} intervals between rows are at most {n}/{d} of a sampling period",
-        short[at]
+        "{count} of {intervals} intervals between rows are at most {n}/{d} of a sampling period"
     );
     let unit = "check the unit of the times, and the sampling period of the scene";
     Some(match at {

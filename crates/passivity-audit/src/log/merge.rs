@@ -303,7 +303,7 @@ impl<'a, 'w> Merge<'a, 'w> {
         for point in points.iter_mut().skip(plotted) {
             // Interval h ends at sample h, counted from 0.
             let i = usize::try_from(point.h.saturating_sub(self.samples)).unwrap_or(usize::MAX);
-            self.lasted += dtaus.by_ref().take(i - lasted).sum::<f64>();
+            self.lasted += dtaus.by_ref().take(i.saturating_sub(lasted)).sum::<f64>();
             lasted = i;
             let times = self.began.as_ref().zip(chunk.times.get(i));
             let clock = times.and_then(|(from, to)| self.task.layout.duration(from, &to));
