@@ -264,3 +264,35 @@ fn a_log_without_a_sample_holds_nothing() {
         );
     }
 }
+
+#[test]
+fn counts_are_read_as_no_angles() {
+    let dir = Dir::new();
+    let smooth = "[device]\ninertia = \"2e-5 kg m^2\"\nviscous = \"1e-3 N m s/rad\"\ncoulomb = \"1.5e-3 N m\"\n\
+        [sampling]\nrate = \"1 kHz\"\n[wall]\nstiffness = \"3 N m/rad\"\n";
+    dir.write("smooth.toml", smooth);
+    dir.write(
+        "counted.toml",
+        format!("{smooth}[encoder]\ncounts_per_revolution = 8192\n"),
+    );
+    let rows: String = (0..40)
+        .map(|i| format!("0.{i:03},{},-0.01\n", i / 3))
+        .collect();
+    for name in ["count", "position"] {
+        dir.write("log.csv", format!("t [s],{name},f [N m]\n{rows}"));
+        for command in [
+            "audit log.csv --scene smooth.toml",
+            "identify log.csv --scene smooth.toml",
+            "case smooth.toml --out case --log log.csv --device knob --date 2026-11-20",
+        ] {
+            let run = dir.run(&command.split(' ').collect::<Vec<_>>());
+            assert_eq!(run.code, 2, "{command}: {}", run.stdout);
+            assert!(!run.stderr.contains(" run: "), "{command}: {}", run.stderr);
+            let says = "the lines `[encoder]` and `counts_per_revolution = …`";
+            assert!(run.stderr.contains(says), "{command}: {}", run.stderr);
+        }
+    }
+    let run = dir.run(&["audit", "log.csv", "--scene", "counted.toml"]);
+    let says = "--columns 't=t [s], count=position, f=f [N m]'";
+    assert!(run.stderr.contains(says), "{}", run.stderr);
+}

@@ -17,6 +17,7 @@ use kind::Kind;
 pub use proposal::Proposal;
 pub(crate) use proposal::propose;
 pub(crate) use units::same_letters;
+pub(crate) use whole::{is_unclear, no_encoder};
 use words::{COUNTED, HELD, NO_POSITION, NO_TIME, NOT_MEASURED, words};
 
 mod clock;
@@ -24,6 +25,7 @@ mod joints;
 mod kind;
 mod proposal;
 mod units;
+mod whole;
 mod words;
 
 /// Whether two roles are about the same.
@@ -124,8 +126,14 @@ fn held(
         },
         (None, Kind::Velocity) => Ok(0),
         (None, _) if scene.motion == Motion::Dimensionless => Ok(0),
+        (None, Kind::Position) => {
+            units::said(kind, &heading.name, scene.motion)?;
+            whole::counts(heading, column, preview, scene).map(|_| 0)
+        }
         (None, _) => units::said(kind, &heading.name, scene.motion).map(|_| 0),
-        (Some(unit), Kind::Position) if is_counted(unit) => Ok(2),
+        (Some(unit), Kind::Position) if is_counted(unit) => {
+            whole::counts(heading, column, preview, scene).map(|_| 2)
+        }
         (Some(unit), _) if scene.motion == Motion::Dimensionless => {
             let unit = shown(unit.as_bytes());
             Err(format!(
@@ -189,6 +197,10 @@ impl Unreadable {
 
     pub(crate) fn is_force(&self) -> bool {
         self.kind == Kind::Force
+    }
+
+    pub(crate) fn is_position(&self) -> bool {
+        self.kind == Kind::Position
     }
 }
 
@@ -341,14 +353,7 @@ fn role(
     let heading = headings.get(column)?;
     let own = split(&heading.name).ok().and_then(|split| split.unit);
     let counts = kind == Kind::Position
-        && scene.given.has_encoder()
-        && preview.is_whole(column)
-        && match &own {
-            Some(unit) => is_counted(unit),
-            None => words(&heading.name).iter().any(|word| {
-                ["encoder", "enc"].contains(&word.as_str()) || COUNTED.contains(&word.as_str())
-            }),
-        };
+        && whole::counts(heading, column, preview, scene).is_ok_and(|counts| counts);
     let bare = scene.motion == Motion::Dimensionless;
     let role = match kind {
         _ if counts => Role::Count,
@@ -388,6 +393,20 @@ pub(crate) fn with_unit(
         return found.clone();
     }
     let kind = Kind::of(found.role);
+    if kind == Kind::Position
+        && let Some(counts) = heading.map(|it| whole::counts(it, found.column, preview, scene))
+        && counts != Ok(false)
+    {
+        let role = if counts == Ok(true) {
+            Role::Count
+        } else {
+            found.role
+        };
+        return Found {
+            role,
+            ..found.clone()
+        };
+    }
     let unit = heading.map(|heading| unit_said(kind, heading, found.column, preview, scene));
     Found {
         unit,

@@ -7,7 +7,7 @@ use crate::log::columns::{Columns, Found, Role, unit_of};
 use crate::log::digits::Digits;
 use crate::log::error::{TraceError, shown};
 use crate::log::findings::Beside;
-use crate::log::guess;
+use crate::log::guess::{self, Unreadable};
 use crate::log::header::Heading;
 use crate::log::names::{by_name, is_no_clock, is_no_time};
 use crate::log::preview::Preview;
@@ -109,17 +109,26 @@ impl Layout {
                 if is_no_clock(&said, &headings, preview, scene) {
                     said.retain(|found| found.role != Role::Tau);
                 }
-                said.retain(|found| !is_no_time(found, &headings, preview));
+                said.retain(|found| {
+                    !is_no_time(found, &headings, preview)
+                        && !guess::is_unclear(found, &headings, preview, scene)
+                });
                 let unread = guess::unread(&headings, preview, scene, &said);
                 let known: Vec<Found> = said.iter().chain(&unread).cloned().collect();
                 let unreadable = guess::unreadable(&headings, preview, scene, &known);
                 if !(unread.is_empty() && unreadable.is_empty()) {
                     let why = not_read(&said, &unread, &unreadable, &headings, scene);
                     let mut error = proposed(why, &said);
-                    if !known.iter().any(Found::is_position) {
-                        error.message +=
-                            "; and no column is known to be the position: `--columns` names it";
-                    }
+                    let is_there = unreadable.iter().any(Unreadable::is_position);
+                    error.message += match known.iter().any(Found::is_position) {
+                        true => "",
+                        false if is_there => {
+                            "; `--columns` can say what it has, or name another position"
+                        }
+                        false => {
+                            "; and no column is known to be the position: `--columns` names it"
+                        }
+                    };
                     return Err(error);
                 }
                 said
@@ -181,7 +190,7 @@ impl Layout {
         };
         let (form, position) = form(said, headings)?;
         if form == Form::Count && !scene.given.has_encoder() {
-            return Err(header("counts need a scene with an encoder").column(name(position)));
+            return Err(header(guess::no_encoder(scene.motion)).column(name(position)));
         }
         let scale = match (form, &position.unit) {
             (Form::X, unit) => position_scale(unit.as_deref(), scene)

@@ -74,6 +74,12 @@ impl Preview {
         self.column(column).all(|x| x == Some(0.0))
     }
 
+    /// Whether these rows may not be all that there are.
+    pub(crate) fn may_go_on(&self) -> bool {
+        const LOOKED_AT: usize = 20;
+        self.columns.iter().any(|fields| fields.len() >= LOOKED_AT)
+    }
+
     /// Whether a column has more than one value.
     pub(crate) fn moves(&self, column: usize) -> bool {
         let first = self.column(column).next();

@@ -7,6 +7,7 @@ mod joints;
 mod quotes;
 mod spaces;
 mod units;
+mod whole;
 
 use passivity_audit::{Audit, Dialect, Options, TraceError, audit_csv};
 use passivity_scene::Scene;

@@ -42,6 +42,9 @@ pub(super) fn not_read(
     said.extend(unreadable.iter().map(|unreadable| {
         let put_right = match scene.motion {
             _ if unreadable.is_force() => FORCE,
+            _ if unreadable.is_position() => {
+                return format!("the column {} cannot be read: {}", name(unreadable.column), unreadable.why);
+            }
             _ if !unreadable.is_clock() => "name the others to leave it out",
             Motion::Dimensionless => {
                 "write its times in sampling periods, as in `tau`; if `--columns` leaves it out, all rows are taken to be \

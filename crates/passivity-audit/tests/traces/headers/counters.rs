@@ -23,7 +23,7 @@ fn what_only_counts_up_beside_a_position_is_a_clock() {
             ("pos_cnt", "count=pos_cnt"),
             ("count", "count=count"),
             ("enc", "count=enc"),
-            ("pos", "x=pos [m]"),
+            ("pos", "count=pos"),
             ("x [mm]", "x=x [mm]"),
         ] {
             let error = refused(&log(&format!("{name},{position}"), 1), None);

@@ -1,0 +1,87 @@
+//! Positions without a unit that may be counts: nobody knows how long a count is where the scene has no encoder.
+
+use passivity_scene::{Motion, Scene};
+
+use super::units;
+use super::words::{COUNTED, words};
+use super::{Kind, is_counted};
+use crate::log::columns::{Found, Role};
+use crate::log::header::{Heading, split};
+use crate::log::preview::Preview;
+
+/// What a scene without an encoder lacks for counts.
+pub(crate) const fn no_encoder(motion: Motion) -> &'static str {
+    match motion {
+        Motion::Linear => {
+            "counts need a scene with an encoder, which has the lines `[encoder]` and `resolution = \"… um\"`, the \
+             length of a count"
+        }
+        _ => {
+            "counts need a scene with an encoder, which has the lines `[encoder]` and `counts_per_revolution = …`"
+        }
+    }
+}
+
+/// Whether a column of positions has counts; or why that cannot be told, or they cannot be read.
+pub(super) fn counts(
+    heading: &Heading,
+    column: usize,
+    preview: &Preview,
+    scene: &Scene,
+) -> Result<bool, String> {
+    let has_encoder = scene.given.has_encoder();
+    let is_whole = preview.is_whole(column);
+    let own = split(&heading.name).ok().and_then(|split| split.unit);
+    if let Some(unit) = own {
+        return match is_counted(&unit) && !has_encoder {
+            true => Err(no_encoder(scene.motion).to_owned()),
+            false => Ok(is_counted(&unit) && has_encoder && is_whole),
+        };
+    }
+    let words = words(&heading.name);
+    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
+    let is_named = has(&COUNTED) || has(&["encoder", "enc"]);
+    let is_bare = scene.motion == Motion::Dimensionless;
+    if is_bare || units::said(Kind::Position, &heading.name, scene.motion) != Ok(None) {
+        return Ok(has_encoder && is_whole && is_named);
+    }
+    let units = match scene.motion {
+        Motion::Linear => "`m`, `mm` or `um`",
+        _ if has_encoder => "`rad`, `deg` or `rev`",
+        // Others are read only beside an encoder.
+        _ => "`rad` or `mrad`",
+    };
+    match (is_whole, has_encoder) {
+        (false, _) if !has(&COUNTED) => Ok(false),
+        (false, true) => Err(format!(
+            "it is called a count, and has numbers that are not whole: its name must give their unit, such as {units}"
+        )),
+        (true, true) if is_named || preview.moves(column) => Ok(true),
+        // What does not move in a whole log does no work in any unit.
+        (true, _) if !is_named && !preview.moves(column) && !preview.may_go_on() => Ok(false),
+        (true, true) => Err(format!(
+            "it has no unit, and its first rows have one and the same whole number, of counts or of a unit such as {units}"
+        )),
+        (_, false) => Err(format!(
+            "it has numbers without a unit that may be counts: {}; if they are no counts, its name must give their unit, \
+             such as {units}",
+            no_encoder(scene.motion)
+        )),
+    }
+}
+
+/// Whether a name says that a column is the position, but not whether it has counts that can be read.
+pub(crate) fn is_unclear(
+    found: &Found,
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+) -> bool {
+    let is_open = match found.role {
+        Role::X => found.unit.as_deref().is_none_or(is_counted),
+        Role::Count => !scene.given.has_encoder(),
+        _ => false,
+    };
+    let heading = headings.get(found.column);
+    is_open && heading.is_some_and(|it| counts(it, found.column, preview, scene).is_err())
+}
