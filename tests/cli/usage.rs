@@ -132,6 +132,9 @@ fn a_mistake_is_told_by_what_was_typed() {
     let re35 = root().join("scenes/re35.toml").display().to_string();
     let wrong = "[sampling]\nrate = \"1 kHz ± 1 ±\"\n[wall]\nstiffness = \"1 N/m\"\n";
     let wrong = dir.write("wrong.toml", wrong);
+    let smooth = "[device]\nviscous = \"1e-3 N m s/rad\"\n[sampling]\nrate = \"1 kHz\"\n[wall]\nstiffness = \"3 N m/rad\"\n";
+    let smooth = dir.write("smooth.toml", smooth);
+    let no_ticks = "error: --speed `5`: `smooth` has no encoder, and so no ticks: expected a speed with a unit, as in `5 rad/s`";
     for (args, says) in [
         (
             &["simulate", &scene, "--speed", "1e300"][..],
@@ -165,6 +168,8 @@ fn a_mistake_is_told_by_what_was_typed() {
             &["case", &scene, "--out", "case", "--effort", "-1"],
             "expected a whole number from 1 to 100000",
         ),
+        (&["simulate", &smooth, "--speed", "5"], no_ticks),
+        (&["accuracy", &smooth, "--speed", "5"], no_ticks),
         (
             &["simulate", &re35, "--speed", "1 ± 10%"],
             "--speed `1 ± 10%`: expected one number of ticks per sample, without a tolerance",

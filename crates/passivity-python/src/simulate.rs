@@ -1,6 +1,7 @@
 //! Motions.
 
 use passivity_sim::report::Simulation as Report;
+use passivity_sim::scales::has_ticks_or_unit;
 use passivity_sim::{Line, Method, Plan};
 use pyo3::prelude::*;
 
@@ -41,6 +42,7 @@ pub(crate) fn simulate(
         point.intervals = intervals;
     }
     if let Some(text) = speed {
+        has_ticks_or_unit(&scene, text).map_err(|error| of_simulation(&error))?;
         let speed = scene.ticks_per_sample(text);
         point.at.start_velocity = Some(speed.map_err(|error| of_simulation(&error))?);
     }

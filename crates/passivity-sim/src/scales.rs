@@ -1,9 +1,11 @@
 //! The units that a motion is shown in: those of the scene file.
 
 use passivity_core::{BigRational, Interval};
-use passivity_scene::number::nearest_f64;
+use passivity_scene::number::{nearest_f64, parse};
 use passivity_scene::written::Form;
 use passivity_scene::{Axis, Given, Motion, Scene};
+
+use crate::error::SimError;
 
 /// How a dimensionless figure is shown.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,6 +97,26 @@ impl Scales {
             si: true,
         }
     }
+}
+
+/// Takes a speed at the start as it was typed; one without a unit is in ticks per sample, which only an encoder has.
+///
+/// # Errors
+///
+/// [`SimError::Method`] for one without a unit in a scene in units that has no encoder.
+pub fn has_ticks_or_unit(scene: &Scene, speed: &str) -> Result<(), SimError> {
+    let has_ticks = scene.motion == Motion::Dimensionless || scene.given.has_encoder();
+    if has_ticks || parse(speed.trim()).is_err() {
+        return Ok(());
+    }
+    let unit = match scene.motion {
+        Motion::Linear => "mm/s",
+        _ => "rad/s",
+    };
+    Err(SimError::Method(format!(
+        "`{}` has no encoder, and so no ticks: expected a speed with a unit, as in `5 {unit}`",
+        scene.name
+    )))
 }
 
 /// What an SI value is in a unit that a key may have; in SI where the text is none.

@@ -19,6 +19,7 @@ use passivity_sim::plot::motion::{Motion, draw};
 use passivity_sim::report::Simulation;
 #[cfg(feature = "plot")]
 use passivity_sim::scales::Scales;
+use passivity_sim::scales::has_ticks_or_unit;
 use passivity_sim::trace::Table;
 use passivity_sim::{
     Beyond, ExactOutcome, Line, Method, Plan, SimError, Simulated, simulate_beyond,
@@ -282,7 +283,7 @@ pub(crate) fn words(outcome: ExactOutcome) -> String {
 /// How a simulation starts, where not as the scene says.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Start {
-    /// The speed at the start in place of the scene's: with a unit, or in ticks per sample.
+    /// The speed at the start in place of the scene's: with a unit, or in ticks per sample where it has an encoder.
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<String>,
 }
@@ -291,6 +292,8 @@ impl Start {
     /// Puts what was typed in place of the scene's.
     pub(crate) fn put(&self, scene: &Scene, point: &mut Point) -> Result<(), Failure> {
         if let Some(text) = &self.speed {
+            has_ticks_or_unit(scene, text)
+                .map_err(|error| Failure::input(format!("--speed `{text}`: {error}")))?;
             let speed = scene.ticks_per_sample(text).map_err(|error| {
                 let kinds = error.diagnostics().iter().map(|problem| problem.kind().name());
                 // A number alone is in ticks per sample, and was read before.

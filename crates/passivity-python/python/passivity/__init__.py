@@ -333,8 +333,8 @@ def simulate(
     With ``trace``, ``result.columns`` maps ``xi0``, ``xi1``, ``v0``, ``v1``, ``generated_linear``,
     ``generated_quantized`` and ``dissipated`` to arrays of doubles, one value per interval: NumPy
     arrays when NumPy is there, else ``array.array``. ``speed`` is the speed at the start in place of the
-    scene's: a number in ticks per sample, or a text with a unit. ``progress`` is called with how many
-    intervals were simulated and how many are asked for, or ``None`` where the scene says.
+    scene's: a text with a unit, or a number in ticks per sample where the scene has an encoder. ``progress`` is
+    called with how many intervals were simulated and how many are asked for, or ``None`` where the scene says.
 
     >>> scene = {"dimensionless": {"mu": 50, "beta": "3/5", "sigma": "3/5"}, "run": {"intervals": 2000}}
     >>> result = simulate(scene, speed=4)
