@@ -27,6 +27,7 @@ mod pieces;
 mod plane;
 mod recordings;
 mod schema;
+mod several;
 mod sides;
 mod simulate;
 mod sweep;

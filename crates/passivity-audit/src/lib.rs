@@ -39,7 +39,7 @@ pub use log::{
     Form, Found, Judged, Least, MAX_SAMPLES, MAX_THREADS, Moved, Observer, Options, Partial, Point,
     Positions, Proposal, Report, Role, Running, Sampled, Sampling, Shown, Stretch, Supplied,
     TraceError, UnendedRow, Values, Verdict, audit, audit_arrays, audit_columns, audit_csv,
-    audit_files, audit_part, legible, merge_parts, samples,
+    audit_files, audit_part, dialects, legible, merge_parts, samples,
 };
 pub use number::Number;
 pub use reading::{Reading, Scaled};

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use passivity_audit::dialects;
 use passivity_identify::{
     Identified, IdentifyError, Inertia, LogReport, Options, Provenance, Report, TraceError,
     identify as search, read, read_sketch, sha256,
@@ -69,11 +70,15 @@ pub(crate) fn identify(
     let scene = read_sketch(&name, &text).map_err(|error| of_scene(py, &error))?;
     let answer = follow(py, progress.as_ref(), move |watch| {
         let (mut sampled, mut files) = (Vec::new(), Vec::new());
-        for path in &logs {
-            let log = read(path, &scene, &dialect).map_err(|error| {
-                let file = Some(path.display().to_string());
-                Failed::Log(TraceError { file, ..error })
-            })?;
+        let refused = |path: &Path, error: TraceError| {
+            let file = Some(path.display().to_string());
+            Failed::Log(TraceError { file, ..error })
+        };
+        let paths: Vec<&Path> = logs.iter().map(PathBuf::as_path).collect();
+        let each = dialects(&paths, &scene, &dialect);
+        let each = each.map_err(|it| refused(it.0, it.1))?;
+        for (path, dialect) in logs.iter().zip(&each) {
+            let log = read(path, &scene, dialect).map_err(|error| refused(path, error))?;
             let hash = sha256(path);
             files.push(LogReport {
                 file: path.display().to_string(),

@@ -94,6 +94,9 @@ struct Assignment {
     unit: Option<String>,
 }
 
+/// The kind of the error of a header that has none of a name.
+pub(crate) const NO_COLUMN: &str = "no_column";
+
 fn refuse(message: impl Into<String>) -> TraceError {
     TraceError::new("columns", message)
 }
@@ -190,10 +193,11 @@ impl Assignment {
         let names = headings.iter().take(8).map(|h| shown(h.name.as_bytes()));
         let names = names.collect::<Vec<_>>().join("`, `");
         let more = if headings.len() > 8 { ", …" } else { "" };
-        Err(refuse(format!(
+        let message = format!(
             "there is no column `{}`: the header has `{names}`{more}",
             shown(self.text.as_bytes())
-        )))
+        );
+        Err(TraceError::new(NO_COLUMN, message))
     }
 
     fn named(

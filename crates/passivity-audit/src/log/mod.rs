@@ -81,7 +81,7 @@ pub use report::{
     Running, Sampling, Shown, Supplied, UnendedRow, Verdict,
 };
 pub use samples::{MAX_SAMPLES, Sampled, samples};
-pub use source::Dialect;
+pub use source::{Dialect, dialects};
 
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};

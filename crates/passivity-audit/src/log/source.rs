@@ -20,9 +20,11 @@ use crate::log::parquet;
 use compressed::decompressed;
 pub(crate) use compressed::{is_compressed, start};
 pub use dialect::Dialect;
+pub use several::dialects;
 
 mod compressed;
 mod dialect;
+mod several;
 mod shape;
 
 /// What one file, or memory, gives.

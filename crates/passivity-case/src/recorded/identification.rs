@@ -149,12 +149,12 @@ impl Identification {
         given: &Recordings,
         scene: &Scene,
         text: &str,
-        dialect: &Dialect,
+        dialects: &[Dialect],
         mut progress: impl FnMut(u64, u64),
     ) -> Result<Self, CaseError> {
         let mut sources = Vec::new();
         let mut logs: Vec<Sampled> = Vec::new();
-        for recording in &given.identification {
+        for (recording, dialect) in given.identification.iter().zip(dialects) {
             let (source, log) = Source::bound(recording, |path| {
                 let read = passivity_identify::read(path, scene, dialect);
                 read.map_err(|error| CaseError::of_log(path, error))

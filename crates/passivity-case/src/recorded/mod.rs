@@ -10,7 +10,7 @@ mod log;
 
 use std::path::Path;
 
-use passivity_audit::{Columns, Dialect, legible};
+use passivity_audit::{Columns, Dialect, dialects, legible};
 use passivity_evidence::Sha256;
 use passivity_scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -118,15 +118,23 @@ impl Recorded {
         progress: impl FnMut(u64, u64),
     ) -> Result<Self, CaseError> {
         given.validate()?;
-        let dialect = given.dialect()?;
-        let logs = given.logs.iter().enumerate();
-        let logs = logs.map(|(index, one)| Log::read(index + 1, one, scene, &dialect));
+        let paths = given.logs.iter().chain(&given.identification);
+        let paths: Vec<&Path> = paths.map(|log| log.path.as_ref()).collect();
+        let dialects = dialects(&paths, scene, &given.dialect()?)
+            .map_err(|refused| CaseError::of_log(refused.0, refused.1))?;
+        let (of_logs, of_identification) = dialects.split_at(given.logs.len());
+        let logs = given.logs.iter().zip(of_logs).enumerate();
+        let logs = logs.map(|(index, (one, dialect))| Log::read(index + 1, one, scene, dialect));
         let logs: Vec<Log> = logs.collect::<Result<_, _>>()?;
         once("--log", logs.iter().map(|log| &log.source))?;
         let identification = match given.identification.is_empty() {
             true => None,
             false => Some(Identification::read(
-                &given, scene, text, &dialect, progress,
+                &given,
+                scene,
+                text,
+                of_identification,
+                progress,
             )?),
         };
         let sources = identification.iter().flat_map(|found| &found.sources);

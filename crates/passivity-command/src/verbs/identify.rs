@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_audit::{Columns, Dialect};
+use passivity_audit::{Columns, Dialect, dialects};
 use passivity_core::Effect;
 use passivity_identify::{
     Identified, Inertia, LogReport, Options, Provenance, Report, Sampled, identify, read,
@@ -231,14 +231,23 @@ fn logs(args: &Args, sketch: &Scene) -> Result<(Vec<Sampled>, Vec<LogReport>), F
         delimiter: args.delimiter,
         decimal_comma: args.decimal_comma,
     };
+    let paths: Vec<&Path> = args.logs.iter().map(PathBuf::as_path).collect();
+    let each = dialects(&paths, sketch, &dialect)
+        .map_err(|refused| refusal(refused.0.display(), &refused.1))?;
     let (mut logs, mut files) = (Vec::new(), Vec::new());
-    for path in &args.logs {
+    for (path, own) in args.logs.iter().zip(&each) {
         if path.as_os_str() == "-" {
             return Err(Failure::input(
                 "a log must be a file: its hash goes into the scene",
             ));
         }
-        let log = read(path, sketch, &dialect).map_err(|error| refusal(path.display(), &error))?;
+        if *own != dialect {
+            tell(&format!(
+                "{}: its header has other names than --columns, and says itself what its columns are",
+                path.display()
+            ));
+        }
+        let log = read(path, sketch, own).map_err(|error| refusal(path.display(), &error))?;
         logs.push(log);
         let sha256 = passivity_identify::sha256(path);
         files.push(LogReport {
