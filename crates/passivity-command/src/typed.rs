@@ -9,16 +9,28 @@ use crate::exit::Failure;
 /// Why a log is refused, with the command that reads it as it seems to be meant.
 pub(crate) fn refusal(log: impl Display, error: &TraceError) -> Failure {
     Failure::input(match &error.proposal {
-        Some(proposal) => format!("{log}: {error} run: {}", command(proposal)),
+        Some(proposal) => format!("{log}: {error} {}", run(proposal)),
         None => format!("{log}: {error}"),
     })
 }
 
-/// The command that was typed, with everything that it says but how its logs are read: as is proposed.
-pub(crate) fn command(proposal: &Proposal) -> String {
+/// The command that was typed, with everything that it says but how its logs are read: as is proposed. Where a column may be
+/// a clock or none, both ways.
+pub(crate) fn run(proposal: &Proposal) -> String {
+    let run = format!("run: {}", command(proposal, &proposal.columns));
+    match &proposal.without_clock {
+        Some(columns) => format!(
+            "{run} (or, where it is no clock: {})",
+            command(proposal, columns)
+        ),
+        None => run,
+    }
+}
+
+fn command(proposal: &Proposal, columns: &str) -> String {
     let typed = std::env::args_os().skip(1);
     let typed = typed.map(|word| word.to_string_lossy().into_owned());
-    let words = proposed(typed, read_as(proposal));
+    let words = proposed(typed, read_as(proposal, columns));
     let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
     format!("passivity {}", words.join(" "))
 }
@@ -45,8 +57,8 @@ fn proposed(mut typed: impl Iterator<Item = String>, read_as: Vec<String>) -> Ve
 }
 
 /// The words of a command that read the columns and fields as they are proposed.
-fn read_as(proposal: &Proposal) -> Vec<String> {
-    let mut words = vec!["--columns".to_owned(), proposal.columns.clone()];
+fn read_as(proposal: &Proposal, columns: &str) -> Vec<String> {
+    let mut words = vec!["--columns".to_owned(), columns.to_owned()];
     if let Some(delimiter) = proposal.delimiter {
         let name = match delimiter {
             '\t' => "tab".to_owned(),

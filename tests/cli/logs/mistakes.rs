@@ -296,3 +296,37 @@ fn counts_are_read_as_no_angles() {
     let says = "--columns 't=t [s], count=position, f=f [N m]'";
     assert!(run.stderr.contains(says), "{}", run.stderr);
 }
+
+#[test]
+fn a_clock_without_a_name_is_offered_with_and_without_it() {
+    let dir = Dir::new();
+    dir.write("scene.toml", SCENE);
+    // As pandas writes a table whose index is the time, every row two periods late.
+    let rows =
+        (0_i32..20).map(|i| format!("{:.4},{}\n", f64::from(i) * 7e-4, 20 * (i % 20 - 10).abs()));
+    dir.write("log.csv", format!(",count\n{}", rows.collect::<String>()));
+    let refused = dir.run(&["audit", "log.csv", "--scene", "scene.toml"]);
+    let says = "the column number 1, which has no name, rises from row to row as a clock does";
+    assert!(refused.stderr.contains(says), "{}", refused.stderr);
+    let command =
+        |columns: &str| format!("passivity audit log.csv --scene scene.toml --columns {columns}");
+    let both = format!(
+        "run: {} (or, where it is no clock: {})",
+        command("'t=\"\" [s], count=count'"),
+        command("'count=count'")
+    );
+    assert!(refused.stderr.contains(&both), "{}", refused.stderr);
+    let with = "t=\"\" [s], count=count";
+    for (columns, missed) in [(with, "19 samples missed"), ("count=count", "")] {
+        let run = dir.run(&[
+            "audit",
+            "log.csv",
+            "--scene",
+            "scene.toml",
+            "--columns",
+            columns,
+        ]);
+        assert!(run.stdout.contains(missed), "{}", run.stdout);
+        assert_eq!(run.stdout.contains("  sampling"), !missed.is_empty());
+    }
+}

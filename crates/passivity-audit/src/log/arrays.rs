@@ -128,6 +128,7 @@ fn preview(columns: &[(String, Values)], len: usize) -> Preview {
     Preview {
         columns: columns.iter().map(column).collect(),
         groups: Vec::new(),
+        lasting: Vec::new(),
     }
 }
 

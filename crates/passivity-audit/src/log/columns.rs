@@ -244,6 +244,7 @@ impl Assignment {
             };
             if let (Some(added), Some(own)) = (&added, &own)
                 && contradicts(added, own)
+                && (is_length(added) || !heading.may_be_metres())
             {
                 let message = format!(
                     "the header says that `{}` is in `{}`, not in `{}`",
@@ -306,6 +307,10 @@ pub(crate) fn unit_of(found: &Found, headings: &[Heading]) -> Result<Option<Stri
 /// Whether two names are of one unit.
 pub(crate) fn same_unit(a: &str, b: &str) -> bool {
     matches!((read_unit(a), read_unit(b)), (Ok(a), Ok(b)) if a == b)
+}
+
+fn is_length(unit: &str) -> bool {
+    matches!((read_unit(unit), read_unit("m")), (Ok(a), Ok(b)) if a.dimension() == b.dimension())
 }
 
 /// Whether a unit that was typed is another one than the header's. `torque_nm [N m]` is not.
@@ -423,12 +428,13 @@ pub(crate) fn typed(
     is_first: bool,
 ) -> Option<String> {
     let name = heading.name.trim();
-    if name.is_empty() || crate::log::error::is_hidden(name) {
+    if crate::log::error::is_hidden(name) {
         return None;
     }
     let balanced = name.matches('[').count() == name.matches(']').count()
         && name.matches('(').count() == name.matches(')').count();
     let plain = balanced
+        && !name.is_empty()
         && !name.contains([',', '=', '"'])
         && !name.contains(PLUS)
         && !name.starts_with('-');

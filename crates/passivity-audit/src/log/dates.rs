@@ -38,6 +38,22 @@ pub(crate) fn seconds(text: &[u8]) -> Option<Number> {
     })
 }
 
+/// About how many seconds a duration or a time of day is, as in `0 days 00:00:00.0004` and `0:01.5`: it is not read, but is a clock
+/// where it rises.
+pub(crate) fn lasting(text: &[u8]) -> Option<f64> {
+    let text = std::str::from_utf8(text).ok()?.trim();
+    let (days, clock) = match text.split_once(" day") {
+        Some((days, rest)) => (days, rest.trim_start_matches(['s', ',', ' ', '+'])),
+        None => ("0", text),
+    };
+    let is_plain = |c: char| c.is_ascii_digit() || c == '.';
+    let number = |text: &str| text.parse().ok().filter(|_| text.chars().all(is_plain));
+    let parts: Option<Vec<f64>> = clock.split(':').map(number).collect();
+    let parts = parts.filter(|parts| (2..=3).contains(&parts.len()))?;
+    let seconds = parts.iter().fold(0.0, |sum, part| 60.0 * sum + part);
+    Some(86_400.0 * number(days)? + seconds)
+}
+
 /// Whole numbers of so many digits, with a sign between them.
 fn numbers<const N: usize>(text: &str, between: char, digits: [usize; N]) -> Option<[i64; N]> {
     let mut numbers = [0; N];

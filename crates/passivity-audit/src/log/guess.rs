@@ -6,24 +6,25 @@
 use passivity_scene::{Motion, Scene};
 
 use crate::log::columns::{Found, Role};
-use crate::log::error::shown;
-use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
+use crate::log::header::{Heading, is_unit_of_force, split};
 use crate::log::preview::Preview;
-use clock::{
-    Counter, Parts, counter, has_a_unit, multiple, parts_of_time, unit_of_time, unit_of_word,
-};
+use clock::{Counter, Parts, counter, parts_of_time, unit_of_time};
 pub(crate) use joints::others;
 use kind::Kind;
 pub use proposal::Proposal;
 pub(crate) use proposal::propose;
+pub(crate) use rising::only_rises;
+use score::{called, held, own_unit, score};
 pub(crate) use units::same_letters;
 pub(crate) use whole::{is_unclear, no_encoder};
-use words::{COUNTED, HELD, NO_POSITION, NO_TIME, NOT_MEASURED, words};
+use words::{COUNTED, words};
 
 mod clock;
 mod joints;
 mod kind;
 mod proposal;
+mod rising;
+mod score;
 mod units;
 mod whole;
 mod words;
@@ -31,6 +32,12 @@ mod words;
 /// Whether two roles are about the same.
 pub(crate) fn are_kin(a: Role, b: Role) -> bool {
     Kind::of(a) == Kind::of(b)
+}
+
+/// Whether the unit of a column says that it is something else than its name does.
+pub(crate) fn is_another(found: &Found, headings: &[Heading]) -> bool {
+    let heading = headings.get(found.column);
+    heading.is_some_and(|heading| units::is_of_another(Kind::of(found.role), &heading.name))
 }
 
 impl Found {
@@ -52,135 +59,6 @@ struct Candidate {
     kind: Kind,
     column: usize,
     score: i32,
-}
-
-/// How much a heading is called like a kind.
-fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
-    let stem = match split(&heading.name) {
-        Ok(split) => split.stem,
-        Err((stem, _)) => stem,
-    };
-    let words = words(stem);
-    let mut named: Vec<bool> = words.iter().map(|word| kind.is_named(word)).collect();
-    // A time may be called by its unit alone; one of one letter is more often something else.
-    if let (Kind::Time, Some(word), Some(last)) = (kind, words.last(), named.last_mut()) {
-        *last |= word.len() > 1 && unit_of_word(word).is_some();
-    }
-    // Everything on a topic of this name has the word; of the thing itself it is the last, but for a component.
-    let last = words.iter().rev().find(|word| word.len() > 1);
-    if kind == Kind::Force && last.is_some_and(|word| word == "wrench") {
-        named.push(true);
-    }
-    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
-    let mut score = 0;
-    if named.contains(&true) {
-        score += 4;
-        // The last word says most: a `velocity_time` is a time.
-        score += i32::from(named.last() == Some(&true));
-    }
-    if kind == Kind::Force {
-        score += i32::from(has(&HELD));
-        // Of a wrench, which has both.
-        let other: &[&str] = match motion {
-            Motion::Linear => &["torque", "moment"],
-            _ => &["force"],
-        };
-        score -= i32::from(has(other));
-    } else if has(&NOT_MEASURED) {
-        // A `command_time` is a time, though a `time` beside it is meant first.
-        let is_time = kind == Kind::Time && !has(&NO_TIME);
-        score -= if is_time { 1 } else { 4 };
-    }
-    if kind == Kind::Position && has(&NO_POSITION) {
-        score -= 4;
-    }
-    score
-}
-
-/// How much what a column holds looks like a kind; or why it cannot be of that kind.
-fn held(
-    kind: Kind,
-    headings: &[Heading],
-    column: usize,
-    preview: &Preview,
-    scene: &Scene,
-) -> Result<i32, String> {
-    let heading = headings.get(column).ok_or("there is no such column")?;
-    let split = split(&heading.name).map_err(|(_, why)| why.to_owned())?;
-    if let Some(row) = preview.no_number(column) {
-        return Err(format!("row {} has no number there", row + 1));
-    }
-    match (split.unit.as_deref().or(heading.unit), kind) {
-        (_, Kind::Time) if matches!(parts_of_time(headings, preview, column), Parts::More) => {
-            Err("it is one of several columns that say together when a sample was".to_owned())
-        }
-        (None, Kind::Time) => match multiple(&heading.name) {
-            Some(unit) => Err(format!("a number stands before its unit, `{unit}`")),
-            None if scene.motion != Motion::Dimensionless
-                && counter(headings, preview, column) == Some(Counter::Ticks)
-                && !has_a_unit(preview, column, scene) =>
-            {
-                Err("nothing says how long one of its ticks is".to_owned())
-            }
-            None => Ok(0),
-        },
-        (None, Kind::Velocity) => Ok(0),
-        (None, _) if scene.motion == Motion::Dimensionless => Ok(0),
-        (None, Kind::Position) => {
-            units::said(kind, &heading.name, scene.motion)?;
-            whole::counts(heading, column, preview, scene).map(|_| 0)
-        }
-        (None, _) => units::said(kind, &heading.name, scene.motion).map(|_| 0),
-        (Some(unit), Kind::Position) if is_counted(unit) => {
-            whole::counts(heading, column, preview, scene).map(|_| 2)
-        }
-        (Some(unit), _) if scene.motion == Motion::Dimensionless => {
-            let unit = shown(unit.as_bytes());
-            Err(format!(
-                "the scene has no units, and the column has `{unit}`"
-            ))
-        }
-        (Some(unit), _) => {
-            let unit = units::respelt(kind, unit, scene.motion).unwrap_or(unit);
-            let read = match kind {
-                Kind::Force => read_unit_of_force(unit),
-                _ => read_unit(unit),
-            };
-            let dimension = read.map_err(|error| error.message)?.dimension();
-            match dimension.with_angle(0) == kind.dimension(scene.motion) {
-                // A bare mass is no sign of a force.
-                true if kind == Kind::Force && !is_unit_of_force(unit) => Ok(0),
-                true => Ok(2),
-                false => Err(units::no_unit(unit, kind, scene.motion)),
-            }
-        }
-    }
-}
-
-/// Of a heading: how much it looks like a kind; `None` when it cannot be.
-fn score(
-    kind: Kind,
-    headings: &[Heading],
-    column: usize,
-    preview: &Preview,
-    scene: &Scene,
-) -> Option<i32> {
-    let heading = headings.get(column)?;
-    let mut score = held(kind, headings, column, preview, scene).ok()?;
-    score += called(kind, heading, scene.motion);
-    match counter(headings, preview, column).filter(|_| kind == Kind::Time) {
-        Some(Counter::Periods) => return Some(LIKELY),
-        Some(Counter::Ticks) => return Some(LIKELY + 1),
-        None => {}
-    }
-    if kind == Kind::Time {
-        score += match parts_of_time(headings, preview, column) {
-            Parts::Two(_) | Parts::More => 4,
-            Parts::One if preview.increases(column) => 0,
-            Parts::One => -3,
-        };
-    }
-    (score >= LIKELY).then_some(score)
 }
 
 /// A column that is called like something that is not said, or has a unit of force, and cannot be read.
@@ -232,6 +110,9 @@ pub(crate) fn unreadable(
             if kind == Kind::Time && is_counter(headings, preview, column) {
                 score = LIKELY;
             }
+            if units::is_of_another(kind, &heading.name) {
+                return None;
+            }
             let why = held(kind, headings, column, preview, scene).err()?;
             let unreadable = Unreadable { column, why, kind };
             (score >= LIKELY).then_some((score, unreadable))
@@ -247,6 +128,9 @@ pub(crate) fn unreadable(
             found.push(unreadable);
         }
     }
+    if !found.iter().any(Unreadable::is_clock) {
+        found.extend(rising::unreadable_clock(headings, preview, scene, said));
+    }
     found
 }
 
@@ -257,8 +141,22 @@ pub(crate) fn is_counted(unit: &str) -> bool {
         .any(|word| COUNTED.contains(&word.as_str()))
 }
 
-/// The columns that look like something that is not yet said, the most likely of each kind.
+/// The columns that look like something that is not yet said, the most likely of each kind; or, where nothing is called like
+/// a clock, one that rises like one.
 pub(crate) fn unread(
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+    said: &[Found],
+) -> Vec<Found> {
+    let mut found = named(headings, preview, scene, said);
+    let known: Vec<Found> = said.iter().chain(&found).cloned().collect();
+    found.extend(rising::clock(headings, preview, scene, &known));
+    found
+}
+
+/// Those that are called so, or have its unit.
+pub(crate) fn named(
     headings: &[Heading],
     preview: &Preview,
     scene: &Scene,
@@ -285,7 +183,10 @@ pub(crate) fn unread(
     // What only counts up goes behind another clock and another position. Of equals what is not zero goes before what
     // is, what is said together with the position before what is said elsewhere, what is of its joint before what is of
     // another, what moves before what does not, and then the first column: the sort is stable.
-    let counts_up = |c: &Candidate| is_counter(headings, preview, c.column);
+    let counts_up = |c: &Candidate| {
+        is_counter(headings, preview, c.column)
+            || c.kind == Kind::Position && preview.counts_rows(c.column)
+    };
     let [has_clock, has_place] = [Kind::Time, Kind::Position].map(|kind| {
         let mut of_kind = candidates.iter().filter(|c| c.kind == kind);
         of_kind.any(|c| !counts_up(c))
@@ -293,14 +194,12 @@ pub(crate) fn unread(
     let is_timed = has_clock || said.iter().any(|f| Kind::of(f.role) == Kind::Time);
     // Alone with what is not known, as even as a clock is none but one.
     let is_clock = |column| !is_timed && headings.len() > 1 && preview.is_even(column);
-    let likely = |c: &Candidate| {
-        let is_behind = match c.kind {
-            Kind::Time => has_clock && counts_up(c),
-            Kind::Position => (has_place || is_clock(c.column)) && counts_up(c),
-            Kind::Force | Kind::Velocity => false,
-        };
-        (!is_behind, c.score, !preview.is_zero(c.column))
+    let goes_behind = |c: &Candidate| match c.kind {
+        Kind::Time => has_clock && counts_up(c),
+        Kind::Position => (has_place || is_clock(c.column)) && counts_up(c),
+        Kind::Force | Kind::Velocity => false,
     };
+    let likely = |c: &Candidate| (!goes_behind(c), c.score, !preview.is_zero(c.column));
     let best = |kind: Kind| {
         let of_kind = candidates.iter().filter(|c| c.kind == kind);
         let most = of_kind
@@ -317,7 +216,26 @@ pub(crate) fn unread(
             (preview.together(at, c.column), is_of)
         })
     };
-    candidates.sort_by_key(|c| std::cmp::Reverse((likely(c), beside(c), preview.moves(c.column))));
+    // The clock of the messages that say the position goes before that of the recorder, and of other messages.
+    let is_own = |c: &Candidate| {
+        c.kind == Kind::Time
+            && !counts_up(c)
+            && position.is_some_and(|at| preview.together(at, c.column))
+            && headings
+                .get(c.column)
+                .is_some_and(|heading| !heading.is_of_recorder())
+    };
+    let owns: Vec<usize> = candidates
+        .iter()
+        .filter(|c| is_own(c))
+        .map(|c| c.column)
+        .collect();
+    let is_other =
+        |c: &Candidate| c.kind == Kind::Time && !owns.is_empty() && !owns.contains(&c.column);
+    candidates.sort_by_key(|c| {
+        let likely = (!is_other(c), likely(c));
+        std::cmp::Reverse((likely, beside(c), preview.moves(c.column)))
+    });
     let mut found: Vec<Found> = Vec::new();
     for Candidate { kind, column, .. } in candidates {
         if found
@@ -351,7 +269,7 @@ fn role(
     scene: &Scene,
 ) -> Option<Found> {
     let heading = headings.get(column)?;
-    let own = split(&heading.name).ok().and_then(|split| split.unit);
+    let own = own_unit(kind, heading, scene.motion);
     let counts = kind == Kind::Position
         && whole::counts(heading, column, preview, scene).is_ok_and(|counts| counts);
     let bare = scene.motion == Motion::Dimensionless;
@@ -366,7 +284,7 @@ fn role(
         Kind::Velocity => Role::V,
         Kind::Force => Role::F,
     };
-    let unit = match own.as_deref().or(heading.unit) {
+    let unit = match own.as_deref() {
         _ if bare || role.is_bare() => None,
         Some(unit) => units::respelt(kind, unit, scene.motion).map(str::to_owned),
         None => Some(unit_said(kind, heading, column, preview, scene)),

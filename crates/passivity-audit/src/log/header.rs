@@ -22,11 +22,24 @@ impl Heading {
         Self { name, unit: None }
     }
 
+    /// Whether its name ends with what may be metres, or short for `measured` or `motor`: `theta_m`.
+    pub(crate) fn may_be_metres(&self) -> bool {
+        self.name.trim().ends_with("_m")
+    }
+
+    /// Whether it is when a message was recorded or sent, which each message of MCAP has beside what it says itself.
+    pub(crate) fn is_of_recorder(&self) -> bool {
+        RECORDER.iter().any(|name| self.name.ends_with(name))
+    }
+
     /// Whether its column holds dates with a time of day.
     pub(crate) fn is_dated(&self) -> bool {
         self.unit == Some(dates::UNIT)
     }
 }
+
+/// What the names of the times end with at which a message was recorded and sent.
+pub(crate) const RECORDER: [&str; 2] = [".log_time [ns]", ".publish_time [ns]"];
 
 /// A name apart from its unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -180,42 +193,78 @@ pub(crate) fn is_unit_of_force(text: &str) -> bool {
         && !read_unit(text).is_ok_and(is_mass)
 }
 
+/// Units in words and in Cyrillic letters, and their symbols. `Grad` is none of them.
+const SPELT: [(&str, &str); 52] = [
+    ("microsecond", "us"),
+    ("micros", "us"),
+    ("millisecond", "ms"),
+    ("millis", "ms"),
+    ("nanosecond", "ns"),
+    ("nanos", "ns"),
+    ("secs", "s"),
+    ("sekunde", "s"),
+    ("sekunden", "s"),
+    ("seconde", "s"),
+    ("segundo", "s"),
+    ("secondi", "s"),
+    ("millisekunden", "ms"),
+    ("milliseconde", "ms"),
+    ("milisegundo", "ms"),
+    ("millisecondi", "ms"),
+    ("mikrosekunden", "us"),
+    ("microseconde", "us"),
+    ("microsegundo", "us"),
+    ("degs", "deg"),
+    ("degré", "deg"),
+    ("grado", "deg"),
+    ("gradi", "deg"),
+    ("rads", "rad"),
+    ("radiane", "rad"),
+    ("radiani", "rad"),
+    ("radianti", "rad"),
+    ("mètre", "m"),
+    ("metro", "m"),
+    ("metri", "m"),
+    ("millimetre", "mm"),
+    ("millimeter", "mm"),
+    ("millimètre", "mm"),
+    ("milímetro", "mm"),
+    ("millimetri", "mm"),
+    ("Newton", "N"),
+    ("newton", "N"),
+    ("с", "s"),
+    ("мс", "ms"),
+    ("мкс", "us"),
+    ("нс", "ns"),
+    ("м", "m"),
+    ("см", "cm"),
+    ("мм", "mm"),
+    ("мкм", "um"),
+    ("рад", "rad"),
+    ("мрад", "mrad"),
+    ("град", "deg"),
+    ("об", "rev"),
+    ("Н", "N"),
+    ("мН", "mN"),
+    ("Нм", "Nm"),
+];
+
+/// The symbol of a unit in words: those of many letters in any case.
+pub(crate) fn spelt(word: &str) -> Option<&'static str> {
+    let lower = word.to_lowercase();
+    let is_it = |name: &str| name == word || name.chars().count() > 3 && name == lower;
+    SPELT
+        .iter()
+        .find(|(name, _)| is_it(name))
+        .map(|(_, symbol)| *symbol)
+}
+
 /// Points and hyphens between units as spaces, and units spelt out as their symbols.
 fn as_scenes_write(text: &str) -> String {
-    const SPELT: [(&str, &str); 27] = [
-        ("microsecond", "us"),
-        ("micros", "us"),
-        ("millisecond", "ms"),
-        ("millis", "ms"),
-        ("nanosecond", "ns"),
-        ("nanos", "ns"),
-        ("secs", "s"),
-        ("degs", "deg"),
-        ("rads", "rad"),
-        ("millimetre", "mm"),
-        ("millimeter", "mm"),
-        ("Newton", "N"),
-        ("с", "s"),
-        ("мс", "ms"),
-        ("мкс", "us"),
-        ("нс", "ns"),
-        ("м", "m"),
-        ("см", "cm"),
-        ("мм", "mm"),
-        ("мкм", "um"),
-        ("рад", "rad"),
-        ("мрад", "mrad"),
-        ("град", "deg"),
-        ("об", "rev"),
-        ("Н", "N"),
-        ("мН", "mN"),
-        ("Нм", "Nm"),
-    ];
     let symbol = |word: &str| {
         let single = word.strip_suffix('s').filter(|rest| rest.len() > 3);
-        let found = |word: &str| SPELT.iter().find(|(name, _)| *name == word);
-        match found(word).or_else(|| single.and_then(found)) {
-            Some((_, symbol)) => (*symbol).to_owned(),
+        match spelt(word).or_else(|| single.and_then(spelt)) {
+            Some(symbol) => symbol.to_owned(),
             None => match single {
                 Some(single) if Unit::parse(word).is_err() => single.to_owned(),
                 _ => word.to_owned(),
@@ -315,15 +364,22 @@ mod tests {
         same("degrees", "deg");
         same("radians/s", "rad/s");
         same("deg.s^-1", "deg/s");
-        for (cyrillic, latin) in [
+        for (words, latin) in [
             ("с", "s"),
             ("мс", "ms"),
             ("Н·м", "N m"),
             ("мН м", "mN m"),
             ("рад/с", "rad/s"),
             ("мм", "mm"),
+            ("degrés", "deg"),
+            ("Grados", "deg"),
+            ("gradi/s", "deg/s"),
+            ("mètres", "m"),
+            ("metri", "m"),
+            ("radianes", "rad"),
+            ("Sekunden", "s"),
         ] {
-            same(cyrillic, latin);
+            same(words, latin);
         }
         assert!(read_unit("parsec").is_err());
     }

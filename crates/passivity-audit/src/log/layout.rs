@@ -9,7 +9,7 @@ use crate::log::error::{TraceError, shown};
 use crate::log::findings::Beside;
 use crate::log::guess::{self, Unreadable};
 use crate::log::header::Heading;
-use crate::log::names::{by_name, is_no_clock, is_no_time};
+use crate::log::names::{by_name, is_no_clock, is_no_length, is_no_time};
 use crate::log::preview::Preview;
 use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
 use crate::number::{Number, difference, is_positive, quotient};
@@ -111,13 +111,15 @@ impl Layout {
                 }
                 said.retain(|found| {
                     !is_no_time(found, &headings, preview)
+                        && !guess::is_another(found, &headings)
+                        && !is_no_length(found, &headings, scene)
                         && !guess::is_unclear(found, &headings, preview, scene)
                 });
                 let unread = guess::unread(&headings, preview, scene, &said);
                 let known: Vec<Found> = said.iter().chain(&unread).cloned().collect();
                 let unreadable = guess::unreadable(&headings, preview, scene, &known);
                 if !(unread.is_empty() && unreadable.is_empty()) {
-                    let why = not_read(&said, &unread, &unreadable, &headings, scene);
+                    let why = not_read(&said, &unread, &unreadable, (&headings, preview), scene);
                     let mut error = proposed(why, &said);
                     let is_there = unreadable.iter().any(Unreadable::is_position);
                     error.message += match known.iter().any(Found::is_position) {

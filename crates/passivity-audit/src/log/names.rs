@@ -63,7 +63,7 @@ pub(crate) fn is_no_clock(
         .filter(|f| f.role != Role::Tau)
         .cloned()
         .collect();
-    let unread = guess::unread(headings, preview, scene, &others);
+    let unread = guess::named(headings, preview, scene, &others);
     let is_other = |f: &Found| {
         let is_clock = matches!(f.role, Role::T | Role::Tau) && f.column != tau.column;
         is_clock && !guess::is_counter(headings, preview, f.column)
@@ -78,4 +78,12 @@ pub(crate) fn is_no_time(found: &Found, headings: &[Heading], preview: &Preview)
     let heading = headings.get(found.column);
     let has_unit = found.unit.is_some() || heading.is_some_and(|heading| heading.unit.is_some());
     matches!(found.role, Role::T | Role::Tau) && !has_unit && preview.has_no_numbers(found.column)
+}
+
+/// Whether a column `x_m` is one of a device that turns: it may have been measured in another unit.
+pub(crate) fn is_no_length(found: &Found, headings: &[Heading], scene: &Scene) -> bool {
+    let heading = headings.get(found.column);
+    found.role == Role::X
+        && scene.motion != Motion::Linear
+        && heading.is_some_and(Heading::may_be_metres)
 }

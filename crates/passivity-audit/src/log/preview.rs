@@ -7,6 +7,8 @@ pub(crate) struct Preview {
     pub(crate) columns: Vec<Vec<Option<f64>>>,
     /// Which group each column is of; all are of one where it is not said.
     pub(crate) groups: Vec<usize>,
+    /// The columns of durations or times of day that rise from row to row.
+    pub(crate) lasting: Vec<usize>,
 }
 
 impl Preview {
@@ -18,6 +20,7 @@ impl Preview {
         Self {
             columns: (0..width).map(column).collect(),
             groups: Vec::new(),
+            lasting: Vec::new(),
         }
     }
 
@@ -89,6 +92,30 @@ impl Preview {
     pub(crate) fn increases(&self, column: usize) -> bool {
         let values: Vec<f64> = self.column(column).flatten().collect();
         values.iter().zip(values.iter().skip(1)).all(|(a, b)| a < b)
+    }
+
+    /// Whether a column has a number in each row, which is above the one before it, of as many rows as tell.
+    pub(crate) fn rises(&self, column: usize) -> bool {
+        const LEAST: usize = 8;
+        self.column(column).count() >= LEAST
+            && self.no_number(column).is_none()
+            && self.increases(column)
+    }
+
+    /// Whether a column rises by one in each row.
+    pub(crate) fn counts_rows(&self, column: usize) -> bool {
+        self.rises(column) && self.is_even(column) && self.step(column) == Some(1.0)
+    }
+
+    pub(crate) fn first(&self, column: usize) -> Option<f64> {
+        self.column(column).next().flatten()
+    }
+
+    /// The least step from row to row.
+    pub(crate) fn least_step(&self, column: usize) -> Option<f64> {
+        let values: Vec<f64> = self.column(column).flatten().collect();
+        let steps = values.iter().zip(values.iter().skip(1));
+        steps.map(|(a, b)| b - a).min_by(f64::total_cmp)
     }
 
     /// Whether a column goes on by the same step from row to row, of two at least.

@@ -4,9 +4,12 @@ mod clocks;
 mod counters;
 mod forces;
 mod joints;
+mod others;
 mod quotes;
+mod rising;
 mod spaces;
 mod units;
+mod wanted;
 mod whole;
 
 use passivity_audit::{Audit, Dialect, Options, TraceError, audit_csv};

@@ -1,6 +1,7 @@
 //! MCAP logs: as CSV ones, and an error for every file that is cut short, corrupt or in an encoding that is
 //! not read.
 
+mod clocks;
 mod held;
 mod mistakes;
 mod write;

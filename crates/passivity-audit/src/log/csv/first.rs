@@ -120,7 +120,18 @@ pub(crate) fn preview(lines: &[&[u8]], headings: &[Heading], notation: Notation)
         };
         fields.map(near).collect()
     };
-    Preview::of_rows(&lines.iter().map(row).collect::<Vec<_>>())
+    let lasting = |line: &&[u8]| {
+        let fields = fields(line, notation.delimiter);
+        fields.map(|field| dates::lasting(trimmed(field))).collect()
+    };
+    let of_rows =
+        |row: &dyn Fn(&&[u8]) -> _| Preview::of_rows(&lines.iter().map(row).collect::<Vec<_>>());
+    let lasting = of_rows(&lasting);
+    let columns = 0..lasting.columns.len();
+    Preview {
+        lasting: columns.filter(|column| lasting.rises(*column)).collect(),
+        ..of_rows(&row)
+    }
 }
 
 /// Where the digits of the number in a column of a row are.

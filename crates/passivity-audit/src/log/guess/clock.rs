@@ -64,12 +64,12 @@ pub(super) fn unit_of_time(name: &str, step: Option<f64>, scene: &Scene) -> &'st
 }
 
 /// The unit in which a clock goes on by about a sampling period from row to row.
-fn nearest_unit(step: Option<f64>, scene: &Scene) -> &'static str {
+pub(super) fn nearest_unit(step: Option<f64>, scene: &Scene) -> &'static str {
     nearest(step, scene).map_or("s", |(name, _)| name)
 }
 
 /// The same, and how many sampling periods it goes on by, where that is known.
-fn nearest(step: Option<f64>, scene: &Scene) -> Option<(&'static str, f64)> {
+pub(super) fn nearest(step: Option<f64>, scene: &Scene) -> Option<(&'static str, f64)> {
     let period = scene.given.map(|_, given| given.nominal.clone()).period;
     let period = passivity_scene::number::nearest_f64(&period.to_rational()?);
     let step = step?;

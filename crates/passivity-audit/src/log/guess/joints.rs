@@ -42,10 +42,18 @@ pub(crate) fn others(
     let alike = guessed.flat_map(|guessed| {
         let kind = Kind::of(guessed.role);
         let score = move |column| score(kind, headings, column, preview, scene);
-        let is_asked = matches!(kind, Kind::Position | Kind::Force);
-        let columns = (0..headings.len()).filter(move |_| is_asked);
+        // A position of which it is less clear, as `x_d` beside `x_m`, may be it still.
+        let less = if kind == Kind::Position { 3 } else { 0 };
+        let least = score(guessed.column).map(|score| score - less);
+        // Of other clocks only those of a recorder are named.
+        let is_asked = move |column: &usize| match kind {
+            Kind::Position | Kind::Force => true,
+            Kind::Time => headings.get(*column).is_some_and(Heading::is_of_recorder),
+            Kind::Velocity => false,
+        };
+        let columns = (0..headings.len()).filter(is_asked);
         columns.filter(move |column| {
-            found.iter().all(|it| it.column != *column) && score(*column) >= score(guessed.column)
+            found.iter().all(|it| it.column != *column) && score(*column) >= least
         })
     });
     let names = alike.filter_map(|column| headings.get(column));

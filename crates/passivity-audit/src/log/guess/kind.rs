@@ -162,22 +162,26 @@ impl Kind {
                     "시간",
                 ]),
                 Self::Force => {
+                    // A temperature, as `Tout` is, a fact and a momentum.
+                    let is_other =
+                        ["tmot", "tout", "fact"].contains(&word) || word.starts_with("momentu");
                     let behind = word.strip_prefix(['f', 't', 'm']);
-                    has(&[
-                        "force",
-                        "torque",
-                        "kraft",
-                        "moment",
-                        "thrust",
-                        "момент",
-                        "トルク",
-                        "力矩",
-                        "扭矩",
-                        "转矩",
-                        "轉矩",
-                        "推力",
-                        "토크",
-                    ]) || behind.is_some_and(|rest| OF_FORCE.contains(&rest))
+                    !is_other
+                        && (has(&[
+                            "force",
+                            "torque",
+                            "kraft",
+                            "moment",
+                            "thrust",
+                            "момент",
+                            "トルク",
+                            "力矩",
+                            "扭矩",
+                            "转矩",
+                            "轉矩",
+                            "推力",
+                            "토크",
+                        ]) || behind.is_some_and(|rest| OF_FORCE.contains(&rest)))
                 }
                 Self::Position | Self::Velocity => false,
             }

@@ -19,6 +19,9 @@ pub struct Proposal {
     /// Columns that may be the position or the force as well, as those of other joints.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub others: Vec<String>,
+    /// For `--columns`, where the clock among them is none: it is one only by its rise from row to row.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub without_clock: Option<String>,
     /// How many columns are read.
     #[serde(skip)]
     pub(crate) said: usize,
@@ -26,7 +29,11 @@ pub struct Proposal {
 
 impl fmt::Display for Proposal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "did you mean {}?", self.columns)?;
+        write!(f, "did you mean {}", self.columns)?;
+        if let Some(columns) = &self.without_clock {
+            write!(f, ", or {columns} where it is no clock")?;
+        }
+        f.write_str("?")?;
         if !self.assumed.is_empty() {
             let assumed = self.assumed.join(", ");
             write!(
@@ -87,5 +94,6 @@ pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal>
         decimal_comma: false,
         assumed,
         others: Vec::new(),
+        without_clock: None,
     })
 }

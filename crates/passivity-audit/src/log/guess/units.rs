@@ -3,9 +3,9 @@
 use passivity_scene::Motion;
 
 use super::kind::Kind;
-use super::words::words;
+use super::words::{ASIDE, COUNTED, HELD, MEASURED, NOT_MEASURED, PERHAPS_WANTED, words};
 use crate::log::error::shown;
-use crate::log::header::{is_unit, read_unit, read_unit_of_force};
+use crate::log::header::{self, is_unit, read_unit, read_unit_of_force};
 
 /// The units that names of columns give, as they are proposed. Of units whose letters differ only in case, such as
 /// `mN` and `MN`, those of a log.
@@ -25,12 +25,10 @@ const WORDS: [&str; 12] = [
 const LAST: [&str; 7] = ["s", "m", "in", "rev", "turn", "N", "g"];
 
 /// Units in words, as [`words`] has them.
-const SPELT: [(&str, &str); 23] = [
+const SPELT: [(&str, &str); 20] = [
     ("inche", "in"),
     ("meter", "m"),
     ("metre", "m"),
-    ("millimeter", "mm"),
-    ("millimetre", "mm"),
     ("centimeter", "cm"),
     ("centimetre", "cm"),
     ("micrometer", "um"),
@@ -40,7 +38,6 @@ const SPELT: [(&str, &str); 23] = [
     ("milliradian", "mrad"),
     ("degree", "deg"),
     ("revolution", "rev"),
-    ("newton", "N"),
     ("millinewton", "mN"),
     ("kilonewton", "kN"),
     ("newtonmeter", "Nm"),
@@ -84,22 +81,80 @@ pub(super) fn respelt(kind: Kind, unit: &str, motion: Motion) -> Option<&'static
 
 fn spelt(kind: Kind, text: &str, motion: Motion) -> Option<&'static str> {
     let in_words = SPELT.iter().find(|(words, _)| *words == text);
-    let text = in_words.map_or(text, |(_, unit)| unit);
+    let in_words = in_words.map(|(_, unit)| *unit);
+    let text = in_words.or_else(|| header::spelt(text)).unwrap_or(text);
     let is_it = |unit: &&&str| same_letters(unit, text) && fits(kind, unit, motion);
     UNITS.iter().find(is_it).copied()
 }
 
-/// The unit in the last brackets or parentheses of a name that have one, wherever they are.
-fn enclosed(name: &str) -> Option<&str> {
+/// What stands in brackets and in parentheses in a name, each with what is before it.
+fn groups(name: &str) -> Vec<(&str, &str)> {
     let pairs = [('[', ']'), ('(', ')')];
     let found = pairs.into_iter().flat_map(|(open, close)| {
         let starts = name.match_indices(open);
         starts.filter_map(move |(at, _)| {
             let (inner, _) = name.get(at + 1..)?.split_once(close)?;
-            is_unit(inner.trim()).then_some((at, inner.trim()))
+            Some((name.get(..at)?, inner.trim()))
         })
     });
-    found.max_by_key(|(at, _)| *at).map(|(_, unit)| unit)
+    let mut found: Vec<(&str, &str)> = found.collect();
+    found.sort_by_key(|(before, _)| before.len());
+    found
+}
+
+/// The unit in the last brackets or parentheses of a name that have one, wherever they are; or what stands in them that is
+/// neither read as a unit nor known to say something else.
+fn enclosed(name: &str) -> Result<Option<&str>, String> {
+    let groups = groups(name);
+    if let Some((_, unit)) = groups.iter().rev().find(|(_, inner)| is_unit(inner)) {
+        return Ok(Some(unit));
+    }
+    let says = |word: &String| {
+        let lists: [&[&str]; 6] = [
+            &ASIDE,
+            &COUNTED,
+            &HELD,
+            &MEASURED,
+            &NOT_MEASURED,
+            &PERHAPS_WANTED,
+        ];
+        lists.iter().any(|list| list.contains(&word.as_str()))
+            || Kind::ALL.into_iter().any(|kind| kind.is_named(word))
+    };
+    let is_of_another = |inner: &&str| OF_OTHERS.contains(inner) || OF_SIGNALS.contains(inner);
+    let is_unknown = |inner: &&str| is_of_another(inner) || !words(inner).iter().all(says);
+    match groups.iter().map(|(_, inner)| *inner).find(is_unknown) {
+        None => Ok(None),
+        Some(inner) => Err(format!(
+            "`{}` is not read as a unit: write one behind the name, in brackets",
+            shown(inner.as_bytes())
+        )),
+    }
+}
+
+/// Units of what is no time, position, velocity or force.
+const OF_OTHERS: [&str; 26] = [
+    "°C", "℃", "degC", "deg C", "C", "K", "°F", "Hz", "kHz", "MHz", "W", "mW", "kW", "bar", "mbar",
+    "Pa", "hPa", "kPa", "MPa", "psi", "dB", "Ω", "ohm", "Ohm", "lx", "rH",
+];
+
+/// Those of signals, in which a force may be given that is called so.
+const OF_SIGNALS: [&str; 5] = ["V", "mV", "A", "mA", "%"];
+
+/// Those of both that stand after an underscore, where they can hardly be anything else.
+const BEHIND: [&str; 5] = ["V", "mV", "Hz", "kHz", "degC"];
+
+/// Whether the unit of a name says that it is of another kind, whatever the name.
+pub(crate) fn is_of_another(kind: Kind, name: &str) -> bool {
+    let name = name.trim();
+    let behind = name
+        .rsplit_once('_')
+        .filter(|(_, unit)| BEHIND.contains(unit));
+    let Some((stem, unit)) = groups(name).pop().or(behind) else {
+        return false;
+    };
+    let is_named = || words(stem).iter().any(|word| kind.is_named(word));
+    OF_OTHERS.contains(&unit) || OF_SIGNALS.contains(&unit) && !(kind == Kind::Force && is_named())
 }
 
 /// Whether a number stands right before a word, as in `pos_100um`.
@@ -115,7 +170,7 @@ pub(super) fn is_multiple(name: &str, word: &str) -> bool {
 
 /// The unit of a kind that a name gives, if any; or why it can be none of this kind.
 pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<String>, String> {
-    if let Some(unit) = enclosed(name) {
+    if let Some(unit) = enclosed(name)? {
         let respelt = respelt(kind, unit, motion);
         let unit = respelt.unwrap_or(unit);
         return match fits(kind, unit, motion) {
@@ -150,6 +205,11 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
         }
     }
     Ok(None)
+}
+
+/// The same of a time, whose unit may be said by its steps: but not where its name has another.
+pub(super) fn not_unknown(name: &str) -> Result<(), String> {
+    enclosed(name).map(|_| ())
 }
 
 pub(super) fn no_unit(unit: &str, kind: Kind, motion: Motion) -> String {

@@ -2,11 +2,12 @@
 
 use passivity_scene::{Motion, Scene};
 
+use super::score::own_unit;
 use super::units;
 use super::words::{COUNTED, words};
 use super::{Kind, is_counted};
 use crate::log::columns::{Found, Role};
-use crate::log::header::{Heading, split};
+use crate::log::header::Heading;
 use crate::log::preview::Preview;
 
 /// What a scene without an encoder lacks for counts.
@@ -31,8 +32,7 @@ pub(super) fn counts(
 ) -> Result<bool, String> {
     let has_encoder = scene.given.has_encoder();
     let is_whole = preview.is_whole(column);
-    let own = split(&heading.name).ok().and_then(|split| split.unit);
-    if let Some(unit) = own {
+    if let Some(unit) = own_unit(Kind::Position, heading, scene.motion) {
         return match is_counted(&unit) && !has_encoder {
             true => Err(no_encoder(scene.motion).to_owned()),
             false => Ok(is_counted(&unit) && has_encoder && is_whole),

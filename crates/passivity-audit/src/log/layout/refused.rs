@@ -15,14 +15,16 @@ pub(super) fn not_read(
     known: &[Found],
     unread: &[Found],
     unreadable: &[Unreadable],
-    headings: &[Heading],
+    (headings, preview): (&[Heading], &Preview),
     scene: &Scene,
 ) -> TraceError {
-    let name = |column: usize| {
-        let name = headings.get(column).map_or("", |heading| &heading.name);
-        format!("`{}`", shown(name.as_bytes()))
+    let name = |column: usize| match headings.get(column).map_or("", |it| it.name.trim()) {
+        "" => format!("number {}, which has no name,", column + 1),
+        name => format!("`{}`", shown(name.as_bytes())),
     };
-    let mut columns: Vec<usize> = unread.iter().map(|found| found.column).collect();
+    let only_rises = |found: &&Found| guess::only_rises(headings, preview, scene, found);
+    let (rising, called): (Vec<&Found>, Vec<&Found>) = unread.iter().partition(only_rises);
+    let mut columns: Vec<usize> = called.iter().map(|found| found.column).collect();
     columns.sort_unstable();
     let names: Vec<String> = columns.into_iter().map(name).collect();
     let mut said = match names.as_slice() {
@@ -33,6 +35,13 @@ pub(super) fn not_read(
             names.join(", ")
         )],
     };
+    said.extend(rising.iter().map(|found| {
+        format!(
+            "the column {} rises from row to row as a clock does, and is not read: without a clock all rows are taken to be one \
+             sampling period apart",
+            name(found.column)
+        )
+    }));
     let cannot_be_read = |column: usize, why: &str, put_right: &str| {
         format!(
             "the column {} cannot be read ({why}): {put_right}",
@@ -86,6 +95,13 @@ pub(super) fn proposal(
         return None;
     }
     let mut proposal = guess::propose(&all, headings)?;
+    let is_said = |found: &Found| said.iter().any(|it| it.column == found.column);
+    let is_sure =
+        |found: &&Found| is_said(found) || !guess::only_rises(headings, preview, scene, found);
+    let sure: Vec<Found> = all.iter().filter(is_sure).cloned().collect();
+    if sure.len() < all.len() {
+        proposal.without_clock = Some(guess::propose(&sure, headings)?.columns);
+    }
     proposal.others = guess::others(headings, preview, scene, (said, &all));
     let told = said.iter().filter_map(|found| {
         let unit = found.unit.as_ref()?;

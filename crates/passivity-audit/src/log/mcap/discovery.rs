@@ -7,7 +7,7 @@ use mcap::records::Record;
 
 use crate::log::columns::Columns;
 use crate::log::error::{TraceError, legible, shown};
-use crate::log::header::Heading;
+use crate::log::header::{Heading, RECORDER};
 use crate::log::layout::MAX_COLUMNS;
 use crate::log::mcap::channels::{Channel, Channels, Message};
 use crate::log::mcap::records::Records;
@@ -97,6 +97,7 @@ impl Discovered {
         }
         Preview {
             groups,
+            lasting: Vec::new(),
             columns: self.columns.iter().map(|c| c.first.clone()).collect(),
         }
     }
@@ -260,11 +261,12 @@ impl Topic {
     /// Adds the numbers of a message.
     fn add(&mut self, topic: &str, leaves: Vec<Leaf>, message: &Message<'_>) {
         #[allow(clippy::cast_precision_loss)] // a preview
+        let [log_time, publish_time] = RECORDER;
         let times = [
-            (Place::LogTime, ".log_time [ns]", message.log_time as f64),
+            (Place::LogTime, log_time, message.log_time as f64),
             (
                 Place::PublishTime,
-                ".publish_time [ns]",
+                publish_time,
                 message.publish_time as f64,
             ),
         ];

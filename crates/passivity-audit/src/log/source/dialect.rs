@@ -119,11 +119,13 @@ fn otherwise(
         Some(_) => vec![own.delimiter],
         None => vec![b';', b'\t', b'|', b' ', b','],
     };
-    for delimiter in delimiters.into_iter().filter(|it| line.contains(it)) {
-        let notation = Notation {
-            delimiter,
-            decimal_comma: own.decimal_comma || csv::has_decimal_commas(first, delimiter),
-        };
+    let with = |delimiter| Notation {
+        delimiter,
+        decimal_comma: own.decimal_comma || csv::has_decimal_commas(first, delimiter),
+    };
+    let there = |delimiter: &&u8| line.contains(*delimiter);
+    for delimiter in delimiters.iter().filter(there).copied() {
+        let notation = with(delimiter);
         // Names have other characters too: where these stand between fields, rows have as many.
         if notation == own || !shape::is_table(line, first, notation) {
             continue;
@@ -164,14 +166,14 @@ fn otherwise(
         error.proposal = Some(proposal);
     }
     let obstacle = shape::obstacle(line, first, own).or_else(|| {
-        let notation = Notation {
-            delimiter: b' ',
-            ..own
-        };
-        // Of numbers apart by spaces under names that are not.
+        // Of rows that stand apart otherwise under names that do not.
         let is_one = !line.contains(&own.delimiter);
-        let obstacle = shape::obstacle(line, first, notation).filter(|_| is_one)?;
-        Some(format!("{}, and then {obstacle}", apart(notation, own)))
+        let others = delimiters.iter().chain(b" ").filter(there);
+        let mut others = others.map(|delimiter| with(*delimiter)).filter(|_| is_one);
+        others.find_map(|notation| {
+            let obstacle = shape::obstacle(line, first, notation)?;
+            Some(format!("{}, and then {obstacle}", apart(notation, own)))
+        })
     });
     if let Some(message) = obstacle.filter(|_| error.proposal.is_none()) {
         error = TraceError::new("header", message);

@@ -79,11 +79,19 @@ pub(super) fn obstacle(line: &[u8], first: &[&[u8]], notation: Notation) -> Opti
         return Some(says.to_owned());
     }
     let first = csv::texts(first.first()?, notation);
-    let differ = names.len() != first.len() && first.iter().all(is_number);
+    // A row may end with what stands between fields.
+    let (filled, end) = match first.split_last() {
+        Some((last, rest)) if last.is_empty() => (
+            rest,
+            ", the last of which is empty: take away what stands at the end of the rows, or write it behind the names, too",
+        ),
+        _ => (&first[..], ""),
+    };
+    let differ = names.len() != first.len() && !filled.is_empty() && filled.iter().all(is_number);
     differ.then(|| {
         let (names, row) = (names.len(), first.len());
         format!(
-            "the names of the columns, `{}`, are {names}, but the first row has {row} fields",
+            "the names of the columns, `{}`, are {names}, but the first row has {row} fields{end}",
             shown(line)
         )
     })

@@ -107,3 +107,31 @@ fn a_line_of_units_in_brackets_stands_apart_by_spaces_too() {
         assert_eq!(json(&by_spaces(&log, None)), expected, "{units}");
     }
 }
+
+#[test]
+fn what_stands_only_at_the_end_of_the_rows_is_named() {
+    let empty = "are 3, but the first row has 4 fields, the last of which is empty: take away";
+    for (log, says) in [
+        (
+            "t [s];count;f [N]\n0.000;0;-0.1;\n0.001;1;-0.2;\n",
+            "stand apart by `;`, not by `,`, and then",
+        ),
+        (
+            "t [s];count;f [N]\n0,000;0;-0,1;\n0,001;1;-0,2;\n",
+            "stand apart by `;`, not by `,`, and then",
+        ),
+        (
+            "t\tcount\tf\n0.000\t0\t-0.1\t\n0.001\t1\t-0.2\t\n",
+            "stand apart by `\\t`, not by `,`",
+        ),
+        (
+            "time,count,force\n0.000,0,-0.1,\n0.001,1,-0.2,\n",
+            "the names of the columns",
+        ),
+    ] {
+        let error = refused(log, None);
+        assert_eq!(error.proposal, None, "{error}");
+        let error = error.to_string();
+        assert!(error.contains(says) && error.contains(empty), "{error}");
+    }
+}

@@ -9,7 +9,7 @@ use passivity_scene::Scene;
 
 use crate::exit::{Exit, Failure};
 use crate::progress::Progress;
-use crate::typed::command;
+use crate::typed::run;
 use crate::verbs::audit::delimiter;
 
 /// Logs of the device, how they are read, and what is said of them.
@@ -149,7 +149,7 @@ pub(super) fn read(given: Recordings, study: &Study) -> Result<Recorded, Failure
 /// Why a log is refused, with the command that reads it as it seems to be meant.
 fn refusal(error: &CaseError) -> Failure {
     match error.proposal() {
-        Some(proposal) => Failure::input(format!("{error} run: {}", command(proposal))),
+        Some(proposal) => Failure::input(format!("{error} {}", run(proposal))),
         None => Failure::input(error),
     }
 }

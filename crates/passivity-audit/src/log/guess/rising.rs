@@ -1,0 +1,149 @@
+//! Clocks by what they hold, under whatever name: columns that are not read and rise from row to row.
+
+use passivity_scene::{Motion, Scene};
+
+use super::clock::{nearest, nearest_unit};
+use super::kind::Kind;
+use super::units::{is_of_another, not_unknown};
+use super::{Unreadable, score, unreadable};
+use crate::log::columns::{Found, Role};
+use crate::log::header::{Heading, read_unit, split};
+use crate::log::preview::Preview;
+
+/// Names under which programs write the number of a row where nothing else was asked for.
+const OF_ROWS: [&str; 4] = ["", "index", "level_0", "__index_level_0__"];
+
+/// Whether a column is the number of each row, as pandas and R write it: it says no more than the rows do.
+fn is_row_number(heading: &Heading, preview: &Preview, column: usize) -> bool {
+    let name = heading.name.trim();
+    (OF_ROWS.contains(&name) || name.starts_with("Unnamed: "))
+        && preview.counts_rows(column)
+        && [Some(0.0), Some(1.0)].contains(&preview.first(column))
+}
+
+/// The unit in which a column is a clock; `None` where it counts sampling periods.
+fn unit(
+    heading: &Heading,
+    preview: &Preview,
+    column: usize,
+    scene: &Scene,
+) -> Result<Option<String>, String> {
+    if preview.lasting.contains(&column) {
+        return Err("durations and times of day are not read".to_owned());
+    }
+    let own = split(&heading.name).map_err(|(_, why)| why.to_owned())?;
+    let own = own.unit.as_deref().or(heading.unit).map(str::to_owned);
+    let bare = scene.motion == Motion::Dimensionless;
+    if let Some(own) = own {
+        read_unit(&own).map_err(|error| error.message)?;
+        return match bare {
+            true => Err("the scene has no units".to_owned()),
+            false => Ok(Some(own)),
+        };
+    }
+    not_unknown(&heading.name)?;
+    // Rows may be missing among the first ones, and the clock may jitter.
+    let steps = [preview.least_step(column), preview.step(column)];
+    let is_near = |step: Option<f64>| {
+        let periods = match bare {
+            true => step,
+            false => nearest(step, scene).map(|(_, periods)| periods),
+        };
+        periods.is_some_and(|periods| (1.0 / 1.5..=1.5).contains(&periods))
+    };
+    let [least, _] = steps;
+    match preview.is_whole(column) {
+        true if least == Some(1.0) => Ok(None),
+        whole if (whole || bare) && !steps.into_iter().any(is_near) => {
+            Err("nothing says how long one of its ticks is".to_owned())
+        }
+        _ if bare => Ok(None),
+        _ => Ok(Some(nearest_unit(least, scene).to_owned())),
+    }
+}
+
+/// The columns that rise as a clock does, the most likely first, where a position is known and no clock: how each is read,
+/// or why it cannot be.
+fn rising(
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+    known: &[Found],
+) -> Vec<Result<Found, Unreadable>> {
+    let has_clock = known.iter().any(|found| Kind::of(found.role) == Kind::Time);
+    if has_clock || !known.iter().any(Found::is_position) {
+        return Vec::new();
+    }
+    let columns = (0..).zip(headings);
+    let free = columns.filter(|(column, _)| known.iter().all(|found| found.column != *column));
+    let rises = free.filter(|(column, heading)| {
+        (preview.rises(*column) || preview.lasting.contains(column))
+            && !is_row_number(heading, preview, *column)
+            && !is_no_time(heading)
+    });
+    let read = |(column, heading): (usize, &Heading)| {
+        let unit = unit(heading, preview, column, scene);
+        let kind = Kind::Time;
+        let unit = unit.map_err(|why| Unreadable { column, why, kind })?;
+        Ok(Found {
+            role: if unit.is_some() { Role::T } else { Role::Tau },
+            column,
+            unit: unit.filter(|_| heading.unit.is_none()),
+            reversed: false,
+        })
+    };
+    let mut found: Vec<Result<Found, Unreadable>> = rises.map(read).collect();
+    // What has a unit says more than a counter; of equals the first column, as the sort is stable.
+    found.sort_by_key(|found| match found {
+        Ok(found) if found.role == Role::T => 0,
+        Ok(_) => 1,
+        Err(_) => 2,
+    });
+    found
+}
+
+/// Whether a name has the unit of something else.
+fn is_no_time(heading: &Heading) -> bool {
+    let unit = split(&heading.name).ok().and_then(|split| split.unit);
+    if is_of_another(Kind::Time, &heading.name) {
+        return true;
+    }
+    let read = unit.and_then(|unit| read_unit(&unit).ok());
+    read.is_some_and(|unit| unit.dimension() != Kind::Time.dimension(Motion::Linear))
+}
+
+/// The clock among them, beside what is known already.
+pub(super) fn clock(
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+    known: &[Found],
+) -> Option<Found> {
+    let rising = rising(headings, preview, scene, known);
+    let found = rising.into_iter().find_map(Result::ok)?;
+    // A clock that is called so, and cannot be read, is not replaced.
+    let unreadable = unreadable(headings, preview, scene, known);
+    (!unreadable.iter().any(Unreadable::is_clock)).then_some(found)
+}
+
+/// The one of them that cannot be read, where none can.
+pub(super) fn unreadable_clock(
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+    known: &[Found],
+) -> Option<Unreadable> {
+    let rising = rising(headings, preview, scene, known);
+    rising.into_iter().next()?.err()
+}
+
+/// Whether a column is taken for a clock for nothing but its rise from row to row.
+pub(crate) fn only_rises(
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+    found: &Found,
+) -> bool {
+    Kind::of(found.role) == Kind::Time
+        && score(Kind::Time, headings, found.column, preview, scene).is_none()
+}

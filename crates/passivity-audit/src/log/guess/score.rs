@@ -1,0 +1,161 @@
+//! How much a column looks like what it may be: by its name, its unit and its first rows.
+
+use passivity_scene::{Motion, Scene};
+
+use super::clock::{Counter, Parts, counter, has_a_unit, multiple, parts_of_time, unit_of_word};
+use super::kind::Kind;
+use super::words::{
+    HELD, MEASURED, NO_FORCE, NO_POSITION, NO_TIME, NOT_MEASURED, PERHAPS_WANTED, words,
+};
+use super::{LIKELY, is_counted, units, whole};
+use crate::log::error::shown;
+use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
+use crate::log::preview::Preview;
+
+/// The unit that a column has of its own, where it is of a kind. Of a device that turns, `theta_m` is no length.
+pub(super) fn own_unit(kind: Kind, heading: &Heading, motion: Motion) -> Option<String> {
+    let is_no_length =
+        kind == Kind::Position && motion != Motion::Linear && heading.may_be_metres();
+    let unit = split(&heading.name).ok()?.unit.filter(|_| !is_no_length);
+    unit.as_deref().or(heading.unit).map(str::to_owned)
+}
+
+/// How much a heading is called like a kind.
+pub(super) fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
+    let stem = match split(&heading.name) {
+        Ok(split) => split.stem,
+        Err((stem, _)) => stem,
+    };
+    let words = words(stem);
+    let mut named: Vec<bool> = words.iter().map(|word| kind.is_named(word)).collect();
+    // A time may be called by its unit alone; one of one letter is more often something else.
+    if let (Kind::Time, Some(word), Some(last)) = (kind, words.last(), named.last_mut()) {
+        *last |= word.len() > 1 && unit_of_word(word).is_some();
+    }
+    // Everything on a topic of this name has the word; of the thing itself it is the last, but for a component.
+    let last = words.iter().rev().find(|word| word.len() > 1);
+    if kind == Kind::Force && last.is_some_and(|word| word == "wrench") {
+        named.push(true);
+    }
+    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
+    let mut score = 0;
+    if named.contains(&true) {
+        score += 4;
+        // The last word says most: a `velocity_time` is a time.
+        score += i32::from(named.last() == Some(&true));
+    }
+    if kind == Kind::Force {
+        score += i32::from(has(&HELD));
+        // Of a wrench, which has both.
+        let other: &[&str] = match motion {
+            Motion::Linear => &["torque", "moment"],
+            _ => &["force"],
+        };
+        score -= i32::from(has(other));
+        let is_none = last.is_some_and(|word| NO_FORCE.contains(&word.as_str()));
+        score -= if is_none { 6 } else { 0 };
+    } else if has(&NOT_MEASURED) {
+        // A `command_time` is a time, though a `time` beside it is meant first.
+        let is_time = kind == Kind::Time && !has(&NO_TIME);
+        score -= if is_time { 1 } else { 4 };
+    }
+    if kind == Kind::Position {
+        score -= if has(&NO_POSITION) { 4 } else { 0 };
+        score += if named.contains(&true) && has(&MEASURED) {
+            2
+        } else {
+            0
+        };
+        score -= i32::from(has(&PERHAPS_WANTED));
+    }
+    score
+}
+
+/// How much what a column holds looks like a kind; or why it cannot be of that kind.
+pub(super) fn held(
+    kind: Kind,
+    headings: &[Heading],
+    column: usize,
+    preview: &Preview,
+    scene: &Scene,
+) -> Result<i32, String> {
+    let heading = headings.get(column).ok_or("there is no such column")?;
+    split(&heading.name).map_err(|(_, why)| why.to_owned())?;
+    if let Some(row) = preview.no_number(column) {
+        return Err(format!("row {} has no number there", row + 1));
+    }
+    match (own_unit(kind, heading, scene.motion).as_deref(), kind) {
+        (_, Kind::Time) if matches!(parts_of_time(headings, preview, column), Parts::More) => {
+            Err("it is one of several columns that say together when a sample was".to_owned())
+        }
+        (None, Kind::Time) => match multiple(&heading.name) {
+            Some(unit) => Err(format!("a number stands before its unit, `{unit}`")),
+            None if scene.motion != Motion::Dimensionless
+                && counter(headings, preview, column) == Some(Counter::Ticks)
+                && !has_a_unit(preview, column, scene) =>
+            {
+                Err("nothing says how long one of its ticks is".to_owned())
+            }
+            None => units::not_unknown(&heading.name).map(|()| 0),
+        },
+        (None, Kind::Velocity) => units::not_unknown(&heading.name).map(|()| 0),
+        (None, _) if scene.motion == Motion::Dimensionless => Ok(0),
+        (None, Kind::Position) => {
+            units::said(kind, &heading.name, scene.motion)?;
+            whole::counts(heading, column, preview, scene).map(|_| 0)
+        }
+        (None, _) => units::said(kind, &heading.name, scene.motion).map(|_| 0),
+        (Some(unit), Kind::Position) if is_counted(unit) => {
+            whole::counts(heading, column, preview, scene).map(|_| 2)
+        }
+        (Some(unit), _) if scene.motion == Motion::Dimensionless => {
+            let unit = shown(unit.as_bytes());
+            Err(format!(
+                "the scene has no units, and the column has `{unit}`"
+            ))
+        }
+        (Some(unit), _) => {
+            let unit = units::respelt(kind, unit, scene.motion).unwrap_or(unit);
+            let read = match kind {
+                Kind::Force => read_unit_of_force(unit),
+                _ => read_unit(unit),
+            };
+            let dimension = read.map_err(|error| error.message)?.dimension();
+            match dimension.with_angle(0) == kind.dimension(scene.motion) {
+                // A bare mass is no sign of a force.
+                true if kind == Kind::Force && !is_unit_of_force(unit) => Ok(0),
+                true => Ok(2),
+                false => Err(units::no_unit(unit, kind, scene.motion)),
+            }
+        }
+    }
+}
+
+/// Of a heading: how much it looks like a kind; `None` when it cannot be.
+pub(super) fn score(
+    kind: Kind,
+    headings: &[Heading],
+    column: usize,
+    preview: &Preview,
+    scene: &Scene,
+) -> Option<i32> {
+    let heading = headings.get(column)?;
+    if units::is_of_another(kind, &heading.name) {
+        return None;
+    }
+    let mut score = held(kind, headings, column, preview, scene).ok()?;
+    score += called(kind, heading, scene.motion);
+    match counter(headings, preview, column).filter(|_| kind == Kind::Time) {
+        Some(Counter::Periods) => return Some(LIKELY),
+        Some(Counter::Ticks) => return Some(LIKELY + 1),
+        None => {}
+    }
+    if kind == Kind::Time {
+        score += match parts_of_time(headings, preview, column) {
+            Parts::Two(_) | Parts::More => 4,
+            Parts::One if preview.increases(column) => 0,
+            Parts::One => -3,
+        };
+    }
+    (score >= LIKELY).then_some(score)
+}
