@@ -57,7 +57,7 @@ fn a_clock_of_any_name_is_not_passed_over() {
     let error = refused(&log, None).to_string();
     assert!(
         error
-            .contains("did you mean t=Sekunden [s], count=pos, or x=pos [m] where it is no clock?"),
+            .contains("did you mean t=Sekunden [s], count=pos, or count=pos where it is no clock?"),
         "{error}"
     );
 }
