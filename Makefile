@@ -24,7 +24,7 @@ export CARGO_PROFILE_DEV_DEBUG ?= 0
 # In sixteen units at once the compiler takes a seventh more time of the processor.
 export CARGO_PROFILE_DEV_CODEGEN_UNITS ?= 2
 
-.PHONY: help setup run test size check fmt clippy doc features package bench figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate test-python soak fuzz
+.PHONY: help setup run test size check fmt clippy doc features package bench figures same-figures case prove prove-smt prove-kani prove-rocq prove-prusti mutate test-python soak fuzz
 
 help: ## list the targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -88,6 +88,12 @@ figures: ## draw every figure of the documentation into target/figures
 	@$(BIN) sweep scenes/dimensionless.toml --beta 0:1:41 --sigma 0:1.5:61 --speed 1/2,1,2,5 \
 	    --out target/figures/fig5.csv --plot target/figures/sweep.png
 	@$(BIN) accuracy $(SCENE) --speed 4 --plot target/figures/accuracy.svg
+
+# Times differ from run to run, and with them the picture of accuracy.
+same-figures: figures ## draw every figure, and show that those of the documentation are the same
+	@set -e; for figure in $$(cd docs/figures && ls); do test $$figure = accuracy.svg || \
+	    cmp target/figures/$$figure docs/figures/$$figure || \
+	    { echo "look at target/figures/$$figure, and copy it to docs/figures"; exit 1; }; done
 
 prove: ## every engine on every claim; writes target/evidence.json
 	@echo "== proofs/prove: every engine that is here; the others are recorded as not run"

@@ -11,7 +11,6 @@ mod certificates;
 mod check;
 mod design;
 mod explain;
-mod figures;
 mod frequencies;
 mod growing;
 mod guides;
