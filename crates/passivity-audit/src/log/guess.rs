@@ -66,6 +66,8 @@ pub(crate) struct Unreadable {
     pub(crate) column: usize,
     pub(crate) why: String,
     kind: Kind,
+    /// Whether it is taken for a clock for nothing but its rise from row to row.
+    pub(crate) rises: bool,
 }
 
 impl Unreadable {
@@ -82,10 +84,10 @@ impl Unreadable {
     }
 }
 
-/// Whether the name of a column gives a unit of force.
+/// Whether the name of a column gives a unit of force, wherever it stands.
 fn has_force(heading: &Heading) -> bool {
     let unit = split(&heading.name).ok().and_then(|split| split.unit);
-    unit.is_some_and(|unit| is_unit_of_force(&unit))
+    unit.is_some_and(|unit| is_unit_of_force(&unit)) || units::encloses_force(&heading.name)
 }
 
 /// The columns that look like something that is not said, and cannot be read: the most likely of each kind.
@@ -114,7 +116,13 @@ pub(crate) fn unreadable(
                 return None;
             }
             let why = held(kind, headings, column, preview, scene).err()?;
-            let unreadable = Unreadable { column, why, kind };
+            let rises = false;
+            let unreadable = Unreadable {
+                column,
+                why,
+                kind,
+                rises,
+            };
             (score >= LIKELY).then_some((score, unreadable))
         });
         // Of equals the first column.

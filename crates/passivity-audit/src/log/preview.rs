@@ -111,11 +111,13 @@ impl Preview {
         self.column(column).next().flatten()
     }
 
-    /// The least step from row to row.
-    pub(crate) fn least_step(&self, column: usize) -> Option<f64> {
+    /// The step from row to row that is in the middle of all: rows may be missing, or close to each other.
+    pub(crate) fn middle_step(&self, column: usize) -> Option<f64> {
         let values: Vec<f64> = self.column(column).flatten().collect();
         let steps = values.iter().zip(values.iter().skip(1));
-        steps.map(|(a, b)| b - a).min_by(f64::total_cmp)
+        let mut steps: Vec<f64> = steps.map(|(a, b)| b - a).collect();
+        steps.sort_by(f64::total_cmp);
+        steps.get(steps.len() / 2).copied()
     }
 
     /// Whether a column goes on by the same step from row to row, of two at least.

@@ -4,6 +4,7 @@ mod clocks;
 mod counters;
 mod forces;
 mod joints;
+mod labels;
 mod others;
 mod quotes;
 mod rising;

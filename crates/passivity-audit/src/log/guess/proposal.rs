@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::words::{COUNTED, words};
 use crate::log::columns::{Found, Role, same_unit, typed};
 use crate::log::header::{Heading, split};
 
@@ -63,6 +64,15 @@ impl fmt::Display for Proposal {
     }
 }
 
+/// Whether a name says that a column has the counts of an encoder.
+pub(super) fn is_called_a_count(name: &str) -> bool {
+    let is_it = |word: &String| {
+        let word = word.as_str();
+        COUNTED.contains(&word) || ["encoder", "enc"].contains(&word)
+    };
+    words(name).iter().any(is_it)
+}
+
 /// The proposal to name these columns; `None` when there is no position among them, or when a name
 /// cannot be typed.
 pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal> {
@@ -83,6 +93,9 @@ pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal>
         };
         let added = found.unit.as_deref().filter(is_new);
         columns.push_str(&typed(found, heading, added, columns.is_empty())?);
+        if found.role == Role::Count && own.is_none() && !is_called_a_count(&heading.name) {
+            assumed.push("the position in counts, as its numbers are whole".to_owned());
+        }
         if let Some(unit) = added.filter(|_| found.role != Role::Fine) {
             assumed.push(format!("{} in {unit}", found.role.name()));
         }

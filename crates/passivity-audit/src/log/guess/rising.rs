@@ -5,6 +5,7 @@ use passivity_scene::{Motion, Scene};
 use super::clock::{nearest, nearest_unit};
 use super::kind::Kind;
 use super::units::{is_of_another, not_unknown};
+use super::words::words;
 use super::{Unreadable, score, unreadable};
 use crate::log::columns::{Found, Role};
 use crate::log::header::{Heading, read_unit, split};
@@ -12,6 +13,34 @@ use crate::log::preview::Preview;
 
 /// Names under which programs write the number of a row where nothing else was asked for.
 const OF_ROWS: [&str; 4] = ["", "index", "level_0", "__index_level_0__"];
+
+/// Words of what is counted one by one: rows, and so sampling periods.
+const OF_NUMBERS: [&str; 24] = [
+    "abtastung",
+    "count",
+    "counter",
+    "cycle",
+    "frame",
+    "id",
+    "idx",
+    "index",
+    "k",
+    "line",
+    "loop",
+    "message",
+    "msg",
+    "n",
+    "no",
+    "nr",
+    "number",
+    "packet",
+    "period",
+    "row",
+    "step",
+    "takt",
+    "zeile",
+    "zyklus",
+];
 
 /// Whether a column is the number of each row, as pandas and R write it: it says no more than the rows do.
 fn is_row_number(heading: &Heading, preview: &Preview, column: usize) -> bool {
@@ -42,23 +71,27 @@ fn unit(
         };
     }
     not_unknown(&heading.name)?;
-    // Rows may be missing among the first ones, and the clock may jitter.
-    let steps = [preview.least_step(column), preview.step(column)];
-    let is_near = |step: Option<f64>| {
-        let periods = match bare {
-            true => step,
-            false => nearest(step, scene).map(|(_, periods)| periods),
-        };
-        periods.is_some_and(|periods| (1.0 / 1.5..=1.5).contains(&periods))
+    let middle = preview.middle_step(column);
+    let steps = [middle, preview.step(column)];
+    let periods = |step: Option<f64>| match bare {
+        true => step,
+        false => nearest(step, scene).map(|(_, periods)| periods),
     };
-    let [least, _] = steps;
-    match preview.is_whole(column) {
-        true if least == Some(1.0) => Ok(None),
-        whole if (whole || bare) && !steps.into_iter().any(is_near) => {
+    let is_near = |step| periods(step).is_some_and(|n| (1.0 / 1.5..=1.5).contains(&n));
+    let is_one_each = preview.is_whole(column) && middle == Some(1.0);
+    // A unit of a clock that is a sampling period long is one, whatever is counted.
+    let is_period = periods(Some(1.0)).is_some_and(|n| (n - 1.0).abs() < 1e-9);
+    let words = words(&heading.name);
+    let is_number = words.is_empty() || words.iter().any(|it| OF_NUMBERS.contains(&it.as_str()));
+    match is_one_each {
+        true if is_number || is_period => Ok(None),
+        _ if is_one_each
+            || !steps.into_iter().any(is_near) && (preview.is_whole(column) || bare) =>
+        {
             Err("nothing says how long one of its ticks is".to_owned())
         }
         _ if bare => Ok(None),
-        _ => Ok(Some(nearest_unit(least, scene).to_owned())),
+        _ => Ok(Some(nearest_unit(middle, scene).to_owned())),
     }
 }
 
@@ -84,7 +117,13 @@ fn rising(
     let read = |(column, heading): (usize, &Heading)| {
         let unit = unit(heading, preview, column, scene);
         let kind = Kind::Time;
-        let unit = unit.map_err(|why| Unreadable { column, why, kind })?;
+        let rises = true;
+        let unit = unit.map_err(|why| Unreadable {
+            column,
+            why,
+            kind,
+            rises,
+        })?;
         Ok(Found {
             role: if unit.is_some() { Role::T } else { Role::Tau },
             column,

@@ -7,7 +7,7 @@ use super::kind::Kind;
 use super::words::{
     HELD, MEASURED, NO_FORCE, NO_POSITION, NO_TIME, NOT_MEASURED, PERHAPS_WANTED, words,
 };
-use super::{LIKELY, is_counted, units, whole};
+use super::{LIKELY, has_force, is_counted, units, whole};
 use crate::log::error::shown;
 use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
 use crate::log::preview::Preview;
@@ -52,7 +52,9 @@ pub(super) fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
             _ => &["force"],
         };
         score -= i32::from(has(other));
-        let is_none = last.is_some_and(|word| NO_FORCE.contains(&word.as_str()));
+        // Its unit says more: of forces after a limit, these were held.
+        let is_none =
+            !has_force(heading) && last.is_some_and(|word| NO_FORCE.contains(&word.as_str()));
         score -= if is_none { 6 } else { 0 };
     } else if has(&NOT_MEASURED) {
         // A `command_time` is a time, though a `time` beside it is meant first.

@@ -5,7 +5,7 @@ use passivity_scene::Motion;
 use super::kind::Kind;
 use super::words::{ASIDE, COUNTED, HELD, MEASURED, NOT_MEASURED, PERHAPS_WANTED, words};
 use crate::log::error::shown;
-use crate::log::header::{self, is_unit, read_unit, read_unit_of_force};
+use crate::log::header::{self, is_unit, is_unit_of_force, read_unit, read_unit_of_force};
 
 /// The units that names of columns give, as they are proposed. Of units whose letters differ only in case, such as
 /// `mN` and `MN`, those of a log.
@@ -104,7 +104,7 @@ fn groups(name: &str) -> Vec<(&str, &str)> {
 
 /// The unit in the last brackets or parentheses of a name that have one, wherever they are; or what stands in them that is
 /// neither read as a unit nor known to say something else.
-fn enclosed(name: &str) -> Result<Option<&str>, String> {
+fn enclosed(kind: Kind, name: &str) -> Result<Option<&str>, String> {
     let groups = groups(name);
     if let Some((_, unit)) = groups.iter().rev().find(|(_, inner)| is_unit(inner)) {
         return Ok(Some(unit));
@@ -121,7 +121,10 @@ fn enclosed(name: &str) -> Result<Option<&str>, String> {
         lists.iter().any(|list| list.contains(&word.as_str()))
             || Kind::ALL.into_iter().any(|kind| kind.is_named(word))
     };
-    let is_of_another = |inner: &&str| OF_OTHERS.contains(inner) || OF_SIGNALS.contains(inner);
+    // A position labelled A is no current.
+    let is_of_another = |inner: &&str| {
+        OF_OTHERS.contains(inner) || LABELS.contains(inner) && kind != Kind::Position
+    };
     let is_unknown = |inner: &&str| is_of_another(inner) || !words(inner).iter().all(says);
     match groups.iter().map(|(_, inner)| *inner).find(is_unknown) {
         None => Ok(None),
@@ -132,14 +135,21 @@ fn enclosed(name: &str) -> Result<Option<&str>, String> {
     }
 }
 
+/// Whether a unit of force stands in brackets or parentheses in a name.
+pub(super) fn encloses_force(name: &str) -> bool {
+    groups(name)
+        .iter()
+        .any(|(_, inner)| is_unit_of_force(inner))
+}
+
 /// Units of what is no time, position, velocity or force.
-const OF_OTHERS: [&str; 26] = [
-    "°C", "℃", "degC", "deg C", "C", "K", "°F", "Hz", "kHz", "MHz", "W", "mW", "kW", "bar", "mbar",
-    "Pa", "hPa", "kPa", "MPa", "psi", "dB", "Ω", "ohm", "Ohm", "lx", "rH",
+const OF_OTHERS: [&str; 23] = [
+    "°C", "℃", "degC", "deg C", "°F", "Hz", "kHz", "MHz", "W", "mW", "kW", "mbar", "Pa", "hPa",
+    "kPa", "MPa", "psi", "dB", "Ω", "ohm", "Ohm", "lx", "rH",
 ];
 
-/// Those of signals, in which a force may be given that is called so.
-const OF_SIGNALS: [&str; 5] = ["V", "mV", "A", "mA", "%"];
+/// Those that may be a label too, of an axis or a channel, or of signals in which something may be given that is called so.
+const LABELS: [&str; 8] = ["C", "K", "bar", "V", "mV", "A", "mA", "%"];
 
 /// Those of both that stand after an underscore, where they can hardly be anything else.
 const BEHIND: [&str; 5] = ["V", "mV", "Hz", "kHz", "degC"];
@@ -153,8 +163,13 @@ pub(crate) fn is_of_another(kind: Kind, name: &str) -> bool {
     let Some((stem, unit)) = groups(name).pop().or(behind) else {
         return false;
     };
-    let is_named = || words(stem).iter().any(|word| kind.is_named(word));
-    OF_OTHERS.contains(&unit) || OF_SIGNALS.contains(&unit) && !(kind == Kind::Force && is_named())
+    // A velocity that is not read leaves nothing out.
+    let is_named = || kind != Kind::Velocity && words(stem).iter().any(|word| kind.is_named(word));
+    let has_other = || groups(name).iter().any(|(_, inner)| is_unit(inner));
+    match OF_OTHERS.contains(&unit) {
+        true => true,
+        false => LABELS.contains(&unit) && !has_other() && !is_named(),
+    }
 }
 
 /// Whether a number stands right before a word, as in `pos_100um`.
@@ -170,7 +185,7 @@ pub(super) fn is_multiple(name: &str, word: &str) -> bool {
 
 /// The unit of a kind that a name gives, if any; or why it can be none of this kind.
 pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<String>, String> {
-    if let Some(unit) = enclosed(name)? {
+    if let Some(unit) = enclosed(kind, name)? {
         let respelt = respelt(kind, unit, motion);
         let unit = respelt.unwrap_or(unit);
         return match fits(kind, unit, motion) {
@@ -209,7 +224,7 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
 
 /// The same of a time, whose unit may be said by its steps: but not where its name has another.
 pub(super) fn not_unknown(name: &str) -> Result<(), String> {
-    enclosed(name).map(|_| ())
+    enclosed(Kind::Time, name).map(|_| ())
 }
 
 pub(super) fn no_unit(unit: &str, kind: Kind, motion: Motion) -> String {

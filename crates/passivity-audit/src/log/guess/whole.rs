@@ -2,6 +2,7 @@
 
 use passivity_scene::{Motion, Scene};
 
+use super::proposal::is_called_a_count;
 use super::score::own_unit;
 use super::units;
 use super::words::{COUNTED, words};
@@ -40,7 +41,7 @@ pub(super) fn counts(
     }
     let words = words(&heading.name);
     let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
-    let is_named = has(&COUNTED) || has(&["encoder", "enc"]);
+    let is_named = is_called_a_count(&heading.name);
     let is_bare = scene.motion == Motion::Dimensionless;
     if is_bare || units::said(Kind::Position, &heading.name, scene.motion) != Ok(None) {
         return Ok(has_encoder && is_whole && is_named);

@@ -48,8 +48,20 @@ pub(super) fn not_read(
             name(column)
         )
     };
+    let read: Vec<Found> = known.iter().chain(unread).cloned().collect();
+    let others = guess::propose(&read, headings).map(|proposal| proposal.columns);
     said.extend(unreadable.iter().map(|unreadable| {
         let put_right = match scene.motion {
+            _ if unreadable.rises => {
+                let others = others.as_ref().map(|others| format!(": `--columns '{others}'`"));
+                return format!(
+                    "the column {} rises from row to row as a clock does, and cannot be read as one ({}): write its times as \
+                     numbers in a unit that its name gives, as in `time [s]`, or, where it is no clock, name the others{}",
+                    name(unreadable.column),
+                    unreadable.why,
+                    others.unwrap_or_default(),
+                );
+            }
             _ if unreadable.is_force() => FORCE,
             _ if unreadable.is_position() => {
                 return format!("the column {} cannot be read: {}", name(unreadable.column), unreadable.why);

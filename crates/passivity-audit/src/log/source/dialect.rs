@@ -135,7 +135,8 @@ fn otherwise(
             Some(line) => (&line[..], first.get(1..).unwrap_or_default()),
             None => (line, first),
         };
-        let proposal = match layout(line, first, notation, None, scene) {
+        let told = dialect.columns.as_ref();
+        let proposal = match layout(line, first, notation, told, scene) {
             Ok(layout) => layout.proposal(),
             Err(other) => {
                 // As one column it says nothing.

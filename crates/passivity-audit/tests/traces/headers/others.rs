@@ -70,7 +70,6 @@ fn columns_of_something_else_are_neither_proposed_nor_refused() {
         "u_motor (V)",
         "v (V)",
         "current (A)",
-        "Tmotor (C)",
         "Tmotor [°C]",
         "Tmot",
         "Tout",
@@ -78,7 +77,6 @@ fn columns_of_something_else_are_neither_proposed_nor_refused() {
         "momentum",
         "force_enabled",
         "effort_limit",
-        "effort_limit [N]",
         "f (Hz)",
         "f [Hz]",
         "speed (%)",
@@ -91,7 +89,7 @@ fn columns_of_something_else_are_neither_proposed_nor_refused() {
     // Nor are they clocks, and what is called a force is not passed over for the unit of its signal.
     let rows: String = (0..20).map(|i| format!("{i}.5,{}\n", i % 5)).collect();
     audited(&format!("temperature (C),count\n{rows}"), None).unwrap();
-    for name in ["force (V)", "torque [A]", "Kraft (%)"] {
+    for name in ["force (V)", "torque [A]", "Kraft (%)", "Tmotor (C)"] {
         let error = refused(&format!("t [s],x [mm],{name}\n{ROWS}"), None);
         assert_eq!(error.proposal, None, "{error}");
     }

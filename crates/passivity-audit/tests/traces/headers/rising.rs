@@ -119,7 +119,7 @@ fn durations_and_times_of_day_are_clocks_that_cannot_be_read() {
         let log = log("Dauer,count", |i| format!("{before}{:03}", i));
         let error = refused(&log, None);
         assert_eq!(error.proposal, None, "{error}");
-        let says = "the column `Dauer` cannot be read (durations and times of day are not read)";
+        let says = "cannot be read as one (durations and times of day are not read)";
         assert!(error.message.contains(says), "{error}");
         audited(&log, Some("count=count")).unwrap();
     }
