@@ -117,12 +117,11 @@ pub fn audit_columns(
 /// The first rows, by which the names are judged.
 #[expect(clippy::cast_precision_loss, reason = "a number near by")]
 fn preview(columns: &[(String, Values)], len: usize) -> Preview {
-    const PREVIEWED: usize = 20;
     let field = |values: &Values, row: usize| match values {
         Values::Whole(values) => values.get(row).map(|n| *n as f64),
         Values::Doubles(values) => values.get(row).copied().filter(|x| x.is_finite()),
     };
-    let rows = 0..len.min(PREVIEWED);
+    let rows = 0..len.min(Preview::ROWS);
     let column =
         |(_, values): &(String, Values)| rows.clone().map(|row| field(values, row)).collect();
     Preview {

@@ -116,12 +116,11 @@ pub(crate) fn unreadable(
                 return None;
             }
             let why = held(kind, headings, column, preview, scene).err()?;
-            let rises = false;
             let unreadable = Unreadable {
                 column,
                 why,
                 kind,
-                rises,
+                rises: false,
             };
             (score >= LIKELY).then_some((score, unreadable))
         });
@@ -147,6 +146,12 @@ pub(crate) fn is_counted(unit: &str) -> bool {
     words(unit)
         .iter()
         .any(|word| COUNTED.contains(&word.as_str()))
+}
+
+/// Whether a name says that a column has the counts of an encoder.
+fn is_called_a_count(name: &str) -> bool {
+    let is_it = |word: &String| ["encoder", "enc"].contains(&word.as_str());
+    is_counted(name) || words(name).iter().any(is_it)
 }
 
 /// The columns that look like something that is not yet said, the most likely of each kind; or, where nothing is called like
@@ -323,11 +328,7 @@ pub(crate) fn with_unit(
         && let Some(counts) = heading.map(|it| whole::counts(it, found.column, preview, scene))
         && counts != Ok(false)
     {
-        let role = if counts == Ok(true) {
-            Role::Count
-        } else {
-            found.role
-        };
+        let role = counts.map_or(found.role, |_| Role::Count);
         return Found {
             role,
             ..found.clone()

@@ -3,6 +3,7 @@
 
 use std::borrow::Cow;
 
+use passivity_scene::Motion;
 use passivity_scene::units::{Dimension, Unit};
 
 use crate::log::dates;
@@ -25,6 +26,11 @@ impl Heading {
     /// Whether its name ends with what may be metres, or short for `measured` or `motor`: `theta_m`.
     pub(crate) fn may_be_metres(&self) -> bool {
         self.name.trim().ends_with("_m")
+    }
+
+    /// The same of a device that turns, whose positions are no metres.
+    pub(crate) fn is_no_length(&self, motion: Motion) -> bool {
+        motion != Motion::Linear && self.may_be_metres()
     }
 
     /// Whether it is when a message was recorded or sent, which each message of MCAP has beside what it says itself.

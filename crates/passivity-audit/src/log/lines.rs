@@ -6,6 +6,7 @@ use crate::log::csv::{self, Notation};
 use crate::log::digits::Seen;
 use crate::log::error::TraceError;
 use crate::log::held::Mark;
+use crate::log::preview::Preview;
 
 /// The longest line, in bytes.
 pub(crate) const MAX_LINE: usize = 1 << 20;
@@ -16,9 +17,6 @@ pub(crate) const CARRIAGE_RETURNS: &str = "its lines end with a carriage return 
 
 /// How much is parsed at once by one core, in bytes, unless asked otherwise.
 pub(crate) const BLOCK: usize = 1 << 20;
-
-/// How many rows are looked at before a header is judged.
-const PREVIEWED: usize = 20;
 
 /// How many lines of comments may stand before the names of the columns.
 const COMMENTS: usize = 1000;
@@ -146,7 +144,7 @@ impl<R: Read> Lines<R> {
 
     /// The first lines after the header, as far as they have been read.
     pub(crate) fn first(&self) -> Vec<&[u8]> {
-        self.read().take(PREVIEWED).collect()
+        self.read().take(Preview::ROWS).collect()
     }
 
     /// Looks at the digits of the numbers of a column, row by row.

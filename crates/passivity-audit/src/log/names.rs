@@ -83,7 +83,5 @@ pub(crate) fn is_no_time(found: &Found, headings: &[Heading], preview: &Preview)
 /// Whether a column `x_m` is one of a device that turns: it may have been measured in another unit.
 pub(crate) fn is_no_length(found: &Found, headings: &[Heading], scene: &Scene) -> bool {
     let heading = headings.get(found.column);
-    found.role == Role::X
-        && scene.motion != Motion::Linear
-        && heading.is_some_and(Heading::may_be_metres)
+    found.role == Role::X && heading.is_some_and(|heading| heading.is_no_length(scene.motion))
 }

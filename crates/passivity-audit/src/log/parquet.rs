@@ -91,7 +91,6 @@ impl Table {
 
     /// The first rows, to judge the names by; what cannot be read is no number.
     pub(crate) fn preview(&self) -> Preview {
-        const ROWS: usize = 20;
         let read = guarded("parquet", || {
             let group = self.file.get_row_group(0).map_err(|e| broken(&e))?;
             let schema = self.file.metadata().file_metadata().schema_descr();
@@ -100,13 +99,14 @@ impl Table {
             for column in 0..schema.num_columns().min(MAX_COLUMNS) {
                 let values = match open_column(&*group, column) {
                     Ok(mut wanted) => {
-                        typed::numbers(wanted.meaning, &mut wanted.reader, rows.min(ROWS)).values
+                        typed::numbers(wanted.meaning, &mut wanted.reader, rows.min(Preview::ROWS))
+                            .values
                     }
                     Err(_) => Vec::new(),
                 };
                 let near = values.iter().map(|x| Some(near_number(x)));
                 let mut near: Vec<Option<f64>> = near.collect();
-                near.resize(rows.min(ROWS), None);
+                near.resize(rows.min(Preview::ROWS), None);
                 columns.push(near);
             }
             Ok(columns)

@@ -12,6 +12,9 @@ pub(crate) struct Preview {
 }
 
 impl Preview {
+    /// How many rows are looked at before a header is judged, of as many as there are.
+    pub(crate) const ROWS: usize = 20;
+
     /// The fields of some rows; `None` where a field is no number.
     pub(crate) fn of_rows(rows: &[Vec<Option<f64>>]) -> Self {
         let width = rows.iter().map(Vec::len).max().unwrap_or(0);
@@ -79,8 +82,7 @@ impl Preview {
 
     /// Whether these rows may not be all that there are.
     pub(crate) fn may_go_on(&self) -> bool {
-        const LOOKED_AT: usize = 20;
-        self.columns.iter().any(|fields| fields.len() >= LOOKED_AT)
+        self.columns.iter().any(|fields| fields.len() >= Self::ROWS)
     }
 
     /// Whether a column has more than one value.

@@ -119,11 +119,18 @@ pub(super) fn counter(headings: &[Heading], preview: &Preview, column: usize) ->
 /// Whether ticks of a clock are long enough to tell rows apart, and about a sampling period goes on from row to row in
 /// some unit.
 pub(super) fn has_a_unit(preview: &Preview, column: usize, scene: &Scene) -> bool {
-    const MOST: f64 = 1.5;
     let near = nearest(preview.step(column), scene);
-    preview.increases(column)
-        && near.is_some_and(|(_, periods)| (1.0 / MOST..=MOST).contains(&periods))
+    preview.increases(column) && near.is_some_and(|(_, periods)| is_about_one(periods))
 }
+
+/// Whether a step of so many sampling periods is about one of them.
+pub(super) fn is_about_one(periods: f64) -> bool {
+    const MOST: f64 = 1.5;
+    (1.0 / MOST..=MOST).contains(&periods)
+}
+
+/// What is said of a clock whose steps are no sampling periods in any unit.
+pub(super) const NO_TICK: &str = "nothing says how long one of its ticks is";
 
 /// What is larger than a second, and how many of each are in the next.
 const LARGER: [(&[&str], f64); 3] = [

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::words::{COUNTED, words};
+use super::is_called_a_count;
 use crate::log::columns::{Found, Role, same_unit, typed};
 use crate::log::header::{Heading, split};
 
@@ -62,15 +62,6 @@ impl fmt::Display for Proposal {
         }
         Ok(())
     }
-}
-
-/// Whether a name says that a column has the counts of an encoder.
-pub(super) fn is_called_a_count(name: &str) -> bool {
-    let is_it = |word: &String| {
-        let word = word.as_str();
-        COUNTED.contains(&word) || ["encoder", "enc"].contains(&word)
-    };
-    words(name).iter().any(is_it)
 }
 
 /// The proposal to name these columns; `None` when there is no position among them, or when a name

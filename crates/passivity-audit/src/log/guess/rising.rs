@@ -2,8 +2,9 @@
 
 use passivity_scene::{Motion, Scene};
 
-use super::clock::{nearest, nearest_unit};
+use super::clock::{NO_TICK, is_about_one, nearest, nearest_unit};
 use super::kind::Kind;
+use super::score::own_unit;
 use super::units::{is_of_another, not_unknown};
 use super::words::words;
 use super::{Unreadable, score, unreadable};
@@ -60,10 +61,9 @@ fn unit(
     if preview.lasting.contains(&column) {
         return Err("durations and times of day are not read".to_owned());
     }
-    let own = split(&heading.name).map_err(|(_, why)| why.to_owned())?;
-    let own = own.unit.as_deref().or(heading.unit).map(str::to_owned);
+    split(&heading.name).map_err(|(_, why)| why.to_owned())?;
     let bare = scene.motion == Motion::Dimensionless;
-    if let Some(own) = own {
+    if let Some(own) = own_unit(Kind::Time, heading, scene.motion) {
         read_unit(&own).map_err(|error| error.message)?;
         return match bare {
             true => Err("the scene has no units".to_owned()),
@@ -77,22 +77,20 @@ fn unit(
         true => step,
         false => nearest(step, scene).map(|(_, periods)| periods),
     };
-    let is_near = |step| periods(step).is_some_and(|n| (1.0 / 1.5..=1.5).contains(&n));
-    let is_one_each = preview.is_whole(column) && middle == Some(1.0);
+    let is_near = |step| periods(step).is_some_and(is_about_one);
+    let is_whole = preview.is_whole(column);
+    let is_one_each = is_whole && middle == Some(1.0);
     // A unit of a clock that is a sampling period long is one, whatever is counted.
     let is_period = periods(Some(1.0)).is_some_and(|n| (n - 1.0).abs() < 1e-9);
     let words = words(&heading.name);
     let is_number = words.is_empty() || words.iter().any(|it| OF_NUMBERS.contains(&it.as_str()));
-    match is_one_each {
-        true if is_number || is_period => Ok(None),
-        _ if is_one_each
-            || !steps.into_iter().any(is_near) && (preview.is_whole(column) || bare) =>
-        {
-            Err("nothing says how long one of its ticks is".to_owned())
-        }
-        _ if bare => Ok(None),
-        _ => Ok(Some(nearest_unit(middle, scene).to_owned())),
+    if is_one_each && (is_number || is_period) {
+        return Ok(None);
     }
+    if is_one_each || (is_whole || bare) && !steps.into_iter().any(is_near) {
+        return Err(NO_TICK.to_owned());
+    }
+    Ok((!bare).then(|| nearest_unit(middle, scene).to_owned()))
 }
 
 /// The columns that rise as a clock does, the most likely first, where a position is known and no clock: how each is read,
@@ -115,14 +113,11 @@ fn rising(
             && !is_no_time(heading)
     });
     let read = |(column, heading): (usize, &Heading)| {
-        let unit = unit(heading, preview, column, scene);
-        let kind = Kind::Time;
-        let rises = true;
-        let unit = unit.map_err(|why| Unreadable {
+        let unit = unit(heading, preview, column, scene).map_err(|why| Unreadable {
             column,
             why,
-            kind,
-            rises,
+            kind: Kind::Time,
+            rises: true,
         })?;
         Ok(Found {
             role: if unit.is_some() { Role::T } else { Role::Tau },

@@ -2,7 +2,9 @@
 
 use passivity_scene::{Motion, Scene};
 
-use super::clock::{Counter, Parts, counter, has_a_unit, multiple, parts_of_time, unit_of_word};
+use super::clock::{
+    Counter, NO_TICK, Parts, counter, has_a_unit, multiple, parts_of_time, unit_of_word,
+};
 use super::kind::Kind;
 use super::words::{
     HELD, MEASURED, NO_FORCE, NO_POSITION, NO_TIME, NOT_MEASURED, PERHAPS_WANTED, words,
@@ -14,8 +16,7 @@ use crate::log::preview::Preview;
 
 /// The unit that a column has of its own, where it is of a kind. Of a device that turns, `theta_m` is no length.
 pub(super) fn own_unit(kind: Kind, heading: &Heading, motion: Motion) -> Option<String> {
-    let is_no_length =
-        kind == Kind::Position && motion != Motion::Linear && heading.may_be_metres();
+    let is_no_length = kind == Kind::Position && heading.is_no_length(motion);
     let unit = split(&heading.name).ok()?.unit.filter(|_| !is_no_length);
     unit.as_deref().or(heading.unit).map(str::to_owned)
 }
@@ -96,7 +97,7 @@ pub(super) fn held(
                 && counter(headings, preview, column) == Some(Counter::Ticks)
                 && !has_a_unit(preview, column, scene) =>
             {
-                Err("nothing says how long one of its ticks is".to_owned())
+                Err(NO_TICK.to_owned())
             }
             None => units::not_unknown(&heading.name).map(|()| 0),
         },

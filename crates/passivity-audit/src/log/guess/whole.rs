@@ -2,11 +2,9 @@
 
 use passivity_scene::{Motion, Scene};
 
-use super::proposal::is_called_a_count;
 use super::score::own_unit;
 use super::units;
-use super::words::{COUNTED, words};
-use super::{Kind, is_counted};
+use super::{Kind, is_called_a_count, is_counted};
 use crate::log::columns::{Found, Role};
 use crate::log::header::Heading;
 use crate::log::preview::Preview;
@@ -39,8 +37,6 @@ pub(super) fn counts(
             false => Ok(is_counted(&unit) && has_encoder && is_whole),
         };
     }
-    let words = words(&heading.name);
-    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
     let is_named = is_called_a_count(&heading.name);
     let is_bare = scene.motion == Motion::Dimensionless;
     if is_bare || units::said(Kind::Position, &heading.name, scene.motion) != Ok(None) {
@@ -53,7 +49,7 @@ pub(super) fn counts(
         _ => "`rad` or `mrad`",
     };
     match (is_whole, has_encoder) {
-        (false, _) if !has(&COUNTED) => Ok(false),
+        (false, _) if !is_counted(&heading.name) => Ok(false),
         (false, true) => Err(format!(
             "it is called a count, and has numbers that are not whole: its name must give their unit, such as {units}"
         )),

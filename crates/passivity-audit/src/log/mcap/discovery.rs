@@ -15,7 +15,7 @@ use crate::log::mcap::value::{Leaf, Step, written};
 use crate::log::preview::Preview;
 
 /// How many messages on a topic are looked at.
-const PREVIEWED: u64 = 20;
+const PREVIEWED: u64 = Preview::ROWS as u64;
 
 /// Where the numbers of a column are.
 #[derive(Clone, Debug, PartialEq, Eq)]
