@@ -6,56 +6,98 @@ use passivity_core::{Criterion, Enclosed, Interval, Loop, Parameter, Region, Tru
 use super::BITS;
 
 /// A box of loops whose figures are asked for.
+///
+/// Beside a tolerance of K, figures of damping with a computed cost are taken over walls that each have their own cost: as
+/// multiples of KT it falls with K, so that of the whole box the stiffest wall would pay what only the softest does. KT·λ is
+/// the largest of functions that are linear in K, and what an encoder costs is linear in K. So the wall that has the least to
+/// spare, at a speed or in units of the wall, is at an end of the tolerance. Where KT·λ is such a function itself, as it is
+/// without a delay, so is the wall that has the most.
 pub(super) struct Figures<'a, S> {
     pub(super) bounds: &'a Loop<Interval<S>>,
-    /// The whole box, in pieces where figures of the whole would be too wide.
+    /// The box at both ends of the stiffness: one of its loops has the least to spare.
+    ends: Vec<Loop<Interval<S>>>,
+    /// The same, or the whole box in pieces where one in between may have more to spare.
     pieces: Vec<Loop<Interval<S>>>,
 }
 
-/// The box in pieces along the stiffness, each with its own costs: how many times KT damping costs where that is computed
-/// falls with K, so that what the softest wall costs, taken of the stiffest, is more than any wall costs.
-fn pieces<S: Enclosed>(bounds: &Loop<Interval<S>>) -> Option<Vec<Loop<Interval<S>>>> {
+/// Which value of a figure is the worst for the wall.
+#[derive(Clone, Copy, PartialEq)]
+enum Worst {
+    /// The least.
+    Least,
+    /// The largest.
+    Most,
+}
+
+/// The box with the stiffness at its ends, and in stretches of it where the ends do not say all; each with its own costs.
+fn pieces<S: Enclosed>(bounds: &Loop<Interval<S>>) -> Option<[Vec<Loop<Interval<S>>>; 2]> {
     /// So many pieces leave a sixteenth of what figures were too wide by.
     const PIECES: i32 = 16;
     let stiffness = &bounds.stiffness;
     if !bounds.has_computed_costs() || bounds.damping.is_none() || stiffness.is_point() {
         return None;
     }
+    let with = |stiffness| {
+        let piece = bounds.clone().with(Parameter::Stiffness, stiffness);
+        piece.with_costs(BITS)
+    };
+    let ends = [stiffness.lo(), stiffness.hi()].map(|end| with(Interval::point(end.clone())));
+    let ends = ends.into_iter().collect::<Option<Vec<_>>>()?;
+    let is_sum = bounds.delay == 0 || bounds.has_actuator() || !bounds.is_linear();
+    if is_sum {
+        return Some([ends.clone(), ends]);
+    }
     let width = stiffness.hi().clone() - stiffness.lo().clone();
     let at = |i| match i {
         PIECES => stiffness.hi().clone(),
         _ => stiffness.lo().clone() + (width.clone() * S::integer(i)).over(S::integer(PIECES)),
     };
-    let piece = |i| {
-        let softer = Interval::hull(at(i), at(i + 1));
-        let piece = bounds.clone().with(Parameter::Stiffness, softer);
-        piece.with_costs(BITS)
-    };
-    (0..PIECES).map(piece).collect()
+    let all = (0..PIECES).map(|i| with(Interval::hull(at(i), at(i + 1))));
+    Some([ends, all.collect::<Option<_>>()?])
+}
+
+/// A figure over all of some loops.
+fn over<S, F>(
+    loops: &[Loop<Interval<S>>],
+    figure: impl Fn(&Loop<Interval<S>>) -> F,
+    joined: impl Fn(F, F) -> F,
+) -> F {
+    let all = loops.iter().map(figure).reduce(joined);
+    all.unwrap_or_else(|| unreachable!("a box has a piece"))
 }
 
 impl<'a, S: Enclosed> Figures<'a, S> {
     pub(super) fn of(bounds: &'a Loop<Interval<S>>) -> Self {
+        let whole = || [(); 2].map(|()| vec![bounds.clone()]);
+        let [ends, pieces] = pieces(bounds).unwrap_or_else(whole);
         Self {
             bounds,
-            pieces: pieces(bounds).unwrap_or_else(|| vec![bounds.clone()]),
+            ends,
+            pieces,
         }
     }
 
-    /// A figure over all pieces.
-    fn over_pieces<F>(
+    /// The least and the largest value of a figure over the box, of which the worst is at an end of the stiffness.
+    fn range(
         &self,
-        figure: impl Fn(&Loop<Interval<S>>) -> F,
-        joined: impl Fn(F, F) -> F,
-    ) -> F {
-        let figures = self.pieces.iter().map(figure);
-        let all = figures.reduce(joined);
-        all.unwrap_or_else(|| unreachable!("a box has a piece"))
+        worst: Worst,
+        figure: impl Fn(&Loop<Interval<S>>) -> Interval<S>,
+    ) -> Interval<S> {
+        let [ends, all] =
+            [&self.ends, &self.pieces].map(|loops| over(loops, &figure, |a, b| a.joined(&b)));
+        match worst {
+            Worst::Least => Interval::hull(ends.lo().clone(), all.hi().clone()),
+            Worst::Most => Interval::hull(all.lo().clone(), ends.hi().clone()),
+        }
     }
 
     /// The region of every loop of the box; `None` where it depends.
     pub(super) fn region(&self) -> Option<Region> {
-        self.over_pieces(Loop::region, |a, b| if a == b { a } else { None })
+        over(
+            &self.pieces,
+            Loop::region,
+            |a, b| if a == b { a } else { None },
+        )
     }
 
     /// The fastest that all loops of the box may surely go, where speed has a bound in some.
@@ -73,7 +115,7 @@ impl<'a, S: Enclosed> Figures<'a, S> {
             (Some(a), Some(b)) => Some(Some(a.min(b))),
             (a, b) => Some(a.or(b)),
         };
-        self.over_pieces(of, slower)?
+        over(&self.ends, of, slower)?
     }
 
     /// A figure that the hardest and the easiest end of the tolerances bound.
@@ -104,33 +146,36 @@ impl<'a, S: Enclosed> Figures<'a, S> {
                 .dimensionless_criterion()
         };
         [
-            self.over_corners(|corner| -frictionless(corner).viscous),
-            self.over_corners(|corner| -frictionless(corner).coulomb),
+            self.over_corners(Worst::Most, |corner| -frictionless(corner).viscous),
+            self.over_corners(Worst::Most, |corner| -frictionless(corner).coulomb),
         ]
     }
 
     /// The coefficients of the dimensionless criterion: what β and σ have to spare at every speed.
     pub(super) fn spare(&self) -> [Interval<S>; 2] {
         [
-            self.over_corners(|corner| corner.dimensionless_criterion().viscous),
-            self.over_corners(|corner| corner.dimensionless_criterion().coulomb),
+            self.over_corners(Worst::Least, |corner| {
+                corner.dimensionless_criterion().viscous
+            }),
+            self.over_corners(Worst::Least, |corner| {
+                corner.dimensionless_criterion().coulomb
+            }),
         ]
     }
 
     /// The critical speed in the units of the loop, where the region has one.
     pub(super) fn critical_speed(&self, region: Option<Region>) -> Option<Interval<S>> {
-        match region? {
-            Region::LocallyStable | Region::LimitCycles => {
-                let of = |piece: &Loop<Interval<S>>| {
-                    let [a, b] = piece
-                        .criteria()
-                        .map(|c: Criterion<S>| region::critical_speed(&c));
-                    Interval::hull(a, b)
-                };
-                Some(self.over_pieces(of, |a, b| a.joined(&b)))
-            }
-            Region::GloballyStable | Region::Unstable => None,
-        }
+        let worst = match region? {
+            Region::LocallyStable => Worst::Least,
+            Region::LimitCycles => Worst::Most,
+            Region::GloballyStable | Region::Unstable => return None,
+        };
+        Some(self.range(worst, |piece| {
+            let [a, b] = piece
+                .criteria()
+                .map(|c: Criterion<S>| region::critical_speed(&c));
+            Interval::hull(a, b)
+        }))
     }
 
     /// A speed as ticks per sampling period (4).
@@ -165,14 +210,14 @@ impl<'a, S: Enclosed> Figures<'a, S> {
                 let inner = inner.with(Parameter::Period, Interval::point(period));
                 range.joined(&over_corners(&inner, margin))
             };
-            self.over_pieces(of, |a, b| a.joined(&b))
+            self.range(Worst::Least, of)
         });
         a.joined(&b)
     }
 
     /// The least and the largest value of a figure over the corners of all pieces.
-    fn over_corners(&self, figure: impl Fn(&Loop<S>) -> S) -> Interval<S> {
-        self.over_pieces(|piece| over_corners(piece, &figure), |a, b| a.joined(&b))
+    fn over_corners(&self, worst: Worst, figure: impl Fn(&Loop<S>) -> S) -> Interval<S> {
+        self.range(worst, |piece| over_corners(piece, &figure))
     }
 
     /// b ≥ KT/2 + B, for comparison; `None` where it does not apply: with a delay, a latency, a filter
