@@ -334,7 +334,11 @@ pub(crate) fn with_unit(
             ..found.clone()
         };
     }
-    let unit = heading.map(|heading| unit_said(kind, heading, found.column, preview, scene));
+    // A name with a unit of something else is given none.
+    let is_open =
+        |it: &&Heading| kind == Kind::Time || units::said(kind, &it.name, scene.motion).is_ok();
+    let unit = heading.filter(is_open);
+    let unit = unit.map(|heading| unit_said(kind, heading, found.column, preview, scene));
     Found {
         unit,
         ..found.clone()

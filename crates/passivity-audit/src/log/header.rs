@@ -200,7 +200,27 @@ pub(crate) fn is_unit_of_force(text: &str) -> bool {
 }
 
 /// Units in words and in Cyrillic letters, and their symbols. `Grad` is none of them.
-const SPELT: [(&str, &str); 52] = [
+const SPELT: [(&str, &str); 72] = [
+    ("inche", "in"),
+    ("meter", "m"),
+    ("metre", "m"),
+    ("centimeter", "cm"),
+    ("centimetre", "cm"),
+    ("micrometer", "um"),
+    ("micrometre", "um"),
+    ("micron", "um"),
+    ("radian", "rad"),
+    ("milliradian", "mrad"),
+    ("degree", "deg"),
+    ("revolution", "rev"),
+    ("millinewton", "mN"),
+    ("kilonewton", "kN"),
+    ("newtonmeter", "Nm"),
+    ("newtonmetre", "Nm"),
+    ("gram", "g"),
+    ("kilogram", "kg"),
+    ("ounce", "oz"),
+    ("pound", "lb"),
     ("microsecond", "us"),
     ("micros", "us"),
     ("millisecond", "ms"),

@@ -24,30 +24,6 @@ const WORDS: [&str; 12] = [
 /// Those that only the end of a name gives: within it they are other words or letters.
 const LAST: [&str; 7] = ["s", "m", "in", "rev", "turn", "N", "g"];
 
-/// Units in words, as [`words`] has them.
-const SPELT: [(&str, &str); 20] = [
-    ("inche", "in"),
-    ("meter", "m"),
-    ("metre", "m"),
-    ("centimeter", "cm"),
-    ("centimetre", "cm"),
-    ("micrometer", "um"),
-    ("micrometre", "um"),
-    ("micron", "um"),
-    ("radian", "rad"),
-    ("milliradian", "mrad"),
-    ("degree", "deg"),
-    ("revolution", "rev"),
-    ("millinewton", "mN"),
-    ("kilonewton", "kN"),
-    ("newtonmeter", "Nm"),
-    ("newtonmetre", "Nm"),
-    ("gram", "g"),
-    ("kilogram", "kg"),
-    ("ounce", "oz"),
-    ("pound", "lb"),
-];
-
 /// Words for units that are not read, and for degrees or gradians.
 const UNKNOWN: [&str; 3] = ["mil", "thou", "grad"];
 
@@ -80,9 +56,7 @@ pub(super) fn respelt(kind: Kind, unit: &str, motion: Motion) -> Option<&'static
 }
 
 fn spelt(kind: Kind, text: &str, motion: Motion) -> Option<&'static str> {
-    let in_words = SPELT.iter().find(|(words, _)| *words == text);
-    let in_words = in_words.map(|(_, unit)| *unit);
-    let text = in_words.or_else(|| header::spelt(text)).unwrap_or(text);
+    let text = header::spelt(text).unwrap_or(text);
     let is_it = |unit: &&&str| same_letters(unit, text) && fits(kind, unit, motion);
     UNITS.iter().find(is_it).copied()
 }
@@ -151,14 +125,14 @@ const OF_OTHERS: [&str; 23] = [
 /// Those that may be a label too, of an axis or a channel, or of signals in which something may be given that is called so.
 const LABELS: [&str; 8] = ["C", "K", "bar", "V", "mV", "A", "mA", "%"];
 
-/// Those of both that stand after an underscore, where they can hardly be anything else.
+/// Those of both that stand after an underscore or a space, where they can hardly be anything else.
 const BEHIND: [&str; 5] = ["V", "mV", "Hz", "kHz", "degC"];
 
 /// Whether the unit of a name says that it is of another kind, whatever the name.
 pub(crate) fn is_of_another(kind: Kind, name: &str) -> bool {
     let name = name.trim();
     let behind = name
-        .rsplit_once('_')
+        .rsplit_once(['_', ' '])
         .filter(|(_, unit)| BEHIND.contains(unit));
     let Some((stem, unit)) = groups(name).pop().or(behind) else {
         return false;
@@ -170,6 +144,14 @@ pub(crate) fn is_of_another(kind: Kind, name: &str) -> bool {
         true => true,
         false => LABELS.contains(&unit) && !has_other() && !is_named(),
     }
+}
+
+/// What stands at the end of a name that is called a force, behind an underscore or a space, and may be the unit of what the
+/// force was made of: a voltage, a current or a share.
+fn behind_force(name: &str) -> Option<&str> {
+    let (_, last) = name.trim().rsplit_once(['_', ' '])?;
+    let is_it = ["V", "mV", "A", "mA", "%", "pct", "percent"].contains(&last);
+    (is_it || OF_OTHERS.contains(&last)).then_some(last)
 }
 
 /// Whether a number stands right before a word, as in `pos_100um`.
@@ -192,6 +174,9 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
             true => Ok(Some(unit.to_owned())),
             false => Err(no_unit(unit, kind, motion)),
         };
+    }
+    if let Some(unit) = behind_force(name).filter(|_| kind == Kind::Force) {
+        return Err(no_unit(unit, kind, motion));
     }
     let words = words(name);
     if let Some(unknown) = words.iter().find(|word| UNKNOWN.contains(&word.as_str())) {

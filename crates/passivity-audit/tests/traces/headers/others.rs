@@ -89,8 +89,22 @@ fn columns_of_something_else_are_neither_proposed_nor_refused() {
     // Nor are they clocks, and what is called a force is not passed over for the unit of its signal.
     let rows: String = (0..20).map(|i| format!("{i}.5,{}\n", i % 5)).collect();
     audited(&format!("temperature (C),count\n{rows}"), None).unwrap();
-    for name in ["force (V)", "torque [A]", "Kraft (%)", "Tmotor (C)"] {
-        let error = refused(&format!("t [s],x [mm],{name}\n{ROWS}"), None);
+    for name in [
+        "force (V)",
+        "torque [A]",
+        "Kraft (%)",
+        "Tmotor (C)",
+        "force_V",
+        "motor_force_mA",
+        "force A",
+        "force %",
+        "force_pct",
+    ] {
+        let log = format!("t [s],x [mm],{name}\n{ROWS}");
+        let error = refused(&log, None);
+        assert_eq!(error.proposal, None, "{error}");
+        // Nor where it is named without a unit.
+        let error = refused(&log, Some(&format!("t=t [s], x=x [mm], f=\"{name}\"")));
         assert_eq!(error.proposal, None, "{error}");
     }
 }

@@ -69,12 +69,29 @@ fn units_anywhere_in_a_name_are_proposed() {
         ("x (mm) joint 1", "mm"),
         ("pos_mm_raw", "mm"),
         ("pos_mm_filt", "mm"),
-        ("x_inches", "in"),
         ("position in world", "m"),
         ("pos millimeters", "mm"),
+        ("pos inches", "in"),
     ] {
         let found = proposed(&format!("t [s],{name},f [N]\n{ROWS}"), None);
         assert_eq!(found, format!("t=t [s], x={name} [{unit}], f=f [N]"));
+    }
+    // In brackets and behind an underscore they are read.
+    for unit in [
+        "microns",
+        "inches",
+        "millimeters",
+        "millimetres",
+        "centimetres",
+    ] {
+        for name in [
+            format!("pos_{unit}"),
+            format!("pos [{unit}]"),
+            format!("pos ({unit})"),
+        ] {
+            let found = proposed(&format!("t [s],{name},f [N]\n{ROWS}"), None);
+            assert_eq!(found, format!("t=t [s], x={name}, f=f [N]"));
+        }
     }
     for (name, unit) in [
         ("f [mN] (cmd)", "mN"),
