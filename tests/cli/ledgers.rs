@@ -133,6 +133,13 @@ fn a_scene_without_an_encoder_has_no_ticks() {
         assert!(run.code < 2, "{}", run.stderr);
         assert!(!run.stdout.contains("tick"), "{}", run.stdout);
         assert!(!run.stdout.contains("KΔ²"), "{}", run.stdout);
+        let log = dir.write("slide.csv", "x [m]\n0\n0.001\n0.003\n");
+        let audit = dir.run(&["audit", &log, "--scene", &scene]).stdout;
+        assert!(
+            audit.contains("dissipated at least") && audit.contains(" K·(1 m)²"),
+            "{audit}"
+        );
+        assert!(!audit.contains("KΔ²"), "{audit}");
         run.stdout
     };
     let damped = run("1", "1/100");

@@ -11,13 +11,13 @@ use crate::svg::{Anchor, COLOURS, LIGHT, Stroke, Svg};
 pub struct Point {
     /// When, in sampling periods from the start.
     pub time: f64,
-    /// E_d − E_gᴸ so far, at the least, in KΔ².
+    /// E_d − E_gᴸ so far, at the least.
     pub net: f64,
-    /// Σ f·Δξ so far, in KΔ².
+    /// Σ f·Δξ so far.
     pub observer: f64,
 }
 
-/// Draws a course as SVG text.
+/// Draws a course as SVG text, with energies in a unit.
 ///
 /// # Errors
 ///
@@ -32,10 +32,10 @@ pub struct Point {
 ///     Point { time: 1.0, net: 0.5, observer: -0.1 },
 ///     Point { time: 2.0, net: 0.9, observer: -0.2 },
 /// ];
-/// assert!(draw("a trace", &course).unwrap().starts_with("<svg"));
-/// assert!(draw("nothing", &[]).is_err());
+/// assert!(draw("a trace", "KΔ²", &course).unwrap().starts_with("<svg"));
+/// assert!(draw("nothing", "J", &[]).is_err());
 /// ```
-pub fn draw(title: &str, course: &[Point]) -> Result<String, PlotError> {
+pub fn draw(title: &str, unit: &str, course: &[Point]) -> Result<String, PlotError> {
     let finite = |p: &Point| p.time.is_finite() && p.net.is_finite() && p.observer.is_finite();
     let Some(last) = course.last().filter(|_| course.iter().all(finite)) else {
         return Err(PlotError::new("a trace of at least one interval is needed"));
@@ -84,7 +84,7 @@ pub fn draw(title: &str, course: &[Point]) -> Result<String, PlotError> {
         &mut svg,
         [
             "time from the start (sampling periods)",
-            "energy from the start (KΔ²)",
+            &format!("energy from the start ({unit})"),
         ],
     );
     Ok(svg.finish())

@@ -133,6 +133,7 @@ impl Audit {
         }
         let report = Report {
             scene: scene.name.clone(),
+            motion: scene.motion,
             positions: task.layout.form,
             verdict: opened(verdict, task.applied),
             judged,

@@ -1,7 +1,7 @@
 //! The report of an audit, for programs and people.
 
 use passivity_core::BigRational;
-use passivity_scene::Effect;
+use passivity_scene::{Effect, Motion};
 use serde::{Serialize, Serializer};
 
 use crate::json::{NumberedRow, rational};
@@ -54,6 +54,9 @@ pub enum Judged {
 pub struct Report {
     /// The scene's name.
     pub scene: String,
+    /// How the device moves: it fixes the units of people's text.
+    #[serde(skip)]
+    pub motion: Motion,
     /// In what form the trace gives positions.
     #[serde(serialize_with = "form")]
     pub positions: Form,

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use passivity_core::{BigRational, Effect};
+use passivity_scene::Motion;
 use passivity_scene::display::{Rounding, approx, rounded};
 
 use crate::figure::Figure;
@@ -70,6 +71,17 @@ impl Report {
         out.0
     }
 
+    /// The unit of energies in text: without an encoder the Δ of KΔ² is one unit of length.
+    #[must_use]
+    pub fn energy_unit(&self) -> &'static str {
+        match self.motion {
+            Motion::Dimensionless => "KΔ²",
+            _ if self.effects.contains(&Effect::Encoder) => "KΔ²",
+            Motion::Linear => "K·(1 m)²",
+            Motion::Rotary => "K·(1 rad)²",
+        }
+    }
+
     /// What the audit says, in a line.
     #[must_use]
     pub fn headline(&self) -> String {
@@ -100,7 +112,8 @@ impl Report {
             let lowest = drawn.and_then(|d| d.surely_drawn.as_ref().zip(d.surely_drawn_after));
             lowest.map_or_else(String::new, |(drawn, after)| {
                 let drawn = least(drawn);
-                format!(", by {drawn} KΔ² after row {}", after + 1)
+                let unit = self.energy_unit();
+                format!(", by {drawn} {unit} after row {}", after + 1)
             })
         };
         // What such a controller remembered when the log began is not in the log.
@@ -177,7 +190,7 @@ impl Report {
             ("dissipated at least", &totals.dissipated_lower),
             ("dissipated less generated", &totals.net_linear),
         ] {
-            out.put(label, &format!("{} KΔ²", shown(figure)));
+            out.put(label, &format!("{} {}", shown(figure), self.energy_unit()));
         }
     }
 
@@ -198,25 +211,26 @@ impl Report {
         if let Some(worst) = &self.worst
             && let Some(net) = worst.ledger.row.net_linear()
         {
-            let net = least(net.lo());
+            let (net, unit) = (least(net.lo()), self.energy_unit());
             out.put(
                 "worst interval",
-                &format!("row {}, where {net} KΔ² was left", worst.row),
+                &format!("row {}, where {net} {unit} was left", worst.row),
             );
         }
     }
 
     fn running(&self, out: &mut Lines) {
+        let unit = self.energy_unit();
         if let Some(supply) = &self.running.supply {
             let text = format!(
-                "{} KΔ² after row {}",
+                "{} {unit} after row {}",
                 least(&supply.least),
                 supply.after + 1
             );
             out.put("least energy balance", &text);
         }
         let (energy, least) = (approx(&self.observer.energy), approx(&self.observer.least));
-        let text = format!("{energy} KΔ², lowest {least}");
+        let text = format!("{energy} {unit}, lowest {least}");
         out.put("passivity observer −Σ f·Δx", &text);
     }
 

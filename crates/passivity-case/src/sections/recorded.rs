@@ -79,13 +79,13 @@ fn audited(document: &mut Document, study: &Study, log: &Log) {
         row("Columns, as given", columns.clone());
     }
     row("Force", log.force_text());
-    let totals = &report.totals;
+    let (totals, unit) = (&report.totals, report.energy_unit());
     for (name, figure) in [
         ("Generated, linear spring", &totals.generated_linear),
         ("Dissipated at least", &totals.dissipated_lower),
         ("Dissipated less generated", &totals.net_linear),
     ] {
-        row(name, format!("{} KΔ²", outward(figure)));
+        row(name, format!("{} {unit}", outward(figure)));
     }
     row(
         "Deficit in",
@@ -97,7 +97,7 @@ fn audited(document: &mut Document, study: &Study, log: &Log) {
     );
     if let Some(supply) = &report.running.supply {
         let least = rounded(&supply.least, 5, Rounding::Down);
-        let text = format!("{least} KΔ² after row {}", supply.after + 1);
+        let text = format!("{least} {unit} after row {}", supply.after + 1);
         row("Least energy balance", text);
     }
     if let Some(timing) = &report.timing {

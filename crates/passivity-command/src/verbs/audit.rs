@@ -206,7 +206,7 @@ fn drawn(args: &Args, scene: &Scene, report: &Audit) -> Result<(), Failure> {
         let place: String = row.chain(file).collect();
         title.push_str(&format!(", up to the error{place}"));
     }
-    let picture = draw(&title, &course).map_err(Failure::input)?;
+    let picture = draw(&title, report.report().energy_unit(), &course).map_err(Failure::input)?;
     save(&picture, path).map_err(Failure::input)
 }
 
