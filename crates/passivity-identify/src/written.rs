@@ -2,7 +2,7 @@
 
 use passivity_core::{BigRational, Parameter};
 use passivity_scene::{Motion, Scene, SceneError};
-use toml_edit::{DocumentMut, Item, Table, value};
+use toml_edit::{Decor, DocumentMut, Item, Table, Value, value};
 
 use crate::identified::{Bounds, Identified, IdentifyError};
 use crate::report::{LogReport, nearest, range, unit};
@@ -98,7 +98,12 @@ impl Identified {
             self.put(&mut document, *parameter, &text)?;
         }
         self.note(&mut document, said);
-        let text = document.to_string();
+        let mut text = document.to_string();
+        // With the line breaks of the sketch.
+        let first = sketch.split_once('\n');
+        if first.is_some_and(|(line, _)| line.ends_with('\r')) {
+            text = text.replace("\r\n", "\n").replace('\n', "\r\n");
+        }
         self.holds(&text)?;
         Ok(text)
     }
@@ -114,6 +119,8 @@ impl Identified {
         let keys = [row.key].into_iter().chain(row.other_keys.iter().copied());
         let key = self.key(parameter);
         let (section, name) = place(key);
+        // Comments that stand with another key of it stay, above and behind.
+        let mut comments = None;
         for other in keys
             .chain(row.dimensionless_key)
             .filter(|other| *other != key)
@@ -121,7 +128,11 @@ impl Identified {
             let (section, name) = place(other);
             let table = document.get_mut(section).and_then(Item::as_table_like_mut);
             if let Some(table) = table {
-                table.remove(name);
+                let above = table.key(name).map(|key| key.leaf_decor().clone());
+                let removed = table.remove(name).and_then(|item| item.into_value().ok());
+                comments = above
+                    .zip(removed.map(|value| value.decor().clone()))
+                    .or(comments);
             }
         }
         in_lines(document, section);
@@ -131,11 +142,21 @@ impl Identified {
                 "`{section}` is not a section of the sketch"
             )));
         };
+        let mut new = Value::from(text);
+        if let Some(old) = table.get(name).and_then(Item::as_value) {
+            comments = Some((Decor::default(), old.decor().clone()));
+        }
+        if let Some((_, behind)) = &comments {
+            *new.decor_mut() = behind.clone();
+        }
         match table.get_mut(name) {
             // What stands above it stays.
-            Some(item) => *item = value(text),
+            Some(item) => *item = Item::Value(new),
             None => {
-                table.insert(name, value(text));
+                table.insert(name, Item::Value(new));
+                if let (Some((above, _)), Some(mut key)) = (comments, table.key_mut(name)) {
+                    *key.leaf_decor_mut() = above;
+                }
             }
         }
         Ok(())

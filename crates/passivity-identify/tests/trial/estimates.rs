@@ -88,3 +88,31 @@ fn an_estimate_that_is_refuted_is_said_to_be() {
     );
     assert!(written.unwrap().contains(" N m, refuted by the logs\n"));
 }
+
+/// What a sketch says beside the numbers that are replaced stays, and how its lines end.
+#[test]
+fn comments_and_line_breaks_of_the_sketch_stay() {
+    let (sketch, log) = shipped("push.csv");
+    let found = identify(&[log], &sketch, &quick(), |_| true).unwrap();
+    let text = "# A knob.\r\n[device]\r\ninertia = \"2e-5 kg m^2\" # drawing 7\r\n\
+                viscous = \"1e-3 N m s/rad\" # data sheet\r\n\
+                [motor]\r\n# Of the motor.\r\ncoulomb = \"1 mN m\" # measured\r\n\
+                [sampling]\r\nrate = \"1 kHz\"\r\n[encoder]\r\ncounts_per_revolution = 8192\r\n\
+                [transmission]\r\nratio = 1\r\n";
+    for text in [text.to_owned(), text.replace('\r', "")] {
+        let written = found.scene(&text, &Provenance::default()).unwrap();
+        let breaks = |text: &str| (text.matches("\r\n").count(), text.matches('\n').count());
+        let (crlf, all) = breaks(&written);
+        assert_eq!(crlf, if text.contains('\r') { all } else { 0 }, "{written}");
+        let line = |key: &str| written.lines().find(|line| line.starts_with(key));
+        for (key, comment) in [("viscous = ", "# data sheet"), ("coulomb = ", "# measured")] {
+            assert!(
+                line(key).is_some_and(|line| line.ends_with(comment)),
+                "{written}"
+            );
+        }
+        for kept in ["# A knob.", "# drawing 7", "# Of the motor."] {
+            assert!(written.contains(kept), "{written}");
+        }
+    }
+}
