@@ -316,7 +316,14 @@ fn bad_input_is_refused_with_its_place() {
         "a.csv",
         "count\n0\n1\n",
         &sketch,
-        "force that was commanded",
+        "the force that was commanded is needed, and no column looks like one: name its column, as in `--columns \
+         'count=count, f=NAME [N m]'`",
+    );
+    refused(
+        "h.csv",
+        "Zeit,Winkel\n0,0.1\n0.001,0.2\n0.002,0.4\n",
+        &sketch,
+        "`--columns 't=Zeit [s], x=Winkel [rad], f=NAME [N m]'`\n",
     );
     refused(
         "b.csv",

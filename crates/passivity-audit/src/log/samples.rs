@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_scene::Scene;
+use passivity_scene::{Motion, Scene};
 
 use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
@@ -37,7 +37,8 @@ pub struct Sampled {
 /// [`MAX_SAMPLES`] samples.
 pub fn samples(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled, TraceError> {
     let paths: [PathBuf; 1] = [path.to_owned()];
-    let (mut source, layout) = Source::open(&paths, scene, dialect, BLOCK)?;
+    let opened = Source::open(&paths, scene, dialect, BLOCK);
+    let (mut source, layout) = opened.map_err(|error| with_force(error, scene))?;
     if let Some(finding) = &layout.beside.finding {
         let message = format!(
             "{}: what held the device until then is not known; cut the file so that it starts there (`mcap filter`)",
@@ -46,9 +47,14 @@ pub fn samples(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled,
         return Err(TraceError::new("not_yet", message));
     }
     if layout.force.is_none() {
-        let message =
-            "the force that was commanded is needed: a column such as `f [N]` or `f [N m]`";
-        return Err(TraceError::new("header", message));
+        let found = match dialect.columns {
+            Some(_) => "and `--columns` names none",
+            None => "and no column looks like one",
+        };
+        return Err(TraceError::new(
+            "header",
+            wanted(found, layout.typed(false), scene),
+        ));
     }
     if layout.form == crate::Form::Ledger {
         let message = "expected samples, found the rows of a ledger";
@@ -78,6 +84,29 @@ pub fn samples(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled,
         )),
         _ => Ok(all),
     }
+}
+
+/// That a force is needed, with the columns to which it is to be added.
+fn wanted(found: &str, columns: Option<String>, scene: &Scene) -> String {
+    let force = match scene.motion {
+        Motion::Dimensionless => "f=NAME",
+        Motion::Linear => "f=NAME [N]",
+        Motion::Rotary => "f=NAME [N m]",
+    };
+    let all = columns.map_or_else(|| force.to_owned(), |columns| format!("{columns}, {force}"));
+    format!(
+        "the force that was commanded is needed, {found}: name its column, as in `--columns '{all}'`"
+    )
+}
+
+/// The error of a header; what it may mean is no proposal where that leaves out the force.
+fn with_force(mut error: TraceError, scene: &Scene) -> TraceError {
+    if let Some(proposal) = error.proposal.take_if(|proposal| !proposal.has_force) {
+        let columns = Some(proposal.columns);
+        let wanted = wanted("and no column looks like one", columns, scene);
+        error.message = format!("{}; {wanted}", error.message);
+    }
+    error
 }
 
 /// Adds the samples of a chunk; `time` is that of the last sample before it.

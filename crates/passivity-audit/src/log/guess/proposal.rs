@@ -23,6 +23,9 @@ pub struct Proposal {
     /// For `--columns`, where the clock among them is none: it is one only by its rise from row to row.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub without_clock: Option<String>,
+    /// Whether one of them is the force.
+    #[serde(skip)]
+    pub(crate) has_force: bool,
     /// How many columns are read.
     #[serde(skip)]
     pub(crate) said: usize,
@@ -75,6 +78,7 @@ pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal>
     let mut columns = String::new();
     let mut assumed = Vec::new();
     let said = sorted.len();
+    let has_force = sorted.iter().any(|found| found.role == Role::F);
     for found in sorted {
         let heading = headings.get(found.column)?;
         let own = split(&heading.name).ok().and_then(|split| split.unit);
@@ -93,6 +97,7 @@ pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal>
     }
     Some(Proposal {
         said,
+        has_force,
         columns,
         delimiter: None,
         decimal_comma: false,
