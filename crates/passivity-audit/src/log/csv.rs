@@ -14,6 +14,7 @@ use crate::log::layout::{Form, Layout};
 use crate::log::lines::Block;
 use crate::log::running::near_number;
 use crate::log::slots::Slots;
+use crate::log::step::{above_zero, gap};
 use crate::number::{Number, decimal, short};
 use crate::reading::Reading;
 pub(crate) use first::{
@@ -251,7 +252,10 @@ fn push(
         None => None,
     };
     let dtau = match layout.dtau {
-        Some(column) => Some(number_in(dtau, column)?),
+        Some(column) => {
+            let lasts = above_zero(number_in(dtau, column)?);
+            Some(lasts.map_err(|error| error.column(layout.name(column)))?)
+        }
         None => None,
     };
     let time = match layout.time {
@@ -287,8 +291,7 @@ fn push(
         (&chunk.closing, closing.is_some(), &sample)
         && before != x
     {
-        let message = "a row of a ledger starts where the row before it ends";
-        return Err(named(TraceError::new("gap", message)));
+        return Err(gap(layout));
     }
     match (&mut chunk.samples, sample) {
         (Samples::Counts(counts), Sample::Count(n)) => counts.push(n),

@@ -12,7 +12,7 @@ use crate::log::found::{Findings, ROWS_IN_REPORT};
 use crate::log::held::Held;
 use crate::log::report::UnendedRow;
 use crate::log::running::near_number;
-use crate::log::step::{between, check_jump, duration, undefined};
+use crate::log::step::{between, check_jump, duration, gap, undefined};
 use crate::log::task::Task;
 use crate::log::velocity::Velocities;
 use crate::log::wraps::Wraps;
@@ -175,7 +175,6 @@ impl<'a, 'w> Merge<'a, 'w> {
                 self.time_points(plotted, chunk);
                 self.samples += i as u64;
                 self.error = Some(self.placed(error, self.samples + 1));
-                self.closing = None;
                 self.unended = false;
                 self.compare(chunk, i, None)?;
                 return self.flush().map(|()| false);
@@ -231,13 +230,13 @@ impl<'a, 'w> Merge<'a, 'w> {
             (None, Some(from), Some(to)) => Some(between(self.task.layout, from, &to)?),
             (None, _, _) => self.onward.dtau.clone(),
         };
-        if let (0, Some(closing)) = (i, &self.closing)
-            && *closing != sample
-        {
-            let message = "a row of a ledger starts where the row before it ends";
-            return Err(TraceError::new("gap", message));
+        // In a ledger the last row before the chunk says itself where it ends.
+        let end = self.closing.take().filter(|_| i == 0);
+        let is_gap = end.as_ref().is_some_and(|end| *end != sample);
+        self.interval(end.unwrap_or(sample), dtau)?;
+        if is_gap {
+            return Err(gap(self.task.layout));
         }
-        self.interval(sample, dtau)?;
         self.onward = onward(chunk, i);
         Ok(())
     }
@@ -248,14 +247,8 @@ impl<'a, 'w> Merge<'a, 'w> {
             if let (Reading::Count(from), Reading::Count(to)) = (latest, &sample) {
                 check_jump(*from, *to)?;
             }
-            if let Some(dtau) = &dtau {
-                if !crate::number::is_positive(dtau) {
-                    let message = "expected a duration above zero";
-                    return Err(TraceError::new("time", message).column("dtau"));
-                }
-                if self.task.compares {
-                    self.account.timing.add(dtau, self.account.intervals);
-                }
+            if let (true, Some(dtau)) = (self.task.compares, &dtau) {
+                self.account.timing.add(dtau, self.account.intervals);
             }
             let force = self.onward.force.take().filter(|_| self.task.applied);
             let interval = Logged {

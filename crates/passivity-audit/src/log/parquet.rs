@@ -19,6 +19,7 @@ use crate::log::layout::{Form, Layout, MAX_COLUMNS};
 use crate::log::numbers::Numbers;
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
+use crate::log::step::{above_zero, gap};
 use crate::log::typed::{self, Meaning, broken, counts};
 use crate::reading::Reading;
 
@@ -212,7 +213,7 @@ impl Table {
         };
         let rows = most.min(usize::try_from(left).unwrap_or(usize::MAX));
         let mut chunk = Chunk::new(layout);
-        let (mut starts, mut fine) = (Numbers::default(), Numbers::default());
+        let [mut starts, mut ends, mut fine] = std::array::from_fn(|_| Numbers::default());
         // How many rows are whole, and what is wrong with the next.
         let (mut whole, mut error) = (rows, None);
         for Wanted {
@@ -238,19 +239,17 @@ impl Table {
             keep(read.len(), found);
             match *column {
                 i if i == layout.position => starts = read,
-                i if Some(i) == layout.end => {
-                    let mut pairs = (0..read.len()).zip(1..starts.len());
-                    if let Some((row, _)) =
-                        pairs.find(|(row, next)| read.get(*row) != starts.get(*next))
-                    {
-                        let message = "a row of a ledger starts where the row before it ends";
-                        keep(row + 1, Some(TraceError::new("gap", message)));
-                    }
-                    let last = whole.min(read.len()).checked_sub(1);
-                    chunk.closing = last.and_then(|last| read.get(last)).map(Reading::Exact);
-                }
+                i if Some(i) == layout.end => ends = read,
                 i if Some(i) == layout.dtau => {
-                    chunk.dtaus = (0..read.len()).filter_map(|i| read.get(i)).collect();
+                    for dtau in (0..read.len()).filter_map(|i| read.get(i)) {
+                        match above_zero(dtau) {
+                            Ok(dtau) => chunk.dtaus.push(dtau),
+                            Err(found) => {
+                                keep(chunk.dtaus.len(), Some(found));
+                                break;
+                            }
+                        }
+                    }
                 }
                 i if Some(i) == layout.time => chunk.times = read,
                 i if Some(i) == layout.fine_column() => fine = read,
@@ -274,6 +273,12 @@ impl Table {
             whole = chunk.times.len();
             error = Some(found.row(u64::try_from(whole).unwrap_or(u64::MAX)));
         }
+        if layout.end.is_some()
+            && let Some(row) = (1..whole).find(|row| ends.get(row - 1) != starts.get(*row))
+        {
+            whole = row;
+            error = Some(gap(layout).row(u64::try_from(row).unwrap_or(u64::MAX)));
+        }
         if let Samples::Any(samples) = &mut chunk.samples {
             starts.truncate(whole);
             if let Err(found) = samples.push_all(starts) {
@@ -283,6 +288,8 @@ impl Table {
             }
         }
         chunk.truncate(whole);
+        let last = whole.checked_sub(1).and_then(|last| ends.get(last));
+        chunk.closing = last.map(Reading::Exact);
         self.left -= u64::try_from(rows).unwrap_or(0);
         self.most -= u64::try_from(rows).unwrap_or(0);
         if error.is_some() {

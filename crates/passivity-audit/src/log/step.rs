@@ -25,13 +25,24 @@ pub(crate) fn duration(
     {
         return between(layout, &from, &to).map(Some);
     }
-    match chunk.dtaus.get(i) {
-        Some(dtau) if !crate::number::is_positive(dtau) => {
-            let message = "expected a duration above zero";
-            Err(TraceError::new("time", message).column("dtau"))
+    Ok(chunk.dtaus.get(i).cloned())
+}
+
+/// Δτ as a row of a ledger gives it.
+pub(crate) fn above_zero(dtau: Number) -> Result<Number, TraceError> {
+    match crate::number::is_positive(&dtau) {
+        true => Ok(dtau),
+        false => {
+            let message = format!("expected a duration above zero, found {dtau}");
+            Err(TraceError::new("time", message))
         }
-        dtau => Ok(dtau.cloned()),
     }
+}
+
+/// The error of a row of a ledger that does not go on from the row before it.
+pub(crate) fn gap(layout: &Layout) -> TraceError {
+    let message = "a row of a ledger starts where the row before it ends";
+    TraceError::new("gap", message).column(layout.name(layout.position))
 }
 
 /// As [`duration`], as a fraction; `None` where that is too long, or for [`duration`] to refuse.

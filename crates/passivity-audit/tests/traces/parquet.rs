@@ -195,6 +195,40 @@ fn a_wrong_value_has_its_row() {
 }
 
 #[test]
+fn a_ledger_breaks_as_in_csv_wherever_a_group_of_rows_ends() {
+    // The row from which on the start is another, and the one that lasts no time.
+    for (gap, still, kind, row) in [
+        (3, 9, "gap", 3),
+        (4, 9, "gap", 4),
+        (9, 3, "time", 3),
+        (9, 4, "time", 4),
+        (9, 5, "time", 5),
+        (3, 3, "time", 3),
+        (4, 2, "time", 2),
+    ] {
+        let start = |h: i64| if h < gap { h } else { h + 5 };
+        let lasts = |h: i64| i64::from(h != still);
+        let column = |of: &dyn Fn(i64) -> i64| Column::Whole((1..6).map(of).collect());
+        let path = write(
+            &[
+                ("xi0", column(&start)),
+                ("xi1", column(&|h| start(h) + 1)),
+                ("dtau", column(&lasts)),
+            ],
+            Compression::SNAPPY,
+        );
+        let line = |h| format!("{},{},{}\n", start(h), start(h) + 1, lasts(h));
+        let lines: String = (1..6).map(line).collect();
+        let text = csv(&format!("xi0,xi1,dtau\n{lines}"));
+        let table = read(&path).unwrap();
+        assert_eq!(table.to_json(), text.to_json());
+        let error = table.error().unwrap();
+        assert_eq!((error.kind, error.row), (kind, Some(row)), "{error}");
+        assert_eq!(table.totals().intervals, row - 1, "{error}");
+    }
+}
+
+#[test]
 fn every_prefix_and_every_flipped_byte_ends_in_a_report_or_an_error() {
     // Six groups of rows: every byte of the file is tried, so it is kept short.
     let counts: Vec<i64> = (0..12).map(|i| i * i % 17).collect();

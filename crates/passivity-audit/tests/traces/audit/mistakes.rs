@@ -64,6 +64,8 @@ fn mistakes_have_a_row_and_what_came_before_is_kept() {
         ("count,tau\n1,1\n2,2\n3,1\n", "time", 3, 1),
         ("count,tau\n1,1\n2,2\n3", "fields", 3, 1), // torn
         ("xi0,xi1\n0,1\n2,3\n", "gap", 2, 1),
+        ("xi0,xi1,dtau\n0,1,1\n1,2,1\n2,3,-1\n3,4,1\n", "time", 3, 2),
+        ("xi0,xi1,dtau\n0,1,1\n1,2,1\n2,3,0\n", "time", 3, 2),
         ("\u{feff}count\r\n1\r\n2\r\n-\r\n", "malformed_number", 3, 1),
         (&wide, "line_too_long", 3, 1),
         (&endless, "line_too_long", 3, 1),
@@ -124,15 +126,37 @@ fn blank_lines_may_end_a_log_wherever_a_block_ends() {
 fn what_a_broken_ledger_accounts_for_does_not_depend_on_where_a_block_ends() {
     let scene = Scene::from_toml("s", "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"").unwrap();
     for block in 1..40 {
-        let options = Options {
-            block,
-            ..Options::default()
-        };
-        let text = Box::new(&b"xi0,xi1\n0,1\n1,2\n2,4\nx"[..]);
-        let audit = audit_csv(text, &scene, options).unwrap();
-        assert_eq!(audit.totals().intervals, 3, "{block}");
-        assert_eq!(audit.error().and_then(|error| error.row), Some(4));
+        for (last, column) in [("x", None), ("5,6\n6,7\n", Some("xi0"))] {
+            let text = format!("xi0,xi1\n0,1\n1,2\n2,4\n{last}");
+            let text = Box::new(std::io::Cursor::new(text));
+            let options = Options {
+                block,
+                ..Options::default()
+            };
+            let audit = audit_csv(text, &scene, options).unwrap();
+            assert_eq!(audit.totals().intervals, 3, "{block}");
+            let error = audit.error().unwrap();
+            assert_eq!(error.row, Some(4), "{block}");
+            assert_eq!(error.column.as_deref(), column, "{block}");
+        }
     }
+}
+
+#[test]
+fn a_gap_between_two_files_leaves_the_interval_before_it() {
+    let files = ["xi0,xi1\n0,0\n0,1\n1,1/2\n", "xi0,xi1\n2,3\n3,4\n"];
+    let files = files.map(|text| Scratch::new("csv", text.as_bytes()));
+    let paths = files.each_ref().map(|file| file.to_path_buf());
+    let scene = scene("[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"2/5\"");
+    let audit = audit_files(&paths, &scene, Options::default()).unwrap();
+    assert_eq!(audit.totals().intervals, 3);
+    let error = audit.error().unwrap();
+    assert_eq!((error.kind, error.row), ("gap", Some(1)));
+    assert_eq!(error.column.as_deref(), Some("xi0"));
+    assert_eq!(error.file.as_deref(), paths[1].to_str());
+    let alone = audit_files(&paths[..1], &scene, Options::default()).unwrap();
+    assert_eq!(alone.verdict(), Verdict::Fails);
+    assert_eq!(audit.to_json()["totals"], alone.to_json()["totals"]);
 }
 
 #[test]
