@@ -28,7 +28,11 @@ pub(crate) fn may_be_written(
         let Some(output) = output else { continue };
         let refuse = |why: String| Err(Failure::input(format!("{}: {why}", output.display())));
         // What does not exist yet is no input.
-        if output.exists() && inputs.iter().any(|input| are_same(output, input)) {
+        let is_read = |input: &PathBuf| match input.as_os_str() == "-" {
+            true => is_standard_input(output),
+            false => are_same(output, input),
+        };
+        if output.exists() && inputs.iter().any(is_read) {
             return refuse(format!(
                 "is read by this {verb}, and cannot be written by it"
             ));
@@ -42,6 +46,25 @@ pub(crate) fn may_be_written(
         before.push((option, output));
     }
     Ok(())
+}
+
+/// Whether a file is the one that standard input comes from.
+#[cfg(unix)]
+fn is_standard_input(path: &Path) -> bool {
+    use std::os::fd::AsFd as _;
+    use std::os::unix::fs::MetadataExt as _;
+    let input = std::io::stdin().as_fd().try_clone_to_owned();
+    let input = input.and_then(|input| std::fs::File::from(input).metadata());
+    let same = |(there, input): (std::fs::Metadata, std::fs::Metadata)| {
+        (there.dev(), there.ino()) == (input.dev(), input.ino())
+    };
+    path.metadata().ok().zip(input.ok()).is_some_and(same)
+}
+
+/// Elsewhere nothing says where it comes from.
+#[cfg(not(unix))]
+fn is_standard_input(_: &Path) -> bool {
+    false
 }
 
 /// What a scene is read from: its own file, and that of the operator's forces.
