@@ -1,7 +1,7 @@
 //! Figures, rows and totals as JSON, with the field names of the interface.
 //!
 //! Exact figures are strings in lowest terms, enclosures `{"lo", "hi", "approx"}`, truths `true`,
-//! `false` and `null` for "it depends".
+//! `false` and `null` for "it depends". Of JSON that is read: whether it has a key twice.
 
 use std::io;
 
@@ -205,4 +205,45 @@ impl Formatter for Spaced {
 /// Those of the value, as when a figure is not defined.
 pub fn write<T: Serialize + ?Sized>(value: &T, out: &mut Vec<u8>) -> serde_json::Result<()> {
     value.serialize(&mut serde_json::Serializer::with_formatter(out, Spaced))
+}
+
+/// Whether an object in a JSON text has a key twice, of which `value`, which was read from it, has the last one: then
+/// the text has more colons outside of strings than the value has entries.
+///
+/// # Example
+///
+/// ```
+/// use passivity_audit::json::has_key_twice;
+///
+/// for (text, twice) in [(r#"{"x": 1, "y": {"x": ":"}}"#, false), (r#"{"x": 1, "x": 1}"#, true)] {
+///     assert_eq!(has_key_twice(text.as_bytes(), &serde_json::from_str(text).unwrap()), twice);
+/// }
+/// ```
+#[must_use]
+pub fn has_key_twice(text: &[u8], value: &serde_json::Value) -> bool {
+    colons(text) != entries(value)
+}
+
+fn colons(text: &[u8]) -> usize {
+    let (mut count, mut inside, mut escaped) = (0, false, false);
+    for byte in text {
+        match byte {
+            _ if escaped => escaped = false,
+            b'\\' if inside => escaped = true,
+            b'"' => inside = !inside,
+            b':' if !inside => count += 1,
+            _ => {}
+        }
+    }
+    count
+}
+
+fn entries(value: &serde_json::Value) -> usize {
+    match value {
+        serde_json::Value::Object(fields) => {
+            fields.len() + fields.values().map(entries).sum::<usize>()
+        }
+        serde_json::Value::Array(items) => items.iter().map(entries).sum(),
+        _ => 0,
+    }
 }

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::hash::Hash;
 
+use passivity_audit::json::has_key_twice;
 use serde_json::Value;
 
 /// A key that the reader of JSON keeps for itself: an object with it alone is read as a number.
@@ -16,10 +17,8 @@ pub(super) struct Duplicate {
 }
 
 /// The first duplicate key of a JSON text, from which `value` was read.
-///
-/// Most texts have none: they have as many colons outside of strings as the value has entries.
 pub(super) fn find(text: &[u8], value: &Value) -> Option<Duplicate> {
-    if colons(text) == entries(value) {
+    if !has_key_twice(text, value) {
         return None;
     }
     let of_literal = |literal: &[u8]| serde_json::from_slice::<String>(literal).ok();
@@ -75,28 +74,6 @@ fn end_of_string(text: &[u8], at: usize) -> usize {
         }
     }
     text.len()
-}
-
-fn colons(text: &[u8]) -> usize {
-    let (mut count, mut inside, mut escaped) = (0, false, false);
-    for byte in text {
-        match byte {
-            _ if escaped => escaped = false,
-            b'\\' if inside => escaped = true,
-            b'"' => inside = !inside,
-            b':' if !inside => count += 1,
-            _ => {}
-        }
-    }
-    count
-}
-
-fn entries(value: &Value) -> usize {
-    match value {
-        Value::Object(fields) => fields.len() + fields.values().map(entries).sum::<usize>(),
-        Value::Array(items) => items.iter().map(entries).sum(),
-        _ => 0,
-    }
 }
 
 #[cfg(test)]

@@ -168,7 +168,7 @@ impl<'a> Bytes<'a> {
             .checked_sub(1)
             .ok_or("its lengths are too long for it")?;
         Ok(match kind {
-            Kind::Bool => Value::Number(Scalar::Whole(u8::from_le_bytes(self.number()?).into())),
+            Kind::Bool => Value::Truth(self.number()? != [0]),
             Kind::Whole { bytes, signed } => {
                 Value::Number(Scalar::Whole(self.whole(bytes, signed)?))
             }

@@ -2,18 +2,22 @@
 
 use std::borrow::Cow;
 
+use crate::json::has_key_twice;
 use crate::log::mcap::value::{MOST_ELEMENTS, Scalar, Value, are_time, nanoseconds};
 
 /// Decodes a message in JSON.
 pub(crate) fn decode(message: &[u8]) -> Result<Value<'static>, &'static str> {
     let json = serde_json::from_slice(message).map_err(|_| "it is not JSON")?;
-    Ok(value(json))
+    match has_key_twice(message, &json) {
+        true => Err("it has a field twice"),
+        false => Ok(value(json)),
+    }
 }
 
 fn value(json: serde_json::Value) -> Value<'static> {
     match json {
         serde_json::Value::Number(number) => Value::Number(Scalar::Spelt(number.to_string())),
-        serde_json::Value::Bool(yes) => Value::Number(Scalar::Whole(yes.into())),
+        serde_json::Value::Bool(yes) => Value::Truth(yes),
         serde_json::Value::String(text) => Value::Text(Cow::Owned(text)),
         serde_json::Value::Null => Value::Nothing,
         serde_json::Value::Array(list) => {

@@ -19,7 +19,9 @@ pub(crate) enum Value<'a> {
     /// Its first [`MOST_ELEMENTS`] elements.
     List(Vec<Value<'a>>),
     Struct(Vec<(Cow<'a, str>, Value<'a>)>),
-    /// What is no number and holds none.
+    /// What is true or false is no number.
+    Truth(bool),
+    /// What holds no number.
     Nothing,
 }
 
@@ -161,6 +163,7 @@ impl Value<'_> {
             Value::Text(text) => format!("the text `{}`", shown(text.as_bytes())),
             Value::List(list) => format!("a list of {}", list.len()),
             Value::Struct(_) => "other fields".to_owned(),
+            Value::Truth(yes) => yes.to_string(),
             Value::Nothing => "null".to_owned(),
         }
     }
@@ -208,7 +211,7 @@ impl Value<'_> {
                 near: Scalar::Whole(*n).near(),
                 is_time: true,
             }),
-            Value::Text(_) | Value::Nothing => {}
+            Value::Text(_) | Value::Truth(_) | Value::Nothing => {}
         }
     }
 }

@@ -145,6 +145,13 @@ fn a_message_in_json_without_its_number_is_an_error() {
         (9, "5".to_owned(), x, "one number there"),
         (8, wrench(r#"{"force":{"x":null}}"#), f, "has null there"),
         (8, wrench(r#"{"force":{"x":"0.2"}}"#), f, "the text `0.2`"),
+        (8, wrench(r#"{"force":{"x":true}}"#), f, "has true there"),
+        (
+            9,
+            joints(r#","name":["slide"],"position":[false]"#),
+            x,
+            "has false there",
+        ),
         (8, wrench(r#"{"force":{"y":0.0}}"#), f, "no such field"),
         (8, wrench(r#"{"force":[]}"#), f, "a list of 0 there"),
     ] {
@@ -154,6 +161,49 @@ fn a_message_in_json_without_its_number_is_an_error() {
         assert!(
             error.message.contains(why)
                 && error.message.contains(&format!("on `{topic}` recorded at")),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn a_message_in_json_with_a_field_twice_is_an_error() {
+    let bytes = r#"{"wrench":{"force":{"x":0.2,"x":0.0}}}"#;
+    let error = error_of(Form::Json, COLUMNS, 8, bytes.into());
+    assert!(error.message.contains("it has a field twice"), "{error}");
+}
+
+#[test]
+fn what_is_true_or_false_is_no_column() {
+    let number = 0.5_f64.to_le_bytes();
+    let cdr = [&[0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0][..], &number].concat();
+    for (encoding, definitions, bytes) in [
+        ("json", "", br#"{"on":true,"angle":0.5}"#.to_vec()),
+        ("cdr", "ros2msg", cdr),
+    ] {
+        let mut file = Cursor::new(Vec::new());
+        let mut writer = Writer::new(&mut file).unwrap();
+        let schema = match definitions {
+            "" => 0,
+            other => writer
+                .add_schema("my/msg/Switch", other, b"bool on\nfloat64 angle\n")
+                .unwrap(),
+        };
+        let channel = writer
+            .add_channel(schema, "/arm", encoding, &BTreeMap::new())
+            .unwrap();
+        let message = Sent {
+            topic: "/arm",
+            log_time: START,
+            bytes,
+        };
+        put(&mut writer, channel, 1, &message);
+        writer.finish().unwrap();
+        drop(writer);
+        let path = save(&file.into_inner());
+        let error = audit(&path, &scene(), Options::default()).unwrap_err();
+        assert!(
+            error.message.contains("`/arm.angle`") && !error.message.contains("/arm.on"),
             "{error}"
         );
     }
