@@ -228,3 +228,63 @@ fn values_that_a_row_cannot_tell_apart_are_refused() {
         assert!(!dir.path("rows.csv").exists());
     }
 }
+
+#[test]
+fn no_file_of_others_is_lost_beside_a_sweep() {
+    let dir = folder();
+    for part in ["1", "2"] {
+        let run = sweep(&dir, &format!("--shard {part}/2 --out part-{part}.csv"));
+        assert_eq!(run.code, 0, "{}", run.stderr);
+    }
+    let merge = "--merge part-1.csv part-2.csv";
+    for (name, out, ways) in [
+        ("m.csv.manifest", "m.csv", &["", "--shard 1/2", merge][..]),
+        ("m.csv.run", "m.csv", &["", "--resume", merge]),
+        ("m.parquet.manifest", "m.parquet", &["", merge]),
+        (
+            "m.parquet.rows",
+            "m.parquet",
+            &["", "--shard 1/2", "--resume"],
+        ),
+    ] {
+        dir.write(name, b"important: \xff\n");
+        for way in ways {
+            let says = format!("`{name}`: a sweep writes a file of this name beside its own");
+            refused(&sweep(&dir, &format!("{way} --out {out}")), &says);
+            let kept = std::fs::read(dir.path(name)).expect(name);
+            assert_eq!(kept, b"important: \xff\n", "{name} {way}");
+            assert!(!dir.path(out).exists(), "{name} {way}");
+        }
+        // What a sweep wrote, or nobody did, makes room.
+        dir.write(name, "");
+        for way in [ways[0], ways[1], ""] {
+            let way = way.replace("--resume", "");
+            let run = sweep(&dir, &format!("{way} --out {out}"));
+            assert_eq!(run.code, 0, "{name} {way}: {}", run.stderr);
+        }
+        std::fs::remove_file(dir.path(out)).expect(out);
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn rows_that_find_no_room_in_order_are_taken_up() {
+    let dir = folder();
+    // As much as fits into a file, by shell 512 or 1024 bytes, is enough for three rows, and too little for Parquet.
+    let sweep_all = "sweep scene.toml --beta 1 --sigma 0,1/2,1 --speed 1 --out full.parquet";
+    let script = format!("trap '' XFSZ; ulimit -f 1; exec \"$0\" {sweep_all}");
+    let output = std::process::Command::new("sh")
+        .args(["-c", &script, env!("CARGO_BIN_EXE_passivity")])
+        .current_dir(dir.path(""))
+        .output();
+    let run = Run::from(output.expect("a shell"));
+    refused(&run, "; 3 of 3 points are kept: go on with --resume");
+    assert!(
+        run.stderr.starts_with("error: `full.parquet`: "),
+        "{}",
+        run.stderr
+    );
+    assert!(!dir.path("full.parquet").exists());
+    let run = sweep(&dir, "--resume --out full.parquet");
+    assert_eq!((run.code, &run.json()["simulated"]), (0, &0.into()));
+}

@@ -13,12 +13,19 @@ use crate::sweep::disk::failed;
 use crate::sweep::grid::Grid;
 use crate::sweep::row::{Each, Found, Row};
 
+/// The columns behind the axes.
+const OUTCOMES: &str = "paper,exact,at_interval,xi,velocity";
+
 /// The header of a sweep's file.
 pub(super) fn header(grid: &Grid) -> String {
-    format!(
-        "{},paper,exact,at_interval,xi,velocity",
-        grid.columns().join(",")
-    )
+    format!("{},{OUTCOMES}", grid.columns().join(","))
+}
+
+/// Whether a text begins with the header of some sweep.
+#[cfg(feature = "parquet")]
+pub(super) fn begins_with_header(text: &[u8]) -> bool {
+    let line = text.split(|byte| *byte == b'\n').next();
+    line.is_some_and(|line| line.trim_ascii_end().ends_with(OUTCOMES.as_bytes()))
 }
 
 /// Reads the rows of a file; how long it is without a torn last line.

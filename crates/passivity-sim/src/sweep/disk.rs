@@ -1,5 +1,7 @@
 //! Names of the files of a sweep, and errors that name them.
 
+use std::fs::File;
+use std::io::{ErrorKind, Read as _};
 use std::path::{Path, PathBuf};
 
 use passivity_scene::files::may_be_replaced;
@@ -30,4 +32,25 @@ pub(super) const MANIFEST: &str = ".manifest";
 /// Refuses to write to what is no plain file.
 pub(super) fn plain(path: &Path) -> Result<(), SimError> {
     may_be_replaced(path).map_err(|error| failed(path, &error))
+}
+
+/// Refuses to lose a file beside a sweep which does not begin as that of a sweep does. An empty one is no loss.
+pub(super) fn is_own(path: &Path, begins: impl Fn(&[u8]) -> bool) -> Result<(), SimError> {
+    // As much as a header may have.
+    const START: u64 = 1 << 16;
+    let mut start = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(START).read_to_end(&mut start));
+    match read {
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+        Err(error) => Err(failed(path, &error)),
+        Ok(_) if start.is_empty() || begins(&start) => Ok(()),
+        Ok(_) => Err(foreign(path)),
+    }
+}
+
+/// The error of a file that would be lost.
+pub(super) fn foreign(path: &Path) -> SimError {
+    let message = "a sweep writes a file of this name beside its own, and would lose this one, which no sweep wrote: \
+                   move it away, or give another --out";
+    failed(path, &message)
 }

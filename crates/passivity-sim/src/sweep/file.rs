@@ -11,7 +11,6 @@
 //! Wherever a process is killed, rows stand beside a `.run` file that says something only if they are of its sweep: a
 //! new sweep empties the file of rows before it says whose they are. Taking a sweep up leaves it as it is.
 
-use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
 use std::io::Write as _;
 use std::ops::Range;
@@ -22,12 +21,13 @@ use passivity_scene::Point;
 use crate::error::SimError;
 use crate::sweep::csv;
 #[cfg(feature = "parquet")]
-use crate::sweep::disk::ROWS;
+use crate::sweep::disk::{ROWS, is_own};
 use crate::sweep::disk::{RUN, failed, plain, with_suffix};
 use crate::sweep::form::{Form, Writer};
 use crate::sweep::grid::Grid;
 use crate::sweep::lock::Lock;
-use crate::sweep::manifest::{Manifest, forget};
+use crate::sweep::manifest::{Manifest, forget, spare};
+use crate::sweep::order::{MOST_WAITING, in_order};
 use crate::sweep::row::Row;
 use crate::sweep::shard::Shard;
 use crate::sweep::taken::Taken;
@@ -75,8 +75,10 @@ fn journal(path: &Path, form: Form) -> PathBuf {
     }
 }
 
-/// Refuses to replace the rows of a sweep that was left unfinished, or that another process is at.
-pub(super) fn spare_unfinished(path: &Path, form: Form) -> Result<(), SimError> {
+/// Refuses to replace the rows of a sweep that was left unfinished, or that another process is at, and a file beside
+/// them that no sweep wrote.
+pub(super) fn spare_others(path: &Path, form: Form) -> Result<(), SimError> {
+    spare(path)?;
     let mark = marker(path);
     if !mark.exists() {
         return Ok(());
@@ -147,6 +149,7 @@ fn open_as(
     for file in [path, &mark, &journal] {
         plain(file)?;
     }
+    spare(path)?;
     // A finished sweep is read alone, perhaps where nothing can be written.
     let mut lock = match resume && path.exists() && !mark.exists() {
         true => None,
@@ -156,6 +159,10 @@ fn open_as(
         .as_mut()
         .map_or_else(|| Ok(String::new()), Lock::read)?;
     let is_begun = is_only_begun(&journal, grid)?;
+    #[cfg(feature = "parquet")]
+    if journal != path {
+        is_own(&journal, |start| is_begun || csv::begins_with_header(start))?;
+    }
     // A start that was killed may not have said all.
     let is_unfinished = journal.exists()
         && match is_begun {
@@ -306,14 +313,16 @@ impl Rows {
         };
         let result = file.write_all(self.buffer.as_bytes());
         self.buffer.clear();
-        result.map_err(|error| {
-            SimError::File(format!(
-                "`{}`: {error}; {} of {} points are kept: go on with --resume",
-                self.journal.display(),
-                self.written,
-                self.range.len()
-            ))
-        })
+        result.map_err(|error| self.kept(&failed(&self.journal, &error)))
+    }
+
+    /// The error of a file that cannot be written, with what is on the disk nevertheless.
+    fn kept(&self, error: &SimError) -> SimError {
+        SimError::File(format!(
+            "{error}; {} of {} points are kept: go on with --resume",
+            self.written,
+            self.range.len()
+        ))
     }
 
     /// Replaces the file by one with every row in the order of the grid, all at once.
@@ -330,55 +339,17 @@ impl Rows {
                 _ => Ok(()),
             };
         }
-        let mut file = Writer::new(&self.path, self.form, grid, manifest)?;
+        let kept = |error| self.kept(&error);
+        let mut file = Writer::new(&self.path, self.form, grid, manifest).map_err(kept)?;
+        let mut add = |index, row: &Row| file.add(index, row).map_err(kept);
         let range = self.range.clone();
-        in_order(
-            &self.journal,
-            grid,
-            range,
-            MOST_WAITING,
-            &mut |index, row| file.add(index, row),
-        )?;
-        file.finish()?;
+        in_order(&self.journal, grid, range, MOST_WAITING, &mut add)?;
+        file.finish().map_err(kept)?;
         if self.journal != self.path {
             fs::remove_file(&self.journal).map_err(|error| failed(&self.journal, &error))?;
         }
         self.lock.map_or(Ok(()), Lock::remove)
     }
-}
-
-/// How many rows wait in memory for those before them, which ended later.
-const MOST_WAITING: usize = 1 << 20;
-
-/// Reads the rows of a range in the order of the grid from a file of them in any order. A row that is further on
-/// than can wait is read again.
-fn in_order(
-    journal: &Path,
-    grid: &Grid,
-    range: Range<usize>,
-    most_waiting: usize,
-    add: &mut dyn FnMut(usize, &Row) -> Result<(), SimError>,
-) -> Result<(), SimError> {
-    let mut waiting = BTreeMap::new();
-    let mut next = range.start;
-    while next < range.end {
-        let before = next;
-        csv::read(journal, grid, &mut |_, (values, row)| {
-            let index = grid.place(values).filter(|index| *index >= next);
-            if let Some(index) = index.filter(|index| index - next < most_waiting) {
-                waiting.insert(index, row);
-            }
-            while let Some(row) = waiting.remove(&next) {
-                add(next, &row)?;
-                next += 1;
-            }
-            Ok(())
-        })?;
-        if next == before {
-            return Err(failed(journal, &"rows are gone that were written"));
-        }
-    }
-    Ok(())
 }
 
 /// Writes a finished shard that was simulated in one go, without a file of the rows on the way: `rows` are
@@ -396,7 +367,7 @@ pub fn write_shard(
 ) -> Result<(), SimError> {
     plain(path)?;
     let form = Form::of(path)?;
-    spare_unfinished(path, form)?;
+    spare_others(path, form)?;
     let manifest = Manifest::new(scene, grid, shard);
     let mut file = Writer::new(path, form, grid, Some(&manifest))?;
     for (index, row) in shard.range(grid.len()).zip(rows) {
@@ -405,45 +376,4 @@ pub fn write_shard(
         }
     }
     file.finish()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::outcome::{ExactOutcome, PaperOutcome};
-    use crate::sweep::range::Range as Values;
-
-    #[test]
-    fn rows_come_in_order_however_few_may_wait() {
-        let range = |text| Values::parse(text).unwrap();
-        let grid = Grid::new(range("0:1:7"), range("3,1,2"), range("5:1:4")).unwrap();
-        let row = |index: u16| Row {
-            paper: PaperOutcome::Converged,
-            exact: ExactOutcome::AtRest,
-            at_interval: Some(index.into()),
-            xi: f64::from(index),
-            velocity: 0.0,
-            within_rounding_of_edge: None,
-        };
-        let path = std::env::temp_dir().join(format!("passivity-order-{}.csv", std::process::id()));
-        let mut text = format!("{}\n", csv::header(&grid));
-        for index in (0..84).map(|i| (i * 53) % 84) {
-            csv::write_row(&grid, index.into(), &row(index), &mut text);
-        }
-        text.push_str("torn");
-        fs::write(&path, text).unwrap();
-        for most in [1, 5, 100] {
-            let mut found = Vec::new();
-            in_order(&path, &grid, 0..84, most, &mut |index, found_row| {
-                assert_eq!(*found_row, row(u16::try_from(index).unwrap()));
-                found.push(index);
-                Ok(())
-            })
-            .unwrap();
-            assert_eq!(found, (0..84).collect::<Vec<_>>(), "{most}");
-        }
-        let lost = in_order(&path, &grid, 0..85, 5, &mut |_, _| Ok(())).unwrap_err();
-        assert!(lost.to_string().contains("rows are gone"), "{lost}");
-        fs::remove_file(path).unwrap();
-    }
 }

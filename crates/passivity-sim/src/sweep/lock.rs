@@ -10,7 +10,10 @@ use std::path::{Path, PathBuf};
 use passivity_scene::files::sync_folder;
 
 use crate::error::SimError;
-use crate::sweep::disk::failed;
+use crate::sweep::disk::{failed, foreign};
+
+/// How it begins, whichever sweep it is of.
+const SWEEP: &[u8] = b"passivity sweep ";
 
 /// The file, and that no other process has it.
 #[derive(Debug)]
@@ -41,13 +44,17 @@ impl Lock {
         }
     }
 
-    /// What it says.
+    /// What it says, if it is the file of a sweep.
     pub(super) fn read(&mut self) -> Result<String, SimError> {
-        let mut text = String::new();
+        let mut text = Vec::new();
         let read = self.file.rewind();
-        let read = read.and_then(|()| self.file.read_to_string(&mut text));
+        let read = read.and_then(|()| self.file.read_to_end(&mut text));
         read.map_err(|error| failed(&self.mark, &error))?;
-        Ok(text)
+        // One that was being written may not say all.
+        match text.starts_with(SWEEP) || SWEEP.starts_with(&text) {
+            true => Ok(String::from_utf8_lossy(&text).into_owned()),
+            false => Err(foreign(&self.mark)),
+        }
     }
 
     /// Has it say this, on the disk.

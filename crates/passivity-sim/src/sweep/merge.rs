@@ -8,7 +8,7 @@ use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::sweep::disk::{failed, plain};
-use crate::sweep::file::spare_unfinished;
+use crate::sweep::file::spare_others;
 use crate::sweep::form::{Form, Writer};
 use crate::sweep::grid::Grid;
 use crate::sweep::manifest::Manifest;
@@ -30,7 +30,7 @@ pub fn merge(
 ) -> Result<(), SimError> {
     plain(path)?;
     let form = Form::of(path)?;
-    spare_unfinished(path, form)?;
+    spare_others(path, form)?;
     let parts = in_order(parts, path, scene, grid)?;
     let mut file = Writer::new(path, form, grid, None)?;
     std::thread::scope(|scope| {

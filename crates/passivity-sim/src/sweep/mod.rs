@@ -9,6 +9,7 @@ mod grid;
 mod lock;
 mod manifest;
 mod merge;
+mod order;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod range;
