@@ -7,7 +7,7 @@ use passivity_core::course::{Course, Least};
 use crate::ledger::Truths;
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
-use crate::log::lanes::{Asked, Courses, Sums, TileRows};
+use crate::log::lanes::{Asked, ByLaw, Courses, Sums, TileRows, each_answer};
 use crate::log::motion::Addend;
 use crate::log::running::{Lowest, RunningSum};
 use crate::log::supply::{Bounds, NO_FORCE, Supplied, Supply};
@@ -105,7 +105,7 @@ impl Batch {
         }
         if self.sums_alone {
             let sums = tile.totals(&rows);
-            return self.add_sums(&sums, (tile, &rows));
+            return self.add_rows(&sums, (tile, &rows));
         }
         if tile.add_up(&rows, running, self.excess()).is_none() {
             return 0;
@@ -133,25 +133,43 @@ impl Batch {
         if running {
             self.excess = sums.excess;
         }
-        self.add_sums(&sums.sums, (tile, &rows))
+        self.add_rows(&sums.sums, (tile, &rows))
     }
 
-    /// Adds the sums of some rows and what these answer: how many they are.
-    fn add_sums(
+    /// Adds rows under the force of the wall that were computed beside others, where [sums](Self::sums_alone) are all that
+    /// is told: how many.
+    pub(crate) fn add_by_law(&mut self, rows: &ByLaw) -> usize {
+        let before = self.intervals;
+        if before + rows.len as u64 > MOST {
+            return 0;
+        }
+        self.add_sums(&rows.sums, rows.len);
+        for (truths, first, times) in &rows.answers {
+            self.tally(*truths, before + *first as u64, *times as u64);
+        }
+        rows.len
+    }
+
+    /// Adds the sums of some rows of a tile and what these answer: how many they are.
+    fn add_rows(
         &mut self,
         sums: &[[i128; 2]; 5],
         (tile, rows): (&impl TileRows, &Range<usize>),
     ) -> usize {
         let before = self.intervals;
+        self.add_sums(sums, rows.len());
+        each_answer(&tile.covers()[rows.clone()], |truths, first, times| {
+            self.tally(truths, before + first as u64, times as u64);
+        });
+        rows.len()
+    }
+
+    fn add_sums(&mut self, sums: &[[i128; 2]; 5], rows: usize) {
         for ([lo, hi], [least, most]) in self.sums.iter_mut().zip(sums) {
             *lo += least;
             *hi += most;
         }
-        self.intervals += rows.len() as u64;
-        tile.answers(rows, |truths, first, times| {
-            self.tally(truths, before + first as u64, times as u64);
-        });
-        rows.len()
+        self.intervals += rows as u64;
     }
 
     /// Which energies may get below the least that they were so far, with the rows of these sums.

@@ -4,6 +4,7 @@
 //! The law's force is the kernel's controller, exactly; forces are measured and rounded, so the
 //! comparison is one of doubles: a finding beside the exact account, which is of the force applied.
 
+use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::ops::Range;
 
@@ -181,12 +182,16 @@ impl Comparison {
     ) -> Result<(), TraceError> {
         let end = rows.end.min(chunk.forces.values.len());
         let rows = rows.start.min(end)..end;
+        // The latest last, and as many before the first as the longest lag looks back.
+        let lags = self.lags.len();
+        let mut all = vec![f64::NAN; lags];
+        match known.get(rows.clone()) {
+            Some(known) => all.extend_from_slice(known),
+            None => all.resize(lags + rows.len(), f64::NAN),
+        }
+        let (before, law) = all.split_at_mut(lags);
         // What is not known near by is computed one by one.
-        let mut law: Vec<f64> = match known.get(rows.clone()) {
-            Some(known) => known.to_vec(),
-            None => vec![f64::NAN; rows.len()],
-        };
-        for (i, force) in rows.clone().zip(&mut law) {
+        for (i, force) in rows.clone().zip(&mut *law) {
             if force.is_nan() {
                 let sample = chunk.samples.get(i).ok_or_else(undefined)?;
                 *force = self.commanded(sample).ok_or_else(undefined)?;
@@ -196,20 +201,20 @@ impl Comparison {
             return Ok(());
         };
         // Before the first sample the device stood where it finds it.
-        self.law.resize(self.lags.len(), *first);
+        self.law.resize(lags, *first);
         if self.before.is_empty() {
             self.before.clone_from(&self.law);
         }
+        for (before, law) in before.iter_mut().zip(self.law.iter().rev()) {
+            *before = *law;
+        }
         let near = &chunk.forces.values.near;
-        let of = |column: &[f64]| column.get(rows.clone()).map(<[f64]>::to_vec);
-        let mut forces = of(&near.middles).ok_or_else(undefined)?;
-        for ((i, force), radius) in rows
-            .clone()
-            .zip(&mut forces)
-            .zip(near.radii.iter().skip(rows.start))
-        {
+        let mut forces = Cow::Borrowed(near.middles.get(rows.clone()).ok_or_else(undefined)?);
+        for (i, radius) in rows.clone().zip(near.radii.iter().skip(rows.start)) {
             if !radius.is_finite() {
-                *force = near_reading(&chunk.forces.get(i).ok_or_else(undefined)?);
+                let force = near_reading(&chunk.forces.get(i).ok_or_else(undefined)?);
+                let slot = forces.to_mut().get_mut(i - rows.start);
+                *slot.ok_or_else(undefined)? = force;
             }
         }
         let rounding = chunk.forces.roundings.get(rows).unwrap_or_default();
@@ -217,12 +222,9 @@ impl Comparison {
         let off = forces.iter().zip(rounding);
         let off: Vec<f64> = off.map(|(force, by)| may_be_off(*force, *by)).collect();
         self.roundings.add_products(&off, &off);
-        self.law_squares.add_products(&law, &law);
-        // The latest last, and as many before the first as the longest lag looks back.
-        let mut all: Vec<f64> = self.law.iter().rev().copied().collect();
-        all.append(&mut law);
+        self.law_squares.add_products(law, law);
         for (lag, agreement) in self.lags.iter_mut().enumerate() {
-            let late = all.get(self.law.len() - lag..).unwrap_or_default();
+            let late = all.get(lags - lag..).unwrap_or_default();
             agreement.compare(&forces, late, rounding, self.compared);
         }
         self.law.clear();

@@ -130,8 +130,8 @@ const LANES: usize = 8;
 /// numbers have no digits behind the first two.
 const GRIDS: [[i32; 2]; 2] = [[-12, -50], [-88, -126]];
 
-/// As many of [several](LANES) numbers as are looked at together.
-const BLOCK: usize = 8;
+/// As many numbers as are looked at together.
+const BLOCK: usize = 8 * LANES;
 
 /// Below this, terms have room in the layers: 2^28.
 const LARGEST: f64 = (1 << 28) as f64;
@@ -141,56 +141,95 @@ const fn power(k: i32) -> f64 {
     f64::from_bits(((1023 + k) as u64) << 52)
 }
 
+/// The sums of the digits of some numbers, by layer.
+type Layers = [[[f64; LANES]; 2]; 2];
+
 /// The sums of the digits of some products, by layer: exact, as a layer has at most 2^12 numbers below 2^40 of
 /// its own grid, which makes 52 bits. `None` where a product is too large, or has digits behind the last layer.
-#[expect(clippy::indexing_slicing, reason = "every index is that of a lane")]
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-fn layers(a: &[f64], b: &[f64]) -> Option<[[[f64; LANES]; 2]; 2]> {
+fn layers(a: &[f64], b: &[f64]) -> Option<Layers> {
     let mut sums = [[[0.0; LANES]; 2]; 2];
-    let mut open = [0_u64; LANES];
-    for (a, b) in a.chunks(BLOCK * LANES).zip(b.chunks(BLOCK * LANES)) {
-        let mut products = [[0.0; LANES]; BLOCK];
-        let whole = products.as_flattened_mut();
-        for ((product, a), b) in whole.iter_mut().zip(a).zip(b) {
-            *product = a * b;
-        }
-        let [first, second] = &mut sums;
-        let mut left = [0_u64; LANES];
-        for rest in &mut products {
-            for lane in 0..LANES {
-                let fits = rest[lane].abs() < LARGEST;
-                open[lane] |= u64::from(!fits);
-            }
-            add_digits(first, GRIDS[0], rest);
-            for lane in 0..LANES {
-                left[lane] |= u64::from(rest[lane] != 0.0);
-            }
-        }
-        if left == [0; LANES] {
-            continue;
-        }
-        for rest in &mut products {
-            add_digits(second, GRIDS[1], rest);
-            for lane in 0..LANES {
-                open[lane] |= u64::from(rest[lane] != 0.0);
-            }
-        }
+    // How large the products are, and the bits of what is behind the last layer.
+    let (mut sizes, mut behind) = ([0.0; LANES], [0; LANES]);
+    let ((whole_a, rest_a), (whole_b, rest_b)) = (a.as_chunks(), b.as_chunks());
+    for (a, b) in whole_a.iter().zip(whole_b) {
+        add_block([a, b], &mut sums, (&mut sizes, &mut behind));
     }
-    (open == [0; LANES]).then_some(sums)
+    if !rest_a.is_empty() {
+        // What is not there adds nothing.
+        let mut last = [[0.0; BLOCK]; 2];
+        for (last, rest) in last.iter_mut().zip([rest_a, rest_b]) {
+            for (x, y) in last.iter_mut().zip(rest) {
+                *x = *y;
+            }
+        }
+        add_block(last.each_ref(), &mut sums, (&mut sizes, &mut behind));
+    }
+    // What is no number is none in the sums.
+    let numbers = sums.as_flattened().as_flattened();
+    let open = sizes.iter().any(|size| *size >= LARGEST)
+        | numbers.iter().any(|sum| sum.is_nan())
+        | behind.iter().any(|bits| is_left(*bits));
+    (!open).then_some(sums)
 }
 
-/// Adds the digits of some numbers to two layers, and keeps what is left of the numbers.
-#[expect(clippy::indexing_slicing, reason = "every index is that of a lane")]
+/// Whether one of the numbers that these are all bits of is not zero.
 #[inline(always)]
-fn add_digits(sums: &mut [[f64; LANES]; 2], grids: [i32; 2], rest: &mut [f64; LANES]) {
+const fn is_left(bits: u64) -> bool {
+    bits << 1 != 0
+}
+
+/// Adds the digits of a block of products.
+#[inline(always)]
+fn add_block(
+    [a, b]: [&[f64; BLOCK]; 2],
+    [first, second]: &mut Layers,
+    (sizes, behind): (&mut [f64; LANES], &mut [u64; LANES]),
+) {
+    let mut rests = [[0.0; LANES]; BLOCK / LANES];
+    let mut left = [0; LANES];
+    let factors = a
+        .as_chunks::<LANES>()
+        .0
+        .iter()
+        .zip(b.as_chunks::<LANES>().0);
+    for (rest, (a, b)) in rests.iter_mut().zip(factors) {
+        for (((rest, size), a), b) in rest.iter_mut().zip(&mut *sizes).zip(a).zip(b) {
+            *rest = a * b;
+            *size = if rest.abs() > *size {
+                rest.abs()
+            } else {
+                *size
+            };
+        }
+        add_digits(first, GRIDS[0], rest, &mut left);
+    }
+    if left.iter().any(|bits| is_left(*bits)) {
+        for rest in &mut rests {
+            add_digits(second, GRIDS[1], rest, behind);
+        }
+    }
+}
+
+/// Adds the digits of some numbers to two layers, keeps what is left of the numbers and adds the bits of that.
+#[inline(always)]
+fn add_digits(
+    sums: &mut [[f64; LANES]; 2],
+    grids: [i32; 2],
+    rest: &mut [f64; LANES],
+    left: &mut [u64; LANES],
+) {
     for (sums, grid) in sums.iter_mut().zip(grids) {
         // Adding it leaves no room for digits below the grid.
         let shift = 1.5 * power(52 + grid);
-        for lane in 0..LANES {
-            let digits = (rest[lane] + shift) - shift;
-            rest[lane] -= digits;
-            sums[lane] += digits;
+        for (rest, sum) in rest.iter_mut().zip(sums) {
+            let digits = (*rest + shift) - shift;
+            *rest -= digits;
+            *sum += digits;
         }
+    }
+    for (left, rest) in left.iter_mut().zip(rest) {
+        *left |= rest.to_bits();
     }
 }
 

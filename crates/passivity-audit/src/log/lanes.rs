@@ -14,7 +14,7 @@ use passivity_core::{Step, Truth};
 pub(crate) use compute::commanded;
 pub(crate) use counted::Counted;
 pub(crate) use lengths::Length;
-pub(crate) use sums::{Asked, Courses, Sums, TileRows, Under};
+pub(crate) use sums::{Asked, ByLaw, Courses, Sums, TileRows, Under, each_answer};
 pub(crate) use written::write;
 
 use crate::ball::{Ball, Lane};

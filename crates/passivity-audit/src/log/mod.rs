@@ -384,10 +384,10 @@ impl Done {
         [worker, other]: [&mut Worker; 2],
     ) -> Self {
         let mut chunk = parsed(work, task.layout);
-        let shared = worker.shared(task, &chunk);
-        let account = worker.account(task, (&mut chunk, &shared), task.lead());
+        let mut shared = worker.shared(task, &chunk);
+        let account = worker.account(task, (&mut chunk, &mut shared), task.lead());
         let beside = match law {
-            Some(law) => other.account(law, (&mut chunk, &shared), law.lead()),
+            Some(law) => other.account(law, (&mut chunk, &mut shared), law.lead()),
             None => Account::default(),
         };
         worker.reuse(shared);

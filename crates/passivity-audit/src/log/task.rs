@@ -65,9 +65,14 @@ impl<'a> Task<'a> {
         }
     }
 
+    /// Whether there is an account of the wall's own law, where that is known, beside that of the forces in the trace.
+    pub(crate) const fn has_by_law(&self) -> bool {
+        self.applied && self.knows_law
+    }
+
     /// Beside the account of the forces in the trace, that of the wall's own law, where it is known.
     pub(crate) fn by_law(&self) -> Option<Self> {
-        (self.applied && self.knows_law).then(|| Task {
+        self.has_by_law().then(|| Task {
             rows: None,
             points: false,
             applied: false,

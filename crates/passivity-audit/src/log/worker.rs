@@ -3,7 +3,7 @@
 use crate::log::account::Account;
 use crate::log::chunk::Chunk;
 use crate::log::known::Starts;
-use crate::log::lanes::{Counted, Tiles};
+use crate::log::lanes::{ByLaw, Counted, Tiles};
 use crate::log::running::RunningSum;
 use crate::log::table::Table;
 use crate::log::task::Task;
@@ -31,6 +31,8 @@ pub(crate) struct Worker {
 pub(crate) struct Shared {
     /// Of positions.
     tiles: Tiles,
+    /// Of counts, under the force of the wall: by the account of the forces in the log, for that of the law beside it.
+    by_law: Vec<ByLaw>,
 }
 
 impl Worker {
@@ -38,6 +40,7 @@ impl Worker {
     pub(crate) fn shared(&mut self, task: &Task<'_>, chunk: &Chunk) -> Shared {
         let mut shared = std::mem::take(&mut self.room);
         shared.tiles.fill(task, chunk);
+        shared.by_law.clear();
         shared
     }
 
@@ -53,7 +56,7 @@ impl Worker {
     pub(crate) fn account(
         &mut self,
         task: &Task<'_>,
-        (chunk, shared): (&mut Chunk, &Shared),
+        (chunk, shared): (&mut Chunk, &mut Shared),
         from: usize,
     ) -> Account {
         let mut account = Account {
@@ -81,6 +84,7 @@ impl Worker {
             key: Vec::new(),
             starts: Starts::default(),
             tiles: &shared.tiles,
+            by_law: &mut shared.by_law,
             counted: self.counted.get_or_insert_with(Counted::new).cleared(),
         };
         if let Err(error) = walk.run(&mut self.table, chunk, &mut account) {

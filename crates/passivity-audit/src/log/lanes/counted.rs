@@ -5,7 +5,8 @@ use std::ops::Range;
 use multiversion::multiversion;
 
 use super::compute::whole;
-use super::counted_sums::Steps;
+use super::counted_sums::{Steps, totals_of};
+use super::sums::{ByLaw, each_answer};
 use super::{Length, TILE, truths};
 use crate::log::counted::{Figures, Interval};
 use crate::log::numbers::Readings;
@@ -23,6 +24,27 @@ const MANY: u64 = 1 << 5;
 
 /// From this excess force on, products with ticks have no room in [sums](crate::log::supply::Supplied::fits).
 const LARGE: f64 = (1_u64 << 30) as f64;
+
+/// Rows under the force of the wall: what of them is not that under the force in the log too, or its own part.
+#[derive(Clone, Debug)]
+struct Law {
+    generated: [[Ends; 2]; 2],
+    taken: [Ends; 2],
+    /// Against the quantized wall; against the wall it is [`Counted::own`].
+    net_quantized: [Ends; 2],
+    covers: [u64; TILE],
+    open: [u64; TILE],
+}
+
+impl Law {
+    const NONE: Self = Self {
+        generated: [[NONE; 2]; 2],
+        taken: [NONE; 2],
+        net_quantized: [NONE; 2],
+        covers: [0; TILE],
+        open: [0; TILE],
+    };
+}
 
 /// What some consecutive intervals between counts come to.
 #[derive(Clone, Debug)]
@@ -46,6 +68,8 @@ pub(crate) struct Counted {
     pub(super) covers: [u64; TILE],
     /// Not zero for the rows that are left open.
     open: [u64; TILE],
+    /// The same under the force of the wall, where that is asked for beside the force in the log.
+    law: Law,
     /// The first of them, and how many there are.
     at: usize,
     len: usize,
@@ -69,6 +93,7 @@ impl Counted {
             apart: [0; TILE],
             covers: [0; TILE],
             open: [0; TILE],
+            law: Law::NONE,
             at: 0,
             len: 0,
             is_whole: false,
@@ -137,20 +162,23 @@ impl Counted {
     }
 
     /// Computes the rows from interval `at` on, which are as long as `lengths` says, under the forces in the log where
-    /// there are any.
+    /// there are any; and beside them the sums of all of them `by_law`, under the force of the wall, where doubles decide
+    /// these and none lasts one period.
     pub(crate) fn fill(
         &mut self,
         quick: &Quick,
         (counts, forces): (&[i64], Option<&Readings>),
         at: usize,
         lengths: &[Length],
+        by_law: Option<&mut Vec<ByLaw>>,
     ) {
         let (from, to) = (counts.get(at..), counts.get(at + 1..));
         let (from, to) = (from.unwrap_or_default(), to.unwrap_or_default());
         let len = to.len().min(lengths.len()).min(TILE);
         self.at = at;
         self.len = len;
-        let mut open = read(self, (&from[..len], &to[..len]), &lengths[..len]);
+        let mut open = [0.0; TILE];
+        read(self, [&from[..len], &to[..len]], &lengths[..len], &mut open);
         for i in 0..len {
             if open[i] != 0.0 {
                 open[i] = self.read_longer([from[i], to[i]], lengths[i], i);
@@ -160,11 +188,45 @@ impl Counted {
             let [_, _, _, force, off] = &mut self.of;
             self.len = forces.near.copy_to([force, off], at, self.len);
         }
-        match &quick.reach {
-            None => compute(self, quick, &open, forces.is_some()),
-            Some(reach) => compute_in_parts(self, (quick, reach), &open, forces.is_some()),
+        let is_period = |Length(n, d): &Length| n == d;
+        let by_law = by_law.filter(|_| !self.lengths[..self.len].iter().any(is_period));
+        match (&quick.reach, by_law) {
+            (None, Some(by_law)) if quick.friction_is_exact && forces.is_some() => {
+                compute_both(self, quick, &open);
+                by_law.extend(self.by_law());
+            }
+            (None, _) => compute(self, quick, &open, forces.is_some()),
+            (Some(reach), _) => compute_in_parts(self, (quick, reach), &open, forces.is_some()),
         }
         mark(self, forces.is_none());
+    }
+
+    /// What all rows come to under the force of the wall; `None` where doubles leave something open.
+    fn by_law(&self) -> Option<ByLaw> {
+        let rows = 0..self.len;
+        let open = self.law.open[rows.clone()]
+            .iter()
+            .fold(0, |all, open| all | open);
+        let mut answers = Vec::new();
+        (open == 0).then(|| {
+            each_answer(&self.law.covers[rows.clone()], |truths, first, times| {
+                answers.push((truths, first, times));
+            });
+            let [linear, quantized] = &self.law.generated;
+            let columns = [
+                linear,
+                quantized,
+                &self.law.taken,
+                &self.own,
+                &self.law.net_quantized,
+            ];
+            ByLaw {
+                at: self.at,
+                len: self.len,
+                sums: totals_of(columns, &rows),
+                answers,
+            }
+        })
     }
 
     /// Marks which rows are apart, of which those of one period are where there are no forces, and whether none is or is
@@ -196,16 +258,24 @@ impl Counted {
 
     /// Where intervals start and end and how long they last, of most; not zero for others.
     #[inline(always)]
-    #[allow(clippy::cast_precision_loss)] // nothing is lost
-    fn read(&mut self, (from, to): (&[i64], &[i64]), lengths: &[Length]) -> [f64; TILE] {
-        // Of whole arrays processors read several numbers at a time; what is behind the last interval is not looked at.
-        let mut counts = [[0; TILE]; 2];
-        for (counts, own) in counts.iter_mut().zip([from, to]) {
-            counts[..own.len()].copy_from_slice(own);
-        }
+    fn read(&mut self, counts: [&[i64]; 2], lengths: &[Length], open: &mut [f64; TILE]) {
         self.lengths[..lengths.len()].copy_from_slice(lengths);
-        let ([froms, tos], [starts, ends, durations, ..]) = (counts, &mut self.of);
-        let mut open = [0.0; TILE];
+        // Of whole arrays processors read several numbers at a time.
+        if let [Ok(from), Ok(to)] = counts.map(<&[i64; TILE]>::try_from) {
+            return self.read_all([from, to], open);
+        }
+        // What is behind the last interval is not looked at.
+        let mut whole = [[0; TILE]; 2];
+        for (whole, some) in whole.iter_mut().zip(counts) {
+            whole[..some.len()].copy_from_slice(some);
+        }
+        self.read_all(whole.each_ref(), open);
+    }
+
+    #[inline(always)]
+    #[allow(clippy::cast_precision_loss)] // nothing is lost
+    fn read_all(&mut self, [froms, tos]: [&[i64; TILE]; 2], open: &mut [f64; TILE]) {
+        let [starts, ends, durations, ..] = &mut self.of;
         for i in 0..TILE {
             let (from, to, Length(n, d)) = (froms[i], tos[i], self.lengths[i]);
             // What is too large for that is left open.
@@ -217,7 +287,6 @@ impl Counted {
             durations[i] = of(n, 1) / of(d, 1);
             open[i] = of(0, 1);
         }
-        open
     }
 
     /// The same of interval `i`, whose numbers may be long: whether it is left open.
@@ -230,8 +299,9 @@ impl Counted {
         0.0
     }
 
+    /// Computes all rows, those under the force of the wall beside them where that is the `LAW`.
     #[inline(always)]
-    fn compute(
+    fn compute<const LAW: bool>(
         &mut self,
         quick: &Quick,
         open: &[f64; TILE],
@@ -247,6 +317,16 @@ impl Counted {
                 force: Plain(forces[i]),
             };
             let row = quick.row(&interval, off[i], reach, of);
+            if LAW {
+                let row = quick.row(&interval, 0.0, reach, (of.0, false));
+                let [a, b, c, _, e] = row.sums;
+                put(&mut self.law.generated[0], i, a);
+                put(&mut self.law.generated[1], i, b);
+                put(&mut self.law.taken, i, c);
+                put(&mut self.law.net_quantized, i, e);
+                self.law.covers[i] = whole(row.covers);
+                self.law.open[i] = whole(row.open + open[i]);
+            }
             // One by one: loops of these would keep the loop over rows from becoming vector instructions.
             let [a, b, c, d, e] = row.sums;
             put(&mut self.sums[0], i, a);
@@ -289,18 +369,24 @@ fn mark(tile: &mut Counted, has_periods: bool) {
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
-fn read(tile: &mut Counted, counts: (&[i64], &[i64]), lengths: &[Length]) -> [f64; TILE] {
-    tile.read(counts, lengths)
+fn read(tile: &mut Counted, counts: [&[i64]; 2], lengths: &[Length], open: &mut [f64; TILE]) {
+    tile.read(counts, lengths, open);
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
 fn compute(tile: &mut Counted, quick: &Quick, open: &[f64; TILE], applied: bool) {
     match (quick.friction_is_exact, applied) {
-        (true, true) => tile.compute(quick, open, None, (true, true)),
-        (true, false) => tile.compute(quick, open, None, (true, false)),
+        (true, true) => tile.compute::<false>(quick, open, None, (true, true)),
+        (true, false) => tile.compute::<false>(quick, open, None, (true, false)),
         // One text less.
-        (false, applied) => tile.compute(quick, open, None, (false, applied)),
+        (false, applied) => tile.compute::<false>(quick, open, None, (false, applied)),
     }
+}
+
+/// The same under the forces in the log and under that of the wall.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
+fn compute_both(tile: &mut Counted, quick: &Quick, open: &[f64; TILE]) {
+    tile.compute::<true>(quick, open, None, (true, true));
 }
 
 /// The same of walls that are not linear everywhere.
@@ -312,5 +398,5 @@ fn compute_in_parts(
     applied: bool,
 ) {
     // One text less.
-    tile.compute(quick, open, Some(reach), (false, applied));
+    tile.compute::<false>(quick, open, Some(reach), (false, applied));
 }

@@ -184,6 +184,17 @@ fn add_up(tile: &mut Counted, rows: &Range<usize>, excess: Option<[End; 2]>) {
     tile.add_up(rows, excess);
 }
 
+/// The sums of the lower and of the upper ends of some columns.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+pub(super) fn totals_of(columns: [&[Ends; 2]; 5], rows: &Range<usize>) -> [[i128; 2]; 5] {
+    // A closure within a `map` would be compiled for any processor.
+    let mut sums = [[0; 2]; 5];
+    for (sum, ends) in sums.iter_mut().zip(columns) {
+        *sum = sum_both(ends, rows);
+    }
+    sums
+}
+
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
 fn totals(tile: &Counted, rows: &Range<usize>) -> ([[i128; 2]; 5], i128, [i128; 2]) {
     // A closure within a `map` would be compiled for any processor.
@@ -350,7 +361,7 @@ impl TileRows for Counted {
     }
 
     fn totals(&self, rows: &Range<usize>) -> [[i128; 2]; 5] {
-        totals(self, rows).0
+        totals_of(self.sums.each_ref(), rows)
     }
 
     fn courses(&self, rows: &Range<usize>, of: (Asked, &Sums)) -> Courses<i128> {

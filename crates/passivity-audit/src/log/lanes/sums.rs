@@ -121,22 +121,34 @@ pub(crate) trait TileRows {
 
     /// What each row answers, as bits.
     fn covers(&self) -> &[u64; TILE];
+}
 
-    /// Takes what some rows answer: the first of those that answer the same, counted from zero, and how many.
-    #[inline(always)]
-    fn answers(&self, rows: &Range<usize>, mut take: impl FnMut(Truths, usize, usize)) {
-        let rows = &self.covers()[rows.clone()];
-        let (mut left, mut seen) = (rows.len(), 0_u64);
-        for (i, bits) in rows.iter().enumerate() {
-            if seen >> bits & 1 == 0 {
-                seen |= 1 << bits;
-                let alike = alike(rows, *bits);
-                take(truths(*bits), i, alike);
-                left -= alike;
-            }
-            if left == 0 {
-                break;
-            }
+/// What consecutive rows of counts come to under the force of the wall, where the account is of the forces in the log.
+#[derive(Debug)]
+pub(crate) struct ByLaw {
+    /// The first of them, and how many there are.
+    pub(crate) at: usize,
+    pub(crate) len: usize,
+    /// As [`Sums::sums`].
+    pub(crate) sums: [[i128; 2]; 5],
+    /// What rows answer, as [`each_answer`] has it.
+    pub(crate) answers: Vec<(Truths, usize, usize)>,
+}
+
+/// Takes what some rows answer, by what each [covers](TileRows::covers): the first of those that answer the same, counted
+/// from zero, and how many.
+#[inline(always)]
+pub(crate) fn each_answer(rows: &[u64], mut take: impl FnMut(Truths, usize, usize)) {
+    let (mut left, mut seen) = (rows.len(), 0_u64);
+    for (i, bits) in rows.iter().enumerate() {
+        if seen >> bits & 1 == 0 {
+            seen |= 1 << bits;
+            let alike = alike(rows, *bits);
+            take(truths(*bits), i, alike);
+            left -= alike;
+        }
+        if left == 0 {
+            break;
         }
     }
 }

@@ -62,6 +62,18 @@ impl Walk<'_> {
                 self.tiles.lengths.get(at..at + added)
             }
             Samples::Counts(counts) => {
+                let mut most = most;
+                if task.sums_alone() {
+                    let first = self.by_law.partition_point(|rows| rows.at < at);
+                    match self.by_law.get(first) {
+                        Some(rows) if rows.at == at && rows.len <= most => {
+                            let added = batch.add_by_law(rows);
+                            return self.tiles.lengths.get(at..at + added);
+                        }
+                        Some(rows) if rows.at > at => most = most.min(rows.at - at),
+                        _ => {}
+                    }
+                }
                 self.compute_counts(chunk, counts)?;
                 let rows = self.counted.decided(at, most);
                 let from = rows.start;
@@ -87,7 +99,9 @@ impl Walk<'_> {
             };
             let forces = task.applied.then_some(&chunk.forces.values);
             let quick = self.tiles.quick.as_ref()?;
-            self.counted.fill(quick, (counts, forces), i, lengths);
+            let by_law = task.has_by_law().then_some(&mut *self.by_law);
+            self.counted
+                .fill(quick, (counts, forces), i, lengths, by_law);
         }
         Some(())
     }

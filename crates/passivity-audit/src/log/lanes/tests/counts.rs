@@ -26,7 +26,7 @@ fn alone_and_in_a_tile(
     let quick = Quick::of(&Wall::of(ledger).unwrap());
     let mut tile = Counted::new();
     let lasts: Vec<_> = lengths.iter().map(|(n, d)| Length(*n, *d)).collect();
-    tile.fill(&quick, (counts, forces), 0, &lasts);
+    tile.fill(&quick, (counts, forces), 0, &lasts, None);
     let rows = counts.windows(2).zip(lengths).take(TILE).enumerate();
     rows.map(|(i, (pair, (n, d)))| {
         let force = forces.map(|forces| forces.ball(i).unwrap());
@@ -94,7 +94,7 @@ proptest! {
         let mut tile = Counted::new();
         let lasts: Vec<_> = lengths.iter().map(|(n, d)| Length(*n, *d)).collect();
         let quick = Quick::of(&Wall::of(&ledger).unwrap());
-        tile.fill(&quick, (&counts, forces), 0, &lasts);
+        tile.fill(&quick, (&counts, forces), 0, &lasts, None);
         let unit = crate::span::ONE;
         let before = [before.0, before.0 + before.1].map(|n| Reduced::Small(n << 40, unit));
         let rows = tile.decided(ends.0.min(ends.1), ends.0.abs_diff(ends.1));
@@ -136,6 +136,55 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(draws(250)))]
+
+    #[test]
+    fn rows_by_the_law_beside_others_are_those_that_are_computed_alone(
+        start in -40..40_i64,
+        steps in prop::collection::vec(prop_oneof![8 => -3..4_i64, 1 => -3000..3000_i64], 1..TILE + 9),
+        lengths in prop::collection::vec((1..50_000_i64, 1..50_000_i64), TILE + 9),
+        forces in prop::collection::vec(ball(), TILE + 9),
+    ) {
+        let mut counts = vec![start];
+        counts.extend(steps.iter().scan(start, |at, step| {
+            *at += step;
+            Some(*at)
+        }));
+        let mut readings = Readings::new(Kind::Force, &Scale::One);
+        forces.iter().for_each(|force| readings.near.push(*force));
+        let quick = Quick::of(&Wall::of(&ledger(EXACT)).unwrap());
+        let lasts: Vec<_> = lengths.iter().map(|(n, d)| Length(*n, *d)).collect();
+        let (mut tile, mut found) = (Counted::new(), Vec::new());
+        tile.fill(&quick, (&counts, Some(&readings)), 0, &lasts, Some(&mut found));
+        let rows = counts.windows(2).zip(&lasts).take(TILE);
+        // A row of one period is one of exact numbers.
+        let alone: Option<Vec<counted::Figures>> = rows
+            .map(|(pair, length)| {
+                let figures = quick.figures([pair[0], pair[1]], *length, None);
+                figures.filter(|_| length.0 != length.1)
+            })
+            .collect();
+        prop_assert_eq!(found.len(), usize::from(alone.is_some()));
+        for (alone, found) in alone.iter().zip(&found) {
+            prop_assert_eq!((found.at, found.len), (0, alone.len()));
+            let mut sums = [[0; 2]; 5];
+            for row in alone {
+                let ends = sums.as_flattened_mut().iter_mut();
+                ends.zip(row.sums.as_flattened()).for_each(|(sum, x)| *sum += x);
+            }
+            prop_assert_eq!(sums, found.sums);
+            let all: usize = found.answers.iter().map(|(_, _, times)| times).sum();
+            prop_assert_eq!(all, alone.len());
+            for (truths, first, times) in &found.answers {
+                let same = alone.iter().map(|row| row.truths == *truths);
+                prop_assert_eq!(same.clone().position(|is| is), Some(*first));
+                prop_assert_eq!(same.filter(|is| *is).count(), *times);
+            }
+        }
+    }
+}
+
 #[test]
 fn all_rows_of_a_log_of_counts_are_decided() {
     for text in [EXACT, BETWEEN] {
@@ -150,6 +199,13 @@ fn all_rows_of_a_log_of_counts_are_decided() {
                 .near
                 .push(force + Ball::from_parts(0.013, f64::EPSILON))
         });
+        let mut by_law = Vec::new();
+        let quick = Quick::of(&Wall::of(&ledger(text)).unwrap());
+        let lasts: Vec<_> = lengths.iter().map(|(n, d)| Length(*n, *d)).collect();
+        let of = (&*counts, Some(&forces));
+        Counted::new().fill(&quick, of, 0, &lasts, Some(&mut by_law));
+        // Of friction between two values they are computed again.
+        assert_eq!(by_law.len(), usize::from(text == EXACT));
         for forces in [None, Some(&forces)] {
             let rows = alone_and_in_a_tile(&ledger(text), &counts, &lengths, forces);
             assert_eq!(rows.len(), TILE);
