@@ -22,12 +22,12 @@ environment build 'maturin>=1.9,<2'
     --interpreter "$bin/python" --out "$work/wheels"
 
 environment alone
-"$bin/python" -W error::ResourceWarning -m unittest -q test_passivity test_native
+"$bin/python" -W error::ResourceWarning -m unittest -q test_passivity test_given test_native
 "$bin/python" test_docs.py
 environment numpy numpy
-"$bin/python" -m unittest -q test_passivity test_native
+"$bin/python" -m unittest -q test_passivity test_given test_native
 environment all numpy pandas polars pyarrow matplotlib 'dask[distributed]' fsspec mypy pyright nbclient nbformat ipykernel
-"$bin/python" -m unittest -q test_passivity test_native test_plot test_distributed
+"$bin/python" -m unittest -q test_passivity test_given test_native test_plot test_distributed
 "$bin/python" test_docs.py
 bin_of_all=$bin
 echo "== parts and sweeps in a store: an S3 server on this machine"

@@ -8,7 +8,7 @@ use passivity_audit::{
     Audit, Dialect, Options, Partial, Stretch, TraceError, Values, audit_columns, audit_files,
     audit_part, legible, merge_parts,
 };
-use pyo3::buffer::PyBuffer;
+use pyo3::buffer::{Element, PyBuffer, ReadOnlyCell};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -139,14 +139,31 @@ fn values(py: Python<'_>, name: &str, array: &Bound<'_, PyAny>) -> PyResult<Valu
         return Ok(Values::Whole(Vec::new()));
     }
     if let Ok(buffer) = PyBuffer::<i64>::get(array) {
-        return Ok(Values::Whole(buffer.to_vec(py)?));
+        return copy(py, &buffer).map(Values::Whole);
     }
     match PyBuffer::<f64>::get(array) {
-        Ok(buffer) => Ok(Values::Doubles(buffer.to_vec(py)?)),
+        Ok(buffer) => copy(py, &buffer).map(Values::Doubles),
         Err(_) => Err(PyValueError::new_err(format!(
             "{name}: expected 64-bit integers or doubles"
         ))),
     }
+}
+
+/// The numbers of a buffer. Between blocks of them other threads run, and an interrupt ends it.
+fn copy<T: Element + Sync>(py: Python<'_>, buffer: &PyBuffer<T>) -> PyResult<Vec<T>> {
+    /// A few megabytes, which take a few milliseconds.
+    const BLOCK: usize = 1 << 19;
+    // What has gaps was closed up before.
+    let Some(cells) = buffer.as_slice(py) else {
+        return buffer.to_vec(py);
+    };
+    let mut values = Vec::with_capacity(cells.len());
+    for block in cells.chunks(BLOCK) {
+        values.extend(block.iter().map(ReadOnlyCell::get));
+        py.check_signals()?;
+        py.detach(|| ());
+    }
+    Ok(values)
 }
 
 /// The audit of a trace in memory, as JSON.

@@ -11,7 +11,7 @@
 
 Exact numbers are strings such as ``"3/8"``; ``fractions.Fraction`` reads them. A scene is the path
 of a scene file, its text, or a mapping with its sections and keys. Every call can be interrupted, and lets
-other threads run.
+other threads run; columns in memory are copied first, in blocks between which that holds.
 """
 
 from __future__ import annotations

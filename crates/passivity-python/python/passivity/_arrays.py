@@ -57,14 +57,24 @@ def _of_view(view, name):
     if order != _sys.byteorder:
         raise ValueError(f"{name}: expected the byte order of this machine")
     if kind in ("q", "l") and view.itemsize == 8:
-        return view, True
+        return _closed(view, "q"), True
     if kind == "d":
-        return view, False
+        return _closed(view, "d"), False
     if kind and kind in "bBhHiIlLqQ":
-        return _column("q", view.tolist(), name), True
+        return _column("q", view, name), True
     if kind in ("f", "e"):
-        return _column("d", view.tolist(), name), False
+        return _column("d", view, name), False
     raise ValueError(f"{name}: expected numbers, found the format {view.format!r}")
+
+
+def _closed(view, code):
+    """A view without gaps: itself, or a copy."""
+    if view.c_contiguous:
+        return view
+    column, block = _array(code), _arrow.BLOCK
+    for start in range(0, len(view), block):
+        column.frombytes(view[start : start + block].tobytes())
+    return column
 
 
 def _is_bool(x):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes as _c
 import struct as _struct
 from array import array as _array
+from itertools import islice as _islice
 
 
 class _Schema(_c.Structure):
@@ -58,6 +59,9 @@ class _Half(_c.Structure):
 
     _fields_ = [("bits", _c.c_uint16)]
 
+
+# How many numbers are copied at once, in a few milliseconds.
+BLOCK = 1 << 16
 
 # By Arrow's format: the type in memory, and whether it is of whole numbers.
 _TYPES = {
@@ -172,9 +176,13 @@ def _whole(parts, kind, owner, name):
 
 
 def extend(column, values, name):
-    """Adds numbers to an array; an error has the row of one that does not fit."""
+    """Adds numbers to an array; an error has the row of one that does not fit. Between blocks of them other threads
+    run, and an interrupt ends it."""
+    values, before = iter(values), -1
     try:
-        column.extend(values)
+        while len(column) > before:
+            before = len(column)
+            column.extend(_islice(values, BLOCK))
     except (OverflowError, TypeError) as error:
         if column.typecode == "q" and isinstance(error, OverflowError):
             error = "expected an integer from -2**63 to 2**63 - 1"

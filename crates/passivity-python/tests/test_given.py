@@ -1,0 +1,73 @@
+"""What callers give: wrong types are named with what is expected, and names and paths may be any."""
+
+import datetime
+import os
+import pathlib
+import pickle
+import sys
+import tempfile
+import threading
+import time
+import unittest
+import warnings
+from array import array
+
+import passivity
+from passivity import results
+
+SCENE = {"dimensionless": {"mu": 50, "beta": 1, "sigma": 1}}
+SKETCH = {"dimensionless": {"mu": 10}}
+ROTARY = {
+    "device": {"inertia": "6.28e-6 kg m^2", "coulomb": "2e-3 N m"},
+    "sampling": {"period": "1 ms"},
+    "encoder": {"counts_per_revolution": 8192},
+    "wall": {"stiffness": "2 N m/rad"},
+}
+# From rest under 4 KΔ, of a device with μ = 10 and no friction: n²/5 ticks.
+PUSH = "count,f\n" + "".join(f"{n * n // 5},4\n" for n in range(30))
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "wb") as file:
+            file.write(text if isinstance(text, bytes) else text.encode())
+        return path
+
+
+class Copies(unittest.TestCase):
+    def test_other_threads_run_while_columns_are_copied(self):
+        def enough(done, total):
+            raise RuntimeError("copied")
+
+        counts = [0, 1, 3, 2] * 3_000_000
+        columns = {"of 64 bits": array("q", counts), "of 32 bits": array("i", counts)}
+        columns["with gaps"] = memoryview(columns["of 64 bits"] * 2)[::2]
+        for name, values in columns.items():
+            longest = 1.0
+            # What other programs on a busy machine add is not the call's own: the least of a few counts.
+            for _ in range(5):
+                ticks, done = [time.perf_counter()], threading.Event()
+
+                def tick():
+                    while not done.is_set():
+                        time.sleep(0.002)
+                        ticks.append(time.perf_counter())
+
+                thread = threading.Thread(target=tick)
+                thread.start()
+                with self.assertRaisesRegex(RuntimeError, "copied"):
+                    passivity.audit(values, SCENE, progress=enough)
+                done.set()
+                thread.join()
+                longest = min(longest, max(b - a for a, b in zip(ticks, ticks[1:])))
+            self.assertLess(longest, 0.1, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
