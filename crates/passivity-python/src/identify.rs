@@ -150,10 +150,8 @@ fn answer(
 
 /// The name and the text of a sketch.
 fn text_of(sketch: &Source) -> PyResult<(String, String)> {
-    let (kind, text) = sketch.parts();
-    match kind {
-        "path" => {
-            let path = Path::new(text);
+    match sketch {
+        Source::Path(path) => {
             let failed =
                 |error: std::io::Error| PyOSError::new_err(format!("{}: {error}", path.display()));
             if path.metadata().map_err(failed)?.len() > MAX_BYTES {
@@ -165,8 +163,8 @@ fn text_of(sketch: &Source) -> PyResult<(String, String)> {
                 .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
             Ok((name, std::fs::read_to_string(path).map_err(failed)?))
         }
-        "text" => Ok(("scene".to_owned(), text.to_owned())),
-        _ => Ok(("scene".to_owned(), toml_of(text)?)),
+        Source::Text(text) => Ok(("scene".to_owned(), text.to_owned())),
+        Source::Object(text) => Ok(("scene".to_owned(), toml_of(text)?)),
     }
 }
 

@@ -32,18 +32,37 @@ pyo3::create_exception!(
     "A sketch or a log by which no parameters can be looked for; `not_covered` says whether the sketch has an effect that is not covered."
 );
 
-/// A scene: a file's path, the text of one with a name for it, or a JSON object.
-#[derive(Clone, FromPyObject)]
-pub(crate) struct Source(
-    /// Which of them, and the path or text.
-    (String, String),
-);
+/// A scene as it comes from Python: which of these it is, with the path or text.
+#[derive(Clone)]
+pub(crate) enum Source {
+    /// The path of a file, whose name need not be UTF-8.
+    Path(PathBuf),
+    /// The text of a file.
+    Text(String),
+    /// A JSON object.
+    Object(String),
+}
+
+impl FromPyObject<'_, '_> for Source {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        let (kind, given): (String, Bound<'_, PyAny>) = given.extract()?;
+        Ok(match kind.as_str() {
+            "path" => Self::Path(given.extract()?),
+            "text" => Self::Text(given.extract()?),
+            _ => Self::Object(given.extract()?),
+        })
+    }
+}
 
 impl Source {
     /// The file that it is read from.
     pub(crate) fn path(&self) -> Option<&Path> {
-        let (kind, text) = &self.0;
-        (kind == "path").then(|| Path::new(text))
+        match self {
+            Self::Path(path) => Some(path),
+            Self::Text(_) | Self::Object(_) => None,
+        }
     }
 
     /// Reads the scene of a device of one joint.
@@ -56,12 +75,6 @@ impl Source {
         self.read_by(py, AnyScene::read, AnyScene::from_toml, AnyScene::from_json)
     }
 
-    /// Which of them it is, and the path or text.
-    pub(crate) fn parts(&self) -> (&str, &str) {
-        let (kind, text) = &self.0;
-        (kind, text)
-    }
-
     fn read_by<T>(
         &self,
         py: Python<'_>,
@@ -69,11 +82,10 @@ impl Source {
         from_toml: fn(&str, &str) -> Result<T, passivity_scene::SceneError>,
         from_json: fn(&serde_json::Value) -> Result<T, passivity_scene::SceneError>,
     ) -> PyResult<T> {
-        let (kind, text) = &self.0;
-        let scene = match kind.as_str() {
-            "path" => from_path(PathBuf::from(text)),
-            "text" => from_toml("scene", text),
-            _ => {
+        let scene = match self {
+            Self::Path(path) => from_path(path.clone()),
+            Self::Text(text) => from_toml("scene", text),
+            Self::Object(text) => {
                 let value = serde_json::from_str(text)
                     .map_err(|error| PyValueError::new_err(error.to_string()))?;
                 from_json(&value)

@@ -40,6 +40,23 @@ class InFolder(unittest.TestCase):
         return path
 
 
+class Places(InFolder):
+    def test_a_folder_whose_name_is_not_utf_8(self):
+        folder = pathlib.Path(self.folder, os.fsdecode(b"d\xff"))
+        folder.mkdir()
+        scene, log, out = folder / "s.toml", folder / "l.csv", folder / "g.csv"
+        scene.write_text("[dimensionless]\nmu = 50\nbeta = 1\nsigma = 1\n")
+        log.write_text("count\n0\n1\n")
+        self.assertEqual(passivity.check(scene).scene, "s")
+        self.assertEqual(passivity.audit(log, scene).verdict, "holds")
+        swept = passivity.sweep(scene, beta="0:1:2", sigma=1, speed=2, intervals=50, out=out)
+        self.assertEqual(len(swept.columns["beta"]), 2)
+        log.write_text(PUSH)
+        with open(folder / "d.toml", "w", encoding="utf-8") as file:
+            file.write("[dimensionless]\nmu = 10\n")
+        self.assertEqual(passivity.identify(log, folder / "d.toml", effort=1).samples, 30)
+
+
 class Copies(unittest.TestCase):
     def test_other_threads_run_while_columns_are_copied(self):
         def enough(done, total):

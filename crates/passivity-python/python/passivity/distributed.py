@@ -52,11 +52,10 @@ def _plan(parts, wanted):
 def _identity(source):
     """What tells one scene from another."""
     kind, text = source
-    data = text.encode()
     if kind == "path":
         with open(text, "rb") as file:
-            data = file.read()
-    return _hashlib.sha256(data).hexdigest()
+            return _hashlib.file_digest(file, "sha256").hexdigest()
+    return _hashlib.sha256(text.encode()).hexdigest()
 
 
 def _absolute(source):
@@ -282,7 +281,7 @@ class _AuditPiece:
     def name(self, piece):
         part, start, to = piece
         log, _ = self.logs[part]
-        of = _hashlib.sha256(log.encode()).hexdigest()[:16]
+        of = _hashlib.sha256(log.encode(errors="surrogateescape")).hexdigest()[:16]
         return f"{of}-{start:015}-{to:015}.json"
 
     def __call__(self, piece):
@@ -360,7 +359,8 @@ def audit(
     for piece in sorted(work.pieces):
         part, start, to = piece
         account = found[piece] if piece in found else folder.read(task.name(piece)).decode()
-        accounts[part].append((f"bytes {start} to {to} of {logs[part]}", account))
+        name = logs[part].encode(errors="surrogateescape").decode(errors="replace")
+        accounts[part].append((f"bytes {start} to {to} of {name}", account))
     reports = [_report(_passivity.audit_merge(pieces, source)) for pieces in accounts]
     return reports[0] if one else reports
 
