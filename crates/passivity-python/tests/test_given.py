@@ -40,6 +40,84 @@ class InFolder(unittest.TestCase):
         return path
 
 
+class WrongTypes(InFolder):
+    def test_each_argument_is_named(self):
+        log = self.path("push.csv", PUSH)
+        calls = {
+            passivity.identify: (
+                (log, SKETCH),
+                {"date": 3, "device": 3, "count_error": "1", "force_error": True, "columns": 3, "delimiter": 3,
+                 "decimal_comma": "no", "out": b"a", "progress": 3},
+            ),
+            passivity.audit: (([0, 1], SCENE), {"unit": 3, "t_unit": 3, "f_unit": b"N", "law": 1, "out": 3}),
+            passivity.simulate: ((SCENE,), {"speed": [1], "method": 3, "trace": 1, "progress": 3}),
+            passivity.sweep: ((SCENE,), {"beta": object(), "sigma": b"1", "vary": 3, "resume": "no", "out": 3}),
+        }  # fmt: skip
+        for call, (given, wrong) in calls.items():
+            for name, value in wrong.items():
+                more = {"beta": 1, "sigma": 1} if call is passivity.sweep and name in ("resume", "out") else {}
+                said = f"^{name}: expected .*, found {type(value).__name__}$"
+                with self.subTest(name=name), self.assertRaisesRegex(TypeError, said):
+                    call(*given, **{name: value}, **more)
+
+    def test_a_truth_value_is_no_number(self):
+        calls = {
+            "speed": lambda: passivity.simulate(SCENE, speed=True),
+            "beta": lambda: passivity.sweep(SCENE, beta=[0, True], sigma=1),
+            "sigma": lambda: passivity.sweep(SCENE, beta=0, sigma=True),
+            "vary: mass": lambda: passivity.sweep(SCENE, vary={"mass": [True], "beta": 1}),
+        }
+        for name, call in calls.items():
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}: expected .* found True$"):
+                call()
+
+    def test_half_of_a_character_is_no_text(self):
+        for call in (
+            lambda: passivity.identify("log.csv", SKETCH, device="\udcff"),
+            lambda: passivity.audit([0, 1], SCENE, unit="\udcff"),
+            lambda: passivity.check("a\n\udcff"),
+        ):
+            with self.assertRaisesRegex(ValueError, "half of a character"):
+                call()
+
+
+class Columns(InFolder):
+    def intervals(self, header, columns):
+        log = self.path("log.csv", f"{header}\n0\n1\n")
+        return passivity.audit(log, ROTARY, columns=columns).intervals
+
+    def test_a_name_in_a_mapping_is_one_name(self):
+        forms = [
+            ('"a,b"', {"count": "a,b"}),
+            ('"pos, f=torque"', {"count": "pos, f=torque"}),
+            ('"a ""b"""', {"count": 'a "b"'}),
+            ("a=b", {"count": "a=b"}),
+            ("pos (a", {"count": "pos (a"}),
+            ('""', {"count": ""}),
+            ('"a,b"', {"x": "a,b [deg]"}),
+            ('"a,b [deg]"', {"x": "a,b [deg]"}),
+            ('"a,b [deg]"', {"x": "-a,b"}),
+            ("pos", {"x": "-pos [deg]"}),
+            ("pos", ["x=pos [deg]"]),
+        ]
+        for header, columns in forms:
+            with self.subTest(columns=columns):
+                self.assertEqual(self.intervals(header, columns), 1)
+        # No other role is read from a name, nor from a role.
+        log = self.path("log.csv", "pos,torque\n0,0\n1,0\n")
+        with self.assertRaisesRegex(passivity.TraceError, "there is no column `pos, f=torque`"):
+            passivity.audit(log, ROTARY, columns={"count": "pos, f=torque"})
+        with self.assertRaisesRegex(ValueError, "^columns: expected what a column says"):
+            passivity.audit(log, ROTARY, columns={"count=pos, f": "torque"})
+
+    def test_a_time_in_two_columns_and_lists(self):
+        log = self.path("log.csv", '"s,a",n,p,f [N m]\n0,0,0,0\n0,1000000,1,0\n')
+        times = {"t": "s,a [s] + n [ns]", "count": "p"}
+        self.assertEqual(passivity.audit(log, ROTARY, columns=times).timing.uneven, 0)
+        parts = ['t="s,a" [s] + n [ns]', "count=p"]
+        self.assertEqual(passivity.audit(log, ROTARY, columns=parts).timing.uneven, 0)
+
+
 class Places(InFolder):
     def test_a_folder_whose_name_is_not_utf_8(self):
         folder = pathlib.Path(self.folder, os.fsdecode(b"d\xff"))

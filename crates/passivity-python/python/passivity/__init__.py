@@ -19,15 +19,12 @@ from __future__ import annotations
 import json as _json
 import os as _os
 import tempfile as _tempfile
-from collections.abc import Mapping as _Mapping
-from decimal import Decimal as _Decimal
 from fractions import Fraction as _Fraction
 from math import isfinite as _isfinite
-from numbers import Integral as _Integral
 from numbers import Rational as _Rational
 from numbers import Real as _Real
 
-from . import _arrays, _passivity
+from . import _arrays, _given, _passivity
 from ._passivity import IdentificationError, SceneError, SimulationError, TraceError, __version__
 from .results import AuditReport, Identification, Record, Simulation, SweepResult, Verdict
 from .results import doubles as _doubles
@@ -53,93 +50,6 @@ __all__ = [
 ]
 
 
-def _exact(value):
-    """Fractions, decimals and NumPy's numbers as what spells them."""
-    if isinstance(value, (_Fraction, _Decimal)):
-        return str(value)
-    if isinstance(value, _Integral):
-        return int(value)
-    if isinstance(value, _Real):
-        return float(value)
-    raise TypeError(f"a scene cannot hold {type(value).__name__}")
-
-
-def _scene(scene):
-    if isinstance(scene, _Mapping):
-        return "object", _json.dumps(_finite(scene), default=_exact)
-    # No file has an empty name: that is the text of a scene without anything.
-    if isinstance(scene, str) and ("\n" in scene or not scene):
-        return "text", scene
-    if isinstance(scene, (str, _os.PathLike)) and isinstance(path := _os.fspath(scene), str):
-        return "path", path
-    found = type(scene).__name__
-    raise TypeError(f"scene: expected the path of a scene file, its text, or a mapping, found {found}")
-
-
-def _finite(value):
-    """A scene with what JSON has no number for as text, of which its reader says where it stands."""
-    if isinstance(value, _Mapping):
-        return {key: _finite(inner) for key, inner in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_finite(inner) for inner in value]
-    if isinstance(value, _Real) and not isinstance(value, _Rational):
-        return float(value) if _isfinite(value) else str(float(value))
-    return value
-
-
-def _reading(columns, delimiter, decimal_comma, law, threads):
-    if isinstance(columns, _Mapping):
-        columns = ", ".join(f"{role}={name}" for role, name in columns.items())
-    return {
-        "columns": columns,
-        "delimiter": delimiter,
-        "decimal_comma": decimal_comma,
-        "law": law,
-        "threads": _whole("threads", threads, 0, 1024),
-    }
-
-
-def _whole(name, value, least, most):
-    """A whole number in a range, or None."""
-    if value is None:
-        return None
-    if isinstance(value, _Integral) and not isinstance(value, bool) and least <= value <= most:
-        return int(value)
-    raise ValueError(f"{name}: expected a whole number from {least} to {most}, found {value!r}")
-
-
-def _intervals(value):
-    return _whole("intervals", value, 1, _passivity.MAX_INTERVALS)
-
-
-def _range(values):
-    """A range as text: `0:1:41` as it is, or a list of numbers."""
-    if values is None or isinstance(values, str):
-        return values
-    if isinstance(values, (_Real, _Decimal)):
-        values = [values]
-    return ",".join(x if isinstance(x, str) else str(_exact(x)) for x in values)
-
-
-def _ranges(beta=None, sigma=None, speed=None, vary=None, intervals=None):
-    """A grid as the native functions take it."""
-    if beta is sigma is speed is None and len(vary or {}) not in (2, 3):
-        found = f"found {len(vary)} in `vary`" if vary else "found none of them"
-        raise SimulationError(f"expected `beta` and `sigma`, or two or three parameters in `vary`, {found}")
-    return {
-        "beta": _range(beta),
-        "sigma": _range(sigma),
-        "speed": _range(speed),
-        "vary": [f"{key}={_range(values)}" for key, values in (vary or {}).items()],
-        "intervals": _intervals(intervals),
-    }
-
-
-def _told(progress, total):
-    """What is called with how much is done, of how much in all."""
-    return None if progress is None else lambda done: progress(done, total)
-
-
 def check(scene):
     """The verdict on a scene: the fields of ``passivity check --format json``.
 
@@ -155,7 +65,7 @@ def check(scene):
     ...     print(error.line, error.key)
     2 sampling.period
     """
-    return Verdict.from_json(_passivity.check(_scene(scene)))
+    return Verdict.from_json(_passivity.check(_given.scene(scene)))
 
 
 def interval(xi0, xi1, *, beta, sigma, dtau=1):
@@ -207,7 +117,8 @@ def audit(
     Integers are encoder counts, floats positions in ticks, or in ``unit`` when one is given. ``t`` are the
     times of the samples, in ``t_unit``; in sampling periods with ``t_unit=None``. ``f`` are the forces that
     were commanded at the samples, in ``f_unit``; in KΔ with ``f_unit=None``. ``columns`` says which columns
-    of a file are read, as ``--columns`` does: ``"t=time [us], x=position [deg]"`` or a mapping. ``law``
+    of a file are read, as ``--columns`` does: ``"t=time [us], x=position [deg]"``, a list of its parts, or a mapping
+    such as ``{"t": "time [us]", "x": "position [deg]"}``, in which names may have commas, quotes and equals signs. ``law``
     selects the force of the scene's law where there are others. ``out`` is a file for the rows, as CSV.
     ``progress`` is called with how many samples were read, and ``None`` for how many there are.
 
@@ -219,9 +130,10 @@ def audit(
     Raises :class:`TraceError` for a header, unit or array that cannot be read. A mistake further on is
     in the report: ``report["error"]`` says where, and the account is of what came before.
     """
-    reading = _reading(columns, delimiter, decimal_comma, law, threads)
-    where = _scene(scene), reading, None if out is None else _os.fspath(out), _told(progress, None)
-    paths = _paths(trace)
+    reading = _logged(columns, delimiter, decimal_comma, law, threads)
+    where = _given.scene(scene), reading, _given.path("out", out), _given.told(progress, None)
+    unit, t_unit, f_unit = map(_given.text, ("unit", "t_unit", "f_unit"), (unit, t_unit, f_unit))
+    paths = _given.paths("trace", trace)
     if paths is not None:
         if not (unit is None and t is None and f is None and f_unit is None):
             raise ValueError("a file has its units, times and forces in its own columns")
@@ -239,12 +151,13 @@ def audit(
     return _report(_passivity.audit_arrays(table, *where))
 
 
-def _paths(trace):
-    if isinstance(trace, (str, _os.PathLike)):
-        return [_os.fspath(trace)]
-    if isinstance(trace, (list, tuple)) and trace and all(isinstance(x, (str, _os.PathLike)) for x in trace):
-        return [_os.fspath(x) for x in trace]
-    return None
+def _logged(columns, delimiter, decimal_comma, law, threads):
+    """How a log is read and judged, as the native functions take it."""
+    return {
+        **_given.reading(columns, delimiter, decimal_comma),
+        "law": _given.flag("law", law),
+        "threads": _given.whole("threads", threads, 0, 1024),
+    }
 
 
 def _report(answer):
@@ -279,7 +192,8 @@ def identify(
     missing. ``count_error`` is by how many ticks a count may be off, ``force_error`` by how much the force may,
     in N or N m. ``effort`` is how much work the search may be, in millions of intervals of motion. ``columns``,
     ``delimiter`` and ``decimal_comma`` are those of :func:`audit`. ``out`` is a file for the scene that was
-    found, with ``device`` and ``date`` noted in it; it is written where every parameter has bounds.
+    found, with ``device`` and ``date``, a text or a ``datetime.date``, noted in it; it is written where every
+    parameter has bounds.
     ``progress`` is called with how much of the work is done, in intervals, and the most that it is where
     ``effort`` says so.
 
@@ -297,29 +211,21 @@ def identify(
     """
     if inertia not in ("sketch", "free"):
         raise ValueError(f"inertia: expected 'sketch' or 'free', found {inertia!r}")
-    paths = _paths(logs)
+    paths = _given.paths("logs", logs)
     if paths is None:
         raise TypeError("logs: expected the path of a log, or a list of paths")
-    if isinstance(columns, _Mapping):
-        columns = ", ".join(f"{role}={name}" for role, name in columns.items())
+    effort, out = _given.whole("effort", effort, 1, 100_000), _given.path("out", out)
     asked = {
-        "columns": columns,
-        "delimiter": delimiter,
-        "decimal_comma": decimal_comma,
-        "count_error": count_error,
-        "force_error": force_error,
+        **_given.reading(columns, delimiter, decimal_comma),
+        "count_error": _given.number("count_error", count_error),
+        "force_error": _given.number("force_error", force_error),
         "free_inertia": inertia == "free",
-        "effort": _whole("effort", effort, 1, 100_000),
-        "device": device,
-        "date": date,
+        "effort": effort,
+        "device": _given.text("device", device),
+        "date": _given.day("date", date),
     }
-    report, scene, picture = _passivity.identify(
-        paths,
-        _scene(sketch),
-        asked,
-        None if out is None else _os.fspath(out),
-        _told(progress, None if effort is None else effort * 1_000_000),
-    )
+    told = _given.told(progress, None if effort is None else effort * 1_000_000)
+    report, scene, picture = _passivity.identify(paths, _given.scene(sketch), asked, out, told)
     result = Identification.from_json(report)
     result.toml, result.picture = scene, picture
     return result
@@ -342,12 +248,12 @@ def simulate(
     ('at_rest', True)
     """
     report, columns = _passivity.simulate(
-        _scene(scene),
-        method,
-        _intervals(intervals),
-        None if speed is None else str(_exact(speed) if not isinstance(speed, str) else speed),
-        trace,
-        _told(progress, intervals),
+        _given.scene(scene),
+        _given.text("method", method),
+        _given.how_long(intervals),
+        None if speed is None else _given.spelled("speed", speed),
+        _given.flag("trace", trace),
+        _given.told(progress, intervals),
     )
     result = Simulation.from_json(report)
     result.columns = {name: _doubles(data) for name, data in columns}
@@ -379,12 +285,12 @@ def sweep(
     >>> result.points, result.columns["exact"][-1]
     (6, 'at_rest')
     """
-    ranges = _ranges(beta, sigma, speed, vary, intervals)
-    where, threads = _scene(scene), _whole("threads", threads, 0, 1024)
+    ranges = _given.ranges(beta, sigma, speed, vary, intervals)
+    where, threads = _given.scene(scene), _given.whole("threads", threads, 0, 1024)
+    path, resume = _given.path("out", out), _given.flag("resume", resume)
     points, axes, _ = _passivity.grid(where, ranges)
-    told = _told(progress, points)
-    if out is not None:
-        path = _os.fspath(out)
+    told = _given.told(progress, points)
+    if path is not None:
         report = _passivity.sweep(where, ranges, path, None, resume, threads, told)
         return _swept(report, axes, path)
     if resume:

@@ -1,4 +1,5 @@
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from datetime import date as _date
 from decimal import Decimal
 from fractions import Fraction
 from os import PathLike
@@ -54,7 +55,7 @@ def audit(
     t_unit: str | None = "s",
     f: _Numbers | None = None,
     f_unit: str | None = None,
-    columns: str | Mapping[str, str] | None = None,
+    columns: str | Sequence[str] | Mapping[str, str] | None = None,
     delimiter: str | None = None,
     decimal_comma: bool = False,
     law: bool = False,
@@ -70,12 +71,12 @@ def identify(
     force_error: float = 0.0,
     inertia: Literal["sketch", "free"] = "sketch",
     effort: int | None = None,
-    columns: str | Mapping[str, str] | None = None,
+    columns: str | Sequence[str] | Mapping[str, str] | None = None,
     delimiter: str | None = None,
     decimal_comma: bool = False,
     out: _Path | None = None,
     device: str | None = None,
-    date: str | None = None,
+    date: str | _date | None = None,
     progress: _Progress | None = None,
 ) -> Identification: ...
 def simulate(

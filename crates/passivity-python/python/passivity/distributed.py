@@ -18,7 +18,7 @@ import tempfile as _tempfile
 import threading as _threading
 import time as _time
 
-from . import _passivity, _pieces, _ranges, _report, _scene, _swept, _reading, __version__
+from . import _given, _logged, _passivity, _pieces, _report, _swept, __version__
 from ._parts import Parts as _Parts
 from ._parts import written as _written
 from .adaptive import Border as _Border
@@ -226,7 +226,7 @@ def sweep(
 
     Returns a :class:`passivity.SweepResult`; ``result.shards`` says how many there were.
     """
-    source, ranges = _absolute(_scene(scene)), _ranges(**grid)
+    source, ranges = _absolute(_given.scene(scene)), _given.ranges(**grid)
     points, axes, _ = _passivity.grid(source, ranges)
     path = _os.fspath(out)
     folder = _Parts(parts if parts is not None else path + ".parts", storage_options)
@@ -322,8 +322,8 @@ def audit(
     """
     one = isinstance(files, (str, _os.PathLike))
     logs = [_os.path.abspath(_os.fspath(log)) for log in ([files] if one else files)]
-    source = _absolute(_scene(scene))
-    reading = _reading(columns, delimiter, decimal_comma, law, threads)
+    source = _absolute(_given.scene(scene))
+    reading = _logged(columns, delimiter, decimal_comma, law, threads)
     folder = None if parts is None else _Parts(parts, storage_options)
 
     # A log without a byte is one piece: its account says what is wrong with it.
@@ -389,7 +389,7 @@ def border(
 
     Returns a :class:`passivity.adaptive.Border`.
     """
-    source, ranges = _absolute(_scene(scene)), _ranges(**grid)
+    source, ranges = _absolute(_given.scene(scene)), _given.ranges(**grid)
     points, axes, values = _passivity.grid(source, ranges)
     simulated = 0
 
