@@ -1,5 +1,7 @@
 //! Identification: friction and inertia of a device from logs of its motion.
 
+use std::fs::File;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use passivity_audit::dialects;
@@ -7,14 +9,14 @@ use passivity_identify::{
     Identified, IdentifyError, Inertia, LogReport, Options, Provenance, Report, TraceError,
     identify as search, read, read_sketch, sha256,
 };
-use passivity_scene::Scene;
 use passivity_scene::parse::MAX_BYTES;
+use passivity_scene::{Scene, SceneError, files};
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, Value};
 
 use crate::audit::dialect;
-use crate::output::may_be_written;
+use crate::output::can_be_written;
 use crate::scene::{Source, of_identification, of_scene, of_trace};
 use crate::watch::follow;
 
@@ -34,9 +36,8 @@ pub(crate) struct Asked {
     date: Option<String>,
 }
 
-/// The report as JSON, the scene that was found, where every parameter has bounds, and the picture, where
-/// there is one.
-type Answer = (String, Option<String>, Option<String>);
+/// The report as JSON, the scene that was found, the picture, where there is one, and why there is no scene.
+type Answer = (String, Option<String>, Option<String>, Option<String>);
 
 /// Why there is no answer.
 enum Failed {
@@ -62,14 +63,14 @@ pub(crate) fn identify(
         .chain(sketch.path())
         .collect();
     if let Some(out) = &out {
-        may_be_written(out, &inputs)?;
+        can_be_written(out, &inputs)?;
     }
     let (columns, delimiter) = (asked.columns.as_deref(), asked.delimiter.as_deref());
     let dialect = dialect(py, columns, delimiter, asked.decimal_comma)?;
-    let (name, text) = text_of(&sketch)?;
+    let (name, text) = text_of(py, &sketch)?;
     let scene = read_sketch(&name, &text).map_err(|error| of_scene(py, &error))?;
     let answer = follow(py, progress.as_ref(), move |watch| {
-        let (mut sampled, mut files) = (Vec::new(), Vec::new());
+        let (mut sampled, mut hashed) = (Vec::new(), Vec::new());
         let refused = |path: &Path, error: TraceError| {
             let file = Some(path.display().to_string());
             Failed::Log(TraceError { file, ..error })
@@ -80,13 +81,13 @@ pub(crate) fn identify(
         for (path, dialect) in logs.iter().zip(&each) {
             let log = read(path, &scene, dialect).map_err(|error| refused(path, error))?;
             let hash = sha256(path);
-            files.push(LogReport {
+            hashed.push(LogReport {
                 file: path.display().to_string(),
                 sha256: hash.map_err(|error| failed(path, &error))?,
             });
             sampled.push(log);
         }
-        let rows: u64 = sampled.iter().map(|log| log.positions.len() as u64).sum();
+        let rows = sampled.iter().map(|log| log.positions.len()).sum();
         let options = Options {
             count_error: asked.count_error,
             force_error: asked.force_error,
@@ -96,13 +97,13 @@ pub(crate) fn identify(
             },
             effort: match asked.effort {
                 Some(millions) => millions * 1_000_000,
-                None => rows.max(20_000) * 1_000,
+                None => Options::effort_for(rows),
             },
         };
         let found = search(&sampled, &scene, &options, |steps| watch.set(steps));
         let found = found.map_err(Failed::Search)?;
         let said = Provenance {
-            logs: files,
+            logs: hashed,
             device: asked.device,
             date: asked.date,
         };
@@ -129,43 +130,60 @@ fn answer(
     let report = Report::new(scene, found, said.logs.clone());
     let report = serde_json::to_string(&report);
     let report = report.map_err(|error| Failed::File(error.to_string()))?;
-    let files: Vec<&str> = said.logs.iter().map(|log| log.file.as_str()).collect();
+    let names: Vec<&str> = said.logs.iter().map(|log| log.file.as_str()).collect();
     // Where nothing can be drawn there is no picture.
     let picture = found
-        .picture(&format!("{}: {}", scene.name, files.join(", ")))
+        .picture(&format!("{}: {}", scene.name, names.join(", ")))
         .ok();
-    if !found.is_bounded() {
-        return Ok((report, None, picture));
+    let written = match found.unwritten() {
+        Some(why) => Err(why),
+        None => found
+            .scene(sketch, &said)
+            .map_err(|error| error.to_string()),
+    };
+    if let (Some(out), Ok(written)) = (out, &written) {
+        files::write(out, written).map_err(|error| failed(out, &error))?;
     }
-    let written = found.scene(sketch, &said);
-    if let Some(out) = out {
-        let written = written
-            .as_ref()
-            .map_err(|error| Failed::Search(error.clone()))?;
-        passivity_scene::files::write(out, written).map_err(|error| failed(out, &error))?;
-    }
-    // Bounds such as an inertia down to zero are of no scene.
-    Ok((report, written.ok(), picture))
+    let why = written.as_ref().err().cloned();
+    Ok((report, written.ok(), picture, why))
 }
 
-/// The name and the text of a sketch.
-fn text_of(sketch: &Source) -> PyResult<(String, String)> {
-    match sketch {
-        Source::Path(path) => {
-            let failed =
-                |error: std::io::Error| PyOSError::new_err(format!("{}: {error}", path.display()));
-            if path.metadata().map_err(failed)?.len() > MAX_BYTES {
-                let message = format!("{}: larger than {MAX_BYTES} bytes", path.display());
-                return Err(PyValueError::new_err(message));
-            }
-            let name = path
-                .file_stem()
-                .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-            Ok((name, std::fs::read_to_string(path).map_err(failed)?))
-        }
-        Source::Text(text) => Ok(("scene".to_owned(), text.to_owned())),
-        Source::Object(text) => Ok(("scene".to_owned(), toml_of(text)?)),
+/// The name and the text of a sketch. What is no text of a scene is refused as every scene is.
+fn text_of(py: Python<'_>, sketch: &Source) -> PyResult<(String, String)> {
+    let path = match sketch {
+        Source::Path(path) => path,
+        Source::Text(text) => return Ok(("scene".to_owned(), text.clone())),
+        Source::Object(text) => return Ok(("scene".to_owned(), toml_of(text)?)),
+    };
+    // Opening a pipe would wait for someone to write to it, but for one that was handed over open.
+    let is_open = path.starts_with("/dev") || path.starts_with("/proc");
+    let there = path.metadata();
+    let mut bytes = Vec::new();
+    let mut read = |file: File| file.take(MAX_BYTES + 1).read_to_end(&mut bytes);
+    if !there.is_ok_and(|it| it.is_file() || (is_open && !it.is_dir()))
+        || File::open(path).and_then(&mut read).is_err()
+    {
+        return refused(py, Scene::read(path));
     }
+    match std::str::from_utf8(&bytes) {
+        Ok(text) if text.len() as u64 <= MAX_BYTES => {
+            let name = path.file_stem().unwrap_or_default().to_string_lossy();
+            Ok((name.into_owned(), text.to_owned()))
+        }
+        _ => refused(
+            py,
+            Scene::from_reader(&path.display().to_string(), bytes.as_slice()),
+        ),
+    }
+}
+
+/// Why a file is no scene.
+fn refused<T>(py: Python<'_>, read: Result<Scene, SceneError>) -> PyResult<T> {
+    Err(match read {
+        Err(error) => of_scene(py, &error),
+        // It changed between two looks.
+        Ok(_) => PyOSError::new_err("sketch: the file changed while it was read"),
+    })
 }
 
 /// The text of a sketch that is a mapping: a section for each of its own mappings.

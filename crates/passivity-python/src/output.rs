@@ -17,6 +17,14 @@ pub(crate) fn may_be_written(output: &Path, inputs: &[&Path]) -> PyResult<()> {
     may_be_replaced(output).map_err(|error| refused(&error.to_string()))
 }
 
+/// Refuses, before any work is done, what [`may_be_written`] does and a name under which no file can be made, as
+/// in a folder that is not there.
+pub(crate) fn can_be_written(output: &Path, inputs: &[&Path]) -> PyResult<()> {
+    may_be_written(output, inputs)?;
+    let made = Output::create(output);
+    made.map(drop).map_err(|error| failed(output, &error))
+}
+
 /// Where rows are written.
 pub(crate) fn rows_file(path: Option<PathBuf>, inputs: &[&Path]) -> PyResult<Option<Rows>> {
     let Some(path) = path else {

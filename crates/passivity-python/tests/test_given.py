@@ -119,6 +119,7 @@ class Columns(InFolder):
 
 
 class Places(InFolder):
+    @unittest.skipUnless(sys.platform == "linux", "elsewhere names are text")
     def test_a_folder_whose_name_is_not_utf_8(self):
         folder = pathlib.Path(self.folder, os.fsdecode(b"d\xff"))
         folder.mkdir()
@@ -133,6 +134,43 @@ class Places(InFolder):
         with open(folder / "d.toml", "w", encoding="utf-8") as file:
             file.write("[dimensionless]\nmu = 10\n")
         self.assertEqual(passivity.identify(log, folder / "d.toml", effort=1).samples, 30)
+
+    def test_a_sketch_that_cannot_be_read_is_refused_as_every_scene_is(self):
+        log = self.path("push.csv", PUSH)
+        latin = self.path("latin.toml", b"[sampling]\nperiod = '1 \xb5s'\n")
+        large = self.path("large.toml", "#" * 300_000)
+        for sketch in (self.folder, latin, large, self.folder + "/absent.toml", self.folder + "/a\0b"):
+            said = []
+            for call in (passivity.check, lambda sketch: passivity.identify(log, sketch)):
+                with self.assertRaises(passivity.SceneError) as caught:
+                    call(sketch)
+                error = caught.exception
+                said.append((str(error), error.line, error.column, error.kind, error.diagnostics))
+            self.assertEqual(said[0], said[1])
+
+    def test_an_answer_without_a_scene(self):
+        log, out = self.path("push.csv", PUSH), os.path.join(self.folder, "device.toml")
+        still = self.path("still.csv", "count,f\n" + "0,0\n" * 5 + "0,9\n" * 5 + "99,0\n" * 5)
+        with self.assertWarnsRegex(UserWarning, "device.toml is not written: no parameters fit") as warned:
+            found = passivity.identify(still, SKETCH, effort=1, out=out)
+        self.assertEqual((found.toml, found.refuted_by.row), (None, 11))
+        self.assertEqual((warned.filename, os.path.exists(out)), (__file__, False))
+        with self.assertWarnsRegex(UserWarning, "how small the inertia is.*or try more `effort`"):
+            found = passivity.identify(log, SKETCH, inertia="free", effort=1, out=out)
+        self.assertEqual((found.toml, found.parameters.inertia.lo), (None, 0))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            found = passivity.identify(still, SKETCH, effort=1)
+            passivity.identify(log, SKETCH, effort=5, out=out, date=datetime.date(2024, 5, 1))
+        with open(out, encoding="utf-8") as file:
+            self.assertIn("# Recorded: 2024-05-01\n", file.read())
+
+    def test_a_folder_that_is_not_there_is_refused_before_the_search(self):
+        log, told = self.path("push.csv", PUSH), []
+        for out in (os.path.join(self.folder, "nowhere", "device.toml"), os.path.join(log, "device.toml")):
+            with self.assertRaises((OSError, ValueError)):
+                passivity.identify(log, SKETCH, out=out, progress=lambda *done: told.append(done))
+        self.assertEqual((told, os.listdir(self.folder)), ([], ["push.csv"]))
 
 
 class Copies(unittest.TestCase):

@@ -19,6 +19,7 @@ from __future__ import annotations
 import json as _json
 import os as _os
 import tempfile as _tempfile
+import warnings as _warnings
 from fractions import Fraction as _Fraction
 from math import isfinite as _isfinite
 from numbers import Rational as _Rational
@@ -192,8 +193,9 @@ def identify(
     missing. ``count_error`` is by how many ticks a count may be off, ``force_error`` by how much the force may,
     in N or N m. ``effort`` is how much work the search may be, in millions of intervals of motion. ``columns``,
     ``delimiter`` and ``decimal_comma`` are those of :func:`audit`. ``out`` is a file for the scene that was
-    found, with ``device`` and ``date``, a text or a ``datetime.date``, noted in it; it is written where every
-    parameter has bounds.
+    found, with ``device`` and ``date``, a text or a ``datetime.date``, noted in it. Where no scene can be written, as
+    nothing fits or a parameter has no bounds, ``toml`` of the answer is ``None``, no file is written, and a warning
+    (``UserWarning``) says why.
     ``progress`` is called with how much of the work is done, in intervals, and the most that it is where
     ``effort`` says so.
 
@@ -225,7 +227,9 @@ def identify(
         "date": _given.day("date", date),
     }
     told = _given.told(progress, None if effort is None else effort * 1_000_000)
-    report, scene, picture = _passivity.identify(paths, _given.scene(sketch), asked, out, told)
+    report, scene, picture, why = _passivity.identify(paths, _given.scene(sketch), asked, out, told)
+    if out is not None and why is not None:
+        _warnings.warn(f"{out} is not written: {why.replace('--effort', '`effort`')}", stacklevel=2)
     result = Identification.from_json(report)
     result.toml, result.picture = scene, picture
     return result

@@ -52,7 +52,7 @@ def identify(
     asked: dict[str, Any],
     out: str | None = None,
     progress: _Progress = None,
-) -> tuple[str, str | None, str | None]: ...
+) -> tuple[str, str | None, str | None, str | None]: ...
 def simulate(
     scene: _Scene,
     method: str,
