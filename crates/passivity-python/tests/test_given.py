@@ -173,6 +173,25 @@ class Places(InFolder):
         self.assertEqual((told, os.listdir(self.folder)), ([], ["push.csv"]))
 
 
+class Kept(InFolder):
+    def test_the_points_of_another_sweep_are_refused(self):
+        for name in ("grid.csv", "grid.parquet"):
+            out = os.path.join(self.folder, name)
+
+            def swept(beta):
+                return passivity.sweep(SCENE, beta=beta, sigma="0:1:3", speed=2, intervals=50, out=out)
+
+            unseen, other = swept("0:1:3"), swept("0:1:2")
+            with self.assertRaisesRegex(ValueError, f"{name}: this is no longer the file"):
+                unseen.columns
+            self.assertIn("no longer the file", unseen._repr_html_())
+            if name == "grid.csv":
+                self.assertEqual(len(other.columns["beta"]), 6)
+                # The same bytes are the same points, and what was seen is kept.
+                swept("0:1:3")
+                self.assertEqual((len(unseen.columns["beta"]), len(other.columns["beta"])), (9, 6))
+
+
 class Copies(unittest.TestCase):
     def test_other_threads_run_while_columns_are_copied(self):
         def enough(done, total):

@@ -282,7 +282,8 @@ def sweep(
     The grid is of ``beta``, ``sigma`` and perhaps ``speed``, each a range ``"0:1:41"`` (both ends included) or
     numbers, or of two or three parameters of the scene: ``vary={"stiffness": "0.1:2:41 N m/rad", …}``. The
     points go to ``out``, as CSV or, where the name ends in ``.parquet``, as Parquet; with ``resume`` an
-    interrupted sweep goes on there. ``progress`` is called with how many points are done, of how many.
+    interrupted sweep goes on there. The result reads them from there when they are first asked for, and refuses a file
+    that another sweep wrote since. ``progress`` is called with how many points are done, of how many.
 
     >>> scene = {"dimensionless": {"mu": 50, "beta": 1, "sigma": 1}, "run": {"intervals": 1000}}
     >>> result = sweep(scene, beta="0:1:3", sigma=["1/4", 1], speed=[5])
@@ -296,17 +297,12 @@ def sweep(
     told = _given.told(progress, points)
     if path is not None:
         report = _passivity.sweep(where, ranges, path, None, resume, threads, told)
-        return _swept(report, axes, path)
+        return SweepResult.of_file(report, axes, path)
     if resume:
         raise ValueError("resume goes on with the file of `out`, and there is none")
     with _tempfile.TemporaryDirectory() as folder:
         path = _os.path.join(folder, "grid.csv")
-        result = _swept(_passivity.sweep(where, ranges, path, None, False, threads, told), axes, path)
+        report = _passivity.sweep(where, ranges, path, None, False, threads, told)
+        result = SweepResult.of_file(report, axes, path)
         _ = result.columns
-    return result
-
-
-def _swept(report, axes, path):
-    result = SweepResult.from_json(report)
-    result.axes, result.path = axes, path
     return result

@@ -18,11 +18,12 @@ import tempfile as _tempfile
 import threading as _threading
 import time as _time
 
-from . import _given, _logged, _passivity, _pieces, _report, _swept, __version__
+from . import _given, _logged, _passivity, _pieces, _report, __version__
 from ._parts import Parts as _Parts
 from ._parts import written as _written
 from .adaptive import Border as _Border
 from .adaptive import refine as _refine
+from .results import SweepResult as _SweepResult
 
 __all__ = ["audit", "border", "sweep"]
 
@@ -260,14 +261,14 @@ def sweep(
     counts = {"shards": len(work.pieces), "simulated_shards": len(simulated)}
     names = [task.name(piece) for piece in sorted(work.pieces)]
     if not merge:
-        result = _swept("{}", axes, folder.place)
+        result = _SweepResult.of_file("{}", axes, folder.place)
         result.update(points=points, **counts)
         return result
     with _tempfile.TemporaryDirectory() as local, _written(path, storage_options) as merged:
         report = _passivity.sweep_merge(source, ranges, folder.fetch(names, local), merged)
     if not keep:
         folder.remove()
-    result = _swept(report, axes, path)
+    result = _SweepResult.of_file(report, axes, path)
     result.update(counts)
     return result
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import hashlib as _hashlib
 import html as _html
 import json as _json
+import os as _os
 from array import array as _array
 
 __all__ = ["AuditReport", "Identification", "Record", "Simulation", "SweepResult", "Verdict"]
@@ -184,18 +186,37 @@ _COLOURS = {
 
 
 class SweepResult(Record):
-    """What a sweep counted, with the file of its points as ``path`` and the names of the axes as ``axes``."""
+    """What a sweep counted, with the file of its points as ``path`` and the names of the axes as ``axes``.
+
+    The points are read from the file when they are first asked for. Where something else is in it by then, as that of
+    another sweep, this is a ``ValueError``."""
 
     path = None
     axes: list = []
     _columns = None
+    _hash = None
+
+    @classmethod
+    def of_file(cls, report, axes, path):
+        """Of a report as JSON, with the file that a sweep has just written."""
+        result = cls.from_json(report)
+        result.axes, result.path, result._hash = axes, path, _hashed(path)
+        return result
 
     @property
     def columns(self):
         """The columns of the file: names to lists, in the order of the grid."""
         if self._columns is None:
+            self._check()
             self._columns = _read(self.path)
         return self._columns
+
+    def _check(self):
+        if self._hash is not None and _hashed(self.path) not in (self._hash, None):
+            raise ValueError(
+                f"{self.path}: this is no longer the file that the sweep wrote: give each sweep a file of its own, "
+                "or look at `columns` before another one writes there"
+            )
 
     def svg(self, size=320):
         """The outcomes over the first two axes, at the first value of the third, as SVG."""
@@ -233,16 +254,30 @@ class SweepResult(Record):
         )
 
     def _picture(self):
-        return self.svg() if self.get("points", 0) <= 100_000 and self.path is not None else ""
+        if self.get("points", 0) > 100_000 or self.path is None:
+            return ""
+        try:
+            return self.svg()
+        except (OSError, ValueError) as error:
+            return f"<p>{_html.escape(str(error))}</p>"
 
     def to_arrow(self):
         """The points as a table (needs pyarrow)."""
         pyarrow = _pyarrow()
         if self._columns is None and str(self.path).lower().endswith(".parquet"):
+            self._check()
             import pyarrow.parquet
 
             return pyarrow.parquet.read_table(self.path)
         return pyarrow.table(self.columns)
+
+
+def _hashed(path):
+    """What tells the contents of a file from others, or None where there is no file on this machine."""
+    if not _os.path.isfile(path):
+        return None
+    with open(path, "rb") as file:
+        return _hashlib.file_digest(file, "sha256").digest()
 
 
 def _read(path):
