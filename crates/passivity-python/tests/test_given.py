@@ -191,6 +191,18 @@ class Kept(InFolder):
                 swept("0:1:3")
                 self.assertEqual((len(unseen.columns["beta"]), len(other.columns["beta"])), (9, 6))
 
+    def test_results_go_through_every_protocol(self):
+        motion = passivity.simulate(SCENE, speed=3, intervals=20)
+        report = passivity.audit([0.0, 1.0, 0.0], {"dimensionless": {"beta": 0, "sigma": 0}})
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            for result in (motion, report, passivity.check(SCENE)):
+                again = pickle.loads(pickle.dumps(result, protocol))
+                self.assertEqual((type(again), again), (type(result), result))
+            self.assertIsInstance(again.spare, results.Record)
+            columns = pickle.loads(pickle.dumps(motion, protocol)).columns
+            self.assertEqual(list(columns["xi0"]), list(motion.columns["xi0"]))
+            self.assertEqual(pickle.loads(pickle.dumps(report, protocol)).certificate, report.certificate)
+
 
 class Copies(unittest.TestCase):
     def test_other_threads_run_while_columns_are_copied(self):

@@ -18,8 +18,6 @@ class Record(dict):
     'passive'
     """
 
-    __slots__ = ("__dict__",)
-
     def __getattr__(self, name):
         try:
             return self[name]
