@@ -158,7 +158,8 @@ impl Batch {
     ) -> usize {
         let before = self.intervals;
         self.add_sums(sums, rows.len());
-        each_answer(&tile.covers()[rows.clone()], |truths, first, times| {
+        let covers = tile.covers().get(rows.clone()).unwrap_or_default();
+        each_answer(covers, |truths, first, times| {
             self.tally(truths, before + first as u64, times as u64);
         });
         rows.len()

@@ -267,9 +267,10 @@ impl Balls {
         let (from, off) = (self.middles.get(at..), self.radii.get(at..));
         let (from, off) = (from.unwrap_or_default(), off.unwrap_or_default());
         let len = most.min(from.len()).min(off.len());
-        let parts = middles.iter_mut().zip(radii).zip(from.iter().zip(off));
-        for ((middle, radius), (from, off)) in parts.take(len) {
-            (*middle, *radius) = (*from, *off);
+        for (to, from) in [(middles, from), (radii, off)] {
+            if let Some((to, from)) = to.get_mut(..len).zip(from.get(..len)) {
+                to.copy_from_slice(from);
+            }
         }
         len
     }

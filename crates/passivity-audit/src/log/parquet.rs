@@ -27,7 +27,7 @@ use crate::reading::Reading;
 const COUNTS: usize = 1 << 19;
 
 /// and of others, so that what is computed of them does not have to leave the cache.
-const ROWS: usize = 1 << 13;
+const ROWS: usize = 1 << 14;
 
 /// A column that is read.
 struct Wanted {

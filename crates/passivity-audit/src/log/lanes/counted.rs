@@ -178,19 +178,20 @@ impl Counted {
         self.at = at;
         self.len = len;
         let mut open = [0.0; TILE];
-        read(self, [&from[..len], &to[..len]], &lengths[..len], &mut open);
-        for i in 0..len {
-            if open[i] != 0.0 {
-                open[i] = self.read_longer([from[i], to[i]], lengths[i], i);
+        let [any_open, any_period] =
+            read(self, [&from[..len], &to[..len]], &lengths[..len], &mut open);
+        if any_open {
+            for i in 0..len {
+                if open[i] != 0.0 {
+                    open[i] = self.read_longer([from[i], to[i]], lengths[i], i);
+                }
             }
         }
         if let Some(forces) = forces {
             let [_, _, _, force, off] = &mut self.of;
             self.len = forces.near.copy_to([force, off], at, self.len);
         }
-        let is_period = |Length(n, d): &Length| n == d;
-        let by_law = by_law.filter(|_| !self.lengths[..self.len].iter().any(is_period));
-        match (&quick.reach, by_law) {
+        match (&quick.reach, by_law.filter(|_| !any_period)) {
             (None, Some(by_law)) if quick.friction_is_exact && forces.is_some() => {
                 compute_both(self, quick, &open);
                 by_law.extend(self.by_law());
@@ -256,37 +257,48 @@ impl Counted {
         left
     }
 
-    /// Where intervals start and end and how long they last, of most; not zero for others.
+    /// Where intervals start and end and how long they last, of most, and what is not zero for others: whether there are
+    /// such, and whether one lasts one period.
     #[inline(always)]
-    fn read(&mut self, counts: [&[i64]; 2], lengths: &[Length], open: &mut [f64; TILE]) {
+    fn read(
+        &mut self,
+        counts: [&[i64]; 2],
+        lengths: &[Length],
+        open: &mut [f64; TILE],
+    ) -> [bool; 2] {
         self.lengths[..lengths.len()].copy_from_slice(lengths);
         // Of whole arrays processors read several numbers at a time.
         if let [Ok(from), Ok(to)] = counts.map(<&[i64; TILE]>::try_from) {
             return self.read_all([from, to], open);
         }
         // What is behind the last interval is not looked at.
+        self.lengths[lengths.len()..].fill(Length::OPEN);
         let mut whole = [[0; TILE]; 2];
         for (whole, some) in whole.iter_mut().zip(counts) {
             whole[..some.len()].copy_from_slice(some);
         }
-        self.read_all(whole.each_ref(), open);
+        self.read_all(whole.each_ref(), open)
     }
 
     #[inline(always)]
     #[allow(clippy::cast_precision_loss)] // nothing is lost
-    fn read_all(&mut self, [froms, tos]: [&[i64; TILE]; 2], open: &mut [f64; TILE]) {
+    fn read_all(&mut self, [froms, tos]: [&[i64; TILE]; 2], open: &mut [f64; TILE]) -> [bool; 2] {
         let [starts, ends, durations, ..] = &mut self.of;
+        let mut any = [0_u64; 2];
         for i in 0..TILE {
             let (from, to, Length(n, d)) = (froms[i], tos[i], self.lengths[i]);
             // What is too large for that is left open.
             self.crossed[i] = to.wrapping_sub(from);
             let is_known = quick::is_whole(from) & quick::is_whole(to) & Length(n, d).is_short();
+            any[0] |= u64::from(!is_known);
+            any[1] |= u64::from((n == d) & (d != 0));
             // Any motion, of what is left open.
             let of = |n: i64, other: i64| if is_known { n } else { other } as f64;
             (starts[i], ends[i]) = (of(from, 0), of(to, 0));
             durations[i] = of(n, 1) / of(d, 1);
             open[i] = of(0, 1);
         }
+        any.map(|any| any != 0)
     }
 
     /// The same of interval `i`, whose numbers may be long: whether it is left open.
@@ -369,8 +381,13 @@ fn mark(tile: &mut Counted, has_periods: bool) {
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]
-fn read(tile: &mut Counted, counts: [&[i64]; 2], lengths: &[Length], open: &mut [f64; TILE]) {
-    tile.read(counts, lengths, open);
+fn read(
+    tile: &mut Counted,
+    counts: [&[i64]; 2],
+    lengths: &[Length],
+    open: &mut [f64; TILE],
+) -> [bool; 2] {
+    tile.read(counts, lengths, open)
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2+fma"))]

@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use multiversion::multiversion;
-use passivity_core::course::Course;
+use passivity_core::course::{Course, Least};
 
 use super::TILE;
 use super::counted::{Counted, Ends, NONE, both, one};
 use super::least::{OnGrid, Way, sums_up_to};
-use super::sums::{Asked, Courses, Sums, TileRows, lowest, lowest_of, off};
+use super::sums::{Asked, Courses, Sums, TileRows, joined, lowest, lowest_of, off};
 use crate::log::quick::{End, carried, parts, units, whole};
 use crate::log::supply::{Bounds, NO_FORCE};
 use crate::number::Reduced;
@@ -131,6 +131,11 @@ fn near([upper, lower]: &Ends) -> [f64; TILE] {
 
 impl OnGrid for Ends {
     #[inline(always)]
+    fn is_zero(&self, i: usize) -> bool {
+        at(self, i) == [0.0; 2]
+    }
+
+    #[inline(always)]
     fn at(&self, i: usize) -> i128 {
         units(at(self, i))
     }
@@ -160,13 +165,15 @@ fn sum_both([lo, hi]: &[Ends; 2], rows: &Range<usize>) -> [i128; 2] {
     [lo.sum(rows.clone()), hi.sum(rows.clone())]
 }
 
-/// The size of all numbers of some columns and rows.
+/// No less than the size of all numbers of some columns and rows.
 #[inline(always)]
 fn size(columns: &[&Ends], rows: &Range<usize>) -> f64 {
     const LANES: usize = 8;
+    /// More than the lower part of an end: half of what the upper one is a multiple of, and how far it was moved.
+    const LOWER: f64 = 1.0 / (1 << 11) as f64;
     let mut sizes = [0.0; LANES];
-    for part in columns.iter().flat_map(|column| column.iter()) {
-        let (several, rest) = part[rows.clone()].as_chunks::<LANES>();
+    for [upper, _] in columns {
+        let (several, rest) = upper[rows.clone()].as_chunks::<LANES>();
         for several in several {
             for (size, x) in sizes.iter_mut().zip(several) {
                 *size += x.abs();
@@ -176,7 +183,7 @@ fn size(columns: &[&Ends], rows: &Range<usize>) -> f64 {
             *size += x.abs();
         }
     }
-    sizes.iter().sum()
+    joined(sizes, |a, b| a + b) + LOWER * (columns.len() * rows.len()) as f64
 }
 
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
@@ -275,7 +282,7 @@ fn courses(tile: &Counted, rows: &Range<usize>, (asked, sums): (Asked, &Sums)) -
     if asked.net {
         courses.net = way.least();
         if !running {
-            courses.stored = way.with(&near(&tile.stored[0]), |i| one(&tile.stored[0], i));
+            courses.stored = with(&way, &tile.stored[0]);
         }
     }
     if asked.worst {
@@ -291,12 +298,18 @@ fn courses(tile: &Counted, rows: &Range<usize>, (asked, sums): (Asked, &Sums)) -
                 total,
                 off,
             };
-            let stored = &tile.stored[end];
             courses.supply[end] = way.least();
-            courses.lowest[end] = way.with(&near(stored), |i| one(stored, i));
+            courses.lowest[end] = with(&way, &tile.stored[end]);
         }
     }
     courses
+}
+
+/// Where a sum is least with what is stored after each row.
+#[inline(always)]
+fn with(way: &Way<'_, Ends>, stored: &Ends) -> Least<i128> {
+    let stays = |i: usize| at(stored, i) == at(stored, i - 1);
+    way.with(&near(stored), (|i: usize| one(stored, i), stays))
 }
 
 /// As [`TileRows::observer`].

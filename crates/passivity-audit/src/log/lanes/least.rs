@@ -13,6 +13,9 @@ use super::{Column, TILE};
 pub(super) trait OnGrid {
     fn at(&self, i: usize) -> i128;
 
+    /// Whether that is known to be zero without making it.
+    fn is_zero(&self, i: usize) -> bool;
+
     /// The sum of some rows.
     fn sum(&self, rows: Range<usize>) -> i128;
 }
@@ -51,15 +54,20 @@ impl<C: OnGrid> Way<'_, C> {
     /// The least that the sum becomes.
     #[inline(always)]
     pub(super) fn least(&self) -> Course<i128> {
-        match self.where_least(self.sums, |_| 0).0 {
+        match self.where_least(self.sums, (|_| 0, |_| true)).0 {
             Some((least, at)) if least < 0 => Course { sum: 0, least, at },
             _ => Course::default(),
         }
     }
 
-    /// Where the sum is least with what stands beside it after each row: near by, and in units of the grid.
+    /// Where the sum is least with what stands beside it after each row: near by, and in units of the grid; given whether it
+    /// is known to be what it was after the row before.
     #[inline(always)]
-    pub(super) fn with(&self, beside: &[f64; TILE], end: impl Fn(usize) -> i128) -> Least<i128> {
+    pub(super) fn with(
+        &self,
+        beside: &[f64; TILE],
+        end: (impl Fn(usize) -> i128, impl Fn(usize) -> bool),
+    ) -> Least<i128> {
         let mut near = *self.sums;
         for (near, beside) in near.iter_mut().zip(beside) {
             *near += beside;
@@ -67,9 +75,13 @@ impl<C: OnGrid> Way<'_, C> {
         self.where_least(&near, end)
     }
 
-    /// Where sums that these doubles are near are least, given what stands beside them.
+    /// Where sums that these doubles are near are least, given what stands beside them, and whether that stays what it was.
     #[inline(always)]
-    fn where_least(&self, near: &[f64; TILE], end: impl Fn(usize) -> i128) -> Least<i128> {
+    fn where_least(
+        &self,
+        near: &[f64; TILE],
+        (end, stays): (impl Fn(usize) -> i128, impl Fn(usize) -> bool),
+    ) -> Least<i128> {
         let mut least = Least::default();
         let Range { start, end: behind } = *self.rows;
         let Some(last) = behind.checked_sub(1).filter(|last| *last >= start) else {
@@ -89,6 +101,10 @@ impl<C: OnGrid> Way<'_, C> {
             false => self.total - self.exactly.sum(first..behind),
         };
         for i in first..=last {
+            // Of a device that rests, most rows change nothing.
+            if i > first && self.exactly.is_zero(i) && stays(i) {
+                continue;
+            }
             sum += self.exactly.at(i);
             least.keep(sum + end(i), self.number(i));
         }
@@ -142,6 +158,12 @@ impl Left<'_> {
 
 impl OnGrid for Left<'_> {
     #[inline(always)]
+    fn is_zero(&self, i: usize) -> bool {
+        let sizes = [self.from, self.less[0], self.less[1]].map(|of| of.get(i).size());
+        sizes == [0.0; 3]
+    }
+
+    #[inline(always)]
     fn at(&self, i: usize) -> i128 {
         let [a, b, c] = [self.from, self.less[0], self.less[1]].map(|of| of.get(i).ends_on_grid());
         match self.at_least {
@@ -191,6 +213,7 @@ pub(super) fn courses(
     let [_, _, _, [net_at_least, net_at_most], _] = sums.sums;
     let off = sums.off;
     let potential = &tile.potential;
+    let stays = |i: usize| potential.get(i) == potential.get(i - 1);
     let mut courses = Courses::default();
     if asked.net || asked.worst || asked.supply[0] {
         let way = Way {
@@ -203,9 +226,8 @@ pub(super) fn courses(
         // What is added to T at the least is net energy.
         courses.net = way.least();
         courses.supply[0] = courses.net;
-        let with = way.with(&end::<true>(potential), |i| {
-            potential.get(i).ends_on_grid()[0]
-        });
+        let end_of = |i: usize| potential.get(i).ends_on_grid()[0];
+        let with = way.with(&end::<true>(potential), (end_of, stays));
         match running {
             true => courses.lowest[0] = with,
             false => courses.stored = with,
@@ -223,9 +245,8 @@ pub(super) fn courses(
             off,
         };
         courses.supply[1] = way.least();
-        courses.lowest[1] = way.with(&end::<false>(potential), |i| {
-            potential.get(i).ends_on_grid()[1]
-        });
+        let end_of = |i: usize| potential.get(i).ends_on_grid()[1];
+        courses.lowest[1] = way.with(&end::<false>(potential), (end_of, stays));
     }
     courses
 }

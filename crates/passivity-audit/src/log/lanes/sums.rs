@@ -375,7 +375,10 @@ pub(super) fn lowest_of(column: &[f64]) -> f64 {
 
 /// What pairs of them come to, and pairs of these.
 #[inline(always)]
-fn joined([a, b, c, d, e, f, g, h]: [f64; LANES], pair: impl Fn(f64, f64) -> f64) -> f64 {
+pub(super) fn joined(
+    [a, b, c, d, e, f, g, h]: [f64; LANES],
+    pair: impl Fn(f64, f64) -> f64,
+) -> f64 {
     let [a, c, e, g] = [pair(a, b), pair(c, d), pair(e, f), pair(g, h)];
     pair(pair(a, c), pair(e, g))
 }
