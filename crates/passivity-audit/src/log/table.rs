@@ -248,6 +248,29 @@ impl Table {
         i
     }
 
+    /// The same where [sums](crate::log::task::Task::sums_alone) are all that is told: no more is kept than how often each row
+    /// was had.
+    pub(crate) fn tally(
+        &mut self,
+        (counts, parts): (&[i64], &Parts),
+        from: usize,
+        account: &mut Account,
+    ) -> usize {
+        let mut at = from;
+        for pair in counts.get(from..).unwrap_or_default().windows(2) {
+            let [now, next] = pair else { break };
+            let part = parts.of(*now, *next);
+            let id = part.and_then(|part| self.small(part, next.wrapping_sub(*now)));
+            let Some(known) = id.and_then(|id| self.known.get_mut(id)) else {
+                break;
+            };
+            known.hit(at);
+            at += 1;
+        }
+        account.intervals += (at - from) as u64;
+        at
+    }
+
     /// Brings the numbers of small steps to these denominators.
     fn bring_to(&mut self, over: Over) {
         if self.over == Some(over) {

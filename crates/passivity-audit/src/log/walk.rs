@@ -111,7 +111,10 @@ impl Walk<'_> {
         }
         let counts = counts.get(..=self.even.min(self.until)).unwrap_or(counts);
         let stride = task.points.then_some((self.stride, self.from));
-        let came = table.quick((counts, parts), self.at, stride, account);
+        let came = match task.sums_alone() {
+            true => table.tally((counts, parts), self.at, account),
+            false => table.quick((counts, parts), self.at, stride, account),
+        };
         if task.rows.is_some() {
             let rows = counts.get(self.at..=came).unwrap_or_default();
             table.write((rows, parts), &mut account.rows);
