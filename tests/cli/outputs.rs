@@ -99,6 +99,22 @@ fn a_command_that_is_refused_leaves_what_was_there() {
 }
 
 #[test]
+fn a_folder_that_is_not_there_is_refused_before_any_work() {
+    let dir = folder();
+    for (command, option) in [
+        ("audit log.csv --scene scene.toml", "--plot"),
+        ("identify log.csv --scene scene.toml", "--plot"),
+        ("identify log.csv --scene scene.toml", "--out"),
+        ("check scene.toml", "--certificate"),
+    ] {
+        let command = format!("{command} {option} absent/picture.svg");
+        refused(&dir, &command, "absent/picture.svg: No such file");
+        let run = dir.run(&command.split(' ').collect::<Vec<_>>());
+        assert_eq!(run.stdout, "", "{command}");
+    }
+}
+
+#[test]
 fn rows_before_a_mistake_are_kept() {
     let dir = folder();
     dir.write("rows.csv", "earlier rows\n");

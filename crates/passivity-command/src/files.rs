@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use passivity_scene::Scene;
-use passivity_scene::files::{self, are_same, may_be_replaced};
+use passivity_scene::files::{self, Output, are_same};
 
 use crate::exit::Failure;
 
@@ -37,7 +37,9 @@ pub(crate) fn may_be_written(
                 "is read by this {verb}, and cannot be written by it"
             ));
         }
-        may_be_replaced(output).map_err(|error| Failure::io(output.display(), &error))?;
+        // Work that takes minutes is not begun for a folder that is not there, or that takes no file.
+        let made = Output::create(output).map(drop);
+        made.map_err(|error| Failure::io(output.display(), &error))?;
         if let Some((other, _)) = before.iter().find(|(_, path)| are_same(path, output)) {
             return refuse(format!(
                 "is the file of {other} and of {option}: give each a file of its own"
