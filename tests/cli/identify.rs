@@ -326,6 +326,12 @@ fn bad_input_is_refused_with_its_place() {
         "`--columns 't=Zeit [s], x=Winkel [rad], f=NAME [N m]'`\n",
     );
     refused(
+        "q.csv",
+        "time_s;it's count;drive\n0;1;0\n0.001;2;0\n",
+        &sketch,
+        "count=it'\\''s count, f=NAME [N m]'`, with `--delimiter ';'`\n",
+    );
+    refused(
         "b.csv",
         "count,f [N m]\n0,1\n",
         &sketch,

@@ -94,6 +94,8 @@ fn wanted(found: &str, columns: Option<String>, scene: &Scene) -> String {
         Motion::Rotary => "f=NAME [N m]",
     };
     let all = columns.map_or_else(|| force.to_owned(), |columns| format!("{columns}, {force}"));
+    // As a shell takes it.
+    let all = all.replace('\'', "'\\''");
     format!(
         "the force that was commanded is needed, {found}: name its column, as in `--columns '{all}'`"
     )
@@ -104,7 +106,12 @@ fn with_force(mut error: TraceError, scene: &Scene) -> TraceError {
     if let Some(proposal) = error.proposal.take_if(|proposal| !proposal.has_force) {
         let columns = Some(proposal.columns);
         let wanted = wanted("and no column looks like one", columns, scene);
-        error.message = format!("{}; {wanted}", error.message);
+        let apart = match proposal.delimiter {
+            Some('\t') => ", with `--delimiter tab`".to_owned(),
+            Some(delimiter) => format!(", with `--delimiter '{delimiter}'`"),
+            None => String::new(),
+        };
+        error.message = format!("{}; {wanted}{apart}", error.message);
     }
     error
 }

@@ -146,12 +146,13 @@ pub(crate) fn is_of_another(kind: Kind, name: &str) -> bool {
     }
 }
 
-/// What stands at the end of a name that is called a force, behind an underscore or a space, and may be the unit of what the
-/// force was made of: a voltage, a current or a share.
+/// What stands at the end of a name that is called a force, behind an underscore or a space, and is the unit of what the
+/// force was made of: a voltage, a current or a share. A letter alone may be the label of an axis.
 fn behind_force(name: &str) -> Option<&str> {
     let (_, last) = name.trim().rsplit_once(['_', ' '])?;
-    let is_it = ["V", "mV", "A", "mA", "%", "pct", "percent"].contains(&last);
-    (is_it || OF_OTHERS.contains(&last)).then_some(last)
+    let is_it = ["mV", "mA", "%", "pct", "percent"].contains(&last);
+    let is_other = || last.chars().count() > 1 && OF_OTHERS.contains(&last);
+    (is_it || is_other()).then_some(last)
 }
 
 /// Whether a number stands right before a word, as in `pos_100um`.

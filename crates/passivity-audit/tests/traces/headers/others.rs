@@ -94,9 +94,8 @@ fn columns_of_something_else_are_neither_proposed_nor_refused() {
         "torque [A]",
         "Kraft (%)",
         "Tmotor (C)",
-        "force_V",
+        "force_mV",
         "motor_force_mA",
-        "force A",
         "force %",
         "force_pct",
     ] {
@@ -106,5 +105,16 @@ fn columns_of_something_else_are_neither_proposed_nor_refused() {
         // Nor where it is named without a unit.
         let error = refused(&log, Some(&format!("t=t [s], x=x [mm], f=\"{name}\"")));
         assert_eq!(error.proposal, None, "{error}");
+    }
+    // A letter behind a name may be the label of an axis: no position is proposed with the force of another one.
+    for [first, second] in [["A", "B"], ["U", "V"], ["V", "W"]] {
+        let log = format!(
+            "t [s],x_{first} [mm],x_{second} [mm],F_{first},F_{second}\n0,0,0,1,2\n0.001,0.3,0.1,1,2\n"
+        );
+        let columns = refused(&log, None).proposal.unwrap().columns;
+        assert_eq!(
+            columns,
+            format!("t=t [s], x=x_{first} [mm], f=F_{first} [N]")
+        );
     }
 }
