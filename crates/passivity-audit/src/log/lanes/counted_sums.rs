@@ -165,6 +165,23 @@ fn sum_both([lo, hi]: &[Ends; 2], rows: &Range<usize>) -> [i128; 2] {
     [lo.sum(rows.clone()), hi.sum(rows.clone())]
 }
 
+/// The same of several columns.
+#[inline(always)]
+fn sum_each(columns: [&[Ends; 2]; 5], rows: &Range<usize>) -> [[i128; 2]; 5] {
+    // A closure within a `map` would be compiled for any processor.
+    let mut sums = [[0; 2]; 5];
+    for (sum, ends) in sums.iter_mut().zip(columns) {
+        *sum = sum_both(ends, rows);
+    }
+    sums
+}
+
+/// The same, in the widest instructions that there are.
+#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
+pub(super) fn totals_of(columns: [&[Ends; 2]; 5], rows: &Range<usize>) -> [[i128; 2]; 5] {
+    sum_each(columns, rows)
+}
+
 /// No less than the size of all numbers of some columns and rows.
 #[inline(always)]
 fn size(columns: &[&Ends], rows: &Range<usize>) -> f64 {
@@ -191,24 +208,9 @@ fn add_up(tile: &mut Counted, rows: &Range<usize>, excess: Option<[End; 2]>) {
     tile.add_up(rows, excess);
 }
 
-/// The sums of the lower and of the upper ends of some columns.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-pub(super) fn totals_of(columns: [&[Ends; 2]; 5], rows: &Range<usize>) -> [[i128; 2]; 5] {
-    // A closure within a `map` would be compiled for any processor.
-    let mut sums = [[0; 2]; 5];
-    for (sum, ends) in sums.iter_mut().zip(columns) {
-        *sum = sum_both(ends, rows);
-    }
-    sums
-}
-
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
 fn totals(tile: &Counted, rows: &Range<usize>) -> ([[i128; 2]; 5], i128, [i128; 2]) {
-    // A closure within a `map` would be compiled for any processor.
-    let mut sums = [[0; 2]; 5];
-    for (sum, ends) in sums.iter_mut().zip(&tile.sums) {
-        *sum = sum_both(ends, rows);
-    }
+    let sums = sum_each(tile.sums.each_ref(), rows);
     let supply = match tile.steps.running {
         true => sum_both(&tile.steps.supply, rows),
         false => [0; 2],

@@ -9,7 +9,7 @@ use passivity_audit::{
 };
 
 use super::write::{Form, Sent, file, put};
-use super::{COLUMNS, START, csv, dialect, read, save, scene, sent};
+use super::{COLUMNS, START, Scratch, csv, dialect, read, save, scene, sent};
 
 #[test]
 fn a_file_out_of_order_is_refused_where_it_matters() {
@@ -173,6 +173,28 @@ fn a_message_in_json_with_a_field_twice_is_an_error() {
     assert!(error.message.contains("it has a field twice"), "{error}");
 }
 
+/// A file with one message, in this encoding and with a schema of this name, encoding and text; without an encoding, none.
+fn one_message(encoding: &str, (name, of, text): (&str, &str, &str), bytes: Vec<u8>) -> Scratch {
+    let mut file = Cursor::new(Vec::new());
+    let mut writer = Writer::new(&mut file).unwrap();
+    let schema = match of {
+        "" => 0,
+        of => writer.add_schema(name, of, text.as_bytes()).unwrap(),
+    };
+    let channel = writer
+        .add_channel(schema, "/arm", encoding, &BTreeMap::new())
+        .unwrap();
+    let message = Sent {
+        topic: "/arm",
+        log_time: START,
+        bytes,
+    };
+    put(&mut writer, channel, 1, &message);
+    writer.finish().unwrap();
+    drop(writer);
+    save(&file.into_inner())
+}
+
 #[test]
 fn what_is_true_or_false_is_no_column() {
     let number = 0.5_f64.to_le_bytes();
@@ -181,26 +203,8 @@ fn what_is_true_or_false_is_no_column() {
         ("json", "", br#"{"on":true,"angle":0.5}"#.to_vec()),
         ("cdr", "ros2msg", cdr),
     ] {
-        let mut file = Cursor::new(Vec::new());
-        let mut writer = Writer::new(&mut file).unwrap();
-        let schema = match definitions {
-            "" => 0,
-            other => writer
-                .add_schema("my/msg/Switch", other, b"bool on\nfloat64 angle\n")
-                .unwrap(),
-        };
-        let channel = writer
-            .add_channel(schema, "/arm", encoding, &BTreeMap::new())
-            .unwrap();
-        let message = Sent {
-            topic: "/arm",
-            log_time: START,
-            bytes,
-        };
-        put(&mut writer, channel, 1, &message);
-        writer.finish().unwrap();
-        drop(writer);
-        let path = save(&file.into_inner());
+        let schema = ("my/msg/Switch", definitions, "bool on\nfloat64 angle\n");
+        let path = one_message(encoding, schema, bytes);
         let error = audit(&path, &scene(), Options::default()).unwrap_err();
         assert!(
             error.message.contains("`/arm.angle`") && !error.message.contains("/arm.on"),
@@ -217,24 +221,7 @@ fn other_encodings_are_refused_by_name() {
         ("flatbuffer", "flatbuffer"),
         ("cbor", ""),
     ] {
-        let mut bytes = Cursor::new(Vec::new());
-        let mut writer = Writer::new(&mut bytes).unwrap();
-        let schema = match definitions {
-            "" => 0,
-            other => writer.add_schema("x", other, b"").unwrap(),
-        };
-        let channel = writer
-            .add_channel(schema, "/arm", encoding, &BTreeMap::new())
-            .unwrap();
-        let message = Sent {
-            topic: "/arm",
-            log_time: START,
-            bytes: vec![1, 2, 3],
-        };
-        put(&mut writer, channel, 1, &message);
-        writer.finish().unwrap();
-        drop(writer);
-        let path = save(&bytes.into_inner());
+        let path = one_message(encoding, ("x", definitions, ""), vec![1, 2, 3]);
         for told in [Dialect::default(), dialect("x=/arm.position [m]")] {
             let options = Options {
                 dialect: told,
