@@ -26,6 +26,7 @@ mod plain;
 pub mod reading;
 pub mod rows;
 pub mod run;
+mod shell;
 mod span;
 pub mod sum;
 
@@ -43,3 +44,4 @@ pub use log::{
 };
 pub use number::Number;
 pub use reading::{Reading, Scaled};
+pub use shell::{delimiter_name, shell_word};

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use passivity_audit::{Proposal, TraceError};
+use passivity_audit::{Proposal, TraceError, delimiter_name, shell_word};
 
 use crate::exit::Failure;
 
@@ -31,7 +31,7 @@ fn command(proposal: &Proposal, columns: &str) -> String {
     let typed = std::env::args_os().skip(1);
     let typed = typed.map(|word| word.to_string_lossy().into_owned());
     let words = proposed(typed, read_as(proposal, columns));
-    let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
+    let words: Vec<String> = words.iter().map(|word| shell_word(word)).collect();
     format!("passivity {}", words.join(" "))
 }
 
@@ -60,25 +60,12 @@ fn proposed(mut typed: impl Iterator<Item = String>, read_as: Vec<String>) -> Ve
 fn read_as(proposal: &Proposal, columns: &str) -> Vec<String> {
     let mut words = vec!["--columns".to_owned(), columns.to_owned()];
     if let Some(delimiter) = proposal.delimiter {
-        let name = match delimiter {
-            '\t' => "tab".to_owned(),
-            other => other.to_string(),
-        };
-        words.extend(["--delimiter".to_owned(), name]);
+        words.extend(["--delimiter".to_owned(), delimiter_name(delimiter)]);
     }
     if proposal.decimal_comma {
         words.push("--decimal-comma".to_owned());
     }
     words
-}
-
-/// A word as a shell takes it.
-fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./+:@%".contains(c);
-    match !word.is_empty() && word.chars().all(is_plain) {
-        true => word.to_owned(),
-        false => format!("'{}'", word.replace('\'', "'\\''")),
-    }
 }
 
 #[cfg(test)]
@@ -105,6 +92,5 @@ mod tests {
             let found = proposed(words(typed).into_iter(), vec!["NEW".to_owned()]);
             assert_eq!(found, words(expected), "{typed}");
         }
-        assert_eq!(quoted("it's"), "'it'\\''s'");
     }
 }

@@ -33,6 +33,7 @@ pub(crate) const TILE: usize = 64;
 
 /// As many balls as there are rows.
 #[derive(Clone, Debug)]
+#[repr(C, align(64))] // columns start where lines of the cache do
 pub(crate) struct Column {
     middles: [f64; TILE],
     radii: [f64; TILE],
@@ -67,6 +68,7 @@ impl Column {
 }
 
 /// What is known of some consecutive intervals.
+#[repr(C)] // columns first
 struct Intervals {
     start: Column,
     end: Column,
@@ -79,6 +81,7 @@ struct Intervals {
 
 /// What some consecutive intervals come to, under the force of the wall and under that in the log.
 #[derive(Clone, Debug)]
+#[repr(C)] // columns first
 pub(crate) struct Tile {
     /// What is generated against the wall and against its quantized form, by its own force,
     linear: Column,

@@ -14,6 +14,7 @@ use crate::log::step::{between, check_jump};
 use crate::log::wraps::{Periods, Wraps};
 use crate::number::Number;
 use crate::reading::Reading;
+use crate::shell::{delimiter_name, shell_word};
 
 /// The most samples of a log that are held in memory.
 pub const MAX_SAMPLES: usize = 1_000_000;
@@ -94,10 +95,9 @@ fn wanted(found: &str, columns: Option<String>, scene: &Scene) -> String {
         Motion::Rotary => "f=NAME [N m]",
     };
     let all = columns.map_or_else(|| force.to_owned(), |columns| format!("{columns}, {force}"));
-    // As a shell takes it.
-    let all = all.replace('\'', "'\\''");
+    let all = shell_word(&all);
     format!(
-        "the force that was commanded is needed, {found}: name its column, as in `--columns '{all}'`"
+        "the force that was commanded is needed, {found}: name its column, as in `--columns {all}`"
     )
 }
 
@@ -106,11 +106,10 @@ fn with_force(mut error: TraceError, scene: &Scene) -> TraceError {
     if let Some(proposal) = error.proposal.take_if(|proposal| !proposal.has_force) {
         let columns = Some(proposal.columns);
         let wanted = wanted("and no column looks like one", columns, scene);
-        let apart = match proposal.delimiter {
-            Some('\t') => ", with `--delimiter tab`".to_owned(),
-            Some(delimiter) => format!(", with `--delimiter '{delimiter}'`"),
-            None => String::new(),
-        };
+        let apart = proposal.delimiter.map_or_else(String::new, |delimiter| {
+            let name = shell_word(&delimiter_name(delimiter));
+            format!(", with `--delimiter {name}`")
+        });
         error.message = format!("{}; {wanted}{apart}", error.message);
     }
     error

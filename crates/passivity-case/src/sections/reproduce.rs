@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use passivity_audit::legible;
+use passivity_audit::{delimiter_name, legible, shell_word};
 use passivity_evidence::{Claim, Sha256};
 
 use crate::case::{Case, VERSION};
@@ -12,20 +12,19 @@ use crate::recorded::Recorded;
 
 pub(super) fn write(document: &mut Document, case: &Case) {
     document.heading(2, "reproduce", "How to reproduce");
-    let scenes: Vec<String> = case
+    let typed: Vec<String> = case
         .studies
         .iter()
-        .map(|study| study.path.display().to_string())
+        .map(|study| shell_word(&study.path.display().to_string()))
         .collect();
-    let scenes = scenes.join(" ");
+    let scenes = typed.join(" ");
     document.say(
         "With the sources at the commit below, these commands make the evidence, the verdict and \
          this case again, and compare this case with the sources:",
     );
-    let explain = case
-        .studies
+    let explain = typed
         .iter()
-        .map(|study| format!("passivity explain {}\n", study.path.display()));
+        .map(|scene| format!("passivity explain {scene}\n"));
     document.blocks.push(Block::Listing(format!(
         "make prove\npassivity check {scenes}\n{}passivity case {scenes} --out case{}\npassivity case \
          --check case",
@@ -97,10 +96,7 @@ fn words(recorded: &Recorded) -> String {
     }
     options.extend(dates.into_iter().map(|date| ("--date", date)));
     options.extend(given.columns.iter().map(|text| ("--columns", text.clone())));
-    let delimiter = given.delimiter.iter().map(|letter| match letter {
-        '\t' => "tab".to_owned(),
-        letter => letter.to_string(),
-    });
+    let delimiter = given.delimiter.map(delimiter_name);
     options.extend(delimiter.map(|text| ("--delimiter", text)));
     if !given.identification.is_empty() {
         options.push(("--count-error", given.count_error.to_string()));
@@ -110,7 +106,7 @@ fn words(recorded: &Recorded) -> String {
     }
     let mut words: Vec<String> = options
         .into_iter()
-        .map(|(name, value)| format!("{name} '{}'", legible(&value).replace('\'', "'\\''")))
+        .map(|(name, value)| format!("{name} {}", shell_word(&legible(&value))))
         .collect();
     if given.decimal_comma {
         words.push("--decimal-comma".to_owned());

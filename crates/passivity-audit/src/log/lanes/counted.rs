@@ -27,6 +27,7 @@ const LARGE: f64 = (1_u64 << 30) as f64;
 
 /// Rows under the force of the wall: what of them is not that under the force in the log too, or its own part.
 #[derive(Clone, Debug)]
+#[repr(C, align(64))] // as `Counted`
 struct Law {
     generated: [[Ends; 2]; 2],
     taken: [Ends; 2],
@@ -47,7 +48,10 @@ impl Law {
 }
 
 /// What some consecutive intervals between counts come to.
+///
+/// Columns start where lines of the cache do: the widest instructions then write no number into two of them.
 #[derive(Clone, Debug)]
+#[repr(C, align(64))]
 pub(crate) struct Counted {
     /// Where each starts and ends, how long it lasts, its force and what that is off by at most.
     of: [[f64; TILE]; 5],
@@ -70,13 +74,13 @@ pub(crate) struct Counted {
     open: [u64; TILE],
     /// The same under the force of the wall, where that is asked for beside the force in the log.
     law: Law,
+    /// The room of what some of them add up to.
+    pub(super) steps: Steps,
     /// The first of them, and how many there are.
     at: usize,
     len: usize,
     /// Whether all of them are decided and none is apart.
     is_whole: bool,
-    /// The room of what some of them add up to.
-    pub(super) steps: Steps,
 }
 
 impl Counted {

@@ -16,12 +16,13 @@ use crate::span::{ONE, units as below};
 
 /// What rows add up to on the way, and what they add to T where the verdict is about that.
 #[derive(Clone, Debug)]
+#[repr(C, align(64))] // as `Counted`
 pub(super) struct Steps {
     /// At the least and at the most, where it is `running`.
     supply: [Ends; 2],
-    running: bool,
     /// [Near the sums](sums_up_to) of net energy, of what the observer adds, and of what is added to T.
     up_to: [[f64; TILE]; 4],
+    running: bool,
     /// What these are off by at most.
     off: f64,
 }
