@@ -102,6 +102,20 @@ fn partial_accounts_are_merged_into_the_report_of_the_whole() {
         "{}",
         run.stderr
     );
+    // Nor beside what is of the whole trace.
+    for piece in [["--range", "1:2"], ["--shard", "1/2"]] {
+        for whole in ["--out", "--plot", "--certificate"] {
+            let mut words = vec!["audit", &log, "--scene", &scene, whole, "whole.svg"];
+            words.extend(piece);
+            let run = dir.run(&words);
+            assert!(
+                run.code == 2 && run.stderr.contains("cannot be used with"),
+                "{}",
+                run.stderr
+            );
+            assert!(!dir.path("whole.svg").exists());
+        }
+    }
     let run = dir.run(&["audit", &log, "--scene", &scene, "--partial", &log]);
     assert!(
         run.code == 2 && run.stderr.contains("is read by this audit"),

@@ -4,6 +4,8 @@
 //! The law's force is the kernel's controller, exactly; forces are measured and rounded, so the
 //! comparison is one of doubles: a finding beside the exact account, which is of the force applied.
 
+mod fit;
+
 use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -16,7 +18,6 @@ use crate::ledger::Ledger;
 use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
 use crate::log::exact::ExactSum;
-use crate::log::findings::ROUGH;
 use crate::log::lanes::commanded;
 use crate::log::running::near_reading;
 use crate::log::step::undefined;
@@ -43,7 +44,9 @@ pub(crate) struct Comparison {
     pub(crate) delay: usize,
     /// As many samples as the force depends on beside its delay, the latest first.
     samples: VecDeque<Reading>,
-    /// What the law gives without delay, the latest first.
+    /// How many samples there were, as far as it matters.
+    seen: usize,
+    /// What the law gives without delay, the latest first; zero where that depends on samples before the log.
     law: Vec<f64>,
     /// What it was before the first force that is compared.
     before: Vec<f64>,
@@ -52,6 +55,10 @@ pub(crate) struct Comparison {
     pub(crate) compared: u64,
     /// How the forces agree, by lag.
     pub(crate) lags: Vec<Agreement>,
+    /// How many rows the law has a force in, at the scene's delay.
+    pub(crate) acting: u64,
+    /// Σ f and Σ p over the rows whose force is not that of the law there.
+    pub(crate) unlike: [ExactSum; 2],
     /// Σ f².
     pub(crate) squares: ExactSum,
     /// Σ of the squares of how far off the digits of each force may be.
@@ -65,6 +72,8 @@ pub(crate) struct Agreement {
     pub(crate) mismatches: [(u64, Option<u64>); 2],
     /// Σ f·p and Σ p², with p the force of the law; the latter once the comparison is [settled](Comparison::settle).
     pub(crate) products: [ExactSum; 2],
+    /// Of the rows that are left out, as their law's force depends on samples before the log: how many, and Σ f².
+    pub(crate) left_out: (u64, ExactSum),
 }
 
 /// At which lag and sign the forces agree with the law, and how well.
@@ -75,15 +84,6 @@ pub(crate) struct Finding {
     pub(crate) lag: usize,
     /// Whether the trace gives the wall's force with the other sign.
     pub(crate) reversed: bool,
-}
-
-/// The multiple of the law that the forces come nearest to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Fit {
-    pub(crate) lag: usize,
-    pub(crate) scale: f64,
-    /// The root of the mean square of what is left, of that of the forces.
-    pub(crate) residual: f64,
 }
 
 fn prompt<S: Clone>(controller: &Controller<S>) -> Controller<S> {
@@ -101,11 +101,14 @@ impl Comparison {
             near: prompt(&ledger.near().controller),
             wide: prompt(&ledger.wide().controller),
             samples: VecDeque::new(),
+            seen: 0,
             law: Vec::new(),
             before: Vec::new(),
             law_squares: ExactSum::default(),
             compared: 0,
             lags: vec![Agreement::default(); delay + LAGS + 1],
+            acting: 0,
+            unlike: Default::default(),
             squares: ExactSum::default(),
             roundings: ExactSum::default(),
         }
@@ -164,6 +167,7 @@ impl Comparison {
         self.append(&inside);
         self.law_squares.add_sum(&inside.law_squares);
         (self.law, self.samples) = (inside.law, inside.samples);
+        self.seen += inside.seen;
         Ok(())
     }
 
@@ -190,6 +194,7 @@ impl Comparison {
             None => all.resize(lags + rows.len(), f64::NAN),
         }
         let (before, law) = all.split_at_mut(lags);
+        let order = self.wide.filter.order();
         // What is not known near by is computed one by one.
         for (i, force) in rows.clone().zip(&mut *law) {
             if force.is_nan() {
@@ -197,11 +202,14 @@ impl Comparison {
                 *force = self.commanded(sample).ok_or_else(undefined)?;
             }
         }
-        let Some(first) = law.first() else {
+        if law.is_empty() {
             return Ok(());
-        };
-        // Before the first sample the device stood where it finds it.
-        self.law.resize(lags, *first);
+        }
+        // What it was before the log is not in it.
+        for force in law.iter_mut().take(order.saturating_sub(self.seen)) {
+            *force = 0.0;
+        }
+        self.law.resize(lags, 0.0);
         if self.before.is_empty() {
             self.before.clone_from(&self.law);
         }
@@ -224,9 +232,28 @@ impl Comparison {
         self.roundings.add_products(&off, &off);
         self.law_squares.add_products(law, law);
         for (lag, agreement) in self.lags.iter_mut().enumerate() {
-            let late = all.get(lags - lag..).unwrap_or_default();
-            agreement.compare(&forces, late, rounding, self.compared);
+            let known = (lag + order).saturating_sub(self.seen).min(forces.len());
+            let (out, forces) = forces.split_at(known);
+            agreement.left_out.0 += out.len() as u64;
+            agreement.left_out.1.add_products(out, out);
+            let late = all.get(lags - lag + known..).unwrap_or_default();
+            let rounding = rounding.get(known..).unwrap_or_default();
+            let found = agreement.compare(forces, late, rounding, self.compared + known as u64);
+            if lag == self.delay {
+                let late = late.get(..forces.len()).unwrap_or_default();
+                self.acting += late
+                    .iter()
+                    .map(|force| u64::from(*force != 0.0))
+                    .sum::<u64>();
+                if found > 0 {
+                    let rows = unlike(forces, late, rounding);
+                    for (sum, column) in self.unlike.iter_mut().zip([forces, late]) {
+                        sum.add_products(column, &rows);
+                    }
+                }
+            }
         }
+        self.seen += forces.len();
         self.law.clear();
         self.law.extend(all.iter().rev().take(self.lags.len()));
         self.compared += forces.len() as u64;
@@ -247,6 +274,8 @@ impl Comparison {
         self.law_squares = ExactSum::default();
         self.before.clone_from(&self.law);
         self.lags.fill(Agreement::default());
+        self.acting = 0;
+        self.unlike = Default::default();
     }
 
     /// Sums up the squares of the law at every lag: those without it, and what came before them instead of as
@@ -267,10 +296,16 @@ impl Comparison {
     pub(crate) fn append(&mut self, other: &Self) {
         self.squares.add_sum(&other.squares);
         self.roundings.add_sum(&other.roundings);
+        self.acting += other.acting;
+        for (own, other) in self.unlike.iter_mut().zip(&other.unlike) {
+            own.add_sum(other);
+        }
         for (own, other) in self.lags.iter_mut().zip(&other.lags) {
             for (own, other) in own.products.iter_mut().zip(&other.products) {
                 own.add_sum(other);
             }
+            own.left_out.0 += other.left_out.0;
+            own.left_out.1.add_sum(&other.left_out.1);
             for (own, other) in own.mismatches.iter_mut().zip(&other.mismatches) {
                 let first = other.1.map(|row| self.compared + row);
                 *own = (own.0 + other.0, own.1.or(first));
@@ -290,6 +325,11 @@ impl Comparison {
         })
     }
 
+    /// How many rows are left out at a lag.
+    pub(crate) fn left_out(&self, lag: usize) -> u64 {
+        self.lags.get(lag).map_or(0, |lag| lag.left_out.0)
+    }
+
     /// How the forces agree with the law at the scene's delay.
     pub(crate) fn as_scene_says(&self) -> Option<Finding> {
         self.finding(false, self.delay)
@@ -303,74 +343,20 @@ impl Comparison {
                 .filter_map(move |lag| self.finding(reversed, lag))
         });
         let own = self.as_scene_says()?;
-        let best = all.min_by_key(|finding| finding.mismatches)?;
-        Some(if best.mismatches < own.mismatches {
+        // A row that is left out is not one that agrees.
+        let untold = |finding: &Finding| finding.mismatches + self.left_out(finding.lag);
+        let best = all.min_by_key(untold)?;
+        Some(if untold(&best) < own.mismatches {
             best
         } else {
             own
         })
     }
-
-    /// The multiple of the law, at some lag, that the forces come nearest to; `None` when forces or
-    /// law are zero throughout.
-    pub(crate) fn fit(&self) -> Option<Fit> {
-        let fits = (0..self.lags.len()).filter_map(|lag| self.fit_at(lag));
-        fits.min_by(|a, b| a.residual.total_cmp(&b.residual))
-    }
-
-    /// The multiple of the law at a lag that the forces come nearest to.
-    fn fit_at(&self, lag: usize) -> Option<Fit> {
-        let squares = self.squares.value();
-        let products = self.lags.get(lag)?.products.each_ref();
-        let [mixed, law] = products.map(ExactSum::value);
-        let scale = mixed / law;
-        // What is left of Σ f²; rounding may leave it a little below zero.
-        let left = (squares - scale * mixed).max(0.0);
-        let residual = (left / squares).sqrt();
-        (scale.is_finite() && residual.is_finite()).then_some(Fit {
-            lag,
-            scale,
-            residual,
-        })
-    }
-
-    /// Whether the law has no force at the scene's delay.
-    fn rests(&self) -> bool {
-        let law = self.lags.get(self.delay).map(|lag| &lag.products[1]);
-        law.is_none_or(|law| law.value() == 0.0)
-    }
-
-    /// Whether all forces are zero, and those of the law are not.
-    pub(crate) fn is_zero(&self) -> bool {
-        self.squares.value() == 0.0 && !self.rests()
-    }
-
-    /// How far off the digits of the forces may be, of their own size as a root of the mean square: what is left of
-    /// forces that are a multiple of the law is no more.
-    pub(crate) fn rounding(&self) -> f64 {
-        (self.roundings.value() / self.squares.value()).sqrt()
-    }
-
-    /// How far the forces are from the law at the scene's delay, of their own size as a root of the mean square.
-    pub(crate) fn difference(&self) -> Option<f64> {
-        let squares = self.squares.value();
-        let products = self.lags.get(self.delay)?.products.each_ref();
-        let [mixed, law] = products.map(ExactSum::value);
-        let difference = ((squares - 2.0 * mixed + law).max(0.0) / squares).sqrt();
-        difference.is_finite().then_some(difference)
-    }
-
-    /// Whether the law has a force that is far from those of the log at the scene's delay: where they agree to
-    /// within their digits all the same, these are too few to tell anything.
-    pub(crate) fn is_far(&self) -> bool {
-        let near = |fit: Fit| (fit.scale - 1.0).abs() < ROUGH && fit.residual < ROUGH;
-        !self.rests() && !self.fit_at(self.delay).is_some_and(near)
-    }
 }
 
 impl Agreement {
-    /// Compares forces with those of the law, after so many that were compared before.
-    fn compare(&mut self, forces: &[f64], law: &[f64], rounding: &[f64], before: u64) {
+    /// Compares forces with those of the law, after so many that were compared before: how many are others.
+    fn compare(&mut self, forces: &[f64], law: &[f64], rounding: &[f64], before: u64) -> u64 {
         let rows = || forces.iter().zip(law).zip(rounding);
         let found = differing(forces, law, rounding);
         let signs = [1.0, -1.0].into_iter().zip(&mut self.mismatches);
@@ -387,6 +373,8 @@ impl Agreement {
         }
         let [mixed, _] = &mut self.products;
         mixed.add_products(forces, law);
+        let [unlike, _] = found;
+        unlike
     }
 }
 
@@ -410,6 +398,16 @@ fn differing(forces: &[f64], law: &[f64], rounding: &[f64]) -> [u64; 2] {
         // There are not as many rows as to overflow.
         found[0] = found[0].wrapping_add(u64::from(differs(*force, *law, *rounding)));
         found[1] = found[1].wrapping_add(u64::from(differs(*force, -*law, *rounding)));
+    }
+    found
+}
+
+/// One for each force that differs from that of the law, else zero.
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
+fn unlike(forces: &[f64], law: &[f64], rounding: &[f64]) -> Vec<f64> {
+    let mut found = vec![0.0; forces.len()];
+    for (((found, force), law), rounding) in found.iter_mut().zip(forces).zip(law).zip(rounding) {
+        *found = f64::from(u8::from(differs(*force, *law, *rounding)));
     }
     found
 }

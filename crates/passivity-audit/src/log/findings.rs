@@ -9,6 +9,7 @@ use serde::Serialize;
 use crate::log::layout::{Form, Layout};
 use crate::log::report::{Agreement, Fitted, Moved};
 use crate::log::timing::SHORT;
+use crate::shell::shell_word;
 
 /// Of forces that are no multiple of the law's, a scale that is nearer to one than this is no finding.
 const SCALED: f64 = 0.01;
@@ -75,12 +76,19 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
     }
     let exact = agreement.found.mismatches == 0;
     let near = agreement.fit.filter(|fit| fit.residual < ROUGH);
-    let (delay, scale, left) = match (exact, near) {
-        (true, _) => {
-            let sign = if agreement.found.reversed { -1.0 } else { 1.0 };
-            (agreement.found.delay, sign, 0.0)
-        }
-        (false, Some(fit)) => (fit.delay, fit.scale, fit.residual),
+    let Fitted {
+        delay,
+        scale,
+        moved,
+        residual: left,
+    } = match (exact, near) {
+        (true, _) => Fitted {
+            delay: agreement.found.delay,
+            scale: if agreement.found.reversed { -1.0 } else { 1.0 },
+            moved: 0.0,
+            residual: 0.0,
+        },
+        (false, Some(fit)) => fit,
         (false, None) => {
             return vec![Finding {
                 kind: "other_force",
@@ -116,22 +124,28 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
             says: "the force has the opposite sign to the wall's law".to_owned(),
             fix: match columns {
                 Some(columns) => {
-                    format!("if the column has the sign of the other side: --columns '{columns}'")
+                    let columns = shell_word(&columns);
+                    format!("if the column has the sign of the other side: --columns {columns}")
                 }
                 None => "turn the sign of the force in the log".to_owned(),
             },
         });
     }
+    if moved != 0.0 {
+        findings.push(of_moved(moved));
+    }
     let rounding = agreement.rounding.unwrap_or(0.0);
     let is_multiple = left <= rounding;
     let off = (scale.abs() - 1.0).abs();
-    if off
-        > if is_multiple {
-            rounding
-        } else {
-            left.max(SCALED)
-        }
-    {
+    let threshold = if is_multiple {
+        rounding
+    } else {
+        left.max(SCALED)
+    };
+    // What is left where the force comes late may be what a moved wall does, which at another delay than the scene's is not
+    // told from a scale.
+    let is_told = is_multiple || delay == agreement.delay;
+    if is_told && off > threshold {
         findings.push(Finding {
             kind: "scale",
             says: format!(
@@ -150,6 +164,29 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
         ));
     }
     findings
+}
+
+/// Of forces that are those of a wall that is moved by so many ticks.
+fn of_moved(ticks: f64) -> Finding {
+    let is_half = (ticks.abs() - 0.5).abs() < SCALED;
+    let way = if ticks < 0.0 { "backward" } else { "forward" };
+    Finding {
+        kind: "offset",
+        says: match is_half {
+            true => format!("the force is that of a wall that is moved half a tick {way}"),
+            false => format!(
+                "the force is that of a wall that is moved {} ticks {way}",
+                figures(ticks.abs(), 3)
+            ),
+        },
+        fix: match is_half {
+            true => "the wall's law takes the middle of the encoder's tick for the position, −K·(n + ½)·Δ at the \
+                     count n; a controller that commands −K·n·Δ, or −K·(n + 1)·Δ, takes its border: take the middle \
+                     there too"
+                .to_owned(),
+            false => "check where positions are counted from, and that nothing is added to the force".to_owned(),
+        },
+    }
 }
 
 /// Of forces that are near the law's, or a multiple of it, by more than their digits are off.
@@ -223,8 +260,20 @@ fn scaled(scale: f64, scene: &Scene) -> String {
         Some(_) => ", which is that at the device, not at the motor",
         None => "",
     };
+    // All that the force of the wall is made of has its unit.
+    let given = &scene.given;
+    let others = [&given.damping, &given.max_force, &given.force_step];
+    let others: Vec<String> = others
+        .into_iter()
+        .flatten()
+        .map(|given| format!("`{}`", given.key.trim_start_matches("wall.")))
+        .collect();
+    let others = match &others[..] {
+        [] => String::new(),
+        all => format!(", and {} as many times as large", all.join(" and ")),
+    };
     format!(
-        "in the scene, under [wall]: stiffness = \"{stiffness} {unit}\"; or correct the unit of the force{motor}"
+        "in the scene, under [wall]: stiffness = \"{stiffness} {unit}\"{others}; or correct the unit of the force{motor}"
     )
 }
 
@@ -265,6 +314,7 @@ pub(crate) fn of_velocity(moved: &Moved) -> Vec<Finding> {
         delay,
         scale,
         residual,
+        ..
     }) = moved.fit
     else {
         return Vec::new();

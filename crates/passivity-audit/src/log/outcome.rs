@@ -352,7 +352,7 @@ impl Agreement {
     fn new(comparison: &Comparison) -> Option<Self> {
         let (own, best) = (comparison.as_scene_says()?, comparison.best()?);
         Some(Self {
-            compared: comparison.compared,
+            compared: comparison.compared - comparison.left_out(comparison.delay),
             agrees: own.mismatches == 0 && !comparison.is_far(),
             rough: own.mismatches == 0 && comparison.is_far(),
             zero: comparison.is_zero(),
@@ -367,6 +367,7 @@ impl Agreement {
             fit: comparison.fit().map(|fit| Fitted {
                 delay: fit.lag,
                 scale: fit.scale,
+                moved: fit.moved,
                 residual: fit.residual,
             }),
             difference: comparison.difference(),

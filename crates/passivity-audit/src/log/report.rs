@@ -300,13 +300,16 @@ pub struct Moved {
     pub fit: Option<Fitted>,
 }
 
-/// A delay and a scale.
+/// A delay, a scale and where the wall is.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Fitted {
     /// In samples.
     pub delay: usize,
     /// How many times what they should be the forces or velocities are, by least squares.
     pub scale: f64,
+    /// By how many ticks the wall would have to be moved for that; zero for velocities, and where it need not be.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub moved: f64,
     /// What is left, of their own size: 0 when they are that multiple exactly.
     pub residual: f64,
 }
@@ -324,4 +327,9 @@ fn optional_rational<S: Serializer>(
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     x.as_ref().map(BigRational::to_string).serialize(serializer)
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as it is called")]
+fn is_zero(x: &f64) -> bool {
+    *x == 0.0
 }

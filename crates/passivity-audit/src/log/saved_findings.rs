@@ -19,6 +19,7 @@ use crate::log::wraps::Wrapped;
 struct SavedAgreement {
     mismatches: [(u64, Option<u64>); 2],
     products: [Option<String>; 2],
+    left_out: (u64, Option<String>),
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -27,6 +28,8 @@ struct SavedComparison {
     squares: Option<String>,
     roundings: Option<String>,
     lags: Vec<SavedAgreement>,
+    acting: u64,
+    unlike: [Option<String>; 2],
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -114,8 +117,11 @@ impl SavedFindings {
                     .map(|lag| SavedAgreement {
                         mismatches: lag.mismatches,
                         products: lag.products.each_ref().map(ExactSum::to_text),
+                        left_out: (lag.left_out.0, lag.left_out.1.to_text()),
                     })
                     .collect(),
+                acting: found.acting,
+                unlike: found.unlike.each_ref().map(ExactSum::to_text),
             }),
             velocities: x.velocities.as_ref().map(|found| SavedVelocities {
                 compared: found.compared,
@@ -143,7 +149,11 @@ impl SavedFindings {
         let compared = self.comparison.iter().flat_map(|found| {
             let mismatches = found.lags.iter().flat_map(|lag| lag.mismatches);
             let counts = mismatches.flat_map(|(count, first)| [Some(count), first]);
-            counts.flatten().chain([found.compared])
+            let left_out = found.lags.iter().map(|lag| lag.left_out.0);
+            counts
+                .flatten()
+                .chain(left_out)
+                .chain([found.compared, found.acting])
         });
         counted(
             compared
@@ -159,6 +169,9 @@ impl SavedFindings {
                 found.compared = saved.compared;
                 found.squares = exact_sum(&saved.squares)?;
                 found.roundings = exact_sum(&saved.roundings)?;
+                found.acting = saved.acting;
+                let [forces, laws] = &saved.unlike;
+                found.unlike = [exact_sum(forces)?, exact_sum(laws)?];
                 if found.lags.len() != saved.lags.len() {
                     return Err(wrong("forces that are compared at other delays"));
                 }
@@ -166,6 +179,8 @@ impl SavedFindings {
                     let [mixed, own] = &saved.products;
                     lag.mismatches = saved.mismatches;
                     lag.products = [exact_sum(mixed)?, exact_sum(own)?];
+                    let (rows, squares) = &saved.left_out;
+                    lag.left_out = (*rows, exact_sum(squares)?);
                 }
                 Some(found)
             }

@@ -323,7 +323,8 @@ impl Agreement {
     /// The multiple of the law that they are to within their digits.
     fn multiple(&self) -> Option<Fitted> {
         let rounding = self.rounding.filter(|rounding| *rounding < ROUGH)?;
-        let fit = self.fit.filter(|fit| fit.residual <= rounding)?;
+        let is_multiple = |fit: &Fitted| fit.moved == 0.0 && fit.residual <= rounding;
+        let fit = self.fit.filter(is_multiple)?;
         ((fit.scale.abs() - 1.0).abs() > rounding).then_some(fit)
     }
 

@@ -125,6 +125,7 @@ impl Velocities {
                 (scale.is_finite() && residual.is_finite()).then_some(Fitted {
                     delay,
                     scale,
+                    moved: 0.0,
                     residual,
                 })
             });

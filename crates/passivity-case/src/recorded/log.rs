@@ -111,7 +111,7 @@ impl Log {
             .findings
             .iter()
             .filter(move |finding| match finding.kind {
-                "delay" | "sign" | "other_force" => true,
+                "delay" | "sign" | "offset" | "other_force" => true,
                 "scale" => !scale_is_tolerated,
                 // Forces that may be the law's, velocities that nothing is computed from, how the file was read.
                 _ => false,

@@ -91,18 +91,20 @@ pub(crate) struct Args {
     /// Write the exact account of a piece of the trace to this file, as JSON for --merge, and no report.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "plot", "certificate"])]
     partial: Option<PathBuf>,
-    /// Account only for the intervals from sample A to sample B, counted from 0; without B to the end. Pieces
-    /// that follow each other share a sample: 0:1000, 1000:2000, 2000:.
+    /// With --partial: account only for the intervals from sample A to sample B, counted from 0; without B to the
+    /// end. Pieces that follow each other share a sample: 0:1000, 1000:2000, 2000:.
+    // What conflicts with the option that is required would make it one that need not be there.
     #[arg(
         long,
         value_name = "A:B",
         requires = "partial",
-        conflicts_with = "shard"
+        conflicts_with_all = ["shard", "out", "plot", "certificate"]
     )]
     range: Option<Stretch>,
-    /// Account only for one piece of the trace: `3/8` is the third of eight, as even as the file allows,
-    /// and `3-5/8` the third to the fifth.
-    #[arg(long, value_name = "I[-J]/N", requires = "partial", value_parser = Stretch::parse_shard)]
+    /// With --partial: account only for one piece of the trace: `3/8` is the third of eight, as even as the file
+    /// allows, and `3-5/8` the third to the fifth.
+    #[arg(long, value_name = "I[-J]/N", requires = "partial", conflicts_with_all = ["out", "plot", "certificate"],
+          value_parser = Stretch::parse_shard)]
     shard: Option<Stretch>,
     /// Report on the whole trace from the partial accounts of all its pieces: the same report as in one run.
     #[arg(long, value_name = "PART", num_args = 1.., conflicts_with_all = ["partial", "range", "shard", "columns", "delimiter", "decimal_comma", "out", "plot", "law", "threads"])]

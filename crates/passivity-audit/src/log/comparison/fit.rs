@@ -1,0 +1,133 @@
+//! How far forces are from those of the law, from a multiple of it, and from that of a wall that is moved.
+
+use super::Comparison;
+use crate::log::exact::ExactSum;
+use crate::log::findings::ROUGH;
+
+/// Forces whose variance is less than this share of their mean square are the same for a fit by doubles.
+const SAME: f64 = 1e-9;
+
+/// The multiple of the law that the forces come nearest to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Fit {
+    pub(crate) lag: usize,
+    pub(crate) scale: f64,
+    /// By how many ticks the wall would have to be moved for that.
+    pub(crate) moved: f64,
+    /// The root of the mean square of what is left, of that of the forces.
+    pub(crate) residual: f64,
+}
+
+impl Comparison {
+    /// The multiple of the law, at some lag, that the forces come nearest to; `None` when forces or
+    /// law are zero throughout.
+    ///
+    /// At the scene's delay it may be that of a wall that is moved, where the forces come much nearer to that: a controller
+    /// that takes a count for the position, and not the middle of its tick, moves the wall by half a tick.
+    pub(crate) fn fit(&self) -> Option<Fit> {
+        let fits = (0..self.lags.len()).filter_map(|lag| self.fit_at(lag));
+        let nearest = fits.min_by(|a, b| a.residual.total_cmp(&b.residual))?;
+        // Which of two that are as near is nearer is told by noise, or by the last digits.
+        let is_as_near =
+            |own: &Fit| nearest.residual > 0.99 * own.residual || own.residual <= self.rounding();
+        let nearest = self
+            .fit_at(self.delay)
+            .filter(is_as_near)
+            .unwrap_or(nearest);
+        let is_nearer = |moved: &Fit| {
+            nearest.residual > self.rounding() && moved.residual < 0.5 * nearest.residual
+        };
+        Some(self.fit_moved().filter(is_nearer).unwrap_or(nearest))
+    }
+
+    /// The multiple of the law at the scene's delay, and the force added to it in all rows that are unlike it, that the
+    /// forces come nearest to.
+    fn fit_moved(&self) -> Option<Fit> {
+        let agreement = self.lags.get(self.delay)?;
+        let [(unlike, _), _] = agreement.mismatches;
+        // A wall that is moved has another force wherever it has one.
+        if 10 * unlike < 9 * self.acting {
+            return None;
+        }
+        let [mixed, law] = agreement.products.each_ref().map(ExactSum::value);
+        let [forces, laws] = self.unlike.each_ref().map(ExactSum::value);
+        #[expect(clippy::cast_precision_loss, reason = "a log has fewer rows than 2⁵³")]
+        let rows = unlike as f64;
+        // Least squares of two numbers: where all of the law's forces are the same, one of them is as good as the other.
+        let determinant = law * rows - laws * laws;
+        if determinant <= SAME * law * rows {
+            return None;
+        }
+        let scale = (mixed * rows - forces * laws) / determinant;
+        let added = (law * forces - laws * mixed) / determinant;
+        let squares = self.squares_at(self.delay);
+        let left = (squares - scale * mixed - added * forces).max(0.0);
+        let fit = Fit {
+            lag: self.delay,
+            scale,
+            moved: added / scale,
+            residual: (left / squares).sqrt(),
+        };
+        (fit.scale.is_finite() && fit.moved.is_finite() && fit.residual.is_finite()).then_some(fit)
+    }
+
+    /// Σ f² of the rows that are compared at a lag.
+    fn squares_at(&self, lag: usize) -> f64 {
+        let left_out = self.lags.get(lag).map_or(0.0, |lag| lag.left_out.1.value());
+        self.squares.value() - left_out
+    }
+
+    /// The multiple of the law at a lag that the forces come nearest to.
+    fn fit_at(&self, lag: usize) -> Option<Fit> {
+        // Of a few rows anything is a multiple.
+        if 2 * self.left_out(lag) > self.compared {
+            return None;
+        }
+        let squares = self.squares_at(lag);
+        let products = self.lags.get(lag)?.products.each_ref();
+        let [mixed, law] = products.map(ExactSum::value);
+        let scale = mixed / law;
+        // What is left of Σ f²; rounding may leave it a little below zero.
+        let left = (squares - scale * mixed).max(0.0);
+        let residual = (left / squares).sqrt();
+        (scale.is_finite() && residual.is_finite()).then_some(Fit {
+            lag,
+            scale,
+            moved: 0.0,
+            residual,
+        })
+    }
+
+    /// Whether the law has no force at the scene's delay.
+    fn rests(&self) -> bool {
+        let law = self.lags.get(self.delay).map(|lag| &lag.products[1]);
+        law.is_none_or(|law| law.value() == 0.0)
+    }
+
+    /// Whether all forces are zero, and those of the law are not.
+    pub(crate) fn is_zero(&self) -> bool {
+        self.squares.value() == 0.0 && !self.rests()
+    }
+
+    /// How far off the digits of the forces may be, of their own size as a root of the mean square: what is left of
+    /// forces that are a multiple of the law is no more.
+    pub(crate) fn rounding(&self) -> f64 {
+        (self.roundings.value() / self.squares.value()).sqrt()
+    }
+
+    /// How far the forces are from the law at the scene's delay, of their own size as a root of the mean square.
+    pub(crate) fn difference(&self) -> Option<f64> {
+        let squares = self.squares_at(self.delay);
+        let products = self.lags.get(self.delay)?.products.each_ref();
+        let [mixed, law] = products.map(ExactSum::value);
+        let difference = ((squares - 2.0 * mixed + law).max(0.0) / squares).sqrt();
+        difference.is_finite().then_some(difference)
+    }
+
+    /// Whether the law has a force that is far from those of the log at the scene's delay: where they agree to
+    /// within their digits all the same, these are too few to tell anything.
+    pub(crate) fn is_far(&self) -> bool {
+        let near = |fit: Fit| (fit.scale - 1.0).abs() < ROUGH && fit.residual < ROUGH;
+        !self.rests() && !self.fit_at(self.delay).is_some_and(near)
+    }
+}
