@@ -14,7 +14,7 @@ use crate::lacks::{self, Lack};
 use crate::log::{Errors, Log};
 use crate::options::{Inertia, Options};
 use crate::region::{COULOMB, Corner, Ends, INERTIA, Part, Shear};
-use crate::report::{BEST_REFUTED, DIGITS};
+use crate::report::{DIGITS, best_refuted};
 use crate::search::{self, Found, Judge, Task};
 use crate::sketch::{covered, ends, inertia, middle, units};
 use crate::suspects::suspicion;
@@ -216,6 +216,7 @@ pub fn identify(
             parts: Vec::new(),
             hull: None,
             refuted_by: None,
+            fits: None,
             stopped_early: false,
         };
         return Ok(whole(nothing, Shear::default(), None, String::new()));
@@ -235,7 +236,7 @@ pub fn identify(
     let best = found.hull.map(|hull| {
         let left = (found.parts.as_slice(), &hull);
         let best = estimate::best(&logs, left, (&shear, weights), first);
-        match fitting(&logs, &hull, best) {
+        match fitting(&logs, &hull, best, found.fits) {
             Some(fitting) => (fitting, false),
             None => (best, true),
         }
@@ -347,7 +348,7 @@ impl Identified {
     /// the model.
     #[must_use]
     pub fn doubts(&self) -> Vec<String> {
-        let refuted = self.best_refuted.then(|| BEST_REFUTED.to_owned());
+        let refuted = self.best_refuted.then(|| best_refuted(self.stopped_early));
         let lacks = self.lacks.iter().filter(|lack| lack.is_doubt());
         refuted
             .into_iter()

@@ -158,7 +158,7 @@ impl Report {
             lines.push("surely within these bounds, if the device is one of this model".to_owned());
         }
         if self.best_refuted {
-            lines.push(BEST_REFUTED.to_owned());
+            lines.push(best_refuted(self.stopped_early));
         }
         lines.extend(
             self.lacks
@@ -175,9 +175,19 @@ impl Report {
     }
 }
 
-/// What is said where the logs refute the best estimate.
-pub(crate) const BEST_REFUTED: &str = "the logs refute the best estimate, and no parameters were found that they do \
-    not refute: with more --effort some may be, or it may show that none fit";
+/// What is said where the logs refute the best estimate: of a search that came to its bound, or of one that is done.
+pub(crate) fn best_refuted(stopped_early: bool) -> String {
+    let then = match stopped_early {
+        true => "with more --effort some may be, or it may show that none fit",
+        false => {
+            "more --effort finds none, as the bounds are as narrow as they get; the device may be none of the model, or \
+             the errors that were given may be too small"
+        }
+    };
+    format!(
+        "the logs refute the best estimate, and no parameters were found that they do not refute: {then}"
+    )
+}
 
 /// The unit of a parameter after a space, as a scene writes it.
 pub(crate) fn unit(parameter: Parameter, motion: Motion) -> &'static str {

@@ -31,6 +31,8 @@ pub(crate) struct Found {
     pub(crate) hull: Option<[Ends; 3]>,
     /// By which place of the logs the last part was refuted, where nothing is left.
     pub(crate) refuted_by: Option<Place>,
+    /// Parameters that fit, where any were looked at.
+    pub(crate) fits: Option<[f64; 3]>,
     /// Whether the work came to its bound before the box was as narrow as asked for.
     pub(crate) stopped_early: bool,
 }
@@ -240,8 +242,9 @@ struct Search<'a> {
     judge: Judge<'a>,
     parts: Parts,
     last: Option<Place>,
-    /// How far towards each face parameters are known that fit.
+    /// How far towards each face parameters are known that fit, and the last of them.
     reached: [f64; 6],
+    fits: Option<[f64; 3]>,
 }
 
 impl Search<'_> {
@@ -264,6 +267,7 @@ impl Search<'_> {
     /// Notes parameters that fit, where they do.
     fn look_at(&mut self, at: [f64; 3]) {
         if self.judge.lets(at) {
+            self.fits = Some(at);
             for (reached, (dimension, is_most)) in self.reached.iter_mut().zip(FACES) {
                 let value = at.get(dimension).copied().unwrap_or(f64::NAN);
                 *reached = reached.max(if is_most { value } else { -value });
@@ -297,6 +301,7 @@ impl Task<'_> {
             parts: Parts::new(),
             last: None,
             reached: [f64::NEG_INFINITY; 6],
+            fits: None,
         };
         search.look_at(self.near);
         for part in parts {
@@ -342,6 +347,7 @@ impl Task<'_> {
             refuted_by: search.last.filter(|_| hull.is_none()),
             parts: left.map(|left| left.part).collect(),
             hull,
+            fits: search.fits,
             stopped_early,
         }
     }

@@ -148,6 +148,9 @@ impl Identified {
         }
         if let Some((_, behind)) = &comments {
             *new.decor_mut() = behind.clone();
+            if let Some(comment) = behind.suffix().and_then(|suffix| suffix.as_str()) {
+                new.decor_mut().set_suffix(sourced(comment));
+            }
         }
         match table.get_mut(name) {
             // What stands above it stays.
@@ -221,6 +224,16 @@ impl Identified {
         }
         Ok(())
     }
+}
+
+/// A comment without the reminder that the number needs a source: it has one now.
+fn sourced(comment: &str) -> String {
+    const REMINDER: &str = "TODO: source";
+    let mut said = comment.replace(&format!("; {REMINDER}"), "");
+    if said.trim().trim_start_matches('#').trim() == REMINDER {
+        said.clear();
+    }
+    said
 }
 
 /// The section of a key, and its name there.

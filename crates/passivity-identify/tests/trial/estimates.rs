@@ -2,14 +2,15 @@
 
 use std::path::Path;
 
-use passivity_audit::Reading;
+use passivity_audit::{Number, Reading};
 use passivity_identify::{
     Dialect, Options, Provenance, Report, Sampled, identify, read, read_sketch,
 };
+use passivity_random::Random;
 use passivity_scene::Scene;
 
 use super::quick;
-use super::trial::{Device, near};
+use super::trial::{Device, near, recorded, sketch};
 
 /// By how much the motion in closed form, in doubles, may be off.
 pub(crate) const ROUNDING: f64 = 1e-6;
@@ -89,6 +90,29 @@ fn an_estimate_that_is_refuted_is_said_to_be() {
     assert!(written.unwrap().contains(" N m, refuted by the logs\n"));
 }
 
+/// What was identified is the source of its number: the reminders of a sketch as `init` writes it are answered.
+#[test]
+fn reminders_of_a_source_are_answered() {
+    let (sketch, log) = shipped("push.csv");
+    let found = identify(&[log], &sketch, &quick(), |_| true).unwrap();
+    let text = "[device]\ninertia = \"2e-5 kg m^2\" # TODO: source\n\
+                viscous = \"1e-3 N m s/rad\" # viscous friction; TODO: source\n\
+                coulomb = \"1 mN m\" # TODO: source\n\
+                [sampling]\nrate = \"1 kHz\"\n[encoder]\ncounts_per_revolution = 8192\n";
+    let written = found.scene(text, &Provenance::default()).unwrap();
+    let line = |key: &str| written.lines().find(|line| line.starts_with(key)).unwrap();
+    assert!(
+        line("viscous = ").ends_with("rad\" # viscous friction"),
+        "{written}"
+    );
+    assert!(
+        line("coulomb = ").trim_end().ends_with("N m\""),
+        "{written}"
+    );
+    // It was not identified.
+    assert!(line("inertia = ").ends_with("# TODO: source"), "{written}");
+}
+
 /// What a sketch says beside the numbers that are replaced stays, and how its lines end.
 #[test]
 fn comments_and_line_breaks_of_the_sketch_stay() {
@@ -113,6 +137,52 @@ fn comments_and_line_breaks_of_the_sketch_stay() {
         }
         for kept in ["# A knob.", "# drawing 7", "# Of the motor."] {
             assert!(written.contains(kept), "{written}");
+        }
+    }
+}
+
+/// Counts without an error leave so little that the least squares, of whatever power of the residuals, may all be beside
+/// it: the search itself has come across what fits.
+#[test]
+fn an_estimate_is_found_where_the_search_found_what_fits() {
+    for seed in [31, 83] {
+        let mut random = Random::new(seed);
+        let device = Device {
+            viscous: random.over_decades(0.01, 10.0),
+            coulomb: random.over_decades(5.0, 500.0),
+            inertia: random.over_decades(10.0, 1000.0),
+        };
+        let more = random.over_decades(20.0, 1000.0);
+        let durations = vec![Number::whole(1); 200];
+        let push = device.coulomb + more;
+        let laws: [&dyn Fn(usize, i64) -> f64; 3] = [
+            &|row, _| if row < 40 { push } else { 0.0 },
+            &|row, _| if row < 30 { -1.3 * push } else { 0.0 },
+            &|row, _| 1.5 * push * (row as f64 / 17.0).sin(),
+        ];
+        let logs = laws.map(|law| {
+            let phase = random.between(0.0, 1.0);
+            recorded(&device, phase, &durations, &mut random, false, law)
+        });
+        let options = Options {
+            count_error: 0.0,
+            ..quick()
+        };
+        let sketch = sketch(device.inertia, 0.0);
+        let found = identify(&logs, &sketch, &options, |_| true).unwrap();
+        assert!(
+            found.fits() && !found.best_refuted,
+            "{seed}: {:?}",
+            found.parameters
+        );
+        let best = |at: usize| found.parameters[at].1.best.unwrap();
+        let estimated = Device {
+            viscous: best(0),
+            coulomb: best(1),
+            ..device
+        };
+        for log in &logs {
+            assert!(spread(&estimated, log) <= 1.0 + ROUNDING, "{seed}");
         }
     }
 }

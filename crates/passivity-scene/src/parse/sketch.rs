@@ -44,7 +44,7 @@ const ROTARY: &str = r#"#:schema scene.schema.json
 [device]                             # what the hand holds
 viscous = "9e-6 N m s/rad ± 10%"     # viscous friction; leave it out where there is none; TODO: source
 coulomb = "2 mN m ± 5%"              # Coulomb friction; TODO: source
-# inertia = "6.28e-6 kg m^2"         # needed only to simulate; TODO: source
+# inertia = "6.28e-6 kg m^2"         # needed to simulate and to identify; TODO: source
 
 # [transmission]                     # where the motor turns faster than the device
 # ratio = "15:1"                     # or motor_pulley = "5 mm" and output_pulley = "75 mm"; TODO: source
@@ -86,7 +86,7 @@ const LINEAR: &str = r#"#:schema scene.schema.json
 [device]                             # what the hand holds
 coulomb = "0.04 N ± 10%"             # Coulomb friction; TODO: source
 # viscous = "0.5 N s/m"              # viscous friction; leave it out where there is none; TODO: source
-# mass = "75 g"                      # needed only to simulate; TODO: source
+# mass = "75 g"                      # needed to simulate and to identify; TODO: source
 
 # [transmission]                     # a motor that drives the device by a cable
 # motor_pulley = "5 mm"
@@ -154,7 +154,7 @@ const DIMENSIONLESS: &str = r#"#:schema scene.schema.json
 [dimensionless]
 beta = "3/5"                         # β = b/(KT), viscous friction; TODO: source
 sigma = "3/5"                        # σ = c/(KΔ), Coulomb friction; TODO: source
-# mu = 50                            # μ = m/(KT²), inertia: needed only to simulate; TODO: source
+# mu = 50                            # μ = m/(KT²), inertia: needed to simulate and to identify; TODO: source
 
 # [sampling]
 # delay = 1                          # whole samples by which the force is late
