@@ -200,8 +200,18 @@ pub(crate) fn is_unit_of_force(text: &str) -> bool {
 }
 
 /// Units in words and in Cyrillic letters, and their symbols. `Grad` is none of them.
-const SPELT: [(&str, &str); 72] = [
+const SPELT: [(&str, &str); 82] = [
     ("inche", "in"),
+    ("zoll", "in"),
+    ("feet", "ft"),
+    ("nanometer", "nm"),
+    ("nanometre", "nm"),
+    ("zentimeter", "cm"),
+    ("mikrometer", "um"),
+    ("revs", "rev"),
+    ("umdrehung", "rev"),
+    ("umdrehungen", "rev"),
+    ("gons", "gon"),
     ("meter", "m"),
     ("metre", "m"),
     ("centimeter", "cm"),

@@ -3,17 +3,20 @@
 use passivity_scene::Motion;
 
 use super::kind::Kind;
-use super::words::{ASIDE, COUNTED, HELD, MEASURED, NOT_MEASURED, PERHAPS_WANTED, words};
+use super::words::{
+    ASIDE, COUNTED, DEGREE, HELD, MEASURED, MICRO, NOT_MEASURED, PERHAPS_WANTED, words,
+};
 use crate::log::error::shown;
 use crate::log::header::{self, is_unit, is_unit_of_force, read_unit, read_unit_of_force};
 
 /// The units that names of columns give, as they are proposed. Of units whose letters differ only in case, such as
 /// `mN` and `MN`, those of a log.
-const UNITS: [&str; 50] = [
-    "s", "sec", "msec", "usec", "ms", "us", "ns", "m", "mm", "cm", "um", "in", "inch", "ft", "rad",
-    "mrad", "urad", "deg", "rev", "turn", "m/s", "mm/s", "rad/s", "deg/s", "rpm", "N", "mN", "uN",
-    "kN", "Nm", "mNm", "uNm", "Nmm", "Ncm", "g", "kg", "oz", "lb", "gf", "kgf", "ozf", "lbf",
-    "oz in", "ozf in", "lb in", "lbf in", "lb ft", "ft lb", "kg cm", "kgf cm",
+const UNITS: [&str; 54] = [
+    "s", "sec", "msec", "usec", "ms", "us", "ns", "m", "mm", "cm", "um", "nm", "in", "inch", "ft",
+    "rad", "mrad", "urad", "deg", "gon", "arcmin", "arcsec", "rev", "turn", "m/s", "mm/s", "rad/s",
+    "deg/s", "rpm", "N", "mN", "uN", "kN", "Nm", "mNm", "uNm", "Nmm", "Ncm", "g", "kg", "oz", "lb",
+    "gf", "kgf", "ozf", "lbf", "oz in", "ozf in", "lb in", "lbf in", "lb ft", "ft lb", "kg cm",
+    "kgf cm",
 ];
 
 /// Those that may be a word, or a letter of another meaning.
@@ -22,15 +25,32 @@ const WORDS: [&str; 12] = [
 ];
 
 /// Those that only the end of a name gives: within it they are other words or letters.
-const LAST: [&str; 7] = ["s", "m", "in", "rev", "turn", "N", "g"];
+const LAST: [&str; 9] = ["s", "sec", "m", "in", "ft", "rev", "turn", "N", "g"];
 
-/// Words for units that are not read, and for degrees or gradians.
-const UNKNOWN: [&str; 3] = ["mil", "thou", "grad"];
+/// Words for units that are not read or of something else, and for degrees or gradians.
+const UNKNOWN: [&str; 14] = [
+    "mil",
+    "thou",
+    "grad",
+    "yard",
+    "mile",
+    "angstrom",
+    "ångström",
+    "pixel",
+    "px",
+    "percent",
+    "volt",
+    "millivolt",
+    "ampere",
+    "milliampere",
+];
 
-/// The letters of a unit.
+/// The letters of a unit, with those of a keyboard for its signs.
 fn letters(text: &str) -> String {
     let is_joint = |c: &char| !matches!(c, ' ' | '_' | '-' | '.' | '*' | '·');
-    text.chars()
+    text.replace(MICRO, "u")
+        .replace(DEGREE, "deg")
+        .chars()
         .filter(is_joint)
         .flat_map(char::to_lowercase)
         .collect()
@@ -146,9 +166,9 @@ pub(crate) fn is_of_another(kind: Kind, name: &str) -> bool {
     }
 }
 
-/// What stands at the end of a name that is called a force, behind an underscore or a space, and is the unit of what the
-/// force was made of: a voltage, a current or a share. A letter alone may be the label of an axis.
-fn behind_force(name: &str) -> Option<&str> {
+/// What stands at the end of the name of a force or a position, behind an underscore or a space, and is the unit of what it
+/// was made of: a voltage, a current or a share. A letter alone may be the label of an axis.
+fn behind(name: &str) -> Option<&str> {
     let (_, last) = name.trim().rsplit_once(['_', ' '])?;
     let is_it = ["mV", "mA", "%", "pct", "percent"].contains(&last);
     let is_other = || last.chars().count() > 1 && OF_OTHERS.contains(&last);
@@ -176,31 +196,29 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
             false => Err(no_unit(unit, kind, motion)),
         };
     }
-    if let Some(unit) = behind_force(name).filter(|_| kind == Kind::Force) {
+    if let Some(unit) = behind(name).filter(|_| kind != Kind::Velocity) {
         return Err(no_unit(unit, kind, motion));
     }
     let words = words(name);
     if let Some(unknown) = words.iter().find(|word| UNKNOWN.contains(&word.as_str())) {
         return Err(no_unit(unknown, kind, motion));
     }
-    // The last one, of as many words as possible.
-    for until in (2..=words.len()).rev() {
-        for from in 1..until {
+    // The last one, of as many words as possible. One word alone is the name.
+    for until in (1..=words.len()).rev().filter(|_| words.len() > 1) {
+        for from in 0..until {
             let some = words.iter().take(until).skip(from);
             let text: String = some.map(String::as_str).collect();
-            let is_last = until == words.len();
-            if let Some(unit) = spelt(kind, &text, motion)
-                && (is_last || !LAST.contains(&unit))
-            {
+            let may_be = |unit: &str| until == words.len() || !LAST.contains(&unit);
+            if let Some(unit) = spelt(kind, &text, motion).filter(|unit| may_be(unit)) {
                 let first = words.get(from).map_or("", String::as_str);
                 return match is_multiple(name, first) {
                     true => Err(format!("a number stands before its unit, `{unit}`")),
                     false => Ok(Some(unit.to_owned())),
                 };
             }
-            let is_other = |unit: &&&str| !WORDS.contains(*unit) && same_letters(unit, &text);
-            let other = UNITS.iter().find(is_other);
-            if let Some(other) = other.filter(|_| is_last) {
+            let is_other =
+                |unit: &&&str| !WORDS.contains(*unit) && may_be(unit) && same_letters(unit, &text);
+            if let Some(other) = UNITS.iter().find(is_other) {
                 return Err(no_unit(other, kind, motion));
             }
         }

@@ -186,15 +186,25 @@ pub(super) const COUNTED: [&str; 6] = ["count", "tick", "cnt", "lsb", "inc", "in
 pub(super) const OF_PERIODS: [&str; 5] = ["sample", "seq", "sequence", "iteration", "iter"];
 pub(super) const OF_TICKS: [&str; 4] = ["tick", "systick", "jiffie", "cyccnt"];
 
-/// The words of a name, in lower case and in the singular.
+/// The signs of micro: that of its own and the Greek letter.
+pub(super) const MICRO: [char; 2] = ['\u{b5}', '\u{3bc}'];
+
+/// The sign of degrees, and those that are typed for it.
+pub(super) const DEGREE: [char; 3] = ['°', 'º', '˚'];
+
+/// The words of a name, in lower case and in the singular; a sign of degrees is one.
 pub(super) fn words(name: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut before = ' ';
     for c in name.chars() {
-        let continues = c.is_alphabetic()
-            && before.is_alphabetic()
+        let is_letter = |c: char| c.is_alphabetic() && !DEGREE.contains(&c);
+        // As in `posµm`; in Greek words the letter is one like others.
+        let is_micro = MICRO.contains(&c) && before.is_ascii_alphabetic();
+        let continues = is_letter(c)
+            && is_letter(before)
+            && !is_micro
             && (before.is_uppercase() || !c.is_uppercase());
-        if c.is_alphabetic() {
+        if c.is_alphabetic() || DEGREE.contains(&c) {
             match words.last_mut() {
                 Some(word) if continues => word.extend(c.to_lowercase()),
                 _ => words.push(c.to_lowercase().collect()),
@@ -229,6 +239,9 @@ mod tests {
             ("θ", &["θ"]),
             ("Position1", &["position"]),
             ("encoder_counts", &["encoder", "count"]),
+            ("phi°", &["phi", "°"]),
+            ("Wegµm", &["weg", "µm"]),
+            ("γραμμή", &["γραμμή"]),
         ] {
             assert_eq!(words(name), expected, "{name}");
         }

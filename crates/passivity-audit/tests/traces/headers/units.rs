@@ -1,6 +1,6 @@
 //! Units: in a line of their own, anywhere in a name, and in words.
 
-use super::{audited, proposed, refused, scene};
+use super::{audited, audited_on, proposed, refused, rotary, scene};
 use crate::scratch::Scratch;
 use passivity_audit::{Options, audit_files};
 
@@ -140,5 +140,88 @@ fn units_in_cyrillic_letters_are_read() {
     ] {
         let log = format!("\"{name}\",x [mm]\n0,0\n1,1\n");
         assert_eq!(proposed(&log, None), columns);
+    }
+}
+
+/// The columns that are proposed on a rotary device, or else why none are.
+fn proposed_of_turning(name: &str) -> Result<String, String> {
+    let log = format!("Zeit [s],{name}\n0,0\n0.001,-2.8125\n0.002,0\n0.003,-2.8125\n");
+    let error = audited_on(&rotary(), &log, None).unwrap_err();
+    let proposal = error.proposal.map(|proposal| proposal.columns);
+    proposal.ok_or(error.message)
+}
+
+/// Degrees were taken for radians, and a log that fails held.
+#[test]
+fn signs_of_units_are_seen_wherever_they_stand() {
+    for name in [
+        "Winkel °",
+        "phi°",
+        "Winkel in °",
+        "angle °",
+        "°Winkel",
+        "angle º",
+        "phi ˚",
+        "pos_°_raw",
+        "deg angle",
+        "angle in deg",
+        "angle degrees",
+    ] {
+        let columns = format!("t=Zeit [s], x={name} [deg]");
+        assert_eq!(proposed_of_turning(name), Ok(columns));
+    }
+    assert_eq!(
+        proposed_of_turning("phi µrad"),
+        Ok("t=Zeit [s], x=phi µrad [urad]".to_owned())
+    );
+    for name in ["Weg µm", "Weg in µm", "pos \u{3bc}m", "Wegµm", "µm Weg"] {
+        let found = proposed(&format!("t [s],{name},f [N]\n{ROWS}"), None);
+        assert_eq!(found, format!("t=t [s], x={name} [um], f=f [N]"));
+    }
+    let found = proposed(&format!("t [s],x [mm],Kraft µN\n{ROWS}"), None);
+    assert_eq!(found, "t=t [s], x=x [mm], f=Kraft µN [uN]");
+}
+
+#[test]
+fn units_in_words_are_not_taken_for_others() {
+    for (name, unit) in [
+        ("angle gons", "gon"),
+        ("angle arcmin", "arcmin"),
+        ("pos revs", "rev"),
+        ("Winkel Umdrehungen", "rev"),
+    ] {
+        let columns = format!("t=Zeit [s], x={name} [{unit}]");
+        assert_eq!(proposed_of_turning(name), Ok(columns));
+    }
+    for (name, unit) in [
+        ("pos nanometers", "nm"),
+        ("pos nm", "nm"),
+        ("pos feet", "ft"),
+        ("Weg Mikrometer", "um"),
+    ] {
+        let found = proposed(&format!("t [s],{name},f [N]\n{ROWS}"), None);
+        assert_eq!(found, format!("t=t [s], x={name} [{unit}], f=f [N]"));
+    }
+    for name in ["pos_nanometers", "pos_feet", "pos [nanometres]"] {
+        let found = proposed(&format!("t [s],{name},Kraft\n{ROWS}"), None);
+        assert_eq!(found, format!("t=t [s], x={name}, f=Kraft [N]"));
+        let why = proposed_of_turning(name).unwrap_err();
+        assert!(why.contains("is no unit of a position like `rad`"), "{why}");
+    }
+    for name in ["angle_gons", "pos_revs"] {
+        let columns = format!("t=Zeit [s], x={name}");
+        assert_eq!(proposed_of_turning(name), Ok(columns));
+    }
+    for (name, unit) in [
+        ("pos_volts", "volt"),
+        ("angle %", "%"),
+        ("pos_mV", "mV"),
+        ("Winkel °C", "°C"),
+        ("angle_mm_raw", "mm"),
+        ("pos yards", "yard"),
+    ] {
+        let why = proposed_of_turning(name).unwrap_err();
+        let says = format!("`{unit}` is no unit of a position like `rad`");
+        assert!(why.contains(&says), "{name}: {why}");
     }
 }
