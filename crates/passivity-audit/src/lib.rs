@@ -44,4 +44,4 @@ pub use log::{
 };
 pub use number::Number;
 pub use reading::{Reading, Scaled};
-pub use shell::{delimiter_name, shell_word};
+pub use shell::{delimiter_name, notation_options, shell_word};

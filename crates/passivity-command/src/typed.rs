@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use passivity_audit::{Proposal, TraceError, delimiter_name, shell_word};
+use passivity_audit::{Proposal, TraceError, notation_options, shell_word};
 
 use crate::exit::Failure;
 
@@ -59,12 +59,7 @@ fn proposed(mut typed: impl Iterator<Item = String>, read_as: Vec<String>) -> Ve
 /// The words of a command that read the columns and fields as they are proposed.
 fn read_as(proposal: &Proposal, columns: &str) -> Vec<String> {
     let mut words = vec!["--columns".to_owned(), columns.to_owned()];
-    if let Some(delimiter) = proposal.delimiter {
-        words.extend(["--delimiter".to_owned(), delimiter_name(delimiter)]);
-    }
-    if proposal.decimal_comma {
-        words.push("--decimal-comma".to_owned());
-    }
+    words.extend(notation_options(proposal.delimiter, proposal.decimal_comma));
     words
 }
 

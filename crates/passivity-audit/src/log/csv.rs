@@ -17,6 +17,8 @@ use crate::log::slots::Slots;
 use crate::log::step::{above_zero, gap};
 use crate::number::{Number, decimal, short};
 use crate::reading::Reading;
+use crate::shell::with_options;
+use first::other_width;
 pub(crate) use first::{
     has_decimal_commas, headings, is_number, misread, names, place, preview, texts, units,
 };
@@ -28,6 +30,18 @@ mod first;
 pub(crate) struct Notation {
     pub(crate) delimiter: u8,
     pub(crate) decimal_comma: bool,
+}
+
+impl Notation {
+    /// What is to be said of the delimiter, where it is not taken for granted.
+    pub(crate) fn said_delimiter(self) -> Option<char> {
+        Some(char::from(self.delimiter)).filter(|c| *c != ',' || self.decimal_comma)
+    }
+
+    /// The options with which it is read, in a sentence that ends with them.
+    pub(crate) fn with_options(self) -> String {
+        with_options(self.said_delimiter(), self.decimal_comma)
+    }
 }
 
 impl Default for Notation {
@@ -220,13 +234,7 @@ fn push(
         *slot = Some(trimmed(field));
     }
     if width != layout.width() {
-        let mut message = format!("expected {} fields, found {width}", layout.width());
-        if notation.decimal_comma && notation.delimiter == b',' {
-            message.push_str(
-                " (numbers with commas stand in quotes where fields stand apart by commas)",
-            );
-        }
-        return Err(TraceError::new("fields", message));
+        return Err(other_width(line, width, layout, notation));
     }
     let number_in = |field: Option<&[u8]>, column: usize| {
         number(field.unwrap_or_default(), notation)

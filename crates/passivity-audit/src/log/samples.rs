@@ -14,7 +14,7 @@ use crate::log::step::{between, check_jump};
 use crate::log::wraps::{Periods, Wraps};
 use crate::number::Number;
 use crate::reading::Reading;
-use crate::shell::{delimiter_name, shell_word};
+use crate::shell::{shell_word, with_options};
 
 /// The most samples of a log that are held in memory.
 pub const MAX_SAMPLES: usize = 1_000_000;
@@ -106,10 +106,7 @@ fn with_force(mut error: TraceError, scene: &Scene) -> TraceError {
     if let Some(proposal) = error.proposal.take_if(|proposal| !proposal.has_force) {
         let columns = Some(proposal.columns);
         let wanted = wanted("and no column looks like one", columns, scene);
-        let apart = proposal.delimiter.map_or_else(String::new, |delimiter| {
-            let name = shell_word(&delimiter_name(delimiter));
-            format!(", with `--delimiter {name}`")
-        });
+        let apart = with_options(proposal.delimiter, proposal.decimal_comma);
         error.message = format!("{}; {wanted}{apart}", error.message);
     }
     error

@@ -3,8 +3,9 @@
 use super::{Notation, fields, moment, number, trimmed};
 use crate::log::dates;
 use crate::log::digits::Place;
-use crate::log::error::TraceError;
+use crate::log::error::{TraceError, legible};
 use crate::log::header::Heading;
+use crate::log::layout::Layout;
 use crate::log::lines::CARRIAGE_RETURNS;
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
@@ -178,4 +179,34 @@ pub(crate) fn misread(lines: &[&[u8]], notation: Notation) -> Option<TraceError>
         number(field, other).is_ok().then_some(error)
     });
     errors.next()
+}
+
+/// What is wrong with a row that has more or fewer fields than the header has names.
+pub(super) fn other_width(
+    line: &[u8],
+    width: usize,
+    layout: &Layout,
+    notation: Notation,
+) -> TraceError {
+    let mut message = format!("expected {} fields, found {width}", layout.width());
+    if notation.decimal_comma && notation.delimiter == b',' {
+        message
+            .push_str(" (numbers with commas stand in quotes where fields stand apart by commas)");
+    }
+    // As one field it says nothing.
+    let others = b";\t| ,".iter().filter(|_| width == 1);
+    let mut others = others.map(|delimiter| Notation {
+        delimiter: *delimiter,
+        ..notation
+    });
+    if let Some(other) =
+        others.find(|other| fields(line, other.delimiter).count() == layout.width())
+    {
+        message.push_str(&format!(
+            " (its fields seem to stand apart by `{}`: write the names so, too, and read the log{})",
+            legible(&char::from(other.delimiter).to_string()),
+            other.with_options().replacen(',', "", 1)
+        ));
+    }
+    TraceError::new("fields", message)
 }

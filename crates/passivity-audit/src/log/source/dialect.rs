@@ -104,8 +104,7 @@ fn otherwise(
     scene: &Scene,
 ) -> TraceError {
     let written = |proposal: &mut guess::Proposal, notation: Notation| {
-        proposal.delimiter =
-            Some(char::from(notation.delimiter)).filter(|c| *c != ',' || notation.decimal_comma);
+        proposal.delimiter = notation.said_delimiter();
         proposal.decimal_comma = notation.decimal_comma;
     };
     if !shape::is_even(line, first, own) {
@@ -166,13 +165,13 @@ fn otherwise(
         error.column = None;
         error.proposal = Some(proposal);
     }
-    let obstacle = shape::obstacle(line, first, own).or_else(|| {
+    let obstacle = shape::obstacle(line, first, own, scene).or_else(|| {
         // Of rows that stand apart otherwise under names that do not.
         let is_one = !line.contains(&own.delimiter);
         let others = delimiters.iter().chain(b" ").filter(there);
         let mut others = others.map(|delimiter| with(*delimiter)).filter(|_| is_one);
         others.find_map(|notation| {
-            let obstacle = shape::obstacle(line, first, notation)?;
+            let obstacle = shape::obstacle(line, first, notation, scene)?;
             Some(format!("{}, and then {obstacle}", apart(notation, own)))
         })
     });

@@ -1,5 +1,7 @@
 //! Files that are no CSV, and CSV with more than a header and rows: what they are, and how they are made readable.
 
+use passivity_scene::{Motion, Scene};
+
 use crate::log::columns::{quoted, same_unit};
 use crate::log::csv::{self, Notation};
 use crate::log::error::{TraceError, shown};
@@ -69,14 +71,18 @@ pub(super) fn is_read(start: &[u8]) -> Result<(), TraceError> {
 }
 
 /// What stands in the way of a header that is not understood, where the first lines tell.
-pub(super) fn obstacle(line: &[u8], first: &[&[u8]], notation: Notation) -> Option<String> {
+pub(super) fn obstacle(
+    line: &[u8],
+    first: &[&[u8]],
+    notation: Notation,
+    scene: &Scene,
+) -> Option<String> {
     let names = csv::texts(line, notation);
     let is_number = |text: &String| csv::is_number(text.as_bytes(), notation);
     let numbers = names.iter().filter(|name| is_number(name)).count();
     if 2 * numbers >= names.len() && numbers > 0 {
-        let says = "the first line holds numbers, not names: write a line before it with the names of the columns, \
-            as in `t [s],x [rad],f [N m]`, where columns that are not read may have any name";
-        return Some(says.to_owned());
+        let rows: Vec<&[u8]> = [line].into_iter().chain(first.iter().copied()).collect();
+        return Some(nameless(&rows, notation, scene));
     }
     let first = csv::texts(first.first()?, notation);
     // A row may end with what stands between fields.
@@ -95,6 +101,36 @@ pub(super) fn obstacle(line: &[u8], first: &[&[u8]], notation: Notation) -> Opti
             shown(line)
         )
     })
+}
+
+/// What is said of rows without names, with names that they may have, written as the rows are.
+fn nameless(rows: &[&[u8]], notation: Notation, scene: &Scene) -> String {
+    let preview = csv::preview(rows, &[], notation);
+    let has_clock = preview.columns.len() > 1 && preview.increases(0);
+    let is_counted = scene.given.has_encoder() && preview.is_whole(usize::from(has_clock));
+    let [time, position, force] = match scene.motion {
+        Motion::Dimensionless => ["tau", "xi", "f"],
+        Motion::Linear => ["t [s]", "x [m]", "f [N]"],
+        Motion::Rotary => ["t [s]", "x [rad]", "f [N m]"],
+    };
+    let position = if is_counted { "count" } else { position };
+    let known = [time, position, force].map(str::to_owned);
+    let others = (1..).map(|n| format!("other{n}"));
+    let names = known.into_iter().skip(usize::from(!has_clock));
+    let names: Vec<String> = names.chain(others).take(preview.columns.len()).collect();
+    let (delimiter, tabs) = match notation.delimiter {
+        b'\t' => ("\\t".to_owned(), " (each `\\t` is a tab)"),
+        other => (char::from(other).to_string(), ""),
+    };
+    format!(
+        "the first line holds numbers, not names: write a line before it with the names of the columns and the units of their \
+         numbers, as in `{}`{tabs}, where columns that are not read may have any name, and read it{}",
+        names.join(&delimiter),
+        match notation.with_options() {
+            options if options.is_empty() => " again".to_owned(),
+            options => options.replacen(',', "", 1),
+        }
+    )
 }
 
 /// The names of the columns with the units that stand in a line of their own after them: `time [s]`. `None` where that

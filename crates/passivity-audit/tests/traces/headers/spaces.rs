@@ -135,3 +135,73 @@ fn what_stands_only_at_the_end_of_the_rows_is_named() {
         assert!(error.contains(says) && error.contains(empty), "{error}");
     }
 }
+
+/// The line that is to be written before rows without names, and the options that it is read with, as they are printed.
+#[test]
+fn the_names_that_rows_without_any_may_have_are_written_as_the_rows_are() {
+    for (scene, rows, names, options) in [
+        (
+            rotary(),
+            "0 0.00 0\n0.001 0.01 0.1\n0.002 0.03 0.1\n",
+            "t [s] x [rad] f [N m]",
+            Some((b' ', "--delimiter ' '")),
+        ),
+        (
+            rotary(),
+            "0\t0\t0.5\t7\t8\n0.001\t1\t0.1\t7\t8\n",
+            "t [s]\\tcount\\tf [N m]\\tother1\\tother2",
+            Some((b'\t', "--delimiter tab")),
+        ),
+        (
+            scene(),
+            "0;0.5\n0.001;1\n",
+            "t [s];x [m]",
+            Some((b';', "--delimiter ';'")),
+        ),
+        (scene(), "0,0\n0.001,1\n", "t [s],count", None),
+        (scene(), "0,0\n-1,0.5\n", "count,f [N]", None),
+    ] {
+        let error = audited_on(&scene, rows, None).unwrap_err();
+        assert!(
+            error.message.contains(&format!("as in `{names}`")),
+            "{error}"
+        );
+        let says = options.map_or_else(String::new, |(_, it)| format!(" with `{it}`"));
+        assert!(error.message.contains(&says), "{error}");
+        let log = format!("{}\n{rows}", names.replace("\\t", "\t"));
+        let dialect = Dialect {
+            delimiter: options.map(|(delimiter, _)| delimiter),
+            ..Dialect::default()
+        };
+        let options = Options {
+            dialect,
+            ..Options::default()
+        };
+        let input = Box::new(std::io::Cursor::new(log.into_bytes()));
+        let audit = audit_csv(input, &scene, options).unwrap();
+        assert_eq!(audit.error(), None, "{names}");
+    }
+}
+
+#[test]
+fn rows_that_stand_apart_otherwise_than_their_names_say_so() {
+    for (row, says) in [
+        (
+            "0 0 0",
+            "` `: write the names so, too, and read the log with `--delimiter ' '`",
+        ),
+        (
+            "0;0;0",
+            "`;`: write the names so, too, and read the log with `--delimiter ';'`",
+        ),
+        (
+            "0\t0\t0",
+            "`\\t`: write the names so, too, and read the log with `--delimiter tab`",
+        ),
+    ] {
+        let audit = audited(&format!("t [s],x [mm],f [N]\n{row}\n"), None).unwrap();
+        let error = audit.error().unwrap().to_string();
+        let start = "row 1: expected 3 fields, found 1 (its fields seem to stand apart by ";
+        assert!(error.starts_with(start) && error.contains(says), "{error}");
+    }
+}
