@@ -20,7 +20,8 @@ use crate::reading::Reading;
 use crate::shell::with_options;
 use first::other_width;
 pub(crate) use first::{
-    has_decimal_commas, headings, is_number, misread, names, place, preview, texts, units,
+    has_decimal_commas, headings, is_number, is_number_or_date, misread, names, place, preview,
+    surplus, texts, units,
 };
 
 mod first;

@@ -21,6 +21,9 @@ pub(crate) const BLOCK: usize = 1 << 20;
 /// How many lines of comments may stand before the names of the columns.
 const COMMENTS: usize = 1000;
 
+/// How many lines are looked at for the names of the columns, where they do not stand in the first.
+const EARLY: usize = 200;
+
 /// How a text starts.
 pub(crate) struct Start {
     /// The line with the names of the columns.
@@ -42,6 +45,8 @@ pub(crate) struct Lines<R> {
     goes_on: bool,
     /// How many bytes the lines before the rows have.
     before: u64,
+    /// How many lines these are.
+    taken: usize,
 }
 
 /// A block of lines, or what stopped the reading after it.
@@ -68,6 +73,7 @@ impl<R: Read> Lines<R> {
             block,
             goes_on: false,
             before: 0,
+            taken: 0,
         }
     }
 
@@ -117,6 +123,7 @@ impl<R: Read> Lines<R> {
         let end = end.map_or(self.rest.len(), |end| end + 1);
         self.rest.drain(..end);
         self.before += end as u64;
+        self.taken += 1;
         Ok(line)
     }
 
@@ -144,7 +151,13 @@ impl<R: Read> Lines<R> {
 
     /// The first lines after the header, as far as they have been read.
     pub(crate) fn first(&self) -> Vec<&[u8]> {
-        self.read().take(Preview::ROWS).collect()
+        let lines = self.read().map(|(_, line)| line);
+        lines.take(Preview::ROWS).collect()
+    }
+
+    /// More of them, each with its number in the text from 1 on, blank lines counted.
+    pub(crate) fn early(&self) -> Vec<(usize, &[u8])> {
+        self.read().take(EARLY).collect()
     }
 
     /// Looks at the digits of the numbers of a column, row by row.
@@ -168,12 +181,13 @@ impl<R: Read> Lines<R> {
         }
     }
 
-    /// The lines after the header that have been read.
-    fn read(&self) -> impl Iterator<Item = &[u8]> {
+    /// The lines after the header that have been read, each with its number.
+    fn read(&self) -> impl Iterator<Item = (usize, &[u8])> {
         let lines = self.rest.split_inclusive(|byte| *byte == b'\n');
         let whole = lines.filter(|line| self.ended || line.last() == Some(&b'\n'));
         let lines = whole.map(|line| without_return(line.strip_suffix(b"\n").unwrap_or(line)));
-        lines.filter(|line| !line.trim_ascii().is_empty())
+        let lines = (self.taken + 1..).zip(lines);
+        lines.filter(|(_, line)| !line.trim_ascii().is_empty())
     }
 
     /// Reads until `rest` has grown by `more` bytes, or the input ends or breaks: what was read until then is kept.

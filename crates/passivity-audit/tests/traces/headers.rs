@@ -6,6 +6,7 @@ mod forces;
 mod joints;
 mod labels;
 mod others;
+mod preamble;
 mod quotes;
 mod rising;
 mod spaces;

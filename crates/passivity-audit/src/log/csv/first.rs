@@ -10,6 +10,10 @@ use crate::log::lines::CARRIAGE_RETURNS;
 use crate::log::preview::Preview;
 use crate::log::running::near_number;
 
+/// What is said of text in another encoding.
+const NO_UTF_8: &str = "the header is not UTF-8 text: convert the log, as with `iconv -f WINDOWS-1252 -t UTF-8 log.csv > \
+    log-utf8.csv` where Excel wrote it";
+
 /// The fields of a line, without their quotes; one that is written twice in them is one.
 pub(crate) fn texts(line: &[u8], notation: Notation) -> Vec<String> {
     united(line, notation, |word| word.starts_with(['[', '(']))
@@ -62,10 +66,36 @@ pub(crate) fn is_number(field: &[u8], notation: Notation) -> bool {
     value(field, notation).is_some()
 }
 
+/// The same, or a date with a time of day.
+pub(crate) fn is_number_or_date(field: &[u8], notation: Notation) -> bool {
+    is_number(field, notation) || dates::seconds(field).is_some()
+}
+
+/// What is to be done about names behind those of the fields of a row, where they are remarks or none.
+pub(crate) fn surplus<'n>(
+    mut names: impl Iterator<Item = &'n String> + ExactSizeIterator,
+    width: usize,
+) -> String {
+    let more = names.len().saturating_sub(width);
+    let is_none = |name: &String| {
+        let name = name.trim().to_lowercase();
+        let remarks = ["comment", "comments", "kommentar", "remark", "note"];
+        name.is_empty() || remarks.contains(&&*name)
+    };
+    match more > 0 && names.by_ref().skip(width).all(is_none) {
+        true if more == 1 => {
+            ": take the last name, with what stands before it, out of the header".to_owned()
+        }
+        true => {
+            format!(": take the last {more} names, with what stands before each, out of the header")
+        }
+        false => String::new(),
+    }
+}
+
 /// The fields of a header line.
 pub(crate) fn names(line: &[u8], notation: Notation) -> Result<Vec<String>, TraceError> {
-    let text = std::str::from_utf8(line)
-        .map_err(|_| TraceError::new("header", "the header is not UTF-8 text"))?;
+    let text = std::str::from_utf8(line).map_err(|_| TraceError::new("header", NO_UTF_8))?;
     if text.trim().is_empty() {
         return Err(TraceError::new(
             "header",
@@ -193,6 +223,7 @@ pub(super) fn other_width(
         message
             .push_str(" (numbers with commas stand in quotes where fields stand apart by commas)");
     }
+    message.push_str(&surplus(layout.headings.iter().map(|it| &it.name), width));
     // As one field it says nothing.
     let others = b";\t| ,".iter().filter(|_| width == 1);
     let mut others = others.map(|delimiter| Notation {

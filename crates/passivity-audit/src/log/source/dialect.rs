@@ -8,7 +8,7 @@ use super::shape;
 use crate::log::columns::Columns;
 use crate::log::csv::{self, Notation};
 use crate::log::digits::Seen;
-use crate::log::error::{TraceError, legible};
+use crate::log::error::{TraceError, legible, shown};
 use crate::log::guess;
 use crate::log::layout::Layout;
 use crate::log::lines::Lines;
@@ -36,8 +36,12 @@ impl Dialect {
         let (line, notation) = self.names(lines)?;
         let (line, first) = (&line[..], &lines.first()[..]);
         let told = self.columns.as_ref();
-        let mut layout = layout(line, first, notation, told, scene)
-            .map_err(|error| otherwise(error, notation, (line, first), self, scene))?;
+        let mut layout = layout(line, first, notation, told, scene).map_err(|error| match self
+            .lines_below(line, &lines.early(), notation)
+        {
+            Some(error) => error,
+            None => otherwise(error, notation, (line, first), self, scene),
+        })?;
         let said = Said {
             headings: layout.headings.clone(),
             preview: csv::preview(first, &layout.headings, notation),
@@ -64,6 +68,47 @@ impl Dialect {
             }
             None => Ok((start.names, notation)),
         }
+    }
+
+    /// What stands between fields, as far as was said, or else what may.
+    fn delimiters(&self, own: Notation) -> Vec<u8> {
+        match self.delimiter {
+            Some(_) => vec![own.delimiter],
+            None => vec![b';', b'\t', b'|', b' ', b','],
+        }
+    }
+
+    /// The error of a text whose names seem to stand below its first line.
+    fn lines_below(
+        &self,
+        line: &[u8],
+        early: &[(usize, &[u8])],
+        own: Notation,
+    ) -> Option<TraceError> {
+        let rows: Vec<&[u8]> = early.iter().map(|(_, line)| *line).collect();
+        let with = |delimiter| Notation {
+            delimiter,
+            decimal_comma: own.decimal_comma || csv::has_decimal_commas(&rows, delimiter),
+        };
+        let notations: Vec<Notation> = self.delimiters(own).into_iter().map(with).collect();
+        let is_header = |line: &[u8], rows: &[&[u8]]| {
+            let mut notations = notations.iter();
+            notations.any(|notation| shape::is_header(line, rows, *notation))
+        };
+        if is_header(line, &rows) {
+            return None;
+        }
+        let mut below = early.iter().enumerate();
+        let (_, (number, names)) = below.find(|(i, (_, line))| {
+            let rows = rows.get(i + 1..).unwrap_or_default();
+            is_header(line, rows)
+        })?;
+        let message = format!(
+            "the names of the columns seem to stand in line {number}, `{}`: remove the lines before it, or write `#` at the \
+             start of each of them",
+            shown(names)
+        );
+        Some(TraceError::new("header", message))
     }
 
     /// How a text is written, which may say itself what stands between fields.
@@ -114,10 +159,7 @@ fn otherwise(
         written(proposal, own);
     }
     let mut read = own;
-    let delimiters = match dialect.delimiter {
-        Some(_) => vec![own.delimiter],
-        None => vec![b';', b'\t', b'|', b' ', b','],
-    };
+    let delimiters = dialect.delimiters(own);
     let with = |delimiter| Notation {
         delimiter,
         decimal_comma: own.decimal_comma || csv::has_decimal_commas(first, delimiter),

@@ -95,9 +95,10 @@ pub(super) fn obstacle(
     };
     let differ = names.len() != first.len() && !filled.is_empty() && filled.iter().all(is_number);
     differ.then(|| {
+        let more = csv::surplus(names.iter(), first.len());
         let (names, row) = (names.len(), first.len());
         format!(
-            "the names of the columns, `{}`, are {names}, but the first row has {row} fields{end}",
+            "the names of the columns, `{}`, are {names}, but the first row has {row} fields{end}{more}",
             shown(line)
         )
     })
@@ -172,6 +173,33 @@ pub(super) fn with_units(
     let named: Result<Vec<String>, TraceError> = names.iter().zip(&units).map(with).collect();
     let delimiter = char::from(notation.delimiter).to_string();
     Ok(Some(named?.join(&delimiter).into_bytes()))
+}
+
+/// Whether a line has names, and those after it the rows of several columns, perhaps after a line of units: most fields of a
+/// row are numbers or dates.
+pub(super) fn is_header(line: &[u8], rows: &[&[u8]], notation: Notation) -> bool {
+    let names = csv::texts(line, notation);
+    let number = |text: &String| csv::is_number_or_date(text.as_bytes(), notation);
+    let is_name = |text: &String| !number(text) && text.contains(char::is_alphabetic);
+    // A name may be that of no field, and a row may end with what stands between fields. What starts with a word is a line
+    // about a file, as `X0,0.0,0.0`.
+    let is_row = |row: &[u8]| {
+        let fields = csv::texts(row, notation);
+        let numbers = fields.iter().filter(|text| number(text)).count();
+        let is_as_wide = fields.len() > 1 && fields.len().abs_diff(names.len()) < 2;
+        2 * numbers > fields.len() && is_as_wide && fields.first().is_some_and(number)
+    };
+    let named = names.iter().filter(|text| is_name(text)).count();
+    let is_named = named > 1 && !names.iter().any(number);
+    let rows = match rows.split_first() {
+        Some((units, rows))
+            if !is_row(units) && csv::texts(units, notation).len() == names.len() =>
+        {
+            rows
+        }
+        _ => rows,
+    };
+    is_named && !rows.is_empty() && rows.iter().take(2).all(|row| is_row(row))
 }
 
 /// Whether a header and most of the first rows have equally many fields.
