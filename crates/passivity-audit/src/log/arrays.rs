@@ -126,8 +126,7 @@ fn preview(columns: &[(String, Values)], len: usize) -> Preview {
         |(_, values): &(String, Values)| rows.clone().map(|row| field(values, row)).collect();
     Preview {
         columns: columns.iter().map(column).collect(),
-        groups: Vec::new(),
-        lasting: Vec::new(),
+        ..Preview::default()
     }
 }
 

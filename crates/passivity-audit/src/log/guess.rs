@@ -16,7 +16,7 @@ pub(crate) use proposal::propose;
 pub(crate) use rising::only_rises;
 use score::{called, held, own_unit, score};
 pub(crate) use units::same_letters;
-pub(crate) use whole::{is_unclear, no_encoder};
+pub(crate) use whole::{either, is_unclear, no_encoder};
 use words::{COUNTED, words};
 
 mod clock;

@@ -6,7 +6,6 @@ use crate::log::csv::{self, Notation};
 use crate::log::digits::Seen;
 use crate::log::error::TraceError;
 use crate::log::held::Mark;
-use crate::log::preview::Preview;
 
 /// The longest line, in bytes.
 pub(crate) const MAX_LINE: usize = 1 << 20;
@@ -21,8 +20,8 @@ pub(crate) const BLOCK: usize = 1 << 20;
 /// How many lines of comments may stand before the names of the columns.
 const COMMENTS: usize = 1000;
 
-/// How many lines are looked at for the names of the columns, where they do not stand in the first.
-const EARLY: usize = 200;
+/// How many lines are looked at for the names of the columns, where they do not stand in the first, and for a motion.
+const EARLY: usize = 2000;
 
 /// How a text starts.
 pub(crate) struct Start {
@@ -149,13 +148,8 @@ impl<R: Read> Lines<R> {
         }
     }
 
-    /// The first lines after the header, as far as they have been read.
-    pub(crate) fn first(&self) -> Vec<&[u8]> {
-        let lines = self.read().map(|(_, line)| line);
-        lines.take(Preview::ROWS).collect()
-    }
-
-    /// More of them, each with its number in the text from 1 on, blank lines counted.
+    /// The first lines after the header, as far as they have been read, each with its number in the text from 1 on, blank
+    /// lines counted.
     pub(crate) fn early(&self) -> Vec<(usize, &[u8])> {
         self.read().take(EARLY).collect()
     }

@@ -115,8 +115,7 @@ impl Table {
         Preview {
             // What is wrong with the file is said where it is read.
             columns: read.unwrap_or_default(),
-            groups: Vec::new(),
-            lasting: Vec::new(),
+            ..Preview::default()
         }
     }
 

@@ -9,6 +9,9 @@ pub(crate) struct Preview {
     pub(crate) groups: Vec<usize>,
     /// The columns of durations or times of day that rise from row to row.
     pub(crate) lasting: Vec<usize>,
+    /// Fields of each column in rows after them, where some column stands still in the first: whether it has counts or a
+    /// unit is seen when it moves.
+    pub(crate) later: Vec<Vec<Option<f64>>>,
 }
 
 impl Preview {
@@ -24,6 +27,7 @@ impl Preview {
             columns: (0..width).map(column).collect(),
             groups: Vec::new(),
             lasting: Vec::new(),
+            later: Vec::new(),
         }
     }
 
@@ -42,6 +46,17 @@ impl Preview {
 
     fn column(&self, column: usize) -> impl Iterator<Item = Option<f64>> + '_ {
         self.columns.get(column).into_iter().flatten().copied()
+    }
+
+    /// The numbers of a column in the rows after them.
+    fn later(&self, column: usize) -> impl Iterator<Item = f64> + '_ {
+        let fields = self.later.get(column).into_iter().flatten();
+        fields.copied().flatten()
+    }
+
+    /// Whether some column has one whole number in all rows.
+    pub(crate) fn stands_still(&self) -> bool {
+        (0..self.columns.len()).any(|column| self.is_whole(column) && !self.moves(column))
     }
 
     /// The first row in which a column has no number; a column that is not in the rows has none in any.
@@ -67,6 +82,7 @@ impl Preview {
             && self
                 .column(column)
                 .all(|x| x.is_some_and(|x| x.fract() == 0.0))
+            && self.later(column).all(|x| x.fract() == 0.0)
     }
 
     /// Whether all values are whole numbers from 0 on and below this.
@@ -89,6 +105,7 @@ impl Preview {
     pub(crate) fn moves(&self, column: usize) -> bool {
         let first = self.column(column).next();
         self.column(column).any(|x| Some(x) != first)
+            || self.later(column).any(|x| Some(Some(x)) != first)
     }
 
     pub(crate) fn increases(&self, column: usize) -> bool {

@@ -4,10 +4,11 @@ use passivity_scene::{Motion, Scene};
 
 use super::score::own_unit;
 use super::units;
-use super::{Kind, is_called_a_count, is_counted};
+use super::{Kind, is_called_a_count, is_counted, propose};
 use crate::log::columns::{Found, Role};
 use crate::log::header::Heading;
 use crate::log::preview::Preview;
+use crate::shell::shell_word;
 
 /// What a scene without an encoder lacks for counts.
 pub(crate) const fn no_encoder(motion: Motion) -> &'static str {
@@ -65,6 +66,33 @@ pub(super) fn counts(
             no_encoder(scene.motion)
         )),
     }
+}
+
+/// Columns with a position that may be counts or have a unit: both ways to name it, as they can be typed.
+pub(crate) fn either(
+    column: usize,
+    (known, headings, preview): (&[Found], &[Heading], &Preview),
+    scene: &Scene,
+) -> Option<[String; 2]> {
+    let heading = headings.get(column)?;
+    let has_none = own_unit(Kind::Position, heading, scene.motion).is_none()
+        && units::said(Kind::Position, &heading.name, scene.motion) == Ok(None);
+    let is_open = scene.given.has_encoder() && has_none && preview.is_whole(column);
+    if !is_open || scene.motion == Motion::Dimensionless {
+        return None;
+    }
+    let unit = Some(Kind::Position.unit(scene.motion).to_owned());
+    let with = |role, unit| {
+        let found = Found {
+            role,
+            column,
+            unit,
+            reversed: false,
+        };
+        let all: Vec<Found> = known.iter().cloned().chain([found]).collect();
+        propose(&all, headings).map(|proposal| shell_word(&proposal.columns))
+    };
+    Some([with(Role::Count, None)?, with(Role::X, unit)?])
 }
 
 /// Whether a name says that a column is the position, but not whether it has counts that can be read.

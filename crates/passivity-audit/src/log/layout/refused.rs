@@ -64,7 +64,11 @@ pub(super) fn not_read(
             }
             _ if unreadable.is_force() => FORCE,
             _ if unreadable.is_position() => {
-                return format!("the column {} cannot be read: {}", name(unreadable.column), unreadable.why);
+                let either = guess::either(unreadable.column, (&read, headings, preview), scene);
+                let either = either.map_or_else(String::new, |[counts, unit]| {
+                    format!(": `--columns {counts}` or, say, `--columns {unit}`")
+                });
+                return format!("the column {} cannot be read: {}{either}", name(unreadable.column), unreadable.why);
             }
             _ if !unreadable.is_clock() => "name the others to leave it out",
             Motion::Dimensionless => {

@@ -97,8 +97,8 @@ impl Discovered {
         }
         Preview {
             groups,
-            lasting: Vec::new(),
             columns: self.columns.iter().map(|c| c.first.clone()).collect(),
+            ..Preview::default()
         }
     }
 

@@ -13,6 +13,7 @@ use crate::log::guess;
 use crate::log::layout::Layout;
 use crate::log::lines::Lines;
 use crate::log::piece::Said;
+use crate::log::preview::Preview;
 
 /// How the columns of a log are called, and how its numbers are written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -34,17 +35,16 @@ impl Dialect {
         scene: &Scene,
     ) -> Result<(Layout, Said, Notation), TraceError> {
         let (line, notation) = self.names(lines)?;
-        let (line, first) = (&line[..], &lines.first()[..]);
+        let (line, early) = (&line[..], lines.early());
+        let rows: Vec<&[u8]> = early.iter().map(|(_, line)| *line).collect();
         let told = self.columns.as_ref();
-        let mut layout = layout(line, first, notation, told, scene).map_err(|error| match self
-            .lines_below(line, &lines.early(), notation)
-        {
-            Some(error) => error,
-            None => otherwise(error, notation, (line, first), self, scene),
+        let mut layout = layout(line, &rows, notation, told, scene).map_err(|error| {
+            let below = self.lines_below(line, &early, notation);
+            below.unwrap_or_else(|| otherwise(error, notation, (line, &rows), self, scene))
         })?;
         let said = Said {
             headings: layout.headings.clone(),
-            preview: csv::preview(first, &layout.headings, notation),
+            preview: csv::preview(first(&rows), &layout.headings, notation),
         };
         if let Some(force) = layout.force {
             let mut seen = Seen::default();
@@ -61,7 +61,9 @@ impl Dialect {
     ) -> Result<(Vec<u8>, Notation), TraceError> {
         let start = lines.start()?;
         let notation = self.notation(start.delimiter)?;
-        match shape::with_units(&start.names, &lines.first(), notation)? {
+        let early = lines.early().into_iter().take(2);
+        let early: Vec<&[u8]> = early.map(|(_, line)| line).collect();
+        match shape::with_units(&start.names, &early, notation)? {
             Some(names) => {
                 lines.line()?;
                 Ok((names, notation))
@@ -127,15 +129,24 @@ impl Dialect {
     }
 }
 
+/// The rows by which a header is judged.
+fn first<'r, 't>(rows: &'r [&'t [u8]]) -> &'r [&'t [u8]] {
+    rows.get(..Preview::ROWS).unwrap_or(rows)
+}
+
 fn layout(
     line: &[u8],
-    first: &[&[u8]],
+    rows: &[&[u8]],
     notation: Notation,
     told: Option<&Columns>,
     scene: &Scene,
 ) -> Result<Layout, TraceError> {
-    let headings = csv::headings(line, first, notation)?;
-    let preview = csv::preview(first, &headings, notation);
+    let headings = csv::headings(line, first(rows), notation)?;
+    let mut preview = csv::preview(first(rows), &headings, notation);
+    if preview.stands_still() {
+        let later = rows.get(Preview::ROWS..).unwrap_or_default();
+        preview.later = csv::preview(later, &headings, notation).columns;
+    }
     Layout::read(headings, told, &preview, scene)
 }
 
@@ -144,10 +155,11 @@ fn layout(
 fn otherwise(
     mut error: TraceError,
     own: Notation,
-    (line, first): (&[u8], &[&[u8]]),
+    (line, rows): (&[u8], &[&[u8]]),
     dialect: &Dialect,
     scene: &Scene,
 ) -> TraceError {
+    let first = first(rows);
     let written = |proposal: &mut guess::Proposal, notation: Notation| {
         proposal.delimiter = notation.said_delimiter();
         proposal.decimal_comma = notation.decimal_comma;
@@ -172,12 +184,12 @@ fn otherwise(
             continue;
         }
         let united = shape::with_units(line, first, notation).ok().flatten();
-        let (line, first) = match &united {
-            Some(line) => (&line[..], first.get(1..).unwrap_or_default()),
-            None => (line, first),
+        let (line, rows) = match &united {
+            Some(line) => (&line[..], rows.get(1..).unwrap_or_default()),
+            None => (line, rows),
         };
         let told = dialect.columns.as_ref();
-        let proposal = match layout(line, first, notation, told, scene) {
+        let proposal = match layout(line, rows, notation, told, scene) {
             Ok(layout) => layout.proposal(),
             Err(other) => {
                 // As one column it says nothing.

@@ -114,3 +114,35 @@ fn counts_of_no_encoder_are_no_lengths() {
     assert_eq!(refused(&smooth(), "count", "2.5").proposal, None);
     assert!(audited_on(&rotary(), log, None).is_ok());
 }
+
+/// What a recording of `identify` does first is to rest.
+#[test]
+fn a_position_that_rests_at_first_is_known_by_what_it_does_later() {
+    let after = |rest: usize, moving: &[&str]| {
+        let rows = ["0"].repeat(rest).into_iter().chain(moving.iter().copied());
+        let rows = (0..).zip(rows);
+        let rows: String = rows.map(|(i, x)| format!("{i},{x},0\n")).collect();
+        format!("time [ms],pos,effort\n{rows}")
+    };
+    for (rest, moving, columns) in [
+        (25, &["0.0007", "0.0015"][..], "x=pos [m]"),
+        (25, &["1", "3"], "count=pos"),
+        (1500, &["0.0007"], "x=pos [m]"),
+        (1500, &["-1"], "count=pos"),
+    ] {
+        let expected = format!("t=time [ms], {columns}, f=effort [N]");
+        let log = after(rest, moving);
+        assert_eq!(proposed(&log, None), expected);
+        let by_semicolons = log.replace(',', ";");
+        assert_eq!(proposed(&by_semicolons, None), expected);
+    }
+    // Where it never moves both ways to read it are said, and can be typed.
+    let error = refused(&after(25, &[]), None);
+    assert_eq!(error.proposal, None);
+    for columns in ["count=pos", "x=pos [m]"] {
+        let columns = format!("t=time [ms], {columns}, f=effort [N]");
+        let says = format!("`--columns '{columns}'`");
+        assert!(error.message.contains(&says), "{error}");
+        assert!(audited(&after(25, &[]), Some(&columns)).is_ok());
+    }
+}
