@@ -6,7 +6,7 @@
 use passivity_scene::{Motion, Scene};
 
 use crate::log::columns::{Found, Role};
-use crate::log::header::{Heading, is_unit_of_force, split};
+use crate::log::header::{Heading, is_of_recorder, is_unit_of_force, split};
 use crate::log::preview::Preview;
 use clock::{Counter, Parts, counter, parts_of_time, unit_of_time};
 pub(crate) use joints::others;
@@ -234,9 +234,7 @@ pub(crate) fn named(
         c.kind == Kind::Time
             && !counts_up(c)
             && position.is_some_and(|at| preview.together(at, c.column))
-            && headings
-                .get(c.column)
-                .is_some_and(|heading| !heading.is_of_recorder())
+            && !is_of_recorder(headings, c.column)
     };
     let owns: Vec<usize> = candidates
         .iter()

@@ -33,11 +33,6 @@ impl Heading {
         motion != Motion::Linear && self.may_be_metres()
     }
 
-    /// Whether it is when a message was recorded or sent, which each message of MCAP has beside what it says itself.
-    pub(crate) fn is_of_recorder(&self) -> bool {
-        RECORDER.iter().any(|name| self.name.ends_with(name))
-    }
-
     /// Whether its column holds dates with a time of day.
     pub(crate) fn is_dated(&self) -> bool {
         self.unit == Some(dates::UNIT)
@@ -46,6 +41,17 @@ impl Heading {
 
 /// What the names of the times end with at which a message was recorded and sent.
 pub(crate) const RECORDER: [&str; 2] = [".log_time [ns]", ".publish_time [ns]"];
+
+/// Whether a column is when a message was recorded or sent, which each message of MCAP has beside what it says itself, and each
+/// row of `rostopic echo -p`, where it is called `%time` and all else a field.
+pub(crate) fn is_of_recorder(headings: &[Heading], column: usize) -> bool {
+    let name = |heading: &Heading| heading.name.trim().to_owned();
+    let own = headings.get(column).map(name).unwrap_or_default();
+    let mut others = (0..).zip(headings).filter(|(other, _)| *other != column);
+    let is_of_fields = headings.len() > 1 && others.all(|(_, it)| name(it).starts_with("field."));
+    RECORDER.iter().any(|end| own.ends_with(end))
+        || ["time", "%time"].contains(&&*own) && is_of_fields
+}
 
 /// A name apart from its unit.
 #[derive(Clone, Debug, PartialEq, Eq)]

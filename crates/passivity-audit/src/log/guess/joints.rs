@@ -6,7 +6,7 @@ use super::kind::Kind;
 use super::score;
 use crate::log::columns::Found;
 use crate::log::error::shown;
-use crate::log::header::{Heading, split};
+use crate::log::header::{Heading, is_of_recorder, split};
 use crate::log::preview::Preview;
 
 /// What a name says beside the words of its kind: `knob` of `position.knob`, `joint1` of `joint1_pos`.
@@ -48,7 +48,7 @@ pub(crate) fn others(
         // Of other clocks only those of a recorder are named.
         let is_asked = move |column: &usize| match kind {
             Kind::Position | Kind::Force => true,
-            Kind::Time => headings.get(*column).is_some_and(Heading::is_of_recorder),
+            Kind::Time => is_of_recorder(headings, *column),
             Kind::Velocity => false,
         };
         let columns = (0..headings.len()).filter(is_asked);

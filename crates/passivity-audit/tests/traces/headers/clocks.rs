@@ -417,3 +417,31 @@ fn no_command_leaves_out_a_part_of_a_clock() {
     let error = refused(&counts("time_100us", ["0", "40", "90"]), None);
     assert_eq!(error.proposal, None, "{error}");
 }
+
+/// `%time` is when the recorder got a message, and not even.
+#[test]
+fn the_stamp_of_a_message_goes_before_the_time_at_which_rostopic_got_it() {
+    let rows = (0..24_i64).map(|i| {
+        let got = 1_763_735_621_136_580_739 + 1_000_000 * i + i % 3 * 170_000;
+        let stamp = 1_763_735_621_136_472_035 + 1_000_000 * i;
+        format!("{got},{i},{stamp},,knob,{}.5,0,0\n", i % 7)
+    });
+    let rows: String = rows.collect();
+    let fields = "field.header.seq,field.header.stamp,field.header.frame_id,field.name0,field.position0,field.velocity0,field.effort0";
+    let error = refused(&format!("%time,{fields}\n{rows}"), None);
+    let proposal = error.proposal.unwrap();
+    assert_eq!(
+        proposal.columns,
+        "t=field.header.stamp [ns], x=field.position0 [m], v=field.velocity0 [m/s], f=field.effort0 [N]"
+    );
+    assert_eq!(proposal.others, ["time"]);
+    // Where a message has no stamp of its own, that of the recorder is all there is.
+    let (fields, rows) = (
+        "field.position0,field.effort0",
+        "1000000,0.5,0\n2000000,0.6,0\n",
+    );
+    assert_eq!(
+        proposed(&format!("%time,{fields}\n{rows}"), None),
+        "t=time [ns], x=field.position0 [m], f=field.effort0 [N]"
+    );
+}
