@@ -18,7 +18,7 @@ use crate::log::step::{above_zero, gap};
 use crate::number::{Number, decimal, short};
 use crate::reading::Reading;
 use crate::shell::with_options;
-use first::other_width;
+use first::{HEADER_AGAIN, is_header_again, other_width};
 pub(crate) use first::{
     has_decimal_commas, headings, is_number, is_number_or_date, misread, names, place, preview,
     surplus, texts, units,
@@ -162,6 +162,9 @@ fn read(block: &Block, layout: &Layout, notation: Notation) -> Chunk {
         };
         chunk.unended = torn && result.is_ok();
         if let Err(mut error) = result {
+            if is_header_again(line, layout, notation) {
+                error = TraceError::new("header", HEADER_AGAIN);
+            }
             if torn && error.kind != "blank_row" {
                 error
                     .message

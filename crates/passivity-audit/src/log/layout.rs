@@ -14,7 +14,7 @@ use crate::log::preview::Preview;
 use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
 use crate::number::{Number, difference, is_positive, quotient};
 use fine::Fine;
-use refused::{not_read, proposal};
+use refused::{not_read, proposal, unknown_position};
 
 /// The most columns of a trace.
 pub(crate) const MAX_COLUMNS: usize = 4096;
@@ -122,20 +122,22 @@ impl Layout {
                     let why = not_read(&said, &unread, &unreadable, (&headings, preview), scene);
                     let mut error = proposed(why, &said);
                     let is_there = unreadable.iter().any(Unreadable::is_position);
-                    error.message += match known.iter().any(Found::is_position) {
-                        true => "",
+                    error.message += &match known.iter().any(Found::is_position) {
+                        true => String::new(),
                         false if is_there => {
-                            "; `--columns` can say what it has, or name another position"
+                            "; `--columns` can say what it has, or name another position".to_owned()
                         }
-                        false => {
-                            "; and no column is known to be the position: `--columns` names it"
-                        }
+                        false => unknown_position(&known, (&headings, preview), scene),
                     };
                     return Err(error);
                 }
                 said
             }
         };
+        if told.is_some() && !said.iter().any(Found::is_position) {
+            let message = "`--columns` leaves the position out: name its column there, too, as `count`, `x` or `xi`";
+            return Err(proposed(header(message), &said));
+        }
         let sound = |found: Result<Self, TraceError>| match told {
             // What was typed is not offered again.
             Some(_) => found,

@@ -5,6 +5,7 @@ use super::computed::UNIT;
 use super::error::TraceError;
 use super::layout::Layout;
 use super::numbers::Numbers;
+use super::running::near_number;
 use crate::ball::{is_exact_sum, over_power_of_two};
 use crate::ledger::Logged;
 use crate::number::{Number, power_of_ten};
@@ -83,12 +84,32 @@ fn difference_of_doubles(from: f64, to: f64) -> Option<(i64, i64)> {
 /// Δτ between two times.
 pub(crate) fn between(layout: &Layout, from: &Number, to: &Number) -> Result<Number, TraceError> {
     layout.duration(from, to).ok_or_else(|| {
-        let error = TraceError::new("time", format!("expected a time after {from}, found {to}"));
+        let hint = after_a_break(near_number(from), near_number(to));
+        let message = format!("expected a time after {from}, found {to}{hint}");
+        let error = TraceError::new("time", message);
         match layout.time {
             Some(column) => error.column(layout.name(column)),
             None => error,
         }
     })
+}
+
+/// What a clock that runs backward may have done: gone around, as `micros()` of an Arduino does, or started again.
+fn after_a_break(from: f64, to: f64) -> &'static str {
+    const AROUND: f64 = 4_294_967_296.0;
+    // Two minutes of microseconds: far more than a sampling period, and far less than the way around.
+    const MOST: f64 = 1.2e8;
+    let step = to + AROUND - from;
+    let is_whole = from.fract() == 0.0 && to.fract() == 0.0;
+    match from > to && to >= 0.0 {
+        true if is_whole && from < AROUND && step < MOST => {
+            " (a clock of 32 bits goes on from 4294967295 at 0: add 4294967296 to its times from this row on)"
+        }
+        true if 10.0 * to <= from => {
+            " (if the recording starts again here, make what follows a log of its own)"
+        }
+        _ => "",
+    }
 }
 
 /// Refuses a step of counts that no device makes.

@@ -3,6 +3,7 @@
 mod clocks;
 mod counters;
 mod forces;
+mod hints;
 mod joints;
 mod labels;
 mod others;

@@ -211,6 +211,18 @@ pub(crate) fn misread(lines: &[&[u8]], notation: Notation) -> Option<TraceError>
     errors.next()
 }
 
+/// What is said of a second header.
+pub(super) const HEADER_AGAIN: &str = "the names of the columns stand here again: if the recording starts again here, make \
+    what follows a log of its own, and else remove the line";
+
+/// Whether a row has the names of the columns, as where a recording is started again in the same file; their units may have been
+/// in a line of their own.
+pub(super) fn is_header_again(line: &[u8], layout: &Layout, notation: Notation) -> bool {
+    let names = texts(line, notation);
+    let mut pairs = names.iter().zip(&layout.headings);
+    names.len() == layout.width() && pairs.all(|(name, own)| own.name.starts_with(&**name))
+}
+
 /// What is wrong with a row that has more or fewer fields than the header has names.
 pub(super) fn other_width(
     line: &[u8],

@@ -90,6 +90,11 @@ impl Kind {
                 "rotation",
                 "winkel",
                 "weg",
+                "inkrement",
+                "inkremente",
+                "impuls",
+                "impulse",
+                "pulse",
             ],
             Self::Force => &[
                 "f",

@@ -180,7 +180,20 @@ pub(super) const OF_FORCE: [&str; 9] = [
 ];
 
 /// What a count is called, as a word of a name or as a unit.
-pub(super) const COUNTED: [&str; 6] = ["count", "tick", "cnt", "lsb", "inc", "increment"];
+pub(super) const COUNTED: [&str; 12] = [
+    "count",
+    "tick",
+    "cnt",
+    "lsb",
+    "inc",
+    "increment",
+    "inkr",
+    "inkrement",
+    "inkremente",
+    "impuls",
+    "impulse",
+    "pulse",
+];
 
 /// What counts sampling periods, and what counts ticks of a clock, whose length it does not say.
 pub(super) const OF_PERIODS: [&str; 5] = ["sample", "seq", "sequence", "iteration", "iter"];

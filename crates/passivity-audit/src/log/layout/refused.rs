@@ -9,6 +9,7 @@ use crate::log::guess::{self, Unreadable};
 use crate::log::header::Heading;
 use crate::log::preview::Preview;
 use crate::log::scale::force_scale;
+use crate::shell::shell_word;
 
 /// Why a header with columns that look like something else is refused, some of which cannot be read.
 pub(super) fn not_read(
@@ -89,6 +90,38 @@ pub(super) fn not_read(
         Some(cannot_be_read(found.column, &why.message, FORCE))
     }));
     header(said.join("; "))
+}
+
+/// What is said where no column is known to be the position: with the first of the others, as it can be typed.
+pub(super) fn unknown_position(
+    known: &[Found],
+    (headings, preview): (&[Heading], &Preview),
+    scene: &Scene,
+) -> String {
+    let is_free = |column: &usize| {
+        known.iter().all(|found| found.column != *column) && preview.no_number(*column).is_none()
+    };
+    let column = (0..headings.len()).find(is_free);
+    let example = column.and_then(|column| {
+        let role = match scene.motion {
+            _ if scene.given.has_encoder() && preview.is_whole(column) => Role::Count,
+            Motion::Dimensionless => Role::Xi,
+            _ => Role::X,
+        };
+        let found = Found {
+            role,
+            column,
+            unit: None,
+            reversed: false,
+        };
+        let found = guess::with_unit(&found, headings, preview, scene);
+        let all: Vec<Found> = known.iter().cloned().chain([found]).collect();
+        guess::propose(&all, headings)
+    });
+    let example = example.map_or_else(String::new, |proposal| {
+        format!(", as in `--columns {}`", shell_word(&proposal.columns))
+    });
+    format!("; and no column is known to be the position: `--columns` names it{example}")
 }
 
 /// What to do about a force that cannot be read.

@@ -196,7 +196,11 @@ fn otherwise(
                 let is_one =
                     !line.contains(&own.delimiter) && shape::is_even(line, first, notation);
                 if is_one && error.proposal.is_none() && other.proposal.is_none() {
-                    let message = format!("{}, and then {other}", apart(notation, own));
+                    let options = match notation.with_options().strip_prefix(", with ") {
+                        Some(options) => format!(" ({options} says so)"),
+                        None => String::new(),
+                    };
+                    let message = format!("{}{options}, and then {other}", apart(notation, own));
                     error = TraceError::new(other.kind, message);
                     read = notation;
                 }

@@ -64,7 +64,7 @@ fn units_of_several_words_stand_apart_by_spaces_too() {
     // Where there is nothing to propose, the error is not that of one long column.
     let error = refused(log, None);
     assert_eq!(error.proposal, None);
-    let says = "its fields seem to stand apart by ` `, not by `,`, and then the column `Time [s]` is not read under this name; ";
+    let says = "its fields seem to stand apart by ` `, not by `,` (`--delimiter ' '` says so), and then the column `Time [s]` is not read under this name; ";
     assert!(error.to_string().starts_with(says), "{error}");
 }
 
