@@ -1,5 +1,7 @@
 //! `passivity design`, `export` and `init`, scenes from a pipe, and `check --watch`.
 
+mod cells;
+
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::process::{Command, Stdio};
 
