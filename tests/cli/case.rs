@@ -5,6 +5,7 @@ mod doubted;
 mod evidence;
 mod forces;
 mod identified;
+mod kept;
 mod law;
 #[cfg(unix)]
 mod pdf;

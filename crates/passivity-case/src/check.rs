@@ -10,15 +10,12 @@ use serde_json::Value;
 
 use crate::case::{Case, Objection};
 use crate::error::CaseError;
-use crate::files::{read_bytes, read_text};
+use crate::files::{MOST_BYTES, read_bytes, read_text};
 use crate::folder::{HTML, INFO, PDF};
-use crate::manifest::{FileEntry, MANIFEST, Manifest, PAST, RecordedEntry, SceneEntry, words};
+use crate::manifest::{FileEntry, MANIFEST, Manifest, RecordedEntry, SceneEntry, words};
 use crate::recorded::{Recorded, Recordings, record_name, sum};
 use crate::records::Records;
 use crate::study::Study;
-
-/// A file of a case is no larger than this.
-const MOST_BYTES: u64 = 1 << 30;
 
 /// The differences between a written case and the present scenes, claims and evidence.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -131,13 +128,14 @@ fn past(folder: &Path, manifest: &Manifest, findings: &mut Findings) {
         return;
     };
     let what = "the version, the commit, the scenes and the history of verdicts";
-    if !page.contains(PAST) {
-        findings.not_at_hand.push(format!(
+    match manifest.is_told_by(&page) {
+        Some(true) => {}
+        Some(false) => findings
+            .changed
+            .push(format!("{what}: `{MANIFEST}` says other than `{HTML}`")),
+        None => findings.not_at_hand.push(format!(
             "{what}: `{HTML}` is from before it has a hash of them; write the case again"
-        ));
-    } else if !page.contains(&manifest.past().to_string()) {
-        let says = format!("{what}: `{MANIFEST}` says other than `{HTML}`");
-        findings.changed.push(says);
+        )),
     }
 }
 

@@ -4,6 +4,9 @@ use std::path::Path;
 
 use crate::error::CaseError;
 
+/// A file of a case is no larger than this.
+pub(crate) const MOST_BYTES: u64 = 1 << 30;
+
 /// The text of a file of at most `most` bytes.
 pub(crate) fn read_text(path: &Path, most: u64) -> Result<String, CaseError> {
     let bytes = read_bytes(path, most)?;

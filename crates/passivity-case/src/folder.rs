@@ -1,8 +1,8 @@
 //! The folder of a case, which is written completely or not at all.
 
-use std::collections::BTreeMap;
-use std::fs;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use passivity_audit::legible;
 use passivity_evidence::Sha256;
@@ -10,6 +10,7 @@ use passivity_evidence::Sha256;
 use crate::case::{Case, HistoryEntry};
 use crate::draw::draw;
 use crate::error::CaseError;
+use crate::files::{MOST_BYTES, read_bytes};
 use crate::manifest::{MANIFEST, Manifest};
 use crate::print;
 use crate::recorded::record_name;
@@ -175,38 +176,70 @@ pub fn add_pdf(folder: &Path, browser: &Path) -> Result<(), CaseError> {
     Ok(())
 }
 
-/// Refuses a folder that is not empty and holds no case: writing would lose what is in it.
+/// Refuses a folder that holds something else than a case as it was written: writing would lose what somebody
+/// put there, or what the case says of the past.
 fn refuse_others(folder: &Path) -> Result<(), CaseError> {
-    if !folder.exists() || folder.join(MANIFEST).is_file() {
-        return refuse_foreign_files(folder);
-    }
-    let mut entries = fs::read_dir(folder).map_err(|error| CaseError::io(folder, &error))?;
-    if entries.next().is_some() {
-        return Err(CaseError::new(format!(
-            "`{}`: expected an empty folder, a new one or one with a case in it",
-            folder.display()
-        )));
-    }
-    Ok(())
-}
-
-/// Refuses to replace a case to which somebody has added files of their own.
-fn refuse_foreign_files(folder: &Path) -> Result<(), CaseError> {
-    if !folder.exists() {
+    let names = names(folder)?;
+    if names.is_empty() {
         return Ok(());
     }
+    if !names.contains(MANIFEST) {
+        let what = match names.contains(HTML) {
+            true => parted(&format!("`{MANIFEST}` is missing")),
+            false => "expected an empty folder, a new one or one with a case in it".to_owned(),
+        };
+        return Err(CaseError::within(folder, what));
+    }
     let manifest = Manifest::read(folder)?;
-    let entries = fs::read_dir(folder).map_err(|error| CaseError::io(folder, &error))?;
-    for entry in entries {
-        let entry = entry.map_err(|error| CaseError::io(folder, &error))?;
-        let name = entry.file_name().to_string_lossy().into_owned();
-        if name != MANIFEST && !manifest.files.contains_key(&name) {
-            return Err(CaseError::new(format!(
-                "`{}`: no part of the case, and writing the case again would lose it: move it \
-                 elsewhere",
-                entry.path().display()
-            )));
+    let mut kept = Vec::new();
+    for name in names {
+        let path = folder.join(&name);
+        match manifest.files.get(&name) {
+            _ if name == MANIFEST || name == HTML => continue,
+            Some(written) if Sha256::of(&read_bytes(&path, MOST_BYTES)?) == *written => continue,
+            Some(_) => kept.push(format!(
+                "`{}`: changed since the case was written",
+                path.display()
+            )),
+            None => kept.push(format!("`{}`: no part of the case", path.display())),
         }
     }
-    Ok(())
+    if !kept.is_empty() {
+        let what = "and writing the case again would lose it: move it elsewhere";
+        return Err(CaseError::new(format!("{}, {what}", kept.join("; "))));
+    }
+    let how = match read_bytes(&folder.join(HTML), MOST_BYTES) {
+        Ok(page)
+            if manifest.files.get(HTML) == Some(&Sha256::of(&page))
+                && manifest.is_told_by(&String::from_utf8_lossy(&page)) != Some(false) =>
+        {
+            return Ok(());
+        }
+        Ok(_) => format!("`{HTML}` and `{MANIFEST}` are not as they were written"),
+        Err(_) => format!("`{HTML}` is missing or cannot be read"),
+    };
+    Err(CaseError::within(folder, parted(&how)))
+}
+
+/// What to do with a case whose history of verdicts cannot be told from one that somebody changed.
+fn parted(how: &str) -> String {
+    format!(
+        "{how}, so that the history of verdicts may be another than it was: restore the folder, or \
+         write the case into another one"
+    )
+}
+
+/// The names of what is in a folder; none where there is no folder.
+fn names(folder: &Path) -> Result<BTreeSet<String>, CaseError> {
+    if !folder.exists() {
+        return Ok(BTreeSet::new());
+    }
+    let of_folder = |error| CaseError::io(folder, &error);
+    let entries = fs::read_dir(folder).map_err(of_folder)?;
+    let name =
+        |entry: io::Result<fs::DirEntry>| Ok(entry?.file_name().to_string_lossy().into_owned());
+    entries
+        .map(name)
+        .collect::<io::Result<_>>()
+        .map_err(of_folder)
 }

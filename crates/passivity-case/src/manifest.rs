@@ -162,6 +162,12 @@ impl Manifest {
         Sha256::of(text.as_bytes())
     }
 
+    /// Whether a document has the SHA-256 of the same past; `None` for one from before documents have it.
+    pub(crate) fn is_told_by(&self, page: &str) -> Option<bool> {
+        page.contains(PAST)
+            .then(|| page.contains(&self.past().to_string()))
+    }
+
     /// The manifest as JSON text.
     ///
     /// # Errors

@@ -54,6 +54,11 @@ fn a_browser_prints_the_document_and_the_manifest_has_its_hash() {
         "{}",
         check.stdout
     );
+    // A print that somebody changed is theirs.
+    let again = dir.run(&["case", &scene, "--out", "case"]);
+    assert_eq!(again.code, 2);
+    assert_eq!(read(&dir, "case/case.pdf"), "%PDF-1.4 changed");
+    dir.write("case/case.pdf", "%PDF-1.4 printed\n");
     // A case that is written again without --pdf does not keep the old print.
     assert_eq!(dir.run(&["case", &scene, "--out", "case"]).code, 0);
     assert!(!dir.path("case/case.pdf").exists());
