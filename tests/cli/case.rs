@@ -266,6 +266,18 @@ fn an_error_leaves_no_half_written_case() {
     one_error(&dir.run(&["case", &good, "--out", "case"]), "notes.txt");
     assert_eq!(read(&dir, "case/notes.txt"), "mine");
     one_error(&dir.run(&["case", "--check", "mine"]), "manifest.json");
+    one_error(
+        &dir.run(&["case", "--check", "nowhere"]),
+        "`nowhere`: there is no such folder",
+    );
+    let foreign = dir.write("mine/manifest.json", "{\"version\": 1}");
+    let says = format!("`{foreign}`: this is no manifest of a safety case: missing field `format`");
+    one_error(&dir.run(&["case", &good, "--out", "mine"]), &says);
+    #[cfg(target_os = "linux")]
+    one_error(
+        &dir.run(&["case", &good, "--out", "/proc/case"]),
+        "`/proc/case`: the case cannot be written there: ",
+    );
     dir.write("case/manifest.json", "{\"format\": 1, \"files\": 7");
     one_error(&dir.run(&["case", "--check", "case"]), "manifest.json");
     one_error(

@@ -14,6 +14,17 @@ fn help_shows_examples_and_exit_codes() {
     assert!(check.stdout.contains("passivity check scenes/re35.toml"));
 }
 
+/// `plane` is of one joint: no example of it is of a scene that `init` begins with several.
+#[test]
+fn plane_is_shown_with_no_scene_of_several_joints() {
+    let dir = Dir::new();
+    let init = dir.run(&["init", "--help"]).stdout;
+    let (_, of_joints) = init.split_once("init joints --out ").expect("an example");
+    let name = of_joints.split_whitespace().next().expect("a name");
+    let plane = dir.run(&["plane", "--help"]).stdout;
+    assert!(!plane.contains(name), "{name}: {plane}");
+}
+
 #[test]
 fn the_trace_of_the_first_example_of_audit_is_written_by_one_of_simulate() {
     let dir = Dir::new();

@@ -119,17 +119,20 @@ pub fn write(case: &Case, folder: &Path) -> Result<(), CaseError> {
         .into_owned();
     let beside = |what: &str| parent.join(format!(".{name}.{what}-{}", std::process::id()));
     let (new, old) = (beside("new"), beside("old"));
-    let result = fill(&new, &files).and_then(|()| swap(&new, &old, folder));
+    let result = fill(&new, &files, folder).and_then(|()| swap(&new, &old, folder));
     // What is left over when it failed is of no use to anybody.
     let _ = fs::remove_dir_all(&new);
     result
 }
 
-fn fill(new: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<(), CaseError> {
-    fs::create_dir(new).map_err(|error| CaseError::io(new, &error))?;
+/// Writes the files into `new`, which is to become `folder`: errors name that, which a person gave.
+fn fill(new: &Path, files: &BTreeMap<String, Vec<u8>>, folder: &Path) -> Result<(), CaseError> {
+    fs::create_dir(new).map_err(|error| {
+        CaseError::within(folder, format!("the case cannot be written there: {error}"))
+    })?;
     for (name, bytes) in files {
-        let path = new.join(name);
-        fs::write(&path, bytes).map_err(|error| CaseError::io(&path, &error))?;
+        let written = fs::write(new.join(name), bytes);
+        written.map_err(|error| CaseError::io(&folder.join(name), &error))?;
     }
     Ok(())
 }

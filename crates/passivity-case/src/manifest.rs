@@ -186,13 +186,21 @@ impl Manifest {
     /// A file that is not there, is too large, or is no manifest: with the place.
     pub fn read(folder: &Path) -> Result<Self, CaseError> {
         let path = folder.join(MANIFEST);
-        if !path.exists() {
-            let what = format!("this folder holds no safety case: it has no file {MANIFEST}");
+        let missing = match (path.exists(), folder.is_dir()) {
+            (true, _) => None,
+            (false, true) => Some(format!(
+                "this folder holds no safety case: it has no file {MANIFEST}"
+            )),
+            (false, false) => Some("there is no such folder".to_owned()),
+        };
+        if let Some(what) = missing {
             return Err(CaseError::within(folder, what));
         }
         let text = read_text(&path, MOST_BYTES)?;
-        let manifest: Self =
-            serde_json::from_str(&text).map_err(|error| CaseError::within(&path, error))?;
+        let manifest: Self = serde_json::from_str(&text).map_err(|error| {
+            let what = format!("this is no manifest of a safety case: {error}");
+            CaseError::within(&path, what)
+        })?;
         if manifest.format == FORMAT {
             Ok(manifest)
         } else {

@@ -221,6 +221,16 @@ fn every_mistake_has_a_kind_and_a_place() {
             Value::from("encoder"),
         ),
         (
+            interval(r#""xi0":1,"count0":1,"xi1":2,"count1":2,"beta":1,"sigma":1"#),
+            "bad_value",
+            Value::from("count0"),
+        ),
+        (
+            interval(r#""xi0":1,"count1":2,"beta":1,"sigma":1"#),
+            "bad_value",
+            Value::from("count1"),
+        ),
+        (
             r#"{"op":"run","xi":[0,1],"positions":[0,5],"beta":1,"sigma":1}"#.to_owned(),
             "bad_value",
             Value::from("positions"),

@@ -82,12 +82,14 @@ fn put<T: Serialize>(result: &T, out: &mut Vec<u8>) -> Result<(), Refusal> {
 /// One ledger row: `xi0` and `xi1`, or `count0` and `count1`; `dtau`, 1 if it is not there; and
 /// `force`, what was applied, that of the loop if it is not there.
 fn interval(fields: &Fields<'_>, mut work: Work) -> Result<NumberedRow, Refusal> {
-    let counted = fields.get(&["count0", "count1"]).is_some();
-    let names = if counted {
-        ["count0", "count1"]
-    } else {
-        ["xi0", "xi1"]
-    };
+    const ENDS: [[&str; 2]; 2] = [["xi0", "xi1"], ["count0", "count1"]];
+    let [position, count] = ENDS.map(|names| fields.get(&names));
+    if let (Some(_), Some((name, _))) = (position, count) {
+        return Err(bad(name, NOT_BOTH));
+    }
+    let counted = count.is_some();
+    let [of_positions, of_counts] = ENDS;
+    let names = if counted { of_counts } else { of_positions };
     let known = [&LOOP[..], &["h", "dtau", "force"], &names].concat();
     fields.only(&known)?;
     let position = |name: &'static str| match fields.get(&[name]) {
@@ -180,6 +182,7 @@ fn sequence(fields: &Fields<'_>, mut work: Work, out: &mut Vec<u8>) -> Result<()
     Ok(())
 }
 
+const NOT_BOTH: &str = "positions or counts, not both";
 const POSITIONS: [&str; 2] = ["xi", "positions"];
 const COUNTS: [&str; 2] = ["count", "counts"];
 
@@ -198,7 +201,7 @@ fn samples(fields: &Fields<'_>) -> Result<(&'static str, Vec<Reading>), Refusal>
         (Some((name, value)), None) => (name, value, false),
         (None, Some((name, value))) => (name, value, true),
         (None, None) => return Err(missing("xi")),
-        (Some(_), Some((name, _))) => return Err(bad(name, "positions or counts, not both")),
+        (Some(_), Some((name, _))) => return Err(bad(name, NOT_BOTH)),
     };
     let items = list(name, value)?.iter().enumerate();
     let samples: Result<Vec<Reading>, Refusal> = items

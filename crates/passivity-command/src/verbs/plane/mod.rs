@@ -28,7 +28,7 @@ use crate::output::{Format, read_scene};
   passivity plane scenes/re35.toml --axes 'stiffness [mN m/deg],rate [kHz]' --log both \\
       --plot rate.svg
   passivity plane scenes/re35.toml --axes coulomb,viscous --x 0:4e-3 --plot friction.svg
-  passivity plane arm.toml --axes stiffness,damping --measured bench.csv --plot bench.svg
+  passivity plane knob.toml --axes stiffness,damping --measured bench.csv --plot bench.svg
 
 A file of measured points is CSV with a header: a column for either axis, with its unit as in
 `stiffness [N/mm]`, and a column `stable` with the words stable and unstable.
