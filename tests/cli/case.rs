@@ -11,6 +11,7 @@ mod law;
 mod pdf;
 mod recorded;
 mod sources;
+mod stranger;
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -116,7 +116,10 @@ impl Case {
             }
             let open = |node: &&Node| node.is_undeveloped() && !node.is_defeated();
             for node in argument.nodes().filter(open) {
-                say(format!("{name}: {} is open: {}", node.id, node.text));
+                let (id, text) = (&node.id, &node.text);
+                say(format!(
+                    "{name}: {id} is open: it is not shown that «{text}»"
+                ));
             }
             for seen in study.unmet(argument) {
                 say(format!(

@@ -4,6 +4,7 @@ use passivity_core::ledger::{self, HeldInterval};
 use passivity_core::quantizer::held_force;
 use passivity_core::{BigRational, Criterion, Friction, Law, Loop, Scalar as _, Step};
 
+use super::PAPER;
 use crate::case::Case;
 use crate::document::{Document, Line, Row};
 use crate::gsn::Anchor;
@@ -14,13 +15,12 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         "errata",
         "What the paper got wrong, and why the conclusion stands",
     );
-    document.say(
-        "The criterion is that of Diolaiti, Niemeyer, Barbagli and Salisbury, A Criterion for the \
-         Passivity of Haptic Devices. Its bound (22) on the energy generated in a sampling interval \
+    document.say(format!(
+        "The criterion is that of {PAPER}. Its bound (22) on the energy generated in a sampling interval \
          is false as printed: (21) ends in an equality that holds only when the device stands \
          equally far into its tick at both ends of the interval. The numbers below are computed by \
          the kernel, exactly, when this document is written.",
-    );
+    ));
     step(document);
     document.say(
         "The conclusion stands because the storage is a matter of choice. Measured against the \

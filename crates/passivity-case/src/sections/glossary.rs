@@ -3,7 +3,7 @@
 use crate::document::{Document, Row};
 
 /// Each word or letter with its meaning.
-const TERMS: [(&str, &str); 26] = [
+const TERMS: [(&str, &str); 35] = [
     (
         "b, c, m",
         "The viscous friction, the Coulomb friction and the mass or inertia of the device.",
@@ -19,6 +19,26 @@ const TERMS: [(&str, &str); 26] = [
     (
         "ξ, d, v",
         "The position in ticks, the displacement within a sampling interval, and the speed in ticks per sampling period.",
+    ),
+    (
+        "h, ξ_h, Δτ",
+        "The number of a sampling instant, the position then, and the length of a sampling interval in sampling periods.",
+    ),
+    (
+        "ρ, D",
+        "How far the device stands into its tick, from 0 up to 1: ρ₀ at the start of a sampling interval, ρ₁ at its end. The ticks that it crosses in between.",
+    ),
+    (
+        "φ_V, φ_H",
+        "The force of the virtual wall and the force of the hand, in units of KΔ.",
+    ),
+    (
+        "E_g, E_d",
+        "The energy that is generated in a sampling interval, and the energy that is dissipated in it. Where springs are compared, E_g is counted against the quantized spring of the paper, and E_gᴸ against the linear one.",
+    ),
+    (
+        "Numbers in round brackets, such as (8)",
+        "Equations of the paper that the first lines of this document name.",
     ),
     (
         "Sampling interval",
@@ -94,6 +114,22 @@ const TERMS: [(&str, &str); 26] = [
         "A claim or a source has changed since its evidence was recorded.",
     ),
     ("Not run here", "No result was recorded."),
+    (
+        "Kernel",
+        "The part of passivity that decides, in exact numbers.",
+    ),
+    (
+        "z3 and cvc5; Rocq; Kani; Prusti",
+        "Solvers for formulas; a proof assistant; a model checker, which decides for all inputs of a domain; a checker of what functions promise.",
+    ),
+    (
+        "Harnesses as tests",
+        "A harness is a small program that states a claim for the model checker. As tests, the same programs were run on the inputs that the record names.",
+    ),
+    (
+        "Big rationals",
+        "Fractions of whole numbers of any size. As evidence: tests of the claim in which the kernel computes with them.",
+    ),
     (
         "Open, defeated",
         "Nothing supports the element; a counterexample is at hand.",

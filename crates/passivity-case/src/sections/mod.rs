@@ -29,8 +29,9 @@ pub fn document(case: &Case) -> Document {
         _ => format!("Safety case of {} scenes", names.len()),
     });
     let subtitle = format!(
-        "Passivity of a virtual wall under sampling, quantization and friction. Written by \
-         passivity {} from the scene, the claims and the recorded evidence.",
+        "Passivity of a virtual wall under sampling, quantization and friction. Numbers in round \
+         brackets, such as (8), are equations of {PAPER}. Written by passivity {} from the scene, the \
+         claims and the recorded evidence.",
         crate::case::VERSION
     );
     let mut document = Document::new(title, subtitle);
@@ -55,6 +56,10 @@ pub fn document(case: &Case) -> Document {
     reproduce::write(&mut document, case);
     document
 }
+
+/// Whose criterion it is.
+const PAPER: &str =
+    "Diolaiti, Niemeyer, Barbagli and Salisbury, A Criterion for the Passivity of Haptic Devices";
 
 /// A reference to a claim; its mere id when the claims do not have it.
 fn to_claim(case: &Case, id: &str) -> Line {

@@ -159,8 +159,8 @@ fn shown(case: &Case) -> Vec<Line> {
             "; the sources have changed since"
         };
         items.push(Line::text(format!(
-            "The tests noticed {caught} of {mutants} changes that were made to the kernel on trial \
-             ({}){since}.",
+            "To try the tests, the kernel was changed on purpose in {mutants} ways, one at a time: in \
+             {caught} of them a test failed, as it should ({}){since}.",
             run.tool
         )));
     }
