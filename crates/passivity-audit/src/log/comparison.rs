@@ -5,6 +5,7 @@
 //! comparison is one of doubles: a finding beside the exact account, which is of the force applied.
 
 mod fit;
+mod unlike;
 
 use std::borrow::Cow;
 use std::collections::VecDeque;
@@ -24,6 +25,7 @@ use crate::log::step::undefined;
 use crate::log::task::Task;
 use crate::number::Written;
 use crate::reading::Reading;
+pub(crate) use unlike::Unlike;
 
 /// The longest lag that is tried beyond the scene's, in samples.
 const LAGS: usize = 8;
@@ -55,10 +57,8 @@ pub(crate) struct Comparison {
     pub(crate) compared: u64,
     /// How the forces agree, by lag.
     pub(crate) lags: Vec<Agreement>,
-    /// How many rows the law has a force in, at the scene's delay.
-    pub(crate) acting: u64,
-    /// Σ f and Σ p over the rows whose force is not that of the law there.
-    pub(crate) unlike: [ExactSum; 2],
+    /// The rows whose force is not that of the law at the scene's delay.
+    pub(crate) unlike: Unlike,
     /// Σ f².
     pub(crate) squares: ExactSum,
     /// Σ of the squares of how far off the digits of each force may be.
@@ -107,8 +107,7 @@ impl Comparison {
             law_squares: ExactSum::default(),
             compared: 0,
             lags: vec![Agreement::default(); delay + LAGS + 1],
-            acting: 0,
-            unlike: Default::default(),
+            unlike: Unlike::default(),
             squares: ExactSum::default(),
             roundings: ExactSum::default(),
         }
@@ -238,19 +237,9 @@ impl Comparison {
             agreement.left_out.1.add_products(out, out);
             let late = all.get(lags - lag + known..).unwrap_or_default();
             let rounding = rounding.get(known..).unwrap_or_default();
-            let found = agreement.compare(forces, late, rounding, self.compared + known as u64);
+            agreement.compare(forces, late, rounding, self.compared + known as u64);
             if lag == self.delay {
-                let late = late.get(..forces.len()).unwrap_or_default();
-                self.acting += late
-                    .iter()
-                    .map(|force| u64::from(*force != 0.0))
-                    .sum::<u64>();
-                if found > 0 {
-                    let rows = unlike(forces, late, rounding);
-                    for (sum, column) in self.unlike.iter_mut().zip([forces, late]) {
-                        sum.add_products(column, &rows);
-                    }
-                }
+                self.unlike.take(forces, late, rounding);
             }
         }
         self.seen += forces.len();
@@ -274,8 +263,7 @@ impl Comparison {
         self.law_squares = ExactSum::default();
         self.before.clone_from(&self.law);
         self.lags.fill(Agreement::default());
-        self.acting = 0;
-        self.unlike = Default::default();
+        self.unlike = Unlike::default();
     }
 
     /// Sums up the squares of the law at every lag: those without it, and what came before them instead of as
@@ -296,10 +284,7 @@ impl Comparison {
     pub(crate) fn append(&mut self, other: &Self) {
         self.squares.add_sum(&other.squares);
         self.roundings.add_sum(&other.roundings);
-        self.acting += other.acting;
-        for (own, other) in self.unlike.iter_mut().zip(&other.unlike) {
-            own.add_sum(other);
-        }
+        self.unlike.append(other.unlike);
         for (own, other) in self.lags.iter_mut().zip(&other.lags) {
             for (own, other) in own.products.iter_mut().zip(&other.products) {
                 own.add_sum(other);
@@ -355,8 +340,8 @@ impl Comparison {
 }
 
 impl Agreement {
-    /// Compares forces with those of the law, after so many that were compared before: how many are others.
-    fn compare(&mut self, forces: &[f64], law: &[f64], rounding: &[f64], before: u64) -> u64 {
+    /// Compares forces with those of the law, after so many that were compared before.
+    fn compare(&mut self, forces: &[f64], law: &[f64], rounding: &[f64], before: u64) {
         let rows = || forces.iter().zip(law).zip(rounding);
         let found = differing(forces, law, rounding);
         let signs = [1.0, -1.0].into_iter().zip(&mut self.mismatches);
@@ -373,8 +358,6 @@ impl Agreement {
         }
         let [mixed, _] = &mut self.products;
         mixed.add_products(forces, law);
-        let [unlike, _] = found;
-        unlike
     }
 }
 
@@ -398,16 +381,6 @@ fn differing(forces: &[f64], law: &[f64], rounding: &[f64]) -> [u64; 2] {
         // There are not as many rows as to overflow.
         found[0] = found[0].wrapping_add(u64::from(differs(*force, *law, *rounding)));
         found[1] = found[1].wrapping_add(u64::from(differs(*force, -*law, *rounding)));
-    }
-    found
-}
-
-/// One for each force that differs from that of the law, else zero.
-#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-fn unlike(forces: &[f64], law: &[f64], rounding: &[f64]) -> Vec<f64> {
-    let mut found = vec![0.0; forces.len()];
-    for (((found, force), law), rounding) in found.iter_mut().zip(forces).zip(law).zip(rounding) {
-        *found = f64::from(u8::from(differs(*force, *law, *rounding)));
     }
     found
 }

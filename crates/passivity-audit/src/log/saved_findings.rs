@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use serde::{Deserialize, Serialize};
 
 use crate::ledger::Ledger;
-use crate::log::comparison::Comparison;
+use crate::log::comparison::{Comparison, Unlike};
 use crate::log::error::TraceError;
 use crate::log::exact::ExactSum;
 use crate::log::found::{Findings, ROWS_IN_REPORT};
@@ -29,7 +29,7 @@ struct SavedComparison {
     roundings: Option<String>,
     lags: Vec<SavedAgreement>,
     acting: u64,
-    unlike: [Option<String>; 2],
+    unlike: Option<[String; 2]>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -42,6 +42,10 @@ struct SavedVelocities {
 
 fn exact_sum(text: &Option<String>) -> Result<ExactSum, TraceError> {
     ExactSum::from_text(text.as_deref()).ok_or_else(|| wrong("a sum that is no number"))
+}
+
+fn whole(text: &str) -> Result<i128, TraceError> {
+    text.parse().map_err(|_| wrong("a sum that is no number"))
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -120,8 +124,11 @@ impl SavedFindings {
                         left_out: (lag.left_out.0, lag.left_out.1.to_text()),
                     })
                     .collect(),
-                acting: found.acting,
-                unlike: found.unlike.each_ref().map(ExactSum::to_text),
+                acting: found.unlike.acting,
+                unlike: found
+                    .unlike
+                    .sums
+                    .map(|sums| sums.map(|sum| sum.to_string())),
             }),
             velocities: x.velocities.as_ref().map(|found| SavedVelocities {
                 compared: found.compared,
@@ -169,9 +176,13 @@ impl SavedFindings {
                 found.compared = saved.compared;
                 found.squares = exact_sum(&saved.squares)?;
                 found.roundings = exact_sum(&saved.roundings)?;
-                found.acting = saved.acting;
-                let [forces, laws] = &saved.unlike;
-                found.unlike = [exact_sum(forces)?, exact_sum(laws)?];
+                found.unlike = Unlike {
+                    acting: saved.acting,
+                    sums: match &saved.unlike {
+                        Some([forces, laws]) => Some([whole(forces)?, whole(laws)?]),
+                        None => None,
+                    },
+                };
                 if found.lags.len() != saved.lags.len() {
                     return Err(wrong("forces that are compared at other delays"));
                 }

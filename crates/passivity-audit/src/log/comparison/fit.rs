@@ -46,11 +46,11 @@ impl Comparison {
         let agreement = self.lags.get(self.delay)?;
         let [(unlike, _), _] = agreement.mismatches;
         // A wall that is moved has another force wherever it has one.
-        if 10 * unlike < 9 * self.acting {
+        if 10 * unlike < 9 * self.unlike.acting {
             return None;
         }
         let [mixed, law] = agreement.products.each_ref().map(ExactSum::value);
-        let [forces, laws] = self.unlike.each_ref().map(ExactSum::value);
+        let [forces, laws] = self.unlike.values()?;
         #[expect(clippy::cast_precision_loss, reason = "a log has fewer rows than 2⁵³")]
         let rows = unlike as f64;
         // Least squares of two numbers: where all of the law's forces are the same, one of them is as good as the other.

@@ -1,0 +1,122 @@
+//! Sums over the forces that are not those of the law: by these a wall that is moved is told from another stiffness.
+
+use multiversion::multiversion;
+
+use super::differs;
+use crate::ball::split;
+
+/// What forces are rounded to multiples of, in KΔ: sums of them are exact, and the same however rows are grouped. A wall
+/// that is moved is told by hundredths of it, over all rows.
+const UNIT: f64 = 1.0 / (1_u64 << 20) as f64;
+
+/// Larger forces have no room in sums.
+const LARGEST: f64 = (1_u64 << 26) as f64;
+
+/// So many of them have room: 2^(26 + 20 + 12).
+const ROWS: usize = 1 << 12;
+
+/// Forces at the scene's delay.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Unlike {
+    /// How many rows the law has a force in.
+    pub(crate) acting: u64,
+    /// The forces, and those of the law, over the rows that are not alike, in [units](UNIT); `None` where one has no room.
+    pub(crate) sums: Option<[i128; 2]>,
+}
+
+impl Default for Unlike {
+    fn default() -> Self {
+        Self {
+            acting: 0,
+            sums: Some([0; 2]),
+        }
+    }
+}
+
+impl Unlike {
+    /// Adds some rows.
+    pub(super) fn take(&mut self, forces: &[f64], law: &[f64], rounding: &[f64]) {
+        let columns = forces.chunks(ROWS).zip(law.chunks(ROWS));
+        for ((forces, law), rounding) in columns.zip(rounding.chunks(ROWS)) {
+            let (acting, sums, has_room) = sums(forces, law, rounding);
+            let sums = has_room.then(|| sums.map(i128::from));
+            self.append(Self { acting, sums });
+        }
+    }
+
+    /// Goes on with other rows.
+    pub(super) fn append(&mut self, other: Self) {
+        self.acting += other.acting;
+        let both = self.sums.zip(other.sums);
+        // There are not as many rows as to overflow.
+        self.sums = both.map(|([a, b], [c, d])| [a.wrapping_add(c), b.wrapping_add(d)]);
+    }
+
+    /// Σ f and Σ p in KΔ.
+    #[expect(clippy::cast_precision_loss, reason = "a fit is of doubles")]
+    pub(super) fn values(&self) -> Option<[f64; 2]> {
+        self.sums.map(|sums| sums.map(|sum| sum as f64 * UNIT))
+    }
+}
+
+/// How many rows the law has a force in, the sums over those that are not alike, and whether all have room.
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
+fn sums(forces: &[f64], law: &[f64], rounding: &[f64]) -> (u64, [i64; 2], bool) {
+    let (mut acting, mut sums, mut size) = (0_u64, [0_i64; 2], 0.0_f64);
+    for ((force, law), rounding) in forces.iter().zip(law).zip(rounding) {
+        let is_unlike = differs(*force, *law, *rounding);
+        let of = |x: f64| split(if is_unlike { x } else { 0.0 } / UNIT).0;
+        acting = acting.wrapping_add(u64::from(*law != 0.0));
+        sums[0] = sums[0].wrapping_add(of(*force));
+        sums[1] = sums[1].wrapping_add(of(*law));
+        let largest = force.abs() + law.abs();
+        // What is no number is not small either.
+        size = if largest < size { size } else { largest };
+    }
+    (acting, sums, size < LARGEST)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_add_up_the_same_however_they_are_grouped() {
+        let law: Vec<f64> = (0..10_000).map(|i| f64::from(i % 7) - 0.5).collect();
+        let forces: Vec<f64> = law.iter().map(|p| p * 1.25 + 1e-3).collect();
+        let rounding = vec![1e-6; law.len()];
+        let mut whole = Unlike::default();
+        whole.take(&forces, &law, &rounding);
+        let mut parts = Unlike::default();
+        for ((forces, law), rounding) in forces
+            .chunks(333)
+            .zip(law.chunks(333))
+            .zip(rounding.chunks(333))
+        {
+            let mut part = Unlike::default();
+            part.take(forces, law, rounding);
+            parts.append(part);
+        }
+        assert_eq!(whole, parts);
+        assert_eq!(whole.acting, 10_000);
+        let values = whole.values().unwrap();
+        for (value, column) in values.iter().zip([&forces, &law]) {
+            // Each is rounded by half a unit at the most.
+            let exact: f64 = column.iter().sum();
+            assert!((value - exact).abs() <= 0.5 * UNIT * 10_000.0 + 1e-6);
+        }
+    }
+
+    #[test]
+    fn what_is_alike_or_has_no_room_is_left_out() {
+        let sums = |force: f64, law: f64| {
+            let mut sums = Unlike::default();
+            sums.take(&[force], &[law], &[1e-6]);
+            (sums.acting, sums.values())
+        };
+        assert_eq!(sums(2.5, 2.5), (1, Some([0.0; 2])));
+        assert_eq!(sums(1.0, 0.0), (0, Some([1.0, 0.0])));
+        assert_eq!(sums(1e9, 1.0), (1, None));
+        assert_eq!(sums(f64::NAN, 1.0), (1, None));
+    }
+}
