@@ -29,7 +29,7 @@ fn a_scene_is_written_that_holds_what_is_true_and_is_checked() {
         "--device",
         "knob\n3",
         "--date",
-        "today",
+        "2026-11-22",
     ];
     let run = identify(&dir, "push.csv", &said);
     assert_eq!(run.code, 0, "{}", run.stderr);
@@ -40,7 +40,7 @@ fn a_scene_is_written_that_holds_what_is_true_and_is_checked() {
     );
     let scene = std::fs::read_to_string(dir.path("knob.toml")).unwrap();
     assert!(
-        scene.contains("# Device: knob3\n# Recorded: today\n# Log: "),
+        scene.contains("# Device: knob3\n# Recorded: 2026-11-22\n# Log: "),
         "{scene}"
     );
     assert!(scene.contains("133c77d24f7fc6510f46a6604313b140ab401caacc401f771673f3221e32b97f"));
@@ -391,5 +391,34 @@ fn a_picture_is_drawn() {
         "viscous friction, % from",
     ] {
         assert!(picture.contains(words), "{words}");
+    }
+}
+
+/// A case refuses such, after the scene was written.
+#[test]
+fn what_is_said_of_a_recording_is_asked_for_at_once() {
+    let dir = Dir::new();
+    let day = "expected a day such as 2026-11-20";
+    let device = "expected which device was recorded, such as its name and serial number";
+    for (option, value, says) in [
+        ("--date", "22.11.2026", day),
+        ("--date", "2026-02-30", day),
+        ("--device", "", device),
+        ("--device", "TODO", device),
+        (
+            "--count-error",
+            "1/2",
+            "expected a number of ticks, such as 0.5",
+        ),
+        (
+            "--force-error",
+            "0.1 mN m",
+            "expected a number of N, or of N m where the device turns, without the unit, such as 0.0001",
+        ),
+    ] {
+        let run = identify(&dir, "push.csv", &["--out", "knob.toml", option, value]);
+        assert_eq!(run.code, 2, "{}", run.stderr);
+        assert!(run.stderr.contains(says), "{}", run.stderr);
+        assert!(!dir.path("knob.toml").exists());
     }
 }

@@ -23,6 +23,7 @@ pub mod ledger;
 mod log;
 pub mod number;
 mod plain;
+mod provenance;
 pub mod reading;
 pub mod rows;
 pub mod run;
@@ -40,8 +41,9 @@ pub use log::{
     Form, Found, Judged, Least, MAX_SAMPLES, MAX_THREADS, Moved, Observer, Options, Partial, Point,
     Positions, Proposal, Report, Role, Running, Sampled, Sampling, Shown, Stretch, Supplied,
     TraceError, UnendedRow, Values, Verdict, audit, audit_arrays, audit_columns, audit_csv,
-    audit_files, audit_part, dialects, legible, merge_parts, samples,
+    audit_files, audit_part, dialects, is_day, legible, merge_parts, samples,
 };
 pub use number::Number;
+pub use provenance::is_placeholder;
 pub use reading::{Reading, Scaled};
 pub use shell::{delimiter_name, notation_options, shell_word};

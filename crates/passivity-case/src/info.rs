@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use passivity_audit::{is_day, is_placeholder};
 use serde::Deserialize;
 
 use crate::error::CaseError;
@@ -61,7 +62,7 @@ impl Info {
                 ));
             }
         }
-        if info.date().is_some_and(|date| !is_date(&date)) {
+        if info.date().is_some_and(|date| !is_day(&date)) {
             return Err("`date` must be a day, such as 2026-03-31".to_owned());
         }
         Ok(info)
@@ -88,32 +89,6 @@ impl Info {
             ("date", self.date()),
         ]
     }
-}
-
-/// Whether a text is empty, or says that it still has to be written.
-///
-/// # Example
-///
-/// ```
-/// use passivity_case::info::is_placeholder;
-///
-/// assert!(is_placeholder("  ") && is_placeholder("TODO: measure it") && is_placeholder("???"));
-/// assert!(!is_placeholder("Measured on 3 May, see the log of the bench."));
-/// ```
-#[must_use]
-pub fn is_placeholder(text: &str) -> bool {
-    let mut words = text
-        .split(|c: char| !c.is_alphanumeric())
-        .filter(|word| !word.is_empty())
-        .peekable();
-    let open = ["TODO", "TBD", "FIXME", "XXX"];
-    words.peek().is_none() || words.any(|word| open.contains(&word.to_uppercase().as_str()))
-}
-
-/// Whether a text is a day of the calendar.
-pub(crate) fn is_date(text: &str) -> bool {
-    let parsed = text.parse::<toml::value::Datetime>();
-    parsed.is_ok_and(|found| found.date.is_some() && found.time.is_none())
 }
 
 #[cfg(test)]

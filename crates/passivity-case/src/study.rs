@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use passivity_audit::legible;
+use passivity_audit::{is_placeholder, legible};
 use passivity_core::Parameter;
 use passivity_evidence::Sha256;
 use passivity_scene::check::{Report, Verdict};
@@ -16,7 +16,6 @@ use crate::document::slug;
 use crate::error::CaseError;
 use crate::files::read_bytes;
 use crate::gsn::{Anchor, Argument};
-use crate::info::is_placeholder;
 use crate::recorded::{Observed, Outcome, Recorded};
 
 /// A scene with its check and the text of its file.

@@ -69,3 +69,18 @@ where
         )),
     }
 }
+
+/// Reads a number of something, said with its unit and an example.
+#[cfg(feature = "identify")]
+pub(crate) fn number(of: &'static str) -> impl Fn(&str) -> Result<f64, String> + Clone {
+    move |text| text.parse().map_err(|_| format!("expected a number {of}"))
+}
+
+/// What a count may be off by.
+#[cfg(feature = "identify")]
+pub(crate) const TICKS: &str = "of ticks, such as 0.5";
+
+/// What a force may be off by.
+#[cfg(feature = "identify")]
+pub(crate) const FORCE: &str =
+    "of N, or of N m where the device turns, without the unit, such as 0.0001";

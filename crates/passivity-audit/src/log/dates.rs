@@ -11,6 +11,22 @@ pub(crate) const UNIT: &str = "s";
 /// The most digits behind the point of the seconds.
 const MOST_DIGITS: usize = 24;
 
+/// Whether a text is a day of the calendar.
+///
+/// # Example
+///
+/// ```
+/// use passivity_audit::is_day;
+///
+/// assert!(is_day("2028-02-29"));
+/// assert!(!is_day("2026-02-29") && !is_day("22.11.2026") && !is_day("2026-11-22T10:00:00"));
+/// ```
+#[must_use]
+pub fn is_day(text: &str) -> bool {
+    let parts = numbers(text, '-', [4, 2, 2]);
+    parts.is_some_and(|[year, month, day]| days(year, month, day).is_some())
+}
+
 /// The seconds since 1970 that a date with a time of day is, exactly; `None` of any other text. Without a zone it is
 /// taken to be in UTC. A fraction is one of a second: behind minutes it would be one of a minute, and is not read.
 pub(crate) fn seconds(text: &[u8]) -> Option<Number> {

@@ -69,6 +69,7 @@ pub use account::Point;
 pub use arrays::{Positions, Values, audit_arrays, audit_columns};
 pub use certificate::Certificate;
 pub use columns::{Columns, Role};
+pub use dates::is_day;
 pub use error::{TraceError, legible};
 pub use findings::Finding;
 pub use guess::Proposal;

@@ -10,7 +10,7 @@ mod log;
 
 use std::path::Path;
 
-use passivity_audit::{Columns, Dialect, dialects, legible};
+use passivity_audit::{Columns, Dialect, dialects, is_day, is_placeholder, legible};
 use passivity_evidence::Sha256;
 use passivity_scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -20,7 +20,6 @@ pub use identification::{Compared, Identification, Over};
 pub use log::Log;
 
 use crate::error::CaseError;
-use crate::info::{is_date, is_placeholder};
 
 /// Which recordings there are, how they are read, and what a person says of them.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -194,7 +193,7 @@ impl Recordings {
             ));
         }
         for Recording { path, date } in self.logs.iter().chain(&self.identification) {
-            if !is_date(date) {
+            if !is_day(date) {
                 let (path, date) = (legible(path), legible(date));
                 return Err(CaseError::new(format!(
                     "--date: `{path}` was recorded on a day such as 2026-03-31, found `{date}`"

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_audit::{Columns, Dialect, dialects};
+use passivity_audit::{Columns, Dialect, dialects, is_day, is_placeholder};
 use passivity_core::Effect;
 use passivity_identify::{
     Identified, Inertia, LogReport, Options, Provenance, Report, Sampled, identify, read,
@@ -56,6 +56,7 @@ pub(crate) struct Args {
         long,
         value_name = "N",
         default_value_t = 1.0,
+        value_parser = crate::args::number(crate::args::TICKS),
         allow_negative_numbers = true
     )]
     count_error: f64,
@@ -64,6 +65,7 @@ pub(crate) struct Args {
         long,
         value_name = "F",
         default_value_t = 0.0,
+        value_parser = crate::args::number(crate::args::FORCE),
         allow_negative_numbers = true
     )]
     force_error: f64,
@@ -85,10 +87,10 @@ pub(crate) struct Args {
     #[arg(long)]
     decimal_comma: bool,
     /// The name of the device, for the scene that is written.
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = device)]
     device: Option<String>,
-    /// When the logs were recorded, for the scene that is written.
-    #[arg(long, value_name = "DATE")]
+    /// The day on which the logs were recorded, such as 2026-11-20, for the scene that is written.
+    #[arg(long, value_name = "DATE", value_parser = day)]
     date: Option<String>,
     /// Draw what was measured beside what is simulated, and the parameters that fit, as SVG or PNG.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
@@ -106,6 +108,22 @@ enum Mass {
     Sketch,
     /// Looked for.
     Free,
+}
+
+/// Reads which device was recorded, as a case asks for it.
+fn device(text: &str) -> Result<String, &'static str> {
+    match is_placeholder(text) {
+        true => Err("expected which device was recorded, such as its name and serial number"),
+        false => Ok(text.to_owned()),
+    }
+}
+
+/// Reads a day, as a case asks for it.
+fn day(text: &str) -> Result<String, &'static str> {
+    match is_day(text) {
+        true => Ok(text.to_owned()),
+        false => Err("expected a day such as 2026-11-20"),
+    }
 }
 
 /// Identifies and reports.

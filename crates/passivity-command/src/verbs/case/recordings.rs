@@ -44,6 +44,7 @@ pub(super) struct Options {
         long,
         value_name = "N",
         default_value_t = 1.0,
+        value_parser = crate::args::number(crate::args::TICKS),
         allow_negative_numbers = true,
         conflicts_with = "check"
     )]
@@ -53,6 +54,7 @@ pub(super) struct Options {
         long,
         value_name = "F",
         default_value_t = 0.0,
+        value_parser = crate::args::number(crate::args::FORCE),
         allow_negative_numbers = true,
         conflicts_with = "check"
     )]
