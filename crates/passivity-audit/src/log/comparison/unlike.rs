@@ -62,18 +62,17 @@ impl Unlike {
 /// How many rows the law has a force in, the sums over those that are not alike, and whether all have room.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
 fn sums(forces: &[f64], law: &[f64], rounding: &[f64]) -> (u64, [i64; 2], bool) {
-    let (mut acting, mut sums, mut size) = (0_u64, [0_i64; 2], 0.0_f64);
+    let (mut acting, mut sums, mut large) = (0_u64, [0_i64; 2], 0_u64);
     for ((force, law), rounding) in forces.iter().zip(law).zip(rounding) {
         let is_unlike = differs(*force, *law, *rounding);
-        let of = |x: f64| split(if is_unlike { x } else { 0.0 } / UNIT).0;
+        let of = |x: f64| split(if is_unlike { x * (1.0 / UNIT) } else { 0.0 }).0;
         acting = acting.wrapping_add(u64::from(*law != 0.0));
         sums[0] = sums[0].wrapping_add(of(*force));
         sums[1] = sums[1].wrapping_add(of(*law));
-        let largest = force.abs() + law.abs();
-        // What is no number is not small either.
-        size = if largest < size { size } else { largest };
+        let size = force.abs() + law.abs();
+        large |= u64::from(size >= LARGEST) | u64::from(size.is_nan());
     }
-    (acting, sums, size < LARGEST)
+    (acting, sums, large == 0)
 }
 
 #[cfg(test)]
