@@ -404,7 +404,7 @@ fn what_is_said_of_a_recording_is_asked_for_at_once() {
         ("--date", "22.11.2026", day),
         ("--date", "2026-02-30", day),
         ("--device", "", device),
-        ("--device", "TODO", device),
+        ("--device", " - ", device),
         (
             "--count-error",
             "1/2",

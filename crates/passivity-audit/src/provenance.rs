@@ -12,10 +12,19 @@
 /// ```
 #[must_use]
 pub fn is_placeholder(text: &str) -> bool {
-    let mut words = text
-        .split(|c: char| !c.is_alphanumeric())
-        .filter(|word| !word.is_empty())
-        .peekable();
+    let mut words = text.split(|c: char| !c.is_alphanumeric());
     let open = ["TODO", "TBD", "FIXME", "XXX"];
-    words.peek().is_none() || words.any(|word| open.contains(&word.to_uppercase().as_str()))
+    is_blank(text) || words.any(|word| open.contains(&word.to_uppercase().as_str()))
+}
+
+/// Whether a text has neither a letter nor a digit. The name of a device may have any word, as `rig XXX-7` does.
+///
+/// ```
+/// use passivity_audit::is_blank;
+///
+/// assert!(is_blank("") && is_blank(" - ") && !is_blank("rig XXX-7"));
+/// ```
+#[must_use]
+pub fn is_blank(text: &str) -> bool {
+    !text.contains(char::is_alphanumeric)
 }

@@ -2,13 +2,7 @@
 
 use std::path::PathBuf;
 
-use passivity_core::BigRational;
 use passivity_scene::check;
-use passivity_scene::display::{Rounding, approx, rounded};
-use passivity_scene::number;
-use passivity_scene::parse::{MAX_COUNTS, MAX_NUMBER_EXPONENT};
-use passivity_scene::scene::Given;
-use passivity_scene::written::Form;
 
 use crate::exit::{Exit, Failure};
 use crate::output::{emit, emit_json, look, read_scene};
@@ -71,17 +65,8 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             "the scene has no encoder that another could stand for: give it an [encoder]",
         ));
     }
-    let own_encoder = scene.given.resolution.as_ref();
-    let rates = listed(&args.rates, Some(&scene.given.period));
-    let encoders = listed(&args.encoders, own_encoder);
-    let mut design = check::design(&scene, &rates, &encoders)
+    let design = check::design(&scene, &args.rates, &args.encoders)
         .map_err(|error| Failure::Scene(error.render(look())))?;
-    // No text that is typed says this: where the scene has its encoder does.
-    if own_encoder.is_some_and(|own| own.written.unit().ends_with(AT_MOTOR)) {
-        for encoder in &mut design.encoders {
-            encoder.text.push_str(AT_MOTOR);
-        }
-    }
     match args.format {
         TableFormat::Text => emit(&design.to_text())?,
         TableFormat::Json => emit_json(&design)?,
@@ -93,61 +78,4 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     } else {
         Exit::Fails
     })
-}
-
-/// What the unit of a value ends with that the scene gives at the motor's side of a transmission.
-const AT_MOTOR: &str = " at the motor";
-
-/// The texts of a list that a person gave, or what the table is of without one.
-fn listed(given: &[String], own: Option<&Given>) -> Vec<String> {
-    match own {
-        Some(own) if given.is_empty() => (-2..=3).filter_map(|power| doubled(own, power)).collect(),
-        _ => given.to_vec(),
-    }
-}
-
-/// The rate, or the fineness of the encoder, of a scene, doubled so many times, as the scene file would
-/// write it: in few digits, of which the wall beside it is then computed. The scene's own value is as exact
-/// as in the file. `None` for what the file cannot write.
-fn doubled(own: &Given, power: i32) -> Option<String> {
-    let form = own.written.form();
-    let exponent = if form == Form::Value { -power } else { power };
-    let factor = BigRational::from_integer(2.into()).pow(exponent);
-    let written = own.written.of(&check::enclosure(&own.value)?)?;
-    let (lo, hi) = (written.lo() * &factor, written.hi() * &factor);
-    let text = match form {
-        Form::Count => whole(&written.middle() * &factor)?,
-        _ if own.has_tolerance() => format!(
-            "{} … {}",
-            rounded(&lo, 5, Rounding::Down),
-            rounded(&hi, 5, Rounding::Up)
-        ),
-        _ => approx(&(written.middle() * &factor)),
-    };
-    // Of what has no text in the file, as the period of a scene without units, a few digits say all.
-    let says_all = form == Form::Count
-        || own.text.is_empty()
-        || number::parse(&text).is_ok_and(|x| lo == x && hi == x);
-    if power == 0 && !says_all {
-        return Some(own.text.clone());
-    }
-    let is_in_bounds = |(_, exponent): (&str, &str)| {
-        let exponent = exponent.parse::<i32>().map(i32::unsigned_abs);
-        exponent.is_ok_and(|exponent| exponent <= MAX_NUMBER_EXPONENT)
-    };
-    let mut exponents = text.split(" … ").filter_map(|x| x.split_once('e'));
-    let unit = own.written.unit();
-    let unit = unit.strip_suffix(AT_MOTOR).unwrap_or(&unit);
-    exponents.all(is_in_bounds).then(|| format!("{text}{unit}"))
-}
-
-/// Counts, which are whole: where the nearest whole number is not what is asked for, or is more than an
-/// encoder has, there is no such encoder. What is known of it up to many digits of π is near enough.
-fn whole(counts: BigRational) -> Option<String> {
-    let nearest = counts.round();
-    let error = &counts - &nearest;
-    let small = BigRational::new(1.into(), (1u64 << 40).into());
-    let is_near = -small.clone() < error && error < small;
-    let most = BigRational::from_integer(MAX_COUNTS.into());
-    (is_near && nearest <= most).then(|| nearest.to_string())
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_audit::{Columns, Dialect, dialects, is_day, is_placeholder};
+use passivity_audit::{Columns, Dialect, dialects, is_blank, is_day};
 use passivity_core::Effect;
 use passivity_identify::{
     Identified, Inertia, LogReport, Options, Provenance, Report, Sampled, identify, read,
@@ -110,9 +110,9 @@ enum Mass {
     Free,
 }
 
-/// Reads which device was recorded, as a case asks for it.
+/// Reads which device was recorded, for which a case asks too.
 fn device(text: &str) -> Result<String, &'static str> {
-    match is_placeholder(text) {
+    match is_blank(text) {
         true => Err("expected which device was recorded, such as its name and serial number"),
         false => Ok(text.to_owned()),
     }

@@ -1,6 +1,6 @@
 //! Which rates and encoders allow how stiff a wall: the choices of a designer in one table.
 
-use num_traits::{Signed as _, ToPrimitive as _};
+use num_traits::Signed as _;
 use passivity_core::verdict::Speeds;
 use passivity_core::{BigRational, Enclosed, Exact, Interval, Loop, Parameter, Wide};
 use schemars::JsonSchema;
@@ -9,8 +9,9 @@ use serde::Serialize;
 use super::limits::{self, Limit};
 use super::{Report, check};
 use crate::diagnostic::SceneError;
-use crate::display::{Rounding, approx};
+use crate::display::{Rounding, approx, rounded};
 use crate::json::shape;
+use crate::parse::{MAX_COUNTS, MAX_NUMBER_EXPONENT};
 use crate::scene::{Given, Motion, Scene};
 use crate::written::Form;
 
@@ -125,46 +126,75 @@ pub fn design(scene: &Scene, rates: &[String], encoders: &[String]) -> Result<De
     })
 }
 
-/// The values that texts give, or factors of two of what is.
+/// What the unit of a value ends with that the scene gives at the motor's side of a transmission.
+const AT_MOTOR: &str = " at the motor";
+
+/// The values that texts give, or, without any, what is and factors of two of it.
 fn settings(scene: &Scene, now: &Given, texts: &[String]) -> Result<Vec<Setting>, SceneError> {
-    if !texts.is_empty() {
-        let read = |text: &String| {
-            let given = scene.reread(now, text)?;
-            Ok(Setting {
-                text: text.trim().to_owned(),
-                is_now: given.value == now.value,
-                value: given.value,
-            })
-        };
-        return texts.iter().map(read).collect();
-    }
-    // From the coarsest to the finest: a quarter of the rate or the counts up to eight times them.
-    let scaled = (-2..=3).filter_map(|power: i32| {
-        let two = BigRational::from_integer(2.into());
-        let factor = Exact::of(&num_traits::Pow::pow(&two, -power));
-        let by = |x: &Exact| x.clone() * factor.clone();
-        let (value, nominal) = (now.value.map(by), by(&now.nominal));
-        let enclosure = nominal.enclosure(super::BITS)?;
-        let middle = now.written.of(&enclosure)?.middle();
-        let text = match now.written.form() {
-            // Counts are whole: where the nearest is not, there is no such encoder.
-            Form::Count => {
-                let whole = middle.round();
-                let error = num_traits::Signed::abs(&(&middle - &whole));
-                let small = BigRational::new(1.into(), (1u64 << 40).into());
-                (error < small)
-                    .then(|| whole.to_integer().to_u64())??
-                    .to_string()
-            }
-            _ => approx(&middle),
-        };
-        Some(Setting {
-            text: format!("{text}{}", now.written.unit()),
-            is_now: power == 0,
-            value,
+    let of = |text: &String| {
+        let given = scene.reread(now, text)?;
+        let mut text = text.trim().to_owned();
+        // No text that is typed says this: where the scene has its own does.
+        if now.written.unit().ends_with(AT_MOTOR) {
+            text.push_str(AT_MOTOR);
+        }
+        Ok(Setting {
+            text,
+            is_now: given.value == now.value,
+            value: given.value,
         })
-    });
-    Ok(scaled.collect())
+    };
+    if texts.is_empty() {
+        let doubled: Vec<String> = (-2..=3).filter_map(|power| doubled(now, power)).collect();
+        return doubled.iter().map(of).collect();
+    }
+    texts.iter().map(of).collect()
+}
+
+/// The rate, or the fineness of the encoder, of a scene, doubled so many times, as the scene file would
+/// write it: in few digits, of which the wall beside it is then computed. The scene's own value is as exact
+/// as in the file. `None` for what the file cannot write.
+fn doubled(own: &Given, power: i32) -> Option<String> {
+    let form = own.written.form();
+    let exponent = if form == Form::Value { -power } else { power };
+    let factor = BigRational::from_integer(2.into()).pow(exponent);
+    let written = own.written.of(&super::enclosure(&own.value)?)?;
+    let (lo, hi) = (written.lo() * &factor, written.hi() * &factor);
+    let text = match form {
+        Form::Count => whole(&written.middle() * &factor)?,
+        _ if own.has_tolerance() => format!(
+            "{} … {}",
+            rounded(&lo, 5, Rounding::Down),
+            rounded(&hi, 5, Rounding::Up)
+        ),
+        _ => approx(&(written.middle() * &factor)),
+    };
+    // Of what has no text in the file, as the period of a scene without units, a few digits say all.
+    let says_all = form == Form::Count
+        || own.text.is_empty()
+        || crate::number::parse(&text).is_ok_and(|x| lo == x && hi == x);
+    if power == 0 && !says_all {
+        return Some(own.text.clone());
+    }
+    let is_in_bounds = |(_, exponent): (&str, &str)| {
+        let exponent = exponent.parse::<i32>().map(i32::unsigned_abs);
+        exponent.is_ok_and(|exponent| exponent <= MAX_NUMBER_EXPONENT)
+    };
+    let mut exponents = text.split(" … ").filter_map(|x| x.split_once('e'));
+    let unit = own.written.unit();
+    let unit = unit.strip_suffix(AT_MOTOR).unwrap_or(&unit);
+    exponents.all(is_in_bounds).then(|| format!("{text}{unit}"))
+}
+
+/// Counts, which are whole: where the nearest whole number is not what is asked for, or is more than an
+/// encoder has, there is no such encoder. What is known of it up to many digits of π is near enough.
+fn whole(counts: BigRational) -> Option<String> {
+    let nearest = counts.round();
+    let error = &counts - &nearest;
+    let small = BigRational::new(1.into(), (1u64 << 40).into());
+    let is_near = -small.clone() < error && error < small;
+    let most = BigRational::from_integer(MAX_COUNTS.into());
+    (is_near && nearest <= most).then(|| nearest.to_string())
 }
 
 /// The stiffest wall of a loop at the speeds that the scene's limits are for.

@@ -242,3 +242,37 @@ fn the_ends_of_constants_hold_over_their_own_tolerance() {
     assert_eq!([least, most].map(verdict), [Verdict::Passive; 2]);
     assert_eq!([0.185, 0.5793].map(verdict), [Verdict::Depends; 2]);
 }
+
+/// Beyond 2⁴⁰ times what the scene has, where the values that pass are one stretch.
+#[test]
+fn a_border_far_from_the_scene_is_found() {
+    let text = "[device]\ncoulomb = \"1e3 N\"\n[sampling]\nperiod = \"1 ms\"\nlatency = \"0.1 ms\"\n[encoder]\n\
+                resolution = \"1 um\"\n[wall]\nstiffness = \"K N/m\"\n[operator]\nmax_speed = \"1 mm/s\"\n";
+    let of = |stiffness: &str| {
+        let scene = Scene::from_toml("far", &text.replace('K', stiffness)).unwrap();
+        check(&scene).to_text()
+    };
+    // The border does not depend on the scene's own stiffness.
+    for stiffness in ["1e-6", "1e6"] {
+        let text = of(stiffness);
+        assert!(text.contains("8.8073e8 N/m up to 1 mm/s"), "{text}");
+    }
+}
+
+/// Of a period from one to another the scene's own is one where it passes.
+#[test]
+fn a_shortest_period_is_not_above_one_that_passes() {
+    let text = "[device]\ncoulomb = \"1e9 N\"\n[sampling]\nperiod = \"1 ms\"\n[encoder]\nresolution = \"1 um\"\n[wall]\n\
+                stiffness = \"1 N/m\"\ndamping = \"0.001 N s/m\"\n[operator]\nmax_speed = \"1 mm/s\"\n";
+    let with = |period: &str| {
+        let text = text.replace("period = \"1 ms\"", &format!("period = \"{period} ms\""));
+        check(&Scene::from_toml("short", &text).unwrap())
+    };
+    let said = with("1").to_text();
+    let (_, rest) = said
+        .split_once("sampling period T: from ")
+        .expect("a range");
+    let (shortest, _) = rest.split_once(" to ").expect("a range");
+    assert!(shortest.parse::<f64>().unwrap() <= 1.0, "{said}");
+    assert_eq!(with(shortest).verdict, Verdict::Passive);
+}

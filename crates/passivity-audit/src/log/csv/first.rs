@@ -73,7 +73,7 @@ pub(crate) fn is_number_or_date(field: &[u8], notation: Notation) -> bool {
 
 /// What is to be done about names behind those of the fields of a row, where they are remarks or none.
 pub(crate) fn surplus<'n>(
-    mut names: impl Iterator<Item = &'n String> + ExactSizeIterator,
+    mut names: impl ExactSizeIterator<Item = &'n String>,
     width: usize,
 ) -> String {
     let more = names.len().saturating_sub(width);

@@ -13,6 +13,9 @@ use super::{Ends, Side};
 /// How often a value is doubled, or halved, to find one with another answer.
 pub(super) const DOUBLINGS: u32 = 40;
 
+/// The same for an end of the values that pass where these are one stretch, of which the farthest tells whether there is one.
+const FAR: u32 = 120;
+
 /// How often the way to a border is halved, how often where cells tell, and how often where each step
 /// is a stretch of values.
 pub(super) const STEPS: u32 = 32;
@@ -26,7 +29,8 @@ const MOST_ROUNDS: usize = 6;
 /// The ends of the values that pass of a parameter that is in the scene: around what it is, or, where
 /// that fails, around the first that passes by factors of two.
 ///
-/// `None` where no value from 2⁻⁴⁰ to 2⁴⁰ times what it is changes the answer.
+/// `None` where no value from 2⁻⁴⁰ to 2⁴⁰ times what it is changes the answer; from 2⁻¹²⁰ to 2¹²⁰ times where the values that
+/// pass are one stretch.
 pub(super) fn searched<S: Enclosed>(
     parameter: Parameter,
     side: Side,
@@ -132,15 +136,16 @@ impl<S: Enclosed> Search<'_, S> {
     }
 
     /// The end of the values that pass on one side of one that does, bracketed; `None` where there is
-    /// none within 40 factors of two, nor at zero. Where they may be several stretches, every value up
+    /// none within as many factors of two, nor at zero. Where they may be several stretches, every value up
     /// to it is shown to pass.
     fn end(&self, end: Side, from: &S) -> Option<Interval<S>> {
         let grows = end == Side::AtMost;
-        let mut further: Vec<S> = away(from, grows).take(DOUBLINGS as usize).collect();
+        let is_one_stretch = self.is_one_stretch();
+        let most = if is_one_stretch { FAR } else { DOUBLINGS };
+        let mut further: Vec<S> = away(from, grows).take(most as usize).collect();
         if !grows && self.parameter.row().values != Values::Positive {
             further.push(S::zero());
         }
-        let is_one_stretch = self.is_one_stretch();
         let all_pass = |before: &S, x: &S| match is_one_stretch {
             true => self.passes(x),
             false => self.all_pass(Interval::hull(before.clone(), x.clone())),
@@ -239,9 +244,13 @@ pub(super) fn longest_period<S: Enclosed>(
         }
         Speeds::UpToSquared(_) => return None,
     };
+    // The scene's own period is the nearer one, where it passes.
+    let own = bounds.get(Parameter::Period).map(|own| own.lo().clone());
+    let from = own.filter(|own| passes(own));
+    let from = from.unwrap_or_else(|| border.lo().clone());
     let far = match near_rest.is_positive() {
         Some(true) if passes(&near_rest) => Some(Interval::point(near_rest)),
-        Some(true) => bisected(border.lo().clone(), &near_rest, STEPS, passes),
+        Some(true) => bisected(from, &near_rest, STEPS, passes),
         _ => None,
     };
     Some(Ends {
