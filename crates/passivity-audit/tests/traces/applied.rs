@@ -1,10 +1,12 @@
 //! Where a trace has forces, the account is of those forces, and what they are to the wall's law is
 //! said beside it.
 
+mod told;
+
 use std::fmt::Write as _;
 
 use num_traits::{Signed as _, Zero as _};
-use passivity_audit::{Audit, Dialect, Judged, Options, Values, Verdict, audit_columns, audit_csv};
+use passivity_audit::{Audit, Judged, Options, Values, Verdict, audit_columns, audit_csv};
 use passivity_core::BigRational;
 use passivity_random::draws;
 use passivity_scene::Scene;
@@ -244,140 +246,6 @@ fn a_force_that_is_near_the_law_is_another() {
     // In single precision it is the law's.
     let (kinds, _) = found("count", &|_, law| f64::from((law * 0.1) as f32) * 10.0);
     assert_eq!(kinds.len(), 0, "{kinds:?}");
-}
-
-/// What was commanded before the log began is not in it: a delayed force is compared from the row on from which the log has
-/// what it is made of.
-#[test]
-fn a_force_from_before_the_log_is_not_compared() {
-    let path: Vec<i64> = (-2..30).map(|i| 2 * i).collect();
-    let csv = |lag: usize, scale: f64| {
-        let mut csv = "count,f\n".to_owned();
-        for i in 2..path.len() {
-            writeln!(csv, "{},{:.6}", path[i], law(&path, i, lag, scale)).unwrap();
-        }
-        csv
-    };
-    let delayed = |delay: usize| {
-        scene(&format!(
-            "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"\n[sampling]\ndelay = {delay}"
-        ))
-    };
-    for lag in [1, 2] {
-        let force = |csv: &str, delay: usize| {
-            let audit = audited(csv, &delayed(delay));
-            let report = audit.report();
-            (report.force.clone().unwrap(), report.findings.clone())
-        };
-        let (force_in_scene, findings) = force(&csv(lag, 1.0), lag);
-        assert!(force_in_scene.agrees && findings.is_empty(), "{findings:?}");
-        assert_eq!(force_in_scene.compared, 30 - lag as u64);
-        let (_, findings) = force(&csv(lag, 1.0), 0);
-        assert!(
-            findings[0].fix.ends_with(&format!("delay = {lag}")),
-            "{findings:?}"
-        );
-        let (_, findings) = force(&csv(lag, 1000.0), lag);
-        let [finding] = &findings[..] else {
-            panic!("{findings:?}")
-        };
-        assert!(
-            finding.says.contains("the force is 1000 times"),
-            "{findings:?}"
-        );
-    }
-}
-
-/// A wall whose force is in another unit has every part of it in that unit: what is proposed makes the law that of the log.
-#[test]
-fn a_scale_is_one_of_all_that_the_force_is_made_of() {
-    let wall = |stiffness: &str, force: &str| {
-        scene(&format!(
-            "[device]\nmass = \"0.05 kg\"\nviscous = \"1 N s/m\"\ncoulomb = \"0.05 N\"\n[sampling]\nperiod = \"1 ms\"\n\
-             [encoder]\nresolution = \"0.03 mm\"\n[wall]\nstiffness = \"{stiffness}\"\nmax_force = \"{force}\"\n"
-        ))
-    };
-    let mut csv = "count,f [N]\n".to_owned();
-    for i in 0..200 {
-        let count = (30.0 * (f64::from(i) / 7.0).sin()).floor();
-        let force = -2.0 * ((count + 0.5) * 0.03).clamp(-0.3, 0.3);
-        writeln!(csv, "{count},{force:.3}").unwrap();
-    }
-    let audit = audited(&csv, &wall("1 N/mm", "0.3 N"));
-    let [finding] = &audit.report().findings[..] else {
-        panic!("{}", audit.to_text());
-    };
-    let fix = "stiffness = \"2000 N/m\", and `max_force` as many times as large;";
-    assert!(finding.fix.contains(fix), "{}", finding.fix);
-    let cured = audited(&csv, &wall("2000 N/m", "0.6 N"));
-    assert!(
-        cured.report().force.as_ref().unwrap().agrees,
-        "{}",
-        cured.to_text()
-    );
-}
-
-/// A name may have an apostrophe.
-#[test]
-fn a_sign_is_turned_by_words_that_a_shell_takes() {
-    let mut csv = "count,motor's force\n".to_owned();
-    for (i, n) in PATH.iter().enumerate() {
-        writeln!(csv, "{n},{}", -law(&PATH, i, 0, 1.0)).unwrap();
-    }
-    let dialect = Dialect {
-        columns: Some("count=count, f=motor's force".parse().unwrap()),
-        ..Dialect::default()
-    };
-    let options = Options {
-        dialect,
-        ..Options::default()
-    };
-    let input = Box::new(std::io::Cursor::new(csv));
-    let audit = audit_csv(input, &three_fifths(), options).unwrap();
-    let fix = &audit.report().findings[0].fix;
-    assert!(
-        fix.ends_with(r"--columns 'count=count, f=-motor'\''s force'"),
-        "{fix}"
-    );
-}
-
-/// A controller that takes the count for the position, and not the middle of its tick, as most first ones do; and one whose
-/// force has something added to it.
-#[test]
-fn the_force_of_a_wall_that_is_moved_is_no_other_stiffness() {
-    let path: Vec<i64> = (0..60).map(|i| [0, 4, 9, 12, 9, -4][i % 6]).collect();
-    let outside = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"\n[wall]\nunilateral = true";
-    for (scene, is_bilateral) in [(three_fifths(), true), (scene(outside), false)] {
-        let is_inside = |i: usize| is_bilateral || path[i] >= 0;
-        for column in ["xi", "count"] {
-            for (scale, ticks, says) in [
-                (1.0, 0.5, "moved half a tick forward"),
-                (1.0, -0.5, "moved half a tick backward"),
-                (1.12, 0.5, "moved half a tick forward"),
-                (1.0, 2.25, "moved 2.25 ticks forward"),
-            ] {
-                let moved = |i: usize| match is_inside(i) {
-                    true => scale * (law(&path, i, 0, 1.0) + ticks),
-                    false => 0.0,
-                };
-                let mut csv = format!("{column},f\n");
-                for (i, n) in path.iter().enumerate() {
-                    writeln!(csv, "{n},{:.6}", moved(i)).unwrap();
-                }
-                let audit = audited(&csv, &scene);
-                let kinds: Vec<&str> = audit.report().findings.iter().map(|f| f.kind).collect();
-                let text = audit.to_text();
-                assert!(text.contains(says), "{text}");
-                match scale == 1.0 {
-                    true => assert_eq!(kinds, ["offset"], "{text}"),
-                    false => {
-                        assert_eq!(kinds, ["offset", "scale"], "{text}");
-                        assert!(text.contains("the force is 1.12 times"), "{text}");
-                    }
-                }
-            }
-        }
-    }
 }
 
 #[test]
