@@ -5,14 +5,20 @@ use multiversion::multiversion;
 use super::differs;
 use crate::ball::split;
 
-/// What forces are rounded to multiples of, in KΔ: sums of them are exact, and the same however rows are grouped. A wall
-/// that is moved is told by hundredths of it, over all rows.
-const UNIT: f64 = 1.0 / (1_u64 << 20) as f64;
+/// What forces are rounded to multiples of, in KΔ, in two steps: sums of them are exact, and the same however rows are
+/// grouped. What is left of squares of forces is a small difference of such sums.
+const UPPER: u32 = 20;
+const LOWER: u32 = 30;
+
+/// 2ⁿ.
+const fn power(n: u32) -> f64 {
+    (1_u64 << n) as f64
+}
 
 /// Larger forces have no room in sums.
 const LARGEST: f64 = (1_u64 << 26) as f64;
 
-/// So many of them have room: 2^(26 + 20 + 12).
+/// So many of them have room: 2^(26 + 20 + 12), and of what is left of each 2^(29 + 12).
 const ROWS: usize = 1 << 12;
 
 /// Forces at the scene's delay.
@@ -20,7 +26,8 @@ const ROWS: usize = 1 << 12;
 pub(crate) struct Unlike {
     /// How many rows the law has a force in.
     pub(crate) acting: u64,
-    /// The forces, and those of the law, over the rows that are not alike, in [units](UNIT); `None` where one has no room.
+    /// The forces, and those of the law, over the rows that are not alike, in 2⁻⁵⁰ KΔ; `None` where one has no
+    /// room.
     pub(crate) sums: Option<[i128; 2]>,
 }
 
@@ -39,7 +46,8 @@ impl Unlike {
         let columns = forces.chunks(ROWS).zip(law.chunks(ROWS));
         for ((forces, law), rounding) in columns.zip(rounding.chunks(ROWS)) {
             let (acting, sums, has_room) = sums(forces, law, rounding);
-            let sums = has_room.then(|| sums.map(i128::from));
+            let both = |[upper, lower]: [i64; 2]| (i128::from(upper) << LOWER) + i128::from(lower);
+            let sums = has_room.then(|| sums.map(both));
             self.append(Self { acting, sums });
         }
     }
@@ -55,20 +63,24 @@ impl Unlike {
     /// Σ f and Σ p in KΔ.
     #[expect(clippy::cast_precision_loss, reason = "a fit is of doubles")]
     pub(super) fn values(&self) -> Option<[f64; 2]> {
-        self.sums.map(|sums| sums.map(|sum| sum as f64 * UNIT))
+        let unit = 1.0 / power(UPPER + LOWER);
+        self.sums.map(|sums| sums.map(|sum| sum as f64 * unit))
     }
 }
 
 /// How many rows the law has a force in, the sums over those that are not alike, and whether all have room.
 #[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
-fn sums(forces: &[f64], law: &[f64], rounding: &[f64]) -> (u64, [i64; 2], bool) {
-    let (mut acting, mut sums, mut large) = (0_u64, [0_i64; 2], 0_u64);
+fn sums(forces: &[f64], law: &[f64], rounding: &[f64]) -> (u64, [[i64; 2]; 2], bool) {
+    let (mut acting, mut sums, mut large) = (0_u64, [[0_i64; 2]; 2], 0_u64);
     for ((force, law), rounding) in forces.iter().zip(law).zip(rounding) {
         let is_unlike = differs(*force, *law, *rounding);
-        let of = |x: f64| split(if is_unlike { x * (1.0 / UNIT) } else { 0.0 }).0;
         acting = acting.wrapping_add(u64::from(*law != 0.0));
-        sums[0] = sums[0].wrapping_add(of(*force));
-        sums[1] = sums[1].wrapping_add(of(*law));
+        for (sums, x) in sums.iter_mut().zip([*force, *law]) {
+            let (upper, rest) = split(if is_unlike { x * power(UPPER) } else { 0.0 });
+            let (lower, _) = split(rest * power(LOWER));
+            sums[0] = sums[0].wrapping_add(upper);
+            sums[1] = sums[1].wrapping_add(lower);
+        }
         let size = force.abs() + law.abs();
         large |= u64::from(size >= LARGEST) | u64::from(size.is_nan());
     }
@@ -100,9 +112,9 @@ mod tests {
         assert_eq!(whole.acting, 10_000);
         let values = whole.values().unwrap();
         for (value, column) in values.iter().zip([&forces, &law]) {
-            // Each is rounded by half a unit at the most.
+            // Each is rounded by half a unit at the most; the sum of doubles, below 2^16, by 10⁴ times 2⁻³⁸.
             let exact: f64 = column.iter().sum();
-            assert!((value - exact).abs() <= 0.5 * UNIT * 10_000.0 + 1e-6);
+            assert!((value - exact).abs() <= 10_000.0 / power(51) + 1e-8);
         }
     }
 

@@ -77,6 +77,25 @@ fn a_scale_is_one_of_all_that_the_force_is_made_of() {
     );
 }
 
+/// Of forces in full digits nothing is left beside it.
+#[test]
+fn forces_of_a_moved_wall_are_those_of_it_to_the_last_digit() {
+    let scene = scene(
+        "[device]\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"2e-3 N m\"\n[sampling]\nperiod = \"1 ms\"\n\
+         [encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"1.12 N m/rad\"\n",
+    );
+    for digits in [7, 9, 12] {
+        let mut csv = "count,f [N m]\n".to_owned();
+        for count in [1, 2, 4, 6, 7, 8, 8, 7, 5, 3, 1] {
+            let force = -1.12 * f64::from(count) * std::f64::consts::TAU / 8192.0;
+            writeln!(csv, "{count},{force:.digits$}").unwrap();
+        }
+        let audit = audited(&csv, &scene);
+        let kinds: Vec<&str> = audit.report().findings.iter().map(|f| f.kind).collect();
+        assert_eq!(kinds, ["offset"], "{}", audit.to_text());
+    }
+}
+
 /// A name may have an apostrophe.
 #[test]
 fn a_sign_is_turned_by_words_that_a_shell_takes() {
