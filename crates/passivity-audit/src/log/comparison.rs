@@ -72,8 +72,9 @@ pub(crate) struct Agreement {
     pub(crate) mismatches: [(u64, Option<u64>); 2],
     /// Σ f·p and Σ p², with p the force of the law; the latter once the comparison is [settled](Comparison::settle).
     pub(crate) products: [ExactSum; 2],
-    /// Of the rows that are left out, as their law's force depends on samples before the log: how many, and Σ f².
-    pub(crate) left_out: (u64, ExactSum),
+    /// Of the rows that are left out, as their law's force depends on samples before the log: how many, and Σ f², Σ f·p and
+    /// Σ p², with p the force of the law at the scene's delay, as far as that does not.
+    pub(crate) left_out: (u64, [ExactSum; 3]),
 }
 
 /// At which lag and sign the forces agree with the law, and how well.
@@ -230,11 +231,16 @@ impl Comparison {
         let off: Vec<f64> = off.map(|(force, by)| may_be_off(*force, *by)).collect();
         self.roundings.add_products(&off, &off);
         self.law_squares.add_products(law, law);
+        let own = all.get(lags - self.delay..).unwrap_or_default();
         for (lag, agreement) in self.lags.iter_mut().enumerate() {
             let known = (lag + order).saturating_sub(self.seen).min(forces.len());
             let (out, forces) = forces.split_at(known);
             agreement.left_out.0 += out.len() as u64;
-            agreement.left_out.1.add_products(out, out);
+            let own = own.get(..out.len()).unwrap_or_default();
+            let products = [(out, out), (out, own), (own, own)];
+            for (sum, (a, b)) in agreement.left_out.1.iter_mut().zip(products) {
+                sum.add_products(a, b);
+            }
             let late = all.get(lags - lag + known..).unwrap_or_default();
             let rounding = rounding.get(known..).unwrap_or_default();
             agreement.compare(forces, late, rounding, self.compared + known as u64);
@@ -290,7 +296,9 @@ impl Comparison {
                 own.add_sum(other);
             }
             own.left_out.0 += other.left_out.0;
-            own.left_out.1.add_sum(&other.left_out.1);
+            for (own, other) in own.left_out.1.iter_mut().zip(&other.left_out.1) {
+                own.add_sum(other);
+            }
             for (own, other) in own.mismatches.iter_mut().zip(&other.mismatches) {
                 let first = other.1.map(|row| self.compared + row);
                 *own = (own.0 + other.0, own.1.or(first));
@@ -328,8 +336,11 @@ impl Comparison {
                 .filter_map(move |lag| self.finding(reversed, lag))
         });
         let own = self.as_scene_says()?;
-        // A row that is left out is not one that agrees.
-        let untold = |finding: &Finding| finding.mismatches + self.left_out(finding.lag);
+        // A row that is left out beside those at the scene's delay is not one that agrees.
+        let left_out = self.left_out(self.delay);
+        let untold = |finding: &Finding| {
+            finding.mismatches + self.left_out(finding.lag).saturating_sub(left_out)
+        };
         let best = all.min_by_key(untold)?;
         Some(if untold(&best) < own.mismatches {
             best

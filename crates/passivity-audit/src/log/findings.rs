@@ -53,7 +53,7 @@ impl Finding {
 
 /// What stands out in the forces of a log.
 pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) -> Vec<Finding> {
-    if agreement.agrees {
+    if agreement.agrees || agreement.compared == 0 {
         return Vec::new();
     }
     if agreement.zero {

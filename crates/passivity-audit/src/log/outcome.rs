@@ -351,10 +351,12 @@ impl Observer {
 impl Agreement {
     fn new(comparison: &Comparison) -> Option<Self> {
         let (own, best) = (comparison.as_scene_says()?, comparison.best()?);
+        let compared = comparison.compared - comparison.left_out(comparison.delay);
+        let has_none = compared > 0 && own.mismatches == 0;
         Some(Self {
-            compared: comparison.compared - comparison.left_out(comparison.delay),
-            agrees: own.mismatches == 0 && !comparison.is_far(),
-            rough: own.mismatches == 0 && comparison.is_far(),
+            compared,
+            agrees: has_none && !comparison.is_far(),
+            rough: has_none && comparison.is_far(),
             zero: comparison.is_zero(),
             mismatches: own.mismatches,
             first_mismatch_row: own.first.map(|row| row + 1),

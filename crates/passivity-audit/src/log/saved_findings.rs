@@ -19,7 +19,7 @@ use crate::log::wraps::Wrapped;
 struct SavedAgreement {
     mismatches: [(u64, Option<u64>); 2],
     products: [Option<String>; 2],
-    left_out: (u64, Option<String>),
+    left_out: (u64, [Option<String>; 3]),
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -121,7 +121,10 @@ impl SavedFindings {
                     .map(|lag| SavedAgreement {
                         mismatches: lag.mismatches,
                         products: lag.products.each_ref().map(ExactSum::to_text),
-                        left_out: (lag.left_out.0, lag.left_out.1.to_text()),
+                        left_out: (
+                            lag.left_out.0,
+                            lag.left_out.1.each_ref().map(ExactSum::to_text),
+                        ),
                     })
                     .collect(),
                 acting: found.unlike.acting,
@@ -190,8 +193,9 @@ impl SavedFindings {
                     let [mixed, own] = &saved.products;
                     lag.mismatches = saved.mismatches;
                     lag.products = [exact_sum(mixed)?, exact_sum(own)?];
-                    let (rows, squares) = &saved.left_out;
-                    lag.left_out = (*rows, exact_sum(squares)?);
+                    let (rows, [squares, mixed, law]) = &saved.left_out;
+                    let sums = [exact_sum(squares)?, exact_sum(mixed)?, exact_sum(law)?];
+                    lag.left_out = (*rows, sums);
                 }
                 Some(found)
             }

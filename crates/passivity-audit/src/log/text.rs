@@ -332,6 +332,10 @@ impl Agreement {
         if self.agrees {
             return format!("agrees with the wall's law in all {} rows", self.compared);
         }
+        if self.compared == 0 {
+            return "is made of samples before the trace in every row, so none is compared with the wall's law"
+                .to_owned();
+        }
         if self.zero {
             return format!(
                 "is zero in all {} rows, and the wall's law is not",

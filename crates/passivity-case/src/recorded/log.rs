@@ -91,6 +91,11 @@ impl Log {
                      recorded positions"
                     .to_owned()
             }
+            Some(force) if force.compared == 0 => {
+                "made of samples before the log in every row, and not compared with the wall's law; the account is of the \
+                 force in the log"
+                    .to_owned()
+            }
             Some(force) if force.agrees => {
                 format!(
                     "that of the wall's law in all {} rows, to within the digits that are written",
@@ -161,6 +166,12 @@ impl Log {
             return Some(near.says.clone());
         }
         let force = self.report.force.as_ref();
+        if force.is_some_and(|force| force.compared == 0) {
+            return Some(
+                "every force is made of samples before the log: the log says nothing about the wall"
+                    .to_owned(),
+            );
+        }
         let force = force.filter(|force| force.agrees || force.rough || force.zero)?;
         match (force.fit, force.rough) {
             (None, _) => Some(

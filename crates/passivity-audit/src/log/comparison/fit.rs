@@ -7,6 +7,15 @@ use crate::log::findings::ROUGH;
 /// Forces whose variance is less than this share of their mean square are the same for a fit by doubles.
 const SAME: f64 = 1e-9;
 
+/// So many rows tell a delay, or how far a wall is moved.
+const FEW: u64 = 8;
+
+/// Forces of a wall that is moved are nearer to its law than this share of their size.
+const MOVED: f64 = 0.05;
+
+/// A wall is moved by less than so many times the mean depth in it, as a root of the mean square.
+const FAR: f64 = 4.0;
+
 /// The multiple of the law that the forces come nearest to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Fit {
@@ -26,18 +35,29 @@ impl Comparison {
     /// that takes a count for the position, and not the middle of its tick, moves the wall by half a tick.
     pub(crate) fn fit(&self) -> Option<Fit> {
         let fits = (0..self.lags.len()).filter_map(|lag| self.fit_at(lag));
-        let nearest = fits.min_by(|a, b| a.residual.total_cmp(&b.residual))?;
+        let told = fits.filter(|fit| fit.lag == self.delay || self.is_told_at(fit.lag));
+        let nearest = told.min_by(|a, b| a.residual.total_cmp(&b.residual))?;
         // Which of two that are as near is nearer is told by noise, or by the last digits.
         let is_as_near =
             |own: &Fit| nearest.residual > 0.99 * own.residual || own.residual <= self.rounding();
-        let nearest = self
-            .fit_at(self.delay)
-            .filter(is_as_near)
-            .unwrap_or(nearest);
+        let is_own = self
+            .own_beside(nearest.lag)
+            .is_some_and(|own| is_as_near(&own));
+        let own = self.fit_at(self.delay).filter(|_| is_own);
+        let nearest = own.unwrap_or(nearest);
         let is_nearer = |moved: &Fit| {
-            nearest.residual > self.rounding() && moved.residual < 0.5 * nearest.residual
+            nearest.residual > self.rounding()
+                && moved.residual < MOVED
+                && moved.residual < 0.5 * nearest.residual
         };
         Some(self.fit_moved().filter(is_nearer).unwrap_or(nearest))
+    }
+
+    /// Whether enough rows are compared at a lag that is not the scene's: of a few anything is a multiple.
+    fn is_told_at(&self, lag: usize) -> bool {
+        let left_out = self.left_out(lag);
+        let compared = self.compared.saturating_sub(left_out);
+        compared >= FEW && compared >= left_out
     }
 
     /// The multiple of the law at the scene's delay, and the force added to it in all rows that are unlike it, that the
@@ -46,7 +66,7 @@ impl Comparison {
         let agreement = self.lags.get(self.delay)?;
         let [(unlike, _), _] = agreement.mismatches;
         // A wall that is moved has another force wherever it has one.
-        if 10 * unlike < 9 * self.unlike.acting {
+        if unlike < FEW || 10 * unlike < 9 * self.unlike.acting {
             return None;
         }
         let [mixed, law] = agreement.products.each_ref().map(ExactSum::value);
@@ -68,34 +88,45 @@ impl Comparison {
             moved: added / scale,
             residual: (left / squares).sqrt(),
         };
-        (fit.scale.is_finite() && fit.moved.is_finite() && fit.residual.is_finite()).then_some(fit)
+        // What is nearly the same everywhere is the force of no wall, nor is a wall told from so far beside it.
+        let apart = squares - forces * forces / rows;
+        let is_of_a_wall = left < 0.25 * apart && fit.moved.abs() < FAR * (law / rows).sqrt();
+        let is_finite = fit.scale.is_finite() && fit.residual.is_finite();
+        (is_finite && is_of_a_wall && fit.scale > 0.0).then_some(fit)
     }
 
     /// Σ f² of the rows that are compared at a lag.
     fn squares_at(&self, lag: usize) -> f64 {
-        let left_out = self.lags.get(lag).map_or(0.0, |lag| lag.left_out.1.value());
+        let left_out = self.lags.get(lag).map_or(0.0, |lag| {
+            let [squares, ..] = &lag.left_out.1;
+            squares.value()
+        });
         self.squares.value() - left_out
+    }
+
+    /// The multiple of the law at the scene's delay that the forces come nearest to in the rows that are compared at a lag.
+    fn own_beside(&self, lag: usize) -> Option<Fit> {
+        let [squares, mixed, law] = self
+            .lags
+            .get(lag)?
+            .left_out
+            .1
+            .each_ref()
+            .map(ExactSum::value);
+        let own = self.lags.get(self.delay)?.products.each_ref();
+        let [of_mixed, of_law] = own.map(ExactSum::value);
+        // Those that are left out at the scene's delay have no part in the latter.
+        let least = self
+            .squares_at(self.delay)
+            .min(self.squares.value() - squares);
+        fit(self.delay, [least, of_mixed - mixed, of_law - law])
     }
 
     /// The multiple of the law at a lag that the forces come nearest to.
     fn fit_at(&self, lag: usize) -> Option<Fit> {
-        // Of a few rows anything is a multiple.
-        if 2 * self.left_out(lag) > self.compared {
-            return None;
-        }
-        let squares = self.squares_at(lag);
         let products = self.lags.get(lag)?.products.each_ref();
         let [mixed, law] = products.map(ExactSum::value);
-        let scale = mixed / law;
-        // What is left of Σ f²; rounding may leave it a little below zero.
-        let left = (squares - scale * mixed).max(0.0);
-        let residual = (left / squares).sqrt();
-        (scale.is_finite() && residual.is_finite()).then_some(Fit {
-            lag,
-            scale,
-            moved: 0.0,
-            residual,
-        })
+        fit(lag, [self.squares_at(lag), mixed, law])
     }
 
     /// Whether the law has no force at the scene's delay.
@@ -130,4 +161,18 @@ impl Comparison {
         let near = |fit: Fit| (fit.scale - 1.0).abs() < ROUGH && fit.residual < ROUGH;
         !self.rests() && !self.fit_at(self.delay).is_some_and(near)
     }
+}
+
+/// The multiple of the law that forces come nearest to, by Σ f², Σ f·p and Σ p².
+fn fit(lag: usize, [squares, mixed, law]: [f64; 3]) -> Option<Fit> {
+    let scale = mixed / law;
+    // What is left of Σ f²; rounding may leave it a little below zero.
+    let left = (squares - scale * mixed).max(0.0);
+    let residual = (left / squares).sqrt();
+    (scale.is_finite() && residual.is_finite()).then_some(Fit {
+        lag,
+        scale,
+        moved: 0.0,
+        residual,
+    })
 }

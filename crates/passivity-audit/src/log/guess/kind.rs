@@ -92,8 +92,6 @@ impl Kind {
                 "weg",
                 "inkrement",
                 "inkremente",
-                "impuls",
-                "impulse",
                 "pulse",
             ],
             Self::Force => &[

@@ -12,11 +12,11 @@ use crate::log::header::{self, is_unit, is_unit_of_force, read_unit, read_unit_o
 /// The units that names of columns give, as they are proposed. Of units whose letters differ only in case, such as
 /// `mN` and `MN`, those of a log.
 const UNITS: [&str; 54] = [
-    "s", "sec", "msec", "usec", "ms", "us", "ns", "m", "mm", "cm", "um", "nm", "in", "inch", "ft",
-    "rad", "mrad", "urad", "deg", "gon", "arcmin", "arcsec", "rev", "turn", "m/s", "mm/s", "rad/s",
+    "s", "sec", "msec", "usec", "ms", "us", "ns", "m", "mm", "cm", "um", "in", "inch", "ft", "rad",
+    "mrad", "urad", "deg", "gon", "arcmin", "arcsec", "rev", "turn", "m/s", "mm/s", "rad/s",
     "deg/s", "rpm", "N", "mN", "uN", "kN", "Nm", "mNm", "uNm", "Nmm", "Ncm", "g", "kg", "oz", "lb",
     "gf", "kgf", "ozf", "lbf", "oz in", "ozf in", "lb in", "lbf in", "lb ft", "ft lb", "kg cm",
-    "kgf cm",
+    "kgf cm", "nm",
 ];
 
 /// Those that may be a word, or a letter of another meaning.
@@ -25,7 +25,10 @@ const WORDS: [&str; 12] = [
 ];
 
 /// Those that only the end of a name gives: within it they are other words or letters.
-const LAST: [&str; 9] = ["s", "sec", "m", "in", "ft", "rev", "turn", "N", "g"];
+const LAST: [&str; 7] = ["s", "m", "in", "rev", "turn", "N", "g"];
+
+/// Those that its start does not give: there they are a force and a torque, or a second one.
+const NOT_FIRST: [&str; 2] = ["ft", "sec"];
 
 /// Words for units that are not read or of something else, and for degrees or gradians.
 const UNKNOWN: [&str; 14] = [
@@ -70,9 +73,25 @@ fn fits(kind: Kind, unit: &str, motion: Motion) -> bool {
     read.is_ok_and(|unit| unit.dimension().with_angle(0) == kind.dimension(motion))
 }
 
+/// Whether the letters of a unit of this kind stand together where it is written so: N s and N·m are no ns and no nm, which
+/// are no Nm either.
+fn is_together(kind: Kind, unit: &str, (text, name): (&str, &str)) -> bool {
+    let is_product = matches!(kind, Kind::Force | Kind::Velocity);
+    let is_nano = unit == "nm" && letters(text) == unit;
+    is_product
+        || match is_nano {
+            true => name.contains(unit),
+            false => {
+                name.to_lowercase().contains(&text.to_lowercase())
+                    && !text.contains([' ', '.', '*', '·'])
+            }
+        }
+}
+
 /// The unit of a kind that has the letters of one that is not of this kind as it is written.
 pub(super) fn respelt(kind: Kind, unit: &str, motion: Motion) -> Option<&'static str> {
-    spelt(kind, unit, motion).filter(|_| !fits(kind, unit, motion))
+    let found = spelt(kind, unit, motion).filter(|_| !fits(kind, unit, motion));
+    found.filter(|found| is_together(kind, found, (unit, unit)))
 }
 
 fn spelt(kind: Kind, text: &str, motion: Motion) -> Option<&'static str> {
@@ -199,6 +218,9 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
     if let Some(unit) = behind(name).filter(|_| kind != Kind::Velocity) {
         return Err(no_unit(unit, kind, motion));
     }
+    if let Some(of_heat) = of_heat(name) {
+        return Err(no_unit(of_heat, kind, motion));
+    }
     let words = words(name);
     if let Some(unknown) = words.iter().find(|word| UNKNOWN.contains(&word.as_str())) {
         return Err(no_unit(unknown, kind, motion));
@@ -208,8 +230,10 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
         for from in 0..until {
             let some = words.iter().take(until).skip(from);
             let text: String = some.map(String::as_str).collect();
-            let may_be = |unit: &str| until == words.len() || !LAST.contains(&unit);
-            if let Some(unit) = spelt(kind, &text, motion).filter(|unit| may_be(unit)) {
+            let is_first = from == 0 && NOT_FIRST.contains(&text.as_str());
+            let may_be = |unit: &str| until == words.len() || !is_first && !LAST.contains(&unit);
+            let is_it = |unit: &&str| may_be(unit) && is_together(kind, unit, (&text, name));
+            if let Some(unit) = spelt(kind, &text, motion).filter(is_it) {
                 let first = words.get(from).map_or("", String::as_str);
                 return match is_multiple(name, first) {
                     true => Err(format!("a number stands before its unit, `{unit}`")),
@@ -223,7 +247,24 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
             }
         }
     }
-    Ok(None)
+    let within =
+        |word: &&String| kind == Kind::Position && ["rev", "turn"].contains(&word.as_str());
+    match words.iter().find(within).filter(|_| words.len() > 1) {
+        Some(word) => Err(format!(
+            "`{word}` may be its unit: write that behind the name, in brackets"
+        )),
+        None => Ok(None),
+    }
+}
+
+/// The unit of a temperature in a name.
+fn of_heat(name: &str) -> Option<&'static str> {
+    let (_, behind) = name.split_once(DEGREE)?;
+    let mut behind = behind.chars();
+    let unit = [('C', "°C"), ('F', "°F")];
+    let letter = behind.next()?;
+    let (_, unit) = unit.into_iter().find(|(of, _)| *of == letter)?;
+    (!behind.next().is_some_and(char::is_alphabetic)).then_some(unit)
 }
 
 /// The same of a time, whose unit may be said by its steps: but not where its name has another.

@@ -180,7 +180,7 @@ pub(super) const OF_FORCE: [&str; 9] = [
 ];
 
 /// What a count is called, as a word of a name or as a unit.
-pub(super) const COUNTED: [&str; 12] = [
+pub(super) const COUNTED: [&str; 10] = [
     "count",
     "tick",
     "cnt",
@@ -190,8 +190,6 @@ pub(super) const COUNTED: [&str; 12] = [
     "inkr",
     "inkrement",
     "inkremente",
-    "impuls",
-    "impulse",
     "pulse",
 ];
 

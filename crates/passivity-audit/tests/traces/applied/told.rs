@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use passivity_audit::{Dialect, Options, audit_csv};
+use passivity_scene::Scene;
 
 use super::{PATH, audited, law, scene, three_fifths};
 
@@ -94,6 +95,70 @@ fn forces_of_a_moved_wall_are_those_of_it_to_the_last_digit() {
         let kinds: Vec<&str> = audit.report().findings.iter().map(|f| f.kind).collect();
         assert_eq!(kinds, ["offset"], "{}", audit.to_text());
     }
+}
+
+/// What a log has too little for is not told.
+#[test]
+fn nothing_is_told_of_what_a_log_does_not_show() {
+    let delayed = scene("[dimensionless]\nbeta = \"30\"\nsigma = \"300\"\n[sampling]\ndelay = 3\n");
+    let kinds = |csv: &str, scene: &Scene| {
+        let audit = audited(csv, scene);
+        let kinds = audit.report().findings.iter().map(|f| f.kind);
+        (
+            kinds.collect::<Vec<_>>(),
+            audit.report().force.clone().unwrap(),
+            audit.to_text(),
+        )
+    };
+    // Of no row is it known whether it agrees.
+    let (found, force, text) = kinds("count,f\n0,5\n3,8\n", &delayed);
+    assert!(
+        !force.agrees && !force.rough && force.compared == 0,
+        "{text}"
+    );
+    assert!(
+        found.is_empty() && text.contains("so none is compared"),
+        "{text}"
+    );
+    // Two rows that are compared are.
+    let short = "count,f\n0,-0.500000\n0,-0.500000\n0,-0.500000\n2,-0.500000\n4,-0.500000\n";
+    let (found, force, text) = kinds(short, &delayed);
+    assert!(force.agrees && found.is_empty(), "{text}");
+    // One row is a multiple of anything.
+    let (found, _, text) = kinds("count,f\n0,5\n3,-8\n", &three_fifths());
+    assert!(
+        found == ["other_force"] && !text.contains("times"),
+        "{text}"
+    );
+    // The scene's own delay leaves out as many rows as any of its signs.
+    let turned = "count,f\n0,0.5\n0,0.5\n0,0.5\n0,0.5\n0,0.5\n0,0.5\n5,0.5\n5,0.5\n5,0.5\n5,5.5\n5,5.5\n5,5.5\n";
+    let (found, force, text) = kinds(turned, &delayed);
+    assert_eq!(
+        (force.found.delay, force.found.mismatches),
+        (3, 0),
+        "{text}"
+    );
+    assert_eq!(found, ["sign"], "{text}");
+    // A device that is held still shows no delay.
+    let mut held = "count,f\n".to_owned();
+    for force in [
+        "-10.6", "-10.55", "-10.5", "-10.49", "-10.51", "-10.5", "-10.49", "-10.51", "-10.5",
+    ] {
+        writeln!(held, "10,{force}").unwrap();
+    }
+    let (found, _, text) = kinds(&held, &three_fifths());
+    assert_eq!(found, ["other_force"], "{text}");
+    // A voltage that hardly changes is no wall far away.
+    let mut supply = "count,f\n".to_owned();
+    for i in 0..40_i32 {
+        let volts = 24.0 + f64::from((i * 13) % 7 - 3) / 100.0;
+        writeln!(supply, "{},{volts:.4}", (i * 7) % 31 - 15).unwrap();
+    }
+    let (_, _, text) = kinds(&supply, &three_fifths());
+    assert!(
+        text.contains("not that of the wall's law at any delay, sign or scale"),
+        "{text}"
+    );
 }
 
 /// A name may have an apostrophe.

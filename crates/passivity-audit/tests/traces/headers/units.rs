@@ -225,3 +225,29 @@ fn units_in_words_are_not_taken_for_others() {
         assert!(why.contains(&says), "{name}: {why}");
     }
 }
+
+/// Products of units are none of the letters that they have, and letters within a name may be of more than a unit.
+#[test]
+fn units_are_not_made_of_the_letters_of_others() {
+    let found = proposed(&format!("t [s],weg_ft_filt,f [N]\n{ROWS}"), None);
+    assert_eq!(found, "t=t [s], x=weg_ft_filt [ft], f=f [N]");
+    for (names, is_wrong) in [
+        ("t [s],Drehmoment / N.m,f [N]", "[nm]"),
+        ("t [s],pos,torque N.m", "[nm]"),
+        ("impulse [N s],x [mm],f [N]", "[ns]"),
+    ] {
+        let said = match audited(&format!("{names}\n{ROWS}"), None) {
+            Ok(audit) => audit.to_text(),
+            Err(error) => error.to_string(),
+        };
+        assert!(!said.contains(is_wrong), "{said}");
+    }
+    for name in ["angle°C", "Winkel °C", "x°F"] {
+        let why = proposed_of_turning(name).unwrap_err();
+        assert!(why.contains("is no unit of a position"), "{name}: {why}");
+    }
+    for name in ["rev pos_ist", "displacement_rev_filt"] {
+        let why = proposed_of_turning(name).unwrap_err();
+        assert!(why.contains("`rev` may be its unit"), "{name}: {why}");
+    }
+}
