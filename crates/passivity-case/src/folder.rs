@@ -1,11 +1,13 @@
 //! The folder of a case, which is written completely or not at all.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use passivity_audit::legible;
 use passivity_evidence::Sha256;
+use passivity_scene::files::Output;
 
 use crate::case::{Case, HistoryEntry};
 use crate::draw::draw;
@@ -101,7 +103,7 @@ pub fn write(case: &Case, folder: &Path) -> Result<(), CaseError> {
         );
         return Err(CaseError::new(message));
     }
-    refuse_others(folder)?;
+    refuse_others(folder, &files)?;
     let parent = match folder.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
         _ => PathBuf::from("."),
@@ -174,14 +176,18 @@ pub fn add_pdf(folder: &Path, browser: &Path) -> Result<(), CaseError> {
     // The manifest first: where this is broken off, the PDF is one that is missing, and none of somebody's own.
     for (name, bytes) in [(MANIFEST, manifest.to_text()?.into_bytes()), (PDF, pdf)] {
         let path = folder.join(name);
-        fs::write(&path, bytes).map_err(|error| CaseError::io(&path, &error))?;
+        let written = Output::create(&path).and_then(|mut file| {
+            file.write_all(&bytes)?;
+            file.keep()
+        });
+        written.map_err(|error| CaseError::io(&path, &error))?;
     }
     Ok(())
 }
 
-/// Refuses a folder that holds something else than a case as it was written: writing would lose what somebody
-/// put there, or what the case says of the past.
-fn refuse_others(folder: &Path) -> Result<(), CaseError> {
+/// Refuses a folder that holds something else than a case as it was written, or what is written now: writing would lose
+/// what somebody put there, or what the case says of the past.
+fn refuse_others(folder: &Path, new: &BTreeMap<String, Vec<u8>>) -> Result<(), CaseError> {
     let names = names(folder)?;
     if names.is_empty() {
         return Ok(());
@@ -196,15 +202,20 @@ fn refuse_others(folder: &Path) -> Result<(), CaseError> {
     let manifest = Manifest::read(folder)?;
     let mut kept = Vec::new();
     for name in names {
+        if name == MANIFEST || name == HTML {
+            continue;
+        }
         let path = folder.join(&name);
-        match manifest.files.get(&name) {
-            _ if name == MANIFEST || name == HTML => continue,
-            Some(written) if Sha256::of(&read_bytes(&path, MOST_BYTES)?) == *written => continue,
-            Some(_) => kept.push(format!(
+        let Some(written) = manifest.files.get(&name) else {
+            kept.push(format!("`{}`: no part of the case", path.display()));
+            continue;
+        };
+        let bytes = read_bytes(&path, MOST_BYTES)?;
+        if Sha256::of(&bytes) != *written && new.get(&name) != Some(&bytes) {
+            kept.push(format!(
                 "`{}`: changed since the case was written",
                 path.display()
-            )),
-            None => kept.push(format!("`{}`: no part of the case", path.display())),
+            ));
         }
     }
     if !kept.is_empty() {
@@ -212,13 +223,14 @@ fn refuse_others(folder: &Path) -> Result<(), CaseError> {
         return Err(CaseError::new(format!("{}, {what}", kept.join("; "))));
     }
     let how = match read_bytes(&folder.join(HTML), MOST_BYTES) {
-        Ok(page)
-            if manifest.files.get(HTML) == Some(&Sha256::of(&page))
-                && manifest.is_told_by(&String::from_utf8_lossy(&page)) != Some(false) =>
-        {
-            return Ok(());
+        Ok(page) => {
+            let is_as_written = manifest.files.get(HTML) == Some(&Sha256::of(&page));
+            match manifest.is_told_by(&String::from_utf8_lossy(&page)) {
+                Some(false) => format!("`{HTML}` and `{MANIFEST}` are not of one case"),
+                _ if is_as_written => return Ok(()),
+                _ => format!("`{HTML}` was changed after it was written"),
+            }
         }
-        Ok(_) => format!("`{HTML}` and `{MANIFEST}` are not as they were written"),
         Err(_) => format!("`{HTML}` is missing or cannot be read"),
     };
     Err(CaseError::within(folder, parted(&how)))

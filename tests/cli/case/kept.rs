@@ -37,11 +37,11 @@ fn a_case_whose_history_may_be_another_than_it_was_is_not_written_again() {
     let edits: [(&dyn Fn(), &str); 4] = [
         (
             &|| shorter(&dir),
-            "`case.html` and `manifest.json` are not as they",
+            "`case.html` and `manifest.json` are not of one case",
         ),
         (
             &|| edited(&dir),
-            "`case.html` and `manifest.json` are not as they",
+            "`case.html` was changed after it was written",
         ),
         (&|| without("manifest.json"), "`manifest.json` is missing"),
         (&|| without("case.html"), "`case.html` is missing"),
@@ -83,4 +83,17 @@ fn files_of_the_case_that_were_edited_are_named_and_kept() {
         fs::rename(dir.path(name), dir.path("mine")).expect("the file");
     }
     assert_eq!(dir.run(&["case", &scene, "--out", "case"]).code, 0);
+}
+
+/// Nobody loses what is written there anyway.
+#[test]
+fn a_file_that_is_as_it_would_be_written_is_no_obstacle() {
+    let dir = Dir::new();
+    let scene = written(&dir);
+    let next = GOOD.replace("[wall]", "[wall] # of today");
+    dir.write(&scene, &next);
+    dir.write("case/scene.toml", &next);
+    let again = dir.run(&["case", &scene, "--out", "case"]);
+    assert_eq!(again.code, 0, "{}", again.stderr);
+    assert_eq!(read(&dir, "case/scene.toml"), next);
 }
