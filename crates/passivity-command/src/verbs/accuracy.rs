@@ -20,7 +20,9 @@ use crate::verbs::simulate::{Start, intervals, words};
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity accuracy scenes/re35.toml --speed 5
-  passivity accuracy scenes/dimensionless.toml --plot accuracy.svg --format json")]
+  passivity accuracy scenes/dimensionless.toml --plot accuracy.svg --format json
+
+Exit codes: 0 it is measured, whatever the errors are; 2 bad input.")]
 pub(crate) struct Args {
     /// Scene file.
     #[arg(value_name = "SCENE")]

@@ -17,7 +17,8 @@ use crate::output::{Format, emit_json, emit_to_reader, look, scene_at, tell, tel
 ///
 /// Prints the verdict, the region of the (β, σ) plane, margins, the critical speed, the stiffest
 /// wall, what to change and by how much, and, when the wall is not passive, a motion of the
-/// operator that draws energy from it.
+/// operator that draws energy from it. β = b/(KT) is viscous friction b over stiffness K and sampling
+/// period T, and σ = c/(KΔ) Coulomb friction c over stiffness and the encoder's resolution Δ.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity check scenes/re35.toml

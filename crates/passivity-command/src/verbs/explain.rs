@@ -18,7 +18,9 @@ use crate::output::{Format, emit, emit_json, look, scene_at};
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   passivity explain scenes/re35.toml
-  passivity explain scenes/filtered-damping.toml --plot frequency.svg")]
+  passivity explain scenes/filtered-damping.toml --plot frequency.svg
+
+Exit codes: 0 it is explained, whatever the verdict is; 2 bad input.")]
 pub(crate) struct Args {
     /// The scene file.
     scene: PathBuf,

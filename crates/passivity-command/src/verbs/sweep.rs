@@ -34,7 +34,10 @@ use crate::verbs::simulate::{deciding, intervals};
       --merge part-*.parquet --out fig5.parquet
   passivity sweep scenes/re35-limit-cycles.toml --vary 'stiffness=0.05:0.5:31 N m/rad' \\
       --vary 'viscous=0:2e-5:31 N m s/rad' --vary 'velocity=1,5 rad/s' \\
-      --out grid.csv --plot grid.png")]
+      --out grid.csv --plot grid.png
+
+Exit codes: 0 all points are simulated, whatever they show; 2 bad input, or a file that cannot be
+written: `--resume` goes on from there.")]
 pub(crate) struct Args {
     /// Scene file.
     #[arg(value_name = "SCENE")]

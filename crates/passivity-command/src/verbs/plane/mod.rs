@@ -34,7 +34,9 @@ A file of measured points is CSV with a header: a column for either axis, with i
 `stiffness [N/mm]`, and a column `stable` with the words stable and unstable.
 
 Behind a transmission a value is at the side where the scene gives it, unless the side stands behind
-the unit, as in `coulomb [mN m at the motor]` or `coulomb [mN m at the device]`.")]
+the unit, as in `coulomb [mN m at the motor]` or `coulomb [mN m at the device]`.
+
+Exit codes: 0 it is drawn or printed, whatever the walls are; 2 bad input.")]
 pub(crate) struct Args {
     /// Scene files.
     #[arg(required = true, value_name = "SCENE")]
