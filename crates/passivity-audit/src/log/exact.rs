@@ -137,7 +137,7 @@ const BLOCK: usize = 8 * LANES;
 const LARGEST: f64 = (1 << 28) as f64;
 
 /// 2^k.
-const fn power(k: i32) -> f64 {
+pub(super) const fn power(k: i32) -> f64 {
     f64::from_bits(((1023 + k) as u64) << 52)
 }
 

@@ -13,8 +13,8 @@ use crate::log::findings::{Finding, of_clock, of_force, of_velocity};
 use crate::log::found::Findings;
 use crate::log::layout::Form;
 use crate::log::report::{
-    Agreement, ByLaw, Drawn, Firsts, Fitted, Force, Found, Judged, Least, Moved, Observer, Report,
-    Running, Sampling, Shown, Supplied, UnendedRow, Verdict,
+    Agreement, ByLaw, Drawn, Firsts, Force, Found, Judged, Least, Moved, Observer, Report, Running,
+    Sampling, Shown, Supplied, UnendedRow, Verdict,
 };
 use crate::log::running::RunningSum;
 use crate::log::step::undefined;
@@ -366,12 +366,7 @@ impl Agreement {
                 reversed: best.reversed,
                 mismatches: best.mismatches,
             },
-            fit: comparison.fit().map(|fit| Fitted {
-                delay: fit.lag,
-                scale: fit.scale,
-                moved: fit.moved,
-                residual: fit.residual,
-            }),
+            fit: comparison.fit(),
             difference: comparison.difference(),
             rounding: Some(comparison.rounding()).filter(|by| by.is_finite()),
         })

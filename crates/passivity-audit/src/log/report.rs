@@ -314,6 +314,22 @@ pub struct Fitted {
     pub residual: f64,
 }
 
+impl Fitted {
+    /// The multiple of what they should be that forces or velocities x come nearest to, by Σ x², Σ x·y and Σ y².
+    pub(crate) fn nearest(delay: usize, [squares, mixed, own]: [f64; 3]) -> Option<Self> {
+        let scale = mixed / own;
+        // What is left of Σ x²; rounding may leave it a little below zero.
+        let left = (squares - scale * mixed).max(0.0);
+        let residual = (left / squares).sqrt();
+        (scale.is_finite() && residual.is_finite()).then_some(Self {
+            delay,
+            scale,
+            moved: 0.0,
+            residual,
+        })
+    }
+}
+
 fn form<S: Serializer>(form: &Form, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(form.name())
 }

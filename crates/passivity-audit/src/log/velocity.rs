@@ -118,16 +118,7 @@ impl Velocities {
             .enumerate()
             .filter_map(|(delay, sums)| {
                 let [mixed, own] = sums.each_ref().map(ExactSum::value);
-                let scale = mixed / own;
-                // What is left of Σ v²; rounding may leave it a little below zero.
-                let left = (squares - scale * mixed).max(0.0);
-                let residual = (left / squares).sqrt();
-                (scale.is_finite() && residual.is_finite()).then_some(Fitted {
-                    delay,
-                    scale,
-                    moved: 0.0,
-                    residual,
-                })
+                Fitted::nearest(delay, [squares, mixed, own])
             });
         fits.min_by(|a, b| a.residual.total_cmp(&b.residual))
     }

@@ -3,6 +3,7 @@
 use super::Comparison;
 use crate::log::exact::ExactSum;
 use crate::log::findings::ROUGH;
+use crate::log::report::Fitted;
 
 /// Forces whose variance is less than this share of their mean square are the same for a fit by doubles.
 const SAME: f64 = 1e-9;
@@ -16,36 +17,26 @@ const MOVED: f64 = 0.05;
 /// A wall is moved by less than so many times the mean depth in it, as a root of the mean square.
 const FAR: f64 = 4.0;
 
-/// The multiple of the law that the forces come nearest to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Fit {
-    pub(crate) lag: usize,
-    pub(crate) scale: f64,
-    /// By how many ticks the wall would have to be moved for that.
-    pub(crate) moved: f64,
-    /// The root of the mean square of what is left, of that of the forces.
-    pub(crate) residual: f64,
-}
-
 impl Comparison {
     /// The multiple of the law, at some lag, that the forces come nearest to; `None` when forces or
     /// law are zero throughout.
     ///
     /// At the scene's delay it may be that of a wall that is moved, where the forces come much nearer to that: a controller
     /// that takes a count for the position, and not the middle of its tick, moves the wall by half a tick.
-    pub(crate) fn fit(&self) -> Option<Fit> {
+    pub(crate) fn fit(&self) -> Option<Fitted> {
         let fits = (0..self.lags.len()).filter_map(|lag| self.fit_at(lag));
-        let told = fits.filter(|fit| fit.lag == self.delay || self.is_told_at(fit.lag));
+        let told = fits.filter(|fit| fit.delay == self.delay || self.is_told_at(fit.delay));
         let nearest = told.min_by(|a, b| a.residual.total_cmp(&b.residual))?;
         // Which of two that are as near is nearer is told by noise, or by the last digits.
-        let is_as_near =
-            |own: &Fit| nearest.residual > 0.99 * own.residual || own.residual <= self.rounding();
+        let is_as_near = |own: &Fitted| {
+            nearest.residual > 0.99 * own.residual || own.residual <= self.rounding()
+        };
         let is_own = self
-            .own_beside(nearest.lag)
+            .own_beside(nearest.delay)
             .is_some_and(|own| is_as_near(&own));
         let own = self.fit_at(self.delay).filter(|_| is_own);
         let nearest = own.unwrap_or(nearest);
-        let is_nearer = |moved: &Fit| {
+        let is_nearer = |moved: &Fitted| {
             nearest.residual > self.rounding()
                 && moved.residual < MOVED
                 && moved.residual < 0.5 * nearest.residual
@@ -62,7 +53,7 @@ impl Comparison {
 
     /// The multiple of the law at the scene's delay, and the force added to it in all rows that are unlike it, that the
     /// forces come nearest to.
-    fn fit_moved(&self) -> Option<Fit> {
+    fn fit_moved(&self) -> Option<Fitted> {
         let agreement = self.lags.get(self.delay)?;
         let [(unlike, _), _] = agreement.mismatches;
         // A wall that is moved has another force wherever it has one.
@@ -82,8 +73,8 @@ impl Comparison {
         let added = (law * forces - laws * mixed) / determinant;
         let squares = self.squares_at(self.delay);
         let left = (squares - scale * mixed - added * forces).max(0.0);
-        let fit = Fit {
-            lag: self.delay,
+        let fit = Fitted {
+            delay: self.delay,
             scale,
             moved: added / scale,
             residual: (left / squares).sqrt(),
@@ -105,7 +96,7 @@ impl Comparison {
     }
 
     /// The multiple of the law at the scene's delay that the forces come nearest to in the rows that are compared at a lag.
-    fn own_beside(&self, lag: usize) -> Option<Fit> {
+    fn own_beside(&self, lag: usize) -> Option<Fitted> {
         let [squares, mixed, law] = self
             .lags
             .get(lag)?
@@ -119,14 +110,14 @@ impl Comparison {
         let least = self
             .squares_at(self.delay)
             .min(self.squares.value() - squares);
-        fit(self.delay, [least, of_mixed - mixed, of_law - law])
+        Fitted::nearest(self.delay, [least, of_mixed - mixed, of_law - law])
     }
 
     /// The multiple of the law at a lag that the forces come nearest to.
-    fn fit_at(&self, lag: usize) -> Option<Fit> {
+    fn fit_at(&self, lag: usize) -> Option<Fitted> {
         let products = self.lags.get(lag)?.products.each_ref();
         let [mixed, law] = products.map(ExactSum::value);
-        fit(lag, [self.squares_at(lag), mixed, law])
+        Fitted::nearest(lag, [self.squares_at(lag), mixed, law])
     }
 
     /// Whether the law has no force at the scene's delay.
@@ -158,21 +149,7 @@ impl Comparison {
     /// Whether the law has a force that is far from those of the log at the scene's delay: where they agree to
     /// within their digits all the same, these are too few to tell anything.
     pub(crate) fn is_far(&self) -> bool {
-        let near = |fit: Fit| (fit.scale - 1.0).abs() < ROUGH && fit.residual < ROUGH;
+        let near = |fit: Fitted| (fit.scale - 1.0).abs() < ROUGH && fit.residual < ROUGH;
         !self.rests() && !self.fit_at(self.delay).is_some_and(near)
     }
-}
-
-/// The multiple of the law that forces come nearest to, by Σ f², Σ f·p and Σ p².
-fn fit(lag: usize, [squares, mixed, law]: [f64; 3]) -> Option<Fit> {
-    let scale = mixed / law;
-    // What is left of Σ f²; rounding may leave it a little below zero.
-    let left = (squares - scale * mixed).max(0.0);
-    let residual = (left / squares).sqrt();
-    (scale.is_finite() && residual.is_finite()).then_some(Fit {
-        lag,
-        scale,
-        moved: 0.0,
-        residual,
-    })
 }

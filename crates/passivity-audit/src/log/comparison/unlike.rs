@@ -4,16 +4,12 @@ use multiversion::multiversion;
 
 use super::differs;
 use crate::ball::split;
+use crate::log::exact::power;
 
 /// What forces are rounded to multiples of, in KΔ, in two steps: sums of them are exact, and the same however rows are
 /// grouped. What is left of squares of forces is a small difference of such sums.
-const UPPER: u32 = 20;
-const LOWER: u32 = 30;
-
-/// 2ⁿ.
-const fn power(n: u32) -> f64 {
-    (1_u64 << n) as f64
-}
+const UPPER: i32 = 20;
+const LOWER: i32 = 30;
 
 /// Larger forces have no room in sums.
 const LARGEST: f64 = (1_u64 << 26) as f64;
