@@ -89,9 +89,16 @@ pub fn history(folder: &Path) -> Result<Vec<HistoryEntry>, CaseError> {
 ///
 /// # Errors
 ///
-/// A folder that cannot be written, or that holds something that is no case.
+/// A folder that cannot be written, that holds something that is no case, or whose case is another than the one whose
+/// history this one goes on from.
 pub fn write(case: &Case, folder: &Path) -> Result<(), CaseError> {
     let files = files(case)?;
+    // Where there is a link, the folder that it leads to is replaced, and the link stays.
+    let target = match folder.is_symlink() {
+        true => folder.canonicalize().ok(),
+        false => None,
+    };
+    let folder = target.as_deref().unwrap_or(folder);
     // What is there, if only as a link that leads nowhere.
     let mut there = folder
         .ancestors()
@@ -103,12 +110,18 @@ pub fn write(case: &Case, folder: &Path) -> Result<(), CaseError> {
         );
         return Err(CaseError::new(message));
     }
-    refuse_others(folder, &files)?;
     let parent = match folder.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
         _ => PathBuf::from("."),
     };
     fs::create_dir_all(&parent).map_err(|error| CaseError::io(&parent, &error))?;
+    let _held = held(&parent);
+    refuse_others(folder, &files)?;
+    if !case.history.starts_with(&history(folder)?) {
+        let what = "another process wrote the case meanwhile: run the command again, so that the history of verdicts \
+                    has both";
+        return Err(CaseError::within(folder, what));
+    }
     let name = folder
         .file_name()
         .ok_or_else(|| {
@@ -125,6 +138,13 @@ pub fn write(case: &Case, folder: &Path) -> Result<(), CaseError> {
     // What is left over when it failed is of no use to anybody.
     let _ = fs::remove_dir_all(&new);
     result
+}
+
+/// A lock of this folder, for which other processes that write cases in it wait; the system gives it back however this
+/// one ends. Where it has none for folders, cases are written without.
+fn held(folder: &Path) -> Option<fs::File> {
+    let opened = fs::File::open(folder).ok()?;
+    opened.lock().ok().map(|()| opened)
 }
 
 /// Writes the files into `new`, which is to become `folder`: errors name that, which a person gave.

@@ -97,3 +97,50 @@ fn a_file_that_is_as_it_would_be_written_is_no_obstacle() {
     assert_eq!(again.code, 0, "{}", again.stderr);
     assert_eq!(read(&dir, "case/scene.toml"), next);
 }
+
+/// Of processes that write one case at once, each adds its verdict or says that it does not.
+#[test]
+fn no_verdict_of_cases_that_are_written_at_once_is_lost() {
+    let dir = Dir::new();
+    let scenes: Vec<String> = (0..6)
+        .map(|i| dir.write(&format!("scene-{i}.toml"), GOOD))
+        .collect();
+    let first = dir.write("first.toml", GOOD);
+    assert_eq!(dir.run(&["case", &first, "--out", "case"]).code, 0);
+    let runs: Vec<_> = std::thread::scope(|scope| {
+        let run = |scene| dir.run(&["case", scene, "--out", "case"]);
+        let runs: Vec<_> = scenes
+            .iter()
+            .map(|scene| scope.spawn(move || run(scene)))
+            .collect();
+        let joined = runs.into_iter().map(|run| run.join().expect("a run"));
+        joined.collect()
+    });
+    let manifest: serde_json::Value =
+        serde_json::from_str(&read(&dir, "case/manifest.json")).expect("JSON");
+    let history = manifest["history"].as_array().expect("a list");
+    let has = |name: &str| history.iter().any(|entry| entry["scene"] == name);
+    assert!(has("first"), "{manifest}");
+    for (i, run) in runs.iter().enumerate() {
+        let added = has(&format!("scene-{i}"));
+        assert_eq!(run.code, if added { 0 } else { 2 }, "{}", run.stderr);
+        assert_eq!(run.stderr.is_empty(), added, "{}", run.stderr);
+    }
+}
+
+/// What a link leads to is written, and the link is kept.
+#[cfg(unix)]
+#[test]
+fn a_case_behind_a_link_is_written_where_the_link_leads() {
+    let dir = Dir::new();
+    let scene = dir.write("scene.toml", GOOD);
+    assert_eq!(dir.run(&["case", &scene, "--out", "case"]).code, 0);
+    std::os::unix::fs::symlink("case", dir.path("link")).expect("a link");
+    dir.write("scene.toml", BAD);
+    assert_eq!(dir.run(&["case", &scene, "--out", "link"]).code, 1);
+    assert!(dir.path("link").is_symlink());
+    assert_eq!(files(&dir.path("link")), files(&dir.path("case")));
+    let manifest: serde_json::Value =
+        serde_json::from_str(&read(&dir, "case/manifest.json")).expect("JSON");
+    assert_eq!(manifest["history"].as_array().expect("a list").len(), 2);
+}
