@@ -179,13 +179,18 @@ impl<'a> Reader<'a> {
         let is_letter = |c: char| c.is_alphabetic() || c == '°' || c == '\u{b5}';
         let len = rest.find(|c| !is_letter(c)).unwrap_or(rest.len());
         let Some(symbol) = rest.get(..len).filter(|symbol| !symbol.is_empty()) else {
-            return Err(match rest.chars().next() {
-                Some(c) => malformed(
-                    self.at..self.at + c.len_utf8(),
-                    format!("expected a unit here, found `{}`", c.escape_debug()),
-                ),
-                None => malformed(self.at..self.at, "expected a unit here, found nothing"),
-            });
+            let mut chars = rest.chars();
+            let Some(c) = chars.next() else {
+                let message = "expected a unit here, found nothing";
+                return Err(malformed(self.at..self.at, message));
+            };
+            let message = format!("expected a unit here, found `{}`", c.escape_debug());
+            let mut error = malformed(self.at..self.at + c.len_utf8(), message);
+            if c == ',' && chars.next().is_some_and(|next| next.is_ascii_digit()) {
+                let help = "a decimal point is written `.`, as in `1.5`, and digits have no commas between them";
+                error.help = Some(help.to_owned());
+            }
+            return Err(error);
         };
         self.at += len;
         Ok(symbol)

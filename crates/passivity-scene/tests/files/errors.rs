@@ -278,6 +278,10 @@ fn slips_come_with_what_may_have_been_meant() {
         ("[wall.max-force]\n", "did you mean `max_force`?"),
         ("[device]\nviscous = \"1 Nms\"\n", "did you mean `Nm s`?"),
         (
+            "[device]\nviscous = \"1,5 N m s\"\n",
+            "a decimal point is written `.`",
+        ),
+        (
             "[operator]\nvelocity = 1\n",
             "`velocity` belongs in [start]",
         ),
