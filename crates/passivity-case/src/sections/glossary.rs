@@ -3,7 +3,7 @@
 use crate::document::{Document, Row};
 
 /// Each word or letter with its meaning.
-const TERMS: [(&str, &str); 35] = [
+const TERMS: [(&str, &str); 39] = [
     (
         "b, c, m",
         "The viscous friction, the Coulomb friction and the mass or inertia of the device.",
@@ -31,6 +31,22 @@ const TERMS: [(&str, &str); 35] = [
     (
         "φ_V, φ_H",
         "The force of the virtual wall and the force of the hand, in units of KΔ.",
+    ),
+    (
+        "V, δ",
+        "A speed that is not exceeded, and the step that the force is rounded to: in ticks per sampling period and in KΔ, where the other quantities have no units.",
+    ),
+    (
+        "B, a, H(z)",
+        "The virtual damping in units of KT; what its filter keeps from one sample to the next, τ/(T + τ) for its time constant τ; and the transfer function of the controller in units of K.",
+    ),
+    (
+        "c_j, g_j, ‖c‖₁",
+        "What the controller answers to a position of one tick in one sample, j samples later and in units of KΔ; the sum of that from sample j on; and the sum of all |c_j|.",
+    ),
+    (
+        "λ, κ",
+        "How much viscous friction a controller costs, and how much a force costs that is late or lags behind, both in units of KT. In the formulas of κ the force is late by k whole samples and the part f of one, s together; θ is the time constant of the amplifier in sampling periods; m is the mean delay in sampling periods, and Var its variance. In that of λ, θ is 2π times a frequency, times T.",
     ),
     (
         "E_g, E_d",
