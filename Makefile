@@ -16,7 +16,7 @@ BENCH = --features passivity-bench/criterion
 LEAN = "passivity-cli" "passivity-cli --features simulate" "passivity-cli --features identify" "passivity-cli --features audit,oracle,vectors" \
     "passivity-cli --features audit,plot,simulate" passivity-capi passivity-audit "passivity-audit --features mcap" passivity-monitor passivity-plot passivity-sim
 # The crates that are published, each after those that it needs.
-PUBLISHED = core scene audit oracle vectors plot sim identify capi monitor monitor-capi
+PUBLISHED = core scene audit oracle vectors plot sim identify capi monitor monitor-capi evidence case command cli
 
 # Nothing is built twice here that was not changed: no traces of what was built are kept, nor lines for debuggers.
 export CARGO_INCREMENTAL ?= 0
@@ -38,7 +38,7 @@ run: setup ## check and explain the default scene: the main job, by the smallest
 	@echo "== passivity explain $(SCENE)"
 	@$(QUICK) explain $(SCENE)
 
-test: setup ## run all tests, and ask the solvers every claim
+test: setup ## run all tests, and ask the solvers all their queries
 	@echo "== cargo test --workspace"
 	$(CARGO) test $(FLAGS) --workspace
 	@$(MAKE) --no-print-directory prove-smt
@@ -95,7 +95,7 @@ same-figures: figures ## draw every figure, and show that those of the documenta
 	    cmp target/figures/$$figure docs/figures/$$figure || \
 	    { echo "look at target/figures/$$figure, and copy it to docs/figures"; exit 1; }; done
 
-prove: ## every engine on every claim; writes target/evidence.json
+prove: ## every engine on the claims that it is for; writes target/evidence.json
 	@echo "== proofs/prove: every engine that is here; the others are recorded as not run"
 	@CARGO="$(CARGO)" PASSIVITY_SMT="$(CURDIR)/$(SOLVERS)" proofs/prove
 
@@ -103,7 +103,7 @@ case: ## write the safety case of the default scene into target/case
 	@echo "== passivity case $(SCENE) --out target/case"
 	@$(BIN) case $(SCENE) --out target/case
 
-prove-smt: ## z3 and cvc5 on every claim, for all real numbers
+prove-smt: ## z3 and cvc5 on the claims that they are for, for all real numbers
 	@echo "== z3 and cvc5 on proofs/smt/queries"
 	@proofs/smt/install $(SOLVERS)
 	@# With the features of the whole workspace nothing is built again that the tests have built.

@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 use std::io::{Error, Write as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use flate2::{Compression, write::DeflateEncoder};
@@ -15,17 +15,26 @@ const TEXTS: [(&str, &str); 2] = [
 ];
 const KERNEL: &str = "data/kernel";
 
+/// Where a link of the repository leads: of a checkout without symbolic links they are files with that text.
+fn followed(link: &str) -> PathBuf {
+    let link = Path::new(link);
+    match fs::read_to_string(link) {
+        Ok(text) if text.starts_with("../") => link.with_file_name(text.trim_end()),
+        _ => link.to_owned(),
+    }
+}
+
 fn main() -> Result<(), Error> {
     let out = env::var_os("OUT_DIR").ok_or_else(|| Error::other("run by cargo"))?;
-    println!("cargo::rerun-if-changed={KERNEL}");
+    println!("cargo::rerun-if-changed={}", followed(KERNEL).display());
     for (read, name) in TEXTS {
-        println!("cargo::rerun-if-changed={read}");
+        println!("cargo::rerun-if-changed={}", followed(read).display());
         let mut text = DeflateEncoder::new(Vec::new(), Compression::best());
-        text.write_all(&fs::read(read)?)?;
+        text.write_all(&fs::read(followed(read))?)?;
         fs::write(Path::new(&out).join(name), text.finish()?)?;
     }
 
-    let files = fs::read_dir(KERNEL)?.collect::<Result<Vec<_>, _>>()?;
+    let files = fs::read_dir(followed(KERNEL))?.collect::<Result<Vec<_>, _>>()?;
     let mut sums = files
         .iter()
         .map(|file| Ok((file.file_name(), Sha256::digest(fs::read(file.path())?))))

@@ -23,6 +23,9 @@
  * ticks is taken for a motion over all of them, and friction would take so much over it that it hides
  * what follows: an active wall is called surely passive.
  *
+ * MEMORY. A monitor that may be asked before it is started is zero before, as static ones are: what was
+ * never written must not be read.
+ *
  * THREADS. Each monitor is used by one thread, or interrupt handler, at a time.
  */
 #ifndef PASSIVITY_MONITOR_H

@@ -75,8 +75,9 @@ fn config(parameters: &Parameters) -> Result<Config, i32> {
 ///
 /// # Safety
 ///
-/// The pointer is null or points at a `passivity_monitor` that nothing else writes meanwhile, started
-/// or with another first word than [`STARTED`].
+/// The pointer is null or points at a `passivity_monitor` that nothing else writes meanwhile: one that
+/// [`passivity_monitor_start`] was called for, or whose first word was written and is another than [`STARTED`], as of
+/// memory that is zero.
 unsafe fn is_started(memory: *const Memory) -> bool {
     // SAFETY: null or valid, as the caller vouches. The rest of the memory need not have been written.
     let first = unsafe { memory.cast::<u64>().as_ref() };
@@ -98,8 +99,8 @@ unsafe fn started<'a>(memory: *const Memory) -> Option<&'a Monitor<i64>> {
 ///
 /// # Safety
 ///
-/// `memory` is null or points at a `passivity_monitor`, `parameters` is null or points at a
-/// `passivity_monitor_config`.
+/// `memory` is null or points at room for a `passivity_monitor`, which need not have been written and which nothing else
+/// uses meanwhile; `parameters` is null or points at a `passivity_monitor_config`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn passivity_monitor_start(
     memory: *mut Memory,
@@ -136,7 +137,7 @@ pub unsafe extern "C" fn passivity_monitor_start(
 ///
 /// # Safety
 ///
-/// `memory` is null or points at a `passivity_monitor`.
+/// `memory` is as of [`is_started`], and nothing else uses what it points at meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn passivity_monitor_sample(
     memory: *mut Memory,
@@ -156,7 +157,7 @@ pub unsafe extern "C" fn passivity_monitor_sample(
 ///
 /// # Safety
 ///
-/// `memory` is null or points at a `passivity_monitor`; the others are null or point at a number.
+/// `memory` is as of [`is_started`]; the others are null or point at a number that nothing else uses meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn passivity_monitor_given(
     memory: *const Memory,
@@ -180,7 +181,7 @@ pub unsafe extern "C" fn passivity_monitor_given(
 ///
 /// # Safety
 ///
-/// `memory` is null or points at a `passivity_monitor`; `sample` is null or points at a number.
+/// `memory` is as of [`is_started`]; `sample` is null or points at a number that nothing else uses meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn passivity_monitor_saturation(
     memory: *const Memory,
